@@ -1,0 +1,302 @@
+//! From a drillstring to its responses by any method, no longer than the
+//! response lasts or the simulation needs.
+
+use faer::c64;
+use rayon::prelude::*;
+
+use crate::drillstring::Drillstring;
+use crate::elements::newmark::Weights;
+use crate::elements::reduction::{CondensedString, StringState};
+use crate::error::BuildError;
+use crate::estimates::{torsional_decay_rate, torsional_travel_time};
+use crate::filters::{direct, hilbert, quadrature};
+use crate::method::{FiniteElement, Method, Transform};
+use crate::response::{TorsionRequest, TorsionResponses};
+use crate::waves::network::TorsionNetwork;
+
+/// Taps after which a response sums, in magnitude, to less than this fraction
+/// of the whole are cut off: what they would add to a speed is as small.
+/// Rounding in the phase of thousands of radians along the string leaves a
+/// floor a few times lower.
+const NEGLIGIBLE_TAIL: f64 = 1e-8;
+
+/// A tail counts as decayed only if this last part of what was computed is
+/// negligible too, so that a quiet moment is not taken for the end.
+const QUIET_PART: f64 = 0.25;
+
+/// A first guess of the length, in round trips, where damping says nothing.
+const FIRST_ROUND_TRIPS: f64 = 16.0;
+
+/// The most taps kept per response: 16 million, 128 MB.
+const MOST_TAPS: usize = 1 << 24;
+
+/// Builds the torsional responses of a string by one method.
+///
+/// # Errors
+/// Where a parameter is out of range, the method cannot treat the string, or
+/// the responses would not fit in memory.
+pub fn torsion_responses(
+    string: &Drillstring,
+    method: &Method,
+    request: &TorsionRequest,
+) -> Result<TorsionResponses, BuildError> {
+    check_sampling(request)?;
+    let needed = needed_taps(request);
+    let mut channels = match method {
+        Method::Quadrature => quadrature_taps(string, request, needed),
+        Method::Hilbert(transform) => hilbert_taps(string, transform, request)?,
+        Method::DirectIdft(transform) => direct_taps(string, transform, request)?,
+        Method::FiniteElement(parameters) => element_taps(string, parameters, request, needed)?,
+    };
+    channels.iter_mut().for_each(|taps| taps.truncate(needed));
+    if channels.iter().flatten().all(|tap| tap.is_finite()) {
+        Ok(TorsionResponses::from_channels(request, channels))
+    } else {
+        Err(BuildError::NotFinite {
+            method: method.name(),
+        })
+    }
+}
+
+fn quadrature_taps(string: &Drillstring, request: &TorsionRequest, needed: usize) -> Vec<Vec<f64>> {
+    let response = wave_response(string, request);
+    let mut length = first_length(string, request).min(needed);
+    loop {
+        let mut channels = quadrature::taps(
+            request.sampling_frequency,
+            length,
+            request.channels(),
+            &response,
+        );
+        if cut_decayed_tail(&mut channels) || length == needed {
+            return channels;
+        }
+        length = (2 * length).min(needed);
+    }
+}
+
+/// The transform is as long as the string's vibration lasts, however short
+/// the simulation: what it cuts off is folded back (Section 2.4). Its taps have
+/// an algebraic tail, so that watching them decay would not tell when to stop.
+fn hilbert_taps(
+    string: &Drillstring,
+    transform: &Transform,
+    request: &TorsionRequest,
+) -> Result<Vec<Vec<f64>>, BuildError> {
+    needs_damping("hilbert", string)?;
+    Ok(hilbert::taps(
+        request.sampling_frequency,
+        transform_length(string, transform, request)?,
+        request.channels(),
+        &wave_response(string, request),
+    ))
+}
+
+fn direct_taps(
+    string: &Drillstring,
+    transform: &Transform,
+    request: &TorsionRequest,
+) -> Result<Vec<Vec<f64>>, BuildError> {
+    needs_damping("direct-idft", string)?;
+    Ok(direct::taps(
+        request.sampling_frequency,
+        transform_length(string, transform, request)?,
+        request.channels(),
+        &wave_response(string, request),
+    ))
+}
+
+/// Exact frequency responses of all channels.
+fn wave_response<'a>(
+    string: &'a Drillstring,
+    request: &'a TorsionRequest,
+) -> impl Fn(c64, &mut [c64]) + Sync + 'a {
+    let network = TorsionNetwork::new(string, &request.sites);
+    move |s, channels| {
+        let admittance = network.admittance(s);
+        let sites = request.sites.len();
+        channels[..sites].copy_from_slice(&admittance.from_surface);
+        let torques = (0..sites).flat_map(|site| {
+            let admittance = &admittance.from_torque;
+            (request.torque_inputs.iter()).map(move |&input| admittance[(site, input)])
+        });
+        for (channel, value) in channels[sites..].iter_mut().zip(torques) {
+            *channel = value;
+        }
+    }
+}
+
+/// One unit input stepped in time, its effect at the sites written down.
+struct UnitRun {
+    /// `None`: the surface speed.
+    input: Option<usize>,
+    state: StringState,
+    speeds: Vec<Vec<f64>>,
+}
+
+impl UnitRun {
+    fn extend(&mut self, string: &CondensedString, length: usize) {
+        for step in self.speeds[0].len()..length {
+            let unit = if step == 0 { 1.0 } else { 0.0 };
+            match self.input {
+                None => string.step_free(&mut self.state, unit),
+                Some(input) => {
+                    string.step_free(&mut self.state, 0.0);
+                    if step == 0 {
+                        string.apply_torque(&mut self.state, input, unit);
+                    }
+                }
+            }
+            for (site, speeds) in self.speeds.iter_mut().enumerate() {
+                speeds.push(string.speed(&self.state, site));
+            }
+        }
+    }
+}
+
+fn element_taps(
+    string: &Drillstring,
+    parameters: &FiniteElement,
+    request: &TorsionRequest,
+    needed: usize,
+) -> Result<Vec<Vec<f64>>, BuildError> {
+    parameters.check()?;
+    let weights = Weights {
+        gamma: parameters.gamma,
+        beta: parameters.beta(),
+        step: 1.0 / request.sampling_frequency,
+    };
+    let condensed = CondensedString::new(
+        string,
+        &request.sites,
+        parameters.elements_per_cell,
+        weights,
+    )?;
+    let sites = request.sites.len();
+    let mut runs: Vec<UnitRun> = std::iter::once(None)
+        .chain(request.torque_inputs.iter().copied().map(Some))
+        .map(|input| UnitRun {
+            input,
+            state: condensed.rest(),
+            speeds: vec![Vec::new(); sites],
+        })
+        .collect();
+    let mut length = first_length(string, request).min(needed);
+    loop {
+        runs.par_iter_mut()
+            .for_each(|run| run.extend(&condensed, length));
+        let mut channels = in_channel_order(&runs, sites);
+        if cut_decayed_tail(&mut channels) || length == needed {
+            return Ok(channels);
+        }
+        length = (2 * length).min(needed);
+    }
+}
+
+fn in_channel_order(runs: &[UnitRun], sites: usize) -> Vec<Vec<f64>> {
+    let from_surface = runs[0].speeds.iter().cloned();
+    let from_torques = (0..sites).flat_map(|site| {
+        runs[1..]
+            .iter()
+            .map(move |run: &UnitRun| run.speeds[site].clone())
+    });
+    from_surface.chain(from_torques).collect()
+}
+
+/// Cuts all channels where the last of them has decayed. Returns whether they
+/// have.
+fn cut_decayed_tail(channels: &mut [Vec<f64>]) -> bool {
+    let length = channels.iter().map(Vec::len).max().unwrap_or(0);
+    let end = channels
+        .iter()
+        .map(|taps| decayed_length(taps))
+        .max()
+        .unwrap_or(0);
+    let decayed = (end as f64) <= (1.0 - QUIET_PART) * length as f64;
+    if decayed {
+        channels
+            .iter_mut()
+            .for_each(|taps| taps.truncate(end.max(1)));
+    }
+    decayed
+}
+
+/// The number of taps before the negligible tail.
+fn decayed_length(taps: &[f64]) -> usize {
+    let total: f64 = taps.iter().map(|tap| tap.abs()).sum();
+    let mut tail = 0.0;
+    taps.iter()
+        .rposition(|tap| {
+            tail += tap.abs();
+            tail > NEGLIGIBLE_TAIL * total
+        })
+        .map_or(0, |last| last + 1)
+}
+
+/// A guess of the taps a response lasts, from the decay rate of the whole
+/// string; a power of two for the transforms.
+fn first_length(string: &Drillstring, request: &TorsionRequest) -> usize {
+    let decay_time = -NEGLIGIBLE_TAIL.ln() / torsional_decay_rate(string) / (1.0 - QUIET_PART);
+    let default_time = FIRST_ROUND_TRIPS * 2.0 * torsional_travel_time(string);
+    let time = if decay_time.is_finite() {
+        decay_time.max(2.0 * torsional_travel_time(string))
+    } else {
+        default_time
+    };
+    let taps = (time * request.sampling_frequency).ceil() as usize;
+    taps.next_power_of_two().min(MOST_TAPS)
+}
+
+/// The transform length in samples: as given, or twice the time the string's
+/// vibration lasts.
+fn transform_length(
+    string: &Drillstring,
+    transform: &Transform,
+    request: &TorsionRequest,
+) -> Result<usize, BuildError> {
+    let samples = match transform.seconds {
+        None => 2.0 * first_length(string, request) as f64,
+        Some(seconds) => seconds * request.sampling_frequency,
+    };
+    if samples > MOST_TAPS as f64 {
+        return Err(BuildError::TooManyTaps {
+            taps: samples,
+            most: MOST_TAPS,
+        });
+    }
+    if samples < 4.0 || samples.is_nan() {
+        return Err(BuildError::Parameter {
+            name: "transform_s",
+            value: samples / request.sampling_frequency,
+            expected: "at least four samples long",
+        });
+    }
+    Ok(2 * (samples / 2.0).round() as usize)
+}
+
+fn needs_damping(method: &'static str, string: &Drillstring) -> Result<(), BuildError> {
+    if string.torsional_damping() > 0.0 {
+        Ok(())
+    } else {
+        Err(BuildError::NeedsDamping { method })
+    }
+}
+
+fn check_sampling(request: &TorsionRequest) -> Result<(), BuildError> {
+    let value = request.sampling_frequency;
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(BuildError::Parameter {
+            name: "sampling_frequency",
+            value,
+            expected: "a positive number of Hz",
+        })
+    }
+}
+
+/// Taps that a simulation of the requested time can use.
+fn needed_taps(request: &TorsionRequest) -> usize {
+    let taps = (request.longest_time * request.sampling_frequency).ceil() + 1.0;
+    taps.clamp(2.0, MOST_TAPS as f64) as usize
+}

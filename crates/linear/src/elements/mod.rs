@@ -1,0 +1,8 @@
+//! Finite elements of the string and their time integration (Section 3 of the
+//! paper): a model that shares no equation with [`crate::waves`] beyond the
+//! material's constants.
+
+pub mod mesh;
+pub mod newmark;
+pub mod reduction;
+pub mod torsion;

@@ -1,0 +1,87 @@
+//! What can be said of a string without simulating it: static stiffness,
+//! travel times, the paper's sampling frequency, and the characteristic times
+//! and stability limit of stick-slip (Eqs. 72–75).
+
+use crate::drillstring::{Drillstring, Tube};
+
+/// Static torsional stiffness k_eff between surface and bit, N m/rad.
+pub fn torsional_stiffness(string: &Drillstring) -> f64 {
+    let flexibility: f64 = string
+        .tubes()
+        .map(|(count, tube)| count * tube.length / tube.polar_moment())
+        .sum();
+    string.material().shear_modulus / flexibility
+}
+
+/// Characteristic torsional impedance J √(Gρ) of a tube, without damping,
+/// N m s/rad.
+pub fn torsional_impedance(string: &Drillstring, tube: &Tube) -> f64 {
+    let material = string.material();
+    tube.polar_moment() * (material.shear_modulus * material.density).sqrt()
+}
+
+/// Time a torsional wave takes from the surface to the bit, s.
+pub fn torsional_travel_time(string: &Drillstring) -> f64 {
+    string.length() / string.torsional_wave_speed()
+}
+
+/// The paper's sampling frequency (end of Section 2.4), Hz: four times the
+/// first torsional mode, half a wavelength long, of one cell of the drillpipe.
+/// The band then holds two of its stop-bands.
+pub fn sampling_frequency(string: &Drillstring) -> f64 {
+    let first_mode = string.torsional_wave_speed() / (2.0 * string.drillpipe().cell_length());
+    4.0 * first_mode
+}
+
+/// Rate at which torsional vibration of the whole string decays: the damping
+/// coefficient over twice the moment of inertia, 1/s.
+pub fn torsional_decay_rate(string: &Drillstring) -> f64 {
+    let inertia: f64 = string
+        .tubes()
+        .map(|(count, tube)| count * tube.length * tube.polar_moment())
+        .sum::<f64>()
+        * string.material().density;
+    string.torsional_damping() * string.length() / (2.0 * inertia)
+}
+
+/// Δ of Eq. 75: the largest undershoot of the step response whose taps are
+/// given, in the units of the response (rad/s per N m at the bit).
+pub fn largest_undershoot(taps: &[f64]) -> f64 {
+    let step_response = taps.iter().scan(0.0, |sum, tap| {
+        *sum += tap;
+        Some(*sum)
+    });
+    -step_response.fold(f64::INFINITY, f64::min)
+}
+
+/// The time scales of stick-slip, s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StickSlipTimes {
+    /// τ₁ (Eq. 72): from rest until the torque has wound up to T_s.
+    pub first_slip: f64,
+    /// τ₂: a torsional wave from the bit to the surface and back.
+    pub slip: f64,
+    /// τ₃ (Eq. 73): from T_d to T_s at the steady rate of winding.
+    pub stick: f64,
+}
+
+/// The time scales of stick-slip at a steady surface speed (rad/s) for a bit
+/// with the given static and dynamic torques (N m).
+pub fn stick_slip_times(
+    string: &Drillstring,
+    surface_speed: f64,
+    torque_static: f64,
+    torque_dynamic: f64,
+) -> StickSlipTimes {
+    let winding_rate = surface_speed * torsional_stiffness(string);
+    StickSlipTimes {
+        first_slip: torque_static / winding_rate,
+        slip: 2.0 * torsional_travel_time(string),
+        stick: (torque_static - torque_dynamic) / winding_rate,
+    }
+}
+
+/// Surface speed below which stick-slip can sustain itself (Eq. 74), rad/s.
+pub fn stick_slip_speed_limit(undershoot: f64, torque_static: f64, torque_dynamic: f64) -> f64 {
+    (torque_static - torque_dynamic) * undershoot
+}

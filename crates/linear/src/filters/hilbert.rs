@@ -1,0 +1,33 @@
+//! The paper's digital filter (Eqs. 39–40): the causal sequence whose spectrum
+//! has the sampled real part of the velocity response.
+
+use faer::c64;
+
+use super::{frequency_grid, inverse_transform, sample};
+
+/// Taps of every channel from a transform of `transform_length` samples
+/// (even): `transform_length / 2 + 1` taps each.
+///
+/// Taking the imaginary part as the discrete Hilbert transform of the real
+/// part (Eq. 39) folds the even sequence that belongs to the real part onto
+/// positive times, so the fold is done directly.
+pub fn taps(
+    sampling_frequency: f64,
+    transform_length: usize,
+    channels: usize,
+    velocity_response: &(impl Fn(c64, &mut [c64]) + Sync),
+) -> Vec<Vec<f64>> {
+    let half = transform_length / 2;
+    let grid = frequency_grid(transform_length, sampling_frequency);
+    let spectra = sample(channels, half + 1, grid, velocity_response);
+    spectra
+        .into_iter()
+        .map(|mut spectrum| {
+            spectrum.iter_mut().for_each(|value| value.im = 0.0);
+            let mut sequence = inverse_transform(&mut spectrum, transform_length);
+            sequence.truncate(half + 1);
+            sequence[1..half].iter_mut().for_each(|tap| *tap *= 2.0);
+            sequence
+        })
+        .collect()
+}

@@ -1,0 +1,62 @@
+//! Discrete impulse responses from frequency responses (Section 2.4).
+//!
+//! A filter turns the frequency responses of any number of channels, given at
+//! complex s, into taps: `output(k) = Σ taps(k − n) input(n)`, so that a tap
+//! carries the paper's factor 1/f_s.
+
+pub mod direct;
+pub mod hilbert;
+pub mod quadrature;
+
+use faer::c64;
+use rayon::prelude::*;
+use realfft::RealFftPlanner;
+
+/// Evaluates every channel at `variable(0)`, …, `variable(count − 1)`;
+/// one spectrum a channel.
+fn sample(
+    channels: usize,
+    count: usize,
+    variable: impl Fn(usize) -> c64 + Sync,
+    response: &(impl Fn(c64, &mut [c64]) + Sync),
+) -> Vec<Vec<c64>> {
+    let zero = c64::new(0.0, 0.0);
+    let mut rows = vec![zero; count * channels];
+    rows.par_chunks_mut(channels)
+        .enumerate()
+        .with_min_len(256)
+        .for_each(|(index, row)| response(variable(index), row));
+    (0..channels)
+        .map(|channel| {
+            rows.iter()
+                .skip(channel)
+                .step_by(channels)
+                .copied()
+                .collect()
+        })
+        .collect()
+}
+
+/// The real sequence of length `length` (even) whose discrete Fourier
+/// transform starts with `half_spectrum` (`length / 2 + 1` values).
+fn inverse_transform(half_spectrum: &mut [c64], length: usize) -> Vec<f64> {
+    // A real sequence has real values at zero frequency and at Nyquist.
+    if let [first, .., last] = half_spectrum {
+        first.im = 0.0;
+        last.im = 0.0;
+    }
+    let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(length);
+    let mut sequence = transform.make_output_vec();
+    transform
+        .process(half_spectrum, &mut sequence)
+        .expect("lengths and the two real ends are set above");
+    let scale = 1.0 / length as f64;
+    sequence.iter_mut().for_each(|x| *x *= scale);
+    sequence
+}
+
+/// s = iω on the grid of a transform of `length` samples.
+fn frequency_grid(length: usize, sampling_frequency: f64) -> impl Fn(usize) -> c64 + Sync {
+    let step = std::f64::consts::TAU * sampling_frequency / length as f64;
+    move |index| c64::new(0.0, step * index as f64)
+}

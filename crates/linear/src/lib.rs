@@ -1,0 +1,56 @@
+//! The linear part of a drillstring, computed once: discrete impulse responses
+//! between the surface and the few sites where something nonlinear acts.
+//!
+//! After T. Butlin and R. S. Langley, *An efficient model of drillstring
+//! dynamics*, Journal of Sound and Vibration (2015), whose equation numbers
+//! are quoted throughout. SI units; ξ and depth run down from the surface;
+//! rotations and external torques are positive in one and the same direction
+//! at every node, so that every driving-point speed response is positive-real.
+//!
+//! | paper | here |
+//! |---|---|
+//! | Table 2, Fig. 5: the string and its sites | [`drillstring`] |
+//! | Eqs. 1–3: waves in a tube | [`waves::torsion`] |
+//! | Eqs. 4–11: the chain of sections | [`waves::chain`] |
+//! | Eqs. 12–13, 41–48: surface and sites | [`waves::network`] |
+//! | Section 2.4: digital filters | [`filters`] |
+//! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
+//! | Section 3: finite elements, Newmark | [`elements`] |
+//! | Eqs. 72–75: estimates | [`estimates`] |
+//! | Eqs. 59–61: what a simulation needs | [`response`] |
+//!
+//! ```
+//! use linear::{Drillstring, Material, Method, Section, Sites, TorsionRequest, Tube};
+//!
+//! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! let request = TorsionRequest {
+//!     sites: Sites::bit(),
+//!     torque_inputs: vec![0],
+//!     sampling_frequency: linear::estimates::sampling_frequency(&string),
+//!     longest_time: 20.0,
+//! };
+//! let responses = linear::torsion_responses(&string, &Method::Quadrature, &request)?;
+//! // In the end the bit turns as fast as the surface.
+//! let speed: f64 = responses.from_surface[0].iter().sum();
+//! assert!((speed - 1.0).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod build;
+pub mod drillstring;
+pub mod elements;
+mod error;
+pub mod estimates;
+pub mod filters;
+pub mod method;
+pub mod passivity;
+pub mod response;
+pub mod waves;
+
+pub use build::torsion_responses;
+pub use drillstring::{Drillstring, Material, Section, Sites, Tube};
+pub use error::{BuildError, DrillstringError};
+pub use method::Method;
+pub use response::{TorsionRequest, TorsionResponses};

@@ -1,0 +1,96 @@
+//! The methods that turn a drillstring into discrete impulse responses.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::BuildError;
+
+/// A linear method with its parameters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// The paper's digital filter (Eqs. 39–40).
+    Hilbert(Transform),
+    /// Convolution quadrature with BDF2.
+    Quadrature,
+    /// Finite elements with Newmark's scheme (Section 3).
+    FiniteElement(FiniteElement),
+    /// The plain inverse discrete Fourier transform, which fails.
+    DirectIdft(Transform),
+}
+
+impl Method {
+    /// The name used in files and on the command line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Method::Hilbert(_) => "hilbert",
+            Method::Quadrature => "quadrature",
+            Method::FiniteElement(_) => "finite-element",
+            Method::DirectIdft(_) => "direct-idft",
+        }
+    }
+}
+
+/// Length of the discrete Fourier transform behind a filter.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Transform {
+    /// Length in seconds; its inverse is the frequency resolution. Half of it
+    /// becomes taps by `hilbert`, all of it by `direct-idft`. By default as
+    /// long as the response needs to decay.
+    #[serde(rename = "transform_s")]
+    pub seconds: Option<f64>,
+}
+
+/// Parameters of the finite-element method.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct FiniteElement {
+    /// Elements in one cell of the drillpipe (default 20, as in the paper).
+    pub elements_per_cell: usize,
+    /// Newmark's γ, from ½ (no numerical damping) to 1. Default 0.52.
+    pub gamma: f64,
+    /// Newmark's β. By default ¼(½ + γ)², the least that is stable at any
+    /// step with the strongest damping of the highest frequencies.
+    pub beta: Option<f64>,
+}
+
+impl Default for FiniteElement {
+    fn default() -> Self {
+        Self {
+            elements_per_cell: 20,
+            gamma: 0.52,
+            beta: None,
+        }
+    }
+}
+
+impl FiniteElement {
+    /// β as given or by its rule.
+    pub fn beta(&self) -> f64 {
+        self.beta
+            .unwrap_or_else(|| 0.25 * (0.5 + self.gamma).powi(2))
+    }
+
+    /// Checks that the scheme is unconditionally stable for the string alone.
+    ///
+    /// # Errors
+    /// Where γ < ½, β < γ/2 or there are no elements.
+    pub fn check(&self) -> Result<(), BuildError> {
+        let refuse = |name, value, expected| {
+            Err(BuildError::Parameter {
+                name,
+                value,
+                expected,
+            })
+        };
+        if self.elements_per_cell == 0 {
+            return refuse("elements_per_cell", 0.0, "at least 1");
+        }
+        if !(0.5..=1.0).contains(&self.gamma) {
+            return refuse("gamma", self.gamma, "0.5 to 1");
+        }
+        if !(self.beta() >= self.gamma / 2.0 && self.beta() <= 1.0) {
+            return refuse("beta", self.beta(), "gamma / 2 to 1");
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,82 @@
+//! Discrete impulse responses A(0), A(1), …: the only thing that leaves this
+//! crate for a simulation (Eqs. 59–61).
+
+use crate::drillstring::Sites;
+use crate::error::BuildError;
+use crate::passivity::positive_real_margin;
+
+/// What a torsional response is needed for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TorsionRequest {
+    /// Where speeds are wanted.
+    pub sites: Sites,
+    /// Which of the sites, by number, a torque acts on. Only these become
+    /// inputs.
+    pub torque_inputs: Vec<usize>,
+    /// Sampling frequency f_s, Hz.
+    pub sampling_frequency: f64,
+    /// The longest time simulated, s. Longer responses are not computed.
+    pub longest_time: f64,
+}
+
+impl TorsionRequest {
+    /// Number of responses: from the surface to each site, then to each site
+    /// from each torque input.
+    pub(crate) fn channels(&self) -> usize {
+        self.sites.len() * (1 + self.torque_inputs.len())
+    }
+}
+
+/// Taps from surface speed and site torques to the rotation speeds of the
+/// sites.
+///
+/// With inputs E and taps A, `output(k) = Σ A(k − n) E(n)` for n ≤ k: a tap
+/// includes the factor 1/f_s of Eq. 61. Past the last tap the response is zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TorsionResponses {
+    /// Sampling frequency f_s, Hz.
+    pub sampling_frequency: f64,
+    /// To each site from the surface speed: dimensionless.
+    pub from_surface: Vec<Vec<f64>>,
+    /// `from_torque[site][input]`, to each site from each torque input:
+    /// rad/s per N m.
+    pub from_torque: Vec<Vec<Vec<f64>>>,
+    /// The sites that torques act on, one for each input.
+    pub torque_inputs: Vec<usize>,
+}
+
+impl TorsionResponses {
+    /// Number of taps of each response.
+    pub fn taps(&self) -> usize {
+        self.from_surface.first().map_or(0, Vec::len)
+    }
+
+    /// Positive-real margin of the driving points (see
+    /// [`crate::passivity`]); `None` where no torque acts.
+    ///
+    /// # Errors
+    /// Where the taps are not finite.
+    pub fn margin(&self) -> Result<Option<f64>, BuildError> {
+        if self.torque_inputs.is_empty() {
+            return Ok(None);
+        }
+        let taps = |output: usize, input: usize| {
+            self.from_torque[self.torque_inputs[output]][input].as_slice()
+        };
+        positive_real_margin(self.torque_inputs.len(), taps).map(Some)
+    }
+
+    /// Splits channels in the order of [`TorsionRequest::channels`].
+    pub(crate) fn from_channels(request: &TorsionRequest, mut channels: Vec<Vec<f64>>) -> Self {
+        let torques = request.torque_inputs.len();
+        let mut from_torque = channels.split_off(request.sites.len()).into_iter();
+        Self {
+            sampling_frequency: request.sampling_frequency,
+            from_surface: channels,
+            from_torque: (0..request.sites.len())
+                .map(|_| from_torque.by_ref().take(torques).collect())
+                .collect(),
+            torque_inputs: request.torque_inputs.clone(),
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! The string reduced to the surface and the sites (Eqs. 41–48): surface
+//! rotation speed and external torques in, rotation speeds at the sites out.
+
+use faer::linalg::solvers::Solve;
+use faer::{Mat, c64};
+
+use super::chain;
+use crate::drillstring::{Drillstring, Sites, Span};
+
+/// The frequency response D of Eq. 48 between surface and sites, without its
+/// top row (the torque at the surface).
+#[derive(Debug, Clone)]
+pub struct TorsionAdmittance {
+    /// Speed at each site per unit surface speed (dimensionless).
+    pub from_surface: Vec<c64>,
+    /// Speed at each site (row) per unit external torque at each site
+    /// (column), rad/s per N m.
+    pub from_torque: Mat<c64>,
+}
+
+/// A string cut at its sites once, to be evaluated at many frequencies.
+#[derive(Debug, Clone)]
+pub struct TorsionNetwork<'a> {
+    string: &'a Drillstring,
+    spans: Vec<Span>,
+    sites: usize,
+}
+
+impl<'a> TorsionNetwork<'a> {
+    /// Cuts the string at the sites.
+    pub fn new(string: &'a Drillstring, sites: &Sites) -> Self {
+        Self {
+            string,
+            spans: string.spans(sites),
+            sites: sites.len(),
+        }
+    }
+
+    /// The response at the Laplace variable `s` (rad/s, Re s ≥ 0).
+    pub fn admittance(&self, s: c64) -> TorsionAdmittance {
+        let nodes = self.spans.len();
+        let mut stiffness = Mat::<c64>::zeros(nodes, nodes);
+        let mut inputs = Mat::<c64>::zeros(nodes, self.sites + 1);
+        for (node, span) in self.spans.iter().enumerate() {
+            let piece = chain::span(self.string, span, s);
+            stiffness[(node, node)] += piece.bottom;
+            if node == 0 {
+                // The surface turns as prescribed: its torque on the first node.
+                inputs[(0, 0)] = -piece.cross;
+            } else {
+                stiffness[(node - 1, node - 1)] += piece.top;
+                stiffness[(node - 1, node)] = piece.cross;
+                stiffness[(node, node - 1)] = piece.cross;
+            }
+        }
+        for site in 0..self.sites {
+            // Torque to speed: s K⁻¹ in the rotation form.
+            inputs[(site, site + 1)] = s;
+        }
+        let response = solve(stiffness, inputs);
+        TorsionAdmittance {
+            from_surface: (0..self.sites).map(|site| response[(site, 0)]).collect(),
+            from_torque: response.submatrix(0, 1, self.sites, self.sites).to_owned(),
+        }
+    }
+}
+
+/// K⁻¹ B; one node alone, by far the most frequent case, needs no factors.
+fn solve(stiffness: Mat<c64>, mut inputs: Mat<c64>) -> Mat<c64> {
+    if stiffness.nrows() == 1 {
+        let compliance = stiffness[(0, 0)].inv();
+        inputs.col_mut(0).iter_mut().for_each(|x| *x *= compliance);
+        inputs.col_mut(1).iter_mut().for_each(|x| *x *= compliance);
+    } else {
+        stiffness.partial_piv_lu().solve_in_place(&mut inputs);
+    }
+    inputs
+}
