@@ -1,1 +1,55 @@
-//! x
+//! Time stepping of the few nonlinear sites of a drillstring against its
+//! linear responses, each case ending in a regime.
+//!
+//! After T. Butlin and R. S. Langley, *An efficient model of drillstring
+//! dynamics*, Journal of Sound and Vibration (2015). This crate sees taps, never how
+//! they were made.
+//!
+//! | paper | here |
+//! |---|---|
+//! | Eqs. 16–17: load line and history | [`history`], [`stepper`] |
+//! | Section 2.2.2, 5.2.1: torque at the bit | [`laws::bit`] |
+//! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
+//! | Section 5.2.1: stick-slip or smooth | [`regime`] |
+//! | Eqs. 72–73: how long to simulate | [`duration`] |
+//!
+//! ```
+//! use linear::{Drillstring, Material, Method, Section, Sites, TorsionRequest, Tube};
+//! use sim::{BitTorque, Scene, System, TorsionRegime};
+//!
+//! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
+//! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
+//! let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
+//! let request = TorsionRequest {
+//!     sites: Sites::bit(),
+//!     torque_inputs: vec![0],
+//!     sampling_frequency: 640.0,
+//!     longest_time: 20.0,
+//! };
+//! let responses = linear::torsion_responses(&string, &Method::Quadrature, &request)?;
+//! let system = System::new(&responses);
+//! let scene = Scene {
+//!     surface_speed: 0.5,
+//!     bit: Some(BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0 }),
+//!     duration: 20.0,
+//! };
+//! let outcome = sim::simulate(&system, &scene, None)?;
+//! assert_eq!(outcome.torsion.map(|torsion| torsion.regime), Some(TorsionRegime::Smooth));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod duration;
+pub mod history;
+pub mod laws;
+pub mod regime;
+pub mod scene;
+pub mod stepper;
+pub mod trajectory;
+
+pub use duration::time_to_label;
+pub use laws::bit::BitTorque;
+pub use laws::rock::Rock;
+pub use regime::{TorsionMeasures, TorsionRegime};
+pub use scene::Scene;
+pub use stepper::{Outcome, SimulationError, System, simulate};
+pub use trajectory::Trajectory;

@@ -1,1 +1,39 @@
-fn main() {}
+//! `sweep`: parameter sweeps of drillstring dynamics.
+//!
+//! A sweep file (`spec`) names cases (`design`); the `engine` runs them on all
+//! cores against linear systems built once; `output` and `plot` make the files
+//! of a results folder. `commands` has one file for each thing a user can ask.
+
+mod cli;
+mod commands;
+mod design;
+mod engine;
+mod output;
+mod plot;
+mod spec;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use cli::{Cli, Command};
+use commands::Status;
+
+fn main() -> ExitCode {
+    let result = match Cli::parse().command {
+        Command::Run(arguments) => commands::run::run(&arguments),
+        Command::Check(arguments) => commands::check::check(&arguments),
+        Command::Simulate(arguments) => commands::simulate::simulate(&arguments),
+        Command::Inspect(arguments) => commands::inspect::inspect(&arguments),
+        Command::Plot(arguments) => commands::plot::plot(&arguments),
+    };
+    result
+        .unwrap_or_else(|error| commands::report(&error))
+        .into()
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> Self {
+        ExitCode::from(status as u8)
+    }
+}

@@ -1,0 +1,97 @@
+//! The sum over past inputs (Eq. 17): the work of a simulation.
+//!
+//! A [`Kernel`] is made once from a response and shared by all cases; a
+//! [`History`] belongs to one case.
+
+/// Taps prepared for summing, shared by every case.
+#[derive(Debug, Clone)]
+pub struct Kernel {
+    instant: f64,
+    /// Taps 1, 2, … with the latest first, so that both factors of the sum run
+    /// through memory in the same direction.
+    reversed: Vec<f64>,
+}
+
+impl Kernel {
+    /// Prepares the taps A(0), A(1), … of one response.
+    pub fn new(taps: &[f64]) -> Self {
+        Self {
+            instant: taps.first().copied().unwrap_or(0.0),
+            reversed: taps.iter().skip(1).rev().copied().collect(),
+        }
+    }
+
+    /// A(0): the response within the step of the input.
+    pub fn instant(&self) -> f64 {
+        self.instant
+    }
+}
+
+/// The inputs of one case so far.
+#[derive(Debug, Clone)]
+pub struct History<'a> {
+    kernel: &'a Kernel,
+    inputs: Vec<f64>,
+}
+
+impl<'a> History<'a> {
+    /// No input yet; room for `steps` of them.
+    pub fn new(kernel: &'a Kernel, steps: usize) -> Self {
+        Self {
+            kernel,
+            inputs: Vec::with_capacity(steps),
+        }
+    }
+
+    /// Σ A(k − n) E(n) over the past, n < k.
+    pub fn past_sum(&self) -> f64 {
+        let reach = self.inputs.len().min(self.kernel.reversed.len());
+        let taps = &self.kernel.reversed[self.kernel.reversed.len() - reach..];
+        let inputs = &self.inputs[self.inputs.len() - reach..];
+        dot(taps, inputs)
+    }
+
+    /// Adds the input E(k) of this step.
+    pub fn push(&mut self, input: f64) {
+        self.inputs.push(input);
+    }
+}
+
+/// Scalar product in a fixed order, so that results are the same everywhere,
+/// with enough independent sums for the processor to work in parallel.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    const LANES: usize = 16;
+    let mut sums = [0.0; LANES];
+    let (a_blocks, b_blocks) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let rest: f64 = (a_blocks.remainder().iter())
+        .zip(b_blocks.remainder())
+        .map(|(x, y)| x * y)
+        .sum();
+    for (x, y) in a_blocks.zip(b_blocks) {
+        for lane in 0..LANES {
+            sums[lane] += x[lane] * y[lane];
+        }
+    }
+    sums.iter().sum::<f64>() + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_past_sum_is_the_convolution_without_its_newest_term() {
+        let taps: Vec<f64> = (0..37).map(|n| 1.0 / (n as f64 + 1.0)).collect();
+        let inputs: Vec<f64> = (0..100).map(|n| ((n * n) % 17) as f64 - 8.0).collect();
+        let kernel = Kernel::new(&taps);
+        let mut history = History::new(&kernel, inputs.len());
+        for step in 0..inputs.len() {
+            let expected: f64 = (1..taps.len())
+                .filter(|&lag| lag <= step)
+                .map(|lag| taps[lag] * inputs[step - lag])
+                .sum();
+            assert!((history.past_sum() - expected).abs() < 1e-12);
+            history.push(inputs[step]);
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! Eq. 61, step by step: history, load line, law.
+
+use linear::TorsionResponses;
+use thiserror::Error;
+
+use crate::history::{History, Kernel};
+use crate::laws::bit::{BitMotion, BitTorque};
+use crate::regime::{BitWatch, TorsionMeasures};
+use crate::scene::Scene;
+use crate::trajectory::Trajectory;
+
+/// A case that gives no answer.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum SimulationError {
+    /// The motion stopped being a number.
+    #[error("the motion is not finite from {time} s on")]
+    NotFinite {
+        /// Time of the first such step, s.
+        time: f64,
+    },
+    /// The scene has a torque at the bit, but the responses have no such
+    /// input.
+    #[error("the responses were built without a torque at the bit")]
+    NoTorqueInput,
+}
+
+/// The linear part as all cases share it: the responses ready for summing.
+#[derive(Debug, Clone)]
+pub struct System {
+    step_length: f64,
+    /// Response of each site to a surface that starts to turn at 1 rad/s.
+    surface_step: Vec<Vec<f64>>,
+    /// Torque input and each site's response to it, where there is one.
+    bit: Option<BitInput>,
+}
+
+#[derive(Debug, Clone)]
+struct BitInput {
+    site: usize,
+    to_sites: Vec<Kernel>,
+}
+
+impl System {
+    /// Prepares responses for simulation. The response to the surface's step
+    /// is summed here once; a case only scales it. A torque input, if there is
+    /// one, is the bit.
+    pub fn new(responses: &TorsionResponses) -> Self {
+        let bit = responses.torque_inputs.first().map(|&site| BitInput {
+            site,
+            to_sites: responses
+                .from_torque
+                .iter()
+                .map(|from_inputs| Kernel::new(&from_inputs[0]))
+                .collect(),
+        });
+        Self {
+            step_length: 1.0 / responses.sampling_frequency,
+            surface_step: responses
+                .from_surface
+                .iter()
+                .map(|taps| running_sum(taps))
+                .collect(),
+            bit,
+        }
+    }
+
+    /// Speed of a site in a step, per unit surface speed, no torque acting.
+    fn surface_response(&self, site: usize, step: usize) -> f64 {
+        let response = &self.surface_step[site];
+        response[step.min(response.len() - 1)]
+    }
+}
+
+fn running_sum(taps: &[f64]) -> Vec<f64> {
+    taps.iter()
+        .scan(0.0, |sum, tap| {
+            *sum += tap;
+            Some(*sum)
+        })
+        .collect()
+}
+
+/// How a case ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outcome {
+    /// Time simulated, s.
+    pub simulated: f64,
+    /// Regime and measures of the bit, where it meets rock.
+    pub torsion: Option<TorsionMeasures>,
+}
+
+/// Simulates one case, writing its time history into `record` where asked.
+///
+/// # Errors
+/// Where the motion is not finite or the responses do not fit the scene.
+pub fn simulate(
+    system: &System,
+    scene: &Scene,
+    record: Option<&mut Trajectory>,
+) -> Result<Outcome, SimulationError> {
+    let steps = (scene.duration / system.step_length).ceil() as usize + 1;
+    let torsion = match (scene.bit, &system.bit) {
+        (None, _) => {
+            if let Some(record) = record {
+                record.speeds = free_speeds(system, scene, steps);
+            }
+            None
+        }
+        (Some(_), None) => return Err(SimulationError::NoTorqueInput),
+        (Some(law), Some(input)) => Some(step_bit(system, input, scene, law, steps, record)?),
+    };
+    Ok(Outcome {
+        simulated: (steps - 1) as f64 * system.step_length,
+        torsion,
+    })
+}
+
+/// Speeds of all sites with nothing but the surface turning them.
+fn free_speeds(system: &System, scene: &Scene, steps: usize) -> Vec<Vec<f64>> {
+    (0..system.surface_step.len())
+        .map(|site| {
+            (0..steps)
+                .map(|step| scene.surface_speed * system.surface_response(site, step))
+                .collect()
+        })
+        .collect()
+}
+
+fn step_bit(
+    system: &System,
+    input: &BitInput,
+    scene: &Scene,
+    law: BitTorque,
+    steps: usize,
+    mut record: Option<&mut Trajectory>,
+) -> Result<TorsionMeasures, SimulationError> {
+    if let Some(record) = record.as_deref_mut() {
+        *record = Trajectory {
+            speeds: free_speeds(system, scene, steps),
+            bit_torque: Vec::with_capacity(steps),
+        };
+    }
+    let kernel = &input.to_sites[input.site];
+    let mut history = History::new(kernel, steps);
+    let mut watch = BitWatch::new(system.step_length, steps);
+    // The first instant is stuck.
+    let mut motion = BitMotion::Stuck;
+    for step in 0..steps {
+        let from_surface = scene.surface_speed * system.surface_response(input.site, step);
+        let free_speed = from_surface + history.past_sum();
+        let now = law.meet(motion, free_speed, kernel.instant());
+        if !now.torque.is_finite() {
+            return Err(SimulationError::NotFinite {
+                time: step as f64 * system.step_length,
+            });
+        }
+        motion = now.motion;
+        history.push(now.torque);
+        watch.see(motion, now.speed);
+        if let Some(record) = record.as_deref_mut() {
+            record.speeds[input.site][step] = now.speed;
+            record.bit_torque.push(now.torque);
+        }
+    }
+    if let Some(record) = record {
+        add_torque_to_other_sites(input, record);
+    }
+    Ok(watch.measures())
+}
+
+/// Sites that are only looked at follow from the recorded torque.
+fn add_torque_to_other_sites(input: &BitInput, record: &mut Trajectory) {
+    for (site, kernel) in input.to_sites.iter().enumerate() {
+        if site == input.site {
+            continue;
+        }
+        let mut history = History::new(kernel, record.bit_torque.len());
+        for (speed, &torque) in record.speeds[site].iter_mut().zip(&record.bit_torque) {
+            *speed += history.past_sum() + kernel.instant() * torque;
+            history.push(torque);
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::spec::{Axis, MethodName};
+
+/// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
+#[derive(Debug, Parser)]
+#[command(version, about, max_term_width = 100)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Run every case of a sweep with every method it names; write a results folder
+    #[command(after_help = "Example: sweep run sweeps/fig09.toml --out /tmp/fig09")]
+    Run(RunArguments),
+    /// Rerun the cases of a reference label file and compare the labels
+    #[command(after_help = "Example: sweep check sweeps/fig09.toml results/reference/fig09.csv")]
+    Check(CheckArguments),
+    /// Run one case in full: time histories as CSV and as a picture
+    #[command(after_help = "Examples:\n  sweep simulate sweeps/fig08b.toml\n  \
+        sweep simulate sweeps/fig09.toml --case 17\n  \
+        sweep simulate sweeps/fig09.toml --set surface_speed_rpm=0.1 --set weight_on_bit_kn=60")]
+    Simulate(SimulateArguments),
+    /// Show the linear system: stiffness, times, taps, stability, cost
+    #[command(after_help = "Example: sweep inspect sweeps/fig09.toml")]
+    Inspect(InspectArguments),
+    /// Draw the regime map of a results folder again
+    #[command(after_help = "Example: sweep plot results/fig09")]
+    Plot(PlotArguments),
+}
+
+/// Arguments of `run`.
+#[derive(Debug, Args)]
+pub struct RunArguments {
+    /// The sweep file
+    pub file: PathBuf,
+    /// Results folder [default: results/<name of the sweep>]
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub work: WorkArguments,
+    /// Say what would run and why, and stop
+    #[arg(long)]
+    pub dry_run: bool,
+    /// Replace the results of another sweep in the same folder
+    #[arg(long)]
+    pub fresh: bool,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// What every command that simulates understands.
+#[derive(Debug, Args)]
+pub struct WorkArguments {
+    /// Methods to use instead of those the file names
+    #[arg(long, value_delimiter = ',')]
+    pub methods: Vec<MethodName>,
+    /// Threads [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    #[arg(long)]
+    pub jobs: Option<usize>,
+}
+
+/// Arguments of `check`.
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// The sweep file that gives the setting
+    pub file: PathBuf,
+    /// Reference labels: columns case, method, the axes, torsion
+    pub reference: PathBuf,
+    /// Threads [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    #[arg(long)]
+    pub jobs: Option<usize>,
+}
+
+/// Arguments of `simulate`.
+#[derive(Debug, Args)]
+pub struct SimulateArguments {
+    /// The sweep file
+    pub file: PathBuf,
+    /// Which of the sweep's cases, from 0
+    #[arg(long, default_value_t = 0)]
+    pub case: usize,
+    /// Set a quantity, e.g. surface_speed_rpm=0.1; may be repeated
+    #[arg(long, value_name = "AXIS=VALUE", value_parser = parse_setting)]
+    pub set: Vec<(Axis, f64)>,
+    /// Folder for the files [default: results/<name of the sweep>]
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub work: WorkArguments,
+}
+
+/// Arguments of `inspect`.
+#[derive(Debug, Args)]
+pub struct InspectArguments {
+    /// The sweep file
+    pub file: PathBuf,
+    /// Folder for the picture [default: results/<name of the sweep>]
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub work: WorkArguments,
+}
+
+/// Arguments of `plot`.
+#[derive(Debug, Args)]
+pub struct PlotArguments {
+    /// A results folder
+    pub folder: PathBuf,
+}
+
+fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("expected AXIS=VALUE")?;
+    let axis = Axis::from_name(name.trim()).ok_or_else(|| {
+        let known: Vec<&str> = Axis::ALL.iter().map(|axis| axis.name()).collect();
+        format!("unknown axis `{name}`; known: {}", known.join(", "))
+    })?;
+    let value = value.trim();
+    let number = value
+        .parse()
+        .map_err(|_| format!("`{value}` is not a number"))?;
+    Ok((axis, number))
+}
+
+impl ValueEnum for MethodName {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[
+            MethodName::Quadrature,
+            MethodName::Hilbert,
+            MethodName::FiniteElement,
+            MethodName::DirectIdft,
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        let help = match self {
+            MethodName::Quadrature => "convolution quadrature, BDF2: the default",
+            MethodName::Hilbert => "the paper's digital filter",
+            MethodName::FiniteElement => "finite elements with Newmark's scheme",
+            MethodName::DirectIdft => "plain inverse DFT, kept to show that it fails",
+        };
+        Some(clap::builder::PossibleValue::new(self.name()).help(help))
+    }
+}

@@ -1,0 +1,165 @@
+//! `sweep check`: the regression of regime labels.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Result, bail};
+use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
+
+use super::{Status, UsageError, progress, use_threads};
+use crate::cli::CheckArguments;
+use crate::engine::{Case, MethodSystem, Row, RowOutcome, run_cases};
+use crate::output::{LabelRow, read_labels};
+use crate::spec::{Axis, Conditions, Sweep};
+
+/// Reruns the cases of a reference file and compares their labels.
+pub fn check(arguments: &CheckArguments) -> Result<Status> {
+    let mut sweep = Sweep::read(&arguments.file)?;
+    let axes = sweep.design.axes().to_vec();
+    let reference = read_labels(&arguments.reference, &axes)
+        .map_err(|error| UsageError(format!("{error:#}")))?;
+    if reference.is_empty() {
+        bail!(UsageError(format!(
+            "{} has no rows",
+            arguments.reference.display()
+        )));
+    }
+    keep_methods_of(&mut sweep, &reference, &arguments.reference)?;
+    let cases = cases_of(&sweep, &reference, &arguments.reference)?;
+    use_threads(arguments.jobs)?;
+    let systems = MethodSystem::build_all(&sweep, &cases)?;
+    let bar = progress(cases.len() * systems.len(), false);
+    let rows = run_cases(&systems, &cases, &bar);
+    bar.finish_and_clear();
+
+    let found: BTreeMap<(usize, &str), &Row> = rows
+        .iter()
+        .map(|row| ((row.case, row.method), row))
+        .collect();
+    let mut different = 0;
+    for expected in &reference {
+        let Some(row) = found.get(&(expected.case, expected.method.as_str())) else {
+            continue;
+        };
+        let label = label(row);
+        if label != expected.torsion {
+            different += 1;
+            print_difference(&sweep, &systems, &axes, expected, row, &label);
+        }
+    }
+    println!(
+        "{}: {} of {} labels as expected",
+        arguments.reference.display(),
+        reference.len() - different,
+        reference.len()
+    );
+    Ok(if different == 0 {
+        Status::Complete
+    } else {
+        Status::LabelsDiffer
+    })
+}
+
+/// The reference says which methods it was made with.
+fn keep_methods_of(sweep: &mut Sweep, reference: &[LabelRow], path: &Path) -> Result<()> {
+    for row in reference {
+        if !sweep
+            .methods
+            .iter()
+            .any(|method| method.name() == row.method)
+        {
+            bail!(UsageError(format!(
+                "{}:{}: the sweep has no method `{}`",
+                path.display(),
+                row.line,
+                row.method
+            )));
+        }
+    }
+    sweep
+        .methods
+        .retain(|method| reference.iter().any(|row| row.method == method.name()));
+    Ok(())
+}
+
+/// One case for each case number; its rows must agree on its values.
+fn cases_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<Case>> {
+    let mut cases: BTreeMap<usize, Case> = BTreeMap::new();
+    for row in reference {
+        let at = |reason: String| UsageError(format!("{}:{}: {reason}", path.display(), row.line));
+        if let Some(case) = cases.get(&row.case) {
+            if case.values != row.values {
+                bail!(at(format!("case {} has other values above", row.case)));
+            }
+            continue;
+        }
+        let axes = sweep.design.axes();
+        let conditions: Conditions = axes
+            .iter()
+            .zip(&row.values)
+            .fold(sweep.conditions, |conditions, (&axis, &value)| {
+                conditions.with(axis, value)
+            });
+        let case = Case::under(sweep, row.case, row.values.clone(), &conditions).map_err(at)?;
+        cases.insert(row.case, case);
+    }
+    Ok(cases.into_values().collect())
+}
+
+fn label(row: &Row) -> String {
+    match &row.outcome {
+        RowOutcome::Done(outcome) => outcome
+            .torsion
+            .map_or_else(String::new, |torsion| torsion.regime.name().to_owned()),
+        RowOutcome::Failed(reason) => format!("failed ({reason})"),
+    }
+}
+
+fn print_difference(
+    sweep: &Sweep,
+    systems: &[MethodSystem],
+    axes: &[Axis],
+    expected: &LabelRow,
+    row: &Row,
+    label: &str,
+) {
+    let values: Vec<String> = axes
+        .iter()
+        .zip(&expected.values)
+        .map(|(axis, value)| format!("{} = {value}", axis.name()))
+        .collect();
+    let distance = distance_to_limit(sweep, systems, expected, row)
+        .map_or_else(String::new, |ratio| {
+            format!(", at {ratio:.3} times the speed limit of Eq. 74")
+        });
+    println!(
+        "case {} by {}: {}: expected {}, found {label}{distance}",
+        expected.case,
+        expected.method,
+        values.join(", "),
+        expected.torsion,
+    );
+}
+
+/// Surface speed of a case over the analytic limit.
+fn distance_to_limit(
+    sweep: &Sweep,
+    systems: &[MethodSystem],
+    expected: &LabelRow,
+    row: &Row,
+) -> Option<f64> {
+    let system = systems
+        .iter()
+        .find(|system| system.method.name() == row.method)?;
+    let torques = sweep.bit.as_ref()?.torques(row.torque_dynamic_nm?);
+    let limit = stick_slip_speed_limit(
+        largest_undershoot(system.driving_point()?),
+        torques.torque_static,
+        torques.torque_dynamic,
+    );
+    let axes = sweep.design.axes().iter().zip(&expected.values);
+    let conditions = axes.fold(sweep.conditions, |conditions, (&axis, &value)| {
+        conditions.with(axis, value)
+    });
+    Some(conditions.surface_speed()? / limit)
+}

@@ -1,0 +1,227 @@
+//! `sweep inspect`: the linear system of a sweep, in words, numbers and a
+//! picture (Fig. 6).
+
+use anyhow::Result;
+use faer::c64;
+use linear::estimates::{
+    largest_undershoot, torsional_decay_rate, torsional_stiffness, torsional_travel_time,
+};
+use linear::waves::network::TorsionNetwork;
+
+use super::plot::{axis, save_picture};
+use super::{Status, all_cases, make_folder, read_sweep, results_folder, use_threads};
+use crate::cli::InspectArguments;
+use crate::engine::{Case, MethodSystem};
+use crate::plot::{Axis, Panel, Panels, Series, panels};
+use crate::spec::{Sweep, Time};
+
+/// Points of the frequency response drawn.
+const FREQUENCIES: usize = 4000;
+
+/// Time shown of the step responses, in round trips of a wave.
+const ROUND_TRIPS_SHOWN: f64 = 5.0;
+
+/// Shows the linear system.
+pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
+    let sweep = read_sweep(&arguments.file, &arguments.work)?;
+    let cases = all_cases(&sweep)?;
+    let folder = results_folder(arguments.out.as_ref(), &sweep);
+    make_folder(&folder)?;
+    use_threads(arguments.work.jobs)?;
+    let systems = MethodSystem::build_all(&sweep, &cases)?;
+    print_string(&sweep);
+    print_methods(&systems);
+    print_scene(&sweep, &cases, &systems);
+    let picture = panels(&Panels {
+        title: format!("{}: linear responses", sweep.title),
+        panels: response_panels(&sweep, &systems),
+    })?;
+    save_picture(&folder, "inspect", &picture)?;
+    println!("\npicture: {}", folder.join("inspect.png").display());
+    Ok(Status::Complete)
+}
+
+fn print_string(sweep: &Sweep) {
+    let string = &sweep.string;
+    let travel = torsional_travel_time(string);
+    println!("{}: {}\n", sweep.name, sweep.title);
+    println!("string");
+    println!("  length                     {:.3} m", string.length());
+    for section in string.sections() {
+        println!(
+            "    {} × {:.3} m, outer radii {}",
+            section.repeat,
+            section.cell_length(),
+            section
+                .parts
+                .iter()
+                .map(|part| format!("{} m", part.outer_radius))
+                .collect::<Vec<_>>()
+                .join(" and ")
+        );
+    }
+    println!(
+        "  torsional stiffness k_eff  {:.1} N m/rad",
+        torsional_stiffness(string)
+    );
+    println!(
+        "  torsional wave speed       {:.1} m/s",
+        string.torsional_wave_speed()
+    );
+    println!(
+        "  travel time to the bit     {travel:.4} s, and back {:.4} s",
+        2.0 * travel
+    );
+    println!(
+        "  torsional decay rate       {:.3} 1/s",
+        torsional_decay_rate(string)
+    );
+    let why = if sweep.sampling_by_rule {
+        "four times the first torsional mode of one cell of drillpipe"
+    } else {
+        "given in the sweep file"
+    };
+    println!(
+        "  sampling frequency f_s     {:.2} Hz ({why})",
+        sweep.sampling_frequency
+    );
+}
+
+fn print_methods(systems: &[MethodSystem]) {
+    println!("\nmethods");
+    for system in systems {
+        println!(
+            "  {}: {} taps ({:.2} s), built in {:.3} s",
+            system.method.name(),
+            system.responses.taps(),
+            system.responses.taps() as f64 / system.responses.sampling_frequency,
+            system.build_seconds,
+        );
+        if let Some(taps) = system.driving_point() {
+            println!("    A(0) at the bit          {:.4e} rad/s per N m", taps[0]);
+            println!(
+                "    undershoot Δ (Eq. 75)    {:.4e} rad/s per N m",
+                largest_undershoot(taps)
+            );
+        }
+        if let Some(margin) = system.margin {
+            let verdict = if system.is_unstable() {
+                "unstable in sticking"
+            } else {
+                "stable in sticking"
+            };
+            println!("    positive-real margin     {margin:.2e}: {verdict}");
+        }
+    }
+}
+
+fn print_scene(sweep: &Sweep, cases: &[Case], systems: &[MethodSystem]) {
+    println!("\nleft out, because the scene does not need it");
+    println!("  bending and the borehole wall: no lateral contact is modelled");
+    println!("  the torque at the surface: nothing depends on it");
+    if sweep.bit.is_none() {
+        println!("  torque at the bit: the bit is free");
+    }
+    let longest = cases
+        .iter()
+        .map(|case| case.scene.duration)
+        .fold(0.0, f64::max);
+    let rule = match sweep.time {
+        Time::Auto => "until the regime can be told",
+        Time::Given(_) => "given in the sweep file",
+    };
+    println!("\ncost");
+    println!(
+        "  {} cases by {} methods, the longest {longest:.1} s ({rule})",
+        cases.len(),
+        systems.len()
+    );
+    let terms: f64 = systems
+        .iter()
+        .map(|system| {
+            let taps = system.responses.taps() as f64;
+            cases
+                .iter()
+                .map(|case| {
+                    let steps = case.scene.duration * sweep.sampling_frequency;
+                    let reach = taps.min(steps);
+                    reach * (steps - 0.5 * reach)
+                })
+                .sum::<f64>()
+        })
+        .sum();
+    if sweep.bit.is_some() {
+        println!("  about {terms:.1e} terms of the history sum (Eq. 17)");
+    }
+}
+
+fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
+    let mut list = vec![frequency_panel(sweep)];
+    let bit = sweep.sites.len() - 1;
+    let steps = |taps: &dyn Fn(&MethodSystem) -> Option<Vec<f64>>| -> Vec<Series> {
+        systems
+            .iter()
+            .filter_map(|system| {
+                Some(Series {
+                    name: system.method.name().to_owned(),
+                    points: step_response(&taps(system)?, sweep),
+                })
+            })
+            .collect()
+    };
+    list.push(Panel {
+        x: axis("Time t (s)"),
+        y: axis("Bit speed / surface speed"),
+        series: steps(&|system| system.responses.from_surface.get(bit).cloned()),
+        references: Vec::new(),
+    });
+    if sweep.bit.is_some() {
+        list.push(Panel {
+            x: axis("Time t (s)"),
+            y: axis("Bit speed / torque (10⁻⁵ rad/s per N m)"),
+            series: steps(&|system| {
+                let taps = system.driving_point()?;
+                Some(taps.iter().map(|tap| 1e5 * tap).collect())
+            }),
+            references: Vec::new(),
+        });
+    }
+    list
+}
+
+/// Fig. 6(a): the exact response of the bit to the surface, up to half the
+/// sampling frequency.
+fn frequency_panel(sweep: &Sweep) -> Panel {
+    let network = TorsionNetwork::new(&sweep.string, &sweep.sites);
+    let bit = sweep.sites.len() - 1;
+    let highest = 0.5 * sweep.sampling_frequency;
+    let points = (1..=FREQUENCIES).map(|index| {
+        let frequency = highest * index as f64 / FREQUENCIES as f64;
+        let s = c64::new(0.0, std::f64::consts::TAU * frequency);
+        (frequency, network.admittance(s).from_surface[bit].norm())
+    });
+    Panel {
+        x: axis("Frequency f (Hz)"),
+        y: Axis {
+            label: "|bit speed / surface speed|".to_owned(),
+            logarithmic: true,
+        },
+        series: vec![Series {
+            name: "exact".to_owned(),
+            points: points.collect(),
+        }],
+        references: Vec::new(),
+    }
+}
+
+fn step_response(taps: &[f64], sweep: &Sweep) -> Vec<(f64, f64)> {
+    let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&sweep.string);
+    let count = (shown * sweep.sampling_frequency).ceil() as usize;
+    let mut sum = 0.0;
+    (0..count)
+        .map(|index| {
+            sum += taps.get(index).copied().unwrap_or(0.0);
+            (index as f64 / sweep.sampling_frequency, sum)
+        })
+        .collect()
+}

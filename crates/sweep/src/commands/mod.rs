@@ -1,0 +1,149 @@
+//! One file for each command, and what they share: exit codes, threads,
+//! progress.
+
+pub mod check;
+pub mod inspect;
+pub mod plot;
+pub mod run;
+pub mod simulate;
+
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use anyhow::{Context, Result, bail};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use linear::Method;
+
+use crate::cli::WorkArguments;
+use crate::engine::{Case, MethodSystem};
+use crate::spec::{SpecError, Sweep};
+
+/// How the program ended; the numbers are its exit codes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// Everything asked for is done.
+    Complete = 0,
+    /// Something went wrong that is not the user's doing.
+    Error = 1,
+    /// The command line or the sweep file does not make sense.
+    BadInput = 2,
+    /// Finished, but some cases gave no answer.
+    SomeFailed = 3,
+    /// Labels differ from their reference.
+    LabelsDiffer = 5,
+}
+
+/// A request that does not make sense though each of its parts does.
+#[derive(Debug)]
+pub struct UsageError(pub String);
+
+impl std::fmt::Display for UsageError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for UsageError {}
+
+/// Prints an error and tells which exit code it is.
+pub fn report(error: &anyhow::Error) -> Status {
+    if is_broken_pipe(error) {
+        // The reader of our output has seen enough.
+        return Status::Complete;
+    }
+    eprintln!("error: {error:#}");
+    if error.is::<SpecError>() || error.is::<UsageError>() {
+        Status::BadInput
+    } else {
+        Status::Error
+    }
+}
+
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.chain().any(|cause| {
+        cause
+            .downcast_ref::<std::io::Error>()
+            .is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
+    })
+}
+
+/// Reads a sweep file and puts the methods asked for in place of its own.
+fn read_sweep(file: &Path, work: &WorkArguments) -> Result<Sweep> {
+    let mut sweep = Sweep::read(file)?;
+    if !work.methods.is_empty() {
+        let mut methods: Vec<Method> = Vec::new();
+        for &name in &work.methods {
+            let method = sweep.content.method(name);
+            if !methods.contains(&method) {
+                methods.push(method);
+            }
+        }
+        sweep.content.methods = work.methods.clone();
+        sweep.methods = methods;
+    }
+    Ok(sweep)
+}
+
+/// Uses as many threads as asked for, or as the cluster allots.
+fn use_threads(jobs: Option<usize>) -> Result<()> {
+    let allotted = |name: &str| std::env::var(name).ok()?.trim().parse().ok();
+    let threads = jobs
+        .or_else(|| allotted("SLURM_CPUS_PER_TASK"))
+        .or_else(|| allotted("SLURM_CPUS_ON_NODE"));
+    if threads == Some(0) {
+        bail!(UsageError(
+            "--jobs 0: at least one thread is needed".to_owned()
+        ));
+    }
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.unwrap_or(0))
+        .build_global()
+        .context("the threads cannot be started")
+}
+
+/// The folder for a sweep's results.
+fn results_folder(out: Option<&PathBuf>, sweep: &Sweep) -> PathBuf {
+    out.cloned()
+        .unwrap_or_else(|| Path::new("results").join(&sweep.name))
+}
+
+/// Makes a folder, and says which where it cannot be.
+fn make_folder(folder: &Path) -> Result<()> {
+    std::fs::create_dir_all(folder)
+        .with_context(|| format!("the folder {} cannot be made", folder.display()))
+}
+
+/// The cases of a sweep.
+fn all_cases(sweep: &Sweep) -> Result<Vec<Case>> {
+    Case::all(sweep).map_err(|reason| UsageError(reason).into())
+}
+
+/// Warns of methods that a sticking bit makes chatter.
+fn warn_of_unstable(systems: &[MethodSystem]) {
+    for system in systems.iter().filter(|system| system.is_unstable()) {
+        eprintln!(
+            "warning: the responses by {} are not positive-real (margin {:.2e}): \
+             a sticking bit may chatter and its labels mean little",
+            system.method.name(),
+            system.margin.unwrap_or(f64::NAN),
+        );
+    }
+}
+
+/// A progress bar on a terminal; a line now and then elsewhere.
+fn progress(total: usize, quiet: bool) -> ProgressBar {
+    if quiet {
+        return ProgressBar::hidden();
+    }
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
+    }
+    let bar = ProgressBar::new(total as u64);
+    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} {per_sec}, {eta} left")
+    {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}

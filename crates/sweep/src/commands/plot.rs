@@ -1,0 +1,140 @@
+//! `sweep plot`: the regime map of a results folder.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Result, bail};
+
+use super::{Status, UsageError};
+use crate::cli::PlotArguments;
+use crate::output::{
+    BoundaryPoint, LabelRow, Manifest, read_boundary, read_labels, write_atomically,
+};
+use crate::plot::{Axis, Line, MapPoint, Mark, Picture, RegimeMap, Symbol, regime_map};
+use crate::spec::MapSettings;
+
+/// The regime that circles stand for.
+const REGIME: &str = "stick_slip";
+
+/// Draws the map again.
+pub fn plot(arguments: &PlotArguments) -> Result<Status> {
+    if !draw_map(&arguments.folder)? {
+        bail!(UsageError(format!(
+            "{} has no map: its sweep varies fewer than two quantities",
+            arguments.folder.display()
+        )));
+    }
+    println!("{}", arguments.folder.join("map.png").display());
+    Ok(Status::Complete)
+}
+
+/// Draws `map.svg` and `map.png` from the files of a results folder; false
+/// where its design has no two axes.
+pub fn draw_map(folder: &Path) -> Result<bool> {
+    let manifest = Manifest::read(folder)?;
+    let Some(settings) = &manifest.map else {
+        return Ok(false);
+    };
+    let rows = read_labels(&folder.join("labels.csv"), &[settings.x, settings.y])?;
+    let limit = read_boundary(&folder.join("boundary.csv"))?;
+    let picture = regime_map(&RegimeMap {
+        title: manifest.title.clone(),
+        x: axis(settings.x.title()),
+        y: axis(settings.y.title()),
+        points: points(&rows),
+        legend: legend(&manifest),
+        lines: lines(&limit, settings),
+        marks: settings
+            .marks
+            .iter()
+            .map(|mark| Mark {
+                name: mark.name.clone(),
+                x: mark.x,
+                y: mark.y,
+            })
+            .collect(),
+    })?;
+    save_picture(folder, "map", &picture)?;
+    Ok(true)
+}
+
+/// Writes a picture in both formats.
+pub fn save_picture(folder: &Path, name: &str, picture: &Picture) -> Result<()> {
+    write_atomically(&folder.join(format!("{name}.svg")), picture.svg.as_bytes())?;
+    write_atomically(&folder.join(format!("{name}.png")), &picture.png)
+}
+
+/// A linear axis.
+pub fn axis(label: &str) -> Axis {
+    Axis {
+        label: label.to_owned(),
+        logarithmic: false,
+    }
+}
+
+/// The paper's symbols: a circle where every method finds the regime, a cross
+/// where none does, a square where they differ. Cases without an answer by
+/// some method are left out.
+fn points(rows: &[LabelRow]) -> Vec<MapPoint> {
+    let mut cases: BTreeMap<usize, Vec<&LabelRow>> = BTreeMap::new();
+    for row in rows {
+        cases.entry(row.case).or_default().push(row);
+    }
+    cases
+        .values()
+        .filter(|rows| rows.iter().all(|row| !row.torsion.is_empty()))
+        .map(|rows| {
+            let finds = rows.iter().filter(|row| row.torsion == REGIME).count();
+            MapPoint {
+                x: rows[0].values[0],
+                y: rows[0].values[1],
+                symbol: if finds == rows.len() {
+                    Symbol::Circle
+                } else if finds == 0 {
+                    Symbol::Cross
+                } else {
+                    Symbol::Square
+                },
+            }
+        })
+        .collect()
+}
+
+fn legend(manifest: &Manifest) -> [String; 3] {
+    match manifest.methods.as_slice() {
+        [method] => [
+            format!("stick-slip ({})", method.method),
+            "smooth".to_owned(),
+            "methods differ".to_owned(),
+        ],
+        methods => {
+            let names: Vec<&str> = methods
+                .iter()
+                .map(|method| method.method.as_str())
+                .collect();
+            [
+                format!("stick-slip by all methods ({})", names.join(", ")),
+                "smooth by all methods".to_owned(),
+                "methods differ".to_owned(),
+            ]
+        }
+    }
+}
+
+fn lines(limit: &[BoundaryPoint], settings: &MapSettings) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::new();
+    for point in limit {
+        let name = format!("Eq. 74, {}", point.method);
+        let Some(at) = point.value(settings.x).zip(point.value(settings.y)) else {
+            continue;
+        };
+        match lines.last_mut() {
+            Some(line) if line.name == name => line.points.push(at),
+            _ => lines.push(Line {
+                name,
+                points: vec![at],
+            }),
+        }
+    }
+    lines
+}

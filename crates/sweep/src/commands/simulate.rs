@@ -1,0 +1,252 @@
+//! `sweep simulate`: one case in full (Figs. 7(a) and 8).
+
+use std::path::Path;
+
+use anyhow::{Result, bail};
+use linear::Sites;
+use sim::{Outcome, Trajectory};
+
+use super::plot::{axis, save_picture};
+use super::{
+    Status, UsageError, make_folder, read_sweep, results_folder, use_threads, warn_of_unstable,
+};
+use crate::cli::SimulateArguments;
+use crate::engine::{Case, MethodSystem};
+use crate::output::write_atomically;
+use crate::plot::{Panel, Panels, Reference, Series, panels};
+use crate::spec::{Axis, Conditions, Sweep, check_setting, to_rpm};
+
+/// One method's answer.
+struct Simulation {
+    method: &'static str,
+    trajectory: Trajectory,
+    outcome: Outcome,
+}
+
+/// Simulates one case with every method and keeps its time histories.
+pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
+    let sweep = read_sweep(&arguments.file, &arguments.work)?;
+    let case = chosen_case(&sweep, arguments)?;
+    let folder = results_folder(arguments.out.as_ref(), &sweep);
+    make_folder(&folder)?;
+    use_threads(arguments.work.jobs)?;
+    let systems = MethodSystem::build_all(&sweep, std::slice::from_ref(&case))?;
+    warn_of_unstable(&systems);
+    let simulations = systems
+        .iter()
+        .map(|system| {
+            let mut trajectory = Trajectory::default();
+            let outcome = sim::simulate(system.system(), &case.scene, Some(&mut trajectory))?;
+            Ok(Simulation {
+                method: system.method.name(),
+                trajectory,
+                outcome,
+            })
+        })
+        .collect::<Result<Vec<_>>>()?;
+    let step = 1.0 / sweep.sampling_frequency;
+    write_atomically(
+        &folder.join("history.csv"),
+        &history_csv(&simulations, &sweep.sites, step)?,
+    )?;
+    let picture = panels(&history_panels(&sweep, &case, &simulations, step))?;
+    save_picture(&folder, "history", &picture)?;
+    print_summary(&case, &simulations, &folder);
+    Ok(Status::Complete)
+}
+
+fn chosen_case(sweep: &Sweep, arguments: &SimulateArguments) -> Result<Case> {
+    let cases = sweep.design.cases();
+    if arguments.case >= cases {
+        bail!(UsageError(format!(
+            "--case {}: {} has cases 0 to {}",
+            arguments.case,
+            arguments.file.display(),
+            cases - 1
+        )));
+    }
+    let axes = sweep.design.axes();
+    let mut values = sweep.design.values(arguments.case);
+    let mut conditions = axes
+        .iter()
+        .zip(&values)
+        .fold(sweep.conditions, |conditions, (&axis, &value)| {
+            conditions.with(axis, value)
+        });
+    for &(axis, value) in &arguments.set {
+        check_setting(axis, value).map_err(UsageError)?;
+        if axis != Axis::SurfaceSpeedRpm && sweep.bit.is_none() {
+            bail!(UsageError(format!(
+                "--set {}: the bit is free in this sweep",
+                axis.name()
+            )));
+        }
+        conditions = conditions.with(axis, value);
+        for (own, slot) in axes.iter().zip(&mut values) {
+            if *own == axis {
+                *slot = value;
+            }
+        }
+    }
+    refuse_weight_without_rock(sweep, &conditions)?;
+    Case::under(sweep, arguments.case, values, &conditions)
+        .map_err(|reason| UsageError(reason).into())
+}
+
+fn refuse_weight_without_rock(sweep: &Sweep, conditions: &Conditions) -> Result<()> {
+    let has_rock = sweep.bit.as_ref().is_some_and(|bit| bit.rock.is_some());
+    if conditions.weight_on_bit_kn.is_some() && !has_rock {
+        bail!(UsageError(
+            "a weight on bit needs a rock to give a torque".to_owned()
+        ));
+    }
+    Ok(())
+}
+
+fn site_name(distance: f64) -> String {
+    if distance == 0.0 {
+        "bit".to_owned()
+    } else {
+        format!("{distance}m_above_bit")
+    }
+}
+
+/// `history.csv`: a row a step and method. The torque on bit is counted
+/// positive against the rotation, as drillers do.
+fn history_csv(simulations: &[Simulation], sites: &Sites, step: f64) -> Result<Vec<u8>> {
+    let with_torque = has_torque(simulations);
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut header = vec!["method".to_owned(), "time_s".to_owned()];
+    let distances = sites.distances_from_bit().iter();
+    header.extend(distances.map(|&distance| format!("{}_speed_rpm", site_name(distance))));
+    header.extend(with_torque.then(|| "torque_on_bit_nm".to_owned()));
+    writer.write_record(&header)?;
+    for simulation in simulations {
+        let trajectory = &simulation.trajectory;
+        for index in 0..trajectory.speeds[0].len() {
+            let mut fields = vec![
+                simulation.method.to_owned(),
+                (index as f64 * step).to_string(),
+            ];
+            let speeds = trajectory.speeds.iter();
+            fields.extend(speeds.map(|speeds| to_rpm(speeds[index]).to_string()));
+            if with_torque {
+                fields.push((-trajectory.bit_torque[index]).to_string());
+            }
+            writer.write_record(&fields)?;
+        }
+    }
+    Ok(writer.into_inner()?)
+}
+
+fn has_torque(simulations: &[Simulation]) -> bool {
+    simulations
+        .iter()
+        .any(|simulation| !simulation.trajectory.bit_torque.is_empty())
+}
+
+/// Speed of every site, torque on the bit, and, as in the paper, the
+/// difference between the first two methods beneath.
+fn history_panels(sweep: &Sweep, case: &Case, simulations: &[Simulation], step: f64) -> Panels {
+    let series = |name: &str, values: &dyn Fn(usize) -> f64, count: usize| Series {
+        name: name.to_owned(),
+        points: (0..count)
+            .map(|index| (index as f64 * step, values(index)))
+            .collect(),
+    };
+    let of_each = |values: &dyn Fn(&Trajectory, usize) -> f64| -> Vec<Series> {
+        simulations
+            .iter()
+            .map(|simulation| {
+                let trajectory = &simulation.trajectory;
+                let count = trajectory.speeds[0].len();
+                series(simulation.method, &|index| values(trajectory, index), count)
+            })
+            .collect()
+    };
+    let panel = |label: &str, series, references| Panel {
+        x: axis("Time t (s)"),
+        y: axis(label),
+        series,
+        references,
+    };
+    let mut list: Vec<Panel> = Vec::new();
+    for (site, &distance) in sweep.sites.distances_from_bit().iter().enumerate().rev() {
+        let label = if distance == 0.0 {
+            "Bit speed (rpm)".to_owned()
+        } else {
+            format!("Speed {distance} m above the bit (rpm)")
+        };
+        list.push(panel(
+            &label,
+            of_each(&|trajectory, index| to_rpm(trajectory.speeds[site][index])),
+            vec![level(to_rpm(case.scene.surface_speed), "Ω")],
+        ));
+    }
+    if let Some(bit) = &case.scene.bit {
+        list.push(panel(
+            "Torque on bit (kN m)",
+            of_each(&|trajectory, index| -1e-3 * trajectory.bit_torque[index]),
+            vec![
+                level(1e-3 * bit.torque_static, "Tₛ"),
+                level(1e-3 * bit.torque_dynamic, "T_d"),
+            ],
+        ));
+    }
+    if let [first, second, ..] = simulations {
+        let bit = sweep.sites.len() - 1;
+        let (one, other) = (
+            &first.trajectory.speeds[bit],
+            &second.trajectory.speeds[bit],
+        );
+        let name = format!("{} − {}", first.method, second.method);
+        let difference = series(&name, &|index| to_rpm(one[index] - other[index]), one.len());
+        list.push(panel(
+            "Difference in bit speed (rpm)",
+            vec![difference],
+            Vec::new(),
+        ));
+    }
+    Panels {
+        title: sweep.title.clone(),
+        panels: list,
+    }
+}
+
+fn level(y: f64, name: &str) -> Reference {
+    Reference::Horizontal {
+        y,
+        name: name.to_owned(),
+    }
+}
+
+fn print_summary(case: &Case, simulations: &[Simulation], folder: &Path) {
+    let rpm = to_rpm(case.scene.surface_speed);
+    let torque = case
+        .torque_dynamic_nm
+        .map_or_else(String::new, |torque| format!(", T_d = {torque:.1} N m"));
+    println!("Ω = {rpm:.4} rpm{torque}");
+    for simulation in simulations {
+        let Some(torsion) = simulation.outcome.torsion else {
+            println!("  {}: the bit is free", simulation.method);
+            continue;
+        };
+        let seconds = |value: Option<f64>| {
+            value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3} s"))
+        };
+        println!(
+            "  {}: {}, first slip {}, period {}, slipping {}, {} sticks, peak {:.4} rpm",
+            simulation.method,
+            torsion.regime.name(),
+            seconds(torsion.first_slip),
+            seconds(torsion.period),
+            seconds(torsion.slip_time),
+            torsion.sticks,
+            to_rpm(torsion.peak_speed),
+        );
+    }
+    println!(
+        "history.svg, history.png and history.csv are in {}",
+        folder.display()
+    );
+}

@@ -1,0 +1,83 @@
+//! Every combination of the axes' values; the first axis changes slowest.
+
+use crate::spec::{Axis, AxisRange, DesignTable, Source, SpecError, check_axis_value};
+
+/// More grid values on an axis are a slip of the pen.
+const MOST_VALUES: usize = 1_000_000;
+
+/// A full grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    axes: Vec<Axis>,
+    values: Vec<Vec<f64>>,
+}
+
+impl Grid {
+    pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SpecError> {
+        let values = table
+            .axes
+            .iter()
+            .map(|(&axis, range)| axis_values(source, axis, range))
+            .collect::<Result<_, _>>()?;
+        Ok(Self {
+            axes: table.axes.keys().copied().collect(),
+            values,
+        })
+    }
+
+    pub(super) fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    pub(super) fn cases(&self) -> usize {
+        self.values.iter().map(Vec::len).product()
+    }
+
+    pub(super) fn values(&self, index: usize) -> Vec<f64> {
+        let mut left = index;
+        let mut case: Vec<f64> = (self.values.iter().rev())
+            .map(|values| {
+                let value = values[left % values.len()];
+                left /= values.len();
+                value
+            })
+            .collect();
+        case.reverse();
+        case
+    }
+}
+
+fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64>, SpecError> {
+    let key = format!("design.axes.{}", axis.name());
+    let values = match (&range.values, range.from, range.to, range.count) {
+        (Some(values), None, None, None) => values.clone(),
+        (None, Some(from), Some(to), Some(count)) => {
+            if count > MOST_VALUES {
+                let message = format!("{count} values are more than {MOST_VALUES}");
+                return Err(source.error(&format!("{key}.count"), message));
+            }
+            check_axis_value(source, &format!("{key}.from"), axis, from)?;
+            range.check_ends(source, &key, from, to)?;
+            let last = count.saturating_sub(1).max(1) as f64;
+            (0..count)
+                .map(|step| range.spacing.between(from, to, step as f64 / last))
+                .collect()
+        }
+        _ => {
+            let message = "a grid axis has `from`, `to` and `count`, or `values`";
+            return Err(source.error(&key, message));
+        }
+    };
+    if values.is_empty() {
+        return Err(source.error(&key, "has no values: the grid is empty"));
+    }
+    for (index, &value) in values.iter().enumerate() {
+        let place = if range.values.is_some() {
+            format!("{key}.values[{index}]")
+        } else {
+            format!("{key}.to")
+        };
+        check_axis_value(source, &place, axis, value)?;
+    }
+    Ok(values)
+}

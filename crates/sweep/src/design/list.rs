@@ -1,0 +1,94 @@
+//! Cases as listed in a CSV file whose header names the axes.
+
+use std::path::Path;
+
+use crate::spec::{Axis, DesignTable, Source, SpecError, check_axis_value};
+
+/// Listed cases.
+#[derive(Debug, Clone, PartialEq)]
+pub struct List {
+    axes: Vec<Axis>,
+    cases: Vec<Vec<f64>>,
+}
+
+impl List {
+    pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SpecError> {
+        let Some(file) = &table.file else {
+            return Err(source.error("design", "a list needs `file`, a CSV file of cases"));
+        };
+        let path = source.folder_of("design.file").join(file);
+        let list = read(source, &path).map_err(|message| {
+            source.error("design.file", format!("{}{message}", path.display()))
+        })?;
+        if list.cases.is_empty() {
+            let message = format!("{} lists no case", path.display());
+            return Err(source.error("design.file", message));
+        }
+        Ok(list)
+    }
+
+    pub(super) fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    pub(super) fn cases(&self) -> usize {
+        self.cases.len()
+    }
+
+    pub(super) fn values(&self, index: usize) -> &[f64] {
+        &self.cases[index]
+    }
+}
+
+/// Reads a list; an error starts where the file's name ends.
+fn read(source: &Source, path: &Path) -> Result<List, String> {
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .from_path(path)
+        .map_err(|error| format!(" cannot be read: {error}"))?;
+    let header = reader
+        .headers()
+        .map_err(|error| format!(": {error}"))?
+        .clone();
+    let columns = header
+        .iter()
+        .map(|name| {
+            Axis::from_name(name).ok_or_else(|| {
+                let known: Vec<&str> = Axis::ALL.iter().map(|axis| axis.name()).collect();
+                format!(":1: unknown column `{name}`; known: {}", known.join(", "))
+            })
+        })
+        .collect::<Result<Vec<Axis>, _>>()?;
+    // Columns of results follow the order of the axes, whatever the file's.
+    let mut order: Vec<usize> = (0..columns.len()).collect();
+    order.sort_by_key(|&column| columns[column]);
+    if let Some(pair) = order
+        .windows(2)
+        .find(|pair| columns[pair[0]] == columns[pair[1]])
+    {
+        return Err(format!(
+            ":1: the column `{}` is there twice",
+            columns[pair[0]].name()
+        ));
+    }
+    let mut cases = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| format!(": {error}"))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let value = |&column: &usize| {
+            let (axis, text) = (columns[column], &record[column]);
+            let value = text
+                .parse()
+                .map_err(|_| format!(":{line}: `{text}` is not a number"))?;
+            check_axis_value(source, axis.name(), axis, value)
+                .map_err(|error| format!(":{line}: {}: {}", axis.name(), error.message()))?;
+            Ok(value)
+        };
+        cases.push(order.iter().map(value).collect::<Result<_, String>>()?);
+    }
+    Ok(List {
+        axes: order.iter().map(|&column| columns[column]).collect(),
+        cases,
+    })
+}

@@ -1,0 +1,106 @@
+//! The cases of a sweep: which values their axes take.
+
+mod grid;
+mod list;
+mod monte_carlo;
+
+use crate::spec::{Axis, DesignKind, Source, SpecError};
+
+use crate::spec::DesignTable;
+pub use grid::Grid;
+pub use list::List;
+pub use monte_carlo::MonteCarlo;
+
+/// Cases over named axes, numbered from 0.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Design {
+    /// One case, as the file says.
+    Single,
+    /// Every combination.
+    Grid(Grid),
+    /// Independent random values.
+    MonteCarlo(MonteCarlo),
+    /// As listed in a file.
+    List(List),
+}
+
+impl Design {
+    /// Checks and reads what `[design]` says.
+    ///
+    /// # Errors
+    /// Where an axis has no values or impossible ones, or a list cannot be
+    /// read.
+    pub(crate) fn resolve(source: &Source, table: Option<&DesignTable>) -> Result<Self, SpecError> {
+        let Some(table) = table else {
+            return Ok(Design::Single);
+        };
+        refuse_foreign_keys(source, table)?;
+        match table.kind {
+            DesignKind::Grid => Grid::resolve(source, table).map(Design::Grid),
+            DesignKind::MonteCarlo => MonteCarlo::resolve(source, table).map(Design::MonteCarlo),
+            DesignKind::List => List::resolve(source, table).map(Design::List),
+        }
+    }
+
+    /// The axes, in the order of their columns.
+    pub fn axes(&self) -> &[Axis] {
+        match self {
+            Design::Single => &[],
+            Design::Grid(grid) => grid.axes(),
+            Design::MonteCarlo(monte_carlo) => monte_carlo.axes(),
+            Design::List(list) => list.axes(),
+        }
+    }
+
+    /// Number of cases.
+    pub fn cases(&self) -> usize {
+        match self {
+            Design::Single => 1,
+            Design::Grid(grid) => grid.cases(),
+            Design::MonteCarlo(monte_carlo) => monte_carlo.cases(),
+            Design::List(list) => list.cases(),
+        }
+    }
+
+    /// The values of case `index` along the axes.
+    pub fn values(&self, index: usize) -> Vec<f64> {
+        match self {
+            Design::Single => Vec::new(),
+            Design::Grid(grid) => grid.values(index),
+            Design::MonteCarlo(monte_carlo) => monte_carlo.values(index),
+            Design::List(list) => list.values(index).to_vec(),
+        }
+    }
+}
+
+/// A key that belongs to another kind of design would be ignored: refuse it.
+fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), SpecError> {
+    let given = [
+        (
+            "axes",
+            !table.axes.is_empty(),
+            table.kind != DesignKind::List,
+        ),
+        (
+            "cases",
+            table.cases.is_some(),
+            table.kind == DesignKind::MonteCarlo,
+        ),
+        (
+            "seed",
+            table.seed.is_some(),
+            table.kind == DesignKind::MonteCarlo,
+        ),
+        ("file", table.file.is_some(), table.kind == DesignKind::List),
+    ];
+    for (key, is_given, belongs) in given {
+        if is_given && !belongs {
+            let message = "does not belong to this kind of design";
+            return Err(source.error(&format!("design.{key}"), message));
+        }
+    }
+    if table.axes.is_empty() && table.kind != DesignKind::List {
+        return Err(source.error("design.axes", "names no axis, so there is nothing to vary"));
+    }
+    Ok(())
+}

@@ -1,0 +1,111 @@
+//! One case: its values, its scene, its row.
+
+use sim::{Outcome, Scene, time_to_label};
+
+use crate::spec::{Conditions, Sweep, Time};
+
+/// One case of a sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// Its number, from 0.
+    pub index: usize,
+    /// Its values along the design's axes.
+    pub values: Vec<f64>,
+    /// T_d, N m, where the bit is modelled.
+    pub torque_dynamic_nm: Option<f64>,
+    /// What is simulated.
+    pub scene: Scene,
+}
+
+impl Case {
+    /// Case `index` of a sweep.
+    ///
+    /// # Errors
+    /// Where a rock's table does not reach its weight on bit; a sentence.
+    pub fn of(sweep: &Sweep, index: usize) -> Result<Self, String> {
+        let values = sweep.design.values(index);
+        let conditions = sweep
+            .design
+            .axes()
+            .iter()
+            .zip(&values)
+            .fold(sweep.conditions, |conditions, (&axis, &value)| {
+                conditions.with(axis, value)
+            });
+        Self::under(sweep, index, values, &conditions)
+            .map_err(|reason| format!("case {index}: {reason}"))
+    }
+
+    /// A case under given conditions, which may differ from the design's.
+    ///
+    /// # Errors
+    /// As [`Case::of`].
+    pub fn under(
+        sweep: &Sweep,
+        index: usize,
+        values: Vec<f64>,
+        conditions: &Conditions,
+    ) -> Result<Self, String> {
+        let surface_speed = conditions.surface_speed().ok_or("has no surface speed")?;
+        let (torque_dynamic_nm, bit) = match &sweep.bit {
+            None => (None, None),
+            Some(bit) => {
+                let torque = bit.torque_dynamic(conditions)?.ok_or("has no torque")?;
+                (Some(torque), Some(bit.torques(torque)))
+            }
+        };
+        let duration = match (sweep.time, &bit) {
+            (Time::Given(duration), _) => duration,
+            (Time::Auto, Some(bit)) => time_to_label(&sweep.string, surface_speed, bit),
+            (Time::Auto, None) => FREE_BIT_TIME,
+        };
+        Ok(Self {
+            index,
+            values,
+            torque_dynamic_nm,
+            scene: Scene {
+                surface_speed,
+                bit,
+                duration,
+            },
+        })
+    }
+
+    /// All cases of a sweep.
+    ///
+    /// # Errors
+    /// As [`Case::of`], for the first such case.
+    pub fn all(sweep: &Sweep) -> Result<Vec<Self>, String> {
+        (0..sweep.design.cases())
+            .map(|index| Self::of(sweep, index))
+            .collect()
+    }
+}
+
+/// A bit without torque has no regime to wait for; its step response is over
+/// by then for most strings, s.
+const FREE_BIT_TIME: f64 = 10.0;
+
+/// The answer of one case by one method.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Number of the case.
+    pub case: usize,
+    /// Name of the method.
+    pub method: &'static str,
+    /// The case's values along the axes.
+    pub values: Vec<f64>,
+    /// T_d, N m.
+    pub torque_dynamic_nm: Option<f64>,
+    /// What came out.
+    pub outcome: RowOutcome,
+}
+
+/// A case's outcome, or why it has none.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RowOutcome {
+    /// Simulated.
+    Done(Outcome),
+    /// Kept aside with its reason.
+    Failed(String),
+}

@@ -1,0 +1,252 @@
+//! The drawing surface: shapes and text in picture pixels, written as SVG.
+
+use super::Picture;
+use super::geometry::Pixel;
+use super::text::{self, Block};
+use anyhow::{Context, Result};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+/// SVG user units per pixel. plotters rounds coordinates and stroke widths to
+/// whole units, which would make curves jagged at one unit per pixel.
+const UNITS: f64 = 10.0;
+/// Distance from the top of a line of text, as plotters anchors it, to the
+/// middle of its digits, in font sizes.
+const TOP_TO_MIDDLE: f64 = 0.40;
+
+/// Lengths of dashes and gaps in pixels; empty for a solid line.
+pub(super) type Dash = &'static [f64];
+
+/// Dash patterns in the order in which lines get them.
+pub(super) const DASHES: [Dash; 6] = [
+    &[],
+    &[9.0, 5.0],
+    &[2.0, 3.0],
+    &[10.0, 3.0, 2.0, 3.0],
+    &[18.0, 5.0],
+    &[10.0, 3.0, 2.0, 3.0, 2.0, 3.0],
+];
+
+/// How a line looks.
+#[derive(Clone, Copy)]
+pub(super) struct Stroke {
+    pub colour: RGBColor,
+    pub width: f64,
+    pub dash: Dash,
+}
+
+impl Stroke {
+    /// An undashed line.
+    pub fn solid(colour: RGBColor, width: f64) -> Stroke {
+        Stroke {
+            colour,
+            width,
+            dash: &[],
+        }
+    }
+}
+
+/// The surface that [`draw_picture`] hands to its caller.
+pub(super) struct Canvas<'a> {
+    area: DrawingArea<SVGBackend<'a>, Shift>,
+    /// The dash pattern of every line drawn so far; see [`add_dashes`].
+    dashes: Vec<Dash>,
+}
+
+/// Draws a picture of the given size in pixels with `draw`.
+pub(super) fn draw_picture(
+    width: f64,
+    height: f64,
+    draw: impl FnOnce(&mut Canvas) -> Result<()>,
+) -> Result<Picture> {
+    let size = (units(width) as u32, units(height) as u32);
+    let mut svg = String::new();
+    let dashes = draw_with_plotters(&mut svg, size, draw)?;
+    Picture::from_svg(add_dashes(&with_pixel_size(&svg, size)?, &dashes))
+}
+
+/// Writes the document as plotters makes it and returns the dash patterns of
+/// its polylines.
+fn draw_with_plotters(
+    svg: &mut String,
+    size: (u32, u32),
+    draw: impl FnOnce(&mut Canvas) -> Result<()>,
+) -> Result<Vec<Dash>> {
+    let mut canvas = Canvas {
+        area: SVGBackend::with_string(svg, size).into_drawing_area(),
+        dashes: Vec::new(),
+    };
+    canvas.area.fill(&WHITE)?;
+    draw(&mut canvas)?;
+    canvas.area.present()?;
+    Ok(canvas.dashes)
+}
+
+impl Canvas<'_> {
+    /// A line through the given points.
+    pub fn line(&mut self, points: &[Pixel], stroke: Stroke) -> Result<()> {
+        self.dashes.push(stroke.dash);
+        let points: Vec<_> = points.iter().map(|&p| in_units(p)).collect();
+        let style = stroke.colour.stroke_width(units(stroke.width) as u32);
+        self.area.draw(&PathElement::new(points, style))?;
+        Ok(())
+    }
+
+    /// The outline of a circle.
+    pub fn ring(&self, centre: Pixel, radius: f64, stroke: Stroke) -> Result<()> {
+        let style = stroke.colour.stroke_width(units(stroke.width) as u32);
+        let circle = Circle::new(in_units(centre), units(radius), style);
+        self.area.draw(&circle)?;
+        Ok(())
+    }
+
+    /// A filled circle.
+    pub fn disc(&self, centre: Pixel, radius: f64, colour: RGBColor) -> Result<()> {
+        let circle = Circle::new(in_units(centre), units(radius), colour.filled());
+        self.area.draw(&circle)?;
+        Ok(())
+    }
+
+    /// A filled polygon.
+    pub fn polygon(&self, corners: &[Pixel], colour: impl Into<RGBAColor>) -> Result<()> {
+        let corners: Vec<_> = corners.iter().map(|&p| in_units(p)).collect();
+        self.area.draw(&Polygon::new(corners, colour.into()))?;
+        Ok(())
+    }
+
+    /// Lines of text, the first one's middle at `y`, aligned at `x`.
+    pub fn text(&self, block: &Block, x: f64, y: f64, align: HPos) -> Result<()> {
+        let style = text_style(block, align, FontTransform::None)?;
+        for (row, line) in block.lines.iter().enumerate() {
+            let top = y + row as f64 * block.line_height() - TOP_TO_MIDDLE * block.size;
+            self.area.draw_text(line, &style, in_units((x, top)))?;
+        }
+        Ok(())
+    }
+
+    /// Text that reads upwards, centred at `y`, its first line's middle at `x`.
+    pub fn upward_text(&self, block: &Block, x: f64, y: f64) -> Result<()> {
+        let style = text_style(block, HPos::Center, FontTransform::Rotate270)?;
+        for (row, line) in block.lines.iter().enumerate() {
+            let left = x + row as f64 * block.line_height() - TOP_TO_MIDDLE * block.size;
+            self.area.draw_text(line, &style, in_units((left, y)))?;
+        }
+        Ok(())
+    }
+}
+
+/// Black text anchored at its top: the only vertical anchor that plotters
+/// writes in font sizes, and so the same with any viewer's font.
+fn text_style(block: &Block, align: HPos, transform: FontTransform) -> Result<TextStyle<'static>> {
+    let font = text::font(block.size * UNITS)?.transform(transform);
+    Ok(TextStyle::from(font)
+        .color(&BLACK)
+        .pos(Pos::new(align, VPos::Top)))
+}
+
+fn units(pixels: f64) -> i32 {
+    (pixels * UNITS).round() as i32
+}
+
+fn in_units((x, y): Pixel) -> (i32, i32) {
+    (units(x), units(y))
+}
+
+/// Replaces the document's opening tag, whose size is in user units, by one
+/// whose size is in pixels. Round joins keep sharp peaks from growing spikes.
+fn with_pixel_size(svg: &str, (width, height): (u32, u32)) -> Result<String> {
+    let (_, body) = svg.split_once('>').context("the plot has no content")?;
+    Ok(format!(
+        "<svg width=\"{}\" height=\"{}\" viewBox=\"0 0 {width} {height}\" \
+         xmlns=\"http://www.w3.org/2000/svg\" stroke-linejoin=\"round\">{body}",
+        f64::from(width) / UNITS,
+        f64::from(height) / UNITS,
+    ))
+}
+
+/// Gives each polyline its dash pattern, which plotters cannot write: `dashes`
+/// has one pattern for each polyline, in document order.
+fn add_dashes(svg: &str, dashes: &[Dash]) -> String {
+    const TAG: &str = "<polyline";
+    let mut pieces = svg.split(TAG);
+    let mut dashed = pieces.next().unwrap_or_default().to_string();
+    for (piece, dash) in pieces.zip(dashes) {
+        dashed.push_str(TAG);
+        if !dash.is_empty() {
+            let lengths: Vec<_> = dash.iter().map(|&d| units(d).to_string()).collect();
+            dashed.push_str(&format!(" stroke-dasharray=\"{}\"", lengths.join(",")));
+        }
+        dashed.push_str(piece);
+    }
+    dashed
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use resvg::tiny_skia::Pixmap;
+    use resvg::usvg;
+
+    /// Fails unless all ink of the picture's text lies inside the picture.
+    pub fn assert_text_inside(picture: &Picture) {
+        let options = usvg::Options {
+            fontdb: std::sync::Arc::new(super::super::fonts()),
+            ..usvg::Options::default()
+        };
+        let tree = usvg::Tree::from_str(&picture.svg, &options).expect("valid SVG");
+        let (width, height) = (tree.size().width(), tree.size().height());
+        let boxes = text_boxes(tree.root());
+        assert_eq!(boxes.len(), picture.svg.matches("<text").count());
+        for (text, ink) in boxes {
+            let inside = ink.left() >= 0.0
+                && ink.top() >= 0.0
+                && ink.right() <= width
+                && ink.bottom() <= height;
+            assert!(inside, "'{text}' leaves the picture: {ink:?}");
+        }
+    }
+
+    /// The text nodes below a group with their boxes in pixels.
+    fn text_boxes(group: &usvg::Group) -> Vec<(String, usvg::Rect)> {
+        let mut found = Vec::new();
+        for node in group.children() {
+            match node {
+                usvg::Node::Group(inner) => found.extend(text_boxes(inner)),
+                usvg::Node::Text(text) => {
+                    let words = text.chunks().iter().map(|chunk| chunk.text()).collect();
+                    found.push((words, text.abs_bounding_box()));
+                }
+                _ => {}
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn the_png_has_twice_the_size_of_the_svg() {
+        let picture = draw_picture(90.0, 62.0, |_| Ok(())).expect("drawn");
+        assert!(picture.svg.starts_with("<svg width=\"90\" height=\"62\""));
+        let pixels = Pixmap::decode_png(&picture.png).expect("valid PNG");
+        assert_eq!((pixels.width(), pixels.height()), (180, 124));
+    }
+
+    #[test]
+    fn each_line_gets_its_own_dashes() {
+        let picture = draw_picture(90.0, 62.0, |canvas| {
+            for dash in [DASHES[0], DASHES[1], DASHES[0], DASHES[2]] {
+                let stroke = Stroke {
+                    dash,
+                    ..Stroke::solid(BLACK, 1.0)
+                };
+                canvas.line(&[(0.0, 0.0), (50.0, 50.0)], stroke)?;
+            }
+            Ok(())
+        });
+        let svg = picture.expect("drawn").svg;
+        let lines: Vec<_> = svg.lines().filter(|l| l.contains("<polyline")).collect();
+        let dashed: Vec<_> = lines.iter().map(|l| l.contains("dasharray")).collect();
+        assert_eq!(dashed, [false, true, false, true]);
+        assert!(lines[1].contains("stroke-dasharray=\"90,50\""));
+    }
+}

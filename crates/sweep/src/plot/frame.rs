@@ -1,0 +1,282 @@
+//! The axes around a plotting area.
+
+use super::Axis;
+use super::canvas::{Canvas, Stroke};
+use super::geometry::{Pixel, Rect};
+use super::scale::{Scale, Tick};
+use super::text::{self, Block, LABEL_SIZE, SMALL_SIZE};
+use anyhow::Result;
+use plotters::style::text_anchor::HPos;
+use plotters::style::{BLACK, RGBColor};
+
+const GRID: RGBColor = RGBColor(232, 232, 232);
+const MAJOR_TICK: f64 = 6.0;
+const MINOR_TICK: f64 = 3.0;
+/// Distance between ticks, tick labels and axis titles.
+const GAP: f64 = 5.0;
+/// Least distance between neighbouring tick labels.
+const LABEL_GAP: f64 = 14.0;
+/// Most labelled ticks on an axis.
+const MOST_TICKS: usize = 9;
+
+/// A plotting area with its axes.
+pub(super) struct Frame {
+    /// Where the data are drawn.
+    pub area: Rect,
+    x: Scale,
+    y: Scale,
+    x_title: Block,
+    y_title: Block,
+    y_ticks: Vec<Tick>,
+}
+
+impl Frame {
+    /// A frame that fills `outer` with its plotting area, ticks and titles.
+    pub fn new(
+        outer: Rect,
+        (x_axis, x): (&Axis, Scale),
+        (y_axis, y): (&Axis, Scale),
+    ) -> Result<Frame> {
+        // The left margin is not known yet; the title may be a bit narrower.
+        let x_title = Block::new(&x_axis.label, LABEL_SIZE, 0.75 * outer.width())?;
+        let below = MAJOR_TICK + SMALL_SIZE + 2.0 * GAP + x_title.height();
+        let mut area = Rect {
+            bottom: outer.bottom - below,
+            ..outer
+        };
+        let y_title = Block::new(&y_axis.label, LABEL_SIZE, area.height())?;
+        let y_ticks = roomy_ticks(&y, area.height(), |_| Ok(SMALL_SIZE))?;
+        area.left += y_title.height() + widest_label(&y_ticks)? + MAJOR_TICK + 2.0 * GAP;
+        Ok(Frame {
+            area,
+            x,
+            y,
+            x_title,
+            y_title,
+            y_ticks,
+        })
+    }
+
+    /// The pixel of a data point, which may lie outside the plotting area;
+    /// none if an axis cannot show the point.
+    pub fn pixel(&self, (x, y): (f64, f64)) -> Option<Pixel> {
+        Some((self.pixel_x(x)?, self.pixel_y(y)?))
+    }
+
+    /// The horizontal place of a value, as [`Frame::pixel`] gives it.
+    pub fn pixel_x(&self, value: f64) -> Option<f64> {
+        self.x
+            .fraction(value)
+            .map(|fraction| self.along_x(fraction))
+    }
+
+    /// The vertical place of a value, as [`Frame::pixel`] gives it.
+    pub fn pixel_y(&self, value: f64) -> Option<f64> {
+        self.y
+            .fraction(value)
+            .map(|fraction| self.along_y(fraction))
+    }
+
+    /// The pixels of a curve, cut into pieces where points cannot be shown.
+    pub fn curve(&self, points: &[(f64, f64)]) -> Vec<Vec<Pixel>> {
+        points
+            .split(|&point| self.pixel(point).is_none())
+            .map(|piece| {
+                piece
+                    .iter()
+                    .filter_map(|&point| self.pixel(point))
+                    .collect()
+            })
+            .filter(|piece: &Vec<_>| !piece.is_empty())
+            .collect()
+    }
+
+    /// Draws the grid, the border, the ticks and the titles.
+    pub fn draw(&self, canvas: &mut Canvas) -> Result<()> {
+        let x_ticks = roomy_ticks(&self.x, self.area.width(), |label| {
+            text::width(label, SMALL_SIZE)
+        })?;
+        self.draw_grid(canvas, &x_ticks)?;
+        self.draw_border(canvas)?;
+        for tick in &x_ticks {
+            self.draw_x_tick(canvas, tick)?;
+        }
+        for tick in &self.y_ticks {
+            self.draw_y_tick(canvas, tick)?;
+        }
+        self.draw_titles(canvas)
+    }
+
+    fn draw_grid(&self, canvas: &mut Canvas, x_ticks: &[Tick]) -> Result<()> {
+        let Rect {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.area;
+        let stroke = Stroke::solid(GRID, 1.0);
+        for tick in x_ticks.iter().filter(|tick| tick.label.is_some()) {
+            let x = self.along_x(tick.fraction);
+            canvas.line(&[(x, top), (x, bottom)], stroke)?;
+        }
+        for tick in self.y_ticks.iter().filter(|tick| tick.label.is_some()) {
+            let y = self.along_y(tick.fraction);
+            canvas.line(&[(left, y), (right, y)], stroke)?;
+        }
+        Ok(())
+    }
+
+    fn draw_border(&self, canvas: &mut Canvas) -> Result<()> {
+        let [first, second, third, fourth] = self.area.corners();
+        let closed = [first, second, third, fourth, first];
+        canvas.line(&closed, Stroke::solid(BLACK, 1.0))
+    }
+
+    fn draw_x_tick(&self, canvas: &mut Canvas, tick: &Tick) -> Result<()> {
+        let (x, y) = (self.along_x(tick.fraction), self.area.bottom);
+        canvas.line(
+            &[(x, y), (x, y + tick_length(tick))],
+            Stroke::solid(BLACK, 1.0),
+        )?;
+        let Some(label) = &tick.label else {
+            return Ok(());
+        };
+        let label = Block::new(label, SMALL_SIZE, f64::INFINITY)?;
+        canvas.text(
+            &label,
+            x,
+            y + MAJOR_TICK + GAP + SMALL_SIZE / 2.0,
+            HPos::Center,
+        )
+    }
+
+    fn draw_y_tick(&self, canvas: &mut Canvas, tick: &Tick) -> Result<()> {
+        let (x, y) = (self.area.left, self.along_y(tick.fraction));
+        canvas.line(
+            &[(x, y), (x - tick_length(tick), y)],
+            Stroke::solid(BLACK, 1.0),
+        )?;
+        let Some(label) = &tick.label else {
+            return Ok(());
+        };
+        let label = Block::new(label, SMALL_SIZE, f64::INFINITY)?;
+        canvas.text(&label, x - MAJOR_TICK - GAP, y, HPos::Right)
+    }
+
+    fn draw_titles(&self, canvas: &mut Canvas) -> Result<()> {
+        let (x, y) = self.area.centre();
+        let below = self.area.bottom + MAJOR_TICK + SMALL_SIZE + 2.0 * GAP;
+        let first_row = below + self.x_title.line_height() / 2.0;
+        canvas.text(&self.x_title, x, first_row, HPos::Center)?;
+        let labels = MAJOR_TICK + 2.0 * GAP + widest_label(&self.y_ticks)?;
+        let first_column =
+            self.area.left - labels - self.y_title.height() + self.y_title.line_height() / 2.0;
+        canvas.upward_text(&self.y_title, first_column, y)
+    }
+
+    fn along_x(&self, fraction: f64) -> f64 {
+        self.area.left + fraction * self.area.width()
+    }
+
+    fn along_y(&self, fraction: f64) -> f64 {
+        self.area.bottom - fraction * self.area.height()
+    }
+}
+
+fn tick_length(tick: &Tick) -> f64 {
+    if tick.label.is_some() {
+        MAJOR_TICK
+    } else {
+        MINOR_TICK
+    }
+}
+
+fn widest_label(ticks: &[Tick]) -> Result<f64> {
+    let mut widest: f64 = 0.0;
+    for label in ticks.iter().filter_map(|tick| tick.label.as_ref()) {
+        widest = widest.max(text::width(label, SMALL_SIZE)?);
+    }
+    Ok(widest)
+}
+
+/// The most ticks whose labels, of the given extents along an axis of `length`
+/// pixels, do not run into one another.
+fn roomy_ticks(
+    scale: &Scale,
+    length: f64,
+    extent: impl Fn(&str) -> Result<f64>,
+) -> Result<Vec<Tick>> {
+    for most in (2..=MOST_TICKS).rev() {
+        let ticks = scale.ticks(most);
+        if have_room(&ticks, length, &extent)? {
+            return Ok(ticks);
+        }
+    }
+    Ok(scale.ticks(1))
+}
+
+fn have_room(ticks: &[Tick], length: f64, extent: impl Fn(&str) -> Result<f64>) -> Result<bool> {
+    let mut free_from = f64::NEG_INFINITY;
+    for tick in ticks {
+        let Some(label) = &tick.label else { continue };
+        let middle = tick.fraction * length;
+        let half = extent(label)? / 2.0;
+        if middle - half < free_from {
+            return Ok(false);
+        }
+        free_from = middle + half + LABEL_GAP;
+    }
+    Ok(true)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frame(label: &str) -> Frame {
+        let outer = Rect {
+            left: 10.0,
+            top: 10.0,
+            right: 500.0,
+            bottom: 240.0,
+        };
+        let axis = |label: &str| Axis {
+            label: label.to_string(),
+            logarithmic: false,
+        };
+        let scale = |high| Scale::new(false, [0.0, high].into_iter());
+        let (x, y) = (axis("Time t (s)"), axis(label));
+        Frame::new(outer, (&x, scale(50.0)), (&y, scale(0.5))).expect("laid out")
+    }
+
+    #[test]
+    fn a_long_title_is_broken_and_takes_its_room() {
+        let (short, long) = (
+            frame("ω (rad/s)"),
+            frame("Angular speed of the bit ω (rad/s)"),
+        );
+        assert_eq!(
+            (short.y_title.lines.len(), long.y_title.lines.len()),
+            (1, 2)
+        );
+        assert!(long.area.left > short.area.left + 15.0);
+    }
+
+    #[test]
+    fn curves_are_cut_at_points_that_cannot_be_shown() {
+        let points = [(0.0, 0.1), (1.0, 0.2), (2.0, f64::NAN), (3.0, 0.3)];
+        let pieces = frame("y").curve(&points);
+        let lengths: Vec<_> = pieces.iter().map(Vec::len).collect();
+        assert_eq!(lengths, [2, 1]);
+    }
+
+    #[test]
+    fn tick_labels_keep_their_distance() {
+        let scale = Scale::new(false, [0.0, 0.001_234].into_iter());
+        let extent = |label: &str| text::width(label, SMALL_SIZE);
+        let wide = roomy_ticks(&scale, 600.0, extent).expect("ticks");
+        let narrow = roomy_ticks(&scale, 200.0, extent).expect("ticks");
+        assert!(have_room(&wide, 600.0, extent).expect("measured"));
+        assert!(narrow.len() < wide.len() && narrow.len() >= 2);
+    }
+}

@@ -1,0 +1,104 @@
+//! The legend beside a plot.
+
+use super::canvas::{Canvas, Stroke};
+use super::symbols::{Symbol, draw_symbol};
+use super::text::{Block, SMALL_SIZE};
+use anyhow::Result;
+use plotters::style::text_anchor::HPos;
+
+/// Width of the line or symbol before an entry's text.
+const KEY_WIDTH: f64 = 42.0;
+const KEY_GAP: f64 = 8.0;
+const SYMBOL_RADIUS: f64 = 5.0;
+/// Text wider than this is broken.
+const TEXT_WIDTH: f64 = 170.0;
+/// Free space after each entry.
+const ENTRY_GAP: f64 = 6.0;
+
+/// What stands before an entry's text.
+pub(super) enum Key {
+    Symbol(Symbol),
+    Line(Stroke),
+}
+
+/// Keys and their texts, top to bottom.
+pub(super) struct Legend {
+    entries: Vec<(Key, Block)>,
+}
+
+impl Legend {
+    /// A legend of the given keys and texts.
+    pub fn new<'a>(entries: impl Iterator<Item = (Key, &'a str)>) -> Result<Legend> {
+        let entries = entries
+            .map(|(key, text)| Ok((key, Block::new(text, SMALL_SIZE, TEXT_WIDTH)?)))
+            .collect::<Result<_>>()?;
+        Ok(Legend { entries })
+    }
+
+    /// Width in pixels; zero for an empty legend.
+    pub fn width(&self) -> f64 {
+        if self.entries.is_empty() {
+            return 0.0;
+        }
+        let widths = self.entries.iter().map(|(_, text)| text.width);
+        KEY_WIDTH + KEY_GAP + widths.fold(0.0, f64::max)
+    }
+
+    /// Height in pixels.
+    pub fn height(&self) -> f64 {
+        self.entries
+            .iter()
+            .map(|(_, text)| entry_height(text))
+            .sum()
+    }
+
+    /// Draws the legend with its upper left corner at the given place.
+    pub fn draw(&self, canvas: &mut Canvas, left: f64, top: f64) -> Result<()> {
+        let mut top = top;
+        for (key, text) in &self.entries {
+            let middle = top + text.line_height() / 2.0;
+            draw_key(canvas, key, left, middle)?;
+            canvas.text(text, left + KEY_WIDTH + KEY_GAP, middle, HPos::Left)?;
+            top += entry_height(text);
+        }
+        Ok(())
+    }
+}
+
+/// An entry is one line high even if its text is empty.
+fn entry_height(text: &Block) -> f64 {
+    text.height().max(text.line_height()) + ENTRY_GAP
+}
+
+fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) -> Result<()> {
+    match key {
+        Key::Symbol(symbol) => {
+            draw_symbol(canvas, *symbol, (left + KEY_WIDTH / 2.0, y), SYMBOL_RADIUS)
+        }
+        Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY_WIDTH, y)], *stroke),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn legend(texts: &[&'static str]) -> Legend {
+        let keys = texts
+            .iter()
+            .map(|&text| (Key::Symbol(Symbol::Circle), text));
+        Legend::new(keys).expect("measured")
+    }
+
+    #[test]
+    fn long_texts_add_lines_instead_of_width() {
+        let long = legend(&["every one of the three methods finds stick-slip here"]);
+        assert!(long.width() <= KEY_WIDTH + KEY_GAP + TEXT_WIDTH);
+        assert!(long.height() > legend(&["all"]).height());
+    }
+
+    #[test]
+    fn an_empty_legend_takes_no_room() {
+        assert_eq!((legend(&[]).width(), legend(&[]).height()), (0.0, 0.0));
+    }
+}

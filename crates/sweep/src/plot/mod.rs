@@ -1,0 +1,110 @@
+//! Plots of regime maps and time histories.
+//!
+//! A plot is drawn once, as SVG, and the PNG is that SVG rasterised, so the
+//! two never differ. The font is embedded: no font or library of the machine
+//! is used, and the same data always gives the same bytes.
+//!
+//! [`regime_map`] draws regimes over two parameters, [`panels`] draws stacked
+//! curves. Both take plain data and return a [`Picture`]; writing files is left
+//! to the caller.
+
+mod canvas;
+mod frame;
+mod geometry;
+mod legend;
+mod map;
+mod names;
+mod numbers;
+mod panels;
+mod references;
+mod scale;
+mod symbols;
+mod text;
+
+use anyhow::{Context, Result};
+use resvg::{tiny_skia, usvg};
+use std::sync::Arc;
+
+pub use map::{Line, MapPoint, Mark, RegimeMap, regime_map};
+pub use panels::{Panel, Panels, Series, panels};
+pub use references::Reference;
+pub use symbols::Symbol;
+
+/// Raster pixels per SVG pixel, so that the PNG stays sharp in print.
+const PNG_SCALE: f32 = 2.0;
+
+/// A finished plot in both formats.
+pub struct Picture {
+    /// The SVG document.
+    pub svg: String,
+    /// The same picture as a PNG file, at twice the size of the SVG.
+    pub png: Vec<u8>,
+}
+
+/// One axis of a plot.
+pub struct Axis {
+    /// Title with the unit, e.g. `Weight on bit W (kN)`.
+    pub label: String,
+    /// Whether the axis has a logarithmic scale; it then skips values that are
+    /// not positive.
+    pub logarithmic: bool,
+}
+
+impl Picture {
+    /// Rasterises `svg` and keeps both.
+    fn from_svg(svg: String) -> Result<Picture> {
+        let png = rasterise(&svg)?;
+        Ok(Picture { svg, png })
+    }
+}
+
+/// Renders an SVG document as a PNG file.
+fn rasterise(svg: &str) -> Result<Vec<u8>> {
+    let options = usvg::Options {
+        fontdb: Arc::new(fonts()),
+        ..usvg::Options::default()
+    };
+    let tree = usvg::Tree::from_str(svg, &options).context("the plot is not valid SVG")?;
+    let size = tree.size().to_int_size().scale_by(PNG_SCALE);
+    let size = size.context("the plot has no size")?;
+    let mut pixels = tiny_skia::Pixmap::new(size.width(), size.height())
+        .context("the plot is too large to rasterise")?;
+    let transform = tiny_skia::Transform::from_scale(PNG_SCALE, PNG_SCALE);
+    resvg::render(&tree, transform, &mut pixels.as_mut());
+    pixels.encode_png().context("the plot cannot become a PNG")
+}
+
+/// A font database that holds the embedded font alone, as sans-serif.
+fn fonts() -> usvg::fontdb::Database {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_font_data(text::FONT.to_vec());
+    fonts.set_sans_serif_family(text::FONT_NAME);
+    fonts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn dark_pixels(svg: &str) -> usize {
+        let png = rasterise(svg).expect("valid SVG");
+        let pixels = tiny_skia::Pixmap::decode_png(&png).expect("valid PNG");
+        pixels.pixels().iter().filter(|p| p.alpha() > 128).count()
+    }
+
+    #[test]
+    fn the_embedded_font_draws_greek_and_subscripts() {
+        for letter in ["ω", "Ω", "₀", "ₛ", "−", "×", "⁻"] {
+            let svg = format!(
+                "<svg xmlns='http://www.w3.org/2000/svg' width='40' height='40'>\
+                 <text x='5' y='30' font-size='30' font-family='sans-serif'>{letter}</text></svg>"
+            );
+            assert!(dark_pixels(&svg) > 0, "{letter} left no ink");
+        }
+    }
+
+    #[test]
+    fn a_broken_document_is_an_error() {
+        assert!(rasterise("<svg").is_err());
+    }
+}

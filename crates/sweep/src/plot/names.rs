@@ -1,0 +1,129 @@
+//! Names inside a plotting area.
+
+use super::canvas::Canvas;
+use super::geometry::{Pixel, Rect};
+use super::text::{Block, SMALL_SIZE};
+use anyhow::Result;
+use plotters::style::text_anchor::HPos;
+use plotters::style::{Color, WHITE};
+
+/// Opacity of the ground that keeps a name legible above data.
+const GROUND: f64 = 0.8;
+
+/// Names inside a plotting area, kept off one another and, where possible, off
+/// the data.
+pub(super) struct Names {
+    within: Rect,
+    taken: Vec<Rect>,
+    data: Vec<Vec<Pixel>>,
+}
+
+impl Names {
+    /// Names inside `within`, where the given polylines are drawn.
+    pub fn new(within: Rect, data: Vec<Vec<Pixel>>) -> Names {
+        Names {
+            within,
+            taken: Vec::new(),
+            data,
+        }
+    }
+
+    /// Keeps names off a rectangle.
+    pub fn keep_off(&mut self, rect: Rect) {
+        self.taken.push(rect);
+    }
+
+    /// Breaks a name so that it fits into the plotting area.
+    pub fn block(&self, name: &str) -> Result<Block> {
+        Block::new(name, SMALL_SIZE, 0.4 * self.within.width())
+    }
+
+    /// Writes a name centred at the best of `centres`, earlier ones first.
+    pub fn write(&mut self, canvas: &Canvas, name: &Block, centres: &[Pixel]) -> Result<()> {
+        let Some(place) = self.best_place(name, centres) else {
+            return Ok(());
+        };
+        self.taken.push(place);
+        canvas.polygon(&place.corners(), WHITE.mix(GROUND))?;
+        let first_row = place.top + name.line_height() / 2.0;
+        canvas.text(name, place.centre().0, first_row, HPos::Center)
+    }
+
+    /// The place with the fewest conflicts and then the least data below it.
+    fn best_place(&self, name: &Block, centres: &[Pixel]) -> Option<Rect> {
+        let places = centres.iter().map(|&centre| {
+            let place = self.inside(name, centre);
+            let moved = place.centre() != centre;
+            let crowded = self.taken.iter().any(|rect| rect.overlaps(&place));
+            (
+                usize::from(moved) + usize::from(crowded),
+                self.hidden(&place),
+                place,
+            )
+        });
+        places
+            .min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)))
+            .map(|(_, _, place)| place)
+    }
+
+    /// The length of all data lines inside a rectangle.
+    fn hidden(&self, place: &Rect) -> f64 {
+        let parts = self.data.iter().flat_map(|line| place.clip(line));
+        parts.map(|part| length(&part)).sum()
+    }
+
+    /// The rectangle of a name near `centre`, moved into the plotting area.
+    fn inside(&self, name: &Block, (x, y): Pixel) -> Rect {
+        let (half_width, half_height) = (name.width / 2.0, name.height() / 2.0);
+        let x = x
+            .min(self.within.right - half_width)
+            .max(self.within.left + half_width);
+        let y = y
+            .min(self.within.bottom - half_height)
+            .max(self.within.top + half_height);
+        Rect::centred((x, y), name.width, name.height())
+    }
+}
+
+fn length(line: &[Pixel]) -> f64 {
+    let sides = line.windows(2);
+    sides
+        .map(|side| (side[1].0 - side[0].0).hypot(side[1].1 - side[0].1))
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AREA: Rect = Rect {
+        left: 0.0,
+        top: 0.0,
+        right: 400.0,
+        bottom: 100.0,
+    };
+    const CENTRES: [Pixel; 2] = [(100.0, 50.0), (300.0, 50.0)];
+
+    fn best(names: &Names, centres: &[Pixel]) -> Pixel {
+        let name = names.block("8(a)").expect("measured");
+        names.best_place(&name, centres).expect("a place").centre()
+    }
+
+    #[test]
+    fn the_first_place_wins_unless_data_or_names_are_there() {
+        let mut names = Names::new(AREA, Vec::new());
+        assert!((best(&names, &CENTRES).0 - 100.0).abs() < 1e-9);
+        names.keep_off(Rect::centred(CENTRES[0], 10.0, 10.0));
+        assert!((best(&names, &CENTRES).0 - 300.0).abs() < 1e-9);
+        let names = Names::new(AREA, vec![vec![(100.0, 0.0), (100.0, 100.0)]]);
+        assert!((best(&names, &CENTRES).0 - 300.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_name_never_leaves_the_area() {
+        let names = Names::new(AREA, Vec::new());
+        let name = names.block("8(a)").expect("measured");
+        let place = names.best_place(&name, &[(399.0, -5.0)]).expect("a place");
+        assert!(place.right <= 400.0 + 1e-9 && place.top >= -1e-9);
+    }
+}

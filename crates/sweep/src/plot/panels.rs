@@ -1,0 +1,290 @@
+//! Stacked panels of curves, such as time histories.
+
+use super::canvas::{Canvas, DASHES, Stroke, draw_picture};
+use super::frame::Frame;
+use super::geometry::{Rect, thin};
+use super::legend::{Key, Legend};
+use super::references::{Reference, draw_references};
+use super::scale::{Scale, visible};
+use super::text::{Block, TITLE_SIZE};
+use super::{Axis, Picture};
+use anyhow::Result;
+use plotters::style::RGBColor;
+use plotters::style::text_anchor::HPos;
+
+const WIDTH: f64 = 900.0;
+const PANEL_HEIGHT: f64 = 230.0;
+const MARGIN: f64 = 14.0;
+/// Distance between panels.
+const PANEL_GAP: f64 = 12.0;
+/// Distance between the plotting areas and the legend.
+const LEGEND_GAP: f64 = 22.0;
+/// Longer series are thinned.
+const MOST_POINTS: usize = 4000;
+
+/// Colours of Okabe and Ito, which colour-blind readers can tell apart.
+const COLOURS: [RGBColor; 7] = [
+    RGBColor(0x00, 0x72, 0xB2),
+    RGBColor(0xE6, 0x9F, 0x00),
+    RGBColor(0x00, 0x9E, 0x73),
+    RGBColor(0xD5, 0x5E, 0x00),
+    RGBColor(0xCC, 0x79, 0xA7),
+    RGBColor(0x56, 0xB4, 0xE9),
+    RGBColor(0x00, 0x00, 0x00),
+];
+const FIRST_WIDTH: f64 = 2.4;
+const LATER_WIDTH: f64 = 1.8;
+
+/// A named curve.
+pub struct Series {
+    /// Name in the legend; series of the same name look the same.
+    pub name: String,
+    /// Its points; the curve has a gap where one cannot be shown.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// One of the stacked plots.
+pub struct Panel {
+    /// Horizontal axis; panels whose horizontal axes are alike share its range.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Curves.
+    pub series: Vec<Series>,
+    /// Reference lines; the axes are long enough to show them.
+    pub references: Vec<Reference>,
+}
+
+/// Panels with one title and one legend.
+pub struct Panels {
+    /// Title above the first panel.
+    pub title: String,
+    /// Panels, top to bottom.
+    pub panels: Vec<Panel>,
+}
+
+/// Draws stacked panels of the same width.
+pub fn panels(p: &Panels) -> Result<Picture> {
+    let names = series_names(p);
+    let title = Block::new(&p.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
+    let legend = Legend::new(
+        names
+            .iter()
+            .enumerate()
+            .map(|(index, &name)| (Key::Line(series_stroke(index)), name)),
+    )?;
+    let top = 2.0 * MARGIN + title.height();
+    let stacked = p.panels.len() as f64 * PANEL_HEIGHT;
+    let height = top + stacked.max(legend.height() + MARGIN);
+    let legend_left = WIDTH - MARGIN - legend.width();
+    let frames = frames(p, top, legend_left - LEGEND_GAP)?;
+    draw_picture(WIDTH, height, |canvas| {
+        let title_row = MARGIN + title.line_height() / 2.0;
+        canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
+        for (panel, frame) in p.panels.iter().zip(&frames) {
+            draw_panel(canvas, panel, frame, &names)?;
+        }
+        legend.draw(canvas, legend_left, top)
+    })
+}
+
+/// The distinct names of all series, in order of appearance.
+fn series_names(p: &Panels) -> Vec<&str> {
+    let mut names = Vec::new();
+    for series in p.panels.iter().flat_map(|panel| &panel.series) {
+        if !names.contains(&series.name.as_str()) {
+            names.push(&series.name);
+        }
+    }
+    names
+}
+
+/// The look of the series with the name of this index. Only the first is
+/// solid: where series coincide, it shows between the dashes of the others.
+fn series_stroke(index: usize) -> Stroke {
+    let dash = match index {
+        0 => DASHES[0],
+        later => DASHES[1 + (later - 1) % (DASHES.len() - 1)],
+    };
+    Stroke {
+        colour: COLOURS[index % COLOURS.len()],
+        width: if index == 0 { FIRST_WIDTH } else { LATER_WIDTH },
+        dash,
+    }
+}
+
+/// The frames of all panels, one below another, their sides aligned.
+fn frames(p: &Panels, top: f64, right: f64) -> Result<Vec<Frame>> {
+    let mut frames = Vec::new();
+    for (index, panel) in p.panels.iter().enumerate() {
+        let top = top + index as f64 * PANEL_HEIGHT;
+        let outer = Rect {
+            left: MARGIN,
+            top,
+            right,
+            bottom: top + PANEL_HEIGHT - PANEL_GAP,
+        };
+        let (x, y) = (x_scale(panel, p), y_scale(panel));
+        frames.push(Frame::new(outer, (&panel.x, x), (&panel.y, y))?);
+    }
+    let left = frames
+        .iter()
+        .map(|frame| frame.area.left)
+        .fold(0.0, f64::max);
+    for frame in &mut frames {
+        frame.area.left = left;
+    }
+    Ok(frames)
+}
+
+/// The scale of a horizontal axis, the same for all panels that share it.
+fn x_scale(panel: &Panel, all: &Panels) -> Scale {
+    let sharing = all.panels.iter().filter(|other| {
+        other.x.label == panel.x.label && other.x.logarithmic == panel.x.logarithmic
+    });
+    let values = sharing.flat_map(|other| {
+        let lines = other
+            .references
+            .iter()
+            .filter_map(|reference| match reference {
+                Reference::Vertical { x, .. } => Some(*x),
+                Reference::Horizontal { .. } => None,
+            });
+        shown_points(other).map(|(x, _)| x).chain(lines)
+    });
+    Scale::new(panel.x.logarithmic, values)
+}
+
+fn y_scale(panel: &Panel) -> Scale {
+    let lines = panel
+        .references
+        .iter()
+        .filter_map(|reference| match reference {
+            Reference::Horizontal { y, .. } => Some(*y),
+            Reference::Vertical { .. } => None,
+        });
+    let values = shown_points(panel).map(|(_, y)| y).chain(lines);
+    Scale::new(panel.y.logarithmic, values)
+}
+
+fn shown_points(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
+    let points = panel.series.iter().flat_map(|series| &series.points);
+    visible(&panel.x, &panel.y, points.copied())
+}
+
+fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, names: &[&str]) -> Result<()> {
+    frame.draw(canvas)?;
+    for series in &panel.series {
+        let index = names.iter().position(|&name| name == series.name);
+        draw_series(canvas, frame, series, series_stroke(index.unwrap_or(0)))?;
+    }
+    let curves = panel.series.iter();
+    let curves = curves.flat_map(|series| frame.curve(&series.points));
+    draw_references(canvas, frame, curves.collect(), &panel.references)
+}
+
+fn draw_series(canvas: &mut Canvas, frame: &Frame, series: &Series, stroke: Stroke) -> Result<()> {
+    for piece in frame.curve(&series.points) {
+        if let [point] = piece[..] {
+            canvas.disc(point, stroke.width, stroke.colour)?;
+        } else if series.points.len() > MOST_POINTS {
+            canvas.line(&thin(&piece), stroke)?;
+        } else {
+            canvas.line(&piece, stroke)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::canvas::tests::assert_text_inside;
+    use super::*;
+
+    fn axis(label: &str, logarithmic: bool) -> Axis {
+        Axis {
+            label: label.to_string(),
+            logarithmic,
+        }
+    }
+
+    fn panel(name: &str, points: Vec<(f64, f64)>, logarithmic: bool) -> Panel {
+        Panel {
+            x: axis("Time t (s)", false),
+            y: axis(
+                "Difference in the angular speed of the bit (rad/s)",
+                logarithmic,
+            ),
+            series: vec![Series {
+                name: name.to_string(),
+                points,
+            }],
+            references: vec![
+                Reference::Horizontal {
+                    y: 2.0,
+                    name: "set point".to_string(),
+                },
+                Reference::Vertical {
+                    x: 9.0,
+                    name: "onset".to_string(),
+                },
+            ],
+        }
+    }
+
+    fn draw(panels: Vec<Panel>) -> Picture {
+        let title = "Time histories".to_string();
+        super::panels(&Panels { title, panels }).expect("drawn")
+    }
+
+    #[test]
+    fn long_series_keep_their_spike_in_a_small_file() {
+        let spike = |i: u32| if i == 123_457 { 7.0 } else { f64::from(i % 2) };
+        let points = (0..300_000).map(|i| (f64::from(i) * 1e-3, spike(i)));
+        let picture = draw(vec![panel("a", points.collect(), false)]);
+        assert!(picture.svg.len() < 300_000);
+        let curve = picture.svg.lines().find(|line| line.contains("#0072B2"));
+        let heights = curve
+            .expect("the curve")
+            .split([' ', '"'])
+            .filter_map(|pair| {
+                let (_, y) = pair.split_once(',')?;
+                y.parse::<i32>().ok()
+            });
+        // The spike is far above everything else.
+        let mut heights: Vec<_> = heights.collect();
+        heights.sort_unstable();
+        assert!(heights[0] + 1000 < heights[1]);
+    }
+
+    #[test]
+    fn the_legend_names_each_series_once() {
+        let points = vec![(0.0, 1.0), (1.0, 2.0)];
+        let both = ["exact", "exact"].map(|name| panel(name, points.clone(), false));
+        let picture = draw(both.into());
+        assert_eq!(picture.svg.matches("exact").count(), 1);
+        // A curve in each panel and the key in the legend.
+        assert_eq!(picture.svg.matches("#0072B2").count(), 3);
+    }
+
+    #[test]
+    fn a_logarithmic_axis_skips_what_is_not_positive() {
+        let points = vec![(0.0, 1.0), (1.0, 0.0), (2.0, -3.0), (3.0, 4.0)];
+        let picture = draw(vec![panel("a", points, true)]);
+        assert_eq!(picture.svg.matches("<circle").count(), 2);
+        assert_text_inside(&picture);
+    }
+
+    #[test]
+    fn empty_panels_are_drawn() {
+        assert_text_inside(&draw(Vec::new()));
+        assert_text_inside(&draw(vec![panel("a", Vec::new(), false)]));
+    }
+
+    #[test]
+    fn the_same_data_give_the_same_bytes() {
+        let picture = || draw(vec![panel("a", vec![(0.0, 1.0), (1.0, 2.0)], false)]);
+        let (first, second) = (picture(), picture());
+        assert!(first.svg == second.svg && first.png == second.png);
+    }
+}

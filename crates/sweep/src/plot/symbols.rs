@@ -1,0 +1,68 @@
+//! The symbols of regime maps.
+
+use super::canvas::{Canvas, Stroke};
+use super::geometry::Pixel;
+use anyhow::Result;
+use plotters::style::{BLACK, RGBColor, WHITE};
+
+// Colours of Okabe and Ito, which colour-blind readers can tell apart.
+const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xB2);
+const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
+const ORANGE: RGBColor = RGBColor(0xE6, 0x9F, 0x00);
+
+/// Distance of a mark's corners from its centre.
+pub(super) const MARK_RADIUS: f64 = 7.0;
+/// Width of the white rim that sets a mark off from symbols below it.
+pub(super) const HALO: f64 = 3.0;
+
+/// What the methods find at a point of a map.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Symbol {
+    /// Every method finds the regime: an open circle.
+    Circle,
+    /// No method finds the regime: a cross.
+    Cross,
+    /// The methods differ: an open square.
+    Square,
+}
+
+/// Draws one symbol as one SVG element.
+pub(super) fn draw_symbol(
+    canvas: &mut Canvas,
+    symbol: Symbol,
+    (x, y): Pixel,
+    r: f64,
+) -> Result<()> {
+    match symbol {
+        Symbol::Circle => canvas.ring((x, y), r, Stroke::solid(BLUE, 0.28 * r)),
+        Symbol::Cross => {
+            let (a, b) = (x - 0.85 * r, x + 0.85 * r);
+            let (c, d) = (y - 0.85 * r, y + 0.85 * r);
+            let path = [(a, c), (b, d), (x, y), (b, c), (a, d)];
+            canvas.line(&path, Stroke::solid(GREY, 0.26 * r))
+        }
+        Symbol::Square => {
+            let (a, b, c, d) = (x - r, x + r, y - r, y + r);
+            // Starting within a side leaves no notch at a corner.
+            let path = [(x, c), (b, c), (b, d), (a, d), (a, c), (x, c)];
+            canvas.line(&path, Stroke::solid(ORANGE, 0.42 * r))
+        }
+    }
+}
+
+/// A black triangle with a white halo.
+pub(super) fn draw_triangle(canvas: &Canvas, centre: Pixel) -> Result<()> {
+    // The halo is twice as far at the corners as along the sides.
+    canvas.polygon(&triangle(centre, MARK_RADIUS + 2.0 * HALO), WHITE)?;
+    canvas.polygon(&triangle(centre, MARK_RADIUS), BLACK)
+}
+
+fn triangle((x, y): Pixel, radius: f64) -> [(f64, f64); 3] {
+    let half_side = radius * 0.75f64.sqrt();
+    let base = y + radius / 2.0;
+    [
+        (x, y - radius),
+        (x + half_side, base),
+        (x - half_side, base),
+    ]
+}

@@ -1,0 +1,158 @@
+//! Measuring text and breaking it into lines.
+
+use anyhow::{Result, anyhow, ensure};
+use plotters::style::{FontDesc, FontStyle, IntoFont, register_font};
+use std::sync::LazyLock;
+
+/// The embedded font: Latin-1, Greek, sub- and superscripts of DejaVu Sans.
+pub(super) static FONT: &[u8] = include_bytes!("fonts/DejaVuSans.ttf");
+/// The family name inside [`FONT`].
+pub(super) const FONT_NAME: &str = "DejaVu Sans";
+/// The family that the SVG asks for.
+const FAMILY: &str = "sans-serif";
+
+/// Size of plot titles.
+pub(super) const TITLE_SIZE: f64 = 16.0;
+/// Size of axis titles.
+pub(super) const LABEL_SIZE: f64 = 15.0;
+/// Size of tick labels, legends and names inside the plot.
+pub(super) const SMALL_SIZE: f64 = 14.0;
+/// Distance between lines of text, in font sizes.
+const LINE_HEIGHT: f64 = 1.3;
+
+/// plotters divides a font's size by this factor before writing it to SVG.
+const PLOTTERS_SIZE_FACTOR: f64 = 1.24;
+/// Sub-pixel resolution of [`width`], as plotters returns whole numbers.
+const MEASURE_SCALE: f64 = 10.0;
+
+static REGISTERED: LazyLock<bool> =
+    LazyLock::new(|| register_font(FAMILY, FontStyle::Normal, FONT).is_ok());
+
+/// The font whose SVG `font-size` is `size`.
+pub(super) fn font(size: f64) -> Result<FontDesc<'static>> {
+    ensure!(*REGISTERED, "the embedded font cannot be read");
+    Ok((FAMILY, size * PLOTTERS_SIZE_FACTOR).into_font())
+}
+
+/// The width of a line of text in pixels, a few per cent on the safe side.
+pub(super) fn width(text: &str, size: f64) -> Result<f64> {
+    let (extent, _) = font(size * MEASURE_SCALE)?
+        .box_size(text)
+        .map_err(|error| anyhow!("cannot measure '{text}': {error}"))?;
+    Ok(f64::from(extent) / MEASURE_SCALE)
+}
+
+/// A text broken into lines that fit a width.
+pub(super) struct Block {
+    /// The lines, top to bottom; none for an empty text.
+    pub lines: Vec<String>,
+    /// Font size in pixels.
+    pub size: f64,
+    /// Width of the widest line in pixels.
+    pub width: f64,
+}
+
+impl Block {
+    /// Breaks `text` so that no line is wider than `max_width`.
+    pub fn new(text: &str, size: f64, max_width: f64) -> Result<Block> {
+        let lines = wrap(&without_controls(text), size, max_width)?;
+        let mut widest: f64 = 0.0;
+        for line in &lines {
+            widest = widest.max(width(line, size)?);
+        }
+        Ok(Block {
+            lines,
+            size,
+            width: widest,
+        })
+    }
+
+    /// Distance between the centres of two lines.
+    pub fn line_height(&self) -> f64 {
+        self.size * LINE_HEIGHT
+    }
+
+    /// Height of all lines.
+    pub fn height(&self) -> f64 {
+        self.lines.len() as f64 * self.line_height()
+    }
+}
+
+/// Replaces control characters, which XML forbids, by spaces.
+fn without_controls(text: &str) -> String {
+    text.replace(char::is_control, " ")
+}
+
+/// Breaks between words, and inside a word only if it is too wide by itself.
+fn wrap(text: &str, size: f64, max_width: f64) -> Result<Vec<String>> {
+    let mut lines = Vec::new();
+    let mut line = String::new();
+    for word in text.split_whitespace() {
+        let longer = if line.is_empty() {
+            word.to_string()
+        } else {
+            format!("{line} {word}")
+        };
+        if width(&longer, size)? <= max_width {
+            line = longer;
+            continue;
+        }
+        if !line.is_empty() {
+            lines.push(std::mem::take(&mut line));
+        }
+        line = break_word(word, size, max_width, &mut lines)?;
+    }
+    if !line.is_empty() {
+        lines.push(line);
+    }
+    Ok(lines)
+}
+
+/// Pushes the full lines of a word to `lines` and returns its last piece.
+fn break_word(word: &str, size: f64, max_width: f64, lines: &mut Vec<String>) -> Result<String> {
+    let mut piece = String::new();
+    for letter in word.chars() {
+        let longer = format!("{piece}{letter}");
+        if !piece.is_empty() && width(&longer, size)? > max_width {
+            lines.push(std::mem::take(&mut piece));
+        }
+        piece.push(letter);
+    }
+    Ok(piece)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn longer_text_is_wider() {
+        let short = width("bit", SMALL_SIZE).expect("measured");
+        let long = width("bit speed", SMALL_SIZE).expect("measured");
+        assert!(short > 5.0 && long > 2.0 * short);
+    }
+
+    #[test]
+    fn lines_break_between_words_and_fit() {
+        let block = Block::new("every method finds stick-slip", 14.0, 120.0).expect("wrapped");
+        assert!(block.lines.len() > 1);
+        assert!(block.width <= 120.0);
+        assert_eq!(block.lines.join(" "), "every method finds stick-slip");
+    }
+
+    #[test]
+    fn an_overlong_word_is_broken() {
+        let word = "unbreakable".repeat(10);
+        let block = Block::new(&word, 14.0, 100.0).expect("wrapped");
+        assert!(block.width <= 100.0);
+        assert_eq!(block.lines.concat(), word);
+    }
+
+    #[test]
+    fn control_characters_and_empty_text_are_harmless() {
+        let block = Block::new("a\u{0}b", 14.0, 100.0).expect("wrapped");
+        assert_eq!(block.lines, ["a b"]);
+        let empty = Block::new("", 14.0, 100.0).expect("wrapped");
+        assert_eq!(empty.height(), 0.0);
+    }
+}

@@ -1,0 +1,11 @@
+//! The sweep file: read with its base, resolved to SI, refused with file, line
+//! and key where it does not make sense.
+
+mod file;
+mod resolve;
+mod source;
+
+pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
+pub use resolve::{Conditions, MapSettings, Sweep, Time, to_rpm};
+pub(crate) use resolve::{check_axis_value, check_setting};
+pub use source::{Source, SpecError};

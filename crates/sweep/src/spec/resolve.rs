@@ -1,0 +1,674 @@
+//! From the keys of a sweep file to what the model needs, in SI; every value
+//! checked against what it can be.
+
+use linear::method::Method;
+use linear::{Drillstring, DrillstringError, Material, Section, Sites, Tube};
+use serde::{Deserialize, Serialize};
+use sim::laws::rock::{CuttingLaw, PoorCleaning};
+use sim::{BitTorque, Rock};
+
+use super::file::{
+    AutoOr, Axis, BitTable, FileContent, LawTable, MarkTable, MethodName, RockName, SectionTable,
+};
+use super::source::{Source, SpecError};
+use crate::design::Design;
+
+const RPM: f64 = std::f64::consts::TAU / 60.0;
+
+/// A sweep, ready to run.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    /// The file's name without its ending; names the results folder.
+    pub name: String,
+    /// One line for pictures.
+    pub title: String,
+    /// The drillstring.
+    pub string: Drillstring,
+    /// Sites from the surface down; the bit is always the last.
+    pub sites: Sites,
+    /// Sampling frequency, Hz.
+    pub sampling_frequency: f64,
+    /// Whether that follows from the string by the paper's rule.
+    pub sampling_by_rule: bool,
+    /// Linear methods.
+    pub methods: Vec<Method>,
+    /// Time simulated.
+    pub time: Time,
+    /// Torque at the bit, where it is modelled.
+    pub bit: Option<Bit>,
+    /// What the file says of the quantities that axes may change.
+    pub conditions: Conditions,
+    /// The cases.
+    pub design: Design,
+    /// How the map is drawn, where the design has two axes or more.
+    pub map: Option<MapSettings>,
+    /// The file as written, its bases merged in.
+    pub content: FileContent,
+}
+
+/// Time simulated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Time {
+    /// Until the regime can be told.
+    Auto,
+    /// As given, s.
+    Given(f64),
+}
+
+/// The bit's torque law, but for the quantities that axes may change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bit {
+    /// From weight on bit to T_d.
+    pub rock: Option<Rock>,
+    /// T_s / T_d.
+    pub static_ratio: f64,
+}
+
+/// Operating conditions of a case, in the units of their names.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Conditions {
+    /// Surface speed, rpm.
+    pub surface_speed_rpm: Option<f64>,
+    /// Weight on bit, kN.
+    pub weight_on_bit_kn: Option<f64>,
+    /// Dynamic torque, N m.
+    pub torque_dynamic_nm: Option<f64>,
+}
+
+impl Conditions {
+    /// These conditions with one of them changed. Weight on bit and torque
+    /// replace one another.
+    pub fn with(mut self, axis: Axis, value: f64) -> Self {
+        match axis {
+            Axis::SurfaceSpeedRpm => self.surface_speed_rpm = Some(value),
+            Axis::WeightOnBitKn => {
+                self.weight_on_bit_kn = Some(value);
+                self.torque_dynamic_nm = None;
+            }
+            Axis::TorqueDynamicNm => {
+                self.torque_dynamic_nm = Some(value);
+                self.weight_on_bit_kn = None;
+            }
+        }
+        self
+    }
+
+    /// The value along an axis, where it is known.
+    pub fn value(&self, axis: Axis) -> Option<f64> {
+        match axis {
+            Axis::SurfaceSpeedRpm => self.surface_speed_rpm,
+            Axis::WeightOnBitKn => self.weight_on_bit_kn,
+            Axis::TorqueDynamicNm => self.torque_dynamic_nm,
+        }
+    }
+
+    /// Surface speed, rad/s.
+    pub fn surface_speed(&self) -> Option<f64> {
+        self.surface_speed_rpm.map(|speed| speed * RPM)
+    }
+}
+
+/// How the regime map is drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MapSettings {
+    /// Axis to the right.
+    pub x: Axis,
+    /// Axis upwards.
+    pub y: Axis,
+    /// Cases pointed out.
+    pub marks: Vec<MapMark>,
+}
+
+/// A case pointed out on the map.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MapMark {
+    /// What is written beside it.
+    pub name: String,
+    /// Its value along the axis to the right.
+    pub x: f64,
+    /// Its value along the axis upwards.
+    pub y: f64,
+}
+
+/// A radian per second in rpm.
+pub fn to_rpm(speed: f64) -> f64 {
+    speed / RPM
+}
+
+impl Bit {
+    /// T_d (N m) under the given conditions, where they say enough; the error
+    /// is a sentence.
+    pub fn torque_dynamic(&self, conditions: &Conditions) -> Result<Option<f64>, String> {
+        match (
+            conditions.torque_dynamic_nm,
+            conditions.weight_on_bit_kn,
+            &self.rock,
+        ) {
+            (Some(torque), _, _) => Ok(Some(torque)),
+            (None, Some(weight), Some(rock)) => rock
+                .torque_dynamic(1e3 * weight)
+                .map(Some)
+                .map_err(|error| error.to_string()),
+            _ => Ok(None),
+        }
+    }
+
+    /// Both torque limits for a dynamic torque.
+    pub fn torques(&self, torque_dynamic: f64) -> BitTorque {
+        BitTorque {
+            torque_static: self.static_ratio * torque_dynamic,
+            torque_dynamic,
+        }
+    }
+}
+
+impl Sweep {
+    /// Reads and resolves a sweep file.
+    ///
+    /// # Errors
+    /// Where the file, a base or a list of cases does not make sense.
+    pub fn read(path: &std::path::Path) -> Result<Self, SpecError> {
+        let source = Source::read(path)?;
+        let content: FileContent = source.parse()?;
+        let check = Check { source: &source };
+        let string = check.string(&content)?;
+        let bit = content.bit.as_ref().map(|bit| check.bit(bit)).transpose()?;
+        let conditions = check.conditions(&content)?;
+        let design = Design::resolve(&source, content.design.as_ref())?;
+        check.conditions_are_complete(bit.as_ref(), &conditions, &design)?;
+        let name = path.file_stem().map_or_else(
+            || "sweep".to_owned(),
+            |stem| stem.to_string_lossy().into_owned(),
+        );
+        let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
+            AutoOr::Auto => (linear::estimates::sampling_frequency(&string), true),
+            AutoOr::Given(value) => {
+                check.within("sampling_frequency_hz", value, 1.0, 1e6, "Hz")?;
+                (value, false)
+            }
+        };
+        let time = match content.time_s {
+            AutoOr::Auto => Time::Auto,
+            AutoOr::Given(value) => {
+                check.within("time_s", value, 1e-3, 1e6, "s")?;
+                Time::Given(value)
+            }
+        };
+        Ok(Self {
+            title: content.title.clone().unwrap_or_else(|| name.clone()),
+            sites: check.sites(&content, &string)?,
+            methods: check.methods(&content)?,
+            map: check.map(&content, &design, bit.as_ref())?,
+            name,
+            string,
+            sampling_frequency,
+            sampling_by_rule,
+            time,
+            bit,
+            conditions,
+            design,
+            content,
+        })
+    }
+}
+
+/// Checks of meaning, each naming the key it is about.
+struct Check<'a> {
+    source: &'a Source,
+}
+
+impl Check<'_> {
+    fn within(
+        &self,
+        key: &str,
+        value: f64,
+        least: f64,
+        most: f64,
+        unit: &str,
+    ) -> Result<(), SpecError> {
+        within(value, least, most, unit).map_err(|message| self.source.error(key, message))
+    }
+
+    fn string(&self, content: &FileContent) -> Result<Drillstring, SpecError> {
+        let table = &content.string;
+        self.within(
+            "string.shear_modulus_gpa",
+            table.shear_modulus_gpa,
+            0.1,
+            1e3,
+            "GPa",
+        )?;
+        self.within(
+            "string.density_kg_m3",
+            table.density_kg_m3,
+            100.0,
+            3e4,
+            "kg/m³",
+        )?;
+        let damping = table.torsional_damping_nms_rad_m;
+        self.within(
+            "string.torsional_damping_nms_rad_m",
+            damping,
+            0.0,
+            1e5,
+            "N m s/rad per m",
+        )?;
+        for (section, data) in table.sections.iter().enumerate() {
+            self.section(section, data)?;
+        }
+        let sections = table.sections.iter().map(|section| Section {
+            repeat: section.repeat,
+            parts: section
+                .parts
+                .iter()
+                .map(|part| Tube {
+                    length: part.length_m,
+                    inner_radius: part.inner_radius_m,
+                    outer_radius: part.outer_radius_m,
+                })
+                .collect(),
+        });
+        let material = Material {
+            shear_modulus: 1e9 * table.shear_modulus_gpa,
+            density: table.density_kg_m3,
+        };
+        Drillstring::new(material, sections.collect(), damping)
+            .map_err(|error| self.source.error(&key_of(&error), error.to_string()))
+    }
+
+    fn section(&self, index: usize, section: &SectionTable) -> Result<(), SpecError> {
+        let key = format!("string.sections[{index}]");
+        self.within(
+            &format!("{key}.repeat"),
+            section.repeat as f64,
+            1.0,
+            1e5,
+            "",
+        )?;
+        for (part, tube) in section.parts.iter().enumerate() {
+            let key = format!("{key}.parts[{part}]");
+            self.within(&format!("{key}.length_m"), tube.length_m, 1e-3, 2e4, "m")?;
+            self.within(
+                &format!("{key}.inner_radius_m"),
+                tube.inner_radius_m,
+                0.0,
+                2.0,
+                "m",
+            )?;
+            self.within(
+                &format!("{key}.outer_radius_m"),
+                tube.outer_radius_m,
+                1e-3,
+                2.0,
+                "m",
+            )?;
+        }
+        Ok(())
+    }
+
+    fn sites(&self, content: &FileContent, string: &Drillstring) -> Result<Sites, SpecError> {
+        let mut distances = vec![0.0];
+        for (index, site) in content.sites.iter().enumerate() {
+            // The bit is always looked at; naming it again changes nothing.
+            if site.distance_from_bit_m != 0.0 {
+                distances.push(site.distance_from_bit_m);
+            }
+            Sites::new(string, &distances).map_err(|error| {
+                let key = format!("sites[{index}].distance_from_bit_m");
+                self.source.error(&key, error.to_string())
+            })?;
+        }
+        Sites::new(string, &distances)
+            .map_err(|error| self.source.error("sites", error.to_string()))
+    }
+
+    fn methods(&self, content: &FileContent) -> Result<Vec<Method>, SpecError> {
+        if content.methods.is_empty() {
+            return Err(self.source.error("methods", "names no method"));
+        }
+        let tables = &content.method;
+        tables.finite_element.check().map_err(|error| {
+            self.source
+                .error("method.finite-element", error.to_string())
+        })?;
+        for (key, transform) in [
+            ("hilbert", tables.hilbert),
+            ("direct-idft", tables.direct_idft),
+        ] {
+            if let Some(seconds) = transform.seconds {
+                self.within(
+                    &format!("method.{key}.transform_s"),
+                    seconds,
+                    1e-2,
+                    1e5,
+                    "s",
+                )?;
+            }
+        }
+        for (index, name) in content.methods.iter().enumerate() {
+            if content.methods[..index].contains(name) {
+                return Err(self
+                    .source
+                    .error(&format!("methods[{index}]"), "is named twice"));
+            }
+        }
+        Ok(content
+            .methods
+            .iter()
+            .map(|&name| content.method(name))
+            .collect())
+    }
+
+    fn bit(&self, bit: &BitTable) -> Result<Bit, SpecError> {
+        self.within(
+            "bit.torque_static_ratio",
+            bit.torque_static_ratio,
+            1.0,
+            10.0,
+            "",
+        )?;
+        let rock = match (bit.rock, bit.law, &bit.table_kn_nm) {
+            (None, None, None) => None,
+            (Some(RockName::Sandstone), None, None) => Some(Rock::sandstone()),
+            (Some(RockName::Shale), None, None) => Some(Rock::shale()),
+            (Some(RockName::Law), Some(law), None) => Some(Rock::Law(self.law(&law)?)),
+            (Some(RockName::Table), None, Some(rows)) => Some(self.table(rows)?),
+            (Some(RockName::Law), None, _) => {
+                return Err(self.source.error("bit.rock", "needs a table [bit.law]"));
+            }
+            (Some(RockName::Table), _, None) => {
+                return Err(self.source.error("bit.rock", "needs rows `table_kn_nm`"));
+            }
+            _ => {
+                let message = "a rock is one of a built-in name, `law` with [bit.law], \
+                               or `table` with `table_kn_nm`";
+                return Err(self.source.error("bit.rock", message));
+            }
+        };
+        Ok(Bit {
+            rock,
+            static_ratio: bit.torque_static_ratio,
+        })
+    }
+
+    fn law(&self, law: &LawTable) -> Result<CuttingLaw, SpecError> {
+        let checks = [
+            ("bit_radius_m", law.bit_radius_m, 1e-3, 2.0, "m"),
+            (
+                "specific_energy_mpa",
+                law.specific_energy_mpa,
+                0.1,
+                1e4,
+                "MPa",
+            ),
+            ("cutting_ratio", law.cutting_ratio, 1e-2, 10.0, ""),
+            ("friction", law.friction, 0.0, 10.0, ""),
+            (
+                "contact_strength_mpa",
+                law.contact_strength_mpa,
+                0.1,
+                1e4,
+                "MPa",
+            ),
+            ("contact_growth", law.contact_growth, 1e-3, 1e3, ""),
+            ("wear_flat_mm", law.wear_flat_mm, 1e-3, 1e3, "mm"),
+        ];
+        for (key, value, least, most, unit) in checks {
+            self.within(&format!("bit.law.{key}"), value, least, most, unit)?;
+        }
+        let poor_cleaning = match (law.poor_cleaning_from_kn, law.poor_cleaning_nm_per_kn) {
+            (None, None) => None,
+            (Some(from), Some(slope)) => {
+                self.within("bit.law.poor_cleaning_from_kn", from, 1e-3, 1e5, "kN")?;
+                self.within(
+                    "bit.law.poor_cleaning_nm_per_kn",
+                    slope,
+                    1e-6,
+                    1e6,
+                    "N m/kN",
+                )?;
+                Some(PoorCleaning {
+                    weight_on_bit: 1e3 * from,
+                    slope: 1e-3 * slope,
+                })
+            }
+            _ => {
+                let message = "poor cleaning needs both `poor_cleaning_from_kn` \
+                               and `poor_cleaning_nm_per_kn`";
+                return Err(self.source.error("bit.law", message));
+            }
+        };
+        let law = CuttingLaw {
+            bit_radius: law.bit_radius_m,
+            specific_energy: 1e6 * law.specific_energy_mpa,
+            cutting_ratio: law.cutting_ratio,
+            friction: law.friction,
+            contact_strength: 1e6 * law.contact_strength_mpa,
+            contact_growth: law.contact_growth,
+            wear_flat: 1e-3 * law.wear_flat_mm,
+            poor_cleaning,
+        };
+        if let Some(poor) = poor_cleaning
+            && poor.weight_on_bit <= law.end_of_phase_one().0
+        {
+            let message = format!(
+                "poor cleaning begins in phase II, above {} kN here",
+                1e-3 * law.end_of_phase_one().0
+            );
+            return Err(self.source.error("bit.law.poor_cleaning_from_kn", message));
+        }
+        Ok(law)
+    }
+
+    fn table(&self, rows: &[(f64, f64)]) -> Result<Rock, SpecError> {
+        let increasing = rows
+            .windows(2)
+            .all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1);
+        let sensible = rows
+            .iter()
+            .all(|&(weight, torque)| weight >= 0.0 && torque >= 0.0 && torque.is_finite());
+        if rows.len() < 2 || !increasing || !sensible {
+            let message = "needs two rows or more of weight on bit (kN) and torque (N m), \
+                           both increasing from zero or above";
+            return Err(self.source.error("bit.table_kn_nm", message));
+        }
+        Ok(Rock::Table(
+            rows.iter()
+                .map(|&(weight, torque)| (1e3 * weight, torque))
+                .collect(),
+        ))
+    }
+
+    fn conditions(&self, content: &FileContent) -> Result<Conditions, SpecError> {
+        let bit = content.bit.as_ref();
+        let conditions = Conditions {
+            surface_speed_rpm: content.surface_speed_rpm,
+            weight_on_bit_kn: bit.and_then(|bit| bit.weight_on_bit_kn),
+            torque_dynamic_nm: bit.and_then(|bit| bit.torque_dynamic_nm),
+        };
+        for (key, axis) in [
+            ("surface_speed_rpm", Axis::SurfaceSpeedRpm),
+            ("bit.weight_on_bit_kn", Axis::WeightOnBitKn),
+            ("bit.torque_dynamic_nm", Axis::TorqueDynamicNm),
+        ] {
+            if let Some(value) = conditions.value(axis) {
+                check_axis_value(self.source, key, axis, value)?;
+            }
+        }
+        if conditions.weight_on_bit_kn.is_some() && conditions.torque_dynamic_nm.is_some() {
+            let message = "give the torque itself or a weight on bit, not both";
+            return Err(self.source.error("bit.torque_dynamic_nm", message));
+        }
+        Ok(conditions)
+    }
+
+    /// Every case must know its surface speed and, with a bit, its torque.
+    fn conditions_are_complete(
+        &self,
+        bit: Option<&Bit>,
+        conditions: &Conditions,
+        design: &Design,
+    ) -> Result<(), SpecError> {
+        let has = |axis| conditions.value(axis).is_some() || design.axes().contains(&axis);
+        if !has(Axis::SurfaceSpeedRpm) {
+            let message = "is needed: give a number, or make it an axis of the design";
+            return Err(self.source.error("surface_speed_rpm", message));
+        }
+        let torque = design
+            .axes()
+            .iter()
+            .find(|axis| **axis != Axis::SurfaceSpeedRpm);
+        let Some(bit) = bit else {
+            return torque.map_or(Ok(()), |axis| {
+                let message = format!("the axis {} needs a table [bit]", axis.name());
+                Err(self.source.error("design", message))
+            });
+        };
+        if has(Axis::WeightOnBitKn) && bit.rock.is_none() {
+            let message = "a weight on bit needs a rock to give a torque: \
+                           `sandstone`, `shale`, `law` or `table`";
+            return Err(self.source.error("bit.rock", message));
+        }
+        if design.axes().contains(&Axis::WeightOnBitKn)
+            && design.axes().contains(&Axis::TorqueDynamicNm)
+        {
+            let message = "weight on bit and torque cannot both be axes: one gives the other";
+            return Err(self.source.error("design", message));
+        }
+        if !has(Axis::WeightOnBitKn) && !has(Axis::TorqueDynamicNm) {
+            let message = "needs `torque_dynamic_nm`, or a rock and `weight_on_bit_kn`, \
+                           or one of them as an axis of the design";
+            return Err(self.source.error("bit", message));
+        }
+        Ok(())
+    }
+
+    fn map(
+        &self,
+        content: &FileContent,
+        design: &Design,
+        bit: Option<&Bit>,
+    ) -> Result<Option<MapSettings>, SpecError> {
+        for (key, axis) in [("map.x", content.map.x), ("map.y", content.map.y)] {
+            if let Some(axis) = axis
+                && !design.axes().contains(&axis)
+            {
+                let message = format!("{} is not an axis of the design", axis.name());
+                return Err(self.source.error(key, message));
+            }
+        }
+        let other = |taken: Option<Axis>| {
+            let mut axes = design.axes().iter().copied();
+            axes.find(|axis| Some(*axis) != taken)
+        };
+        let y = content.map.y.or_else(|| other(content.map.x));
+        let x = content.map.x.or_else(|| other(y));
+        let Some((x, y)) = x.zip(y) else {
+            return Ok(None);
+        };
+        if x == y {
+            return Err(self.source.error("map.x", "is the axis upwards too"));
+        }
+        let marks = (content.map.marks.iter().enumerate())
+            .map(|(index, mark)| self.mark(index, mark, (x, y), bit))
+            .collect::<Result<_, _>>()?;
+        Ok(Some(MapSettings { x, y, marks }))
+    }
+
+    fn mark(
+        &self,
+        index: usize,
+        mark: &MarkTable,
+        (x, y): (Axis, Axis),
+        bit: Option<&Bit>,
+    ) -> Result<MapMark, SpecError> {
+        let weight_for_torque = || {
+            let rock = bit?.rock.as_ref()?;
+            Some(1e-3 * rock.weight_on_bit(mark.torque_dynamic_nm?).ok()?)
+        };
+        let conditions = Conditions {
+            surface_speed_rpm: mark.surface_speed_rpm,
+            weight_on_bit_kn: mark.weight_on_bit_kn.or_else(weight_for_torque),
+            torque_dynamic_nm: mark.torque_dynamic_nm,
+        };
+        let value = |axis: Axis| {
+            conditions.value(axis).ok_or_else(|| {
+                let message = format!("does not say its {}", axis.name());
+                self.source.error(&format!("map.marks[{index}]"), message)
+            })
+        };
+        Ok(MapMark {
+            name: mark.name.clone(),
+            x: value(x)?,
+            y: value(y)?,
+        })
+    }
+}
+
+/// Refuses a value that a quantity cannot have, given at `key`.
+pub(crate) fn check_axis_value(
+    source: &Source,
+    key: &str,
+    axis: Axis,
+    value: f64,
+) -> Result<(), SpecError> {
+    check_setting(axis, value).map_err(|message| source.error(key, message))
+}
+
+/// Refuses a value that a quantity cannot have. Zero speed is no drilling, and
+/// every time of a case would be infinite.
+pub(crate) fn check_setting(axis: Axis, value: f64) -> Result<(), String> {
+    match axis {
+        Axis::SurfaceSpeedRpm if value <= 0.0 => Err(format!(
+            "{value} rpm: the surface must turn, in the positive direction"
+        )),
+        Axis::SurfaceSpeedRpm => within(value, 1e-4, 1e4, "rpm"),
+        Axis::WeightOnBitKn => within(value, 0.0, 1e4, "kN"),
+        Axis::TorqueDynamicNm => within(value, 0.0, 1e7, "N m"),
+    }
+}
+
+/// Refuses a value outside what it can be; a value far outside is more likely
+/// in another unit.
+fn within(value: f64, least: f64, most: f64, unit: &str) -> Result<(), String> {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    let space = if unit.is_empty() { "" } else { " " };
+    let hint = if value >= 1e3 * most || (value > 0.0 && value <= 1e-3 * least) {
+        "; is it in another unit?"
+    } else {
+        ""
+    };
+    Err(format!(
+        "{value}{space}{unit} is not between {least} and {most}{space}{unit}{hint}"
+    ))
+}
+
+impl FileContent {
+    /// A method with the parameters this file gives it.
+    pub fn method(&self, name: MethodName) -> Method {
+        match name {
+            MethodName::Hilbert => Method::Hilbert(self.method.hilbert),
+            MethodName::Quadrature => Method::Quadrature,
+            MethodName::FiniteElement => Method::FiniteElement(self.method.finite_element),
+            MethodName::DirectIdft => Method::DirectIdft(self.method.direct_idft),
+        }
+    }
+}
+
+/// The key that an error about the string is about.
+fn key_of(error: &DrillstringError) -> String {
+    match error {
+        DrillstringError::NoSections => "string.sections".to_owned(),
+        DrillstringError::NoRepeat { section } => format!("string.sections[{section}].repeat"),
+        DrillstringError::NoParts { section } => format!("string.sections[{section}].parts"),
+        DrillstringError::Length { section, part, .. } => {
+            format!("string.sections[{section}].parts[{part}].length_m")
+        }
+        DrillstringError::Radii { section, part, .. } => {
+            format!("string.sections[{section}].parts[{part}].inner_radius_m")
+        }
+        _ => "string".to_owned(),
+    }
+}
