@@ -14,16 +14,30 @@ const SLIP_ALLOWANCE: f64 = 2.0;
 /// swings to without loss, so that sticking lasts at most twice τ₃.
 const STICK_ALLOWANCE: f64 = 2.0;
 
-/// Time (s) after which a case from rest has slipped, and has been recaptured
-/// [`REPEATED`] times if it ever is that often (Eqs. 72–73).
+/// How long to simulate, and over which part at the end a regime must show.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Timing {
+    /// Time simulated, s.
+    pub duration: f64,
+    /// The closing window, s: no shorter than a cycle of stick-slip.
+    pub closing_window: f64,
+}
+
+/// The timing by which a case from rest has slipped, has been recaptured
+/// [`REPEATED`] times if it ever is that often, and has left the transient of
+/// its start behind (Eqs. 72–73).
 ///
 /// The string winds up for τ₁, behind the surface by the travel time of a wave
 /// and by what distributed damping takes of the torque on the way, which is
 /// below c_t L / 4 per unit of surface speed.
-pub fn time_to_label(string: &Drillstring, surface_speed: f64, bit: &BitTorque) -> f64 {
+pub fn torsion_timing(string: &Drillstring, surface_speed: f64, bit: &BitTorque) -> Timing {
     let times = stick_slip_times(string, surface_speed, bit.torque_static, bit.torque_dynamic);
     let damping_lag =
         string.torsional_damping() * string.length() / (4.0 * torsional_stiffness(string));
+    let first_slip = torsional_travel_time(string) + damping_lag + times.first_slip;
     let cycle = SLIP_ALLOWANCE * times.slip + STICK_ALLOWANCE * times.stick;
-    torsional_travel_time(string) + damping_lag + times.first_slip + REPEATED as f64 * cycle
+    Timing {
+        duration: first_slip + REPEATED as f64 * cycle,
+        closing_window: cycle,
+    }
 }

@@ -28,10 +28,11 @@
 //! };
 //! let responses = linear::torsion_responses(&string, &Method::Quadrature, &request)?;
 //! let system = System::new(&responses);
+//! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0 };
 //! let scene = Scene {
 //!     surface_speed: 0.5,
-//!     bit: Some(BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0 }),
-//!     duration: 20.0,
+//!     bit: Some(bit),
+//!     timing: sim::torsion_timing(&string, 0.5, &bit),
 //! };
 //! let outcome = sim::simulate(&system, &scene, None)?;
 //! assert_eq!(outcome.torsion.map(|torsion| torsion.regime), Some(TorsionRegime::Smooth));
@@ -46,7 +47,7 @@ pub mod scene;
 pub mod stepper;
 pub mod trajectory;
 
-pub use duration::time_to_label;
+pub use duration::{Timing, torsion_timing};
 pub use laws::bit::BitTorque;
 pub use laws::rock::Rock;
 pub use regime::{TorsionMeasures, TorsionRegime};

@@ -8,18 +8,16 @@ use crate::laws::bit::BitMotion;
 /// first slip and a second its consequence; a third repeats.
 pub const REPEATED: usize = 3;
 
-/// The part of the time at its end over which closing speeds are taken, s.
-pub const CLOSING_WINDOW: f64 = 2.0;
-
 /// How the bit turned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum TorsionRegime {
     /// Never slipped in the time simulated: undetermined.
     Stuck,
-    /// Slipped and turned on.
+    /// Slipped and turned on, perhaps after a few recaptures.
     Smooth,
-    /// Recaptured again and again.
+    /// Recaptured again and again, in the closing window too: the ringing of
+    /// the start may recapture the bit often before it dies away.
     StickSlip,
 }
 
@@ -63,6 +61,7 @@ pub(crate) struct BitWatch {
     first_slip: Option<usize>,
     last_slip: usize,
     slips: usize,
+    last_recaptured: Option<usize>,
     sticks: usize,
     slipping_steps: usize,
     peak_speed: f64,
@@ -70,8 +69,8 @@ pub(crate) struct BitWatch {
 }
 
 impl BitWatch {
-    pub(crate) fn new(step_length: f64, steps: usize) -> Self {
-        let window = (CLOSING_WINDOW / step_length).round() as usize;
+    pub(crate) fn new(step_length: f64, steps: usize, closing_window: f64) -> Self {
+        let window = (closing_window / step_length).round() as usize;
         Self {
             step_length,
             closing_from: steps.saturating_sub(window.max(1)),
@@ -80,6 +79,7 @@ impl BitWatch {
             first_slip: None,
             last_slip: 0,
             slips: 0,
+            last_recaptured: None,
             sticks: 0,
             slipping_steps: 0,
             peak_speed: 0.0,
@@ -101,6 +101,9 @@ impl BitWatch {
             }
             _ => {}
         }
+        if motion == BitMotion::Stuck && self.sticks > 0 {
+            self.last_recaptured = Some(self.step);
+        }
         self.motion = motion;
         self.peak_speed = self.peak_speed.max(speed);
         if self.step >= self.closing_from {
@@ -109,11 +112,18 @@ impl BitWatch {
         self.step += 1;
     }
 
+    fn is_sustained(&self) -> bool {
+        let lately = self
+            .last_recaptured
+            .is_some_and(|step| step >= self.closing_from);
+        lately && self.sticks >= REPEATED
+    }
+
     pub(crate) fn measures(&self) -> TorsionMeasures {
         let time = |steps: usize| steps as f64 * self.step_length;
         let regime = match self.first_slip {
             None => TorsionRegime::Stuck,
-            Some(_) if self.sticks >= REPEATED => TorsionRegime::StickSlip,
+            Some(_) if self.is_sustained() => TorsionRegime::StickSlip,
             Some(_) => TorsionRegime::Smooth,
         };
         let between_slips = self

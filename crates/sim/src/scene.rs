@@ -1,5 +1,6 @@
 //! What one case contains.
 
+use crate::duration::Timing;
 use crate::laws::bit::BitTorque;
 
 /// One case, from rest: the surface starts to turn at t = 0.
@@ -9,6 +10,6 @@ pub struct Scene {
     pub surface_speed: f64,
     /// Torque at the bit; `None` leaves it free.
     pub bit: Option<BitTorque>,
-    /// Time simulated, s.
-    pub duration: f64,
+    /// Time simulated and closing window.
+    pub timing: Timing,
 }

@@ -98,7 +98,7 @@ pub fn simulate(
     scene: &Scene,
     record: Option<&mut Trajectory>,
 ) -> Result<Outcome, SimulationError> {
-    let steps = (scene.duration / system.step_length).ceil() as usize + 1;
+    let steps = (scene.timing.duration / system.step_length).ceil() as usize + 1;
     let torsion = match (scene.bit, &system.bit) {
         (None, _) => {
             if let Some(record) = record {
@@ -142,7 +142,7 @@ fn step_bit(
     }
     let kernel = &input.to_sites[input.site];
     let mut history = History::new(kernel, steps);
-    let mut watch = BitWatch::new(system.step_length, steps);
+    let mut watch = BitWatch::new(system.step_length, steps, scene.timing.closing_window);
     // The first instant is stuck.
     let mut motion = BitMotion::Stuck;
     for step in 0..steps {

@@ -124,7 +124,7 @@ fn print_scene(sweep: &Sweep, cases: &[Case], systems: &[MethodSystem]) {
     }
     let longest = cases
         .iter()
-        .map(|case| case.scene.duration)
+        .map(|case| case.scene.timing.duration)
         .fold(0.0, f64::max);
     let rule = match sweep.time {
         Time::Auto => "until the regime can be told",
@@ -143,7 +143,7 @@ fn print_scene(sweep: &Sweep, cases: &[Case], systems: &[MethodSystem]) {
             cases
                 .iter()
                 .map(|case| {
-                    let steps = case.scene.duration * sweep.sampling_frequency;
+                    let steps = case.scene.timing.duration * sweep.sampling_frequency;
                     let reach = taps.min(steps);
                     reach * (steps - 0.5 * reach)
                 })

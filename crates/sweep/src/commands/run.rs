@@ -77,10 +77,10 @@ fn refuse_other_results(sweep: &Sweep, folder: &Path, fresh: bool) -> Result<()>
 
 fn print_plan(sweep: &Sweep, cases: &[Case], folder: &Path) {
     let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
-    let simulated: f64 = cases.iter().map(|case| case.scene.duration).sum();
+    let simulated: f64 = cases.iter().map(|case| case.scene.timing.duration).sum();
     let longest = cases
         .iter()
-        .map(|case| case.scene.duration)
+        .map(|case| case.scene.timing.duration)
         .fold(0.0, f64::max);
     println!("{}: {}", sweep.name, sweep.title);
     println!(

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use linear::Sites;
+use linear::estimates::stick_slip_times;
 use sim::{Outcome, Trajectory};
 
 use super::plot::{axis, save_picture};
@@ -184,6 +185,18 @@ fn history_panels(sweep: &Sweep, case: &Case, simulations: &[Simulation], step: 
         ));
     }
     if let Some(bit) = &case.scene.bit {
+        let times = stick_slip_times(
+            &sweep.string,
+            case.scene.surface_speed,
+            bit.torque_static,
+            bit.torque_dynamic,
+        );
+        if let Some(bit_speed) = list.first_mut() {
+            bit_speed.references.push(Reference::Vertical {
+                x: times.first_slip,
+                name: "τ₁".to_owned(),
+            });
+        }
         list.push(panel(
             "Torque on bit (kN m)",
             of_each(&|trajectory, index| -1e-3 * trajectory.bit_torque[index]),

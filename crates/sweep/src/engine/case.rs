@@ -1,6 +1,6 @@
 //! One case: its values, its scene, its row.
 
-use sim::{Outcome, Scene, time_to_label};
+use sim::{Outcome, Scene, Timing, torsion_timing};
 
 use crate::spec::{Conditions, Sweep, Time};
 
@@ -54,11 +54,13 @@ impl Case {
                 (Some(torque), Some(bit.torques(torque)))
             }
         };
-        let duration = match (sweep.time, &bit) {
-            (Time::Given(duration), _) => duration,
-            (Time::Auto, Some(bit)) => time_to_label(&sweep.string, surface_speed, bit),
-            (Time::Auto, None) => FREE_BIT_TIME,
+        let mut timing = match &bit {
+            Some(bit) => torsion_timing(&sweep.string, surface_speed, bit),
+            None => FREE_BIT,
         };
+        if let Time::Given(duration) = sweep.time {
+            timing.duration = duration;
+        }
         Ok(Self {
             index,
             values,
@@ -66,7 +68,7 @@ impl Case {
             scene: Scene {
                 surface_speed,
                 bit,
-                duration,
+                timing,
             },
         })
     }
@@ -83,8 +85,11 @@ impl Case {
 }
 
 /// A bit without torque has no regime to wait for; its step response is over
-/// by then for most strings, s.
-const FREE_BIT_TIME: f64 = 10.0;
+/// by then for most strings.
+const FREE_BIT: Timing = Timing {
+    duration: 10.0,
+    closing_window: 2.0,
+};
 
 /// The answer of one case by one method.
 #[derive(Debug, Clone, PartialEq)]

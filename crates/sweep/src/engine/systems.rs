@@ -33,7 +33,7 @@ impl MethodSystem {
     pub fn build_all(sweep: &Sweep, cases: &[Case]) -> Result<Vec<Self>> {
         let longest_time = cases
             .iter()
-            .map(|case| case.scene.duration)
+            .map(|case| case.scene.timing.duration)
             .fold(0.0, f64::max);
         let bit = sweep.sites.len() - 1;
         let request = TorsionRequest {
