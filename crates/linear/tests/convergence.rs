@@ -1,0 +1,114 @@
+//! Orders of convergence in 1/f_s on the response to a smooth surface ramp,
+//! against the exact frequency response inverted numerically.
+
+mod oracles;
+
+use linear::method::{FiniteElement, Transform};
+use linear::waves::network::TorsionNetwork;
+use linear::{Method, Sites, TorsionRequest, torsion_responses};
+use oracles::academic;
+
+/// Duration of the ramp, s: its spectrum is far below the lowest f_s.
+const RAMP: f64 = 0.5;
+
+/// Time compared, s.
+const TIME: f64 = 3.0;
+
+const LADDER: [f64; 4] = [160.0, 320.0, 640.0, 1280.0];
+
+/// Errors at each f_s of [`LADDER`], relative to the surface's final speed.
+fn errors(method: &Method) -> Vec<f64> {
+    let string = academic::string();
+    let network = TorsionNetwork::new(&string, &Sites::bit());
+    LADDER
+        .iter()
+        .map(|&sampling_frequency| {
+            let steps = (TIME * sampling_frequency) as usize;
+            let request = TorsionRequest {
+                sites: Sites::bit(),
+                torque_inputs: vec![],
+                sampling_frequency,
+                longest_time: TIME,
+            };
+            let taps = torsion_responses(&string, method, &request).unwrap();
+            let time = |step: usize| step as f64 / sampling_frequency;
+            let input: Vec<f64> = (0..steps)
+                .map(|step| oracles::raised_cosine_ramp(time(step), RAMP))
+                .collect();
+            let speed = oracles::convolve(&taps.from_surface[0], &input);
+            // Twice the time, so that what follows does not fold back.
+            let exact = oracles::inverse_laplace(
+                |s| {
+                    network.admittance(s).from_surface[0]
+                        * oracles::raised_cosine_ramp_transform(s, RAMP)
+                },
+                1.0 / sampling_frequency,
+                2 * steps,
+                2,
+            );
+            speed
+                .iter()
+                .zip(&exact)
+                .fold(0.0, |most: f64, (found, exact)| {
+                    most.max((found - exact).abs())
+                })
+        })
+        .collect()
+}
+
+/// Observed orders between neighbouring steps of the ladder.
+fn orders(method: &Method) -> Vec<f64> {
+    let errors = errors(method);
+    errors
+        .windows(2)
+        .map(|pair| (pair[0] / pair[1]).log2())
+        .collect()
+}
+
+fn elements(gamma: f64) -> Method {
+    Method::FiniteElement(FiniteElement {
+        gamma,
+        // So fine that the elements' own error stays out of sight.
+        elements_per_cell: 40,
+        beta: None,
+    })
+}
+
+#[test]
+fn quadrature_is_of_second_order() {
+    for order in orders(&Method::Quadrature) {
+        assert!((order - 2.0).abs() < 0.1, "{order}");
+    }
+}
+
+#[test]
+fn newmark_without_numerical_damping_is_of_second_order() {
+    for order in orders(&elements(0.5)) {
+        assert!((order - 2.0).abs() < 0.1, "{order}");
+    }
+}
+
+/// γ = ½ + ε damps every wave with a rate proportional to ε times the step, an
+/// error of first order that the paper's choice of γ pays for its stability.
+#[test]
+fn newmark_with_numerical_damping_is_of_first_order() {
+    let orders = orders(&elements(0.52));
+    assert!(
+        orders.windows(2).all(|pair| pair[1] < pair[0]),
+        "{orders:?}"
+    );
+    let last = orders[orders.len() - 1];
+    assert!((last - 1.0).abs() < 0.1, "{orders:?}");
+}
+
+/// The digital filter has no order: on an input within its band the error
+/// falls faster than any power of 1/f_s, down to what its finite transform
+/// folds back. (On a step, whose band is not limited, it rings as Fig. 7 shows.)
+#[test]
+fn the_digital_filter_is_exact_within_its_band() {
+    let errors = errors(&Method::Hilbert(Transform {
+        seconds: Some(60.0),
+    }));
+    assert!(errors[0] / errors[1] > 100.0, "{errors:?}");
+    assert!(errors[1..].iter().all(|&error| error < 1e-6), "{errors:?}");
+}

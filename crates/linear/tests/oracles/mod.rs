@@ -1,0 +1,149 @@
+//! Answers from closed forms and from formulations the library does not use.
+#![allow(dead_code, missing_docs, reason = "each test uses some of them")]
+
+use faer::{Mat, c64, mat};
+use linear::{Drillstring, Tube};
+
+#[path = "../../../../tests/support/academic.rs"]
+pub mod academic;
+
+/// A surface speed that rises from 0 to 1 in `duration`, its acceleration a
+/// raised cosine (1 − cos 2πt/T)/T.
+pub fn raised_cosine_ramp(time: f64, duration: f64) -> f64 {
+    let phase = (time / duration).clamp(0.0, 1.0);
+    phase - (std::f64::consts::TAU * phase).sin() / std::f64::consts::TAU
+}
+
+/// Laplace transform of [`raised_cosine_ramp`].
+pub fn raised_cosine_ramp_transform(s: c64, duration: f64) -> c64 {
+    let rate = std::f64::consts::TAU / duration;
+    let acceleration =
+        (1.0 - (-s * duration).exp()) / duration * rate * rate / (s * (s * s + rate * rate));
+    acceleration / s
+}
+
+/// Bit speed of a uniform undamped string, its surface turning at `surface(t)`,
+/// its bit free (d'Alembert).
+pub fn free_bit_speed(time: f64, travel_time: f64, surface: impl Fn(f64) -> f64) -> f64 {
+    let mut speed = 0.0;
+    let mut sign = 2.0;
+    let mut arrival = travel_time;
+    while arrival < time {
+        speed += sign * surface(time - arrival);
+        sign = -sign;
+        arrival += 2.0 * travel_time;
+    }
+    speed
+}
+
+/// The time function whose Laplace transform is `transform`, at `k · step`, by
+/// the trapezoidal rule along Re s = const: exact but for what the function is
+/// after `count` steps, damped e^23 times, and for frequencies left out.
+pub fn inverse_laplace(
+    transform: impl Fn(c64) -> c64,
+    step: f64,
+    count: usize,
+    oversampling: usize,
+) -> Vec<f64> {
+    let period = count as f64 * step;
+    let shift = 23.0 / period;
+    let samples = count * oversampling;
+    let mut spectrum: Vec<c64> = (0..=samples / 2)
+        .map(|index| {
+            let omega = std::f64::consts::TAU * index as f64 / period;
+            transform(c64::new(shift, omega))
+        })
+        .collect();
+    spectrum[0].im = 0.0;
+    spectrum[samples / 2].im = 0.0;
+    let plan = realfft::RealFftPlanner::<f64>::new().plan_fft_inverse(samples);
+    let mut values = plan.make_output_vec();
+    plan.process(&mut spectrum, &mut values).unwrap();
+    (0..count)
+        .map(|index| {
+            let time = index as f64 * step;
+            values[index * oversampling] * (shift * time).exp() / period
+        })
+        .collect()
+}
+
+/// Transfer matrix of (rotation, internal torque) across one tube, from Eq. 3
+/// with hyperbolic functions as they stand.
+pub fn transfer_matrix(string: &Drillstring, tube: &Tube, s: c64) -> Mat<c64> {
+    let material = string.material();
+    let rigidity = material.shear_modulus * tube.polar_moment();
+    let inertia = material.density * tube.polar_moment();
+    let gamma = (s * (string.torsional_damping() + s * inertia) / rigidity).sqrt();
+    let x = gamma * tube.length;
+    mat![
+        [x.cosh(), x.sinh() / (gamma * rigidity)],
+        [x.sinh() * gamma * rigidity, x.cosh()],
+    ]
+}
+
+/// Dynamic stiffness (top, cross, bottom) from a transfer matrix: rotations to
+/// external torques −T at the top, +T at the bottom.
+pub fn stiffness_of_transfer(m: &Mat<c64>) -> [c64; 3] {
+    let flexibility = m[(0, 1)].inv();
+    [
+        m[(0, 0)] * flexibility,
+        -flexibility,
+        m[(1, 1)] * flexibility,
+    ]
+}
+
+/// The paper's chain of `count` cells by eigenvectors (Eqs. 6–10), with the
+/// growing wave scaled at its far end.
+pub fn eigenvector_chain(cell: &Mat<c64>, count: usize) -> [c64; 3] {
+    let trace = cell[(0, 0)] + cell[(1, 1)];
+    let determinant = cell[(0, 0)] * cell[(1, 1)] - cell[(0, 1)] * cell[(1, 0)];
+    let root = (trace * trace / 4.0 - determinant).sqrt();
+    let candidates = [trace / 2.0 + root, trace / 2.0 - root];
+    let growing = if candidates[0].norm() >= candidates[1].norm() {
+        0
+    } else {
+        1
+    };
+    let large = candidates[growing];
+    let small = determinant / large;
+    let vector = |lambda: c64| [cell[(0, 1)], lambda - cell[(0, 0)]];
+    let (p, q) = (vector(large), vector(small));
+    let scaled = large.powi(-(count as i32));
+    let far = small.powi(count as i32);
+    // Rotations at both ends and torques at both ends, Eq. 8 times Eq. 10.
+    let rotations = mat![[p[0] * scaled, q[0]], [p[0], q[0] * far]];
+    let torques = mat![[p[1] * scaled, q[1]], [p[1], q[1] * far]];
+    let determinant = rotations[(0, 0)] * rotations[(1, 1)] - rotations[(0, 1)] * rotations[(1, 0)];
+    let inverse = mat![
+        [
+            rotations[(1, 1)] / determinant,
+            -rotations[(0, 1)] / determinant
+        ],
+        [
+            -rotations[(1, 0)] / determinant,
+            rotations[(0, 0)] / determinant
+        ],
+    ];
+    let relation = &torques * &inverse;
+    [-relation[(0, 0)], -relation[(0, 1)], relation[(1, 1)]]
+}
+
+/// Largest |a − b| over the largest |b|.
+pub fn relative_difference(a: &[f64], b: &[f64]) -> f64 {
+    let scale = b.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let difference = a
+        .iter()
+        .zip(b)
+        .fold(0.0, |most: f64, (x, y)| most.max((x - y).abs()));
+    difference / scale
+}
+
+/// Response to an input sequence: Σ taps(k − n) input(n).
+pub fn convolve(taps: &[f64], input: &[f64]) -> Vec<f64> {
+    (0..input.len())
+        .map(|step| {
+            let reach = taps.len().min(step + 1);
+            (0..reach).map(|lag| taps[lag] * input[step - lag]).sum()
+        })
+        .collect()
+}

@@ -1,0 +1,45 @@
+//! The drillstring of the paper's Table 2, built without the sweep file.
+
+use linear::{Drillstring, Material, Section, Sites, TorsionRequest, Tube};
+
+/// The sampling frequency the paper works with, Hz.
+pub const SAMPLING_FREQUENCY: f64 = 640.0;
+
+pub fn tube(length: f64, outer_radius: f64) -> Tube {
+    Tube {
+        length,
+        inner_radius: 0.05,
+        outer_radius,
+    }
+}
+
+pub fn string() -> Drillstring {
+    damped_string(10.0)
+}
+
+pub fn damped_string(torsional_damping: f64) -> Drillstring {
+    let steel = Material {
+        shear_modulus: 80e9,
+        density: 7840.0,
+    };
+    let drillpipe = Section {
+        repeat: 90,
+        parts: vec![tube(9.5, 0.125), tube(0.5, 0.15)],
+    };
+    let collars = Section {
+        repeat: 10,
+        parts: vec![tube(10.0, 0.15)],
+    };
+    Drillstring::new(steel, vec![drillpipe, collars], torsional_damping)
+        .expect("Table 2 is a drillstring")
+}
+
+/// Surface and bit, with a torque at the bit.
+pub fn bit_request(longest_time: f64) -> TorsionRequest {
+    TorsionRequest {
+        sites: Sites::bit(),
+        torque_inputs: vec![0],
+        sampling_frequency: SAMPLING_FREQUENCY,
+        longest_time,
+    }
+}
