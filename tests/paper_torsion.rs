@@ -1,1 +1,362 @@
-//! Placeholder.
+//! Validation of torsion against the paper: the linear numbers, Figs. 7(a), 8
+//! and 9, the limit of Eq. 74, and the failures the paper reports.
+
+#[path = "support/academic.rs"]
+mod academic;
+
+use std::process::Command;
+
+use linear::estimates::{
+    largest_undershoot, stick_slip_speed_limit, torsional_impedance, torsional_stiffness,
+};
+use linear::method::{FiniteElement, Transform};
+use linear::passivity::STABLE_MARGIN;
+use linear::{Method, TorsionResponses, torsion_responses};
+use sim::{
+    BitTorque, Rock, Scene, System, Timing, TorsionMeasures, TorsionRegime, Trajectory,
+    torsion_timing,
+};
+
+const RPM: f64 = std::f64::consts::TAU / 60.0;
+const QUADRATURE: Method = Method::Quadrature;
+
+fn hilbert() -> Method {
+    Method::Hilbert(Transform::default())
+}
+
+fn elements(gamma: f64) -> Method {
+    Method::FiniteElement(FiniteElement {
+        gamma,
+        ..Default::default()
+    })
+}
+
+fn responses(method: &Method) -> TorsionResponses {
+    torsion_responses(&academic::string(), method, &academic::bit_request(60.0)).unwrap()
+}
+
+fn bit(torque_dynamic: f64) -> BitTorque {
+    BitTorque {
+        torque_static: 1.2 * torque_dynamic,
+        torque_dynamic,
+    }
+}
+
+fn simulate(system: &System, rpm: f64, torque: f64, duration: Option<f64>) -> TorsionMeasures {
+    let bit = bit(torque);
+    let mut timing = torsion_timing(&academic::string(), rpm * RPM, &bit);
+    if let Some(duration) = duration {
+        timing.duration = duration;
+    }
+    let scene = Scene {
+        surface_speed: rpm * RPM,
+        bit: Some(bit),
+        timing,
+    };
+    sim::simulate(system, &scene, None)
+        .unwrap()
+        .torsion
+        .unwrap()
+}
+
+#[track_caller]
+fn assert_close(found: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (found / expected - 1.0).abs() <= tolerance,
+        "found {found}, expected {expected} to {tolerance}"
+    );
+}
+
+#[test]
+fn stiffness_and_impedance_are_those_of_table_2() {
+    let string = academic::string();
+    assert_close(torsional_stiffness(&string), 32_353.0, 1e-4);
+    let collar = &string.sections()[1].parts[0];
+    assert_close(1.0 / torsional_impedance(&string, collar), 5.084e-5, 1e-4);
+    assert_close(linear::estimates::sampling_frequency(&string), 638.9, 1e-4);
+}
+
+#[test]
+fn figure_7a_arrives_peaks_and_settles() {
+    let taps = responses(&QUADRATURE);
+    let speed: Vec<f64> = taps.from_surface[0]
+        .iter()
+        .scan(0.0, |sum, tap| {
+            *sum += tap;
+            Some(*sum)
+        })
+        .collect();
+    let time = |step: usize| step as f64 / academic::SAMPLING_FREQUENCY;
+    let peak = speed.iter().copied().fold(0.0, f64::max);
+    assert_close(peak, 1.554, 0.01);
+    // The peak is flat: its edge, where it comes within 2 % of the top.
+    let edge = speed.iter().position(|speed| *speed > 0.98 * peak).unwrap();
+    assert_close(time(edge), 0.89, 0.02);
+    let front = speed.iter().position(|speed| *speed > 0.1).unwrap();
+    assert_close(time(front), 0.31, 0.01);
+    assert_close(speed[speed.len() - 1], 1.0, 0.01);
+}
+
+#[test]
+fn the_undershoot_of_every_method_is_as_checked_by_an_independent_program() {
+    for (method, expected) in [
+        (hilbert(), 2.96e-5),
+        (QUADRATURE, 2.87e-5),
+        (elements(0.52), 2.86e-5),
+    ] {
+        let taps = responses(&method);
+        assert_close(largest_undershoot(&taps.from_torque[0][0]), expected, 0.01);
+    }
+}
+
+#[test]
+fn figure_8a_slips_and_turns_smoothly() {
+    for method in [QUADRATURE, hilbert(), elements(0.52)] {
+        let found = simulate(&System::new(&responses(&method)), 0.2, 2000.0, Some(10.0));
+        assert_eq!(found.regime, TorsionRegime::Smooth, "{}", method.name());
+        assert_close(found.first_slip.unwrap(), 3.59, 0.005);
+        assert_eq!(found.sticks, 0);
+    }
+}
+
+#[test]
+fn figure_8b_sticks_and_slips() {
+    for method in [QUADRATURE, hilbert(), elements(0.52)] {
+        let found = simulate(&System::new(&responses(&method)), 0.1, 4000.0, Some(40.0));
+        assert_eq!(found.regime, TorsionRegime::StickSlip, "{}", method.name());
+        assert_close(found.first_slip.unwrap(), 14.22, 0.005);
+        assert_close(found.period.unwrap(), 3.778, 0.005);
+        assert_close(found.slip_time.unwrap(), 0.763, 0.005);
+        assert_eq!(found.sticks, 7);
+    }
+    let found = simulate(
+        &System::new(&responses(&QUADRATURE)),
+        0.1,
+        4000.0,
+        Some(40.0),
+    );
+    assert_close(found.peak_speed, 0.0719, 0.005);
+}
+
+/// Ω/T_d (rpm per kN m) between stick-slip and smooth, by bisection.
+fn simulated_limit(system: &System) -> f64 {
+    let (mut low, mut high) = (0.05, 0.065);
+    while high - low > 2e-5 {
+        let middle = 0.5 * (low + high);
+        match simulate(system, 3.0 * middle, 3000.0, None).regime {
+            TorsionRegime::StickSlip => low = middle,
+            _ => high = middle,
+        }
+    }
+    0.5 * (low + high)
+}
+
+#[test]
+fn the_simulated_limit_lies_just_above_equation_74() {
+    for (method, limit, analytic) in [
+        (QUADRATURE, 0.0576, Some(0.0549)),
+        (hilbert(), 0.0583, Some(0.0566)),
+        (elements(0.52), 0.0568, None),
+    ] {
+        let taps = responses(&method);
+        let found = simulated_limit(&System::new(&taps));
+        assert_close(found, limit, 0.01);
+        let torques = bit(1000.0);
+        let by_equation = stick_slip_speed_limit(
+            largest_undershoot(&taps.from_torque[0][0]),
+            torques.torque_static,
+            torques.torque_dynamic,
+        ) / RPM;
+        if let Some(analytic) = analytic {
+            assert_close(by_equation, analytic, 0.01);
+        }
+        assert!(
+            (1.0..1.06).contains(&(found / by_equation)),
+            "{}",
+            method.name()
+        );
+    }
+}
+
+/// The torsion problem is homogeneous: Ω and T_d scaled together scale the
+/// motion and leave the label alone. By a power of two, to the last bit.
+#[test]
+fn scaling_speed_and_torque_together_changes_no_label() {
+    let system = System::new(&responses(&QUADRATURE));
+    let timed = |rpm: f64, torque: f64, timing: Timing| {
+        let scene = Scene {
+            surface_speed: rpm * RPM,
+            bit: Some(bit(torque)),
+            timing,
+        };
+        sim::simulate(&system, &scene, None)
+            .unwrap()
+            .torsion
+            .unwrap()
+    };
+    for ratio in [0.02, 0.05, 0.057, 0.058, 0.1, 0.5, 3.0] {
+        let torque = 2500.0;
+        let rpm = ratio * 1e-3 * torque;
+        let timing = torsion_timing(&academic::string(), rpm * RPM, &bit(torque));
+        let one = timed(rpm, torque, timing);
+        let doubled = timed(2.0 * rpm, 2.0 * torque, timing);
+        assert_eq!(doubled.regime, one.regime);
+        assert_eq!(doubled.first_slip, one.first_slip);
+        assert_eq!(doubled.sticks, one.sticks);
+        assert_eq!(doubled.peak_speed, 2.0 * one.peak_speed);
+        for scale in [0.37, 11.0] {
+            assert_eq!(
+                timed(scale * rpm, scale * torque, timing).regime,
+                one.regime
+            );
+        }
+    }
+}
+
+/// Static twist of a stuck bit: the torque winds up at the rate k_eff Ω.
+#[test]
+fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
+    let string = academic::string();
+    for method in [QUADRATURE, hilbert(), elements(0.52)] {
+        let system = System::new(&responses(&method));
+        let scene = Scene {
+            surface_speed: 0.1,
+            bit: Some(bit(1e9)),
+            timing: Timing {
+                duration: 40.0,
+                closing_window: 2.0,
+            },
+        };
+        let mut trajectory = Trajectory::default();
+        let outcome = sim::simulate(&system, &scene, Some(&mut trajectory)).unwrap();
+        assert_eq!(outcome.torsion.unwrap().regime, TorsionRegime::Stuck);
+        let torque =
+            |time: f64| trajectory.bit_torque[(time * academic::SAMPLING_FREQUENCY) as usize];
+        let rate = (torque(20.0) - torque(39.0)) / 19.0;
+        assert_close(rate, 0.1 * torsional_stiffness(&string), 1e-4);
+    }
+}
+
+fn labels_of_figure_9() -> Vec<(f64, f64, String, String)> {
+    let folder = tempfile::tempdir().unwrap();
+    let sweep_file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/fig09.toml");
+    let status = Command::new(env!("CARGO_BIN_EXE_sweep"))
+        .args(["run", sweep_file, "--quiet", "--out"])
+        .arg(folder.path())
+        .status()
+        .unwrap();
+    assert!(status.success());
+    let mut reader = csv::Reader::from_path(folder.path().join("labels.csv")).unwrap();
+    let header = reader.headers().unwrap().clone();
+    let column = |name: &str| header.iter().position(|field| field == name).unwrap();
+    let (speed, torque) = (column("surface_speed_rpm"), column("torque_dynamic_nm"));
+    let (method, label) = (column("method"), column("torsion"));
+    reader
+        .records()
+        .map(|record| {
+            let record = record.unwrap();
+            (
+                record[speed].parse().unwrap(),
+                record[torque].parse().unwrap(),
+                record[method].to_owned(),
+                record[label].to_owned(),
+            )
+        })
+        .collect()
+}
+
+#[test]
+fn figure_9_has_a_line_and_the_methods_differ_only_there() {
+    let rows = labels_of_figure_9();
+    let of = |method: &str| {
+        rows.iter()
+            .filter(|row| row.2 == method)
+            .collect::<Vec<_>>()
+    };
+    let (quadrature, elements, hilbert) = (of("quadrature"), of("finite-element"), of("hilbert"));
+    assert!(quadrature.len() >= 400);
+    assert!(rows.iter().all(|row| row.3 != "stuck"));
+    let differing = |other: &[&(f64, f64, String, String)]| {
+        quadrature
+            .iter()
+            .zip(other)
+            .filter(|(a, b)| a.3 != b.3)
+            .map(|(a, _)| a.0 / (1e-3 * a.1))
+            .collect::<Vec<f64>>()
+    };
+    let by_elements = differing(&elements);
+    assert!(
+        by_elements.len() as f64 <= 0.01 * quadrature.len() as f64,
+        "{by_elements:?}"
+    );
+    // A thin band around Ω/T_d = 0.0576 rpm per kN m.
+    for ratio in differing(&hilbert).iter().chain(&by_elements) {
+        assert_close(*ratio, 0.0576, 0.03);
+    }
+    for row in &rows {
+        let ratio = row.0 / (1e-3 * row.1);
+        if ratio < 0.97 * 0.0568 {
+            assert_eq!(row.3, "stick_slip", "{row:?}");
+        } else if ratio > 1.03 * 0.0583 {
+            assert_eq!(row.3, "smooth", "{row:?}");
+        }
+    }
+}
+
+#[test]
+fn the_cases_of_figure_8_lie_on_either_side_of_figure_9() {
+    let rock = Rock::sandstone();
+    assert_close(rock.weight_on_bit(2000.0).unwrap(), 43e3, 0.01);
+    assert_close(rock.weight_on_bit(4000.0).unwrap(), 63e3, 0.01);
+}
+
+// What the paper warns of (Sections 2.4 and 5.2.1): each failure is seen, and
+// the margin foretells it.
+
+#[test]
+fn the_plain_inverse_transform_chatters() {
+    let taps = responses(&Method::DirectIdft(Transform::default()));
+    assert!(taps.margin().unwrap().unwrap() < -1.0);
+    let found = simulate(&System::new(&taps), 0.1, 4000.0, Some(40.0));
+    assert!(found.sticks > 100, "{found:?}");
+}
+
+#[test]
+fn a_digital_filter_cut_short_has_the_wrong_stiffness() {
+    let taps = responses(&Method::Hilbert(Transform { seconds: Some(4.0) }));
+    assert!(taps.margin().unwrap().unwrap() < STABLE_MARGIN);
+    let found = simulate(&System::new(&taps), 0.1, 4000.0, Some(40.0));
+    assert!(found.first_slip.unwrap() > 1.03 * 14.22, "{found:?}");
+}
+
+/// Mean second difference of the torque over the first wind-up, when it should
+/// be a straight line but for waves that die away.
+fn roughness_while_stuck(method: &Method) -> f64 {
+    let system = System::new(&responses(method));
+    let scene = Scene {
+        surface_speed: 0.1 * RPM,
+        bit: Some(bit(4000.0)),
+        timing: Timing {
+            duration: 14.0,
+            closing_window: 2.0,
+        },
+    };
+    let mut trajectory = Trajectory::default();
+    sim::simulate(&system, &scene, Some(&mut trajectory)).unwrap();
+    let late = &trajectory.bit_torque[trajectory.bit_torque.len() / 2..];
+    late.windows(3)
+        .map(|t| (t[0] - 2.0 * t[1] + t[2]).abs())
+        .sum::<f64>()
+        / late.len() as f64
+}
+
+#[test]
+fn newmark_without_numerical_damping_chatters_while_the_bit_sticks() {
+    assert!(responses(&elements(0.5)).margin().unwrap().unwrap() < STABLE_MARGIN);
+    assert!(responses(&elements(0.52)).margin().unwrap().unwrap() > STABLE_MARGIN);
+    let (chattering, damped) = (
+        roughness_while_stuck(&elements(0.5)),
+        roughness_while_stuck(&elements(0.52)),
+    );
+    assert!(chattering > 100.0 * damped, "{chattering} {damped}");
+}

@@ -355,7 +355,7 @@ fn any_string() -> impl Strategy<Value = Drillstring> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..Default::default() })]
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..Default::default() })]
 
     /// The exact admittance, at any frequency in the right half plane.
     #[test]
@@ -375,7 +375,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..Default::default() })]
+    #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..Default::default() })]
 
     /// The taps of the quadrature, whatever the string, as long as they are
     /// kept until they have decayed.
@@ -383,20 +383,24 @@ proptest! {
     fn the_taps_of_any_damped_string_are_positive_real(
         repeat in 1..2000usize,
         ratio in 1.05..4.0f64,
-        decay in 2.0..50.0f64,
+        decay_per_round_trip in 1.0..10.0f64,
+        samples_per_round_trip in 20.0..2000.0f64,
     ) {
         let inner = 0.05;
         let part = Tube { length: 9.0, inner_radius: inner, outer_radius: inner * ratio };
         let joint = Tube { length: 1.0, outer_radius: 1.2 * inner * ratio, ..part };
         let material = academic::string().material();
-        let damping = 2.0 * decay * material.density * part.polar_moment();
         let section = Section { repeat, parts: vec![part, joint] };
+        let undamped = Drillstring::new(material, vec![section.clone()], 0.0).unwrap();
+        let round_trip = 2.0 * torsional_travel_time(&undamped);
+        let decay_rate = decay_per_round_trip / round_trip;
+        let damping = 2.0 * decay_rate * material.density * part.polar_moment();
         let string = Drillstring::new(material, vec![section], damping).unwrap();
         let request = TorsionRequest {
             sites: Sites::bit(),
             torque_inputs: vec![0],
-            sampling_frequency: 200.0,
-            longest_time: 1e4,
+            sampling_frequency: samples_per_round_trip / round_trip,
+            longest_time: 1e3 * round_trip,
         };
         let margin = responses(&string, &Method::Quadrature, &request).margin().unwrap().unwrap();
         prop_assert!(margin > linear::passivity::STABLE_MARGIN, "{}", margin);
