@@ -36,6 +36,11 @@ impl<'a> TorsionNetwork<'a> {
         }
     }
 
+    /// The frequency response at `frequency` (Hz).
+    pub fn at_frequency(&self, frequency: f64) -> TorsionAdmittance {
+        self.admittance(c64::new(0.0, std::f64::consts::TAU * frequency))
+    }
+
     /// The response at the Laplace variable `s` (rad/s, Re s ≥ 0).
     pub fn admittance(&self, s: c64) -> TorsionAdmittance {
         let nodes = self.spans.len();

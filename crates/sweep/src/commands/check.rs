@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Result, bail};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 
-use super::{Status, UsageError, progress, use_threads};
+use super::{Progress, Status, UsageError, use_threads};
 use crate::cli::CheckArguments;
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, run_cases};
 use crate::output::{LabelRow, read_labels};
@@ -28,9 +28,9 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
     use_threads(arguments.jobs)?;
     let systems = MethodSystem::build_all(&sweep, &cases)?;
-    let bar = progress(cases.len() * systems.len(), false);
-    let rows = run_cases(&systems, &cases, &bar);
-    bar.finish_and_clear();
+    let progress = Progress::new(cases.len() * systems.len(), false);
+    let rows = run_cases(&systems, &cases, || progress.tick());
+    progress.finish();
 
     let found: BTreeMap<(usize, &str), &Row> = rows
         .iter()

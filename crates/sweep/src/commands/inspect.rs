@@ -2,7 +2,6 @@
 //! picture (Fig. 6).
 
 use anyhow::Result;
-use faer::c64;
 use linear::estimates::{
     largest_undershoot, torsional_decay_rate, torsional_stiffness, torsional_travel_time,
 };
@@ -26,9 +25,9 @@ pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     let sweep = read_sweep(&arguments.file, &arguments.work)?;
     let cases = all_cases(&sweep)?;
     let folder = results_folder(arguments.out.as_ref(), &sweep);
-    make_folder(&folder)?;
     use_threads(arguments.work.jobs)?;
     let systems = MethodSystem::build_all(&sweep, &cases)?;
+    make_folder(&folder)?;
     print_string(&sweep);
     print_methods(&systems);
     print_scene(&sweep, &cases, &systems);
@@ -197,8 +196,8 @@ fn frequency_panel(sweep: &Sweep) -> Panel {
     let highest = 0.5 * sweep.sampling_frequency;
     let points = (1..=FREQUENCIES).map(|index| {
         let frequency = highest * index as f64 / FREQUENCIES as f64;
-        let s = c64::new(0.0, std::f64::consts::TAU * frequency);
-        (frequency, network.admittance(s).from_surface[bit].norm())
+        let response = network.at_frequency(frequency);
+        (frequency, response.from_surface[bit].norm())
     });
     Panel {
         x: axis("Frequency f (Hz)"),

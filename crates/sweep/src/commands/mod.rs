@@ -4,20 +4,19 @@
 pub mod check;
 pub mod inspect;
 pub mod plot;
+mod progress;
 pub mod run;
 pub mod simulate;
 
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use linear::Method;
 
 use crate::cli::WorkArguments;
 use crate::engine::{Case, MethodSystem};
 use crate::spec::{SpecError, Sweep};
+use progress::Progress;
 
 /// How the program ended; the numbers are its exit codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -129,21 +128,4 @@ fn warn_of_unstable(systems: &[MethodSystem]) {
             system.margin.unwrap_or(f64::NAN),
         );
     }
-}
-
-/// A progress bar on a terminal; a line now and then elsewhere.
-fn progress(total: usize, quiet: bool) -> ProgressBar {
-    if quiet {
-        return ProgressBar::hidden();
-    }
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
-    }
-    let bar = ProgressBar::new(total as u64);
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} {per_sec}, {eta} left")
-    {
-        bar.set_style(style);
-    }
-    bar.enable_steady_tick(Duration::from_millis(200));
-    bar
 }

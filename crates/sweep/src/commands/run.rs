@@ -6,7 +6,7 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 
 use super::{
-    Status, UsageError, all_cases, make_folder, progress, read_sweep, results_folder, use_threads,
+    Progress, Status, UsageError, all_cases, make_folder, read_sweep, results_folder, use_threads,
     warn_of_unstable,
 };
 use crate::cli::RunArguments;
@@ -27,15 +27,15 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         return Ok(Status::Complete);
     }
     refuse_other_results(&sweep, &folder, arguments.fresh)?;
-    // A folder that cannot be written is found before the work is done.
-    make_folder(&folder)?;
     use_threads(arguments.work.jobs)?;
     let systems = MethodSystem::build_all(&sweep, &cases)?;
     warn_of_unstable(&systems);
     let limit = boundary(&sweep, &systems).map_err(UsageError)?;
-    let bar = progress(cases.len() * systems.len(), arguments.quiet);
-    let rows = run_cases(&systems, &cases, &bar);
-    bar.finish_and_clear();
+    // A folder that cannot be written is found before the long work.
+    make_folder(&folder)?;
+    let progress = Progress::new(cases.len() * systems.len(), arguments.quiet);
+    let rows = run_cases(&systems, &cases, || progress.tick());
+    progress.finish();
 
     let write = |name: &str, content: &[u8]| write_atomically(&folder.join(name), content);
     write("labels.csv", &labels_csv(&sweep, &rows)?)?;

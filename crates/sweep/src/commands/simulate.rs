@@ -29,10 +29,10 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     let sweep = read_sweep(&arguments.file, &arguments.work)?;
     let case = chosen_case(&sweep, arguments)?;
     let folder = results_folder(arguments.out.as_ref(), &sweep);
-    make_folder(&folder)?;
     use_threads(arguments.work.jobs)?;
     let systems = MethodSystem::build_all(&sweep, std::slice::from_ref(&case))?;
     warn_of_unstable(&systems);
+    make_folder(&folder)?;
     let simulations = systems
         .iter()
         .map(|system| {

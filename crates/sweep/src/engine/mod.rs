@@ -7,19 +7,19 @@ mod systems;
 pub use case::{Case, Row, RowOutcome};
 pub use systems::MethodSystem;
 
-use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 /// Runs every case with every method. Rows come in the order of `cases`, the
-/// methods of a case together, whatever the number of threads.
-pub fn run_cases(systems: &[MethodSystem], cases: &[Case], progress: &ProgressBar) -> Vec<Row> {
+/// methods of a case together, whatever the number of threads. `tick` hears of
+/// every one that is done.
+pub fn run_cases(systems: &[MethodSystem], cases: &[Case], tick: impl Fn() + Sync) -> Vec<Row> {
     let methods = systems.len();
     (0..cases.len() * methods)
         .into_par_iter()
         .with_max_len(1)
         .map(|index| {
             let row = systems[index % methods].run(&cases[index / methods]);
-            progress.inc(1);
+            tick();
             row
         })
         .collect()

@@ -4,7 +4,7 @@
 //! two never differ. The font is embedded: no font or library of the machine
 //! is used, and the same data always gives the same bytes.
 //!
-//! [`regime_map`] draws regimes over two parameters, [`panels`] draws stacked
+//! [`regime_map`] draws regimes over two parameters, [`panels()`] draws stacked
 //! curves. Both take plain data and return a [`Picture`]; writing files is left
 //! to the caller.
 
