@@ -42,7 +42,7 @@ pub enum Command {
 pub struct RunArguments {
     /// The sweep file
     pub file: PathBuf,
-    /// Results folder [default: results/<name of the sweep>]
+    /// Results folder [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
     pub out: Option<PathBuf>,
     #[command(flatten)]
@@ -92,7 +92,7 @@ pub struct SimulateArguments {
     /// Set a quantity, e.g. surface_speed_rpm=0.1; may be repeated
     #[arg(long, value_name = "AXIS=VALUE", value_parser = parse_setting)]
     pub set: Vec<(Axis, f64)>,
-    /// Folder for the files [default: results/<name of the sweep>]
+    /// Folder for the files [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
     pub out: Option<PathBuf>,
     #[command(flatten)]
@@ -104,7 +104,7 @@ pub struct SimulateArguments {
 pub struct InspectArguments {
     /// The sweep file
     pub file: PathBuf,
-    /// Folder for the picture [default: results/<name of the sweep>]
+    /// Folder for the picture [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
     pub out: Option<PathBuf>,
     #[command(flatten)]
