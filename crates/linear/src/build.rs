@@ -41,13 +41,13 @@ pub fn torsion_responses(
     request: &TorsionRequest,
 ) -> Result<TorsionResponses, BuildError> {
     check_sampling(request)?;
-    let needed = needed_taps(request);
     let mut channels = match method {
-        Method::Quadrature => quadrature_taps(string, request, needed),
+        Method::Quadrature => quadrature_taps(string, request)?,
         Method::Hilbert(transform) => hilbert_taps(string, transform, request)?,
         Method::DirectIdft(transform) => direct_taps(string, transform, request)?,
-        Method::FiniteElement(parameters) => element_taps(string, parameters, request, needed)?,
+        Method::FiniteElement(parameters) => element_taps(string, parameters, request)?,
     };
+    let needed = needed_taps(request) as usize;
     channels.iter_mut().for_each(|taps| taps.truncate(needed));
     if channels.iter().flatten().all(|tap| tap.is_finite()) {
         Ok(TorsionResponses::from_channels(request, channels))
@@ -58,20 +58,43 @@ pub fn torsion_responses(
     }
 }
 
-fn quadrature_taps(string: &Drillstring, request: &TorsionRequest, needed: usize) -> Vec<Vec<f64>> {
+fn quadrature_taps(
+    string: &Drillstring,
+    request: &TorsionRequest,
+) -> Result<Vec<Vec<f64>>, BuildError> {
     let response = wave_response(string, request);
-    let mut length = first_length(string, request).min(needed);
-    loop {
-        let mut channels = quadrature::taps(
+    until_decayed(string, request, |length| {
+        quadrature::taps(
             request.sampling_frequency,
             length,
             request.channels(),
             &response,
-        );
-        if cut_decayed_tail(&mut channels) || length == needed {
-            return channels;
+        )
+    })
+}
+
+/// Builds responses of growing length until they have decayed or are as long
+/// as the simulation.
+fn until_decayed(
+    string: &Drillstring,
+    request: &TorsionRequest,
+    mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
+) -> Result<Vec<Vec<f64>>, BuildError> {
+    let needed = needed_taps(request);
+    let most = needed.min(MOST_TAPS as f64) as usize;
+    let mut length = first_length(string, request).min(most);
+    loop {
+        let mut channels = build(length);
+        if cut_decayed_tail(&mut channels) || length as f64 >= needed {
+            return Ok(channels);
         }
-        length = (2 * length).min(needed);
+        if length == MOST_TAPS {
+            return Err(BuildError::TooManyTaps {
+                taps: needed,
+                most: MOST_TAPS,
+            });
+        }
+        length = (2 * length).min(most);
     }
 }
 
@@ -158,7 +181,6 @@ fn element_taps(
     string: &Drillstring,
     parameters: &FiniteElement,
     request: &TorsionRequest,
-    needed: usize,
 ) -> Result<Vec<Vec<f64>>, BuildError> {
     parameters.check()?;
     let weights = Weights {
@@ -181,16 +203,11 @@ fn element_taps(
             speeds: vec![Vec::new(); sites],
         })
         .collect();
-    let mut length = first_length(string, request).min(needed);
-    loop {
+    until_decayed(string, request, |length| {
         runs.par_iter_mut()
             .for_each(|run| run.extend(&condensed, length));
-        let mut channels = in_channel_order(&runs, sites);
-        if cut_decayed_tail(&mut channels) || length == needed {
-            return Ok(channels);
-        }
-        length = (2 * length).min(needed);
-    }
+        in_channel_order(&runs, sites)
+    })
 }
 
 fn in_channel_order(runs: &[UnitRun], sites: usize) -> Vec<Vec<f64>> {
@@ -296,7 +313,6 @@ fn check_sampling(request: &TorsionRequest) -> Result<(), BuildError> {
 }
 
 /// Taps that a simulation of the requested time can use.
-fn needed_taps(request: &TorsionRequest) -> usize {
-    let taps = (request.longest_time * request.sampling_frequency).ceil() + 1.0;
-    taps.clamp(2.0, MOST_TAPS as f64) as usize
+fn needed_taps(request: &TorsionRequest) -> f64 {
+    ((request.longest_time * request.sampling_frequency).ceil() + 1.0).max(2.0)
 }
