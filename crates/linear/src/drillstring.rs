@@ -27,6 +27,16 @@ pub struct Tube {
 }
 
 impl Tube {
+    /// Area of the cross-section A = π(R² − r²), m².
+    pub fn area(&self) -> f64 {
+        std::f64::consts::PI * (self.outer_radius.powi(2) - self.inner_radius.powi(2))
+    }
+
+    /// Second moment of area in bending I = J/2, m⁴.
+    pub fn second_moment(&self) -> f64 {
+        0.5 * self.polar_moment()
+    }
+
     /// Polar second moment of area J = π(R⁴ − r⁴)/2, m⁴.
     pub fn polar_moment(&self) -> f64 {
         std::f64::consts::FRAC_PI_2 * (self.outer_radius.powi(4) - self.inner_radius.powi(4))
@@ -196,6 +206,29 @@ fn check_section(section: usize, data: &Section) -> Result<(), DrillstringError>
         }
     }
     Ok(())
+}
+
+/// What bending needs to know of a string, beyond what torsion does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bending {
+    /// Young's modulus E, Pa.
+    pub youngs_modulus: f64,
+    /// Distributed lateral damping c_b, N s/m per metre of string (Eq. 19).
+    pub damping: f64,
+    /// Pre-compression C, N; tension where negative.
+    pub compression: f64,
+}
+
+/// How the surface holds the string laterally.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SurfaceSupport {
+    /// Not at all.
+    #[default]
+    Free,
+    /// No displacement.
+    Pinned,
+    /// No displacement and no slope.
+    Clamped,
 }
 
 /// The places where something acts on the string or is looked at, from the

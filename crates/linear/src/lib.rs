@@ -11,8 +11,10 @@
 //! |---|---|
 //! | Table 2, Fig. 5: the string and its sites | [`drillstring`] |
 //! | Eqs. 1–3: waves in a tube | [`waves::torsion`] |
-//! | Eqs. 4–11: the chain of sections | [`waves::chain`] |
+//! | Eqs. 19–26: bending waves in a tube | [`waves::bending`] |
+//! | Eqs. 4–11, 25: the chain of sections | [`waves::chain`] |
 //! | Eqs. 12–13, 41–48: surface and sites | [`waves::network`] |
+//! | Eqs. 50–58: bending at the sites | [`waves::lateral`] |
 //! | Section 2.4: digital filters | [`filters`] |
 //! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
 //! | Section 3: finite elements, Newmark | [`elements`] |
@@ -50,7 +52,7 @@ pub mod response;
 pub mod waves;
 
 pub use build::torsion_responses;
-pub use drillstring::{Drillstring, Material, Section, Sites, Tube};
+pub use drillstring::{Bending, Drillstring, Material, Section, Sites, SurfaceSupport, Tube};
 pub use error::{BuildError, DrillstringError};
 pub use method::Method;
 pub use response::{TorsionRequest, TorsionResponses};

@@ -5,6 +5,7 @@ mod oracles;
 
 use faer::c64;
 use linear::estimates::{torsional_impedance, torsional_stiffness, torsional_travel_time};
+use linear::waves::chain::Stiffness;
 use linear::waves::{chain, network::TorsionNetwork, torsion};
 use linear::{
     Drillstring, Method, Section, Sites, TorsionRequest, TorsionResponses, Tube, torsion_responses,
@@ -258,11 +259,10 @@ fn a_string_turned_over_has_its_ends_exchanged() {
     for omega in [0.1, 3.0, 77.0, 950.0, 2100.0] {
         let s = c64::new(0.3, omega);
         let whole = |string: &Drillstring| {
-            let pieces = string
-                .sections()
-                .iter()
-                .map(|section| chain::section(string, section, s));
-            pieces.reduce(chain::join).unwrap()
+            let pieces = string.sections().iter().filter_map(|section| {
+                chain::section(section, |tube| torsion::uniform(string, tube, s))
+            });
+            pieces.reduce(Stiffness::join).unwrap()
         };
         let (one, other) = (whole(&string), whole(&upside_down));
         for (a, b) in [
@@ -285,14 +285,12 @@ fn doubling_agrees_with_the_eigenvectors_of_the_paper() {
             let cell = &oracles::transfer_matrix(&string, &parts[1], s)
                 * &oracles::transfer_matrix(&string, &parts[0], s);
             let [top, cross, bottom] = oracles::eigenvector_chain(&cell, count);
-            let doubled = chain::section(
-                &string,
-                &Section {
-                    repeat: count,
-                    parts: parts.clone(),
-                },
-                s,
-            );
+            let section = Section {
+                repeat: count,
+                parts: parts.clone(),
+            };
+            let tube = |tube: &Tube| torsion::uniform(&string, tube, s);
+            let doubled = chain::section(&section, tube).unwrap();
             for (found, expected) in [
                 (doubled.top, top),
                 (doubled.cross, cross),
@@ -320,7 +318,7 @@ fn plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_not(
         repeat: 2001,
         parts: vec![part],
     };
-    let joined = chain::section(&string, &section, s);
+    let joined = chain::section(&section, |tube| torsion::uniform(&string, tube, s)).unwrap();
     // So long and so damped, the string is one-way: its top is alone.
     let infinite = torsion::uniform(&string, &tube(1e5, 0.125), s).top;
     assert!((joined.top - infinite).norm() <= 1e-9 * infinite.norm());

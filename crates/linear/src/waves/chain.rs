@@ -6,56 +6,41 @@
 //! log₂ N joins; only differences of stiffnesses occur, so no number of cells
 //! overflows.
 
-use faer::c64;
+use crate::drillstring::{Section, Span, Tube};
 
-use super::torsion::{DynamicStiffness, uniform};
-use crate::drillstring::{Drillstring, Section, Span};
-
-/// Stiffness of `upper` with `lower` hanging from its bottom, no torque acting
-/// at the node they share.
-pub fn join(upper: DynamicStiffness, lower: DynamicStiffness) -> DynamicStiffness {
-    let shared = (upper.bottom + lower.top).inv();
-    DynamicStiffness {
-        top: upper.top - upper.cross * upper.cross * shared,
-        cross: -upper.cross * lower.cross * shared,
-        bottom: lower.bottom - lower.cross * lower.cross * shared,
-    }
+/// Dynamic stiffness of a piece of string between its top and its bottom.
+pub trait Stiffness: Copy {
+    /// Stiffness of this piece with `lower` hanging from its bottom, nothing
+    /// external acting at the node they share.
+    fn join(self, lower: Self) -> Self;
 }
 
 /// Stiffness of `count` ≥ 1 equal cells in a row, by repeated doubling.
-pub fn repeated(cell: DynamicStiffness, count: usize) -> DynamicStiffness {
+pub fn repeated<S: Stiffness>(cell: S, count: usize) -> S {
     let mut doubled = cell;
     let mut left = count - 1;
     let mut chain = cell;
     while left > 0 {
         if left & 1 == 1 {
-            chain = join(chain, doubled);
+            chain = chain.join(doubled);
         }
         left >>= 1;
         if left > 0 {
-            doubled = join(doubled, doubled);
+            doubled = doubled.join(doubled);
         }
     }
     chain
 }
 
-/// Stiffness of one section, its cells repeated, at the Laplace variable `s`.
-pub fn section(string: &Drillstring, section: &Section, s: c64) -> DynamicStiffness {
-    let cell = in_series(section.parts.iter().map(|part| uniform(string, part, s)));
-    repeated(cell, section.repeat)
+/// Stiffness of one section, its cells repeated, from that of its tubes.
+pub fn section<S: Stiffness>(section: &Section, tube: impl Fn(&Tube) -> S) -> Option<S> {
+    let cell = section.parts.iter().map(tube).reduce(S::join)?;
+    Some(repeated(cell, section.repeat))
 }
 
-/// Stiffness of everything between two neighbouring nodes.
-pub(crate) fn span(string: &Drillstring, span: &Span, s: c64) -> DynamicStiffness {
-    in_series(span.runs.iter().map(|run| section(string, run, s)))
-}
-
-/// Joins pieces from the top down; a string has at least one.
-fn in_series(pieces: impl Iterator<Item = DynamicStiffness>) -> DynamicStiffness {
-    let nothing = c64::new(0.0, 0.0);
-    pieces.reduce(join).unwrap_or(DynamicStiffness {
-        top: nothing,
-        cross: nothing,
-        bottom: nothing,
-    })
+/// Stiffness of everything between two neighbouring nodes; `None` where there
+/// is nothing.
+pub(crate) fn span<S: Stiffness>(span: &Span, tube: impl Fn(&Tube) -> S) -> Option<S> {
+    let pieces = span.runs.iter().filter_map(|run| section(run, &tube));
+    pieces.reduce(S::join)
 }

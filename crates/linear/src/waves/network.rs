@@ -5,6 +5,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
 use super::chain;
+use super::torsion::uniform;
 use crate::drillstring::{Drillstring, Sites, Span};
 
 /// The frequency response D of Eq. 48 between surface and sites, without its
@@ -47,7 +48,10 @@ impl<'a> TorsionNetwork<'a> {
         let mut stiffness = Mat::<c64>::zeros(nodes, nodes);
         let mut inputs = Mat::<c64>::zeros(nodes, self.sites + 1);
         for (node, span) in self.spans.iter().enumerate() {
-            let piece = chain::span(self.string, span, s);
+            let tube = |tube: &_| uniform(self.string, tube, s);
+            let Some(piece) = chain::span(span, tube) else {
+                continue;
+            };
             stiffness[(node, node)] += piece.bottom;
             if node == 0 {
                 // The surface turns as prescribed: its torque on the first node.

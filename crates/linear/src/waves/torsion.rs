@@ -7,6 +7,7 @@
 
 use faer::c64;
 
+use super::chain::Stiffness;
 use crate::drillstring::{Drillstring, Tube};
 
 /// Dynamic stiffness of a piece of string between its two ends:
@@ -20,6 +21,17 @@ pub struct DynamicStiffness {
     pub cross: c64,
     /// Driving-point stiffness at the bottom.
     pub bottom: c64,
+}
+
+impl Stiffness for DynamicStiffness {
+    fn join(self, lower: Self) -> Self {
+        let shared = (self.bottom + lower.top).inv();
+        Self {
+            top: self.top - self.cross * self.cross * shared,
+            cross: -self.cross * lower.cross * shared,
+            bottom: lower.bottom - lower.cross * lower.cross * shared,
+        }
+    }
 }
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s):

@@ -1,0 +1,62 @@
+//! Two-by-two complex matrices: the relation between displacement and slope,
+//! force and moment, at one node.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use faer::c64;
+
+/// Rows of a two-by-two matrix.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block(pub [[c64; 2]; 2]);
+
+impl Block {
+    /// The transpose.
+    pub fn transpose(self) -> Self {
+        let [[a, b], [c, d]] = self.0;
+        Block([[a, c], [b, d]])
+    }
+
+    /// The inverse.
+    pub fn inverse(self) -> Self {
+        let [[a, b], [c, d]] = self.0;
+        let scale = (a * d - b * c).inv();
+        Block([[d * scale, -b * scale], [-c * scale, a * scale]])
+    }
+
+    fn zip(self, other: Self, f: impl Fn(c64, c64) -> c64) -> Self {
+        let ([[a, b], [c, d]], [[e, g], [h, i]]) = (self.0, other.0);
+        Block([[f(a, e), f(b, g)], [f(c, h), f(d, i)]])
+    }
+}
+
+impl Add for Block {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+}
+
+impl Sub for Block {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+}
+
+impl Neg for Block {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.zip(self, |a, _| -a)
+    }
+}
+
+impl Mul for Block {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let ([[a, b], [c, d]], [[e, f], [g, h]]) = (self.0, other.0);
+        Block([
+            [a * e + b * g, a * f + b * h],
+            [c * e + d * g, c * f + d * h],
+        ])
+    }
+}

@@ -1,0 +1,87 @@
+//! The string in bending reduced to its sites (Eqs. 50–58): forces in,
+//! displacements out, no external moments.
+
+use faer::linalg::solvers::Solve;
+use faer::{Mat, c64};
+
+use super::bending::{BeamStiffness, uniform};
+use super::block::Block;
+use super::chain;
+use crate::drillstring::{Bending, Drillstring, Sites, Span, SurfaceSupport};
+
+/// A string cut at its sites once, to be evaluated at many frequencies.
+#[derive(Debug, Clone)]
+pub struct BendingNetwork<'a> {
+    string: &'a Drillstring,
+    bending: Bending,
+    support: SurfaceSupport,
+    spans: Vec<Span>,
+    sites: usize,
+}
+
+impl<'a> BendingNetwork<'a> {
+    /// Cuts the string at the sites.
+    pub fn new(
+        string: &'a Drillstring,
+        bending: Bending,
+        support: SurfaceSupport,
+        sites: &Sites,
+    ) -> Self {
+        Self {
+            string,
+            bending,
+            support,
+            spans: string.spans(sites),
+            sites: sites.len(),
+        }
+    }
+
+    /// Displacement at each site (row) per unit force at each site (column) at
+    /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
+    pub fn receptance(&self, s: c64) -> Mat<c64> {
+        // Node 0 is the surface; each has a displacement and a slope.
+        let held = match self.support {
+            SurfaceSupport::Free => 0,
+            SurfaceSupport::Pinned => 1,
+            SurfaceSupport::Clamped => 2,
+        };
+        let size = 2 * (self.spans.len() + 1) - held;
+        let mut stiffness = Mat::<c64>::zeros(size, size);
+        for (upper, span) in self.spans.iter().enumerate() {
+            let tube = |tube: &_| uniform(self.string, &self.bending, tube, s);
+            if let Some(piece) = chain::span(span, tube) {
+                add_piece(&mut stiffness, upper, held, piece);
+            }
+        }
+        let displacement = |site: usize| 2 * (site + 1) - held;
+        let mut forces = Mat::<c64>::zeros(size, self.sites);
+        for site in 0..self.sites {
+            forces[(displacement(site), site)] = c64::new(1.0, 0.0);
+        }
+        stiffness.partial_piv_lu().solve_in_place(&mut forces);
+        Mat::from_fn(self.sites, self.sites, |row, column| {
+            forces[(displacement(row), column)]
+        })
+    }
+}
+
+/// Adds the piece between nodes `upper` and `upper + 1`; the first `held`
+/// degrees of freedom are left out.
+fn add_piece(stiffness: &mut Mat<c64>, upper: usize, held: usize, piece: BeamStiffness) {
+    let blocks = [
+        (0, 0, piece.top),
+        (0, 1, piece.cross),
+        (1, 0, piece.cross.transpose()),
+        (1, 1, piece.bottom),
+    ];
+    for (row, column, Block(entries)) in blocks {
+        for (i, line) in entries.iter().enumerate() {
+            for (j, entry) in line.iter().enumerate() {
+                let place = (2 * (upper + row) + i, 2 * (upper + column) + j);
+                if place.0 >= held && place.1 >= held {
+                    stiffness[(place.0 - held, place.1 - held)] += *entry;
+                }
+            }
+        }
+    }
+}

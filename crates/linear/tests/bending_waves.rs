@@ -1,0 +1,248 @@
+//! Validation of the bending waves: closed forms of beams, static deflection,
+//! reciprocity, passivity, tension and compression.
+
+mod oracles;
+
+use faer::c64;
+use linear::waves::bending::uniform;
+use linear::waves::block::Block;
+use linear::waves::lateral::BendingNetwork;
+use linear::{Bending, Drillstring, Section, Sites, SurfaceSupport, Tube};
+use oracles::academic::{self, tube};
+use proptest::prelude::*;
+
+/// Table 2.
+const BENDING: Bending = Bending {
+    youngs_modulus: 210e9,
+    damping: 2000.0,
+    compression: 0.0,
+};
+
+fn uniform_string(length: f64) -> Drillstring {
+    let section = Section {
+        repeat: 1,
+        parts: vec![tube(length, 0.125)],
+    };
+    Drillstring::new(academic::string().material(), vec![section], 0.0).unwrap()
+}
+
+fn tip(string: &Drillstring, bending: Bending, support: SurfaceSupport, s: c64) -> c64 {
+    BendingNetwork::new(string, bending, support, &Sites::bit()).receptance(s)[(0, 0)]
+}
+
+#[track_caller]
+fn assert_close(found: c64, expected: c64, tolerance: f64) {
+    let difference = (found - expected).norm() / expected.norm();
+    assert!(
+        difference <= tolerance,
+        "{found} {expected}: {difference:e}"
+    );
+}
+
+/// Receptance at the free end of a uniform beam (Bishop and Johnson, *The
+/// Mechanics of Vibration*, 1960), continued to complex s.
+fn bishop_and_johnson(length: f64, support: SurfaceSupport, s: c64) -> c64 {
+    let part = tube(length, 0.125);
+    let rigidity = BENDING.youngs_modulus * part.second_moment();
+    let inertia = academic::string().material().density * part.area();
+    let q = s * (BENDING.damping + s * inertia);
+    let beta = (-q / rigidity).sqrt().sqrt();
+    let x = beta * length;
+    let (sin, cos, sinh, cosh) = (x.sin(), x.cos(), x.sinh(), x.cosh());
+    let scale = rigidity * beta * beta * beta;
+    match support {
+        SurfaceSupport::Free => (sin * cosh - cos * sinh) / (scale * (cos * cosh - 1.0)),
+        SurfaceSupport::Clamped => (sin * cosh - cos * sinh) / (scale * (cos * cosh + 1.0)),
+        SurfaceSupport::Pinned => sin * sinh * 2.0 / (scale * (cos * sinh - sin * cosh)),
+    }
+}
+
+#[test]
+fn a_uniform_beam_has_the_receptance_of_the_textbook() {
+    for support in [
+        SurfaceSupport::Free,
+        SurfaceSupport::Pinned,
+        SurfaceSupport::Clamped,
+    ] {
+        for length in [0.5, 9.5, 60.0] {
+            for s in [
+                (0.5, 0.0),
+                (1.0, 3.0),
+                (0.1, 40.0),
+                (20.0, 900.0),
+                (900.0, 2000.0),
+            ] {
+                let s = c64::new(s.0, s.1);
+                let found = tip(&uniform_string(length), BENDING, support, s);
+                // A nearly rigid rod is its mass against huge stiffnesses.
+                let tolerance = if length < 1.0 { 1e-5 } else { 1e-9 };
+                assert_close(found, bishop_and_johnson(length, support, s), tolerance);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_long_damped_beam_is_one_way_and_does_not_overflow() {
+    let s = c64::new(10.0, 2000.0);
+    let string = uniform_string(20_000.0);
+    let part = tube(1.0, 0.125);
+    let rigidity = BENDING.youngs_modulus * part.second_moment();
+    let inertia = string.material().density * part.area();
+    let q = s * (BENDING.damping + s * inertia);
+    // Semi-infinite, free end: √2 k₀ with k₀⁴ = q/EI, decaying both ways.
+    let k = (q / rigidity).sqrt().sqrt();
+    let expected = 2f64.sqrt() / (rigidity * k * k * k);
+    assert_close(
+        tip(&string, BENDING, SurfaceSupport::Free, s),
+        expected,
+        1e-9,
+    );
+    // Plain hyperbolic functions cannot say so.
+    let plain = bishop_and_johnson(20_000.0, SurfaceSupport::Free, s);
+    assert!(!plain.is_finite(), "expected the closed form to overflow");
+}
+
+#[test]
+fn a_clamped_string_bends_statically() {
+    let (length, bending) = (
+        30.0,
+        Bending {
+            damping: 0.0,
+            ..BENDING
+        },
+    );
+    let part = tube(length, 0.125);
+    let rigidity = bending.youngs_modulus * part.second_moment();
+    let found = tip(
+        &uniform_string(length),
+        bending,
+        SurfaceSupport::Clamped,
+        c64::new(1e-6, 0.0),
+    );
+    let expected = c64::new(length.powi(3) / (3.0 * rigidity), 0.0);
+    assert_close(found, expected, 1e-9);
+}
+
+#[test]
+fn a_slow_free_string_moves_as_a_rigid_mass() {
+    let (length, bending) = (
+        2.0,
+        Bending {
+            damping: 0.0,
+            ..BENDING
+        },
+    );
+    let part = tube(length, 0.125);
+    let mass = academic::string().material().density * part.area() * length;
+    let s = c64::new(5.0, 0.0);
+    let found = tip(&uniform_string(length), bending, SurfaceSupport::Free, s);
+    // A rod pushed at its end: 4/m of its acceleration there.
+    assert_close(found, 4.0 / (mass * s * s), 1e-4);
+}
+
+/// Frequency (rad/s) of the first mode of a tube pinned at both ends, where the
+/// stiffness between its two slopes is singular.
+fn pinned_frequency(length: f64, compression: f64) -> f64 {
+    let string = uniform_string(length);
+    let bending = Bending {
+        damping: 0.0,
+        compression,
+        ..BENDING
+    };
+    let determinant = |omega: f64| {
+        let s = c64::new(0.0, omega);
+        let beam = uniform(&string, &bending, &string.sections()[0].parts[0], s);
+        let slope = |Block(entries): Block| entries[1][1];
+        (slope(beam.top) * slope(beam.bottom) - slope(beam.cross) * slope(beam.cross)).re
+    };
+    let (mut low, mut high) = (1e-3, 1e-3);
+    while determinant(high) * determinant(low) > 0.0 {
+        high *= 1.02;
+    }
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if determinant(middle) * determinant(low) > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+#[test]
+fn tension_raises_and_compression_lowers_the_frequencies_as_the_closed_form_says() {
+    let length = 20.0;
+    let part = tube(length, 0.125);
+    let rigidity = BENDING.youngs_modulus * part.second_moment();
+    let inertia = academic::string().material().density * part.area();
+    let wavenumber = std::f64::consts::PI / length;
+    let buckling = rigidity * wavenumber * wavenumber;
+    for fraction in [-3.0, -0.5, 0.0, 0.3, 0.9] {
+        let compression = fraction * buckling;
+        let expected = (wavenumber.powi(2) * (buckling - compression) / inertia).sqrt();
+        let found = pinned_frequency(length, compression);
+        assert!(
+            (found / expected - 1.0).abs() < 1e-8,
+            "{fraction}: {found} {expected}"
+        );
+    }
+}
+
+#[test]
+fn receptances_are_reciprocal_and_sites_change_nothing() {
+    let string = academic::string();
+    let bending = Bending {
+        compression: -2e5,
+        ..BENDING
+    };
+    let receptance = |distances: &[f64], s| {
+        let sites = Sites::new(&string, distances).unwrap();
+        BendingNetwork::new(&string, bending, SurfaceSupport::Pinned, &sites).receptance(s)
+    };
+    for s in [c64::new(0.5, 2.0), c64::new(3.0, 500.0)] {
+        let three = receptance(&[100.0, 53.2, 0.0], s);
+        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+            let (one, other) = (three[(row, column)], three[(column, row)]);
+            assert!((one - other).norm() < 1e-9 * three[(2, 2)].norm());
+        }
+        assert_close(receptance(&[53.2], s)[(0, 0)], three[(1, 1)], 1e-9);
+        assert_close(receptance(&[0.0], s)[(0, 0)], three[(2, 2)], 1e-9);
+    }
+}
+
+fn any_string() -> impl Strategy<Value = Drillstring> {
+    let part = (0.1..30.0f64, 0.01..0.1f64, 1.05..4.0f64).prop_map(|(length, inner, ratio)| Tube {
+        length,
+        inner_radius: inner,
+        outer_radius: inner * ratio,
+    });
+    let section = (1..1000usize, prop::collection::vec(part, 1..4))
+        .prop_map(|(repeat, parts)| Section { repeat, parts });
+    prop::collection::vec(section, 1..4).prop_map(|sections| {
+        Drillstring::new(academic::string().material(), sections, 0.0).unwrap()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..Default::default() })]
+
+    /// s H(s), the velocity response to a force, of any string in tension.
+    #[test]
+    fn the_velocity_response_of_any_string_is_positive_real(
+        string in any_string(),
+        damping in 1.0..1e4f64,
+        tension in 0.0..1e6f64,
+        real in 0.0..10.0f64,
+        omega in 1e-2..3e3f64,
+        place in 0.0..1.0f64,
+    ) {
+        let bending = Bending { damping, compression: -tension, ..BENDING };
+        let sites = Sites::new(&string, &[0.99 * place * string.length()]).unwrap();
+        let network = BendingNetwork::new(&string, bending, SurfaceSupport::Free, &sites);
+        let s = c64::new(real, omega);
+        let velocity = s * network.receptance(s)[(0, 0)];
+        prop_assert!(velocity.re >= -1e-6 * velocity.norm(), "{}", velocity);
+    }
+}
