@@ -231,6 +231,18 @@ pub enum SurfaceSupport {
     Clamped,
 }
 
+impl SurfaceSupport {
+    /// How many of the surface's two degrees of freedom, displacement and
+    /// slope, are held.
+    pub(crate) fn held(self) -> usize {
+        match self {
+            SurfaceSupport::Free => 0,
+            SurfaceSupport::Pinned => 1,
+            SurfaceSupport::Clamped => 2,
+        }
+    }
+}
+
 /// The places where something acts on the string or is looked at, from the
 /// surface down.
 #[derive(Debug, Clone, PartialEq)]

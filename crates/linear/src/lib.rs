@@ -51,8 +51,8 @@ pub mod passivity;
 pub mod response;
 pub mod waves;
 
-pub use build::torsion_responses;
+pub use build::{bending_responses, torsion_responses};
 pub use drillstring::{Bending, Drillstring, Material, Section, Sites, SurfaceSupport, Tube};
 pub use error::{BuildError, DrillstringError};
 pub use method::Method;
-pub use response::{TorsionRequest, TorsionResponses};
+pub use response::{BendingRequest, BendingResponses, TorsionRequest, TorsionResponses};

@@ -1,7 +1,7 @@
 //! Discrete impulse responses A(0), A(1), …: the only thing that leaves this
 //! crate for a simulation (Eqs. 59–61).
 
-use crate::drillstring::Sites;
+use crate::drillstring::{Sites, SurfaceSupport};
 use crate::error::BuildError;
 use crate::passivity::positive_real_margin;
 
@@ -78,5 +78,58 @@ impl TorsionResponses {
                 .collect(),
             torque_inputs: request.torque_inputs.clone(),
         }
+    }
+}
+
+/// What a lateral response is needed for: forces at every site, displacements
+/// there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BendingRequest {
+    /// Where forces act and displacements are wanted.
+    pub sites: Sites,
+    /// How the surface holds the string.
+    pub support: SurfaceSupport,
+    /// Sampling frequency f_s, Hz.
+    pub sampling_frequency: f64,
+    /// The longest time simulated, s.
+    pub longest_time: f64,
+}
+
+/// Taps from the forces at the sites to their displacements, in one plane; the
+/// other plane's are the same.
+///
+/// They last as long as the simulation: a string held by nothing but damping
+/// does not come back within any time of interest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BendingResponses {
+    /// Sampling frequency f_s, Hz.
+    pub sampling_frequency: f64,
+    /// `from_force[site][input]`, m/N.
+    pub from_force: Vec<Vec<Vec<f64>>>,
+}
+
+impl BendingResponses {
+    /// Taps of the velocities, for the positive-real margin: differences of
+    /// displacements times f_s.
+    ///
+    /// # Errors
+    /// Where the taps are not finite.
+    pub fn margin(&self) -> Result<f64, BuildError> {
+        let velocity: Vec<Vec<Vec<f64>>> = (self.from_force.iter())
+            .map(|inputs| inputs.iter().map(|taps| self.velocity(taps)).collect())
+            .collect();
+        positive_real_margin(velocity.len(), |output, input| &velocity[output][input])
+    }
+
+    fn velocity(&self, displacement: &[f64]) -> Vec<f64> {
+        let mut before = 0.0;
+        displacement
+            .iter()
+            .map(|&now| {
+                let velocity = (now - before) * self.sampling_frequency;
+                before = now;
+                velocity
+            })
+            .collect()
     }
 }

@@ -2,6 +2,7 @@
 //! paper): a model that shares no equation with [`crate::waves`] beyond the
 //! material's constants.
 
+pub mod beam;
 pub mod mesh;
 pub mod newmark;
 pub mod reduction;

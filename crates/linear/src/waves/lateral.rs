@@ -40,11 +40,7 @@ impl<'a> BendingNetwork<'a> {
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance(&self, s: c64) -> Mat<c64> {
         // Node 0 is the surface; each has a displacement and a slope.
-        let held = match self.support {
-            SurfaceSupport::Free => 0,
-            SurfaceSupport::Pinned => 1,
-            SurfaceSupport::Clamped => 2,
-        };
+        let held = self.support.held();
         let size = 2 * (self.spans.len() + 1) - held;
         let mut stiffness = Mat::<c64>::zeros(size, size);
         for (upper, span) in self.spans.iter().enumerate() {

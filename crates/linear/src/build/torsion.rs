@@ -1,9 +1,10 @@
-//! From a drillstring to its responses by any method, no longer than the
-//! response lasts or the simulation needs.
+//! Torsional responses by any method (Section 2.4 and 3): taps until the
+//! response has decayed, or to the end of the simulation.
 
 use faer::c64;
 use rayon::prelude::*;
 
+use super::{MOST_TAPS, all_finite, check_sampling, needed_taps, too_many, transform_length};
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
 use crate::elements::reduction::{CondensedString, StringState};
@@ -27,9 +28,6 @@ const QUIET_PART: f64 = 0.25;
 /// A first guess of the length, in round trips, where damping says nothing.
 const FIRST_ROUND_TRIPS: f64 = 16.0;
 
-/// The most taps kept per response: 16 million, 128 MB.
-const MOST_TAPS: usize = 1 << 24;
-
 /// Builds the torsional responses of a string by one method.
 ///
 /// # Errors
@@ -40,22 +38,17 @@ pub fn torsion_responses(
     method: &Method,
     request: &TorsionRequest,
 ) -> Result<TorsionResponses, BuildError> {
-    check_sampling(request)?;
+    check_sampling(request.sampling_frequency)?;
     let mut channels = match method {
         Method::Quadrature => quadrature_taps(string, request)?,
         Method::Hilbert(transform) => hilbert_taps(string, transform, request)?,
         Method::DirectIdft(transform) => direct_taps(string, transform, request)?,
         Method::FiniteElement(parameters) => element_taps(string, parameters, request)?,
     };
-    let needed = needed_taps(request) as usize;
+    let needed = needed_taps(request.longest_time, request.sampling_frequency) as usize;
     channels.iter_mut().for_each(|taps| taps.truncate(needed));
-    if channels.iter().flatten().all(|tap| tap.is_finite()) {
-        Ok(TorsionResponses::from_channels(request, channels))
-    } else {
-        Err(BuildError::NotFinite {
-            method: method.name(),
-        })
-    }
+    all_finite(&channels, method.name())?;
+    Ok(TorsionResponses::from_channels(request, channels))
 }
 
 fn quadrature_taps(
@@ -80,7 +73,7 @@ fn until_decayed(
     request: &TorsionRequest,
     mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
 ) -> Result<Vec<Vec<f64>>, BuildError> {
-    let needed = needed_taps(request);
+    let needed = needed_taps(request.longest_time, request.sampling_frequency);
     let most = needed.min(MOST_TAPS as f64) as usize;
     let mut length = first_length(string, request).min(most);
     loop {
@@ -89,10 +82,7 @@ fn until_decayed(
             return Ok(channels);
         }
         if length == MOST_TAPS {
-            return Err(BuildError::TooManyTaps {
-                taps: needed,
-                most: MOST_TAPS,
-            });
+            return Err(too_many(needed));
         }
         length = (2 * length).min(most);
     }
@@ -109,7 +99,11 @@ fn hilbert_taps(
     needs_damping("hilbert", string)?;
     Ok(hilbert::taps(
         request.sampling_frequency,
-        transform_length(string, transform, request)?,
+        transform_length(
+            transform,
+            2.0 * first_length(string, request) as f64,
+            request.sampling_frequency,
+        )?,
         request.channels(),
         &wave_response(string, request),
     ))
@@ -123,7 +117,11 @@ fn direct_taps(
     needs_damping("direct-idft", string)?;
     Ok(direct::taps(
         request.sampling_frequency,
-        transform_length(string, transform, request)?,
+        transform_length(
+            transform,
+            2.0 * first_length(string, request) as f64,
+            request.sampling_frequency,
+        )?,
         request.channels(),
         &wave_response(string, request),
     ))
@@ -264,55 +262,10 @@ fn first_length(string: &Drillstring, request: &TorsionRequest) -> usize {
     taps.next_power_of_two().min(MOST_TAPS)
 }
 
-/// The transform length in samples: as given, or twice the time the string's
-/// vibration lasts.
-fn transform_length(
-    string: &Drillstring,
-    transform: &Transform,
-    request: &TorsionRequest,
-) -> Result<usize, BuildError> {
-    let samples = match transform.seconds {
-        None => 2.0 * first_length(string, request) as f64,
-        Some(seconds) => seconds * request.sampling_frequency,
-    };
-    if samples > MOST_TAPS as f64 {
-        return Err(BuildError::TooManyTaps {
-            taps: samples,
-            most: MOST_TAPS,
-        });
-    }
-    if samples < 4.0 || samples.is_nan() {
-        return Err(BuildError::Parameter {
-            name: "transform_s",
-            value: samples / request.sampling_frequency,
-            expected: "at least four samples long",
-        });
-    }
-    Ok(2 * (samples / 2.0).round() as usize)
-}
-
 fn needs_damping(method: &'static str, string: &Drillstring) -> Result<(), BuildError> {
     if string.torsional_damping() > 0.0 {
         Ok(())
     } else {
         Err(BuildError::NeedsDamping { method })
     }
-}
-
-fn check_sampling(request: &TorsionRequest) -> Result<(), BuildError> {
-    let value = request.sampling_frequency;
-    if value.is_finite() && value > 0.0 {
-        Ok(())
-    } else {
-        Err(BuildError::Parameter {
-            name: "sampling_frequency",
-            value,
-            expected: "a positive number of Hz",
-        })
-    }
-}
-
-/// Taps that a simulation of the requested time can use.
-fn needed_taps(request: &TorsionRequest) -> f64 {
-    ((request.longest_time * request.sampling_frequency).ceil() + 1.0).max(2.0)
 }

@@ -1,0 +1,68 @@
+//! From a drillstring to its responses by any method, no longer than the
+//! response lasts or the simulation needs.
+
+mod bending;
+mod torsion;
+
+pub use bending::bending_responses;
+pub use torsion::torsion_responses;
+
+use crate::error::BuildError;
+use crate::method::Transform;
+
+/// The most taps kept per response: 16 million, 128 MB.
+const MOST_TAPS: usize = 1 << 24;
+
+/// Taps that a simulation of the given time can use.
+fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
+    ((longest_time * sampling_frequency).ceil() + 1.0).max(2.0)
+}
+
+/// An even transform length in samples: as given, or by default.
+fn transform_length(
+    transform: &Transform,
+    default: f64,
+    sampling_frequency: f64,
+) -> Result<usize, BuildError> {
+    let samples = transform
+        .seconds
+        .map_or(default, |seconds| seconds * sampling_frequency);
+    if samples > MOST_TAPS as f64 {
+        return Err(too_many(samples));
+    }
+    if samples < 4.0 || samples.is_nan() {
+        return Err(BuildError::Parameter {
+            name: "transform_s",
+            value: samples / sampling_frequency,
+            expected: "at least four samples long",
+        });
+    }
+    Ok(2 * (samples / 2.0).round() as usize)
+}
+
+fn too_many(taps: f64) -> BuildError {
+    BuildError::TooManyTaps {
+        taps,
+        most: MOST_TAPS,
+    }
+}
+
+fn check_sampling(value: f64) -> Result<(), BuildError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(BuildError::Parameter {
+            name: "sampling_frequency",
+            value,
+            expected: "a positive number of Hz",
+        })
+    }
+}
+
+fn all_finite(channels: &[Vec<f64>], method: &'static str) -> Result<(), BuildError> {
+    if channels.iter().flatten().all(|tap| tap.is_finite()) {
+        Ok(())
+    } else {
+        Err(BuildError::NotFinite { method })
+    }
+}

@@ -1,0 +1,87 @@
+//! Cubic beam elements (Eq. 62): consistent mass, stiffness and, with
+//! pre-compression, geometric stiffness; lumped dashpots on the displacements.
+//!
+//! Degrees of freedom of a node: displacement, slope.
+
+use super::mesh::Mesh;
+use super::newmark::{Entry, Matrices};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
+use crate::error::BuildError;
+
+/// Assembles the beam elements of a mesh, without the degrees of freedom that
+/// the surface holds.
+///
+/// # Errors
+/// Where the sparse matrices cannot be formed.
+pub fn assemble(
+    string: &Drillstring,
+    bending: &Bending,
+    support: SurfaceSupport,
+    mesh: &Mesh,
+) -> Result<Matrices, BuildError> {
+    let held = support.held();
+    let size = 2 * mesh.nodes() - held;
+    let mut mass = Vec::with_capacity(16 * mesh.elements.len());
+    let mut stiffness = Vec::with_capacity(16 * mesh.elements.len());
+    let mut damping = vec![0.0; size];
+    for (upper, element) in mesh.elements.iter().enumerate() {
+        let first = 2 * upper;
+        let inertia = string.material().density * element.area();
+        let element_mass = mass_matrix(element.length, inertia);
+        let element_stiffness = stiffness_matrix(element, bending);
+        for row in 0..4 {
+            for column in 0..4 {
+                let (Some(i), Some(j)) = (
+                    (first + row).checked_sub(held),
+                    (first + column).checked_sub(held),
+                ) else {
+                    continue;
+                };
+                mass.push(Entry::new(i, j, element_mass[row][column]));
+                stiffness.push(Entry::new(i, j, element_stiffness[row][column]));
+            }
+        }
+        for displacement in [first, first + 2] {
+            if let Some(place) = displacement.checked_sub(held) {
+                damping[place] += bending.damping * element.length / 2.0;
+            }
+        }
+    }
+    Matrices::new(&mass, damping, &stiffness)
+}
+
+/// ρA L/420 times the consistent mass matrix of cubic shape functions.
+fn mass_matrix(l: f64, inertia: f64) -> [[f64; 4]; 4] {
+    let scale = inertia * l / 420.0;
+    [
+        [156.0, 22.0 * l, 54.0, -13.0 * l],
+        [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
+        [54.0, 13.0 * l, 156.0, -22.0 * l],
+        [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
+    ]
+    .map(|row| row.map(|entry| scale * entry))
+}
+
+/// Bending stiffness less what compression takes from it.
+fn stiffness_matrix(element: &Tube, bending: &Bending) -> [[f64; 4]; 4] {
+    let l = element.length;
+    let elastic_scale = bending.youngs_modulus * element.second_moment() / l.powi(3);
+    let geometric_scale = bending.compression / (30.0 * l);
+    let elastic = [
+        [12.0, 6.0 * l, -12.0, 6.0 * l],
+        [6.0 * l, 4.0 * l * l, -6.0 * l, 2.0 * l * l],
+        [-12.0, -6.0 * l, 12.0, -6.0 * l],
+        [6.0 * l, 2.0 * l * l, -6.0 * l, 4.0 * l * l],
+    ];
+    let geometric = [
+        [36.0, 3.0 * l, -36.0, 3.0 * l],
+        [3.0 * l, 4.0 * l * l, -3.0 * l, -l * l],
+        [-36.0, -3.0 * l, 36.0, -3.0 * l],
+        [3.0 * l, -l * l, -3.0 * l, 4.0 * l * l],
+    ];
+    std::array::from_fn(|row| {
+        std::array::from_fn(|column| {
+            elastic_scale * elastic[row][column] - geometric_scale * geometric[row][column]
+        })
+    })
+}

@@ -1,0 +1,170 @@
+//! Validation of the lateral responses: closed forms in time, and the numbers
+//! checked with an independent program.
+
+mod oracles;
+
+use linear::method::{FiniteElement, Transform};
+use linear::{
+    Bending, BendingRequest, BendingResponses, Drillstring, Method, Section, Sites, SurfaceSupport,
+    bending_responses,
+};
+use oracles::academic::{self, SAMPLING_FREQUENCY, tube};
+
+const BENDING: Bending = Bending {
+    youngs_modulus: 210e9,
+    damping: 2000.0,
+    compression: 0.0,
+};
+
+fn hilbert(seconds: f64) -> Method {
+    Method::Hilbert(Transform {
+        seconds: Some(seconds),
+    })
+}
+
+fn elements() -> Method {
+    Method::FiniteElement(FiniteElement::default())
+}
+
+fn responses(method: &Method, distances: &[f64], longest_time: f64) -> BendingResponses {
+    let string = academic::string();
+    let request = BendingRequest {
+        sites: Sites::new(&string, distances).unwrap(),
+        support: SurfaceSupport::Free,
+        sampling_frequency: SAMPLING_FREQUENCY,
+        longest_time,
+    };
+    bending_responses(&string, &BENDING, method, &request).unwrap()
+}
+
+/// Response to the band-limited unit impulse (1 − cos 2πt/τ)/τ, τ = 0.02 s.
+fn pulse_response(taps: &[f64]) -> Vec<f64> {
+    let duration = 0.02;
+    let pulse: Vec<f64> = (0..taps.len())
+        .map(|step| {
+            let time = step as f64 / SAMPLING_FREQUENCY;
+            if time < duration {
+                (1.0 - (std::f64::consts::TAU * time / duration).cos()) / duration
+            } else {
+                0.0
+            }
+        })
+        .collect();
+    oracles::convolve(taps, &pulse)
+}
+
+fn peak(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
+}
+
+#[track_caller]
+fn assert_close(found: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (found / expected - 1.0).abs() <= tolerance,
+        "found {found}, expected {expected} to {tolerance}"
+    );
+}
+
+#[test]
+fn the_bit_is_displaced_as_checked_by_an_independent_program() {
+    for (method, at_end) in [(Method::Quadrature, 2.353e-5), (elements(), 2.353e-5)] {
+        let response = pulse_response(&responses(&method, &[0.0], 9.5).from_force[0][0]);
+        assert_close(peak(&response), 5.14e-5, 0.005);
+        // Nine seconds after the impulse.
+        assert_close(response[(9.0 * SAMPLING_FREQUENCY) as usize], at_end, 0.005);
+    }
+}
+
+#[test]
+fn the_clearance_is_reached_by_the_impulse_checked() {
+    let clearance = 0.015;
+    for (method, expected) in [
+        (Method::Quadrature, 291.7),
+        (elements(), 291.7),
+        (hilbert(10.0), 300.6),
+        (hilbert(20.0), 295.2),
+        (hilbert(40.0), 293.1),
+    ] {
+        let taps = responses(&method, &[0.0], 5.0);
+        let least_impulse = clearance / peak(&pulse_response(&taps.from_force[0][0]));
+        assert_close(least_impulse, expected, 0.003);
+    }
+    let taps = responses(&Method::Quadrature, &[0.0, 50.0, 100.0], 5.0);
+    let least_impulse = clearance / peak(&pulse_response(&taps.from_force[1][1]));
+    assert_close(least_impulse, 1126.0, 0.003);
+}
+
+/// What makes the filter's tail too low: the response near zero frequency is
+/// narrower than the frequency step, and the error falls with its inverse.
+#[test]
+fn the_digital_filter_loses_the_tail_of_the_displacement() {
+    for (seconds, expected) in [(20.0, 0.54e-5), (40.0, 1.63e-5), (160.0, 2.23e-5)] {
+        let response = pulse_response(&responses(&hilbert(seconds), &[0.0], 9.5).from_force[0][0]);
+        assert_close(
+            response[(9.0 * SAMPLING_FREQUENCY) as usize],
+            expected,
+            0.02,
+        );
+    }
+}
+
+#[test]
+fn the_first_tap_is_a_few_per_cent_of_the_peak() {
+    for (method, expected) in [
+        (hilbert(40.0), 0.087),
+        (Method::Quadrature, 0.059),
+        (elements(), 0.040),
+    ] {
+        let taps = &responses(&method, &[0.0], 5.0).from_force[0][0];
+        assert_close(taps[0] / peak(taps), expected, 0.02);
+    }
+}
+
+/// Free end of an undamped semi-infinite beam, unit impulse:
+/// x(t) = 2√(2/π) √t / ((ρA)^¾ (EI)^¼).
+#[test]
+fn a_semi_infinite_beam_follows_its_closed_form() {
+    let part = tube(10.0, 0.125);
+    let section = Section {
+        repeat: 200,
+        parts: vec![part],
+    };
+    let string = Drillstring::new(academic::string().material(), vec![section], 0.0).unwrap();
+    let bending = Bending {
+        damping: 0.0,
+        ..BENDING
+    };
+    let request = BendingRequest {
+        sites: Sites::bit(),
+        support: SurfaceSupport::Free,
+        sampling_frequency: 2000.0,
+        longest_time: 0.5,
+    };
+    let inertia = string.material().density * part.area();
+    let rigidity = bending.youngs_modulus * part.second_moment();
+    let scale = inertia.powf(0.75) * rigidity.powf(0.25);
+    for method in [Method::Quadrature, elements()] {
+        let taps = bending_responses(&string, &bending, &method, &request).unwrap();
+        for step in [100, 400, 900] {
+            let time = step as f64 / 2000.0;
+            let exact = 2.0 * (2.0 / std::f64::consts::PI * time).sqrt() / scale;
+            // A tap is the response to a unit force over one step.
+            let found = taps.from_force[0][0][step] * 2000.0;
+            assert_close(found, exact, 0.01);
+        }
+    }
+}
+
+#[test]
+fn responses_are_reciprocal_and_passive() {
+    for method in [Method::Quadrature, elements(), hilbert(20.0)] {
+        let taps = responses(&method, &[0.0, 50.0, 100.0], 4.0);
+        for (output, input) in [(0, 1), (0, 2), (1, 2)] {
+            let difference = oracles::relative_difference(
+                &taps.from_force[output][input],
+                &taps.from_force[input][output],
+            );
+            assert!(difference < 1e-8, "{}: {difference}", method.name());
+        }
+    }
+}
