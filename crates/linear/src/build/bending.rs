@@ -5,7 +5,7 @@ use faer::c64;
 use rayon::prelude::*;
 
 use super::{MOST_TAPS, all_finite, check_sampling, needed_taps, too_many, transform_length};
-use crate::drillstring::{Bending, Drillstring};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::elements::newmark::Weights;
 use crate::elements::reduction::CondensedBeam;
 use crate::error::BuildError;
@@ -13,10 +13,6 @@ use crate::filters::{direct, hilbert, quadrature};
 use crate::method::{FiniteElement, Method};
 use crate::response::{BendingRequest, BendingResponses};
 use crate::waves::lateral::BendingNetwork;
-
-/// The response at zero frequency is a limit that 0/0 does not give; at this
-/// fraction of the first frequency of the grid it has been reached.
-const NEARLY_ZERO: f64 = 1e-6;
 
 /// Builds the lateral responses of a string by one method.
 ///
@@ -57,14 +53,12 @@ pub fn bending_responses(
             }
             let length =
                 transform_length(transform, 2.0 * needed as f64, request.sampling_frequency)?;
-            let first = std::f64::consts::TAU * request.sampling_frequency / length as f64;
             let velocity = |s: c64, channels: &mut [c64]| {
-                let s = if s.norm() == 0.0 {
-                    c64::new(0.0, NEARLY_ZERO * first)
+                if s.norm() == 0.0 {
+                    fill_rigid(string, bending, request, channels);
                 } else {
-                    s
-                };
-                fill(&network, s, s, channels);
+                    fill(&network, s, s, channels);
+                }
             };
             let filter = if matches!(method, Method::Hilbert(_)) {
                 hilbert::taps(request.sampling_frequency, length, sites * sites, &velocity)
@@ -90,6 +84,31 @@ fn fill(network: &BendingNetwork, s: c64, factor: c64, channels: &mut [c64]) {
     let sites = receptance.nrows();
     for (channel, value) in channels.iter_mut().enumerate() {
         *value = factor * receptance[(channel / sites, channel % sites)];
+    }
+}
+
+/// Writes the velocity responses at zero frequency, where the string moves as
+/// a rigid rod against its dashpots: translation and rotation where the surface
+/// is free, rotation alone where it is pinned, nothing where it is clamped.
+fn fill_rigid(
+    string: &Drillstring,
+    bending: &Bending,
+    request: &BendingRequest,
+    channels: &mut [c64],
+) {
+    let length = string.length();
+    let depths: Vec<f64> = (request.sites.distances_from_bit().iter())
+        .map(|distance| (length - distance) / length)
+        .collect();
+    let sites = depths.len();
+    for (channel, value) in channels.iter_mut().enumerate() {
+        let (a, b) = (depths[channel / sites], depths[channel % sites]);
+        let shape = match request.support {
+            SurfaceSupport::Free => 1.0 + 12.0 * (a - 0.5) * (b - 0.5),
+            SurfaceSupport::Pinned => 3.0 * a * b,
+            SurfaceSupport::Clamped => 0.0,
+        };
+        *value = c64::new(shape / (bending.damping * length), 0.0);
     }
 }
 
