@@ -98,13 +98,23 @@ fn the_clearance_is_reached_by_the_impulse_checked() {
 /// narrower than the frequency step, and the error falls with its inverse.
 #[test]
 fn the_digital_filter_loses_the_tail_of_the_displacement() {
-    for (seconds, expected) in [(20.0, 0.54e-5), (40.0, 1.63e-5), (160.0, 2.23e-5)] {
-        let response = pulse_response(&responses(&hilbert(seconds), &[0.0], 9.5).from_force[0][0]);
-        assert_close(
-            response[(9.0 * SAMPLING_FREQUENCY) as usize],
-            expected,
-            0.02,
-        );
+    let at_nine_seconds = |method: &Method| {
+        let response = pulse_response(&responses(method, &[0.0], 9.5).from_force[0][0]);
+        response[(9.0 * SAMPLING_FREQUENCY) as usize]
+    };
+    let exact = at_nine_seconds(&Method::Quadrature);
+    // The independent program took its value at zero frequency from a small
+    // one; here it is the limit, which moves the shortest filter most.
+    for (seconds, expected, tolerance) in [
+        (20.0, 0.54e-5, 0.1),
+        (40.0, 1.63e-5, 0.02),
+        (160.0, 2.23e-5, 0.005),
+    ] {
+        let found = at_nine_seconds(&hilbert(seconds));
+        assert_close(found, expected, tolerance);
+        let next = at_nine_seconds(&hilbert(2.0 * seconds));
+        let ratio = (exact - found) / (exact - next);
+        assert!((1.8..2.8).contains(&ratio), "{seconds} s: {ratio}");
     }
 }
 
