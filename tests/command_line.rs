@@ -1,1 +1,86 @@
-//! Placeholder.
+//! What users' scripts hold on to: the commands, the files they write, the
+//! exit codes.
+
+#[path = "command_line/check.rs"]
+mod check;
+#[path = "command_line/designs.rs"]
+mod designs;
+#[path = "command_line/manifest.rs"]
+mod manifest;
+#[path = "command_line/run.rs"]
+mod run;
+#[path = "command_line/single_case.rs"]
+mod single_case;
+mod support;
+#[path = "command_line/terminal.rs"]
+mod terminal;
+
+use std::collections::BTreeSet;
+
+use support::{Answer, Workplace};
+
+const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+const RESULTS: [&str; 6] = [
+    "boundary.csv",
+    "failures.csv",
+    "labels.csv",
+    "manifest.json",
+    "map.png",
+    "map.svg",
+];
+
+/// Runs what must succeed without a word of warning.
+#[track_caller]
+fn succeeds(place: &Workplace, arguments: &[&str]) -> Answer {
+    let answer = place.sweep(arguments);
+    assert_eq!((answer.code, answer.errors.as_str()), (0, ""), "{answer:?}");
+    answer
+}
+
+/// Runs a sweep file into a folder.
+#[track_caller]
+fn run(place: &Workplace, file: &str, out: &str) -> Answer {
+    succeeds(place, &["run", file, "--out", out])
+}
+
+fn text(place: &Workplace, file: &str) -> String {
+    std::fs::read_to_string(place.path(file)).unwrap()
+}
+
+fn names_in(place: &Workplace, folder: &str) -> BTreeSet<String> {
+    std::fs::read_dir(place.path(folder))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect()
+}
+
+fn names<const N: usize>(names: [&str; N]) -> BTreeSet<String> {
+    names.map(str::to_owned).into()
+}
+
+/// The cells of a CSV file, header first.
+fn table(text: &str) -> Vec<Vec<String>> {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .from_reader(text.as_bytes());
+    reader
+        .records()
+        .map(|record| record.unwrap().iter().map(str::to_owned).collect())
+        .collect()
+}
+
+/// The given columns of a table, without its header.
+#[track_caller]
+fn columns<const N: usize>(table: &[Vec<String>], wanted: [&str; N]) -> Vec<[String; N]> {
+    let places = wanted.map(|name| {
+        let place = table[0].iter().position(|field| field == name);
+        place.unwrap_or_else(|| panic!("no column {name} in {:?}", table[0]))
+    });
+    let row = |row: &Vec<String>| places.map(|place| row[place].clone());
+    table[1..].iter().map(row).collect()
+}
+
+fn manifest(place: &Workplace, folder: &str) -> serde_json::Value {
+    serde_json::from_str(&text(place, &format!("{folder}/manifest.json"))).unwrap()
+}

@@ -8,6 +8,7 @@ mod cli;
 mod commands;
 mod design;
 mod engine;
+mod lines;
 mod output;
 mod plot;
 mod spec;

@@ -1,16 +1,17 @@
 //! `sweep check`: the regression of regime labels.
 
 use std::collections::BTreeMap;
+use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Result, bail};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 
-use super::{Progress, Status, UsageError, use_threads};
+use super::{Progress, Status, UsageError, build_systems, say, use_threads};
 use crate::cli::CheckArguments;
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, run_cases};
 use crate::output::{LabelRow, read_labels};
-use crate::spec::{Axis, Conditions, Sweep};
+use crate::spec::{Axis, Conditions, Sweep, check_setting};
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
@@ -27,7 +28,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     keep_methods_of(&mut sweep, &reference, &arguments.reference)?;
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
     use_threads(arguments.jobs)?;
-    let systems = MethodSystem::build_all(&sweep, &cases)?;
+    let systems = build_systems(&arguments.file, &sweep, &cases)?;
     let progress = Progress::new(cases.len() * systems.len(), false);
     let rows = run_cases(&systems, &cases, || progress.tick());
     progress.finish();
@@ -37,6 +38,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
         .map(|row| ((row.case, row.method), row))
         .collect();
     let mut different = 0;
+    let mut text = String::new();
     for expected in &reference {
         let Some(row) = found.get(&(expected.case, expected.method.as_str())) else {
             continue;
@@ -44,15 +46,17 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
         let label = label(row);
         if label != expected.torsion {
             different += 1;
-            print_difference(&sweep, &systems, &axes, expected, row, &label);
+            text += &difference(&sweep, &systems, &axes, expected, row, &label);
         }
     }
-    println!(
+    writeln!(
+        text,
         "{}: {} of {} labels as expected",
         arguments.reference.display(),
         reference.len() - different,
         reference.len()
-    );
+    )?;
+    say(&text)?;
     Ok(if different == 0 {
         Status::Complete
     } else {
@@ -94,6 +98,10 @@ fn cases_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<Ca
             continue;
         }
         let axes = sweep.design.axes();
+        for (&axis, &value) in axes.iter().zip(&row.values) {
+            check_setting(axis, value)
+                .map_err(|reason| at(format!("{}: {reason}", axis.name())))?;
+        }
         let conditions: Conditions = axes
             .iter()
             .zip(&row.values)
@@ -115,14 +123,14 @@ fn label(row: &Row) -> String {
     }
 }
 
-fn print_difference(
+fn difference(
     sweep: &Sweep,
     systems: &[MethodSystem],
     axes: &[Axis],
     expected: &LabelRow,
     row: &Row,
     label: &str,
-) {
+) -> String {
     let values: Vec<String> = axes
         .iter()
         .zip(&expected.values)
@@ -132,13 +140,13 @@ fn print_difference(
         .map_or_else(String::new, |ratio| {
             format!(", at {ratio:.3} times the speed limit of Eq. 74")
         });
-    println!(
-        "case {} by {}: {}: expected {}, found {label}{distance}",
+    format!(
+        "case {} by {}: {}: expected {}, found {label}{distance}\n",
         expected.case,
         expected.method,
         values.join(", "),
         expected.torsion,
-    );
+    )
 }
 
 /// Surface speed of a case over the analytic limit.

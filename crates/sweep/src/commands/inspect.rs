@@ -1,6 +1,8 @@
 //! `sweep inspect`: the linear system of a sweep, in words, numbers and a
 //! picture (Fig. 6).
 
+use std::fmt::Write;
+
 use anyhow::Result;
 use linear::estimates::{
     largest_undershoot, torsional_decay_rate, torsional_stiffness, torsional_travel_time,
@@ -8,7 +10,9 @@ use linear::estimates::{
 use linear::waves::network::TorsionNetwork;
 
 use super::plot::{axis, save_picture};
-use super::{Status, all_cases, make_folder, read_sweep, results_folder, use_threads};
+use super::{
+    Status, all_cases, build_systems, make_folder, read_sweep, results_folder, say, use_threads,
+};
 use crate::cli::InspectArguments;
 use crate::engine::{Case, MethodSystem};
 use crate::plot::{Axis, Panel, Panels, Series, panels};
@@ -23,31 +27,40 @@ const ROUND_TRIPS_SHOWN: f64 = 5.0;
 /// Shows the linear system.
 pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     let sweep = read_sweep(&arguments.file, &arguments.work)?;
-    let cases = all_cases(&sweep)?;
+    let cases = all_cases(&arguments.file, &sweep)?;
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     use_threads(arguments.work.jobs)?;
-    let systems = MethodSystem::build_all(&sweep, &cases)?;
+    let systems = build_systems(&arguments.file, &sweep, &cases)?;
     make_folder(&folder)?;
-    print_string(&sweep);
-    print_methods(&systems);
-    print_scene(&sweep, &cases, &systems);
     let picture = panels(&Panels {
         title: format!("{}: linear responses", sweep.title),
         panels: response_panels(&sweep, &systems),
     })?;
     save_picture(&folder, "inspect", &picture)?;
-    println!("\npicture: {}", folder.join("inspect.png").display());
+    say(&[
+        describe_string(&sweep)?,
+        describe_methods(&systems)?,
+        describe_scene(&sweep, &cases, &systems)?,
+        format!("\npicture: {}\n", folder.join("inspect.png").display()),
+    ]
+    .concat())?;
     Ok(Status::Complete)
 }
 
-fn print_string(sweep: &Sweep) {
+fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
     let string = &sweep.string;
     let travel = torsional_travel_time(string);
-    println!("{}: {}\n", sweep.name, sweep.title);
-    println!("string");
-    println!("  length                     {:.3} m", string.length());
+    writeln!(text, "{}: {}\n", sweep.name, sweep.title)?;
+    writeln!(text, "string")?;
+    writeln!(
+        text,
+        "  length                     {:.3} m",
+        string.length()
+    )?;
     for section in string.sections() {
-        println!(
+        writeln!(
+            text,
             "    {} × {:.3} m, outer radii {}",
             section.repeat,
             section.cell_length(),
@@ -57,51 +70,64 @@ fn print_string(sweep: &Sweep) {
                 .map(|part| format!("{} m", part.outer_radius))
                 .collect::<Vec<_>>()
                 .join(" and ")
-        );
+        )?;
     }
-    println!(
+    writeln!(
+        text,
         "  torsional stiffness k_eff  {:.1} N m/rad",
         torsional_stiffness(string)
-    );
-    println!(
+    )?;
+    writeln!(
+        text,
         "  torsional wave speed       {:.1} m/s",
         string.torsional_wave_speed()
-    );
-    println!(
+    )?;
+    writeln!(
+        text,
         "  travel time to the bit     {travel:.4} s, and back {:.4} s",
         2.0 * travel
-    );
-    println!(
+    )?;
+    writeln!(
+        text,
         "  torsional decay rate       {:.3} 1/s",
         torsional_decay_rate(string)
-    );
+    )?;
     let why = if sweep.sampling_by_rule {
         "four times the first torsional mode of one cell of drillpipe"
     } else {
         "given in the sweep file"
     };
-    println!(
+    writeln!(
+        text,
         "  sampling frequency f_s     {:.2} Hz ({why})",
         sweep.sampling_frequency
-    );
+    )?;
+    Ok(text)
 }
 
-fn print_methods(systems: &[MethodSystem]) {
-    println!("\nmethods");
+fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    writeln!(text, "\nmethods")?;
     for system in systems {
-        println!(
+        writeln!(
+            text,
             "  {}: {} taps ({:.2} s), built in {:.3} s",
             system.method.name(),
             system.responses.taps(),
             system.responses.taps() as f64 / system.responses.sampling_frequency,
             system.build_seconds,
-        );
+        )?;
         if let Some(taps) = system.driving_point() {
-            println!("    A(0) at the bit          {:.4e} rad/s per N m", taps[0]);
-            println!(
+            writeln!(
+                text,
+                "    A(0) at the bit          {:.4e} rad/s per N m",
+                taps[0]
+            )?;
+            writeln!(
+                text,
                 "    undershoot Δ (Eq. 75)    {:.4e} rad/s per N m",
                 largest_undershoot(taps)
-            );
+            )?;
         }
         if let Some(margin) = system.margin {
             let verdict = if system.is_unstable() {
@@ -109,17 +135,26 @@ fn print_methods(systems: &[MethodSystem]) {
             } else {
                 "stable in sticking"
             };
-            println!("    positive-real margin     {margin:.2e}: {verdict}");
+            writeln!(text, "    positive-real margin     {margin:.2e}: {verdict}")?;
         }
     }
+    Ok(text)
 }
 
-fn print_scene(sweep: &Sweep, cases: &[Case], systems: &[MethodSystem]) {
-    println!("\nleft out, because the scene does not need it");
-    println!("  bending and the borehole wall: no lateral contact is modelled");
-    println!("  the torque at the surface: nothing depends on it");
+fn describe_scene(
+    sweep: &Sweep,
+    cases: &[Case],
+    systems: &[MethodSystem],
+) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    writeln!(text, "\nleft out, because the scene does not need it")?;
+    writeln!(
+        text,
+        "  bending and the borehole wall: no lateral contact is modelled"
+    )?;
+    writeln!(text, "  the torque at the surface: nothing depends on it")?;
     if sweep.bit.is_none() {
-        println!("  torque at the bit: the bit is free");
+        writeln!(text, "  torque at the bit: the bit is free")?;
     }
     let longest = cases
         .iter()
@@ -129,12 +164,13 @@ fn print_scene(sweep: &Sweep, cases: &[Case], systems: &[MethodSystem]) {
         Time::Auto => "until the regime can be told",
         Time::Given(_) => "given in the sweep file",
     };
-    println!("\ncost");
-    println!(
+    writeln!(text, "\ncost")?;
+    writeln!(
+        text,
         "  {} cases by {} methods, the longest {longest:.1} s ({rule})",
         cases.len(),
         systems.len()
-    );
+    )?;
     let terms: f64 = systems
         .iter()
         .map(|system| {
@@ -150,8 +186,12 @@ fn print_scene(sweep: &Sweep, cases: &[Case], systems: &[MethodSystem]) {
         })
         .sum();
     if sweep.bit.is_some() {
-        println!("  about {terms:.1e} terms of the history sum (Eq. 17)");
+        writeln!(
+            text,
+            "  about {terms:.1e} terms of the history sum (Eq. 17)"
+        )?;
     }
+    Ok(text)
 }
 
 fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {

@@ -8,14 +8,15 @@ mod progress;
 pub mod run;
 pub mod simulate;
 
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use linear::Method;
+use linear::BuildError;
 
 use crate::cli::WorkArguments;
 use crate::engine::{Case, MethodSystem};
-use crate::spec::{SpecError, Sweep};
+use crate::spec::{MethodName, SpecError, Sweep};
 use progress::Progress;
 
 /// How the program ended; the numbers are its exit codes.
@@ -47,39 +48,45 @@ impl std::error::Error for UsageError {}
 
 /// Prints an error and tells which exit code it is.
 pub fn report(error: &anyhow::Error) -> Status {
-    if is_broken_pipe(error) {
-        // The reader of our output has seen enough.
-        return Status::Complete;
-    }
-    eprintln!("error: {error:#}");
-    if error.is::<SpecError>() || error.is::<UsageError>() {
+    complain(&format!("error: {error:#}"));
+    // What a method cannot treat is what the sweep file asks for.
+    if error.is::<SpecError>() || error.is::<UsageError>() || error.is::<BuildError>() {
         Status::BadInput
     } else {
         Status::Error
     }
 }
 
-fn is_broken_pipe(error: &anyhow::Error) -> bool {
-    error.chain().any(|cause| {
-        cause
-            .downcast_ref::<std::io::Error>()
-            .is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
-    })
+/// Prints lines to standard output. A reader who has seen enough
+/// (`sweep inspect FILE | head -1`) is no error, and no reason to panic.
+fn say(text: &str) -> Result<()> {
+    let mut output = std::io::stdout().lock();
+    match output
+        .write_all(text.as_bytes())
+        .and_then(|()| output.flush())
+    {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        result => result.context("standard output cannot be written"),
+    }
+}
+
+/// Prints a line to standard error, where anybody listens.
+fn complain(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{line}");
 }
 
 /// Reads a sweep file and puts the methods asked for in place of its own.
 fn read_sweep(file: &Path, work: &WorkArguments) -> Result<Sweep> {
     let mut sweep = Sweep::read(file)?;
     if !work.methods.is_empty() {
-        let mut methods: Vec<Method> = Vec::new();
+        let mut names: Vec<MethodName> = Vec::new();
         for &name in &work.methods {
-            let method = sweep.content.method(name);
-            if !methods.contains(&method) {
-                methods.push(method);
+            if !names.contains(&name) {
+                names.push(name);
             }
         }
-        sweep.content.methods = work.methods.clone();
-        sweep.methods = methods;
+        sweep.methods = (names.iter().map(|&name| sweep.content.method(name))).collect();
+        sweep.content.methods = names;
     }
     Ok(sweep)
 }
@@ -114,18 +121,23 @@ fn make_folder(folder: &Path) -> Result<()> {
 }
 
 /// The cases of a sweep.
-fn all_cases(sweep: &Sweep) -> Result<Vec<Case>> {
-    Case::all(sweep).map_err(|reason| UsageError(reason).into())
+fn all_cases(file: &Path, sweep: &Sweep) -> Result<Vec<Case>> {
+    Case::all(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())).into())
+}
+
+/// The linear system of every method of a sweep.
+fn build_systems(file: &Path, sweep: &Sweep, cases: &[Case]) -> Result<Vec<MethodSystem>> {
+    MethodSystem::build_all(sweep, cases).with_context(|| file.display().to_string())
 }
 
 /// Warns of methods that a sticking bit makes chatter.
 fn warn_of_unstable(systems: &[MethodSystem]) {
     for system in systems.iter().filter(|system| system.is_unstable()) {
-        eprintln!(
+        complain(&format!(
             "warning: the responses by {} are not positive-real (margin {:.2e}): \
              a sticking bit may chatter and its labels mean little",
             system.method.name(),
             system.margin.unwrap_or(f64::NAN),
-        );
+        ));
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
-use super::{Status, UsageError};
+use super::{Status, UsageError, say};
 use crate::cli::PlotArguments;
 use crate::output::{
     BoundaryPoint, LabelRow, Manifest, read_boundary, read_labels, write_atomically,
@@ -24,7 +24,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Status> {
             arguments.folder.display()
         )));
     }
-    println!("{}", arguments.folder.join("map.png").display());
+    say(&format!("{}\n", arguments.folder.join("map.png").display()))?;
     Ok(Status::Complete)
 }
 

@@ -74,10 +74,10 @@ impl Lines {
             *last = Instant::now();
             let seconds = self.start.elapsed().as_secs_f64();
             let left = seconds / done as f64 * (self.total - done) as f64;
-            eprintln!(
+            super::complain(&format!(
                 "{done} of {} simulations done, about {left:.0} s left",
                 self.total
-            );
+            ));
         }
     }
 }

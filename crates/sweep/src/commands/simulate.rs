@@ -1,5 +1,6 @@
 //! `sweep simulate`: one case in full (Figs. 7(a) and 8).
 
+use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Result, bail};
@@ -9,10 +10,11 @@ use sim::{Outcome, Trajectory};
 
 use super::plot::{axis, save_picture};
 use super::{
-    Status, UsageError, make_folder, read_sweep, results_folder, use_threads, warn_of_unstable,
+    Status, UsageError, build_systems, make_folder, read_sweep, results_folder, say, use_threads,
+    warn_of_unstable,
 };
 use crate::cli::SimulateArguments;
-use crate::engine::{Case, MethodSystem};
+use crate::engine::Case;
 use crate::output::write_atomically;
 use crate::plot::{Panel, Panels, Reference, Series, panels};
 use crate::spec::{Axis, Conditions, Sweep, check_setting, to_rpm};
@@ -30,9 +32,9 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     let case = chosen_case(&sweep, arguments)?;
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     use_threads(arguments.work.jobs)?;
-    let systems = MethodSystem::build_all(&sweep, std::slice::from_ref(&case))?;
-    warn_of_unstable(&systems);
+    let systems = build_systems(&arguments.file, &sweep, std::slice::from_ref(&case))?;
     make_folder(&folder)?;
+    warn_of_unstable(&systems);
     let simulations = systems
         .iter()
         .map(|system| {
@@ -52,7 +54,7 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     )?;
     let picture = panels(&history_panels(&sweep, &case, &simulations, step))?;
     save_picture(&folder, "history", &picture)?;
-    print_summary(&case, &simulations, &folder);
+    say(&summary(&case, &simulations, &folder)?)?;
     Ok(Status::Complete)
 }
 
@@ -75,7 +77,8 @@ fn chosen_case(sweep: &Sweep, arguments: &SimulateArguments) -> Result<Case> {
             conditions.with(axis, value)
         });
     for &(axis, value) in &arguments.set {
-        check_setting(axis, value).map_err(UsageError)?;
+        check_setting(axis, value)
+            .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
         if axis != Axis::SurfaceSpeedRpm && sweep.bit.is_none() {
             bail!(UsageError(format!(
                 "--set {}: the bit is free in this sweep",
@@ -233,21 +236,23 @@ fn level(y: f64, name: &str) -> Reference {
     }
 }
 
-fn print_summary(case: &Case, simulations: &[Simulation], folder: &Path) {
+fn summary(case: &Case, simulations: &[Simulation], folder: &Path) -> Result<String> {
+    let mut text = String::new();
     let rpm = to_rpm(case.scene.surface_speed);
     let torque = case
         .torque_dynamic_nm
         .map_or_else(String::new, |torque| format!(", T_d = {torque:.1} N m"));
-    println!("Ω = {rpm:.4} rpm{torque}");
+    writeln!(text, "Ω = {rpm:.4} rpm{torque}")?;
     for simulation in simulations {
         let Some(torsion) = simulation.outcome.torsion else {
-            println!("  {}: the bit is free", simulation.method);
+            writeln!(text, "  {}: the bit is free", simulation.method)?;
             continue;
         };
         let seconds = |value: Option<f64>| {
             value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3} s"))
         };
-        println!(
+        writeln!(
+            text,
             "  {}: {}, first slip {}, period {}, slipping {}, {} sticks, peak {:.4} rpm",
             simulation.method,
             torsion.regime.name(),
@@ -256,10 +261,12 @@ fn print_summary(case: &Case, simulations: &[Simulation], folder: &Path) {
             seconds(torsion.slip_time),
             torsion.sticks,
             to_rpm(torsion.peak_speed),
-        );
+        )?;
     }
-    println!(
+    writeln!(
+        text,
         "history.svg, history.png and history.csv are in {}",
         folder.display()
-    );
+    )?;
+    Ok(text)
 }

@@ -57,6 +57,7 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
                 return Err(source.error(&format!("{key}.count"), message));
             }
             check_axis_value(source, &format!("{key}.from"), axis, from)?;
+            check_axis_value(source, &format!("{key}.to"), axis, to)?;
             range.check_ends(source, &key, from, to)?;
             let last = count.saturating_sub(1).max(1) as f64;
             (0..count)

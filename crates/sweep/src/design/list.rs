@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::lines::{COMMENT, line_from};
 use crate::spec::{Axis, DesignTable, Source, SpecError, check_axis_value};
 
 /// Listed cases.
@@ -42,11 +43,13 @@ impl List {
 
 /// Reads a list; an error starts where the file's name ends.
 fn read(source: &Source, path: &Path) -> Result<List, String> {
+    let text =
+        std::fs::read_to_string(path).map_err(|error| format!(" cannot be read: {error}"))?;
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_path(path)
-        .map_err(|error| format!(" cannot be read: {error}"))?;
+        .comment(Some(COMMENT))
+        .flexible(true)
+        .from_reader(text.as_bytes());
     let header = reader
         .headers()
         .map_err(|error| format!(": {error}"))?
@@ -56,7 +59,11 @@ fn read(source: &Source, path: &Path) -> Result<List, String> {
         .map(|name| {
             Axis::from_name(name).ok_or_else(|| {
                 let known: Vec<&str> = Axis::ALL.iter().map(|axis| axis.name()).collect();
-                format!(":1: unknown column `{name}`; known: {}", known.join(", "))
+                let line = line_from(&text, 0);
+                format!(
+                    ":{line}: unknown column `{name}`; known: {}",
+                    known.join(", ")
+                )
             })
         })
         .collect::<Result<Vec<Axis>, _>>()?;
@@ -68,19 +75,27 @@ fn read(source: &Source, path: &Path) -> Result<List, String> {
         .find(|pair| columns[pair[0]] == columns[pair[1]])
     {
         return Err(format!(
-            ":1: the column `{}` is there twice",
+            ":{}: the column `{}` is there twice",
+            line_from(&text, 0),
             columns[pair[0]].name()
         ));
     }
     let mut cases = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|error| format!(": {error}"))?;
-        let line = record.position().map_or(0, csv::Position::line);
+        let line = line_from(
+            &text,
+            record.position().map_or(0, csv::Position::byte) as usize,
+        );
+        if record.len() != columns.len() {
+            let (found, expected) = (record.len(), columns.len());
+            return Err(format!(":{line}: {found} values, but {expected} columns"));
+        }
         let value = |&column: &usize| {
             let (axis, text) = (columns[column], &record[column]);
             let value = text
                 .parse()
-                .map_err(|_| format!(":{line}: `{text}` is not a number"))?;
+                .map_err(|_| format!(":{line}: {}: `{text}` is not a number", axis.name()))?;
             check_axis_value(source, axis.name(), axis, value)
                 .map_err(|error| format!(":{line}: {}: {}", axis.name(), error.message()))?;
             Ok(value)

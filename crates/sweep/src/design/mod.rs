@@ -4,12 +4,14 @@ mod grid;
 mod list;
 mod monte_carlo;
 
-use crate::spec::{Axis, DesignKind, Source, SpecError};
+use crate::spec::{Axis, DesignKind, DesignTable, Source, SpecError};
 
-use crate::spec::DesignTable;
 pub use grid::Grid;
 pub use list::List;
 pub use monte_carlo::MonteCarlo;
+
+/// More cases than fit in memory with their rows.
+const MOST_CASES: usize = 10_000_000;
 
 /// Cases over named axes, numbered from 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,11 +37,21 @@ impl Design {
             return Ok(Design::Single);
         };
         refuse_foreign_keys(source, table)?;
-        match table.kind {
-            DesignKind::Grid => Grid::resolve(source, table).map(Design::Grid),
-            DesignKind::MonteCarlo => MonteCarlo::resolve(source, table).map(Design::MonteCarlo),
-            DesignKind::List => List::resolve(source, table).map(Design::List),
+        let design = match table.kind {
+            DesignKind::Grid => Design::Grid(Grid::resolve(source, table)?),
+            DesignKind::MonteCarlo => Design::MonteCarlo(MonteCarlo::resolve(source, table)?),
+            DesignKind::List => Design::List(List::resolve(source, table)?),
+        };
+        if design.cases() > MOST_CASES {
+            let message = format!("{} cases are more than {MOST_CASES}", design.cases());
+            let key = if table.cases.is_some() {
+                "design.cases"
+            } else {
+                "design"
+            };
+            return Err(source.error(key, message));
         }
+        Ok(design)
     }
 
     /// The axes, in the order of their columns.

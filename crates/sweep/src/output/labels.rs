@@ -7,6 +7,7 @@ use anyhow::{Context, Result, bail};
 use sim::{Outcome, TorsionMeasures};
 
 use crate::engine::{Row, RowOutcome};
+use crate::lines::{COMMENT, line_from};
 use crate::spec::{Axis, Sweep, to_rpm};
 
 /// Columns that follow the axes.
@@ -101,7 +102,7 @@ pub fn failures_csv(sweep_file: &Path, rows: &[Row]) -> Result<Vec<u8>> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LabelRow {
     /// Line of the file.
-    pub line: u64,
+    pub line: usize,
     /// Number of the case.
     pub case: usize,
     /// Name of the method.
@@ -115,14 +116,16 @@ pub struct LabelRow {
 /// Reads labels back: the columns `case`, `method`, the axes asked for, and
 /// `torsion`, wherever they stand; others are passed over.
 pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_path(path)
+    let text = std::fs::read_to_string(path)
         .with_context(|| format!("{} cannot be read", path.display()))?;
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(COMMENT))
+        .from_reader(text.as_bytes());
     let header = reader.headers()?.clone();
     let column = |name: &str| {
         let found = header.iter().position(|field| field == name);
-        found.with_context(|| format!("{}:1: has no column `{name}`", path.display()))
+        let line = line_from(&text, 0);
+        found.with_context(|| format!("{}:{line}: has no column `{name}`", path.display()))
     };
     let (case, method, torsion) = (column("case")?, column("method")?, column("torsion")?);
     let value_columns = axes
@@ -132,7 +135,10 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record.with_context(|| format!("{} is not a table", path.display()))?;
-        let line = record.position().map_or(0, csv::Position::line);
+        let line = line_from(
+            &text,
+            record.position().map_or(0, csv::Position::byte) as usize,
+        );
         let Ok(case) = record[case].parse() else {
             bail!(
                 "{}:{line}: `{}` is not a case number",

@@ -256,7 +256,7 @@ impl<'de> Deserialize<'de> for AutoOr {
 }
 
 /// A quantity that a design varies, named as in result files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Axis {
     /// Surface speed Ω, rpm.
@@ -281,7 +281,7 @@ impl Axis {
     }
 
     /// The column's name.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Axis::SurfaceSpeedRpm => "surface_speed_rpm",
             Axis::WeightOnBitKn => "weight_on_bit_kn",
@@ -296,6 +296,21 @@ impl Axis {
             Axis::WeightOnBitKn => "Weight on bit W (kN)",
             Axis::TorqueDynamicNm => "Dynamic torque T_d (N m)",
         }
+    }
+}
+
+/// As a string, so that an error below `[design.axes]` can name the axis.
+impl<'de> Deserialize<'de> for Axis {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        Axis::from_name(&name).ok_or_else(|| {
+            const NAMES: &[&str] = &[
+                Axis::ALL[0].name(),
+                Axis::ALL[1].name(),
+                Axis::ALL[2].name(),
+            ];
+            serde::de::Error::unknown_variant(&name, NAMES)
+        })
     }
 }
 

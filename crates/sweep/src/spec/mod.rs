@@ -4,6 +4,8 @@
 mod file;
 mod resolve;
 mod source;
+#[cfg(test)]
+mod tests;
 
 pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
 pub use resolve::{Conditions, MapSettings, Sweep, Time, to_rpm};

@@ -2,9 +2,9 @@
 //! checked against what it can be.
 
 use linear::method::Method;
-use linear::{Drillstring, DrillstringError, Material, Section, Sites, Tube};
+use linear::{BuildError, Drillstring, DrillstringError, Material, Section, Sites, Tube};
 use serde::{Deserialize, Serialize};
-use sim::laws::rock::{CuttingLaw, PoorCleaning};
+use sim::laws::rock::{CuttingLaw, PoorCleaning, RockError};
 use sim::{BitTorque, Rock};
 
 use super::file::{
@@ -12,6 +12,12 @@ use super::file::{
 };
 use super::source::{Source, SpecError};
 use crate::design::Design;
+
+/// Longer than any borehole, m.
+const LONGEST_STRING: f64 = 2e4;
+
+/// More elements in a cell resolve no more than rounding leaves.
+const MOST_ELEMENTS_PER_CELL: usize = 10_000;
 
 const RPM: f64 = std::f64::consts::TAU / 60.0;
 
@@ -148,7 +154,13 @@ impl Bit {
             (None, Some(weight), Some(rock)) => rock
                 .torque_dynamic(1e3 * weight)
                 .map(Some)
-                .map_err(|error| error.to_string()),
+                .map_err(|error| {
+                    let RockError::OutsideTable {
+                        value, from, to, ..
+                    } = error;
+                    let [value, from, to] = [value, from, to].map(|weight| weight / 1e3);
+                    format!("{value} kN is outside the rock's table, {from} to {to} kN")
+                }),
             _ => Ok(None),
         }
     }
@@ -272,8 +284,35 @@ impl Check<'_> {
             shear_modulus: 1e9 * table.shear_modulus_gpa,
             density: table.density_kg_m3,
         };
-        Drillstring::new(material, sections.collect(), damping)
-            .map_err(|error| self.source.error(&key_of(&error), error.to_string()))
+        let string = Drillstring::new(material, sections.collect(), damping)
+            .map_err(|error| self.source.error(&key_of(&error), error.to_string()))?;
+        self.length(&string)?;
+        Ok(string)
+    }
+
+    /// Millimetres for metres show in the whole string, if not in a part.
+    fn length(&self, string: &Drillstring) -> Result<(), SpecError> {
+        if string.length() <= LONGEST_STRING {
+            return Ok(());
+        }
+        let parts = string
+            .sections()
+            .iter()
+            .enumerate()
+            .flat_map(|(index, section)| {
+                let count = section.repeat as f64;
+                let parts = section.parts.iter().enumerate();
+                parts.map(move |(part, tube)| (count * tube.length, index, part))
+            });
+        let (_, section, part) = parts
+            .max_by(|one, other| one.0.total_cmp(&other.0))
+            .unwrap_or_default();
+        let message = format!(
+            "the string is {} m long, more than {LONGEST_STRING} m; is this in another unit?",
+            string.length()
+        );
+        let key = format!("string.sections[{section}].parts[{part}].length_m");
+        Err(self.source.error(&key, message))
     }
 
     fn section(&self, index: usize, section: &SectionTable) -> Result<(), SpecError> {
@@ -287,7 +326,13 @@ impl Check<'_> {
         )?;
         for (part, tube) in section.parts.iter().enumerate() {
             let key = format!("{key}.parts[{part}]");
-            self.within(&format!("{key}.length_m"), tube.length_m, 1e-3, 2e4, "m")?;
+            self.within(
+                &format!("{key}.length_m"),
+                tube.length_m,
+                1e-3,
+                LONGEST_STRING,
+                "m",
+            )?;
             self.within(
                 &format!("{key}.inner_radius_m"),
                 tube.inner_radius_m,
@@ -328,9 +373,18 @@ impl Check<'_> {
         }
         let tables = &content.method;
         tables.finite_element.check().map_err(|error| {
-            self.source
-                .error("method.finite-element", error.to_string())
+            let key = match &error {
+                BuildError::Parameter { name, .. } => format!("method.finite-element.{name}"),
+                _ => "method.finite-element".to_owned(),
+            };
+            self.source.error(&key, error.to_string())
         })?;
+        let elements = tables.finite_element.elements_per_cell;
+        if elements > MOST_ELEMENTS_PER_CELL {
+            let message = format!("{elements} are more than {MOST_ELEMENTS_PER_CELL}");
+            let key = "method.finite-element.elements_per_cell";
+            return Err(self.source.error(key, message));
+        }
         for (key, transform) in [
             ("hilbert", tables.hilbert),
             ("direct-idft", tables.direct_idft),
@@ -350,6 +404,14 @@ impl Check<'_> {
                 return Err(self
                     .source
                     .error(&format!("methods[{index}]"), "is named twice"));
+            }
+            let needs_damping = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
+            if needs_damping && content.string.torsional_damping_nms_rad_m == 0.0 {
+                let error = BuildError::NeedsDamping {
+                    method: name.name(),
+                };
+                let key = "string.torsional_damping_nms_rad_m";
+                return Err(self.source.error(key, error.to_string()));
             }
         }
         Ok(content
@@ -461,15 +523,17 @@ impl Check<'_> {
     }
 
     fn table(&self, rows: &[(f64, f64)]) -> Result<Rock, SpecError> {
+        for (index, &(weight, torque)) in rows.iter().enumerate() {
+            let key = format!("bit.table_kn_nm[{index}]");
+            check_axis_value(self.source, &key, Axis::WeightOnBitKn, weight)?;
+            check_axis_value(self.source, &key, Axis::TorqueDynamicNm, torque)?;
+        }
         let increasing = rows
             .windows(2)
             .all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1);
-        let sensible = rows
-            .iter()
-            .all(|&(weight, torque)| weight >= 0.0 && torque >= 0.0 && torque.is_finite());
-        if rows.len() < 2 || !increasing || !sensible {
+        if rows.len() < 2 || !increasing {
             let message = "needs two rows or more of weight on bit (kN) and torque (N m), \
-                           both increasing from zero or above";
+                           both increasing";
             return Err(self.source.error("bit.table_kn_nm", message));
         }
         Ok(Rock::Table(
@@ -582,6 +646,16 @@ impl Check<'_> {
         (x, y): (Axis, Axis),
         bit: Option<&Bit>,
     ) -> Result<MapMark, SpecError> {
+        for (axis, value) in [
+            (Axis::SurfaceSpeedRpm, mark.surface_speed_rpm),
+            (Axis::WeightOnBitKn, mark.weight_on_bit_kn),
+            (Axis::TorqueDynamicNm, mark.torque_dynamic_nm),
+        ] {
+            if let Some(value) = value {
+                let key = format!("map.marks[{index}].{}", axis.name());
+                check_axis_value(self.source, &key, axis, value)?;
+            }
+        }
         let weight_for_torque = || {
             let rock = bit?.rock.as_ref()?;
             Some(1e-3 * rock.weight_on_bit(mark.torque_dynamic_nm?).ok()?)
@@ -623,19 +697,19 @@ pub(crate) fn check_setting(axis: Axis, value: f64) -> Result<(), String> {
             "{value} rpm: the surface must turn, in the positive direction"
         )),
         Axis::SurfaceSpeedRpm => within(value, 1e-4, 1e4, "rpm"),
-        Axis::WeightOnBitKn => within(value, 0.0, 1e4, "kN"),
+        Axis::WeightOnBitKn => within(value, 0.0, 2e3, "kN"),
         Axis::TorqueDynamicNm => within(value, 0.0, 1e7, "N m"),
     }
 }
 
-/// Refuses a value outside what it can be; a value far outside is more likely
-/// in another unit.
+/// Refuses a value outside what it can be: more likely, if it has the right
+/// sign, in another unit.
 fn within(value: f64, least: f64, most: f64, unit: &str) -> Result<(), String> {
     if (least..=most).contains(&value) {
         return Ok(());
     }
     let space = if unit.is_empty() { "" } else { " " };
-    let hint = if value >= 1e3 * most || (value > 0.0 && value <= 1e-3 * least) {
+    let hint = if value > 0.0 && value.is_finite() && !unit.is_empty() {
         "; is it in another unit?"
     } else {
         ""

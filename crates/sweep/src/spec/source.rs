@@ -111,9 +111,22 @@ impl Source {
         }
     }
 
-    /// Adds what was meant to serde's words about an unknown key or choice.
+    /// Serde's words in the user's: what was meant by an unknown key or
+    /// choice, what is missing, what was expected.
     fn type_error(&self, path: &str, message: &str) -> SpecError {
+        let path = if path == "." { "" } else { path };
         let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+        if let Some(missing) = message.strip_prefix("missing field ").and(quoted.first()) {
+            return self.error(&join(path, missing), "is missing");
+        }
+        if let Some((found, expected)) = message
+            .strip_prefix("invalid type: ")
+            .or(message.strip_prefix("invalid value: "))
+            .and_then(|words| words.rsplit_once(", expected "))
+        {
+            let (found, expected) = (in_words(found), in_words(expected));
+            return self.error(path, format!("expected {expected}, found {found}"));
+        }
         let Some(unknown) = message.strip_prefix("unknown ").and(quoted.first()) else {
             return self.error(path, message);
         };
@@ -132,12 +145,10 @@ impl Source {
             Some((_, choice)) => format!("did you mean `{choice}`?"),
             None => format!("known here: {}", choices.join(", ")),
         };
-        let inside = path == "." || path.is_empty();
-        let key = match (what, inside) {
-            ("unknown choice", _) => path.to_owned(),
-            (_, true) => (*unknown).to_owned(),
+        let key = match what {
+            "unknown choice" => path.to_owned(),
             _ if path.ends_with(unknown) => path.to_owned(),
-            _ => format!("{path}.{unknown}"),
+            _ => join(path, unknown),
         };
         self.error(&key, format!("{what} `{unknown}`; {hint}"))
     }
@@ -156,7 +167,11 @@ impl Source {
         let lines = LineNumbers::new(&text);
         let table = DeTable::parse(&text).map_err(|error| {
             let line = error.span().map(|span| lines.of(span.start));
-            unusable(line, None, error.message().to_owned())
+            let message = match line.and_then(|line| text.lines().nth(line - 1)) {
+                Some(text) => format!("{}: `{}`", error.message(), text.trim()),
+                None => error.message().to_owned(),
+            };
+            unusable(line, None, message)
         })?;
         if let Some((key, value)) = table.get_ref().get_key_value("base") {
             let line = lines.of(key.span().start);
@@ -254,8 +269,22 @@ fn join(path: &str, key: &str) -> String {
     }
 }
 
-/// A scalar without its place. A number too large for its type becomes text,
-/// which the reader of a number then refuses at its place.
+/// The kinds of values as the user knows them.
+fn in_words(kind: &str) -> &str {
+    match kind {
+        "f64" => "a number",
+        "u64" | "usize" => "a whole number, zero or more",
+        "map" | "a map" => "a table",
+        "sequence" | "a sequence" => "an array",
+        "string only" => "a string",
+        "unit variant" => "another kind of value",
+        _ if kind.starts_with("struct ") => "a table",
+        _ => kind,
+    }
+}
+
+/// A scalar without its place. A whole number too large for its type becomes
+/// the nearest other one, which is refused at its place unless it makes sense.
 fn plain(value: &DeValue) -> toml::Value {
     match value {
         DeValue::String(text) => toml::Value::String(text.to_string()),
@@ -263,7 +292,7 @@ fn plain(value: &DeValue) -> toml::Value {
         DeValue::Datetime(time) => toml::Value::Datetime(*time),
         DeValue::Integer(number) => i64::from_str_radix(number.as_str(), number.radix())
             .map_or_else(
-                |_| toml::Value::String(number.to_string()),
+                |_| toml::Value::Float(number.as_str().parse().unwrap_or(f64::INFINITY)),
                 toml::Value::Integer,
             ),
         DeValue::Float(number) => number.as_str().parse().map_or_else(

@@ -1,0 +1,83 @@
+//! Command lines that make no sense, and folders that cannot be.
+
+use crate::refusals::{fails, refused};
+use crate::support::{SMALL, Workplace};
+
+#[test]
+fn a_command_line_that_makes_no_sense_is_refused() {
+    let place = Workplace::with_small(SMALL);
+    for (arguments, words) in [
+        (
+            &["run", "small.toml", "--jobs", "0"][..],
+            &["--jobs 0", "at least one"][..],
+        ),
+        (
+            &["simulate", "small.toml", "--case", "6"],
+            &["--case 6", "cases 0 to 5"],
+        ),
+        (
+            &["simulate", "small.toml", "--set", "surface_speed_rpm=0"],
+            &["surface_speed_rpm", "the surface must turn"],
+        ),
+        (
+            &["simulate", "small.toml", "--set", "weight_on_bit_kn=nan"],
+            &["weight_on_bit_kn", "is not between"],
+        ),
+    ] {
+        refused(&place, arguments, words);
+    }
+}
+
+/// What the parser of the command line finds; it adds a hint of its own.
+#[test]
+fn an_argument_that_cannot_be_read_is_named() {
+    let place = Workplace::with_small(SMALL);
+    let before = place.files();
+    for (arguments, words) in [
+        (
+            &["run", "small.toml", "--methods", "magic"][..],
+            &["'magic'", "quadrature"][..],
+        ),
+        (&["run", "small.toml", "--jobs=-1"], &["--jobs", "'-1'"]),
+        (
+            &["run", "small.toml", "--jobs", "many"],
+            &["--jobs", "'many'"],
+        ),
+        (&["run", "small.toml", "--quite"], &["--quite", "'--quiet'"]),
+        (&["run"], &["<FILE>"]),
+        (&["rum", "small.toml"], &["rum", "'run'"]),
+        (
+            &["simulate", "small.toml", "--set", "speed=1"],
+            &["unknown axis `speed`"],
+        ),
+        (&["simulate", "small.toml", "--set", "1"], &["AXIS=VALUE"]),
+        (
+            &["simulate", "small.toml", "--set", "surface_speed_rpm=fast"],
+            &["`fast` is not a number"],
+        ),
+    ] {
+        let answer = place.sweep(arguments);
+        assert_eq!(answer.code, 2, "{answer:?}");
+        for word in words {
+            assert!(answer.errors.contains(word), "no {word:?} in {answer:?}");
+        }
+    }
+    assert!(place.files() == before);
+}
+
+/// The machine's fault, not the file's. Permissions would not stop root.
+#[test]
+fn a_folder_that_cannot_be_made_is_an_error_of_its_own() {
+    let place = Workplace::with_small(SMALL);
+    for command in ["run", "simulate", "inspect"] {
+        let answer = fails(
+            &place,
+            &[command, "small.toml", "--out", "small.toml/results"],
+        );
+        assert_eq!(answer.code, 1, "{answer:?}");
+        assert!(
+            answer.errors.contains("small.toml/results cannot be made"),
+            "{answer:?}"
+        );
+    }
+}

@@ -1,0 +1,135 @@
+//! `sweep check`: the regression of labels.
+
+use crate::support::{SMALL, Workplace, with};
+use crate::{columns, run, succeeds, table, text};
+
+/// The small sweep, its own labels as a reference.
+pub fn with_reference() -> Workplace {
+    let place = Workplace::with_small(SMALL);
+    run(&place, "small.toml", "results");
+    place.write("reference.csv", text(&place, "results/labels.csv"));
+    place
+}
+
+#[test]
+fn check_finds_its_own_labels() {
+    let place = with_reference();
+    let before = place.files();
+    let answer = succeeds(&place, &["check", "small.toml", "reference.csv"]);
+    assert_eq!(answer.output, "reference.csv: 6 of 6 labels as expected\n");
+    assert!(place.files() == before);
+}
+
+/// Cases of one's own, of columns in any order, with a comment above.
+#[test]
+fn check_needs_few_columns_and_cases() {
+    let place = with_reference();
+    let labels = table(&text(&place, "reference.csv"));
+    let wanted = [
+        "torsion",
+        "weight_on_bit_kn",
+        "method",
+        "surface_speed_rpm",
+        "case",
+    ];
+    let rows: String = columns(&labels, wanted)[3..]
+        .iter()
+        .map(|row| format!("{}\n", row.join(",")))
+        .collect();
+    place.write(
+        "few.csv",
+        format!("# Three cases.\n{}\n{rows}", wanted.join(",")),
+    );
+    let answer = succeeds(&place, &["check", "small.toml", "few.csv"]);
+    assert_eq!(answer.output, "few.csv: 3 of 3 labels as expected\n");
+}
+
+#[test]
+fn check_prints_labels_that_differ() {
+    let place = with_reference();
+    let reference = text(&place, "reference.csv");
+    let row = reference.lines().find(|row| row.starts_with("3,")).unwrap();
+    let (found, other) = match row.contains("smooth") {
+        true => ("smooth", "stick_slip"),
+        false => ("stick_slip", "smooth"),
+    };
+    place.write(
+        "reference.csv",
+        with(&reference, row, &row.replace(found, other)),
+    );
+    let answer = place.sweep(&["check", "small.toml", "reference.csv"]);
+    assert_eq!(answer.code, 5, "{answer:?}");
+    let expected = format!(
+        "case 3 by quadrature: surface_speed_rpm = 0.31, weight_on_bit_kn = 70: \
+         expected {other}, found {found}, at "
+    );
+    assert!(answer.output.starts_with(&expected), "{answer:?}");
+    assert!(
+        answer
+            .output
+            .ends_with("reference.csv: 5 of 6 labels as expected\n"),
+        "{answer:?}"
+    );
+}
+
+#[test]
+fn check_refuses_a_reference_that_does_not_belong_to_the_sweep() {
+    let place = with_reference();
+    let reference = text(&place, "reference.csv");
+    let header = reference.lines().next().unwrap();
+    let row = reference.lines().nth(1).unwrap();
+    for (changed, words) in [
+        (
+            with(&reference, row, &row.replace("quadrature", "magic")),
+            "reference.csv:2: the sweep has no method `magic`",
+        ),
+        (
+            format!(
+                "# A comment.\n\n{header}\n# Another.\n{}\n",
+                row.replace("quadrature", "magic")
+            ),
+            "reference.csv:5: the sweep has no method `magic`",
+        ),
+        (
+            with(&reference, row, &row.replacen("0,", "zero,", 1)),
+            "reference.csv:2: `zero` is not a case number",
+        ),
+        (
+            with(&reference, row, &row.replace("0.02", "slow")),
+            "reference.csv:2: `slow` is not a number",
+        ),
+        (
+            with(&reference, row, &row.replace("0.02", "0")),
+            "reference.csv:2: surface_speed_rpm: 0 rpm: the surface must turn",
+        ),
+        (
+            with(&reference, row, &row.replace("0.02", "nan")),
+            "reference.csv:2: surface_speed_rpm: NaN rpm is not between",
+        ),
+        (
+            format!("{reference}{}\n", row.replace("0.02", "0.03")),
+            "reference.csv:8: case 0 has other values above",
+        ),
+        (
+            with(&reference, ",torsion,", ",label,"),
+            "reference.csv:1: has no column `torsion`",
+        ),
+        (
+            with(&reference, ",weight_on_bit_kn,", ",weight,"),
+            "reference.csv:1: has no column `weight_on_bit_kn`",
+        ),
+        (format!("{header}\n"), "reference.csv has no rows"),
+        (String::new(), "reference.csv"),
+    ] {
+        place.write("reference.csv", changed);
+        let answer = place.sweep(&["check", "small.toml", "reference.csv"]);
+        assert_eq!(answer.code, 2, "{answer:?}");
+        assert!(answer.errors.contains(words), "no {words:?} in {answer:?}");
+    }
+    let answer = place.sweep(&["check", "small.toml", "nowhere.csv"]);
+    assert_eq!(answer.code, 2, "{answer:?}");
+    assert!(
+        answer.errors.contains("nowhere.csv cannot be read"),
+        "{answer:?}"
+    );
+}

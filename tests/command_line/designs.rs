@@ -1,0 +1,133 @@
+//! Grid, Monte Carlo and list; a sweep file on its base.
+
+use std::collections::BTreeSet;
+
+use crate::support::{SMALL, Workplace, small_with_design};
+use crate::{columns, manifest, run, succeeds, table, text};
+
+const SPEED_AND_WEIGHT: [&str; 2] = ["surface_speed_rpm", "weight_on_bit_kn"];
+
+#[test]
+fn a_monte_carlo_design_draws_from_its_seed() {
+    let random = |seed: u64| {
+        small_with_design(&format!(
+            "[design]\nkind = \"monte-carlo\"\ncases = 5\nseed = {seed}\n[design.axes]\n\
+             surface_speed_rpm = {{ from = 0.1, to = 10, spacing = \"log\" }}\n\
+             weight_on_bit_kn = {{ from = 30, to = 70 }}\n"
+        ))
+    };
+    let place = Workplace::new();
+    for (name, text) in [("a", random(1)), ("b", random(2))] {
+        place.write(&format!("{name}.toml"), text);
+        run(&place, &format!("{name}.toml"), name);
+    }
+    run(&place, "a.toml", "a-again");
+    let values = |folder: &str| {
+        columns(
+            &table(&text(&place, &format!("{folder}/labels.csv"))),
+            SPEED_AND_WEIGHT,
+        )
+    };
+    let (a, b) = (values("a"), values("b"));
+    assert_eq!(a, values("a-again"));
+    assert_ne!(a, b);
+    assert_eq!(a.len(), 5);
+    for [speed, weight] in a.iter().chain(&b) {
+        assert!((0.1..10.0).contains(&speed.parse().unwrap()), "{speed}");
+        assert!((30.0..70.0).contains(&weight.parse().unwrap()), "{weight}");
+    }
+    let distinct: BTreeSet<_> = a.iter().collect();
+    assert_eq!(distinct.len(), 5);
+    assert_ne!(
+        manifest(&place, "a")["meaning_sha256"],
+        manifest(&place, "b")["meaning_sha256"]
+    );
+}
+
+/// The cases of a list, run: its labels.
+fn labels_of_list(cases: &str) -> String {
+    let design = "[design]\nkind = \"list\"\nfile = \"lists/cases.csv\"\n";
+    let place = Workplace::with_small(&small_with_design(design));
+    std::fs::create_dir(place.path("lists")).unwrap();
+    place.write("lists/cases.csv", cases);
+    run(&place, "small.toml", "results");
+    text(&place, "results/labels.csv")
+}
+
+#[test]
+fn a_list_is_run_in_its_own_order_whatever_that_of_its_columns() {
+    let labels = labels_of_list("surface_speed_rpm,weight_on_bit_kn\n0.5,40\n0.1,60\n0.1,60\n");
+    let values = columns(
+        &table(&labels),
+        ["case", "surface_speed_rpm", "weight_on_bit_kn"],
+    );
+    assert_eq!(
+        values,
+        [["0", "0.5", "40"], ["1", "0.1", "60"], ["2", "0.1", "60"]]
+    );
+    for spelling in [
+        "weight_on_bit_kn,surface_speed_rpm\n40,0.5\n60,0.1\n60,0.1\n",
+        "# fast first\nweight_on_bit_kn, surface_speed_rpm\n\n40.0, 5e-1\n# slow\n60,\"0.1\"\r\n6e1,.1",
+    ] {
+        assert_eq!(labels_of_list(spelling), labels);
+    }
+}
+
+#[test]
+fn a_listed_case_is_the_same_as_that_of_a_grid() {
+    let place = Workplace::with_small(SMALL);
+    run(&place, "small.toml", "results");
+    let grid = text(&place, "results/labels.csv");
+    let cases: String = columns(&table(&grid), SPEED_AND_WEIGHT)
+        .iter()
+        .map(|values| format!("{}\n", values.join(",")))
+        .collect();
+    assert_eq!(
+        labels_of_list(&format!("{}\n{cases}", SPEED_AND_WEIGHT.join(","))),
+        grid
+    );
+}
+
+#[test]
+fn a_base_is_changed_key_by_key_but_its_design_as_a_whole() {
+    let place = Workplace::new();
+    std::fs::create_dir(place.path("bases")).unwrap();
+    place.write(
+        "bases/rock.toml",
+        "[bit]\ntorque_static_ratio = 1.5\nrock = \"shale\"\n",
+    );
+    place.write("bases/small.toml", format!("base = \"rock.toml\"\n{SMALL}"));
+    place.write(
+        "child.toml",
+        "base = \"bases/small.toml\"\n[string]\ndensity_kg_m3 = 8000\n\
+         [design]\nkind = \"grid\"\naxes = { surface_speed_rpm = { values = [0.5] } }\n\
+         [bit]\nweight_on_bit_kn = 40\n",
+    );
+    run(&place, "child.toml", "results");
+    let manifest = manifest(&place, "results");
+    let sweep = &manifest["sweep"];
+    assert_eq!(sweep["string"]["density_kg_m3"], 8000.0);
+    assert_eq!(sweep["string"]["shear_modulus_gpa"], 80.0);
+    assert_eq!(sweep["bit"]["rock"], "sandstone");
+    assert_eq!(sweep["bit"]["torque_static_ratio"], 1.5);
+    assert_eq!(sweep["bit"]["weight_on_bit_kn"], 40.0);
+    assert_eq!(sweep["design"]["axes"].as_object().unwrap().len(), 1);
+    assert_eq!(manifest["cases"], 1);
+    assert_eq!(manifest["name"], "child");
+    assert_eq!(manifest["title"], "A small sweep");
+}
+
+#[test]
+fn a_list_is_looked_for_beside_the_file_that_names_it() {
+    let place = Workplace::new();
+    std::fs::create_dir(place.path("bases")).unwrap();
+    let design = "[design]\nkind = \"list\"\nfile = \"cases.csv\"\n";
+    place.write("bases/small.toml", small_with_design(design));
+    place.write(
+        "bases/cases.csv",
+        "surface_speed_rpm,weight_on_bit_kn\n0.5,40\n",
+    );
+    place.write("child.toml", "base = \"bases/small.toml\"\n");
+    let answer = succeeds(&place, &["run", "child.toml", "--dry-run"]);
+    assert!(answer.output.contains("would run 1 cases"), "{answer:?}");
+}

@@ -1,0 +1,129 @@
+//! Driving the binary from outside: a small sweep in a folder of its own.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A sweep of six cases that takes a moment: 100 m of pipe and one method.
+pub const SMALL: &str = r#"# A small sweep.
+title = "A small sweep"
+surface_speed_rpm = 60
+time_s = 12
+sampling_frequency_hz = 100
+methods = ["quadrature"]
+
+[string]
+shear_modulus_gpa = 80
+density_kg_m3 = 7840
+torsional_damping_nms_rad_m = 10
+
+[[string.sections]]
+name = "pipe"
+repeat = 10
+parts = [
+    { length_m = 9.5, inner_radius_m = 0.05, outer_radius_m = 0.125 },
+    { length_m = 0.5, inner_radius_m = 0.04, outer_radius_m = 0.15 },
+]
+
+[bit]
+rock = "sandstone"
+
+[[sites]]
+distance_from_bit_m = 50
+
+[design]
+kind = "grid"
+
+[design.axes]
+surface_speed_rpm = { from = 0.02, to = 0.6, count = 3 }
+weight_on_bit_kn = { values = [30, 70] }
+
+[map]
+marks = [{ name = "A", surface_speed_rpm = 0.3, weight_on_bit_kn = 50 }]
+"#;
+
+/// [`SMALL`] with its `[design]` and `[map]` replaced.
+pub fn small_with_design(design: &str) -> String {
+    let setting = SMALL.split("[design]").next().unwrap();
+    format!("{setting}{design}")
+}
+
+/// `text` with one piece of it, which must be there once, replaced.
+#[track_caller]
+pub fn with(text: &str, piece: &str, replacement: &str) -> String {
+    assert_eq!(text.matches(piece).count(), 1, "{piece:?} in\n{text}");
+    text.replace(piece, replacement)
+}
+
+/// What a command answered.
+#[derive(Debug)]
+pub struct Answer {
+    pub code: i32,
+    pub output: String,
+    pub errors: String,
+}
+
+/// A folder to run the binary in.
+pub struct Workplace(tempfile::TempDir);
+
+impl Workplace {
+    pub fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    /// With `small.toml` in it.
+    pub fn with_small(text: &str) -> Self {
+        let place = Self::new();
+        place.write("small.toml", text);
+        place
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        std::fs::write(self.path(name), content).unwrap();
+    }
+
+    /// The binary, ready to start here, whatever the cluster says of threads.
+    pub fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(assert_cmd::cargo::cargo_bin!("sweep"));
+        command
+            .args(arguments)
+            .current_dir(self.0.path())
+            .env_remove("SLURM_CPUS_PER_TASK")
+            .env_remove("SLURM_CPUS_ON_NODE");
+        command
+    }
+
+    pub fn sweep(&self, arguments: &[&str]) -> Answer {
+        let output = self.command(arguments).output().unwrap();
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        Answer {
+            code: output.status.code().expect("no signal ended it"),
+            output: text(output.stdout),
+            errors: text(output.stderr),
+        }
+    }
+
+    /// Every file below the folder, with its content; folders have none.
+    pub fn files(&self) -> BTreeMap<String, Option<Vec<u8>>> {
+        let mut found = BTreeMap::new();
+        collect(self.0.path(), self.0.path(), &mut found);
+        found
+    }
+}
+
+fn collect(root: &Path, folder: &Path, found: &mut BTreeMap<String, Option<Vec<u8>>>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.strip_prefix(root).unwrap().display().to_string();
+        if path.is_dir() {
+            found.insert(name, None);
+            collect(root, &path, found);
+        } else {
+            found.insert(name, Some(std::fs::read(&path).unwrap()));
+        }
+    }
+}
