@@ -9,6 +9,7 @@
 //! |---|---|
 //! | Eqs. 16–17: load line and history | [`history`], [`stepper`] |
 //! | Section 2.2.2, 5.2.1: torque at the bit | [`laws::bit`] |
+//! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`regime`] |
 //! | Eqs. 72–73: how long to simulate | [`duration`] |
