@@ -7,6 +7,8 @@
 //! the depth of penetration; α itself is ±μ in sliding, or the root of the
 //! sliding speed in rolling.
 
+use super::bit::{BitMotion, BitTorque};
+
 /// A place on the wall and what the string does there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wall {
@@ -33,6 +35,9 @@ pub struct Approach {
     pub compliance: f64,
     /// g₀: rotation speed per torque within the step, rad/s per N m.
     pub torsional_compliance: f64,
+    /// Torque law and last motion of the bit, where the site is the bit and
+    /// cuts: both laws then hold in one step (Eq. 36).
+    pub bit: Option<(BitTorque, BitMotion)>,
     /// Sampling frequency, Hz.
     pub sampling_frequency: f64,
 }
@@ -215,7 +220,11 @@ impl Press<'_> {
         // e_θ = (−sin, cos), to which the new position is orthogonal.
         let drift = (px * sin - py * cos) * self.approach.sampling_frequency;
         let torque = self.wall.radius * ratio * normal_force;
-        let spin = self.approach.free_speed + self.approach.torsional_compliance * torque;
+        let free_speed = self.approach.free_speed + self.approach.torsional_compliance * torque;
+        let spin = self.approach.bit.map_or(free_speed, |(law, motion)| {
+            law.meet(motion, free_speed, self.approach.torsional_compliance)
+                .speed
+        });
         Trial {
             ratio,
             normal_force,
@@ -333,6 +342,7 @@ mod tests {
                     free_speed,
                     compliance: 10f64.powf(h),
                     torsional_compliance: 10f64.powf(g),
+                    bit: None,
                     sampling_frequency: 640.0,
                 }
             })
@@ -415,6 +425,7 @@ mod tests {
                 free_speed: 6.3,
                 compliance: 1e-8,
                 torsional_compliance: 5e-5,
+                bit: None,
                 sampling_frequency: 640.0,
             });
             (contact, turn)
