@@ -284,3 +284,46 @@ fn three_sites_whirl_together() {
         );
     }
 }
+
+/// Fig. 13: the reconstructed string passes through the simulated sites, and is
+/// displaced most where the wall is.
+#[test]
+fn the_reconstructed_string_passes_through_its_site() {
+    let parameters = FiniteElement::default();
+    let case = Case::new(&Method::FiniteElement(parameters), &[0.0]);
+    let lateral = case.at_bit(3.0, wall(2.0));
+    let mut trajectory = Trajectory::default();
+    let found = case.run(lateral.clone(), Some(&mut trajectory));
+    let time = |step: usize| step as f64 / academic::SAMPLING_FREQUENCY;
+    let forces = [0, 1].map(|axis| {
+        let walls = trajectory.wall_forces[0].iter().enumerate();
+        vec![
+            walls
+                .map(|(step, force)| force[axis] + lateral.impulses[0].force(time(step))[axis])
+                .collect::<Vec<f64>>(),
+        ]
+    });
+    let string = academic::string();
+    let request = BendingRequest {
+        sites: Sites::bit(),
+        support: SurfaceSupport::Free,
+        sampling_frequency: academic::SAMPLING_FREQUENCY,
+        longest_time: DURATION,
+    };
+    let whole = linear::elements::reconstruction::reconstruct(
+        &string,
+        &BENDING,
+        &request,
+        &parameters,
+        &forces,
+        &[2000],
+    )
+    .unwrap();
+    let bit = whole.depths.len() - 1;
+    assert_close(whole.depths[bit], 1000.0, 1e-9);
+    assert_close(whole.peaks[bit], found.peak_radius, 1e-9);
+    let [x, y] = trajectory.positions[0][2000];
+    let [shape_x, shape_y] = &whole.shapes[0];
+    assert!((shape_x[bit] - x).hypot(shape_y[bit] - y) < 1e-9 * CLEARANCE);
+    assert!(whole.peaks.iter().all(|peak| *peak <= whole.peaks[bit]));
+}
