@@ -51,6 +51,7 @@ fn simulate(system: &System, rpm: f64, torque: f64, duration: Option<f64>) -> To
     let scene = Scene {
         surface_speed: rpm * RPM,
         bit: Some(bit),
+        lateral: None,
         timing,
     };
     sim::simulate(system, &scene, None)
@@ -187,6 +188,7 @@ fn scaling_speed_and_torque_together_changes_no_label() {
         let scene = Scene {
             surface_speed: rpm * RPM,
             bit: Some(bit(torque)),
+            lateral: None,
             timing,
         };
         sim::simulate(&system, &scene, None)
@@ -222,6 +224,7 @@ fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
         let scene = Scene {
             surface_speed: 0.1,
             bit: Some(bit(1e9)),
+            lateral: None,
             timing: Timing {
                 duration: 40.0,
                 closing_window: 2.0,
@@ -336,6 +339,7 @@ fn roughness_while_stuck(method: &Method) -> f64 {
     let scene = Scene {
         surface_speed: 0.1 * RPM,
         bit: Some(bit(4000.0)),
+        lateral: None,
         timing: Timing {
             duration: 14.0,
             closing_window: 2.0,

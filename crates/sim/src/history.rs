@@ -1,7 +1,7 @@
 //! The sum over past inputs (Eq. 17): the work of a simulation.
 //!
-//! A [`Kernel`] is made once from a response and shared by all cases; a
-//! [`History`] belongs to one case.
+//! A [`Kernel`] is made once from a response and shared by all cases; a case
+//! keeps its inputs.
 
 /// Taps prepared for summing, shared by every case.
 #[derive(Debug, Clone)]
@@ -25,35 +25,12 @@ impl Kernel {
     pub fn instant(&self) -> f64 {
         self.instant
     }
-}
 
-/// The inputs of one case so far.
-#[derive(Debug, Clone)]
-pub struct History<'a> {
-    kernel: &'a Kernel,
-    inputs: Vec<f64>,
-}
-
-impl<'a> History<'a> {
-    /// No input yet; room for `steps` of them.
-    pub fn new(kernel: &'a Kernel, steps: usize) -> Self {
-        Self {
-            kernel,
-            inputs: Vec::with_capacity(steps),
-        }
-    }
-
-    /// Σ A(k − n) E(n) over the past, n < k.
-    pub fn past_sum(&self) -> f64 {
-        let reach = self.inputs.len().min(self.kernel.reversed.len());
-        let taps = &self.kernel.reversed[self.kernel.reversed.len() - reach..];
-        let inputs = &self.inputs[self.inputs.len() - reach..];
-        dot(taps, inputs)
-    }
-
-    /// Adds the input E(k) of this step.
-    pub fn push(&mut self, input: f64) {
-        self.inputs.push(input);
+    /// Σ A(k − n) E(n) over the past, n < k, for the inputs E(0) … E(k − 1).
+    pub fn past_sum(&self, inputs: &[f64]) -> f64 {
+        let reach = inputs.len().min(self.reversed.len());
+        let taps = &self.reversed[self.reversed.len() - reach..];
+        dot(taps, &inputs[inputs.len() - reach..])
     }
 }
 
@@ -84,14 +61,12 @@ mod tests {
         let taps: Vec<f64> = (0..37).map(|n| 1.0 / (n as f64 + 1.0)).collect();
         let inputs: Vec<f64> = (0..100).map(|n| ((n * n) % 17) as f64 - 8.0).collect();
         let kernel = Kernel::new(&taps);
-        let mut history = History::new(&kernel, inputs.len());
         for step in 0..inputs.len() {
             let expected: f64 = (1..taps.len())
                 .filter(|&lag| lag <= step)
                 .map(|lag| taps[lag] * inputs[step - lag])
                 .sum();
-            assert!((history.past_sum() - expected).abs() < 1e-12);
-            history.push(inputs[step]);
+            assert!((kernel.past_sum(&inputs[..step]) - expected).abs() < 1e-12);
         }
     }
 }

@@ -9,6 +9,7 @@
 //! |---|---|
 //! | Eqs. 16–17: load line and history | [`history`], [`stepper`] |
 //! | Section 2.2.2, 5.2.1: torque at the bit | [`laws::bit`] |
+//! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`regime`] |
 //! | Eqs. 72–73: how long to simulate | [`duration`] |
@@ -32,6 +33,7 @@
 //! let scene = Scene {
 //!     surface_speed: 0.5,
 //!     bit: Some(bit),
+//!     lateral: None,
 //!     timing: sim::torsion_timing(&string, 0.5, &bit),
 //! };
 //! let outcome = sim::simulate(&system, &scene, None)?;
@@ -40,17 +42,24 @@
 //! ```
 
 pub mod duration;
+pub mod excitation;
 pub mod history;
+pub mod lateral;
 pub mod laws;
 pub mod regime;
 pub mod scene;
 pub mod stepper;
 pub mod trajectory;
+pub mod whirl;
 
 pub use duration::{Timing, torsion_timing};
+pub use excitation::{EccentricMass, Impulse};
+pub use lateral::{LateralSystem, simulate_lateral};
 pub use laws::bit::BitTorque;
 pub use laws::rock::Rock;
+pub use laws::wall::Wall;
 pub use regime::{TorsionMeasures, TorsionRegime};
-pub use scene::Scene;
+pub use scene::{Lateral, Scene};
 pub use stepper::{Outcome, SimulationError, System, simulate};
 pub use trajectory::Trajectory;
+pub use whirl::{LateralMeasures, LateralRegime};

@@ -3,11 +3,12 @@
 use linear::TorsionResponses;
 use thiserror::Error;
 
-use crate::history::{History, Kernel};
+use crate::history::Kernel;
 use crate::laws::bit::{BitMotion, BitTorque};
 use crate::regime::{BitWatch, TorsionMeasures};
 use crate::scene::Scene;
 use crate::trajectory::Trajectory;
+use crate::whirl::LateralMeasures;
 
 /// A case that gives no answer.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -22,6 +23,15 @@ pub enum SimulationError {
     /// input.
     #[error("the responses were built without a torque at the bit")]
     NoTorqueInput,
+    /// Torsion, bending and scene do not have the same sites.
+    #[error("torsion, bending and the scene do not have the same sites")]
+    UnlikeParts,
+    /// Sites that touch one another within a step did not settle.
+    #[error("coupled sites do not settle at {time} s; a higher sampling frequency parts them")]
+    NotSettled {
+        /// Time of the step, s.
+        time: f64,
+    },
 }
 
 /// The linear part as all cases share it: the responses ready for summing.
@@ -55,11 +65,7 @@ impl System {
         });
         Self {
             step_length: 1.0 / responses.sampling_frequency,
-            surface_step: responses
-                .from_surface
-                .iter()
-                .map(|taps| running_sum(taps))
-                .collect(),
+            surface_step: surface_steps(responses),
             bit,
         }
     }
@@ -69,6 +75,13 @@ impl System {
         let response = &self.surface_step[site];
         response[step.min(response.len() - 1)]
     }
+}
+
+/// Response of each site to a surface that starts to turn at 1 rad/s.
+pub(crate) fn surface_steps(responses: &TorsionResponses) -> Vec<Vec<f64>> {
+    (responses.from_surface.iter())
+        .map(|taps| running_sum(taps))
+        .collect()
 }
 
 fn running_sum(taps: &[f64]) -> Vec<f64> {
@@ -87,6 +100,8 @@ pub struct Outcome {
     pub simulated: f64,
     /// Regime and measures of the bit, where it meets rock.
     pub torsion: Option<TorsionMeasures>,
+    /// Regime and measures of the lateral motion, where it is modelled.
+    pub lateral: Option<LateralMeasures>,
 }
 
 /// Simulates one case, writing its time history into `record` where asked.
@@ -112,6 +127,7 @@ pub fn simulate(
     Ok(Outcome {
         simulated: (steps - 1) as f64 * system.step_length,
         torsion,
+        lateral: None,
     })
 }
 
@@ -138,16 +154,17 @@ fn step_bit(
         *record = Trajectory {
             speeds: free_speeds(system, scene, steps),
             bit_torque: Vec::with_capacity(steps),
+            ..Trajectory::default()
         };
     }
     let kernel = &input.to_sites[input.site];
-    let mut history = History::new(kernel, steps);
+    let mut torques = Vec::with_capacity(steps);
     let mut watch = BitWatch::new(system.step_length, steps, scene.timing.closing_window);
     // The first instant is stuck.
     let mut motion = BitMotion::Stuck;
     for step in 0..steps {
         let from_surface = scene.surface_speed * system.surface_response(input.site, step);
-        let free_speed = from_surface + history.past_sum();
+        let free_speed = from_surface + kernel.past_sum(&torques);
         let now = law.meet(motion, free_speed, kernel.instant());
         if !now.torque.is_finite() {
             return Err(SimulationError::NotFinite {
@@ -155,7 +172,7 @@ fn step_bit(
             });
         }
         motion = now.motion;
-        history.push(now.torque);
+        torques.push(now.torque);
         watch.see(motion, now.speed);
         if let Some(record) = record.as_deref_mut() {
             record.speeds[input.site][step] = now.speed;
@@ -174,10 +191,9 @@ fn add_torque_to_other_sites(input: &BitInput, record: &mut Trajectory) {
         if site == input.site {
             continue;
         }
-        let mut history = History::new(kernel, record.bit_torque.len());
-        for (speed, &torque) in record.speeds[site].iter_mut().zip(&record.bit_torque) {
-            *speed += history.past_sum() + kernel.instant() * torque;
-            history.push(torque);
+        for (step, speed) in record.speeds[site].iter_mut().enumerate() {
+            let (past, now) = (&record.bit_torque[..step], record.bit_torque[step]);
+            *speed += kernel.past_sum(past) + kernel.instant() * now;
         }
     }
 }

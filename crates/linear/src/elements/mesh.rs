@@ -39,6 +39,15 @@ impl Mesh {
         }
     }
 
+    /// Depth of every node below the surface, m.
+    pub fn depths(&self) -> Vec<f64> {
+        let below = self.elements.iter().scan(0.0, |depth, element| {
+            *depth += element.length;
+            Some(*depth)
+        });
+        std::iter::once(0.0).chain(below).collect()
+    }
+
     /// Number of nodes, the surface included.
     pub fn nodes(&self) -> usize {
         self.elements.len() + 1

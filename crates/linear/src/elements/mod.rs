@@ -5,5 +5,6 @@
 pub mod beam;
 pub mod mesh;
 pub mod newmark;
+pub mod reconstruction;
 pub mod reduction;
 pub mod torsion;

@@ -148,6 +148,8 @@ impl CondensedString {
 #[derive(Debug)]
 pub struct CondensedBeam {
     model: Condensed,
+    support: SurfaceSupport,
+    depths: Vec<f64>,
 }
 
 impl CondensedBeam {
@@ -169,6 +171,8 @@ impl CondensedBeam {
         let sites = mesh.site_nodes.iter().map(|node| 2 * node - held).collect();
         Ok(Self {
             model: Condensed::new(matrices, sites, weights)?,
+            support,
+            depths: mesh.depths(),
         })
     }
 
@@ -191,5 +195,21 @@ impl CondensedBeam {
     /// Displacement at site `output`, m.
     pub fn displacement(&self, motion: &Motion, output: usize) -> f64 {
         motion.displacement[self.model.sites[output]]
+    }
+
+    /// Depth of every node below the surface, m.
+    pub fn depths(&self) -> Vec<f64> {
+        self.depths.clone()
+    }
+
+    /// Displacement of every node, m; zero where the surface holds it.
+    pub fn node_displacements(&self, motion: &Motion) -> Vec<f64> {
+        let held = self.support.held();
+        (0..self.depths.len())
+            .map(|node| {
+                let place = (2 * node).checked_sub(held);
+                place.map_or(0.0, |place| motion.displacement[place])
+            })
+            .collect()
     }
 }

@@ -36,6 +36,11 @@ impl<'a> BendingNetwork<'a> {
         }
     }
 
+    /// The receptance at an angular frequency (rad/s, not zero).
+    pub fn at_rate(&self, rate: f64) -> Mat<c64> {
+        self.receptance(c64::new(0.0, rate))
+    }
+
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance(&self, s: c64) -> Mat<c64> {

@@ -68,6 +68,7 @@ impl Case {
             scene: Scene {
                 surface_speed,
                 bit,
+                lateral: None,
                 timing,
             },
         })

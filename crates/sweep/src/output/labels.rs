@@ -57,9 +57,9 @@ fn optional(value: Option<f64>) -> String {
 
 fn result_fields(outcome: &RowOutcome) -> Vec<String> {
     let (torsion, simulated, ended, status) = match outcome {
-        RowOutcome::Done(Outcome { simulated, torsion }) => {
-            (torsion.as_ref(), Some(*simulated), "end", "ok")
-        }
+        RowOutcome::Done(Outcome {
+            simulated, torsion, ..
+        }) => (torsion.as_ref(), Some(*simulated), "end", "ok"),
         RowOutcome::Failed(_) => (None, None, "", "failed"),
     };
     let mut fields = torsion.map_or_else(|| vec![String::new(); 8], torsion_fields);

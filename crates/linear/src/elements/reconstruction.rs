@@ -1,0 +1,74 @@
+//! The whole string from the forces at its sites (Section 5.2.2, Fig. 13).
+
+use super::newmark::Weights;
+use super::reduction::CondensedBeam;
+use crate::drillstring::{Bending, Drillstring};
+use crate::error::BuildError;
+use crate::method::FiniteElement;
+use crate::response::BendingRequest;
+
+/// Lateral displacement of every node of the mesh over a simulation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reconstruction {
+    /// Depth of each node below the surface, m.
+    pub depths: Vec<f64>,
+    /// Largest radial displacement of each node, m.
+    pub peaks: Vec<f64>,
+    /// Shapes asked for: x and y of each node, m, one for each step asked for.
+    pub shapes: Vec<[Vec<f64>; 2]>,
+}
+
+/// Steps the whole string through recorded forces: `forces[axis][site][step]`,
+/// disturbances included, N. `snapshots` are the steps, in rising order, whose
+/// shapes are kept.
+///
+/// # Errors
+/// Where the parameters are out of range or the matrix cannot be factorised.
+pub fn reconstruct(
+    string: &Drillstring,
+    bending: &Bending,
+    request: &BendingRequest,
+    parameters: &FiniteElement,
+    forces: &[Vec<Vec<f64>>; 2],
+    snapshots: &[usize],
+) -> Result<Reconstruction, BuildError> {
+    parameters.check()?;
+    let weights = Weights {
+        gamma: parameters.gamma,
+        beta: parameters.beta(),
+        step: 1.0 / request.sampling_frequency,
+    };
+    let beam = CondensedBeam::new(
+        string,
+        bending,
+        request.support,
+        &request.sites,
+        parameters.elements_per_cell,
+        weights,
+    )?;
+    let depths = beam.depths();
+    let mut peaks = vec![0.0; depths.len()];
+    let mut shapes = Vec::with_capacity(snapshots.len());
+    let mut motions = [beam.rest(), beam.rest()];
+    let steps = forces[0].first().map_or(0, Vec::len);
+    for step in 0..steps {
+        for (motion, forces) in motions.iter_mut().zip(forces) {
+            beam.step_free(motion);
+            for (site, forces) in forces.iter().enumerate() {
+                beam.apply_force(motion, site, forces[step]);
+            }
+        }
+        let [x, y] = [0, 1].map(|axis: usize| beam.node_displacements(&motions[axis]));
+        for ((peak, x), y) in peaks.iter_mut().zip(&x).zip(&y) {
+            *peak = f64::max(*peak, x.hypot(*y));
+        }
+        if snapshots.contains(&step) {
+            shapes.push([x, y]);
+        }
+    }
+    Ok(Reconstruction {
+        depths,
+        peaks,
+        shapes,
+    })
+}

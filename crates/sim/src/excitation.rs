@@ -1,0 +1,75 @@
+//! What disturbs the string laterally: an impulse (Section 5.2.2) and the
+//! forces of eccentric masses (Section 5.2.3).
+
+/// A band-limited lateral impulse: a raised cosine of unit area times its
+/// amount, (1 − cos 2πt/τ)/τ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Impulse {
+    /// The site it acts on.
+    pub site: usize,
+    /// Its amount I, N s.
+    pub amount: f64,
+    /// When it begins, s.
+    pub start: f64,
+    /// How long it lasts, τ, s.
+    pub duration: f64,
+    /// Its direction from the x axis, rad.
+    pub direction: f64,
+}
+
+impl Impulse {
+    /// The force at a time, N.
+    pub fn force(&self, time: f64) -> [f64; 2] {
+        let since = time - self.start;
+        if !(0.0..self.duration).contains(&since) {
+            return [0.0; 2];
+        }
+        let phase = std::f64::consts::TAU * since / self.duration;
+        let force = self.amount * (1.0 - phase.cos()) / self.duration;
+        [force * self.direction.cos(), force * self.direction.sin()]
+    }
+}
+
+/// An unbalanced mass that turns with the string.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EccentricMass {
+    /// The site it is at.
+    pub site: usize,
+    /// Mass m_e, kg.
+    pub mass: f64,
+    /// Offset d from the string's centre, m.
+    pub offset: f64,
+}
+
+impl EccentricMass {
+    /// The force m_e (d + r) θ̇² along (cos θ, sin θ) for a string at radius r,
+    /// rotation θ and rotation speed θ̇, N.
+    pub fn force(&self, radius: f64, rotation: f64, speed: f64) -> [f64; 2] {
+        let force = self.mass * (self.offset + radius) * speed * speed;
+        [force * rotation.cos(), force * rotation.sin()]
+    }
+}
+
+/// I₀: the least impulse (N s) of the given duration that brings a site from
+/// its response to a unit force in one step, `taps`, to its clearance.
+pub fn least_impulse(taps: &[f64], sampling_frequency: f64, duration: f64, clearance: f64) -> f64 {
+    let unit = Impulse {
+        site: 0,
+        amount: 1.0,
+        start: 0.0,
+        duration,
+        direction: 0.0,
+    };
+    let steps = (duration * sampling_frequency).ceil() as usize;
+    let pulse: Vec<f64> = (0..=steps)
+        .map(|step| unit.force(step as f64 / sampling_frequency)[0])
+        .collect();
+    let furthest = (0..taps.len())
+        .map(|step| {
+            let reach = pulse.len().min(step + 1);
+            let sum: f64 = (0..reach).map(|lag| pulse[lag] * taps[step - lag]).sum();
+            sum.abs()
+        })
+        .fold(0.0, f64::max);
+    clearance / furthest
+}

@@ -1,0 +1,163 @@
+//! The lateral regime of a case and the measures behind it (Sections 5.2.2,
+//! 5.2.3 and 5.3).
+
+use serde::{Deserialize, Serialize};
+
+use crate::lateral::touches;
+use crate::laws::wall::{Contact, Touch};
+
+/// The part of the closing window that a whirling site spends in contact.
+const MOSTLY: f64 = 0.5;
+
+/// How the string moved laterally.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LateralRegime {
+    /// No site ever touched the wall.
+    NoContact,
+    /// Some site touched the wall; none whirls in the closing window.
+    TransientContact,
+    /// Some site whirls against the rotation.
+    BackwardWhirl,
+    /// Some site whirls with the rotation.
+    ForwardWhirl,
+}
+
+impl LateralRegime {
+    /// The label in result files.
+    pub fn name(self) -> &'static str {
+        match self {
+            LateralRegime::NoContact => "no_contact",
+            LateralRegime::TransientContact => "transient_contact",
+            LateralRegime::BackwardWhirl => "backward_whirl",
+            LateralRegime::ForwardWhirl => "forward_whirl",
+        }
+    }
+}
+
+/// What a person would ask of the lateral motion: of the site that decides the
+/// label, the one that is in contact longest in the closing window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LateralMeasures {
+    /// The regime.
+    pub regime: LateralRegime,
+    /// The site, from the surface down.
+    pub site: usize,
+    /// First touch of any site, s.
+    pub first_contact: Option<f64>,
+    /// Largest radial displacement, m.
+    pub peak_radius: f64,
+    /// Part of the closing window in contact.
+    pub contact_fraction: f64,
+    /// Part of that contact in rolling.
+    pub rolling_fraction: f64,
+    /// Mean rate at which the centre goes round in the closing window, rad/s;
+    /// positive with the rotation.
+    pub precession_rate: f64,
+    /// Mean radial displacement in the closing window, m.
+    pub mean_radius: f64,
+    /// Mean normal force while in contact in the closing window, N.
+    pub mean_normal_force: f64,
+    /// Steps of all sites that had several solutions.
+    pub ambiguous_steps: usize,
+}
+
+/// One site's sums.
+#[derive(Debug, Clone, Copy, Default)]
+struct SiteSums {
+    peak_radius: f64,
+    contact: usize,
+    rolling: usize,
+    angle: f64,
+    radius: f64,
+    normal_force: f64,
+}
+
+/// Watches all sites step by step.
+#[derive(Debug, Clone)]
+pub(crate) struct WallWatch {
+    step_length: f64,
+    closing_from: usize,
+    step: usize,
+    first_contact: Option<usize>,
+    ambiguous: usize,
+    sites: Vec<SiteSums>,
+    positions: Vec<[f64; 2]>,
+}
+
+impl WallWatch {
+    pub(crate) fn new(sites: usize, step_length: f64, steps: usize, closing_window: f64) -> Self {
+        let window = (closing_window / step_length).round() as usize;
+        Self {
+            step_length,
+            closing_from: steps.saturating_sub(window.max(1)),
+            step: 0,
+            first_contact: None,
+            ambiguous: 0,
+            sites: vec![SiteSums::default(); sites],
+            positions: vec![[0.0; 2]; sites],
+        }
+    }
+
+    pub(crate) fn see(&mut self, contacts: &[Contact]) {
+        let closing = self.step >= self.closing_from;
+        for (site, contact) in contacts.iter().enumerate() {
+            let [x, y] = contact.position;
+            let [px, py] = std::mem::replace(&mut self.positions[site], contact.position);
+            let sums = &mut self.sites[site];
+            let radius = x.hypot(y);
+            sums.peak_radius = sums.peak_radius.max(radius);
+            self.ambiguous += usize::from(contact.ambiguous);
+            if touches(contact) {
+                self.first_contact.get_or_insert(self.step);
+            }
+            if closing {
+                sums.contact += usize::from(touches(contact));
+                sums.rolling += usize::from(contact.touch == Touch::Rolling);
+                sums.angle += (px * y - py * x).atan2(px * x + py * y);
+                sums.radius += radius;
+                sums.normal_force += contact.normal_force;
+            }
+        }
+        self.step += 1;
+    }
+
+    pub(crate) fn measures(&self) -> LateralMeasures {
+        let steps = self.step.saturating_sub(self.closing_from).max(1) as f64;
+        let most = self
+            .sites
+            .iter()
+            .map(|sums| sums.contact)
+            .max()
+            .unwrap_or(0);
+        // The lowest of equals: the bit, where nothing touches.
+        let site = self
+            .sites
+            .iter()
+            .rposition(|sums| sums.contact == most)
+            .unwrap_or(0);
+        let sums = self.sites[site];
+        let contact_fraction = sums.contact as f64 / steps;
+        let in_contact = (sums.contact as f64).max(1.0);
+        let regime = match self.first_contact {
+            None => LateralRegime::NoContact,
+            Some(_) if contact_fraction <= MOSTLY => LateralRegime::TransientContact,
+            Some(_) if sums.angle < 0.0 => LateralRegime::BackwardWhirl,
+            Some(_) => LateralRegime::ForwardWhirl,
+        };
+        LateralMeasures {
+            regime,
+            site,
+            first_contact: self
+                .first_contact
+                .map(|step| step as f64 * self.step_length),
+            peak_radius: sums.peak_radius,
+            contact_fraction,
+            rolling_fraction: sums.rolling as f64 / in_contact,
+            precession_rate: sums.angle / (steps * self.step_length),
+            mean_radius: sums.radius / steps,
+            mean_normal_force: sums.normal_force / in_contact,
+            ambiguous_steps: self.ambiguous,
+        }
+    }
+}

@@ -1,0 +1,329 @@
+//! Validation of lateral motion: Figs. 10 to 15 of the paper, as checked with an
+//! independent program, and the balance of steady whirl.
+
+#[path = "../../../tests/support/academic.rs"]
+#[allow(dead_code, reason = "not every test needs all of it")]
+mod academic;
+
+use linear::method::{FiniteElement, Transform};
+use linear::{
+    Bending, BendingRequest, Method, Sites, SurfaceSupport, TorsionRequest, bending_responses,
+    torsion_responses,
+};
+use sim::excitation::least_impulse;
+use sim::{
+    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, LateralSystem, Scene, Timing,
+    Trajectory, Wall, simulate_lateral,
+};
+
+const BENDING: Bending = Bending {
+    youngs_modulus: 210e9,
+    damping: 2000.0,
+    compression: 0.0,
+};
+const DURATION: f64 = 10.0;
+const PULSE: f64 = 0.02;
+const SPEED: f64 = std::f64::consts::TAU;
+const CLEARANCE: f64 = 0.015;
+
+fn wall(friction: f64) -> Wall {
+    Wall {
+        clearance: CLEARANCE,
+        stiffness: 1e9,
+        friction,
+        radius: 0.15,
+    }
+}
+
+struct Case {
+    system: LateralSystem,
+    /// I₀ at each site, N s.
+    least_impulses: Vec<f64>,
+}
+
+impl Case {
+    fn new(method: &Method, distances: &[f64]) -> Self {
+        let string = academic::string();
+        let sites = Sites::new(&string, distances).unwrap();
+        let torsion = TorsionRequest {
+            sites: sites.clone(),
+            torque_inputs: (0..sites.len()).collect(),
+            sampling_frequency: academic::SAMPLING_FREQUENCY,
+            longest_time: DURATION,
+        };
+        let bending = BendingRequest {
+            sites,
+            support: SurfaceSupport::Free,
+            sampling_frequency: academic::SAMPLING_FREQUENCY,
+            longest_time: DURATION,
+        };
+        let torsion = torsion_responses(&string, method, &torsion).unwrap();
+        let bending = bending_responses(&string, &BENDING, method, &bending).unwrap();
+        let least_impulses = (0..distances.len())
+            .map(|site| {
+                let taps = &bending.from_force[site][site];
+                least_impulse(taps, academic::SAMPLING_FREQUENCY, PULSE, CLEARANCE)
+            })
+            .collect();
+        Self {
+            system: LateralSystem::new(&torsion, &bending).unwrap(),
+            least_impulses,
+        }
+    }
+
+    fn run(&self, lateral: Lateral, record: Option<&mut Trajectory>) -> LateralMeasures {
+        self.run_at(SPEED, lateral, record)
+    }
+
+    fn run_at(
+        &self,
+        surface_speed: f64,
+        lateral: Lateral,
+        record: Option<&mut Trajectory>,
+    ) -> LateralMeasures {
+        let scene = Scene {
+            surface_speed,
+            bit: None,
+            lateral: Some(lateral),
+            timing: Timing {
+                duration: DURATION,
+                closing_window: 2.0,
+            },
+        };
+        let outcome = simulate_lateral(&self.system, &scene, record).unwrap();
+        outcome.lateral.unwrap()
+    }
+
+    fn impulse(&self, site: usize, ratio: f64) -> Impulse {
+        Impulse {
+            site,
+            amount: ratio * self.least_impulses[site],
+            start: 1.0,
+            duration: PULSE,
+            direction: 0.0,
+        }
+    }
+
+    /// One wall at the bit, an impulse there.
+    fn at_bit(&self, ratio: f64, wall: Wall) -> Lateral {
+        Lateral {
+            walls: vec![wall],
+            impulses: vec![self.impulse(0, ratio)],
+            eccentric_masses: vec![],
+        }
+    }
+}
+
+#[track_caller]
+fn assert_close(found: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (found / expected - 1.0).abs() <= tolerance,
+        "found {found}, expected {expected} to {tolerance}"
+    );
+}
+
+const TURN: f64 = std::f64::consts::TAU;
+
+#[test]
+fn figure_10_touches_the_wall_and_comes_back() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let mut trajectory = Trajectory::default();
+    let found = case.run(case.at_bit(3.0, wall(0.5)), Some(&mut trajectory));
+    assert_eq!(found.regime, LateralRegime::TransientContact);
+    assert_close(found.first_contact.unwrap(), 1.022, 0.02);
+    let left = trajectory.wall_forces[0]
+        .iter()
+        .rposition(|force| *force != [0.0; 2])
+        .unwrap();
+    assert_close(left as f64 / academic::SAMPLING_FREQUENCY, 1.24, 0.02);
+    // Pushed along the wall against the rotation.
+    let [x, y] = trajectory.positions[0][left];
+    assert!(x > 0.0 && y < 0.0);
+    let [x, y] = trajectory.positions[0][(8.0 * academic::SAMPLING_FREQUENCY) as usize];
+    assert_close(x.hypot(y), 7.2e-3, 0.02);
+}
+
+#[test]
+fn figure_12_whirls_backward() {
+    for method in [
+        Method::Quadrature,
+        Method::FiniteElement(FiniteElement::default()),
+    ] {
+        let case = Case::new(&method, &[0.0]);
+        let found = case.run(case.at_bit(3.0, wall(2.0)), None);
+        assert_eq!(
+            found.regime,
+            LateralRegime::BackwardWhirl,
+            "{}",
+            method.name()
+        );
+        assert_close(found.mean_radius, 16.05e-3, 0.01);
+        assert_close(found.precession_rate, -9.35 * TURN, 0.01);
+        assert_close(found.mean_normal_force, 34.1e3, 0.01);
+        assert_eq!((found.contact_fraction, found.rolling_fraction), (1.0, 1.0));
+        assert_eq!(found.ambiguous_steps, 0);
+    }
+}
+
+#[test]
+fn a_rigid_wall_holds_the_string_at_its_clearance() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let rigid = Wall {
+        stiffness: f64::INFINITY,
+        ..wall(2.0)
+    };
+    let found = case.run(case.at_bit(3.0, rigid), None);
+    assert_eq!(found.regime, LateralRegime::BackwardWhirl);
+    assert_close(found.mean_radius, 15.0e-3, 1e-9);
+    assert_close(found.precession_rate, -10.01 * TURN, 0.01);
+    assert_close(found.mean_normal_force, 35.3e3, 0.01);
+}
+
+#[test]
+fn figure_15_whirls_forward() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let lateral = Lateral {
+        walls: vec![wall(0.5)],
+        impulses: vec![],
+        eccentric_masses: vec![EccentricMass {
+            site: 0,
+            mass: 1000.0,
+            offset: 0.1,
+        }],
+    };
+    let found = case.run(lateral, None);
+    assert_eq!(found.regime, LateralRegime::ForwardWhirl);
+    assert_close(found.precession_rate, TURN, 0.01);
+    assert_close(found.mean_normal_force, 3.50e3, 0.01);
+    assert_close(found.mean_radius, 15.23e-3, 0.01);
+    assert_eq!(found.rolling_fraction, 0.0);
+}
+
+#[test]
+fn below_the_least_impulse_nothing_touches() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let label = |ratio| case.run(case.at_bit(ratio, wall(2.0)), None).regime;
+    assert_eq!(label(0.999), LateralRegime::NoContact);
+    assert_ne!(label(1.01), LateralRegime::NoContact);
+}
+
+#[test]
+fn rotating_the_impulse_rotates_the_motion() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let motion = |direction: f64| {
+        let mut lateral = case.at_bit(3.0, wall(0.5));
+        lateral.impulses[0].direction = direction;
+        let mut trajectory = Trajectory::default();
+        case.run(lateral, Some(&mut trajectory));
+        trajectory.positions.remove(0)
+    };
+    let (straight, turned) = (motion(0.0), motion(0.8));
+    let (sin, cos) = 0.8f64.sin_cos();
+    for ([x, y], [u, v]) in straight.iter().zip(&turned) {
+        let difference = (x * cos - y * sin - u).hypot(x * sin + y * cos - v);
+        assert!(difference < 1e-9 * CLEARANCE, "{difference}");
+    }
+}
+
+#[test]
+fn turning_the_other_way_whirls_the_other_way() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let one = case.run_at(SPEED, case.at_bit(3.0, wall(2.0)), None);
+    let other = case.run_at(-SPEED, case.at_bit(3.0, wall(2.0)), None);
+    assert_close(other.precession_rate, -one.precession_rate, 1e-9);
+    assert_close(other.mean_normal_force, one.mean_normal_force, 1e-9);
+}
+
+/// In steady backward whirl the wall supplies the dynamic stiffness of the
+/// string at the rate of whirl: F_N = −Re K r and friction = |Im K| r.
+#[test]
+fn steady_backward_whirl_balances_the_dynamic_stiffness() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let found = case.run(case.at_bit(3.0, wall(2.0)), None);
+    let string = academic::string();
+    let network = linear::waves::lateral::BendingNetwork::new(
+        &string,
+        BENDING,
+        SurfaceSupport::Free,
+        &Sites::bit(),
+    );
+    let receptance = network.at_rate(found.precession_rate.abs())[(0, 0)];
+    let stiffness = receptance.inv();
+    assert_close(
+        found.mean_normal_force,
+        -stiffness.re * found.mean_radius,
+        0.02,
+    );
+    let least_friction = (stiffness.im / stiffness.re).abs();
+    assert_close(least_friction, 1.14, 0.02);
+}
+
+#[test]
+fn three_sites_whirl_together() {
+    for method in [
+        Method::Quadrature,
+        Method::FiniteElement(FiniteElement::default()),
+        Method::Hilbert(Transform {
+            seconds: Some(20.0),
+        }),
+    ] {
+        let case = Case::new(&method, &[100.0, 50.0, 0.0]);
+        let lateral = |friction| Lateral {
+            walls: vec![wall(friction); 3],
+            impulses: vec![case.impulse(1, 3.0)],
+            eccentric_masses: vec![],
+        };
+        let low = case.run(lateral(0.5), None).regime;
+        assert_eq!(low, LateralRegime::TransientContact, "{}", method.name());
+        let high = case.run(lateral(2.0), None);
+        assert_eq!(
+            high.regime,
+            LateralRegime::BackwardWhirl,
+            "{} {high:?}",
+            method.name()
+        );
+    }
+}
+
+/// Fig. 13: the reconstructed string passes through the simulated sites, and is
+/// displaced most where the wall is.
+#[test]
+fn the_reconstructed_string_passes_through_its_site() {
+    let parameters = FiniteElement::default();
+    let case = Case::new(&Method::FiniteElement(parameters), &[0.0]);
+    let lateral = case.at_bit(3.0, wall(2.0));
+    let mut trajectory = Trajectory::default();
+    let found = case.run(lateral.clone(), Some(&mut trajectory));
+    let time = |step: usize| step as f64 / academic::SAMPLING_FREQUENCY;
+    let forces = [0, 1].map(|axis| {
+        let walls = trajectory.wall_forces[0].iter().enumerate();
+        vec![
+            walls
+                .map(|(step, force)| force[axis] + lateral.impulses[0].force(time(step))[axis])
+                .collect::<Vec<f64>>(),
+        ]
+    });
+    let string = academic::string();
+    let request = BendingRequest {
+        sites: Sites::bit(),
+        support: SurfaceSupport::Free,
+        sampling_frequency: academic::SAMPLING_FREQUENCY,
+        longest_time: DURATION,
+    };
+    let whole = linear::elements::reconstruction::reconstruct(
+        &string,
+        &BENDING,
+        &request,
+        &parameters,
+        &forces,
+        &[2000],
+    )
+    .unwrap();
+    let bit = whole.depths.len() - 1;
+    assert_close(whole.depths[bit], 1000.0, 1e-9);
+    assert_close(whole.peaks[bit], found.peak_radius, 1e-9);
+    let [x, y] = trajectory.positions[0][2000];
+    let [shape_x, shape_y] = &whole.shapes[0];
+    assert!((shape_x[bit] - x).hypot(shape_y[bit] - y) < 1e-9 * CLEARANCE);
+    assert!(whole.peaks.iter().all(|peak| *peak <= whole.peaks[bit]));
+}
