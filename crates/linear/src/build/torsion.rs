@@ -39,14 +39,12 @@ pub fn torsion_responses(
     request: &TorsionRequest,
 ) -> Result<TorsionResponses, BuildError> {
     check_sampling(request.sampling_frequency)?;
-    let mut channels = match method {
+    let channels = match method {
         Method::Quadrature => quadrature_taps(string, request)?,
         Method::Hilbert(transform) => hilbert_taps(string, transform, request)?,
         Method::DirectIdft(transform) => direct_taps(string, transform, request)?,
         Method::FiniteElement(parameters) => element_taps(string, parameters, request)?,
     };
-    let needed = needed_taps(request.longest_time, request.sampling_frequency) as usize;
-    channels.iter_mut().for_each(|taps| taps.truncate(needed));
     all_finite(&channels, method.name())?;
     Ok(TorsionResponses::from_channels(request, channels))
 }
@@ -67,15 +65,15 @@ fn quadrature_taps(
 }
 
 /// Builds responses of growing length until they have decayed or are as long
-/// as the simulation.
+/// as the simulation; but never so short that the string has not rung down,
+/// for the positive-real margin of a response cut off means nothing.
 fn until_decayed(
     string: &Drillstring,
     request: &TorsionRequest,
     mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
 ) -> Result<Vec<Vec<f64>>, BuildError> {
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
-    let most = needed.min(MOST_TAPS as f64) as usize;
-    let mut length = first_length(string, request).min(most);
+    let mut length = first_length(string, request);
     loop {
         let mut channels = build(length);
         if cut_decayed_tail(&mut channels) || length as f64 >= needed {
@@ -84,7 +82,7 @@ fn until_decayed(
         if length == MOST_TAPS {
             return Err(too_many(needed));
         }
-        length = (2 * length).min(most);
+        length = (2 * length).min(MOST_TAPS);
     }
 }
 

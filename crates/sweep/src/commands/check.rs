@@ -11,7 +11,7 @@ use super::{Progress, Status, UsageError, build_systems, say, use_threads};
 use crate::cli::CheckArguments;
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, run_cases};
 use crate::output::{LabelRow, read_labels};
-use crate::spec::{Axis, Conditions, Sweep, check_setting};
+use crate::spec::{Axis, Sweep, check_setting};
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
@@ -102,12 +102,7 @@ fn cases_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<Ca
             check_setting(axis, value)
                 .map_err(|reason| at(format!("{}: {reason}", axis.name())))?;
         }
-        let conditions: Conditions = axes
-            .iter()
-            .zip(&row.values)
-            .fold(sweep.conditions, |conditions, (&axis, &value)| {
-                conditions.with(axis, value)
-            });
+        let conditions = sweep.conditions_at(&row.values);
         let case = Case::under(sweep, row.case, row.values.clone(), &conditions).map_err(at)?;
         cases.insert(row.case, case);
     }
@@ -165,9 +160,6 @@ fn distance_to_limit(
         torques.torque_static,
         torques.torque_dynamic,
     );
-    let axes = sweep.design.axes().iter().zip(&expected.values);
-    let conditions = axes.fold(sweep.conditions, |conditions, (&axis, &value)| {
-        conditions.with(axis, value)
-    });
+    let conditions = sweep.conditions_at(&expected.values);
     Some(conditions.surface_speed()? / limit)
 }

@@ -70,12 +70,7 @@ fn chosen_case(sweep: &Sweep, arguments: &SimulateArguments) -> Result<Case> {
     }
     let axes = sweep.design.axes();
     let mut values = sweep.design.values(arguments.case);
-    let mut conditions = axes
-        .iter()
-        .zip(&values)
-        .fold(sweep.conditions, |conditions, (&axis, &value)| {
-            conditions.with(axis, value)
-        });
+    let mut conditions = sweep.conditions_at(&values);
     for &(axis, value) in &arguments.set {
         check_setting(axis, value)
             .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;

@@ -24,14 +24,7 @@ impl Case {
     /// Where a rock's table does not reach its weight on bit; a sentence.
     pub fn of(sweep: &Sweep, index: usize) -> Result<Self, String> {
         let values = sweep.design.values(index);
-        let conditions = sweep
-            .design
-            .axes()
-            .iter()
-            .zip(&values)
-            .fold(sweep.conditions, |conditions, (&axis, &value)| {
-                conditions.with(axis, value)
-            });
+        let conditions = sweep.conditions_at(&values);
         Self::under(sweep, index, values, &conditions)
             .map_err(|reason| format!("case {index}: {reason}"))
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use crate::engine::MethodSystem;
 use crate::spec::{Axis, Sweep, to_rpm};
@@ -14,7 +14,7 @@ use crate::spec::{Axis, Sweep, to_rpm};
 const POINTS: usize = 200;
 
 /// One point of the limit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct BoundaryPoint {
     /// Weight on bit, kN; empty where the design varies the torque itself.
     pub weight_on_bit_kn: Option<f64>,
@@ -79,11 +79,23 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<BoundaryP
     Ok(points)
 }
 
-/// The whole of `boundary.csv`.
+/// The whole of `boundary.csv`; numbers spelt as in `labels.csv`.
 pub fn write_boundary(points: &[BoundaryPoint]) -> Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([
+        "weight_on_bit_kn",
+        "torque_dynamic_nm",
+        "surface_speed_rpm",
+        "method",
+    ])?;
     for point in points {
-        writer.serialize(point)?;
+        let weight = point.weight_on_bit_kn.map(|weight| weight.to_string());
+        writer.write_record([
+            weight.unwrap_or_default(),
+            point.torque_dynamic_nm.to_string(),
+            point.surface_speed_rpm.to_string(),
+            point.method.clone(),
+        ])?;
     }
     Ok(writer.into_inner()?)
 }

@@ -175,6 +175,14 @@ impl Bit {
 }
 
 impl Sweep {
+    /// The conditions of a case with the given values along the design's axes.
+    pub fn conditions_at(&self, values: &[f64]) -> Conditions {
+        let axes = self.design.axes().iter().zip(values);
+        axes.fold(self.conditions, |conditions, (&axis, &value)| {
+            conditions.with(axis, value)
+        })
+    }
+
     /// Reads and resolves a sweep file.
     ///
     /// # Errors
