@@ -139,6 +139,30 @@ impl Drillstring {
         (self.material.shear_modulus / self.material.density).sqrt()
     }
 
+    /// External radius at a distance from the bit, m; at a joint between two
+    /// tubes, that of the lower.
+    pub fn outer_radius_at(&self, distance_from_bit: f64) -> f64 {
+        let same_place = SAME_PLACE * self.length();
+        let mut left = distance_from_bit + same_place;
+        let mut radius = 0.0;
+        for section in self.sections.iter().rev() {
+            let cell = section.cell_length();
+            if left > section.length() {
+                left -= section.length();
+                continue;
+            }
+            left %= cell;
+            for part in section.parts.iter().rev() {
+                radius = part.outer_radius;
+                if left <= part.length + same_place {
+                    return radius;
+                }
+                left -= part.length;
+            }
+        }
+        radius
+    }
+
     /// Every tube with the number of times it occurs, from the surface down.
     pub(crate) fn tubes(&self) -> impl Iterator<Item = (f64, &Tube)> {
         self.sections.iter().flat_map(|section| {
@@ -446,6 +470,22 @@ mod tests {
                 .flat_map(pieces)
                 .all(|length| length > 0.5 - 1e-9)
         );
+    }
+
+    #[test]
+    fn the_radius_at_a_place_is_that_of_the_tube_there() {
+        let mut string = string();
+        string.sections[0].parts[1].outer_radius = 0.15;
+        for (distance, radius) in [
+            (0.0, 0.125),
+            (9.9, 0.125),
+            (10.2, 0.15),
+            (10.7, 0.125),
+            (20.4, 0.15),
+            (99.0, 0.125),
+        ] {
+            assert_eq!(string.outer_radius_at(distance), radius, "{distance}");
+        }
     }
 
     #[test]

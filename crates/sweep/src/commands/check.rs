@@ -6,12 +6,13 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
+use sim::Outcome;
 
 use super::{Progress, Status, UsageError, build_systems, say, use_threads};
 use crate::cli::CheckArguments;
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, run_cases};
 use crate::output::{LabelRow, read_labels};
-use crate::spec::{Axis, Sweep, check_setting};
+use crate::spec::{Sweep, check_setting};
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
@@ -43,10 +44,15 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
         let Some(row) = found.get(&(expected.case, expected.method.as_str())) else {
             continue;
         };
-        let label = label(row);
-        if label != expected.torsion {
-            different += 1;
-            text += &difference(&sweep, &systems, &axes, expected, row, &label);
+        for (expected_label, label) in [
+            (&expected.torsion, label(row, torsion_label)),
+            (&expected.lateral, label(row, lateral_label)),
+        ] {
+            // A label that the reference leaves out is not checked.
+            if !expected_label.is_empty() && label != *expected_label {
+                different += 1;
+                text += &difference(&sweep, &systems, expected, expected_label, row, &label);
+            }
         }
     }
     writeln!(
@@ -109,25 +115,30 @@ fn cases_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<Ca
     Ok(cases.into_values().collect())
 }
 
-fn label(row: &Row) -> String {
+fn label(row: &Row, of: fn(&Outcome) -> Option<&'static str>) -> String {
     match &row.outcome {
-        RowOutcome::Done(outcome) => outcome
-            .torsion
-            .map_or_else(String::new, |torsion| torsion.regime.name().to_owned()),
+        RowOutcome::Done(outcome) => of(outcome).unwrap_or_default().to_owned(),
         RowOutcome::Failed(reason) => format!("failed ({reason})"),
     }
+}
+
+fn torsion_label(outcome: &Outcome) -> Option<&'static str> {
+    outcome.torsion.map(|torsion| torsion.regime.name())
+}
+
+fn lateral_label(outcome: &Outcome) -> Option<&'static str> {
+    outcome.lateral.map(|lateral| lateral.regime.name())
 }
 
 fn difference(
     sweep: &Sweep,
     systems: &[MethodSystem],
-    axes: &[Axis],
     expected: &LabelRow,
+    expected_label: &str,
     row: &Row,
     label: &str,
 ) -> String {
-    let values: Vec<String> = axes
-        .iter()
+    let values: Vec<String> = (sweep.design.axes().iter())
         .zip(&expected.values)
         .map(|(axis, value)| format!("{} = {value}", axis.name()))
         .collect();
@@ -140,7 +151,7 @@ fn difference(
         expected.case,
         expected.method,
         values.join(", "),
-        expected.torsion,
+        expected_label,
     )
 }
 

@@ -13,8 +13,8 @@ use crate::output::{
 use crate::plot::{Axis, Line, MapPoint, Mark, Picture, RegimeMap, Symbol, regime_map};
 use crate::spec::MapSettings;
 
-/// The regime that circles stand for.
-const REGIME: &str = "stick_slip";
+/// The regimes that circles stand for: sustained vibration.
+const SUSTAINED: [&str; 3] = ["stick_slip", "backward_whirl", "forward_whirl"];
 
 /// Draws the map again.
 pub fn plot(arguments: &PlotArguments) -> Result<Status> {
@@ -42,7 +42,7 @@ pub fn draw_map(folder: &Path) -> Result<bool> {
         x: axis(settings.x.title()),
         y: axis(settings.y.title()),
         points: points(&rows),
-        legend: legend(&manifest),
+        legend: legend(&manifest, &rows),
         lines: lines(&limit, settings),
         marks: settings
             .marks
@@ -72,9 +72,18 @@ pub fn axis(label: &str) -> Axis {
     }
 }
 
-/// The paper's symbols: a circle where every method finds the regime, a cross
-/// where none does, a square where they differ. Cases without an answer by
-/// some method are left out.
+/// What the map is about: the lateral label where there is one.
+fn label(row: &LabelRow) -> &str {
+    if row.lateral.is_empty() {
+        &row.torsion
+    } else {
+        &row.lateral
+    }
+}
+
+/// The paper's symbols: a circle where every method finds sustained vibration,
+/// a cross where none does, a square where they differ. Cases without an answer
+/// by some method are left out.
 fn points(rows: &[LabelRow]) -> Vec<MapPoint> {
     let mut cases: BTreeMap<usize, Vec<&LabelRow>> = BTreeMap::new();
     for row in rows {
@@ -82,9 +91,12 @@ fn points(rows: &[LabelRow]) -> Vec<MapPoint> {
     }
     cases
         .values()
-        .filter(|rows| rows.iter().all(|row| !row.torsion.is_empty()))
+        .filter(|rows| rows.iter().all(|row| !label(row).is_empty()))
         .map(|rows| {
-            let finds = rows.iter().filter(|row| row.torsion == REGIME).count();
+            let finds = rows
+                .iter()
+                .filter(|row| SUSTAINED.contains(&label(row)))
+                .count();
             MapPoint {
                 x: rows[0].values[0],
                 y: rows[0].values[1],
@@ -100,25 +112,28 @@ fn points(rows: &[LabelRow]) -> Vec<MapPoint> {
         .collect()
 }
 
-fn legend(manifest: &Manifest) -> [String; 3] {
-    match manifest.methods.as_slice() {
-        [method] => [
-            format!("stick-slip ({})", method.method),
-            "smooth".to_owned(),
-            "methods differ".to_owned(),
-        ],
-        methods => {
-            let names: Vec<&str> = methods
-                .iter()
-                .map(|method| method.method.as_str())
-                .collect();
-            [
-                format!("stick-slip by all methods ({})", names.join(", ")),
-                "smooth by all methods".to_owned(),
-                "methods differ".to_owned(),
-            ]
-        }
-    }
+fn legend(manifest: &Manifest, rows: &[LabelRow]) -> [String; 3] {
+    let is_lateral = rows.iter().any(|row| !row.lateral.is_empty());
+    let (circle, cross) = if is_lateral {
+        ("sustained whirl", "no sustained whirl")
+    } else {
+        ("stick-slip", "smooth")
+    };
+    let names: Vec<&str> = manifest
+        .methods
+        .iter()
+        .map(|method| method.method.as_str())
+        .collect();
+    let by_all = if names.len() == 1 {
+        String::new()
+    } else {
+        " by all methods".to_owned()
+    };
+    [
+        format!("{circle}{by_all} ({})", names.join(", ")),
+        format!("{cross}{by_all}"),
+        "methods differ".to_owned(),
+    ]
 }
 
 fn lines(limit: &[BoundaryPoint], settings: &MapSettings) -> Vec<Line> {

@@ -39,7 +39,7 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
         .iter()
         .map(|system| {
             let mut trajectory = Trajectory::default();
-            let outcome = sim::simulate(system.system(), &case.scene, Some(&mut trajectory))?;
+            let outcome = system.simulate(&case, Some(&mut trajectory))?;
             Ok(Simulation {
                 method: system.method.name(),
                 trajectory,
@@ -74,7 +74,7 @@ fn chosen_case(sweep: &Sweep, arguments: &SimulateArguments) -> Result<Case> {
     for &(axis, value) in &arguments.set {
         check_setting(axis, value)
             .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
-        if axis != Axis::SurfaceSpeedRpm && sweep.bit.is_none() {
+        if matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm) && sweep.bit.is_none() {
             bail!(UsageError(format!(
                 "--set {}: the bit is free in this sweep",
                 axis.name()

@@ -1,8 +1,8 @@
 //! One case: its values, its scene, its row.
 
-use sim::{Outcome, Scene, Timing, torsion_timing};
+use sim::{Impulse, Lateral, Outcome, Scene, Timing, Wall, torsion_timing};
 
-use crate::spec::{Conditions, Sweep, Time};
+use crate::spec::{Conditions, LateralSettings, Sweep, Time};
 
 /// One case of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,9 +47,9 @@ impl Case {
                 (Some(torque), Some(bit.torques(torque)))
             }
         };
-        let mut timing = match &bit {
-            Some(bit) => torsion_timing(&sweep.string, surface_speed, bit),
-            None => FREE_BIT,
+        let mut timing = match (&bit, &sweep.lateral) {
+            (Some(bit), None) => torsion_timing(&sweep.string, surface_speed, bit),
+            _ => BY_DEFAULT,
         };
         if let Time::Given(duration) = sweep.time {
             timing.duration = duration;
@@ -61,7 +61,10 @@ impl Case {
             scene: Scene {
                 surface_speed,
                 bit,
-                lateral: None,
+                lateral: sweep
+                    .lateral
+                    .as_ref()
+                    .map(|settings| lateral_scene(settings, conditions)),
                 timing,
             },
         })
@@ -78,12 +81,34 @@ impl Case {
     }
 }
 
-/// A bit without torque has no regime to wait for; its step response is over
-/// by then for most strings.
-const FREE_BIT: Timing = Timing {
+/// A bit without torque has no regime to wait for, and lateral motion none whose
+/// time could be foretold: ten seconds as in the paper, the last two of which
+/// decide.
+const BY_DEFAULT: Timing = Timing {
     duration: 10.0,
     closing_window: 2.0,
 };
+
+/// Walls with the case's friction, impulses with the case's ratio: amounts
+/// relative to I₀ stay so until a method says what its I₀ is.
+fn lateral_scene(settings: &LateralSettings, conditions: &Conditions) -> Lateral {
+    let walls = settings.walls.iter().map(|wall| Wall {
+        friction: conditions.friction.unwrap_or(wall.friction),
+        ..*wall
+    });
+    let impulses = settings.impulses.iter().map(|settings| Impulse {
+        amount: match conditions.impulse_ratio {
+            Some(ratio) if settings.relative => ratio,
+            _ => settings.impulse.amount,
+        },
+        ..settings.impulse
+    });
+    Lateral {
+        walls: walls.collect(),
+        impulses: impulses.collect(),
+        eccentric_masses: settings.eccentric_masses.clone(),
+    }
+}
 
 /// The answer of one case by one method.
 #[derive(Debug, Clone, PartialEq)]

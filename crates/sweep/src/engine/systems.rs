@@ -4,24 +4,39 @@ use std::time::Instant;
 
 use anyhow::{Context, Result};
 use linear::passivity::STABLE_MARGIN;
-use linear::{BuildError, Method, TorsionRequest, TorsionResponses, torsion_responses};
-use sim::{System, simulate};
+use linear::{
+    BendingRequest, BendingResponses, Method, TorsionRequest, TorsionResponses, bending_responses,
+    torsion_responses,
+};
+use sim::excitation::least_impulse;
+use sim::{LateralSystem, Outcome, Scene, SimulationError, System, Trajectory};
 
 use super::case::{Case, Row, RowOutcome};
-use crate::spec::Sweep;
+use crate::spec::{ImpulseSettings, LateralSettings, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
 pub struct MethodSystem {
     /// The method.
     pub method: Method,
-    /// Its impulse responses.
+    /// Its torsional impulse responses.
     pub responses: TorsionResponses,
-    /// Positive-real margin; `None` where no torque acts.
+    /// I₀ of each impulse, N s.
+    pub least_impulses: Vec<f64>,
+    /// Positive-real margin in torsion; `None` where no torque acts.
     pub margin: Option<f64>,
     /// Time to build, s.
     pub build_seconds: f64,
-    system: System,
+    stepped: Stepped,
+    /// Which impulses are given in multiples of I₀.
+    relative: Vec<bool>,
+}
+
+/// What a case is stepped against.
+#[derive(Debug)]
+enum Stepped {
+    Torsion(System),
+    Lateral(LateralSystem),
 }
 
 impl MethodSystem {
@@ -35,32 +50,48 @@ impl MethodSystem {
             .iter()
             .map(|case| case.scene.timing.duration)
             .fold(0.0, f64::max);
-        let bit = sweep.sites.len() - 1;
-        let request = TorsionRequest {
-            sites: sweep.sites.clone(),
-            torque_inputs: sweep.bit.iter().map(|_| bit).collect(),
-            sampling_frequency: sweep.sampling_frequency,
-            longest_time,
-        };
         sweep
             .methods
             .iter()
             .map(|method| {
-                Self::build(sweep, *method, &request)
+                Self::build(sweep, *method, longest_time)
                     .with_context(|| format!("the responses by {} cannot be built", method.name()))
             })
             .collect()
     }
 
-    fn build(sweep: &Sweep, method: Method, request: &TorsionRequest) -> Result<Self, BuildError> {
+    fn build(sweep: &Sweep, method: Method, longest_time: f64) -> Result<Self> {
         let start = Instant::now();
-        let responses = torsion_responses(&sweep.string, &method, request)?;
+        let sites = sweep.sites.len();
+        let torque_inputs = match (&sweep.lateral, &sweep.bit) {
+            // Friction turns the string wherever it touches the wall.
+            (Some(_), _) => (0..sites).collect(),
+            (None, Some(_)) => vec![sites - 1],
+            (None, None) => Vec::new(),
+        };
+        let request = TorsionRequest {
+            sites: sweep.sites.clone(),
+            torque_inputs,
+            sampling_frequency: sweep.sampling_frequency,
+            longest_time,
+        };
+        let responses = torsion_responses(&sweep.string, &method, &request)?;
+        let bending = (sweep.lateral.as_ref())
+            .map(|lateral| build_bending(sweep, lateral, &method, longest_time))
+            .transpose()?;
         let build_seconds = start.elapsed().as_secs_f64();
+        let stepped = match &bending {
+            None => Stepped::Torsion(System::new(&responses)),
+            Some(bending) => Stepped::Lateral(LateralSystem::new(&responses, bending)?),
+        };
+        let impulses = sweep.lateral.iter().flat_map(|lateral| &lateral.impulses);
         Ok(Self {
             method,
             margin: responses.margin()?,
+            least_impulses: least_impulses(sweep, bending.as_ref()),
+            relative: impulses.map(|impulse| impulse.relative).collect(),
             build_seconds,
-            system: System::new(&responses),
+            stepped,
             responses,
         })
     }
@@ -70,20 +101,47 @@ impl MethodSystem {
         self.margin.is_some_and(|margin| margin < STABLE_MARGIN)
     }
 
-    /// The system that simulations step.
-    pub fn system(&self) -> &System {
-        &self.system
+    /// Taps of the lowest driving point in torsion, where a torque acts there.
+    pub fn driving_point(&self) -> Option<&[f64]> {
+        let site = *self.responses.torque_inputs.last()?;
+        Some(self.responses.from_torque[site].last()?)
     }
 
-    /// Taps of the bit's driving point, where a torque acts there.
-    pub fn driving_point(&self) -> Option<&[f64]> {
-        let site = *self.responses.torque_inputs.first()?;
-        Some(&self.responses.from_torque[site][0])
+    /// Simulates one scene, writing its time history into `record` where asked.
+    ///
+    /// # Errors
+    /// Where the case gives no answer.
+    pub fn simulate(
+        &self,
+        case: &Case,
+        record: Option<&mut Trajectory>,
+    ) -> Result<Outcome, SimulationError> {
+        match &self.stepped {
+            Stepped::Torsion(system) => sim::simulate(system, &case.scene, record),
+            Stepped::Lateral(system) => {
+                sim::simulate_lateral(system, &self.with_amounts(&case.scene), record)
+            }
+        }
+    }
+
+    /// The scene with its relative impulses in N s.
+    fn with_amounts(&self, scene: &Scene) -> Scene {
+        let mut scene = scene.clone();
+        let impulses = scene
+            .lateral
+            .iter_mut()
+            .flat_map(|lateral| &mut lateral.impulses);
+        for (index, impulse) in impulses.enumerate() {
+            if self.relative[index] {
+                impulse.amount *= self.least_impulses[index];
+            }
+        }
+        scene
     }
 
     /// Simulates one case.
     pub fn run(&self, case: &Case) -> Row {
-        let outcome = match simulate(&self.system, &case.scene, None) {
+        let outcome = match self.simulate(case, None) {
             Ok(outcome) => RowOutcome::Done(outcome),
             Err(error) => RowOutcome::Failed(error.to_string()),
         };
@@ -95,4 +153,37 @@ impl MethodSystem {
             outcome,
         }
     }
+}
+
+fn build_bending(
+    sweep: &Sweep,
+    lateral: &LateralSettings,
+    method: &Method,
+    longest_time: f64,
+) -> Result<BendingResponses> {
+    let request = BendingRequest {
+        sites: sweep.sites.clone(),
+        support: lateral.support,
+        sampling_frequency: sweep.sampling_frequency,
+        longest_time,
+    };
+    let responses = bending_responses(&sweep.string, &lateral.bending, method, &request)?;
+    Ok(responses)
+}
+
+/// I₀ of every impulse: by this method, at its own site.
+fn least_impulses(sweep: &Sweep, bending: Option<&BendingResponses>) -> Vec<f64> {
+    let Some((lateral, bending)) = sweep.lateral.as_ref().zip(bending) else {
+        return Vec::new();
+    };
+    let of = |settings: &ImpulseSettings| {
+        let impulse = &settings.impulse;
+        least_impulse(
+            &bending.from_force[impulse.site][impulse.site],
+            sweep.sampling_frequency,
+            impulse.duration,
+            lateral.walls[impulse.site].clearance,
+        )
+    };
+    lateral.impulses.iter().map(of).collect()
 }

@@ -33,6 +33,7 @@ impl BoundaryPoint {
             Axis::SurfaceSpeedRpm => Some(self.surface_speed_rpm),
             Axis::WeightOnBitKn => self.weight_on_bit_kn,
             Axis::TorqueDynamicNm => Some(self.torque_dynamic_nm),
+            Axis::ImpulseRatio | Axis::Friction => None,
         }
     }
 }
@@ -43,7 +44,9 @@ impl BoundaryPoint {
 /// Where a rock's table does not reach.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<BoundaryPoint>, String> {
     let axes = sweep.design.axes();
-    let torque_axis = axes.iter().position(|axis| *axis != Axis::SurfaceSpeedRpm);
+    let torque_axis = axes
+        .iter()
+        .position(|axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm));
     let (Some(position), Some(bit)) = (torque_axis, &sweep.bit) else {
         return Ok(Vec::new());
     };

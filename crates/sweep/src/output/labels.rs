@@ -4,14 +4,14 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use sim::{Outcome, TorsionMeasures};
+use sim::{LateralMeasures, TorsionMeasures};
 
 use crate::engine::{Row, RowOutcome};
 use crate::lines::{COMMENT, line_from};
 use crate::spec::{Axis, Sweep, to_rpm};
 
 /// Columns that follow the axes.
-const RESULT_COLUMNS: [&str; 11] = [
+const RESULT_COLUMNS: [&str; 20] = [
     "torsion",
     "lateral",
     "first_slip_s",
@@ -20,6 +20,15 @@ const RESULT_COLUMNS: [&str; 11] = [
     "sticks",
     "bit_speed_peak_rpm",
     "bit_speed_closing_rpm",
+    "site_from_bit_m",
+    "first_contact_s",
+    "peak_radius_mm",
+    "mean_radius_mm",
+    "contact_fraction",
+    "rolling_fraction",
+    "precession_turns_per_s",
+    "normal_force_mean_kn",
+    "ambiguous_steps",
     "simulated_s",
     "ended",
     "status",
@@ -40,7 +49,7 @@ pub fn labels_csv(sweep: &Sweep, rows: &[Row]) -> Result<Vec<u8>> {
         if with_torque {
             fields.push(optional(row.torque_dynamic_nm));
         }
-        fields.extend(result_fields(&row.outcome));
+        fields.extend(result_fields(sweep, &row.outcome));
         writer.write_record(&fields)?;
     }
     Ok(writer.into_inner()?)
@@ -55,28 +64,51 @@ fn optional(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
 }
 
-fn result_fields(outcome: &RowOutcome) -> Vec<String> {
-    let (torsion, simulated, ended, status) = match outcome {
-        RowOutcome::Done(Outcome {
-            simulated, torsion, ..
-        }) => (torsion.as_ref(), Some(*simulated), "end", "ok"),
-        RowOutcome::Failed(_) => (None, None, "", "failed"),
+fn result_fields(sweep: &Sweep, outcome: &RowOutcome) -> Vec<String> {
+    let done = match outcome {
+        RowOutcome::Done(outcome) => Some(outcome),
+        RowOutcome::Failed(_) => None,
     };
-    let mut fields = torsion.map_or_else(|| vec![String::new(); 8], torsion_fields);
-    fields.extend([optional(simulated), ended.to_owned(), status.to_owned()]);
+    let torsion = done.and_then(|outcome| outcome.torsion.as_ref());
+    let lateral = done.and_then(|outcome| outcome.lateral.as_ref());
+    let mut fields = vec![
+        torsion.map_or_else(String::new, |torsion| torsion.regime.name().to_owned()),
+        lateral.map_or_else(String::new, |lateral| lateral.regime.name().to_owned()),
+    ];
+    fields.extend(torsion.map_or_else(|| vec![String::new(); 6], torsion_fields));
+    let lateral_fields = |lateral| lateral_fields(sweep, lateral);
+    fields.extend(lateral.map_or_else(|| vec![String::new(); 9], lateral_fields));
+    let (ended, status) = match done {
+        Some(_) => ("end", "ok"),
+        None => ("", "failed"),
+    };
+    fields.push(optional(done.map(|outcome| outcome.simulated)));
+    fields.extend([ended.to_owned(), status.to_owned()]);
     fields
 }
 
 fn torsion_fields(torsion: &TorsionMeasures) -> Vec<String> {
     vec![
-        torsion.regime.name().to_owned(),
-        String::new(),
         optional(torsion.first_slip),
         optional(torsion.period),
         optional(torsion.slip_time),
         torsion.sticks.to_string(),
         to_rpm(torsion.peak_speed).to_string(),
         to_rpm(torsion.closing_speed).to_string(),
+    ]
+}
+
+fn lateral_fields(sweep: &Sweep, lateral: &LateralMeasures) -> Vec<String> {
+    vec![
+        sweep.sites.distances_from_bit()[lateral.site].to_string(),
+        optional(lateral.first_contact),
+        (1e3 * lateral.peak_radius).to_string(),
+        (1e3 * lateral.mean_radius).to_string(),
+        lateral.contact_fraction.to_string(),
+        lateral.rolling_fraction.to_string(),
+        (lateral.precession_rate / std::f64::consts::TAU).to_string(),
+        (1e-3 * lateral.mean_normal_force).to_string(),
+        lateral.ambiguous_steps.to_string(),
     ]
 }
 
@@ -111,10 +143,13 @@ pub struct LabelRow {
     pub values: Vec<f64>,
     /// The torsion label; empty where there is none.
     pub torsion: String,
+    /// The lateral label; empty where there is none.
+    pub lateral: String,
 }
 
-/// Reads labels back: the columns `case`, `method`, the axes asked for, and
-/// `torsion`, wherever they stand; others are passed over.
+/// Reads labels back: the columns `case`, `method`, the axes asked for, and at
+/// least one of `torsion` and `lateral`, wherever they stand; others are passed
+/// over.
 pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
     let text = std::fs::read_to_string(path)
         .with_context(|| format!("{} cannot be read", path.display()))?;
@@ -127,7 +162,12 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
         let line = line_from(&text, 0);
         found.with_context(|| format!("{}:{line}: has no column `{name}`", path.display()))
     };
-    let (case, method, torsion) = (column("case")?, column("method")?, column("torsion")?);
+    let (case, method) = (column("case")?, column("method")?);
+    let lateral = column("lateral").ok();
+    let torsion = match lateral {
+        Some(_) => column("torsion").ok(),
+        None => Some(column("torsion")?),
+    };
     let value_columns = axes
         .iter()
         .map(|axis| column(axis.name()))
@@ -160,7 +200,8 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
             case,
             method: record[method].to_owned(),
             values: value_columns.iter().map(number).collect::<Result<_>>()?,
-            torsion: record[torsion].to_owned(),
+            torsion: torsion.map_or_else(String::new, |column| record[column].to_owned()),
+            lateral: lateral.map_or_else(String::new, |column| record[column].to_owned()),
         });
     }
     Ok(rows)

@@ -110,13 +110,14 @@ impl Manifest {
 fn count_labels(rows: &[Row]) -> BTreeMap<String, BTreeMap<String, usize>> {
     let mut counts: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
     for row in rows {
-        if let RowOutcome::Done(outcome) = &row.outcome
-            && let Some(torsion) = &outcome.torsion
-        {
+        let RowOutcome::Done(outcome) = &row.outcome else {
+            continue;
+        };
+        let torsion = outcome.torsion.map(|torsion| torsion.regime.name());
+        let lateral = outcome.lateral.map(|lateral| lateral.regime.name());
+        for label in torsion.into_iter().chain(lateral) {
             let of_method = counts.entry(row.method.to_owned()).or_default();
-            *of_method
-                .entry(torsion.regime.name().to_owned())
-                .or_default() += 1;
+            *of_method.entry(label.to_owned()).or_default() += 1;
         }
     }
     counts

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use linear::method::{FiniteElement, Transform};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::lateral::{BendingTable, EccentricMassTable, ImpulseTable, WallTable};
 use super::source::{Source, SpecError};
 
 /// A sweep file, its bases merged in, as it is written.
@@ -25,9 +26,19 @@ pub struct FileContent {
     /// Torque at the bit; without it the bit is free.
     #[serde(default)]
     pub bit: Option<BitTable>,
-    /// Further places to look at.
+    /// Places on the string: with a wall, where it may touch; else, besides the
+    /// bit, where it is looked at.
     #[serde(default)]
     pub sites: Vec<SiteTable>,
+    /// The borehole wall; without it lateral motion is not modelled.
+    #[serde(default)]
+    pub wall: Option<WallTable>,
+    /// Lateral impulses.
+    #[serde(default)]
+    pub impulses: Vec<ImpulseTable>,
+    /// Eccentric masses.
+    #[serde(default)]
+    pub eccentric_masses: Vec<EccentricMassTable>,
     /// Linear methods, in the order of the results. Default: `quadrature`.
     #[serde(default = "default_methods")]
     pub methods: Vec<MethodName>,
@@ -64,6 +75,9 @@ pub struct StringTable {
     pub density_kg_m3: f64,
     /// Distributed torsional damping c_t, N m s/rad per metre of string.
     pub torsional_damping_nms_rad_m: f64,
+    /// Bending constants, needed with a wall.
+    #[serde(default)]
+    pub bending: Option<BendingTable>,
     /// Sections from the surface down.
     pub sections: Vec<SectionTable>,
 }
@@ -162,12 +176,21 @@ pub struct LawTable {
     pub poor_cleaning_nm_per_kn: Option<f64>,
 }
 
-/// A place on the string that is looked at.
+/// A place on the string.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SiteTable {
     /// Distance from the bit, m.
     pub distance_from_bit_m: f64,
+    /// Clearance here, mm, instead of the wall's.
+    #[serde(default)]
+    pub clearance_mm: Option<f64>,
+    /// Contact stiffness here, GN/m^(3/2), instead of the wall's.
+    #[serde(default)]
+    pub stiffness_gn_m15: Option<f64>,
+    /// Friction here, instead of the wall's; an axis changes it everywhere.
+    #[serde(default)]
+    pub friction: Option<f64>,
 }
 
 /// A linear method.
@@ -265,14 +288,20 @@ pub enum Axis {
     WeightOnBitKn,
     /// Dynamic torque T_d, N m.
     TorqueDynamicNm,
+    /// Lateral impulse in multiples of I₀.
+    ImpulseRatio,
+    /// Friction μ₀ of the borehole wall.
+    Friction,
 }
 
 impl Axis {
     /// All axes, in the order of their columns.
-    pub const ALL: [Axis; 3] = [
+    pub const ALL: [Axis; 5] = [
         Axis::SurfaceSpeedRpm,
         Axis::WeightOnBitKn,
         Axis::TorqueDynamicNm,
+        Axis::ImpulseRatio,
+        Axis::Friction,
     ];
 
     /// The axis of a column.
@@ -286,6 +315,8 @@ impl Axis {
             Axis::SurfaceSpeedRpm => "surface_speed_rpm",
             Axis::WeightOnBitKn => "weight_on_bit_kn",
             Axis::TorqueDynamicNm => "torque_dynamic_nm",
+            Axis::ImpulseRatio => "impulse_ratio",
+            Axis::Friction => "friction",
         }
     }
 
@@ -295,6 +326,8 @@ impl Axis {
             Axis::SurfaceSpeedRpm => "Surface speed Ω (rpm)",
             Axis::WeightOnBitKn => "Weight on bit W (kN)",
             Axis::TorqueDynamicNm => "Dynamic torque T_d (N m)",
+            Axis::ImpulseRatio => "Impulse I / I₀",
+            Axis::Friction => "Coefficient of friction μ₀",
         }
     }
 }
@@ -437,4 +470,10 @@ pub struct MarkTable {
     /// T_d, N m.
     #[serde(default)]
     pub torque_dynamic_nm: Option<f64>,
+    /// Impulse in multiples of I₀.
+    #[serde(default)]
+    pub impulse_ratio: Option<f64>,
+    /// Friction.
+    #[serde(default)]
+    pub friction: Option<f64>,
 }

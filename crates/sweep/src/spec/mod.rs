@@ -2,12 +2,14 @@
 //! and key where it does not make sense.
 
 mod file;
+mod lateral;
 mod resolve;
 mod source;
 #[cfg(test)]
 mod tests;
 
 pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
+pub use lateral::{ImpulseSettings, LateralSettings};
 pub use resolve::{Conditions, MapSettings, Sweep, Time, to_rpm};
 pub(crate) use resolve::{check_axis_value, check_setting};
 pub use source::{Source, SpecError};

@@ -10,6 +10,7 @@ use sim::{BitTorque, Rock};
 use super::file::{
     AutoOr, Axis, BitTable, FileContent, LawTable, MarkTable, MethodName, RockName, SectionTable,
 };
+use super::lateral::LateralSettings;
 use super::source::{Source, SpecError};
 use crate::design::Design;
 
@@ -42,6 +43,8 @@ pub struct Sweep {
     pub time: Time,
     /// Torque at the bit, where it is modelled.
     pub bit: Option<Bit>,
+    /// Lateral motion, where it is modelled.
+    pub lateral: Option<LateralSettings>,
     /// What the file says of the quantities that axes may change.
     pub conditions: Conditions,
     /// The cases.
@@ -79,6 +82,10 @@ pub struct Conditions {
     pub weight_on_bit_kn: Option<f64>,
     /// Dynamic torque, N m.
     pub torque_dynamic_nm: Option<f64>,
+    /// Lateral impulse in multiples of I₀, by an axis.
+    pub impulse_ratio: Option<f64>,
+    /// Friction of the wall, by an axis.
+    pub friction: Option<f64>,
 }
 
 impl Conditions {
@@ -95,6 +102,8 @@ impl Conditions {
                 self.torque_dynamic_nm = Some(value);
                 self.weight_on_bit_kn = None;
             }
+            Axis::ImpulseRatio => self.impulse_ratio = Some(value),
+            Axis::Friction => self.friction = Some(value),
         }
         self
     }
@@ -105,6 +114,8 @@ impl Conditions {
             Axis::SurfaceSpeedRpm => self.surface_speed_rpm,
             Axis::WeightOnBitKn => self.weight_on_bit_kn,
             Axis::TorqueDynamicNm => self.torque_dynamic_nm,
+            Axis::ImpulseRatio => self.impulse_ratio,
+            Axis::Friction => self.friction,
         }
     }
 
@@ -214,9 +225,12 @@ impl Sweep {
                 Time::Given(value)
             }
         };
+        let sites = check.sites(&content, &string)?;
+        let lateral = check.lateral(&content, &string, &sites, &conditions, &design)?;
         Ok(Self {
             title: content.title.clone().unwrap_or_else(|| name.clone()),
-            sites: check.sites(&content, &string)?,
+            sites,
+            lateral,
             methods: check.methods(&content)?,
             map: check.map(&content, &design, bit.as_ref())?,
             name,
@@ -233,12 +247,12 @@ impl Sweep {
 }
 
 /// Checks of meaning, each naming the key it is about.
-struct Check<'a> {
-    source: &'a Source,
+pub(super) struct Check<'a> {
+    pub(super) source: &'a Source,
 }
 
 impl Check<'_> {
-    fn within(
+    pub(super) fn within(
         &self,
         key: &str,
         value: f64,
@@ -360,10 +374,19 @@ impl Check<'_> {
     }
 
     fn sites(&self, content: &FileContent, string: &Drillstring) -> Result<Sites, SpecError> {
+        // Without a wall, the bit is always looked at.
         let mut distances = vec![0.0];
+        if content.wall.is_some() {
+            distances.clear();
+            let bit_is_site = (content.sites.iter()).any(|site| site.distance_from_bit_m == 0.0);
+            if content.sites.is_empty() || (content.bit.is_some() && !bit_is_site) {
+                let message = "a wall needs [[sites]] where it may be touched, \
+                               the bit among them if it cuts";
+                return Err(self.source.error("sites", message));
+            }
+        }
         for (index, site) in content.sites.iter().enumerate() {
-            // The bit is always looked at; naming it again changes nothing.
-            if site.distance_from_bit_m != 0.0 {
+            if content.wall.is_some() || site.distance_from_bit_m != 0.0 {
                 distances.push(site.distance_from_bit_m);
             }
             Sites::new(string, &distances).map_err(|error| {
@@ -557,6 +580,7 @@ impl Check<'_> {
             surface_speed_rpm: content.surface_speed_rpm,
             weight_on_bit_kn: bit.and_then(|bit| bit.weight_on_bit_kn),
             torque_dynamic_nm: bit.and_then(|bit| bit.torque_dynamic_nm),
+            ..Conditions::default()
         };
         for (key, axis) in [
             ("surface_speed_rpm", Axis::SurfaceSpeedRpm),
@@ -589,7 +613,7 @@ impl Check<'_> {
         let torque = design
             .axes()
             .iter()
-            .find(|axis| **axis != Axis::SurfaceSpeedRpm);
+            .find(|axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm));
         let Some(bit) = bit else {
             return torque.map_or(Ok(()), |axis| {
                 let message = format!("the axis {} needs a table [bit]", axis.name());
@@ -658,6 +682,8 @@ impl Check<'_> {
             (Axis::SurfaceSpeedRpm, mark.surface_speed_rpm),
             (Axis::WeightOnBitKn, mark.weight_on_bit_kn),
             (Axis::TorqueDynamicNm, mark.torque_dynamic_nm),
+            (Axis::ImpulseRatio, mark.impulse_ratio),
+            (Axis::Friction, mark.friction),
         ] {
             if let Some(value) = value {
                 let key = format!("map.marks[{index}].{}", axis.name());
@@ -672,6 +698,8 @@ impl Check<'_> {
             surface_speed_rpm: mark.surface_speed_rpm,
             weight_on_bit_kn: mark.weight_on_bit_kn.or_else(weight_for_torque),
             torque_dynamic_nm: mark.torque_dynamic_nm,
+            impulse_ratio: mark.impulse_ratio,
+            friction: mark.friction,
         };
         let value = |axis: Axis| {
             conditions.value(axis).ok_or_else(|| {
@@ -707,6 +735,8 @@ pub(crate) fn check_setting(axis: Axis, value: f64) -> Result<(), String> {
         Axis::SurfaceSpeedRpm => within(value, 1e-4, 1e4, "rpm"),
         Axis::WeightOnBitKn => within(value, 0.0, 2e3, "kN"),
         Axis::TorqueDynamicNm => within(value, 0.0, 1e7, "N m"),
+        Axis::ImpulseRatio => within(value, 0.0, 1e6, ""),
+        Axis::Friction => within(value, 0.0, 50.0, ""),
     }
 }
 
