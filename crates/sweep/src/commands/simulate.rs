@@ -1,4 +1,4 @@
-//! `sweep simulate`: one case in full (Figs. 7(a) and 8).
+//! `sweep simulate`: one case in full (Figs. 7, 8, 10–12, 15 and 16).
 
 use std::fmt::Write;
 use std::path::Path;
@@ -16,7 +16,7 @@ use super::{
 use crate::cli::SimulateArguments;
 use crate::engine::Case;
 use crate::output::write_atomically;
-use crate::plot::{Panel, Panels, Reference, Series, panels};
+use crate::plot::{Orbit, Orbits, Panel, Panels, Reference, Series, orbits, panels};
 use crate::spec::{Axis, Conditions, Sweep, check_setting, to_rpm};
 
 /// One method's answer.
@@ -54,7 +54,14 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     )?;
     let picture = panels(&history_panels(&sweep, &case, &simulations, step))?;
     save_picture(&folder, "history", &picture)?;
-    say(&summary(&case, &simulations, &folder)?)?;
+    if sweep.lateral.is_some() {
+        save_picture(
+            &folder,
+            "orbit",
+            &orbits(&site_orbits(&sweep, &simulations))?,
+        )?;
+    }
+    say(&summary(&sweep, &case, &simulations, &folder)?)?;
     Ok(Status::Complete)
 }
 
@@ -119,6 +126,14 @@ fn history_csv(simulations: &[Simulation], sites: &Sites, step: f64) -> Result<V
     let distances = sites.distances_from_bit().iter();
     header.extend(distances.map(|&distance| format!("{}_speed_rpm", site_name(distance))));
     header.extend(with_torque.then(|| "torque_on_bit_nm".to_owned()));
+    let with_positions = has_positions(simulations);
+    if with_positions {
+        for &distance in sites.distances_from_bit() {
+            let site = site_name(distance);
+            let columns = ["x_mm", "y_mm", "wall_force_x_n", "wall_force_y_n"];
+            header.extend(columns.map(|column| format!("{site}_{column}")));
+        }
+    }
     writer.write_record(&header)?;
     for simulation in simulations {
         let trajectory = &simulation.trajectory;
@@ -132,6 +147,13 @@ fn history_csv(simulations: &[Simulation], sites: &Sites, step: f64) -> Result<V
             if with_torque {
                 fields.push((-trajectory.bit_torque[index]).to_string());
             }
+            if with_positions {
+                for (positions, forces) in trajectory.positions.iter().zip(&trajectory.wall_forces)
+                {
+                    fields.extend(positions[index].map(|value| (1e3 * value).to_string()));
+                    fields.extend(forces[index].map(|value| value.to_string()));
+                }
+            }
             writer.write_record(&fields)?;
         }
     }
@@ -144,8 +166,49 @@ fn has_torque(simulations: &[Simulation]) -> bool {
         .any(|simulation| !simulation.trajectory.bit_torque.is_empty())
 }
 
-/// Speed of every site, torque on the bit, and, as in the paper, the
-/// difference between the first two methods beneath.
+fn has_positions(simulations: &[Simulation]) -> bool {
+    simulations
+        .iter()
+        .any(|simulation| !simulation.trajectory.positions.is_empty())
+}
+
+/// How a site is called in pictures.
+fn site_title(distance: f64) -> String {
+    if distance == 0.0 {
+        "the bit".to_owned()
+    } else {
+        format!("{distance} m above the bit")
+    }
+}
+
+/// The way of every site's centre, with the circle of its clearance.
+fn site_orbits(sweep: &Sweep, simulations: &[Simulation]) -> Orbits {
+    let distances = sweep.sites.distances_from_bit().iter().enumerate();
+    let walls = sweep.lateral.iter().flat_map(|lateral| &lateral.walls);
+    let orbits = distances.zip(walls).map(|((site, &distance), wall)| Orbit {
+        x: axis(&format!("x at {} (mm)", site_title(distance))),
+        y: axis("y (mm)"),
+        series: simulations
+            .iter()
+            .map(|simulation| Series {
+                name: simulation.method.to_owned(),
+                points: simulation.trajectory.positions[site]
+                    .iter()
+                    .map(|[x, y]| (1e3 * x, 1e3 * y))
+                    .collect(),
+            })
+            .collect(),
+        circle: 1e3 * wall.clearance,
+    });
+    Orbits {
+        title: sweep.title.clone(),
+        orbits: orbits.collect(),
+    }
+}
+
+/// With lateral motion, the radius of every site (Figs. 10 to 16); else its
+/// speed, torque on the bit, and, as in the paper, the difference between the
+/// first two methods beneath.
 fn history_panels(sweep: &Sweep, case: &Case, simulations: &[Simulation], step: f64) -> Panels {
     let series = |name: &str, values: &dyn Fn(usize) -> f64, count: usize| Series {
         name: name.to_owned(),
@@ -170,6 +233,23 @@ fn history_panels(sweep: &Sweep, case: &Case, simulations: &[Simulation], step: 
         references,
     };
     let mut list: Vec<Panel> = Vec::new();
+    if let Some(lateral) = &sweep.lateral {
+        let sites = sweep.sites.distances_from_bit().iter().zip(&lateral.walls);
+        for (site, (&distance, wall)) in sites.enumerate() {
+            list.push(panel(
+                &format!("Radius at {} (mm)", site_title(distance)),
+                of_each(&|trajectory, index| {
+                    let [x, y] = trajectory.positions[site][index];
+                    1e3 * x.hypot(y)
+                }),
+                vec![level(1e3 * wall.clearance, "clearance")],
+            ));
+        }
+        return Panels {
+            title: sweep.title.clone(),
+            panels: list,
+        };
+    }
     for (site, &distance) in sweep.sites.distances_from_bit().iter().enumerate().rev() {
         let label = if distance == 0.0 {
             "Bit speed (rpm)".to_owned()
@@ -231,7 +311,12 @@ fn level(y: f64, name: &str) -> Reference {
     }
 }
 
-fn summary(case: &Case, simulations: &[Simulation], folder: &Path) -> Result<String> {
+fn summary(
+    sweep: &Sweep,
+    case: &Case,
+    simulations: &[Simulation],
+    folder: &Path,
+) -> Result<String> {
     let mut text = String::new();
     let rpm = to_rpm(case.scene.surface_speed);
     let torque = case
@@ -239,6 +324,22 @@ fn summary(case: &Case, simulations: &[Simulation], folder: &Path) -> Result<Str
         .map_or_else(String::new, |torque| format!(", T_d = {torque:.1} N m"));
     writeln!(text, "Ω = {rpm:.4} rpm{torque}")?;
     for simulation in simulations {
+        if let Some(lateral) = simulation.outcome.lateral {
+            let distance = sweep.sites.distances_from_bit()[lateral.site];
+            writeln!(
+                text,
+                "  {}: {}, at {} in contact {:.0} % of the closing window, r = {:.2} mm, \
+                 {:.2} turns/s, F_N = {:.2} kN",
+                simulation.method,
+                lateral.regime.name(),
+                site_title(distance),
+                100.0 * lateral.contact_fraction,
+                1e3 * lateral.mean_radius,
+                lateral.precession_rate / std::f64::consts::TAU,
+                1e-3 * lateral.mean_normal_force,
+            )?;
+            continue;
+        }
         let Some(torsion) = simulation.outcome.torsion else {
             writeln!(text, "  {}: the bit is free", simulation.method)?;
             continue;

@@ -15,6 +15,7 @@ mod legend;
 mod map;
 mod names;
 mod numbers;
+mod orbits;
 mod panels;
 mod references;
 mod scale;
@@ -26,6 +27,7 @@ use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
 
 pub use map::{Line, MapPoint, Mark, RegimeMap, regime_map};
+pub use orbits::{Orbit, Orbits, orbits};
 pub use panels::{Panel, Panels, Series, panels};
 pub use references::Reference;
 pub use symbols::Symbol;

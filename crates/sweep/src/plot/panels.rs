@@ -101,7 +101,7 @@ fn series_names(p: &Panels) -> Vec<&str> {
 
 /// The look of the series with the name of this index. Only the first is
 /// solid: where series coincide, it shows between the dashes of the others.
-fn series_stroke(index: usize) -> Stroke {
+pub(super) fn series_stroke(index: usize) -> Stroke {
     let dash = match index {
         0 => DASHES[0],
         later => DASHES[1 + (later - 1) % (DASHES.len() - 1)],

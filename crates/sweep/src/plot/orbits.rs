@@ -1,0 +1,158 @@
+//! Orbits: curves in a plane with the same scale both ways, side by side, each
+//! with the circle it may not leave.
+
+use super::canvas::{Canvas, DASHES, Stroke, draw_picture};
+use super::frame::Frame;
+use super::geometry::Rect;
+use super::legend::{Key, Legend};
+use super::panels::series_stroke;
+use super::scale::Scale;
+use super::text::{Block, TITLE_SIZE};
+use super::{Axis, Picture, Series};
+use anyhow::Result;
+use plotters::style::RGBColor;
+use plotters::style::text_anchor::HPos;
+
+const MARGIN: f64 = 14.0;
+/// Side of the square each orbit is drawn in, its labels included.
+const SIDE: f64 = 420.0;
+/// Distance between the plotting areas and the legend.
+const LEGEND_GAP: f64 = 22.0;
+/// Corners of a circle that looks round.
+const CIRCLE_CORNERS: usize = 180;
+const CIRCLE_COLOUR: RGBColor = RGBColor(0x44, 0x44, 0x44);
+
+/// One orbit, seen along the axis it goes around.
+pub struct Orbit {
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis, in the same unit.
+    pub y: Axis,
+    /// Curves.
+    pub series: Vec<Series>,
+    /// Radius of the dashed circle around the origin.
+    pub circle: f64,
+}
+
+/// Orbits with one title and one legend.
+pub struct Orbits {
+    /// Title above all.
+    pub title: String,
+    /// Orbits, from left to right.
+    pub orbits: Vec<Orbit>,
+}
+
+/// Draws orbits side by side.
+pub fn orbits(p: &Orbits) -> Result<Picture> {
+    let mut names: Vec<&str> = Vec::new();
+    for series in p.orbits.iter().flat_map(|orbit| &orbit.series) {
+        if !names.contains(&series.name.as_str()) {
+            names.push(&series.name);
+        }
+    }
+    let keys = names.iter().enumerate();
+    let legend = Legend::new(keys.map(|(index, &name)| (Key::Line(series_stroke(index)), name)))?;
+    let plots = p.orbits.len() as f64 * SIDE;
+    let width = MARGIN + plots + LEGEND_GAP + legend.width() + MARGIN;
+    let title = Block::new(&p.title, TITLE_SIZE, width - 2.0 * MARGIN)?;
+    let top = 2.0 * MARGIN + title.height();
+    let height = top + SIDE.max(legend.height()) + MARGIN;
+    draw_picture(width, height, |canvas| {
+        let title_row = MARGIN + title.line_height() / 2.0;
+        canvas.text(&title, width / 2.0, title_row, HPos::Center)?;
+        for (index, orbit) in p.orbits.iter().enumerate() {
+            let left = MARGIN + index as f64 * SIDE;
+            draw_orbit(canvas, orbit, (left, top), &names)?;
+        }
+        legend.draw(canvas, MARGIN + plots + LEGEND_GAP, top)
+    })
+}
+
+fn draw_orbit(
+    canvas: &mut Canvas,
+    orbit: &Orbit,
+    (left, top): (f64, f64),
+    names: &[&str],
+) -> Result<()> {
+    let outer = Rect {
+        left,
+        top,
+        right: left + SIDE,
+        bottom: top + SIDE,
+    };
+    let reach = reach(orbit);
+    let scale = || Scale::new(false, [-reach, reach].into_iter());
+    let mut frame = Frame::new(outer, (&orbit.x, scale()), (&orbit.y, scale()))?;
+    let side = frame.area.width().min(frame.area.height());
+    frame.area.right = frame.area.left + side;
+    frame.area.top = frame.area.bottom - side;
+    frame.draw(canvas)?;
+    let dashed = Stroke {
+        colour: CIRCLE_COLOUR,
+        width: 1.2,
+        dash: DASHES[1],
+    };
+    for piece in frame.curve(&circle(orbit.circle)) {
+        canvas.line(&piece, dashed)?;
+    }
+    for series in &orbit.series {
+        let index = names.iter().position(|&name| name == series.name);
+        let stroke = Stroke {
+            width: 1.2,
+            ..series_stroke(index.unwrap_or(0))
+        };
+        for piece in frame.curve(&series.points) {
+            canvas.line(&piece, stroke)?;
+        }
+    }
+    Ok(())
+}
+
+/// The furthest that anything drawn is from the origin, along either axis.
+fn reach(orbit: &Orbit) -> f64 {
+    let points = orbit.series.iter().flat_map(|series| &series.points);
+    points
+        .filter(|(x, y)| x.is_finite() && y.is_finite())
+        .fold(orbit.circle, |reach, (x, y)| {
+            reach.max(x.abs()).max(y.abs())
+        })
+}
+
+fn circle(radius: f64) -> Vec<(f64, f64)> {
+    (0..=CIRCLE_CORNERS)
+        .map(|corner| {
+            let angle = std::f64::consts::TAU * corner as f64 / CIRCLE_CORNERS as f64;
+            (radius * angle.cos(), radius * angle.sin())
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::canvas::tests::assert_text_inside;
+    use super::*;
+
+    #[test]
+    fn an_orbit_has_one_scale_both_ways_and_its_labels_inside() {
+        let axis = |label: &str| Axis {
+            label: label.to_owned(),
+            logarithmic: false,
+        };
+        let orbit = || Orbit {
+            x: axis("x (mm)"),
+            y: axis("y (mm)"),
+            series: vec![Series {
+                name: "hilbert".to_owned(),
+                points: vec![(0.0, 0.0), (3.0, f64::NAN), (20.0, -1.0)],
+            }],
+            circle: 15.0,
+        };
+        assert_eq!(reach(&orbit()), 20.0);
+        let picture = orbits(&Orbits {
+            title: "Orbits".to_owned(),
+            orbits: vec![orbit(), orbit()],
+        })
+        .expect("drawn");
+        assert_text_inside(&picture);
+    }
+}
