@@ -1,22 +1,30 @@
 #!/usr/bin/env bash
-# Renews results/reference/fig09.csv on purpose, after a change that is meant to
-# change labels. Look at the difference in git before committing it.
+# Renews the label files in results/reference on purpose, after a change that is
+# meant to change labels. Look at the difference in git before committing it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cargo run --release --locked -- run sweeps/fig09_reference.toml --out "$folder" --quiet
-# Case, method, axes and label; the measures may change in their last digits.
-columns=case,method,surface_speed_rpm,weight_on_bit_kn,torsion
-awk -F, -v columns="$columns" '
-    NR == 1 {
-        count = split(columns, names, ",")
-        for (i = 1; i <= NF; i++) place[$i] = i
-    }
-    {
-        line = ""
-        for (i = 1; i <= count; i++) line = line (i > 1 ? "," : "") $(place[names[i]])
-        print line
-    }' "$folder/labels.csv" > "$folder/reference.csv"
-mv "$folder/reference.csv" results/reference/fig09.csv
+
+# Case, method, axes and labels; the measures may change in their last digits.
+labels_only() {
+    awk -F, '
+        NR == 1 {
+            for (i = 1; i <= NF; i++)
+                if ($i !~ /_(s|nm|mm|kn|m)$/ && $i !~ /^(sticks|bit_speed|contact_|rolling_|precession_|ambiguous|ended|status)/ || $i == "weight_on_bit_kn")
+                    kept[++count] = i
+        }
+        {
+            line = $(kept[1])
+            for (k = 2; k <= count; k++) line = line "," $(kept[k])
+            print line
+        }' "$1"
+}
+
+for figure in fig09 fig14 fig17; do
+    cargo run --release --locked --quiet -- \
+        run "sweeps/${figure}_reference.toml" --out "$folder/$figure" --quiet
+    labels_only "$folder/$figure/labels.csv" > "$folder/$figure.csv"
+    mv "$folder/$figure.csv" "results/reference/$figure.csv"
+done
 git --no-pager diff --stat -- results/reference

@@ -128,6 +128,9 @@ pub fn simulate_lateral(
             );
         }
     }
+    if let Some(record) = record {
+        record.forces = run.forces;
+    }
     Ok(Outcome {
         simulated: (steps - 1) as f64 * system.step_length,
         torsion: scene.bit.map(|_| bit_watch.measures()),

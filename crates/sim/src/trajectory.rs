@@ -14,6 +14,9 @@ pub struct Trajectory {
     pub positions: Vec<Vec<[f64; 2]>>,
     /// Force of the wall on each site, N; empty without lateral motion.
     pub wall_forces: Vec<Vec<[f64; 2]>>,
+    /// All forces on each site, disturbances included, as
+    /// `forces[axis][site][step]`, N; empty without lateral motion.
+    pub forces: [Vec<Vec<f64>>; 2],
 }
 
 impl Trajectory {
@@ -23,6 +26,7 @@ impl Trajectory {
             bit_torque: Vec::new(),
             positions: vec![Vec::new(); sites],
             wall_forces: vec![Vec::new(); sites],
+            forces: Default::default(),
         }
     }
 

@@ -293,16 +293,7 @@ fn the_reconstructed_string_passes_through_its_site() {
     let case = Case::new(&Method::FiniteElement(parameters), &[0.0]);
     let lateral = case.at_bit(3.0, wall(2.0));
     let mut trajectory = Trajectory::default();
-    let found = case.run(lateral.clone(), Some(&mut trajectory));
-    let time = |step: usize| step as f64 / academic::SAMPLING_FREQUENCY;
-    let forces = [0, 1].map(|axis| {
-        let walls = trajectory.wall_forces[0].iter().enumerate();
-        vec![
-            walls
-                .map(|(step, force)| force[axis] + lateral.impulses[0].force(time(step))[axis])
-                .collect::<Vec<f64>>(),
-        ]
-    });
+    let found = case.run(lateral, Some(&mut trajectory));
     let string = academic::string();
     let request = BendingRequest {
         sites: Sites::bit(),
@@ -315,7 +306,7 @@ fn the_reconstructed_string_passes_through_its_site() {
         &BENDING,
         &request,
         &parameters,
-        &forces,
+        &trajectory.forces,
         &[2000],
     )
     .unwrap();

@@ -1,11 +1,12 @@
-//! `sweep simulate`: one case in full (Figs. 7, 8, 10–12, 15 and 16).
+//! `sweep simulate`: one case in full (Figs. 7, 8, 10–13, 15 and 16).
 
 use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use linear::Sites;
+use linear::elements::reconstruction::reconstruct;
 use linear::estimates::stick_slip_times;
+use linear::{BendingRequest, Sites};
 use sim::{Outcome, Trajectory};
 
 use super::plot::{axis, save_picture};
@@ -17,7 +18,7 @@ use crate::cli::SimulateArguments;
 use crate::engine::Case;
 use crate::output::write_atomically;
 use crate::plot::{Orbit, Orbits, Panel, Panels, Reference, Series, orbits, panels};
-use crate::spec::{Axis, Conditions, Sweep, check_setting, to_rpm};
+use crate::spec::{Axis, Conditions, LateralSettings, Sweep, check_setting, to_rpm};
 
 /// One method's answer.
 struct Simulation {
@@ -54,12 +55,11 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     )?;
     let picture = panels(&history_panels(&sweep, &case, &simulations, step))?;
     save_picture(&folder, "history", &picture)?;
-    if sweep.lateral.is_some() {
-        save_picture(
-            &folder,
-            "orbit",
-            &orbits(&site_orbits(&sweep, &simulations))?,
-        )?;
+    if let Some(lateral) = &sweep.lateral {
+        let orbits = orbits(&site_orbits(&sweep, &simulations))?;
+        save_picture(&folder, "orbit", &orbits)?;
+        let along = along_string(&sweep, lateral, &simulations)?;
+        save_picture(&folder, "string", &panels(&along)?)?;
     }
     say(&summary(&sweep, &case, &simulations, &folder)?)?;
     Ok(Status::Complete)
@@ -204,6 +204,52 @@ fn site_orbits(sweep: &Sweep, simulations: &[Simulation]) -> Orbits {
         title: sweep.title.clone(),
         orbits: orbits.collect(),
     }
+}
+
+/// Fig. 13: the peak displacement of the whole string, reconstructed by finite
+/// elements from the forces at its sites, whatever method gave them.
+fn along_string(
+    sweep: &Sweep,
+    lateral: &LateralSettings,
+    simulations: &[Simulation],
+) -> Result<Panels> {
+    let request = BendingRequest {
+        sites: sweep.sites.clone(),
+        support: lateral.support,
+        sampling_frequency: sweep.sampling_frequency,
+        longest_time: 0.0,
+    };
+    let series = simulations
+        .iter()
+        .map(|simulation| {
+            let whole = reconstruct(
+                &sweep.string,
+                &lateral.bending,
+                &request,
+                &sweep.content.method.finite_element,
+                &simulation.trajectory.forces,
+                &[],
+            )?;
+            let peaks = whole.peaks.iter().map(|peak| 1e3 * peak);
+            Ok(Series {
+                name: simulation.method.to_owned(),
+                points: whole.depths.iter().copied().zip(peaks).collect(),
+            })
+        })
+        .collect::<Result<Vec<_>>>()?;
+    let clearance = lateral.walls.iter().map(|wall| wall.clearance);
+    Ok(Panels {
+        title: format!("{}: the whole string", sweep.title),
+        panels: vec![Panel {
+            x: axis("Depth ξ (m)"),
+            y: axis("Peak radius (mm)"),
+            series,
+            references: vec![level(
+                1e3 * clearance.fold(f64::INFINITY, f64::min),
+                "least clearance",
+            )],
+        }],
+    })
 }
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
