@@ -3,6 +3,8 @@
 
 #[path = "bad_input/arguments.rs"]
 mod arguments;
+#[path = "bad_input/lateral.rs"]
+mod lateral;
 #[path = "bad_input/other_files.rs"]
 mod other_files;
 #[path = "support/refusals.rs"]

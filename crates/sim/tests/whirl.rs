@@ -207,6 +207,34 @@ fn below_the_least_impulse_nothing_touches() {
     assert_ne!(label(1.01), LateralRegime::NoContact);
 }
 
+/// Fig. 14: the friction above which an impulse starts backward whirl falls
+/// with the impulse, to a little above the bound of steady whirl, 1.14.
+#[test]
+fn the_limit_of_whirl_falls_with_the_impulse() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let limit = |ratio: f64| {
+        let (mut low, mut high) = (1.0, 3.0);
+        while high - low > 0.005 {
+            let middle = 0.5 * (low + high);
+            match case.run(case.at_bit(ratio, wall(middle)), None).regime {
+                LateralRegime::BackwardWhirl => high = middle,
+                _ => low = middle,
+            }
+        }
+        0.5 * (low + high)
+    };
+    let limits = [1.5, 2.0, 3.0, 5.0].map(limit);
+    assert!(
+        limits.windows(2).all(|pair| pair[1] <= pair[0]),
+        "{limits:?}"
+    );
+    assert_close(limits[0], 1.95, 0.05);
+    assert!(
+        limits[2..].iter().all(|limit| (1.14..1.26).contains(limit)),
+        "{limits:?}"
+    );
+}
+
 #[test]
 fn rotating_the_impulse_rotates_the_motion() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
@@ -256,6 +284,36 @@ fn steady_backward_whirl_balances_the_dynamic_stiffness() {
     );
     let least_friction = (stiffness.im / stiffness.re).abs();
     assert_close(least_friction, 1.14, 0.02);
+}
+
+/// Forward whirl has the same kind of balance: the eccentric force, at an angle,
+/// less F_N and the friction of sliding, is the dynamic stiffness times r.
+#[test]
+fn steady_forward_whirl_balances_the_eccentric_force() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let (mass, offset, friction) = (1000.0, 0.1, 0.5);
+    let lateral = Lateral {
+        walls: vec![wall(friction)],
+        impulses: vec![],
+        eccentric_masses: vec![EccentricMass {
+            site: 0,
+            mass,
+            offset,
+        }],
+    };
+    let found = case.run(lateral, None);
+    let string = academic::string();
+    let network = linear::waves::lateral::BendingNetwork::new(
+        &string,
+        BENDING,
+        SurfaceSupport::Free,
+        &Sites::bit(),
+    );
+    let stiffness = network.at_rate(found.precession_rate)[(0, 0)].inv();
+    let real = stiffness.re * found.mean_radius + found.mean_normal_force;
+    let imaginary = stiffness.im * found.mean_radius + friction * found.mean_normal_force;
+    let eccentric = mass * (offset + found.mean_radius) * found.precession_rate.powi(2);
+    assert_close(real.hypot(imaginary), eccentric, 0.01);
 }
 
 #[test]

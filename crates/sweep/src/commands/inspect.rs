@@ -129,6 +129,9 @@ fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error>
                 largest_undershoot(taps)
             )?;
         }
+        for least in &system.least_impulses {
+            writeln!(text, "    least impulse I₀         {least:.1} N s")?;
+        }
         if let Some(margin) = system.margin {
             let verdict = if system.is_unstable() {
                 "unstable in sticking"
@@ -148,10 +151,12 @@ fn describe_scene(
 ) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     writeln!(text, "\nleft out, because the scene does not need it")?;
-    writeln!(
-        text,
-        "  bending and the borehole wall: no lateral contact is modelled"
-    )?;
+    if sweep.lateral.is_none() {
+        writeln!(
+            text,
+            "  bending and the borehole wall: no lateral contact is modelled"
+        )?;
+    }
     writeln!(text, "  the torque at the surface: nothing depends on it")?;
     if sweep.bit.is_none() {
         writeln!(text, "  torque at the bit: the bit is free")?;

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use linear::passivity::STABLE_MARGIN;
 use linear::{
     BendingRequest, BendingResponses, Method, TorsionRequest, TorsionResponses, bending_responses,
@@ -85,10 +85,14 @@ impl MethodSystem {
             Some(bending) => Stepped::Lateral(LateralSystem::new(&responses, bending)?),
         };
         let impulses = sweep.lateral.iter().flat_map(|lateral| &lateral.impulses);
+        let least_impulses = least_impulses(sweep, bending.as_ref());
+        if !least_impulses.iter().all(|amount| amount.is_finite()) {
+            bail!("I₀ is asked for where no impulse brings the string to the wall");
+        }
         Ok(Self {
             method,
             margin: responses.margin()?,
-            least_impulses: least_impulses(sweep, bending.as_ref()),
+            least_impulses,
             relative: impulses.map(|impulse| impulse.relative).collect(),
             build_seconds,
             stepped,

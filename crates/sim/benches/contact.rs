@@ -1,0 +1,44 @@
+//! Cost of one contact solve: `cargo bench -p sim`.
+#![allow(missing_docs, reason = "benchmarks are no interface")]
+
+use divan::{Bencher, black_box};
+use sim::Wall;
+use sim::laws::wall::{Approach, Touch};
+
+fn main() {
+    divan::main();
+}
+
+fn approach(free_speed: f64) -> Approach {
+    Approach {
+        free_position: [0.0163, -0.0004],
+        previous_position: [0.0160, 0.0002],
+        free_speed,
+        compliance: 1e-8,
+        torsional_compliance: 5e-5,
+        bit: None,
+        sampling_frequency: 640.0,
+    }
+}
+
+fn solve(bencher: Bencher, friction: f64, stiffness: f64, touch: Touch) {
+    let wall = Wall {
+        clearance: 0.015,
+        stiffness,
+        friction,
+        radius: 0.15,
+    };
+    let approach = approach(6.3);
+    assert_eq!(wall.meet(&approach).touch, touch);
+    bencher.bench(|| black_box(&wall).meet(black_box(&approach)));
+}
+
+#[divan::bench(args = [1e9, f64::INFINITY])]
+fn sliding(bencher: Bencher, stiffness: f64) {
+    solve(bencher, 0.1, stiffness, Touch::Sliding);
+}
+
+#[divan::bench(args = [1e9, f64::INFINITY])]
+fn rolling(bencher: Bencher, stiffness: f64) {
+    solve(bencher, 20.0, stiffness, Touch::Rolling);
+}

@@ -1,0 +1,212 @@
+//! Energy in contact: what the wall gives back is no more than it took, and the
+//! discrete string gives back no more than was fed in, however long it rattles.
+
+use linear::method::FiniteElement;
+use linear::{
+    Bending, BendingRequest, Drillstring, Material, Method, Section, Sites, SurfaceSupport,
+    TorsionRequest, Tube, bending_responses, torsion_responses,
+};
+use sim::{Impulse, Lateral, LateralSystem, Scene, Timing, Trajectory, Wall, simulate_lateral};
+
+const SAMPLING_FREQUENCY: f64 = 640.0;
+const STEPS: usize = 100_000;
+
+/// Sixty pushes from all sides keep the string rattling.
+fn impulse(index: u32) -> Impulse {
+    Impulse {
+        site: 0,
+        amount: 500.0,
+        start: 0.1 + 2.5 * f64::from(index),
+        duration: 0.02,
+        direction: 0.4 + 2.4 * f64::from(index),
+    }
+}
+
+/// A short string without lateral damping.
+fn rattle(method: &Method, wall: Wall, sampling_frequency: f64, steps: usize) -> Trajectory {
+    let part = Tube {
+        length: 10.0,
+        inner_radius: 0.05,
+        outer_radius: 0.15,
+    };
+    let section = Section {
+        repeat: 4,
+        parts: vec![part],
+    };
+    let steel = Material {
+        shear_modulus: 80e9,
+        density: 7840.0,
+    };
+    let string = Drillstring::new(steel, vec![section], 10.0).unwrap();
+    let bending = Bending {
+        youngs_modulus: 210e9,
+        damping: 0.0,
+        compression: 0.0,
+    };
+    let duration = steps as f64 / sampling_frequency;
+    let torsion = TorsionRequest {
+        sites: Sites::bit(),
+        torque_inputs: vec![0],
+        sampling_frequency,
+        longest_time: duration,
+    };
+    let lateral = BendingRequest {
+        sites: Sites::bit(),
+        support: SurfaceSupport::Pinned,
+        sampling_frequency,
+        longest_time: duration,
+    };
+    let torsion = torsion_responses(&string, method, &torsion).unwrap();
+    let lateral = bending_responses(&string, &bending, method, &lateral).unwrap();
+    let system = LateralSystem::new(&torsion, &lateral).unwrap();
+    let scene = Scene {
+        surface_speed: 6.3,
+        bit: None,
+        lateral: Some(Lateral {
+            walls: vec![wall],
+            impulses: (0..60).map(impulse).collect(),
+            eccentric_masses: vec![],
+        }),
+        timing: Timing {
+            duration,
+            closing_window: 2.0,
+        },
+    };
+    let mut trajectory = Trajectory::default();
+    simulate_lateral(&system, &scene, Some(&mut trajectory)).unwrap();
+    trajectory
+}
+
+const WALL: Wall = Wall {
+    clearance: 0.015,
+    stiffness: 1e9,
+    friction: 0.0,
+    radius: 0.15,
+};
+
+/// Running sums of force times displacement: by the wall on the string, and by
+/// all forces on the string.
+fn works(trajectory: &Trajectory) -> (Vec<f64>, Vec<f64>) {
+    let positions = &trajectory.positions[0];
+    let (mut wall, mut all) = (0.0, 0.0);
+    let mut before = [0.0; 2];
+    (0..positions.len())
+        .map(|step| {
+            for axis in 0..2 {
+                let moved = positions[step][axis] - before[axis];
+                wall += trajectory.wall_forces[0][step][axis] * moved;
+                all += trajectory.forces[axis][0][step] * moved;
+            }
+            before = positions[step];
+            (wall, all)
+        })
+        .unzip()
+}
+
+fn touches(trajectory: &Trajectory) -> usize {
+    let forces = &trajectory.wall_forces[0];
+    forces
+        .windows(2)
+        .filter(|pair| pair[0] == [0.0; 2] && pair[1] != [0.0; 2])
+        .count()
+}
+
+#[test]
+fn rattling_for_ever_gains_no_energy() {
+    for method in [
+        Method::Quadrature,
+        Method::FiniteElement(FiniteElement::default()),
+    ] {
+        for stiffness in [1e9, f64::INFINITY] {
+            let trajectory = rattle(
+                &method,
+                Wall { stiffness, ..WALL },
+                SAMPLING_FREQUENCY,
+                STEPS,
+            );
+            assert!(
+                touches(&trajectory) > 100,
+                "{}: {}",
+                method.name(),
+                touches(&trajectory)
+            );
+            let (wall, all) = works(&trajectory);
+            let fed_in = all
+                .iter()
+                .zip(&wall)
+                .map(|(all, wall)| all - wall)
+                .fold(0.0, f64::max);
+            for (step, (wall, all)) in wall.iter().zip(&all).enumerate() {
+                let [x, y] = trajectory.positions[0][step];
+                let depth = (x.hypot(y) - WALL.clearance).max(0.0);
+                let stored = if stiffness.is_finite() {
+                    0.4 * stiffness * depth.powf(2.5)
+                } else {
+                    0.0
+                };
+                // The wall gives back at most what it took and does not store.
+                assert!(wall + stored <= 1e-9 * fed_in, "{} {step}", method.name());
+                // The string never gives out more than it was given.
+                assert!(*all >= -1e-6 * fed_in, "{} {step}: {all}", method.name());
+            }
+        }
+    }
+}
+
+/// The part of the energy of the first impact that does not come back.
+fn lost_at_first_impact(sampling_frequency: f64) -> f64 {
+    let steps = (0.5 * sampling_frequency) as usize;
+    let soft = Wall {
+        stiffness: 1e7,
+        ..WALL
+    };
+    let trajectory = rattle(&Method::Quadrature, soft, sampling_frequency, steps);
+    let (wall, _) = works(&trajectory);
+    let mut forces = trajectory.wall_forces[0].iter();
+    let touched = forces.position(|force| *force != [0.0; 2]).unwrap();
+    let left = touched + forces.position(|force| *force == [0.0; 2]).unwrap();
+    let deepest = wall[touched..=left].iter().copied().fold(0.0, f64::min);
+    wall[left] / deepest
+}
+
+/// Nothing but the discretisation takes energy where nothing dissipates: the
+/// smaller the step, the more of an impact comes back.
+#[test]
+fn what_leaves_the_string_at_an_impact_comes_back() {
+    let lost = [640.0, 1280.0, 2560.0, 5120.0].map(lost_at_first_impact);
+    assert!(lost.windows(2).all(|pair| pair[1] < pair[0]), "{lost:?}");
+    assert!(lost[3] < 0.05 && lost[3] >= 0.0, "{lost:?}");
+}
+
+#[test]
+fn friction_takes_energy_at_the_contact_and_gives_none() {
+    let trajectory = rattle(
+        &Method::Quadrature,
+        Wall {
+            friction: 0.6,
+            ..WALL
+        },
+        SAMPLING_FREQUENCY,
+        20_000,
+    );
+    let mut before = [0.0; 2];
+    let mut dissipated = 0.0;
+    for (step, &position) in trajectory.positions[0].iter().enumerate() {
+        let [x, y] = position;
+        let radius = x.hypot(y);
+        let force = trajectory.wall_forces[0][step];
+        if force != [0.0; 2] {
+            let tangent = [-y / radius, x / radius];
+            let friction = force[0] * tangent[0] + force[1] * tangent[1];
+            let moved =
+                (position[0] - before[0]) * tangent[0] + (position[1] - before[1]) * tangent[1];
+            let sliding = WALL.radius * trajectory.speeds[0][step] + moved * SAMPLING_FREQUENCY;
+            let power = friction * sliding;
+            let scale = friction.abs() * (WALL.radius * trajectory.speeds[0][step].abs() + 1.0);
+            assert!(power <= 1e-9 * scale, "{step}: {power}");
+            dissipated -= power;
+        }
+        before = position;
+    }
+    assert!(dissipated > 0.0);
+}

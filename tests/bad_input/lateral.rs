@@ -1,0 +1,160 @@
+//! Mistakes in the lateral part of a sweep file.
+
+use crate::refusals::refused_at;
+use crate::support::{SMALL, with};
+
+/// The small sweep with a wall, one site in contact and an impulse there.
+fn lateral() -> String {
+    let start = SMALL.find("[[sites]]").unwrap();
+    let string = with(
+        &SMALL[..start],
+        "[[string.sections]]",
+        "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n\n[[string.sections]]",
+    );
+    let string = with(
+        &string,
+        "rock = \"sandstone\"",
+        "rock = \"sandstone\"\nweight_on_bit_kn = 40",
+    );
+    format!(
+        "{string}
+[wall]
+clearance_mm = 15
+stiffness_gn_m15 = 1
+friction = 0.5
+
+[[sites]]
+distance_from_bit_m = 0
+
+[[impulses]]
+distance_from_bit_m = 0
+ratio = 3
+duration_s = 0.02
+"
+    )
+}
+
+#[test]
+fn the_lateral_sweep_itself_has_no_mistake() {
+    let place = crate::support::Workplace::with_small(&lateral());
+    let answer = place.sweep(&crate::refusals::RUN);
+    assert_eq!((answer.code, answer.errors.as_str()), (0, ""));
+}
+
+#[test]
+fn what_a_wall_cannot_be_is_refused() {
+    for (piece, instead, at, key, meant) in [
+        (
+            "clearance_mm = 15",
+            "",
+            "[wall]",
+            "wall",
+            "has no clearance",
+        ),
+        (
+            "clearance_mm = 15",
+            "clearance_mm = 0",
+            "clearance_mm",
+            "wall.clearance_mm",
+            "between",
+        ),
+        (
+            "friction = 0.5",
+            "friction = -0.1",
+            "friction",
+            "wall.friction",
+            "between",
+        ),
+        ("friction = 0.5", "", "[wall]", "wall.friction", "is needed"),
+        (
+            "stiffness_gn_m15 = 1\n",
+            "stiffness_gn_m15 = -1\n",
+            "stiffness",
+            "wall.stiffness_gn_m15",
+            "between",
+        ),
+        (
+            "[[sites]]\ndistance_from_bit_m = 0\n",
+            "sites = []\n",
+            "sites",
+            "wall.sites",
+            "unknown key",
+        ),
+        (
+            "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n",
+            "",
+            "[wall]",
+            "wall",
+            "[string.bending]",
+        ),
+        (
+            "damping_ns_m2 = 2000",
+            "damping_ns_m2 = -1",
+            "damping_ns_m2 =",
+            "string.bending.damping_ns_m2",
+            "between",
+        ),
+    ] {
+        refused_at(&with(&lateral(), piece, instead), at, key, meant);
+    }
+}
+
+#[test]
+fn two_sites_at_one_place_are_refused() {
+    let twice = with(
+        &lateral(),
+        "[[impulses]]",
+        "[[sites]]\ndistance_from_bit_m = 0.0 # again\n\n[[impulses]]",
+    );
+    refused_at(
+        &twice,
+        "# again",
+        "sites[1].distance_from_bit_m",
+        "two sites",
+    );
+}
+
+#[test]
+fn what_an_impulse_cannot_be_is_refused() {
+    for (piece, instead, at, key, meant) in [
+        (
+            "duration_s = 0.02",
+            "duration_s = -0.02",
+            "duration_s",
+            "impulses[0].duration_s",
+            "ends before it starts",
+        ),
+        (
+            "ratio = 3",
+            "ratio = 3\namount_ns = 9",
+            "[[impulses]]",
+            "impulses[0]",
+            "either",
+        ),
+        (
+            "ratio = 3",
+            "ratio = -3",
+            "ratio = -3",
+            "impulses[0].ratio",
+            "between",
+        ),
+        (
+            "[[impulses]]\ndistance_from_bit_m = 0",
+            "[[impulses]]\ndistance_from_bit_m = 7.5",
+            "= 7.5",
+            "impulses[0].distance_from_bit_m",
+            "no site is 7.5 m",
+        ),
+    ] {
+        refused_at(&with(&lateral(), piece, instead), at, key, meant);
+    }
+}
+
+#[test]
+fn lateral_keys_without_a_wall_are_refused() {
+    let text = lateral();
+    let start = text.find("[wall]").unwrap();
+    let end = text.find("[[sites]]").unwrap();
+    let without = with(&text, &text[start..end], "");
+    refused_at(&without, "[[impulses]]", "impulses", "needs a table [wall]");
+}
