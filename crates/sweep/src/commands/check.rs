@@ -97,6 +97,9 @@ fn cases_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<Ca
     let mut cases: BTreeMap<usize, Case> = BTreeMap::new();
     for row in reference {
         let at = |reason: String| UsageError(format!("{}:{}: {reason}", path.display(), row.line));
+        if row.torsion.is_empty() && row.lateral.is_empty() {
+            bail!(at("has no label to compare with".to_owned()));
+        }
         if let Some(case) = cases.get(&row.case) {
             if case.values != row.values {
                 bail!(at(format!("case {} has other values above", row.case)));

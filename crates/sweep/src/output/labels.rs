@@ -147,9 +147,8 @@ pub struct LabelRow {
     pub lateral: String,
 }
 
-/// Reads labels back: the columns `case`, `method`, the axes asked for, and at
-/// least one of `torsion` and `lateral`, wherever they stand; others are passed
-/// over.
+/// Reads labels back: the columns `case`, `method`, the axes asked for, `torsion`
+/// and, if it is there, `lateral`, wherever they stand; others are passed over.
 pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
     let text = std::fs::read_to_string(path)
         .with_context(|| format!("{} cannot be read", path.display()))?;
@@ -162,12 +161,8 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
         let line = line_from(&text, 0);
         found.with_context(|| format!("{}:{line}: has no column `{name}`", path.display()))
     };
-    let (case, method) = (column("case")?, column("method")?);
+    let (case, method, torsion) = (column("case")?, column("method")?, column("torsion")?);
     let lateral = column("lateral").ok();
-    let torsion = match lateral {
-        Some(_) => column("torsion").ok(),
-        None => Some(column("torsion")?),
-    };
     let value_columns = axes
         .iter()
         .map(|axis| column(axis.name()))
@@ -200,7 +195,7 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
             case,
             method: record[method].to_owned(),
             values: value_columns.iter().map(number).collect::<Result<_>>()?,
-            torsion: torsion.map_or_else(String::new, |column| record[column].to_owned()),
+            torsion: record[torsion].to_owned(),
             lateral: lateral.map_or_else(String::new, |column| record[column].to_owned()),
         });
     }
