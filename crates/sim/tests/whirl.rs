@@ -263,11 +263,13 @@ fn turning_the_other_way_whirls_the_other_way() {
 }
 
 /// In steady backward whirl the wall supplies the dynamic stiffness of the
-/// string at the rate of whirl: F_N = −Re K r and friction = |Im K| r.
+/// string at the rate of whirl: F_N = −Re K r and friction = |Im K| r. So no
+/// friction below |Im K / Re K| sustains it.
 #[test]
 fn steady_backward_whirl_balances_the_dynamic_stiffness() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
-    let found = case.run(case.at_bit(3.0, wall(2.0)), None);
+    let mut trajectory = Trajectory::default();
+    let found = case.run(case.at_bit(3.0, wall(2.0)), Some(&mut trajectory));
     let string = academic::string();
     let network = linear::waves::lateral::BendingNetwork::new(
         &string,
@@ -275,15 +277,60 @@ fn steady_backward_whirl_balances_the_dynamic_stiffness() {
         SurfaceSupport::Free,
         &Sites::bit(),
     );
-    let receptance = network.at_rate(found.precession_rate.abs())[(0, 0)];
-    let stiffness = receptance.inv();
-    assert_close(
-        found.mean_normal_force,
-        -stiffness.re * found.mean_radius,
-        0.02,
+    let stiffness = network.at_rate(found.precession_rate.abs())[(0, 0)].inv();
+    let last = trajectory.positions[0].len() - 1;
+    let ([x, y], [fx, fy]) = (
+        trajectory.positions[0][last],
+        trajectory.wall_forces[0][last],
     );
-    let least_friction = (stiffness.im / stiffness.re).abs();
-    assert_close(least_friction, 1.14, 0.02);
+    let radius = x.hypot(y);
+    let normal = -(fx * x + fy * y) / radius;
+    let friction = (fy * x - fx * y) / radius;
+    assert_close(normal, -stiffness.re * radius, 0.01);
+    assert_close(friction.abs(), stiffness.im.abs() * radius, 0.01);
+    assert_close((stiffness.im / stiffness.re).abs(), 1.14, 0.01);
+}
+
+/// The bit's torque and the wall act on one site in one step. A wall without
+/// friction leaves torsion alone; one with friction obeys both laws.
+#[test]
+fn the_bit_cuts_and_touches_the_wall_at_once() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let bit = sim::BitTorque {
+        torque_static: 2400.0,
+        torque_dynamic: 2000.0,
+    };
+    let run = |friction: f64, ratio: f64| {
+        let scene = Scene {
+            surface_speed: SPEED,
+            bit: Some(bit),
+            lateral: Some(case.at_bit(ratio, wall(friction))),
+            timing: Timing {
+                duration: DURATION,
+                closing_window: 2.0,
+            },
+        };
+        let mut trajectory = Trajectory::default();
+        let outcome = simulate_lateral(&case.system, &scene, Some(&mut trajectory)).unwrap();
+        (outcome, trajectory)
+    };
+    let (smooth, frictionless) = run(0.0, 3.0);
+    let (undisturbed, quiet) = run(2.0, 0.0);
+    assert_eq!(frictionless.speeds, quiet.speeds);
+    assert_eq!(smooth.torsion, undisturbed.torsion);
+    assert_eq!(
+        undisturbed.lateral.unwrap().regime,
+        LateralRegime::NoContact
+    );
+
+    let (both, trajectory) = run(2.0, 3.0);
+    assert_eq!(both.lateral.unwrap().regime, LateralRegime::BackwardWhirl);
+    assert_eq!(both.torsion.unwrap().regime, sim::TorsionRegime::Smooth);
+    for (speed, torque) in trajectory.speeds[0].iter().zip(&trajectory.bit_torque) {
+        let slides = *speed > 0.0 && *torque == -2000.0 || *speed < 0.0 && *torque == 2000.0;
+        let sticks = *speed == 0.0 && torque.abs() <= 2400.0;
+        assert!(slides || sticks, "{speed} {torque}");
+    }
 }
 
 /// Forward whirl has the same kind of balance: the eccentric force, at an angle,

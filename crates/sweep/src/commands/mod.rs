@@ -127,7 +127,16 @@ fn all_cases(file: &Path, sweep: &Sweep) -> Result<Vec<Case>> {
 
 /// The linear system of every method of a sweep.
 fn build_systems(file: &Path, sweep: &Sweep, cases: &[Case]) -> Result<Vec<MethodSystem>> {
-    MethodSystem::build_all(sweep, cases).with_context(|| file.display().to_string())
+    let systems =
+        MethodSystem::build_all(sweep, cases).with_context(|| file.display().to_string())?;
+    if let Some(index) = systems.iter().find_map(MethodSystem::unreachable_impulse) {
+        bail!(UsageError(format!(
+            "{}: `impulses[{index}].ratio`: there is no I₀, for no impulse brings this site \
+             to the wall; give `amount_ns`",
+            file.display()
+        )));
+    }
+    Ok(systems)
 }
 
 /// Warns of methods that a sticking bit makes chatter.

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use linear::passivity::STABLE_MARGIN;
 use linear::{
     BendingRequest, BendingResponses, Method, TorsionRequest, TorsionResponses, bending_responses,
@@ -85,19 +85,22 @@ impl MethodSystem {
             Some(bending) => Stepped::Lateral(LateralSystem::new(&responses, bending)?),
         };
         let impulses = sweep.lateral.iter().flat_map(|lateral| &lateral.impulses);
-        let least_impulses = least_impulses(sweep, bending.as_ref());
-        if !least_impulses.iter().all(|amount| amount.is_finite()) {
-            bail!("I₀ is asked for where no impulse brings the string to the wall");
-        }
         Ok(Self {
             method,
             margin: responses.margin()?,
-            least_impulses,
+            least_impulses: least_impulses(sweep, bending.as_ref()),
             relative: impulses.map(|impulse| impulse.relative).collect(),
             build_seconds,
             stepped,
             responses,
         })
+    }
+
+    /// The first impulse given in multiples of an I₀ that does not exist, for
+    /// no impulse brings its site to the wall.
+    pub fn unreachable_impulse(&self) -> Option<usize> {
+        let mut impulses = self.least_impulses.iter().zip(&self.relative);
+        impulses.position(|(least, relative)| *relative && !least.is_finite())
     }
 
     /// Whether the margin says that a sticking bit chatters.
