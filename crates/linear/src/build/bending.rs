@@ -136,12 +136,7 @@ fn element_taps(
     request: &BendingRequest,
     needed: usize,
 ) -> Result<Vec<Vec<f64>>, BuildError> {
-    parameters.check()?;
-    let weights = Weights {
-        gamma: parameters.gamma,
-        beta: parameters.beta(),
-        step: 1.0 / request.sampling_frequency,
-    };
+    let weights = Weights::new(parameters, request.sampling_frequency)?;
     let beam = CondensedBeam::new(
         string,
         bending,

@@ -41,8 +41,28 @@ pub fn torsion_responses(
     check_sampling(request.sampling_frequency)?;
     let channels = match method {
         Method::Quadrature => quadrature_taps(string, request)?,
-        Method::Hilbert(transform) => hilbert_taps(string, transform, request)?,
-        Method::DirectIdft(transform) => direct_taps(string, transform, request)?,
+        Method::Hilbert(transform) => {
+            needs_damping(method, string)?;
+            let length = transform_samples(string, transform, request)?;
+            let response = wave_response(string, request);
+            hilbert::taps(
+                request.sampling_frequency,
+                length,
+                request.channels(),
+                &response,
+            )
+        }
+        Method::DirectIdft(transform) => {
+            needs_damping(method, string)?;
+            let length = transform_samples(string, transform, request)?;
+            let response = wave_response(string, request);
+            direct::taps(
+                request.sampling_frequency,
+                length,
+                request.channels(),
+                &response,
+            )
+        }
         Method::FiniteElement(parameters) => element_taps(string, parameters, request)?,
     };
     all_finite(&channels, method.name())?;
@@ -86,43 +106,17 @@ fn until_decayed(
     }
 }
 
-/// The transform is as long as the string's vibration lasts, however short
-/// the simulation: what it cuts off is folded back (Section 2.4). Its taps have
-/// an algebraic tail, so that watching them decay would not tell when to stop.
-fn hilbert_taps(
+/// The transform behind a filter is as long as the string's vibration lasts,
+/// however short the simulation: what it cuts off is folded back (Section 2.4).
+/// The taps have an algebraic tail, so that watching them decay would not tell
+/// when to stop.
+fn transform_samples(
     string: &Drillstring,
     transform: &Transform,
     request: &TorsionRequest,
-) -> Result<Vec<Vec<f64>>, BuildError> {
-    needs_damping("hilbert", string)?;
-    Ok(hilbert::taps(
-        request.sampling_frequency,
-        transform_length(
-            transform,
-            2.0 * first_length(string, request) as f64,
-            request.sampling_frequency,
-        )?,
-        request.channels(),
-        &wave_response(string, request),
-    ))
-}
-
-fn direct_taps(
-    string: &Drillstring,
-    transform: &Transform,
-    request: &TorsionRequest,
-) -> Result<Vec<Vec<f64>>, BuildError> {
-    needs_damping("direct-idft", string)?;
-    Ok(direct::taps(
-        request.sampling_frequency,
-        transform_length(
-            transform,
-            2.0 * first_length(string, request) as f64,
-            request.sampling_frequency,
-        )?,
-        request.channels(),
-        &wave_response(string, request),
-    ))
+) -> Result<usize, BuildError> {
+    let lasts = 2.0 * first_length(string, request) as f64;
+    transform_length(transform, lasts, request.sampling_frequency)
 }
 
 /// Exact frequency responses of all channels.
@@ -178,12 +172,7 @@ fn element_taps(
     parameters: &FiniteElement,
     request: &TorsionRequest,
 ) -> Result<Vec<Vec<f64>>, BuildError> {
-    parameters.check()?;
-    let weights = Weights {
-        gamma: parameters.gamma,
-        beta: parameters.beta(),
-        step: 1.0 / request.sampling_frequency,
-    };
+    let weights = Weights::new(parameters, request.sampling_frequency)?;
     let condensed = CondensedString::new(
         string,
         &request.sites,
@@ -260,10 +249,12 @@ fn first_length(string: &Drillstring, request: &TorsionRequest) -> usize {
     taps.next_power_of_two().min(MOST_TAPS)
 }
 
-fn needs_damping(method: &'static str, string: &Drillstring) -> Result<(), BuildError> {
+fn needs_damping(method: &Method, string: &Drillstring) -> Result<(), BuildError> {
     if string.torsional_damping() > 0.0 {
         Ok(())
     } else {
-        Err(BuildError::NeedsDamping { method })
+        Err(BuildError::NeedsDamping {
+            method: method.name(),
+        })
     }
 }

@@ -13,6 +13,7 @@ use faer::sparse::{SparseColMat, Triplet};
 use faer::{Accum, MatMut, MatRef, Par, Side};
 
 use crate::error::BuildError;
+use crate::method::FiniteElement;
 
 /// An entry of a sparse matrix: row, column, value; equal places are summed.
 pub type Entry = Triplet<usize, usize, f64>;
@@ -91,6 +92,19 @@ pub struct Weights {
 }
 
 impl Weights {
+    /// The weights that a method's parameters and sampling frequency (Hz) give.
+    ///
+    /// # Errors
+    /// Where the parameters are out of range.
+    pub fn new(parameters: &FiniteElement, sampling_frequency: f64) -> Result<Self, BuildError> {
+        parameters.check()?;
+        Ok(Self {
+            gamma: parameters.gamma,
+            beta: parameters.beta(),
+            step: 1.0 / sampling_frequency,
+        })
+    }
+
     /// What a unit of the new acceleration adds to the displacement.
     pub fn displacement_gain(&self) -> f64 {
         self.beta * self.step * self.step

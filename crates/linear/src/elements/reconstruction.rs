@@ -32,12 +32,7 @@ pub fn reconstruct(
     forces: &[Vec<Vec<f64>>; 2],
     snapshots: &[usize],
 ) -> Result<Reconstruction, BuildError> {
-    parameters.check()?;
-    let weights = Weights {
-        gamma: parameters.gamma,
-        beta: parameters.beta(),
-        step: 1.0 / request.sampling_frequency,
-    };
+    let weights = Weights::new(parameters, request.sampling_frequency)?;
     let beam = CondensedBeam::new(
         string,
         bending,

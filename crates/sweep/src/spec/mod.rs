@@ -1,10 +1,13 @@
 //! The sweep file: read with its base, resolved to SI, refused with file, line
 //! and key where it does not make sense.
 
+mod bit;
 mod file;
 mod lateral;
+mod map;
 mod resolve;
 mod source;
+mod string;
 #[cfg(test)]
 mod tests;
 

@@ -2,20 +2,15 @@
 //! checked against what it can be.
 
 use linear::method::Method;
-use linear::{BuildError, Drillstring, DrillstringError, Material, Section, Sites, Tube};
+use linear::{BuildError, Drillstring, Sites};
 use serde::{Deserialize, Serialize};
-use sim::laws::rock::{CuttingLaw, PoorCleaning, RockError};
+use sim::laws::rock::RockError;
 use sim::{BitTorque, Rock};
 
-use super::file::{
-    AutoOr, Axis, BitTable, FileContent, LawTable, MarkTable, MethodName, RockName, SectionTable,
-};
+use super::file::{AutoOr, Axis, FileContent, MethodName};
 use super::lateral::LateralSettings;
 use super::source::{Source, SpecError};
 use crate::design::Design;
-
-/// Longer than any borehole, m.
-const LONGEST_STRING: f64 = 2e4;
 
 /// More elements in a cell resolve no more than rounding leaves.
 const MOST_ELEMENTS_PER_CELL: usize = 10_000;
@@ -263,116 +258,6 @@ impl Check<'_> {
         within(value, least, most, unit).map_err(|message| self.source.error(key, message))
     }
 
-    fn string(&self, content: &FileContent) -> Result<Drillstring, SpecError> {
-        let table = &content.string;
-        self.within(
-            "string.shear_modulus_gpa",
-            table.shear_modulus_gpa,
-            0.1,
-            1e3,
-            "GPa",
-        )?;
-        self.within(
-            "string.density_kg_m3",
-            table.density_kg_m3,
-            100.0,
-            3e4,
-            "kg/m³",
-        )?;
-        let damping = table.torsional_damping_nms_rad_m;
-        self.within(
-            "string.torsional_damping_nms_rad_m",
-            damping,
-            0.0,
-            1e5,
-            "N m s/rad per m",
-        )?;
-        for (section, data) in table.sections.iter().enumerate() {
-            self.section(section, data)?;
-        }
-        let sections = table.sections.iter().map(|section| Section {
-            repeat: section.repeat,
-            parts: section
-                .parts
-                .iter()
-                .map(|part| Tube {
-                    length: part.length_m,
-                    inner_radius: part.inner_radius_m,
-                    outer_radius: part.outer_radius_m,
-                })
-                .collect(),
-        });
-        let material = Material {
-            shear_modulus: 1e9 * table.shear_modulus_gpa,
-            density: table.density_kg_m3,
-        };
-        let string = Drillstring::new(material, sections.collect(), damping)
-            .map_err(|error| self.source.error(&key_of(&error), error.to_string()))?;
-        self.length(&string)?;
-        Ok(string)
-    }
-
-    /// Millimetres for metres show in the whole string, if not in a part.
-    fn length(&self, string: &Drillstring) -> Result<(), SpecError> {
-        if string.length() <= LONGEST_STRING {
-            return Ok(());
-        }
-        let parts = string
-            .sections()
-            .iter()
-            .enumerate()
-            .flat_map(|(index, section)| {
-                let count = section.repeat as f64;
-                let parts = section.parts.iter().enumerate();
-                parts.map(move |(part, tube)| (count * tube.length, index, part))
-            });
-        let (_, section, part) = parts
-            .max_by(|one, other| one.0.total_cmp(&other.0))
-            .unwrap_or_default();
-        let message = format!(
-            "the string is {} m long, more than {LONGEST_STRING} m; is this in another unit?",
-            string.length()
-        );
-        let key = format!("string.sections[{section}].parts[{part}].length_m");
-        Err(self.source.error(&key, message))
-    }
-
-    fn section(&self, index: usize, section: &SectionTable) -> Result<(), SpecError> {
-        let key = format!("string.sections[{index}]");
-        self.within(
-            &format!("{key}.repeat"),
-            section.repeat as f64,
-            1.0,
-            1e5,
-            "",
-        )?;
-        for (part, tube) in section.parts.iter().enumerate() {
-            let key = format!("{key}.parts[{part}]");
-            self.within(
-                &format!("{key}.length_m"),
-                tube.length_m,
-                1e-3,
-                LONGEST_STRING,
-                "m",
-            )?;
-            self.within(
-                &format!("{key}.inner_radius_m"),
-                tube.inner_radius_m,
-                0.0,
-                2.0,
-                "m",
-            )?;
-            self.within(
-                &format!("{key}.outer_radius_m"),
-                tube.outer_radius_m,
-                1e-3,
-                2.0,
-                "m",
-            )?;
-        }
-        Ok(())
-    }
-
     fn sites(&self, content: &FileContent, string: &Drillstring) -> Result<Sites, SpecError> {
         // Without a wall, the bit is always looked at.
         let mut distances = vec![0.0];
@@ -452,128 +337,6 @@ impl Check<'_> {
             .collect())
     }
 
-    fn bit(&self, bit: &BitTable) -> Result<Bit, SpecError> {
-        self.within(
-            "bit.torque_static_ratio",
-            bit.torque_static_ratio,
-            1.0,
-            10.0,
-            "",
-        )?;
-        let rock = match (bit.rock, bit.law, &bit.table_kn_nm) {
-            (None, None, None) => None,
-            (Some(RockName::Sandstone), None, None) => Some(Rock::sandstone()),
-            (Some(RockName::Shale), None, None) => Some(Rock::shale()),
-            (Some(RockName::Law), Some(law), None) => Some(Rock::Law(self.law(&law)?)),
-            (Some(RockName::Table), None, Some(rows)) => Some(self.table(rows)?),
-            (Some(RockName::Law), None, _) => {
-                return Err(self.source.error("bit.rock", "needs a table [bit.law]"));
-            }
-            (Some(RockName::Table), _, None) => {
-                return Err(self.source.error("bit.rock", "needs rows `table_kn_nm`"));
-            }
-            _ => {
-                let message = "a rock is one of a built-in name, `law` with [bit.law], \
-                               or `table` with `table_kn_nm`";
-                return Err(self.source.error("bit.rock", message));
-            }
-        };
-        Ok(Bit {
-            rock,
-            static_ratio: bit.torque_static_ratio,
-        })
-    }
-
-    fn law(&self, law: &LawTable) -> Result<CuttingLaw, SpecError> {
-        let checks = [
-            ("bit_radius_m", law.bit_radius_m, 1e-3, 2.0, "m"),
-            (
-                "specific_energy_mpa",
-                law.specific_energy_mpa,
-                0.1,
-                1e4,
-                "MPa",
-            ),
-            ("cutting_ratio", law.cutting_ratio, 1e-2, 10.0, ""),
-            ("friction", law.friction, 0.0, 10.0, ""),
-            (
-                "contact_strength_mpa",
-                law.contact_strength_mpa,
-                0.1,
-                1e4,
-                "MPa",
-            ),
-            ("contact_growth", law.contact_growth, 1e-3, 1e3, ""),
-            ("wear_flat_mm", law.wear_flat_mm, 1e-3, 1e3, "mm"),
-        ];
-        for (key, value, least, most, unit) in checks {
-            self.within(&format!("bit.law.{key}"), value, least, most, unit)?;
-        }
-        let poor_cleaning = match (law.poor_cleaning_from_kn, law.poor_cleaning_nm_per_kn) {
-            (None, None) => None,
-            (Some(from), Some(slope)) => {
-                self.within("bit.law.poor_cleaning_from_kn", from, 1e-3, 1e5, "kN")?;
-                self.within(
-                    "bit.law.poor_cleaning_nm_per_kn",
-                    slope,
-                    1e-6,
-                    1e6,
-                    "N m/kN",
-                )?;
-                Some(PoorCleaning {
-                    weight_on_bit: 1e3 * from,
-                    slope: 1e-3 * slope,
-                })
-            }
-            _ => {
-                let message = "poor cleaning needs both `poor_cleaning_from_kn` \
-                               and `poor_cleaning_nm_per_kn`";
-                return Err(self.source.error("bit.law", message));
-            }
-        };
-        let law = CuttingLaw {
-            bit_radius: law.bit_radius_m,
-            specific_energy: 1e6 * law.specific_energy_mpa,
-            cutting_ratio: law.cutting_ratio,
-            friction: law.friction,
-            contact_strength: 1e6 * law.contact_strength_mpa,
-            contact_growth: law.contact_growth,
-            wear_flat: 1e-3 * law.wear_flat_mm,
-            poor_cleaning,
-        };
-        if let Some(poor) = poor_cleaning
-            && poor.weight_on_bit <= law.end_of_phase_one().0
-        {
-            let message = format!(
-                "poor cleaning begins in phase II, above {} kN here",
-                1e-3 * law.end_of_phase_one().0
-            );
-            return Err(self.source.error("bit.law.poor_cleaning_from_kn", message));
-        }
-        Ok(law)
-    }
-
-    fn table(&self, rows: &[(f64, f64)]) -> Result<Rock, SpecError> {
-        for (index, &(weight, torque)) in rows.iter().enumerate() {
-            let key = format!("bit.table_kn_nm[{index}]");
-            check_axis_value(self.source, &key, Axis::WeightOnBitKn, weight)?;
-            check_axis_value(self.source, &key, Axis::TorqueDynamicNm, torque)?;
-        }
-        let increasing = rows
-            .windows(2)
-            .all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1);
-        if rows.len() < 2 || !increasing {
-            let message = "needs two rows or more of weight on bit (kN) and torque (N m), \
-                           both increasing";
-            return Err(self.source.error("bit.table_kn_nm", message));
-        }
-        Ok(Rock::Table(
-            rows.iter()
-                .map(|&(weight, torque)| (1e3 * weight, torque))
-                .collect(),
-        ))
-    }
-
     fn conditions(&self, content: &FileContent) -> Result<Conditions, SpecError> {
         let bit = content.bit.as_ref();
         let conditions = Conditions {
@@ -638,81 +401,6 @@ impl Check<'_> {
         }
         Ok(())
     }
-
-    fn map(
-        &self,
-        content: &FileContent,
-        design: &Design,
-        bit: Option<&Bit>,
-    ) -> Result<Option<MapSettings>, SpecError> {
-        for (key, axis) in [("map.x", content.map.x), ("map.y", content.map.y)] {
-            if let Some(axis) = axis
-                && !design.axes().contains(&axis)
-            {
-                let message = format!("{} is not an axis of the design", axis.name());
-                return Err(self.source.error(key, message));
-            }
-        }
-        let other = |taken: Option<Axis>| {
-            let mut axes = design.axes().iter().copied();
-            axes.find(|axis| Some(*axis) != taken)
-        };
-        let y = content.map.y.or_else(|| other(content.map.x));
-        let x = content.map.x.or_else(|| other(y));
-        let Some((x, y)) = x.zip(y) else {
-            return Ok(None);
-        };
-        if x == y {
-            return Err(self.source.error("map.x", "is the axis upwards too"));
-        }
-        let marks = (content.map.marks.iter().enumerate())
-            .map(|(index, mark)| self.mark(index, mark, (x, y), bit))
-            .collect::<Result<_, _>>()?;
-        Ok(Some(MapSettings { x, y, marks }))
-    }
-
-    fn mark(
-        &self,
-        index: usize,
-        mark: &MarkTable,
-        (x, y): (Axis, Axis),
-        bit: Option<&Bit>,
-    ) -> Result<MapMark, SpecError> {
-        for (axis, value) in [
-            (Axis::SurfaceSpeedRpm, mark.surface_speed_rpm),
-            (Axis::WeightOnBitKn, mark.weight_on_bit_kn),
-            (Axis::TorqueDynamicNm, mark.torque_dynamic_nm),
-            (Axis::ImpulseRatio, mark.impulse_ratio),
-            (Axis::Friction, mark.friction),
-        ] {
-            if let Some(value) = value {
-                let key = format!("map.marks[{index}].{}", axis.name());
-                check_axis_value(self.source, &key, axis, value)?;
-            }
-        }
-        let weight_for_torque = || {
-            let rock = bit?.rock.as_ref()?;
-            Some(1e-3 * rock.weight_on_bit(mark.torque_dynamic_nm?).ok()?)
-        };
-        let conditions = Conditions {
-            surface_speed_rpm: mark.surface_speed_rpm,
-            weight_on_bit_kn: mark.weight_on_bit_kn.or_else(weight_for_torque),
-            torque_dynamic_nm: mark.torque_dynamic_nm,
-            impulse_ratio: mark.impulse_ratio,
-            friction: mark.friction,
-        };
-        let value = |axis: Axis| {
-            conditions.value(axis).ok_or_else(|| {
-                let message = format!("does not say its {}", axis.name());
-                self.source.error(&format!("map.marks[{index}]"), message)
-            })
-        };
-        Ok(MapMark {
-            name: mark.name.clone(),
-            x: value(x)?,
-            y: value(y)?,
-        })
-    }
 }
 
 /// Refuses a value that a quantity cannot have, given at `key`.
@@ -766,21 +454,5 @@ impl FileContent {
             MethodName::FiniteElement => Method::FiniteElement(self.method.finite_element),
             MethodName::DirectIdft => Method::DirectIdft(self.method.direct_idft),
         }
-    }
-}
-
-/// The key that an error about the string is about.
-fn key_of(error: &DrillstringError) -> String {
-    match error {
-        DrillstringError::NoSections => "string.sections".to_owned(),
-        DrillstringError::NoRepeat { section } => format!("string.sections[{section}].repeat"),
-        DrillstringError::NoParts { section } => format!("string.sections[{section}].parts"),
-        DrillstringError::Length { section, part, .. } => {
-            format!("string.sections[{section}].parts[{part}].length_m")
-        }
-        DrillstringError::Radii { section, part, .. } => {
-            format!("string.sections[{section}].parts[{part}].inner_radius_m")
-        }
-        _ => "string".to_owned(),
     }
 }

@@ -1,0 +1,83 @@
+//! `[map]`: the axes of the regime map and the cases pointed out on it.
+
+use super::file::{Axis, FileContent, MarkTable};
+use super::resolve::{Bit, Check, Conditions, MapMark, MapSettings, check_axis_value};
+use super::source::SpecError;
+use crate::design::Design;
+
+impl Check<'_> {
+    pub(super) fn map(
+        &self,
+        content: &FileContent,
+        design: &Design,
+        bit: Option<&Bit>,
+    ) -> Result<Option<MapSettings>, SpecError> {
+        for (key, axis) in [("map.x", content.map.x), ("map.y", content.map.y)] {
+            if let Some(axis) = axis
+                && !design.axes().contains(&axis)
+            {
+                let message = format!("{} is not an axis of the design", axis.name());
+                return Err(self.source.error(key, message));
+            }
+        }
+        let other = |taken: Option<Axis>| {
+            let mut axes = design.axes().iter().copied();
+            axes.find(|axis| Some(*axis) != taken)
+        };
+        let y = content.map.y.or_else(|| other(content.map.x));
+        let x = content.map.x.or_else(|| other(y));
+        let Some((x, y)) = x.zip(y) else {
+            return Ok(None);
+        };
+        if x == y {
+            return Err(self.source.error("map.x", "is the axis upwards too"));
+        }
+        let marks = (content.map.marks.iter().enumerate())
+            .map(|(index, mark)| self.mark(index, mark, (x, y), bit))
+            .collect::<Result<_, _>>()?;
+        Ok(Some(MapSettings { x, y, marks }))
+    }
+
+    fn mark(
+        &self,
+        index: usize,
+        mark: &MarkTable,
+        (x, y): (Axis, Axis),
+        bit: Option<&Bit>,
+    ) -> Result<MapMark, SpecError> {
+        for (axis, value) in [
+            (Axis::SurfaceSpeedRpm, mark.surface_speed_rpm),
+            (Axis::WeightOnBitKn, mark.weight_on_bit_kn),
+            (Axis::TorqueDynamicNm, mark.torque_dynamic_nm),
+            (Axis::ImpulseRatio, mark.impulse_ratio),
+            (Axis::Friction, mark.friction),
+        ] {
+            if let Some(value) = value {
+                let key = format!("map.marks[{index}].{}", axis.name());
+                check_axis_value(self.source, &key, axis, value)?;
+            }
+        }
+        let weight_for_torque = || {
+            let rock = bit?.rock.as_ref()?;
+            Some(1e-3 * rock.weight_on_bit(mark.torque_dynamic_nm?).ok()?)
+        };
+        let conditions = Conditions {
+            surface_speed_rpm: mark.surface_speed_rpm,
+            weight_on_bit_kn: mark.weight_on_bit_kn.or_else(weight_for_torque),
+            torque_dynamic_nm: mark.torque_dynamic_nm,
+            impulse_ratio: mark.impulse_ratio,
+            friction: mark.friction,
+        };
+        let value = |axis: Axis| {
+            conditions.value(axis).ok_or_else(|| {
+                let message = format!("does not say its {}", axis.name());
+                self.source.error(&format!("map.marks[{index}]"), message)
+            })
+        };
+        Ok(MapMark {
+            name: mark.name.clone(),
+            x: value(x)?,
+            y: value(y)?,
+        })
+    }
+}
