@@ -20,6 +20,9 @@ use crate::output::write_atomically;
 use crate::plot::{Orbit, Orbits, Panel, Panels, Reference, Series, orbits, panels};
 use crate::spec::{Axis, Conditions, LateralSettings, Sweep, check_setting, to_rpm};
 
+/// The clearance is drawn where motion reaches this part of it.
+const CLEARANCE_SHOWN: f64 = 0.2;
+
 /// One method's answer.
 struct Simulation {
     method: &'static str,
@@ -282,13 +285,22 @@ fn history_panels(sweep: &Sweep, case: &Case, simulations: &[Simulation], step: 
     if let Some(lateral) = &sweep.lateral {
         let sites = sweep.sites.distances_from_bit().iter().zip(&lateral.walls);
         for (site, (&distance, wall)) in sites.enumerate() {
+            let radii = of_each(&|trajectory, index| {
+                let [x, y] = trajectory.positions[site][index];
+                1e3 * x.hypot(y)
+            });
+            let clearance = 1e3 * wall.clearance;
+            let points = radii.iter().flat_map(|series| &series.points);
+            let furthest = points.fold(0.0, |most: f64, point| most.max(point.1));
+            // Motion far from the wall would not be seen beside it.
+            let shows_wall = furthest > CLEARANCE_SHOWN * clearance;
             list.push(panel(
                 &format!("Radius at {} (mm)", site_title(distance)),
-                of_each(&|trajectory, index| {
-                    let [x, y] = trajectory.positions[site][index];
-                    1e3 * x.hypot(y)
-                }),
-                vec![level(1e3 * wall.clearance, "clearance")],
+                radii,
+                shows_wall
+                    .then(|| level(clearance, "clearance"))
+                    .into_iter()
+                    .collect(),
             ));
         }
         return Panels {
