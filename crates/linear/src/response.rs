@@ -107,29 +107,3 @@ pub struct BendingResponses {
     /// `from_force[site][input]`, m/N.
     pub from_force: Vec<Vec<Vec<f64>>>,
 }
-
-impl BendingResponses {
-    /// Taps of the velocities, for the positive-real margin: differences of
-    /// displacements times f_s.
-    ///
-    /// # Errors
-    /// Where the taps are not finite.
-    pub fn margin(&self) -> Result<f64, BuildError> {
-        let velocity: Vec<Vec<Vec<f64>>> = (self.from_force.iter())
-            .map(|inputs| inputs.iter().map(|taps| self.velocity(taps)).collect())
-            .collect();
-        positive_real_margin(velocity.len(), |output, input| &velocity[output][input])
-    }
-
-    fn velocity(&self, displacement: &[f64]) -> Vec<f64> {
-        let mut before = 0.0;
-        displacement
-            .iter()
-            .map(|&now| {
-                let velocity = (now - before) * self.sampling_frequency;
-                before = now;
-                velocity
-            })
-            .collect()
-    }
-}
