@@ -125,6 +125,13 @@ fn what_an_impulse_cannot_be_is_refused() {
             "ends before it starts",
         ),
         (
+            "duration_s = 0.02",
+            "duration_s = 0.019",
+            "duration_s",
+            "impulses[0].duration_s",
+            "two samples at 100 Hz",
+        ),
+        (
             "ratio = 3",
             "ratio = 3\namount_ns = 9",
             "[[impulses]]",
@@ -148,6 +155,29 @@ fn what_an_impulse_cannot_be_is_refused() {
     ] {
         refused_at(&with(&lateral(), piece, instead), at, key, meant);
     }
+}
+
+/// A millimetre below a clamp, no knock brings a string of a hundred metres to
+/// a wall.
+#[test]
+fn an_i0_that_does_not_exist_is_refused() {
+    let clamped = with(
+        &lateral(),
+        "damping_ns_m2 = 2000",
+        "damping_ns_m2 = 2000\nsurface = \"clamped\"",
+    );
+    let far =
+        "\n[[sites]]\ndistance_from_bit_m = 99.999\n\n[[impulses]]\ndistance_from_bit_m = 99.999";
+    let at_clamp = with(&clamped, "\n[[impulses]]\ndistance_from_bit_m = 0", far);
+    refused_at(
+        &at_clamp,
+        "ratio = 3",
+        "impulses[0].ratio",
+        "there is no I₀",
+    );
+    let refused = with(&at_clamp, "ratio = 3", "amount_ns = 3");
+    let answer = crate::support::Workplace::with_small(&refused).sweep(&crate::refusals::RUN);
+    assert_eq!(answer.code, 0, "{answer:?}");
 }
 
 #[test]

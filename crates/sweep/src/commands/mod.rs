@@ -130,11 +130,10 @@ fn build_systems(file: &Path, sweep: &Sweep, cases: &[Case]) -> Result<Vec<Metho
     let systems =
         MethodSystem::build_all(sweep, cases).with_context(|| file.display().to_string())?;
     if let Some(index) = systems.iter().find_map(MethodSystem::unreachable_impulse) {
-        bail!(UsageError(format!(
-            "{}: `impulses[{index}].ratio`: there is no I₀, for no impulse brings this site \
-             to the wall; give `amount_ns`",
-            file.display()
-        )));
+        let message = "there is no I₀, for no impulse brings this site to the wall; \
+                       give `amount_ns`";
+        let key = format!("impulses[{index}].ratio");
+        bail!(sweep.source.error(&key, message));
     }
     Ok(systems)
 }

@@ -12,7 +12,7 @@ use sim::excitation::least_impulse;
 use sim::{LateralSystem, Outcome, Scene, SimulationError, System, Trajectory};
 
 use super::case::{Case, Row, RowOutcome};
-use crate::spec::{ImpulseSettings, LateralSettings, Sweep};
+use crate::spec::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
@@ -96,11 +96,11 @@ impl MethodSystem {
         })
     }
 
-    /// The first impulse given in multiples of an I₀ that does not exist, for
-    /// no impulse brings its site to the wall.
+    /// The first impulse given in multiples of an I₀ that is larger than any
+    /// impulse, for its site cannot reach the wall.
     pub fn unreachable_impulse(&self) -> Option<usize> {
         let mut impulses = self.least_impulses.iter().zip(&self.relative);
-        impulses.position(|(least, relative)| *relative && !least.is_finite())
+        impulses.position(|(least, relative)| *relative && !(*least <= LARGEST_IMPULSE))
     }
 
     /// Whether the margin says that a sticking bit chatters.

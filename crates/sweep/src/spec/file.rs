@@ -304,6 +304,15 @@ impl Axis {
         Axis::Friction,
     ];
 
+    /// The names of all axes.
+    const NAMES: [&str; 5] = [
+        Axis::ALL[0].name(),
+        Axis::ALL[1].name(),
+        Axis::ALL[2].name(),
+        Axis::ALL[3].name(),
+        Axis::ALL[4].name(),
+    ];
+
     /// The axis of a column.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|axis| axis.name() == name)
@@ -336,14 +345,7 @@ impl Axis {
 impl<'de> Deserialize<'de> for Axis {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
-        Axis::from_name(&name).ok_or_else(|| {
-            const NAMES: &[&str] = &[
-                Axis::ALL[0].name(),
-                Axis::ALL[1].name(),
-                Axis::ALL[2].name(),
-            ];
-            serde::de::Error::unknown_variant(&name, NAMES)
-        })
+        Axis::from_name(&name).ok_or_else(|| serde::de::Error::unknown_variant(&name, &Axis::NAMES))
     }
 }
 

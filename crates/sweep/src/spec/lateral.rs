@@ -11,6 +11,12 @@ use super::source::SpecError;
 use crate::design::Design;
 use crate::spec::Axis;
 
+/// More than any knock, N s: a site whose I₀ is larger cannot reach its wall.
+pub const LARGEST_IMPULSE: f64 = 1e9;
+
+/// The samples of a raised cosine have its area from two on.
+const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
+
 /// Bending constants of the string, `[string.bending]`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -308,7 +314,7 @@ impl Check<'_> {
             }
         };
         let name = if relative { "ratio" } else { "amount_ns" };
-        self.within(&key(name), amount, 0.0, 1e9, "")?;
+        self.within(&key(name), amount, 0.0, LARGEST_IMPULSE, "")?;
         Ok(ImpulseSettings {
             impulse: sim::Impulse {
                 site,
@@ -319,6 +325,25 @@ impl Check<'_> {
             },
             relative,
         })
+    }
+
+    /// An impulse between two samples would not be felt at all.
+    pub(super) fn impulses_are_sampled(
+        &self,
+        lateral: Option<&LateralSettings>,
+        sampling_frequency: f64,
+    ) -> Result<(), SpecError> {
+        let impulses = lateral.iter().flat_map(|lateral| &lateral.impulses);
+        for (index, settings) in impulses.enumerate() {
+            let duration = settings.impulse.duration;
+            if duration * sampling_frequency < LEAST_SAMPLES_OF_IMPULSE {
+                let message =
+                    format!("{duration} s is shorter than two samples at {sampling_frequency} Hz");
+                let key = format!("impulses[{index}].duration_s");
+                return Err(self.source.error(&key, message));
+            }
+        }
+        Ok(())
     }
 
     fn eccentric_mass(

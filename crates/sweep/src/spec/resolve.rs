@@ -48,6 +48,8 @@ pub struct Sweep {
     pub map: Option<MapSettings>,
     /// The file as written, its bases merged in.
     pub content: FileContent,
+    /// Where each of its keys stands.
+    pub source: Source,
 }
 
 /// Time simulated.
@@ -222,12 +224,15 @@ impl Sweep {
         };
         let sites = check.sites(&content, &string)?;
         let lateral = check.lateral(&content, &string, &sites, &conditions, &design)?;
+        check.impulses_are_sampled(lateral.as_ref(), sampling_frequency)?;
+        let methods = check.methods(&content)?;
+        let map = check.map(&content, &design, bit.as_ref())?;
         Ok(Self {
             title: content.title.clone().unwrap_or_else(|| name.clone()),
             sites,
             lateral,
-            methods: check.methods(&content)?,
-            map: check.map(&content, &design, bit.as_ref())?,
+            methods,
+            map,
             name,
             string,
             sampling_frequency,
@@ -237,6 +242,7 @@ impl Sweep {
             conditions,
             design,
             content,
+            source,
         })
     }
 }

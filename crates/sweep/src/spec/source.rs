@@ -51,7 +51,7 @@ struct Place {
 }
 
 /// The merged table of a sweep file and its bases.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Source {
     table: toml::Table,
     files: Vec<PathBuf>,
