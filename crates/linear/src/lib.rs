@@ -41,6 +41,7 @@
 //! ```
 
 mod build;
+mod derivative;
 pub mod drillstring;
 pub mod elements;
 mod error;

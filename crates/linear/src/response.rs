@@ -3,6 +3,7 @@
 
 use crate::drillstring::{Sites, SurfaceSupport};
 use crate::error::BuildError;
+use crate::method::Method;
 use crate::passivity::positive_real_margin;
 
 /// What a torsional response is needed for.
@@ -106,4 +107,26 @@ pub struct BendingResponses {
     pub sampling_frequency: f64,
     /// `from_force[site][input]`, m/N.
     pub from_force: Vec<Vec<Vec<f64>>>,
+}
+
+impl BendingResponses {
+    /// Number of taps of each response.
+    pub fn taps(&self) -> usize {
+        self.from_force.first().map_or(0, |inputs| inputs[0].len())
+    }
+
+    /// Positive-real margin of the velocities at the sites (see
+    /// [`crate::passivity`]), as `method`, which built these responses,
+    /// differentiates in time.
+    ///
+    /// # Errors
+    /// Where the taps are not finite.
+    pub fn margin(&self, method: &Method) -> Result<f64, BuildError> {
+        let sites = self.from_force.len();
+        let derivative = method.derivative();
+        let velocities: Vec<Vec<f64>> = (self.from_force.iter().flatten())
+            .map(|taps| derivative.of(taps))
+            .collect();
+        positive_real_margin(sites, |output, input| &velocities[output * sites + input])
+    }
 }

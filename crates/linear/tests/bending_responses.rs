@@ -4,6 +4,7 @@
 mod oracles;
 
 use linear::method::{FiniteElement, Transform};
+use linear::passivity::STABLE_MARGIN;
 use linear::{
     Bending, BendingRequest, BendingResponses, Drillstring, Method, Section, Sites, SurfaceSupport,
     bending_responses,
@@ -177,5 +178,28 @@ fn responses_are_reciprocal() {
             );
             assert!(difference < 1e-8, "{}: {difference}", method.name());
         }
+    }
+}
+
+/// Positive-real in each scheme's own sense of velocity: what holds against any
+/// wall, and what does not.
+#[test]
+fn the_margin_tells_the_methods_that_hold_from_those_that_fail() {
+    let margin =
+        |method: Method, sites: &[f64]| responses(&method, sites, 10.0).margin(&method).unwrap();
+    let trapezoidal = Method::FiniteElement(FiniteElement {
+        gamma: 0.5,
+        ..FiniteElement::default()
+    });
+    let direct = Method::DirectIdft(Transform {
+        seconds: Some(20.0),
+    });
+    for sites in [&[0.0][..], &[100.0, 50.0, 0.0]] {
+        for method in [Method::Quadrature, elements(), hilbert(20.0)] {
+            let found = margin(method, sites);
+            assert!(found > STABLE_MARGIN, "{}: {found}", method.name());
+        }
+        assert!(margin(trapezoidal, sites) < -0.5);
+        assert!(margin(direct, sites) < -0.5);
     }
 }

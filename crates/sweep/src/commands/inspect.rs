@@ -1,22 +1,25 @@
 //! `sweep inspect`: the linear system of a sweep, in words, numbers and a
 //! picture (Fig. 6).
 
+use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use anyhow::Result;
 use linear::estimates::{
     largest_undershoot, torsional_decay_rate, torsional_stiffness, torsional_travel_time,
 };
+use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 
 use super::plot::{axis, save_picture};
 use super::{
-    Status, all_cases, build_systems, make_folder, read_sweep, results_folder, say, use_threads,
+    Status, all_cases, build_systems, make_folder, read_sweep, results_folder, say, site_title,
+    use_threads,
 };
 use crate::cli::InspectArguments;
-use crate::engine::{Case, MethodSystem};
+use crate::engine::{Case, MethodSystem, is_unstable};
 use crate::plot::{Axis, Panel, Panels, Series, panels};
-use crate::spec::{Sweep, Time};
+use crate::spec::{LateralSettings, Sweep, Time};
 
 /// Points of the frequency response drawn.
 const FREQUENCIES: usize = 4000;
@@ -132,13 +135,21 @@ fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error>
         for least in &system.least_impulses {
             writeln!(text, "    least impulse I₀         {least:.1} N s")?;
         }
-        if let Some(margin) = system.margin {
-            let verdict = if system.is_unstable() {
-                "unstable in sticking"
-            } else {
-                "stable in sticking"
-            };
-            writeln!(text, "    positive-real margin     {margin:.2e}: {verdict}")?;
+        for (margin, what) in [
+            (system.torsion_margin, "torsion"),
+            (system.bending_margin, "bending"),
+        ] {
+            if let Some(margin) = margin {
+                let verdict = if is_unstable(margin) {
+                    "a stuck site chatters"
+                } else {
+                    "stable in sticking"
+                };
+                writeln!(
+                    text,
+                    "    positive-real margin     {margin:.2e} in {what}: {verdict}"
+                )?;
+            }
         }
     }
     Ok(text)
@@ -176,21 +187,10 @@ fn describe_scene(
         cases.len(),
         systems.len()
     )?;
-    let terms: f64 = systems
-        .iter()
-        .map(|system| {
-            let taps = system.responses.taps() as f64;
-            cases
-                .iter()
-                .map(|case| {
-                    let steps = case.scene.timing.duration * sweep.sampling_frequency;
-                    let reach = taps.min(steps);
-                    reach * (steps - 0.5 * reach)
-                })
-                .sum::<f64>()
-        })
+    let terms: f64 = (systems.iter())
+        .flat_map(|system| cases.iter().map(|case| history_terms(sweep, system, case)))
         .sum();
-    if sweep.bit.is_some() {
+    if terms > 0.0 {
         writeln!(
             text,
             "  about {terms:.1e} terms of the history sum (Eq. 17)"
@@ -199,16 +199,32 @@ fn describe_scene(
     Ok(text)
 }
 
+/// Terms of a case's history sums: between all sites in torsion and in two
+/// planes of bending, or from the torque at the bit to its speed.
+fn history_terms(sweep: &Sweep, system: &MethodSystem, case: &Case) -> f64 {
+    let steps = case.scene.timing.duration * sweep.sampling_frequency;
+    let terms = |taps: usize| {
+        let reach = steps.min(taps as f64);
+        reach * (steps - 0.5 * reach)
+    };
+    let torsion = terms(system.responses.taps());
+    let pairs = sweep.sites.len().pow(2) as f64;
+    match &system.bending {
+        Some(bending) => pairs * (torsion + 2.0 * terms(bending.taps())),
+        None if sweep.bit.is_some() => torsion,
+        None => 0.0,
+    }
+}
+
 fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
     let mut list = vec![frequency_panel(sweep)];
     let bit = sweep.sites.len() - 1;
-    let steps = |taps: &dyn Fn(&MethodSystem) -> Option<Vec<f64>>| -> Vec<Series> {
-        systems
-            .iter()
+    let series = |points: &dyn Fn(&MethodSystem) -> Option<Vec<(f64, f64)>>| -> Vec<Series> {
+        (systems.iter())
             .filter_map(|system| {
                 Some(Series {
                     name: system.method.name().to_owned(),
-                    points: step_response(&taps(system)?, sweep),
+                    points: points(system)?,
                 })
             })
             .collect()
@@ -216,16 +232,40 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
     list.push(Panel {
         x: axis("Time t (s)"),
         y: axis("Bit speed / surface speed"),
-        series: steps(&|system| system.responses.from_surface.get(bit).cloned()),
+        series: series(&|system| {
+            Some(step_response(
+                &system.responses.from_surface[bit],
+                1.0,
+                sweep,
+            ))
+        }),
         references: Vec::new(),
     });
     if sweep.bit.is_some() {
         list.push(Panel {
             x: axis("Time t (s)"),
             y: axis("Bit speed / torque (10⁻⁵ rad/s per N m)"),
-            series: steps(&|system| {
-                let taps = system.driving_point()?;
-                Some(taps.iter().map(|tap| 1e5 * tap).collect())
+            series: series(&|system| Some(step_response(system.driving_point()?, 1e5, sweep))),
+            references: Vec::new(),
+        });
+    }
+    if let Some(lateral) = &sweep.lateral {
+        let site = site_title(sweep.sites.distances_from_bit()[bit]);
+        list.push(receptance_panel(sweep, lateral, &site));
+        list.push(Panel {
+            x: axis("Time t (s)"),
+            y: axis(&format!("Displacement at {site} (10⁻⁵ m per N s)")),
+            series: series(&|system| {
+                let taps = &system.bending.as_ref()?.from_force[bit][bit];
+                let samples = taps.iter().enumerate();
+                let per_impulse = 1e5 * sweep.sampling_frequency;
+                Some(
+                    samples
+                        .map(|(index, tap)| {
+                            (index as f64 / sweep.sampling_frequency, per_impulse * tap)
+                        })
+                        .collect(),
+                )
             }),
             references: Vec::new(),
         });
@@ -258,14 +298,44 @@ fn frequency_panel(sweep: &Sweep) -> Panel {
     }
 }
 
-fn step_response(taps: &[f64], sweep: &Sweep) -> Vec<(f64, f64)> {
+/// Fig. 6(b): the exact displacement of the lowest site per lateral force there.
+fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Panel {
+    let network = BendingNetwork::new(
+        &sweep.string,
+        lateral.bending,
+        lateral.support,
+        &sweep.sites,
+    );
+    let lowest = sweep.sites.len() - 1;
+    let highest = 0.5 * sweep.sampling_frequency;
+    let points = (1..=FREQUENCIES).map(|index| {
+        let frequency = highest * index as f64 / FREQUENCIES as f64;
+        let receptance = network.at_rate(TAU * frequency);
+        (frequency, receptance[(lowest, lowest)].norm())
+    });
+    Panel {
+        x: axis("Frequency f (Hz)"),
+        y: Axis {
+            label: format!("|displacement / force| at {site} (m/N)"),
+            logarithmic: true,
+        },
+        series: vec![Series {
+            name: "exact".to_owned(),
+            points: points.collect(),
+        }],
+        references: Vec::new(),
+    }
+}
+
+/// The response to a unit step, times `factor`.
+fn step_response(taps: &[f64], factor: f64, sweep: &Sweep) -> Vec<(f64, f64)> {
     let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&sweep.string);
     let count = (shown * sweep.sampling_frequency).ceil() as usize;
     let mut sum = 0.0;
     (0..count)
         .map(|index| {
             sum += taps.get(index).copied().unwrap_or(0.0);
-            (index as f64 / sweep.sampling_frequency, sum)
+            (index as f64 / sweep.sampling_frequency, factor * sum)
         })
         .collect()
 }

@@ -120,6 +120,15 @@ fn make_folder(folder: &Path) -> Result<()> {
         .with_context(|| format!("the folder {} cannot be made", folder.display()))
 }
 
+/// How a site is called in pictures.
+fn site_title(distance: f64) -> String {
+    if distance == 0.0 {
+        "the bit".to_owned()
+    } else {
+        format!("{distance} m above the bit")
+    }
+}
+
 /// The cases of a sweep.
 fn all_cases(file: &Path, sweep: &Sweep) -> Result<Vec<Case>> {
     Case::all(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())).into())
@@ -138,14 +147,15 @@ fn build_systems(file: &Path, sweep: &Sweep, cases: &[Case]) -> Result<Vec<Metho
     Ok(systems)
 }
 
-/// Warns of methods that a sticking bit makes chatter.
+/// Warns of methods that chatter where a site sticks.
 fn warn_of_unstable(systems: &[MethodSystem]) {
-    for system in systems.iter().filter(|system| system.is_unstable()) {
-        complain(&format!(
-            "warning: the responses by {} are not positive-real (margin {:.2e}): \
-             a sticking bit may chatter and its labels mean little",
-            system.method.name(),
-            system.margin.unwrap_or(f64::NAN),
-        ));
+    for system in systems {
+        if let Some(margin) = system.unstable_margin() {
+            complain(&format!(
+                "warning: the responses by {} are not positive-real (margin {margin:.2e}): \
+                 a stuck site may chatter and its labels mean little",
+                system.method.name(),
+            ));
+        }
     }
 }

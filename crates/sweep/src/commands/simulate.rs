@@ -11,8 +11,8 @@ use sim::{Outcome, Trajectory};
 
 use super::plot::{axis, save_picture};
 use super::{
-    Status, UsageError, build_systems, make_folder, read_sweep, results_folder, say, use_threads,
-    warn_of_unstable,
+    Status, UsageError, build_systems, make_folder, read_sweep, results_folder, say, site_title,
+    use_threads, warn_of_unstable,
 };
 use crate::cli::SimulateArguments;
 use crate::engine::Case;
@@ -173,15 +173,6 @@ fn has_positions(simulations: &[Simulation]) -> bool {
     simulations
         .iter()
         .any(|simulation| !simulation.trajectory.positions.is_empty())
-}
-
-/// How a site is called in pictures.
-fn site_title(distance: f64) -> String {
-    if distance == 0.0 {
-        "the bit".to_owned()
-    } else {
-        format!("{distance} m above the bit")
-    }
 }
 
 /// The way of every site's centre, with the circle of its clearance.

@@ -5,7 +5,7 @@ mod case;
 mod systems;
 
 pub use case::{Case, Row, RowOutcome};
-pub use systems::MethodSystem;
+pub use systems::{MethodSystem, is_unstable};
 
 use rayon::prelude::*;
 

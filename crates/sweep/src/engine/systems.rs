@@ -21,10 +21,14 @@ pub struct MethodSystem {
     pub method: Method,
     /// Its torsional impulse responses.
     pub responses: TorsionResponses,
+    /// Its lateral impulse responses, where lateral motion is modelled.
+    pub bending: Option<BendingResponses>,
     /// I₀ of each impulse, N s.
     pub least_impulses: Vec<f64>,
     /// Positive-real margin in torsion; `None` where no torque acts.
-    pub margin: Option<f64>,
+    pub torsion_margin: Option<f64>,
+    /// Positive-real margin in bending; `None` where that is not modelled.
+    pub bending_margin: Option<f64>,
     /// Time to build, s.
     pub build_seconds: f64,
     stepped: Stepped,
@@ -87,12 +91,16 @@ impl MethodSystem {
         let impulses = sweep.lateral.iter().flat_map(|lateral| &lateral.impulses);
         Ok(Self {
             method,
-            margin: responses.margin()?,
+            torsion_margin: responses.margin()?,
+            bending_margin: (bending.as_ref())
+                .map(|bending| bending.margin(&method))
+                .transpose()?,
             least_impulses: least_impulses(sweep, bending.as_ref()),
             relative: impulses.map(|impulse| impulse.relative).collect(),
             build_seconds,
             stepped,
             responses,
+            bending,
         })
     }
 
@@ -103,9 +111,10 @@ impl MethodSystem {
         impulses.position(|(least, relative)| *relative && !(*least <= LARGEST_IMPULSE))
     }
 
-    /// Whether the margin says that a sticking bit chatters.
-    pub fn is_unstable(&self) -> bool {
-        self.margin.is_some_and(|margin| margin < STABLE_MARGIN)
+    /// The margin, where one says that sticking or contact is unstable.
+    pub fn unstable_margin(&self) -> Option<f64> {
+        let margins = [self.torsion_margin, self.bending_margin];
+        (margins.into_iter().flatten()).find(|margin| is_unstable(*margin))
     }
 
     /// Taps of the lowest driving point in torsion, where a torque acts there.
@@ -160,6 +169,11 @@ impl MethodSystem {
             outcome,
         }
     }
+}
+
+/// Whether a positive-real margin says that a stuck site chatters.
+pub fn is_unstable(margin: f64) -> bool {
+    margin < STABLE_MARGIN
 }
 
 fn build_bending(

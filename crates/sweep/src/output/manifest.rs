@@ -53,8 +53,12 @@ pub struct MethodRecord {
     pub method: String,
     /// Taps per response.
     pub taps: usize,
-    /// Positive-real margin, where a torque acts.
+    /// Positive-real margin in torsion, where a torque acts.
     pub positive_real_margin: Option<f64>,
+    /// Positive-real margin in bending, where it is modelled.
+    pub bending_margin: Option<f64>,
+    /// I₀ of each impulse, N s.
+    pub least_impulses_ns: Vec<f64>,
     /// Time to build, s.
     pub build_seconds: f64,
 }
@@ -81,7 +85,9 @@ impl Manifest {
                 .map(|system| MethodRecord {
                     method: system.method.name().to_owned(),
                     taps: system.responses.taps(),
-                    positive_real_margin: system.margin,
+                    positive_real_margin: system.torsion_margin,
+                    bending_margin: system.bending_margin,
+                    least_impulses_ns: system.least_impulses.clone(),
                     build_seconds: system.build_seconds,
                 })
                 .collect(),
