@@ -22,6 +22,7 @@ fn simulate_writes_the_history_of_one_case() {
     assert_eq!(
         history[0],
         [
+            "case",
             "method",
             "time_s",
             "50m_above_bit_speed_rpm",
@@ -44,7 +45,10 @@ fn simulate_picks_a_case_and_sets_its_axes() {
             &[&["simulate", "small.toml", "--out", "case"], options].concat(),
         );
         assert!(answer.output.starts_with(expected), "{answer:?}");
-        text(&place, "case/history.csv")
+        let history = table(&text(&place, "case/history.csv"));
+        columns(&history, ["time_s", "bit_speed_rpm", "torque_on_bit_nm"])
+            .concat()
+            .concat()
     };
     let last = history(&["--case", "5"], "Ω = 0.6000 rpm, T_d = ");
     let set = [
@@ -60,6 +64,28 @@ fn simulate_picks_a_case_and_sets_its_axes() {
     );
     let torque = ["--set", "torque_dynamic_nm=1000"];
     assert_ne!(history(&torque, "Ω = 0.0200 rpm, T_d = 1000.0 N m"), last);
+}
+
+#[test]
+fn several_cases_are_kept_beside_each_other() {
+    let place = Workplace::with_small(SMALL);
+    let arguments = ["simulate", "small.toml", "--out", "case", "--case", "5,0,5"];
+    let answer = succeeds(&place, &arguments);
+    let expected = ["Ω = 0.6000 rpm", "Ω/rpm = 0.6, W/kN = 70, quadrature: "];
+    for word in expected {
+        assert!(answer.output.contains(word), "{answer:?}");
+    }
+    let history = table(&text(&place, "case/history.csv"));
+    let mut cases = columns(&history, ["case"]);
+    cases.dedup();
+    assert_eq!(cases, [["5"], ["0"]]);
+    let answer = place.sweep(&["simulate", "small.toml", "--case", "0,6"]);
+    assert_eq!(answer.code, 2, "{answer:?}");
+    assert!(
+        answer
+            .errors
+            .contains("--case 6: small.toml has cases 0 to 5")
+    );
 }
 
 #[test]

@@ -24,9 +24,10 @@ pub enum Command {
     /// Rerun the cases of a reference label file and compare the labels
     #[command(after_help = "Example: sweep check sweeps/fig09.toml results/reference/fig09.csv")]
     Check(CheckArguments),
-    /// Run one case in full: time histories as CSV and as a picture
+    /// Run a case in full: time histories as CSV and as a picture
     #[command(after_help = "Examples:\n  sweep simulate sweeps/fig08b.toml\n  \
         sweep simulate sweeps/fig09.toml --case 17\n  \
+        sweep simulate sweeps/fig13.toml --case 0,1\n  \
         sweep simulate sweeps/fig09.toml --set surface_speed_rpm=0.1 --set weight_on_bit_kn=60")]
     Simulate(SimulateArguments),
     /// Show the linear system: stiffness, times, taps, stability, cost
@@ -86,9 +87,9 @@ pub struct CheckArguments {
 pub struct SimulateArguments {
     /// The sweep file
     pub file: PathBuf,
-    /// Which of the sweep's cases, from 0
-    #[arg(long, default_value_t = 0)]
-    pub case: usize,
+    /// Which of the sweep's cases, from 0; several are drawn beside each other
+    #[arg(long, value_name = "CASES", value_delimiter = ',', default_value = "0")]
+    pub case: Vec<usize>,
     /// Set a quantity, e.g. surface_speed_rpm=0.1; may be repeated
     #[arg(long, value_name = "AXIS=VALUE", value_parser = parse_setting)]
     pub set: Vec<(Axis, f64)>,

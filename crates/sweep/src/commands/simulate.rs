@@ -1,4 +1,5 @@
-//! `sweep simulate`: one case in full (Figs. 7, 8, 10–13, 15 and 16).
+//! `sweep simulate`: a case in full (Figs. 7, 8, 10–13, 15 and 16), or a few
+//! beside each other.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -7,7 +8,7 @@ use anyhow::{Result, bail};
 use linear::elements::reconstruction::reconstruct;
 use linear::estimates::stick_slip_times;
 use linear::{BendingRequest, Sites};
-use sim::{Outcome, Trajectory};
+use sim::{BitTorque, Outcome, Trajectory};
 
 use super::plot::{axis, save_picture};
 use super::{
@@ -23,29 +24,38 @@ use crate::spec::{Axis, Conditions, LateralSettings, Sweep, check_setting, to_rp
 /// The clearance is drawn where motion reaches this part of it.
 const CLEARANCE_SHOWN: f64 = 0.2;
 
-/// One method's answer.
+/// One method's answer to one case.
 struct Simulation {
+    case: usize,
     method: &'static str,
+    /// What it is called in pictures.
+    name: String,
     trajectory: Trajectory,
     outcome: Outcome,
 }
 
-/// Simulates one case with every method and keeps its time histories.
+/// Simulates the chosen cases with every method and keeps their time histories.
 pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     let sweep = read_sweep(&arguments.file, &arguments.work)?;
-    let case = chosen_case(&sweep, arguments)?;
+    let cases = (unique(&arguments.case).into_iter())
+        .map(|index| chosen_case(&sweep, arguments, index))
+        .collect::<Result<Vec<_>>>()?;
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     use_threads(arguments.work.jobs)?;
-    let systems = build_systems(&arguments.file, &sweep, std::slice::from_ref(&case))?;
+    let systems = build_systems(&arguments.file, &sweep, &cases)?;
     make_folder(&folder)?;
     warn_of_unstable(&systems);
-    let simulations = systems
+    let pairs = cases
         .iter()
-        .map(|system| {
+        .flat_map(|case| systems.iter().map(move |system| (case, system)));
+    let simulations = pairs
+        .map(|(case, system)| {
             let mut trajectory = Trajectory::default();
-            let outcome = system.simulate(&case, Some(&mut trajectory))?;
+            let outcome = system.simulate(case, Some(&mut trajectory))?;
             Ok(Simulation {
+                case: case.index,
                 method: system.method.name(),
+                name: name(&sweep, case, system.method.name(), cases.len()),
                 trajectory,
                 outcome,
             })
@@ -56,7 +66,7 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
         &folder.join("history.csv"),
         &history_csv(&simulations, &sweep.sites, step)?,
     )?;
-    let picture = panels(&history_panels(&sweep, &case, &simulations, step))?;
+    let picture = panels(&history_panels(&sweep, &cases, &simulations, step))?;
     save_picture(&folder, "history", &picture)?;
     if let Some(lateral) = &sweep.lateral {
         let orbits = orbits(&site_orbits(&sweep, &simulations))?;
@@ -64,22 +74,46 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
         let along = along_string(&sweep, lateral, &simulations)?;
         save_picture(&folder, "string", &panels(&along)?)?;
     }
-    say(&summary(&sweep, &case, &simulations, &folder)?)?;
+    say(&summary(&sweep, &cases, &simulations, &folder)?)?;
     Ok(Status::Complete)
 }
 
-fn chosen_case(sweep: &Sweep, arguments: &SimulateArguments) -> Result<Case> {
+/// The method, and what sets the case apart where there are several.
+fn name(sweep: &Sweep, case: &Case, method: &str, cases: usize) -> String {
+    if cases == 1 {
+        return method.to_owned();
+    }
+    let axes = sweep.design.axes().iter().zip(&case.values);
+    let values = axes.map(|(axis, value)| format!("{} = {}", axis.symbol(), shortened(*value)));
+    format!("{}, {method}", values.collect::<Vec<_>>().join(", "))
+}
+
+/// A number in four digits.
+fn shortened(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
+fn unique(indices: &[usize]) -> Vec<usize> {
+    let mut unique: Vec<usize> = Vec::new();
+    for &index in indices {
+        if !unique.contains(&index) {
+            unique.push(index);
+        }
+    }
+    unique
+}
+
+fn chosen_case(sweep: &Sweep, arguments: &SimulateArguments, index: usize) -> Result<Case> {
     let cases = sweep.design.cases();
-    if arguments.case >= cases {
+    if index >= cases {
         bail!(UsageError(format!(
-            "--case {}: {} has cases 0 to {}",
-            arguments.case,
+            "--case {index}: {} has cases 0 to {}",
             arguments.file.display(),
             cases - 1
         )));
     }
     let axes = sweep.design.axes();
-    let mut values = sweep.design.values(arguments.case);
+    let mut values = sweep.design.values(index);
     let mut conditions = sweep.conditions_at(&values);
     for &(axis, value) in &arguments.set {
         check_setting(axis, value)
@@ -98,8 +132,7 @@ fn chosen_case(sweep: &Sweep, arguments: &SimulateArguments) -> Result<Case> {
         }
     }
     refuse_weight_without_rock(sweep, &conditions)?;
-    Case::under(sweep, arguments.case, values, &conditions)
-        .map_err(|reason| UsageError(reason).into())
+    Case::under(sweep, index, values, &conditions).map_err(|reason| UsageError(reason).into())
 }
 
 fn refuse_weight_without_rock(sweep: &Sweep, conditions: &Conditions) -> Result<()> {
@@ -120,12 +153,12 @@ fn site_name(distance: f64) -> String {
     }
 }
 
-/// `history.csv`: a row a step and method. The torque on bit is counted
+/// `history.csv`: a row a step, method and case. The torque on bit is counted
 /// positive against the rotation, as drillers do.
 fn history_csv(simulations: &[Simulation], sites: &Sites, step: f64) -> Result<Vec<u8>> {
     let with_torque = has_torque(simulations);
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let mut header = vec!["method".to_owned(), "time_s".to_owned()];
+    let mut header = ["case", "method", "time_s"].map(str::to_owned).to_vec();
     let distances = sites.distances_from_bit().iter();
     header.extend(distances.map(|&distance| format!("{}_speed_rpm", site_name(distance))));
     header.extend(with_torque.then(|| "torque_on_bit_nm".to_owned()));
@@ -142,6 +175,7 @@ fn history_csv(simulations: &[Simulation], sites: &Sites, step: f64) -> Result<V
         let trajectory = &simulation.trajectory;
         for index in 0..trajectory.speeds[0].len() {
             let mut fields = vec![
+                simulation.case.to_string(),
                 simulation.method.to_owned(),
                 (index as f64 * step).to_string(),
             ];
@@ -185,7 +219,7 @@ fn site_orbits(sweep: &Sweep, simulations: &[Simulation]) -> Orbits {
         series: simulations
             .iter()
             .map(|simulation| Series {
-                name: simulation.method.to_owned(),
+                name: simulation.name.clone(),
                 points: simulation.trajectory.positions[site]
                     .iter()
                     .map(|[x, y]| (1e3 * x, 1e3 * y))
@@ -226,7 +260,7 @@ fn along_string(
             )?;
             let peaks = whole.peaks.iter().map(|peak| 1e3 * peak);
             Ok(Series {
-                name: simulation.method.to_owned(),
+                name: simulation.name.clone(),
                 points: whole.depths.iter().copied().zip(peaks).collect(),
             })
         })
@@ -249,7 +283,7 @@ fn along_string(
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
 /// speed, torque on the bit, and, as in the paper, the difference between the
 /// first two methods beneath.
-fn history_panels(sweep: &Sweep, case: &Case, simulations: &[Simulation], step: f64) -> Panels {
+fn history_panels(sweep: &Sweep, cases: &[Case], simulations: &[Simulation], step: f64) -> Panels {
     let series = |name: &str, values: &dyn Fn(usize) -> f64, count: usize| Series {
         name: name.to_owned(),
         points: (0..count)
@@ -262,7 +296,7 @@ fn history_panels(sweep: &Sweep, case: &Case, simulations: &[Simulation], step: 
             .map(|simulation| {
                 let trajectory = &simulation.trajectory;
                 let count = trajectory.speeds[0].len();
-                series(simulation.method, &|index| values(trajectory, index), count)
+                series(&simulation.name, &|index| values(trajectory, index), count)
             })
             .collect()
     };
@@ -308,38 +342,39 @@ fn history_panels(sweep: &Sweep, case: &Case, simulations: &[Simulation], step: 
         list.push(panel(
             &label,
             of_each(&|trajectory, index| to_rpm(trajectory.speeds[site][index])),
-            vec![level(to_rpm(case.scene.surface_speed), "Ω")],
+            levels(cases, "Ω", |case| Some(to_rpm(case.scene.surface_speed))),
         ));
     }
-    if let Some(bit) = &case.scene.bit {
-        let times = stick_slip_times(
-            &sweep.string,
-            case.scene.surface_speed,
-            bit.torque_static,
-            bit.torque_dynamic,
-        );
-        if let Some(bit_speed) = list.first_mut() {
-            bit_speed.references.push(Reference::Vertical {
+    if let Some(bit_speed) = list.first_mut() {
+        let first_slips = cases.iter().filter_map(|case| {
+            let bit = case.scene.bit?;
+            let speed = case.scene.surface_speed;
+            let times =
+                stick_slip_times(&sweep.string, speed, bit.torque_static, bit.torque_dynamic);
+            Some(Reference::Vertical {
                 x: times.first_slip,
                 name: "τ₁".to_owned(),
-            });
-        }
+            })
+        });
+        bit_speed.references.extend(first_slips);
+    }
+    if has_torque(simulations) {
+        let limit = |of: fn(BitTorque) -> f64| move |case: &Case| Some(1e-3 * of(case.scene.bit?));
+        let mut limits = levels(cases, "Tₛ", limit(|bit| bit.torque_static));
+        limits.extend(levels(cases, "T_d", limit(|bit| bit.torque_dynamic)));
         list.push(panel(
             "Torque on bit (kN m)",
             of_each(&|trajectory, index| -1e-3 * trajectory.bit_torque[index]),
-            vec![
-                level(1e-3 * bit.torque_static, "Tₛ"),
-                level(1e-3 * bit.torque_dynamic, "T_d"),
-            ],
+            limits,
         ));
     }
-    if let [first, second, ..] = simulations {
+    if let ([_], [first, second, ..]) = (cases, simulations) {
         let bit = sweep.sites.len() - 1;
         let (one, other) = (
             &first.trajectory.speeds[bit],
             &second.trajectory.speeds[bit],
         );
-        let name = format!("{} − {}", first.method, second.method);
+        let name = format!("{} − {}", first.name, second.name);
         let difference = series(&name, &|index| to_rpm(one[index] - other[index]), one.len());
         list.push(panel(
             "Difference in bit speed (rpm)",
@@ -353,6 +388,14 @@ fn history_panels(sweep: &Sweep, case: &Case, simulations: &[Simulation], step: 
     }
 }
 
+/// A level of every case, each value once.
+fn levels(cases: &[Case], name: &str, of: impl Fn(&Case) -> Option<f64>) -> Vec<Reference> {
+    let mut values: Vec<f64> = cases.iter().filter_map(of).collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values.into_iter().map(|value| level(value, name)).collect()
+}
+
 fn level(y: f64, name: &str) -> Reference {
     Reference::Horizontal {
         y,
@@ -362,51 +405,23 @@ fn level(y: f64, name: &str) -> Reference {
 
 fn summary(
     sweep: &Sweep,
-    case: &Case,
+    cases: &[Case],
     simulations: &[Simulation],
     folder: &Path,
 ) -> Result<String> {
     let mut text = String::new();
-    let rpm = to_rpm(case.scene.surface_speed);
-    let torque = case
-        .torque_dynamic_nm
-        .map_or_else(String::new, |torque| format!(", T_d = {torque:.1} N m"));
-    writeln!(text, "Ω = {rpm:.4} rpm{torque}")?;
-    for simulation in simulations {
-        if let Some(lateral) = simulation.outcome.lateral {
-            let distance = sweep.sites.distances_from_bit()[lateral.site];
-            writeln!(
-                text,
-                "  {}: {}, at {} in contact {:.0} % of the closing window, r = {:.2} mm, \
-                 {:.2} turns/s, F_N = {:.2} kN",
-                simulation.method,
-                lateral.regime.name(),
-                site_title(distance),
-                100.0 * lateral.contact_fraction,
-                1e3 * lateral.mean_radius,
-                lateral.precession_rate / std::f64::consts::TAU,
-                1e-3 * lateral.mean_normal_force,
-            )?;
-            continue;
+    for case in cases {
+        let rpm = to_rpm(case.scene.surface_speed);
+        let torque = case
+            .torque_dynamic_nm
+            .map_or_else(String::new, |torque| format!(", T_d = {torque:.1} N m"));
+        writeln!(text, "Ω = {rpm:.4} rpm{torque}")?;
+        let own = simulations
+            .iter()
+            .filter(|simulation| simulation.case == case.index);
+        for simulation in own {
+            write_outcome(&mut text, sweep, simulation)?;
         }
-        let Some(torsion) = simulation.outcome.torsion else {
-            writeln!(text, "  {}: the bit is free", simulation.method)?;
-            continue;
-        };
-        let seconds = |value: Option<f64>| {
-            value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3} s"))
-        };
-        writeln!(
-            text,
-            "  {}: {}, first slip {}, period {}, slipping {}, {} sticks, peak {:.4} rpm",
-            simulation.method,
-            torsion.regime.name(),
-            seconds(torsion.first_slip),
-            seconds(torsion.period),
-            seconds(torsion.slip_time),
-            torsion.sticks,
-            to_rpm(torsion.peak_speed),
-        )?;
     }
     writeln!(
         text,
@@ -414,4 +429,46 @@ fn summary(
         folder.display()
     )?;
     Ok(text)
+}
+
+/// What came out, in bending and in torsion.
+fn write_outcome(
+    text: &mut String,
+    sweep: &Sweep,
+    simulation: &Simulation,
+) -> Result<(), std::fmt::Error> {
+    if let Some(lateral) = simulation.outcome.lateral {
+        let distance = sweep.sites.distances_from_bit()[lateral.site];
+        writeln!(
+            text,
+            "  {}: {}, at {} in contact {:.0} % of the closing window, r = {:.2} mm, \
+             {:.2} turns/s, F_N = {:.2} kN",
+            simulation.name,
+            lateral.regime.name(),
+            site_title(distance),
+            100.0 * lateral.contact_fraction,
+            1e3 * lateral.mean_radius,
+            lateral.precession_rate / std::f64::consts::TAU,
+            1e-3 * lateral.mean_normal_force,
+        )?;
+    }
+    if let Some(torsion) = simulation.outcome.torsion {
+        let seconds = |value: Option<f64>| {
+            value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3} s"))
+        };
+        writeln!(
+            text,
+            "  {}: {}, first slip {}, period {}, slipping {}, {} sticks, peak {:.4} rpm",
+            simulation.name,
+            torsion.regime.name(),
+            seconds(torsion.first_slip),
+            seconds(torsion.period),
+            seconds(torsion.slip_time),
+            torsion.sticks,
+            to_rpm(torsion.peak_speed),
+        )?;
+    } else if simulation.outcome.lateral.is_none() {
+        writeln!(text, "  {}: the bit is free", simulation.name)?;
+    }
+    Ok(())
 }

@@ -329,6 +329,17 @@ impl Axis {
         }
     }
 
+    /// The symbol and, where it has one, the unit.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Axis::SurfaceSpeedRpm => "Ω/rpm",
+            Axis::WeightOnBitKn => "W/kN",
+            Axis::TorqueDynamicNm => "T_d/(N m)",
+            Axis::ImpulseRatio => "I/I₀",
+            Axis::Friction => "μ₀",
+        }
+    }
+
     /// The title of a plot's axis.
     pub fn title(self) -> &'static str {
         match self {
