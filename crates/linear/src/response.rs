@@ -1,5 +1,7 @@
 //! Discrete impulse responses A(0), A(1), …: the only thing that leaves this
-//! crate for a simulation (Eqs. 59–61).
+//! crate for a simulation (Eqs. 59–61). The matrix of Eqs. 59–60 has a block for
+//! torsion and one for each plane of bending, and zeros between them: the blocks
+//! are kept apart, and where a scene needs no bending only one is built.
 
 use crate::drillstring::{Sites, SurfaceSupport};
 use crate::error::BuildError;

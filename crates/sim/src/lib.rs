@@ -12,6 +12,7 @@
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`regime`] |
+//! | Section 5.2.2: transient contact or whirl | [`whirl`], its bound in [`steady_whirl`] |
 //! | Eqs. 72–73: how long to simulate | [`duration`] |
 //!
 //! ```
@@ -48,6 +49,7 @@ pub mod lateral;
 pub mod laws;
 pub mod regime;
 pub mod scene;
+pub mod steady_whirl;
 pub mod stepper;
 pub mod trajectory;
 pub mod whirl;
@@ -60,6 +62,7 @@ pub use laws::rock::Rock;
 pub use laws::wall::Wall;
 pub use regime::{TorsionMeasures, TorsionRegime};
 pub use scene::{Lateral, Scene};
+pub use steady_whirl::{SteadyWhirl, steady_backward_whirl};
 pub use stepper::{Outcome, SimulationError, System, simulate};
 pub use trajectory::Trajectory;
 pub use whirl::{LateralMeasures, LateralRegime};

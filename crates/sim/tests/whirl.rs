@@ -277,7 +277,11 @@ fn steady_backward_whirl_balances_the_dynamic_stiffness() {
         SurfaceSupport::Free,
         &Sites::bit(),
     );
-    let stiffness = network.at_rate(found.precession_rate.abs())[(0, 0)].inv();
+    let dynamic_stiffness = |rate: f64| {
+        let stiffness = network.at_rate(rate)[(0, 0)].inv();
+        [stiffness.re, stiffness.im]
+    };
+    let [real, imaginary] = dynamic_stiffness(found.precession_rate.abs());
     let last = trajectory.positions[0].len() - 1;
     let ([x, y], [fx, fy]) = (
         trajectory.positions[0][last],
@@ -286,9 +290,14 @@ fn steady_backward_whirl_balances_the_dynamic_stiffness() {
     let radius = x.hypot(y);
     let normal = -(fx * x + fy * y) / radius;
     let friction = (fy * x - fx * y) / radius;
-    assert_close(normal, -stiffness.re * radius, 0.01);
-    assert_close(friction.abs(), stiffness.im.abs() * radius, 0.01);
-    assert_close((stiffness.im / stiffness.re).abs(), 1.14, 0.01);
+    assert_close(normal, -real * radius, 0.01);
+    assert_close(friction.abs(), imaginary.abs() * radius, 0.01);
+    // The same from the balance alone, nothing simulated.
+    let steady = sim::steady_backward_whirl(&wall(2.0), SPEED, dynamic_stiffness).unwrap();
+    assert_close(radius, steady.radius, 0.01);
+    assert_close(found.precession_rate, -steady.rate, 0.01);
+    assert_close(found.mean_normal_force, steady.normal_force, 0.01);
+    assert_close(steady.least_friction, 1.14, 0.01);
 }
 
 /// The bit's torque and the wall act on one site in one step. A wall without

@@ -7,9 +7,7 @@ use anyhow::{Result, bail};
 
 use super::{Status, UsageError, say};
 use crate::cli::PlotArguments;
-use crate::output::{
-    BoundaryPoint, LabelRow, Manifest, read_boundary, read_labels, write_atomically,
-};
+use crate::output::{Boundary, LabelRow, Manifest, read_boundary, read_labels, write_atomically};
 use crate::plot::{Axis, Line, MapPoint, Mark, Picture, RegimeMap, Symbol, regime_map};
 use crate::spec::MapSettings;
 
@@ -43,7 +41,7 @@ pub fn draw_map(folder: &Path) -> Result<bool> {
         y: axis(settings.y.title()),
         points: points(&rows),
         legend: legend(&manifest, &rows),
-        lines: lines(&limit, settings),
+        lines: lines(&limit, settings, &rows),
         marks: settings
             .marks
             .iter()
@@ -136,19 +134,26 @@ fn legend(manifest: &Manifest, rows: &[LabelRow]) -> [String; 3] {
     ]
 }
 
-fn lines(limit: &[BoundaryPoint], settings: &MapSettings) -> Vec<Line> {
+/// The limit as lines of the map; one that does not depend on an axis crosses
+/// the whole of it.
+fn lines(limit: &Boundary, settings: &MapSettings, rows: &[LabelRow]) -> Vec<Line> {
+    let range = |axis: usize| {
+        let values = rows.iter().map(|row| row.values[axis]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], value| {
+            [from.min(value), to.max(value)]
+        })
+    };
     let mut lines: Vec<Line> = Vec::new();
-    for point in limit {
-        let name = format!("Eq. 74, {}", point.method);
-        let Some(at) = point.value(settings.x).zip(point.value(settings.y)) else {
-            continue;
+    for (name, point) in limit.lines(settings.x, settings.y) {
+        let points = match point {
+            (Some(x), Some(y)) => vec![(x, y)],
+            (None, Some(y)) => range(0).map(|x| (x, y)).to_vec(),
+            (Some(x), None) => range(1).map(|y| (x, y)).to_vec(),
+            (None, None) => continue,
         };
         match lines.last_mut() {
-            Some(line) if line.name == name => line.points.push(at),
-            _ => lines.push(Line {
-                name,
-                points: vec![at],
-            }),
+            Some(line) if line.name == name => line.points.extend(points),
+            _ => lines.push(Line { name, points }),
         }
     }
     lines

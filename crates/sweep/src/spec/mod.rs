@@ -13,6 +13,6 @@ mod tests;
 
 pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
 pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};
-pub use resolve::{Conditions, MapSettings, Sweep, Time, to_rpm};
+pub use resolve::{Bit, Conditions, MapSettings, Sweep, Time, to_rpm};
 pub(crate) use resolve::{check_axis_value, check_setting};
 pub use source::{Source, SpecError};
