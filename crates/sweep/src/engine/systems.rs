@@ -108,7 +108,8 @@ impl MethodSystem {
     /// impulse, for its site cannot reach the wall.
     pub fn unreachable_impulse(&self) -> Option<usize> {
         let mut impulses = self.least_impulses.iter().zip(&self.relative);
-        impulses.position(|(least, relative)| *relative && !(*least <= LARGEST_IMPULSE))
+        impulses
+            .position(|(least, relative)| *relative && (least.is_nan() || *least > LARGEST_IMPULSE))
     }
 
     /// The margin, where one says that sticking or contact is unstable.
