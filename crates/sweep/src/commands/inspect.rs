@@ -27,6 +27,9 @@ const FREQUENCIES: usize = 4000;
 /// Time shown of the step responses, in round trips of a wave.
 const ROUND_TRIPS_SHOWN: f64 = 5.0;
 
+/// Points of a curve.
+type Curve = Vec<(f64, f64)>;
+
 /// Shows the linear system.
 pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     let sweep = read_sweep(&arguments.file, &arguments.work)?;
@@ -219,7 +222,7 @@ fn history_terms(sweep: &Sweep, system: &MethodSystem, case: &Case) -> f64 {
 fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
     let mut list = vec![frequency_panel(sweep)];
     let bit = sweep.sites.len() - 1;
-    let series = |points: &dyn Fn(&MethodSystem) -> Option<Vec<(f64, f64)>>| -> Vec<Series> {
+    let series = |points: &dyn Fn(&MethodSystem) -> Option<Curve>| -> Vec<Series> {
         (systems.iter())
             .filter_map(|system| {
                 Some(Series {
@@ -328,7 +331,7 @@ fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Pan
 }
 
 /// The response to a unit step, times `factor`.
-fn step_response(taps: &[f64], factor: f64, sweep: &Sweep) -> Vec<(f64, f64)> {
+fn step_response(taps: &[f64], factor: f64, sweep: &Sweep) -> Curve {
     let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&sweep.string);
     let count = (shown * sweep.sampling_frequency).ceil() as usize;
     let mut sum = 0.0;
