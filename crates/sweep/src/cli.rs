@@ -4,11 +4,12 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::engine::Shard;
 use crate::spec::{Axis, MethodName};
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]
-#[command(version, about, max_term_width = 100)]
+#[command(version = env!("SWEEP_VERSION"), about, max_term_width = 100)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -19,7 +20,12 @@ pub struct Cli {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Run every case of a sweep with every method it names; write a results folder
-    #[command(after_help = "Example: sweep run sweeps/fig09.toml --out /tmp/fig09")]
+    #[command(
+        after_help = "Examples:\n  sweep run sweeps/fig09.toml --out /tmp/fig09\n  \
+        sweep run sweeps/fig09.toml --shard 0/4\n\n\
+        A run that was stopped, however it was, goes on where it stopped when the same\n\
+        command is given again."
+    )]
     Run(RunArguments),
     /// Rerun the cases of a reference label file and compare the labels
     #[command(after_help = "Example: sweep check sweeps/fig09.toml results/reference/fig09.csv")]
@@ -36,6 +42,12 @@ pub enum Command {
     /// Draw the regime map of a results folder again
     #[command(after_help = "Example: sweep plot results/fig09")]
     Plot(PlotArguments),
+    /// Join the shards of a sweep into one results folder
+    #[command(
+        after_help = "Example: sweep merge results/fig14/shard-* --out results/fig14\n\n\
+        Exit code 4 where a shard is missing or not finished; its number is printed."
+    )]
+    Merge(MergeArguments),
 }
 
 /// Arguments of `run`.
@@ -51,12 +63,33 @@ pub struct RunArguments {
     /// Say what would run and why, and stop
     #[arg(long)]
     pub dry_run: bool,
-    /// Replace the results of another sweep in the same folder
+    /// Run only part I (from 0) of N [default folder: results/NAME/shard-I-of-N]
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
+    /// Begin anew, whatever is in the folder
     #[arg(long)]
     pub fresh: bool,
+    /// Go on where a case gives no answer, and list it in failures.csv (the default)
+    #[arg(long, conflicts_with = "fail_fast")]
+    pub keep_going: bool,
+    /// Stop at the first case that gives no answer
+    #[arg(long)]
+    pub fail_fast: bool,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,
+    /// How to tell of progress on the error stream
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    pub log: LogFormat,
+}
+
+/// How progress is told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum LogFormat {
+    /// For people: a bar on a terminal, lines elsewhere
+    Text,
+    /// One JSON object a line
+    Json,
 }
 
 /// What every command that simulates understands.
@@ -119,12 +152,21 @@ pub struct PlotArguments {
     pub folder: PathBuf,
 }
 
+/// Arguments of `merge`.
+#[derive(Debug, Args)]
+pub struct MergeArguments {
+    /// The shards' results folders
+    #[arg(required = true)]
+    pub folders: Vec<PathBuf>,
+    /// Results folder
+    #[arg(long)]
+    pub out: PathBuf,
+}
+
 fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected AXIS=VALUE")?;
-    let axis = Axis::from_name(name.trim()).ok_or_else(|| {
-        let known: Vec<&str> = Axis::ALL.iter().map(|axis| axis.name()).collect();
-        format!("unknown axis `{name}`; known: {}", known.join(", "))
-    })?;
+    let axis = Axis::from_name(name.trim())
+        .ok_or_else(|| format!("unknown axis `{name}`; known: {}", Axis::NAMES.join(", ")))?;
     let value = value.trim();
     let number = value
         .parse()

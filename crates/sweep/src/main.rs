@@ -20,6 +20,9 @@ use clap::Parser;
 use cli::{Cli, Command};
 use commands::Status;
 
+/// This program: version and, where it is known, commit.
+const PROGRAM: &str = concat!("sweep ", env!("SWEEP_VERSION"));
+
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Run(arguments) => commands::run::run(&arguments),
@@ -27,6 +30,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => commands::simulate::simulate(&arguments),
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments),
         Command::Plot(arguments) => commands::plot::plot(&arguments),
+        Command::Merge(arguments) => commands::merge::merge(&arguments),
     };
     result
         .unwrap_or_else(|error| commands::report(&error))

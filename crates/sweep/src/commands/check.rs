@@ -3,19 +3,22 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
+use std::sync::Mutex;
 
 use anyhow::{Result, bail};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use sim::Outcome;
 
-use super::{Progress, Status, UsageError, build_systems, say, use_threads};
+use super::{Progress, Status, UsageError, build_systems, say, survey_cases, use_threads};
 use crate::cli::CheckArguments;
-use crate::engine::{Case, MethodSystem, Row, RowOutcome, run_cases};
-use crate::output::{LabelRow, read_labels};
+use crate::design::{Design, List};
+use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Work};
+use crate::output::{LabelRow, read_labels, whirl_bound};
 use crate::spec::{Sweep, check_setting};
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
+    use_threads(arguments.jobs)?;
     let mut sweep = Sweep::read(&arguments.file)?;
     let axes = sweep.design.axes().to_vec();
     let reference = read_labels(&arguments.reference, &axes)
@@ -28,17 +31,14 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     }
     keep_methods_of(&mut sweep, &reference, &arguments.reference)?;
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
-    use_threads(arguments.jobs)?;
-    let systems = build_systems(&arguments.file, &sweep, &cases)?;
-    let progress = Progress::new(cases.len() * systems.len(), false);
-    let rows = run_cases(&systems, &cases, || progress.tick());
-    progress.finish();
+    let numbers: Vec<usize> = cases.keys().copied().collect();
+    sweep.design = Design::List(List::new(axes, cases.into_values().collect()));
+    let survey = survey_cases(&arguments.reference, &sweep)?;
+    let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
+    let found = run_all(&sweep, &systems, &numbers)?;
 
-    let found: BTreeMap<(usize, &str), &Row> = rows
-        .iter()
-        .map(|row| ((row.case, row.method), row))
-        .collect();
     let mut different = 0;
+    let mut labels = 0;
     let mut text = String::new();
     for expected in &reference {
         let Some(row) = found.get(&(expected.case, expected.method.as_str())) else {
@@ -49,18 +49,20 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
             (&expected.lateral, label(row, lateral_label)),
         ] {
             // A label that the reference leaves out is not checked.
-            if !expected_label.is_empty() && label != *expected_label {
-                different += 1;
-                text += &difference(&sweep, &systems, expected, expected_label, row, &label);
+            if !expected_label.is_empty() {
+                labels += 1;
+                if label != *expected_label {
+                    different += 1;
+                    text += &difference(&sweep, &systems, expected, expected_label, row, &label);
+                }
             }
         }
     }
     writeln!(
         text,
-        "{}: {} of {} labels as expected",
+        "{}: {} of {labels} labels as expected",
         arguments.reference.display(),
-        reference.len() - different,
-        reference.len()
+        labels - different,
     )?;
     say(&text)?;
     Ok(if different == 0 {
@@ -68,6 +70,32 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     } else {
         Status::LabelsDiffer
     })
+}
+
+/// The rows of all cases, by the reference's numbers and by method.
+fn run_all(
+    sweep: &Sweep,
+    systems: &[MethodSystem],
+    numbers: &[usize],
+) -> Result<BTreeMap<(usize, &'static str), Row>> {
+    let found = Mutex::new(BTreeMap::new());
+    let progress = Progress::new(numbers.len() * systems.len(), 0, false);
+    let work = Work {
+        sweep,
+        shard: Shard::WHOLE,
+        is_open: &|_, _| true,
+        stops: &|| false,
+    };
+    let keep = |row: Row| {
+        if let Ok(mut found) = found.lock() {
+            found.insert((numbers[row.case], row.method), row);
+        }
+        progress.tick();
+        Ok(())
+    };
+    work.run(systems, &keep)?;
+    progress.finish();
+    Ok(found.into_inner().unwrap_or_default())
 }
 
 /// The reference says which methods it was made with.
@@ -92,30 +120,33 @@ fn keep_methods_of(sweep: &mut Sweep, reference: &[LabelRow], path: &Path) -> Re
     Ok(())
 }
 
-/// One case for each case number; its rows must agree on its values.
-fn cases_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<Case>> {
-    let mut cases: BTreeMap<usize, Case> = BTreeMap::new();
+/// The values of each case number; its rows must agree on them.
+fn cases_of(
+    sweep: &Sweep,
+    reference: &[LabelRow],
+    path: &Path,
+) -> Result<BTreeMap<usize, Vec<f64>>> {
+    let mut cases: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     for row in reference {
         let at = |reason: String| UsageError(format!("{}:{}: {reason}", path.display(), row.line));
         if row.torsion.is_empty() && row.lateral.is_empty() {
             bail!(at("has no label to compare with".to_owned()));
-        }
-        if let Some(case) = cases.get(&row.case) {
-            if case.values != row.values {
-                bail!(at(format!("case {} has other values above", row.case)));
-            }
-            continue;
         }
         let axes = sweep.design.axes();
         for (&axis, &value) in axes.iter().zip(&row.values) {
             check_setting(axis, value)
                 .map_err(|reason| at(format!("{}: {reason}", axis.name())))?;
         }
+        let setting = sweep
+            .setting_at(&row.values)
+            .map_err(|error| at(error.to_string()))?;
         let conditions = sweep.conditions_at(&row.values);
-        let case = Case::under(sweep, row.case, row.values.clone(), &conditions).map_err(at)?;
-        cases.insert(row.case, case);
+        Case::under(sweep, &setting, row.case, row.values.clone(), &conditions).map_err(at)?;
+        if *cases.entry(row.case).or_insert_with(|| row.values.clone()) != row.values {
+            bail!(at(format!("case {} has other values above", row.case)));
+        }
     }
-    Ok(cases.into_values().collect())
+    Ok(cases)
 }
 
 fn label(row: &Row, of: fn(&Outcome) -> Option<&'static str>) -> String {
@@ -145,10 +176,7 @@ fn difference(
         .zip(&expected.values)
         .map(|(axis, value)| format!("{} = {value}", axis.name()))
         .collect();
-    let distance = distance_to_limit(sweep, systems, expected, row)
-        .map_or_else(String::new, |ratio| {
-            format!(", at {ratio:.3} times the speed limit of Eq. 74")
-        });
+    let distance = distance_to_limit(sweep, systems, expected, row).unwrap_or_default();
     format!(
         "case {} by {}: {}: expected {}, found {label}{distance}\n",
         expected.case,
@@ -158,22 +186,28 @@ fn difference(
     )
 }
 
-/// Surface speed of a case over the analytic limit.
+/// Where a case is in relation to the analytic limit, in words.
 fn distance_to_limit(
     sweep: &Sweep,
     systems: &[MethodSystem],
     expected: &LabelRow,
     row: &Row,
-) -> Option<f64> {
-    let system = systems
-        .iter()
-        .find(|system| system.method.name() == row.method)?;
+) -> Option<String> {
+    let conditions = sweep.conditions_at(&expected.values);
+    if let (Some(lateral), Some(friction)) = (&sweep.setting.lateral, conditions.friction) {
+        let bound = whirl_bound(sweep, lateral, conditions.surface_speed_rpm?)?;
+        let ratio = friction / bound.friction;
+        return Some(format!(
+            ", at {ratio:.3} times the least friction of steady whirl"
+        ));
+    }
+    let system = (systems.iter()).find(|system| system.method.name() == row.method)?;
     let torques = sweep.bit.as_ref()?.torques(row.torque_dynamic_nm?);
     let limit = stick_slip_speed_limit(
         largest_undershoot(system.driving_point()?),
         torques.torque_static,
         torques.torque_dynamic,
     );
-    let conditions = sweep.conditions_at(&expected.values);
-    Some(conditions.surface_speed()? / limit)
+    let ratio = conditions.surface_speed()? / limit;
+    Some(format!(", at {ratio:.3} times the speed limit of Eq. 74"))
 }

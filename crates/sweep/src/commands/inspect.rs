@@ -13,11 +13,11 @@ use linear::waves::network::TorsionNetwork;
 
 use super::plot::{axis, save_picture};
 use super::{
-    Status, all_cases, build_systems, make_folder, read_sweep, results_folder, say, site_title,
+    Status, build_systems, make_folder, read_sweep, results_folder, say, site_title, survey_cases,
     use_threads,
 };
 use crate::cli::InspectArguments;
-use crate::engine::{Case, MethodSystem, is_unstable};
+use crate::engine::{MethodSystem, Survey, is_unstable};
 use crate::plot::{Axis, Panel, Panels, Series, panels};
 use crate::spec::{LateralSettings, Sweep, Time};
 
@@ -32,11 +32,11 @@ type Curve = Vec<(f64, f64)>;
 
 /// Shows the linear system.
 pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
-    let sweep = read_sweep(&arguments.file, &arguments.work)?;
-    let cases = all_cases(&arguments.file, &sweep)?;
-    let folder = results_folder(arguments.out.as_ref(), &sweep);
     use_threads(arguments.work.jobs)?;
-    let systems = build_systems(&arguments.file, &sweep, &cases)?;
+    let sweep = read_sweep(&arguments.file, &arguments.work)?;
+    let folder = results_folder(arguments.out.as_ref(), &sweep);
+    let survey = survey_cases(&arguments.file, &sweep)?;
+    let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
     make_folder(&folder)?;
     let picture = panels(&Panels {
         title: format!("{}: linear responses", sweep.title),
@@ -46,7 +46,7 @@ pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     say(&[
         describe_string(&sweep)?,
         describe_methods(&systems)?,
-        describe_scene(&sweep, &cases, &systems)?,
+        describe_scene(&sweep, &survey, &systems)?,
         format!("\npicture: {}\n", folder.join("inspect.png").display()),
     ]
     .concat())?;
@@ -55,7 +55,7 @@ pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
 
 fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
-    let string = &sweep.string;
+    let string = &sweep.setting.string;
     let travel = torsional_travel_time(string);
     writeln!(text, "{}: {}\n", sweep.name, sweep.title)?;
     writeln!(text, "string")?;
@@ -98,7 +98,7 @@ fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
         "  torsional decay rate       {:.3} 1/s",
         torsional_decay_rate(string)
     )?;
-    let why = if sweep.sampling_by_rule {
+    let why = if sweep.setting.sampling_by_rule {
         "four times the first torsional mode of one cell of drillpipe"
     } else {
         "given in the sweep file"
@@ -106,7 +106,7 @@ fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
     writeln!(
         text,
         "  sampling frequency f_s     {:.2} Hz ({why})",
-        sweep.sampling_frequency
+        sweep.setting.sampling_frequency
     )?;
     Ok(text)
 }
@@ -160,12 +160,12 @@ fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error>
 
 fn describe_scene(
     sweep: &Sweep,
-    cases: &[Case],
+    survey: &Survey,
     systems: &[MethodSystem],
 ) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     writeln!(text, "\nleft out, because the scene does not need it")?;
-    if sweep.lateral.is_none() {
+    if sweep.setting.lateral.is_none() {
         writeln!(
             text,
             "  bending and the borehole wall: no lateral contact is modelled"
@@ -175,10 +175,6 @@ fn describe_scene(
     if sweep.bit.is_none() {
         writeln!(text, "  torque at the bit: the bit is free")?;
     }
-    let longest = cases
-        .iter()
-        .map(|case| case.scene.timing.duration)
-        .fold(0.0, f64::max);
     let rule = match sweep.time {
         Time::Auto => "until the regime can be told",
         Time::Given(_) => "given in the sweep file",
@@ -186,12 +182,13 @@ fn describe_scene(
     writeln!(text, "\ncost")?;
     writeln!(
         text,
-        "  {} cases by {} methods, the longest {longest:.1} s ({rule})",
-        cases.len(),
-        systems.len()
+        "  {} cases by {} methods, the longest {:.1} s ({rule})",
+        sweep.design.cases(),
+        systems.len(),
+        survey.longest
     )?;
     let terms: f64 = (systems.iter())
-        .flat_map(|system| cases.iter().map(|case| history_terms(sweep, system, case)))
+        .map(|system| history_terms(sweep, survey, system))
         .sum();
     if terms > 0.0 {
         writeln!(
@@ -202,16 +199,18 @@ fn describe_scene(
     Ok(text)
 }
 
-/// Terms of a case's history sums: between all sites in torsion and in two
-/// planes of bending, or from the torque at the bit to its speed.
-fn history_terms(sweep: &Sweep, system: &MethodSystem, case: &Case) -> f64 {
-    let steps = case.scene.timing.duration * sweep.sampling_frequency;
+/// Terms of the history sums of cases of mean length: between all sites in
+/// torsion and in two planes of bending, or from the torque at the bit to its
+/// speed.
+fn history_terms(sweep: &Sweep, survey: &Survey, system: &MethodSystem) -> f64 {
+    let cases = sweep.design.cases() as f64;
+    let steps = survey.simulated / cases * sweep.setting.sampling_frequency;
     let terms = |taps: usize| {
         let reach = steps.min(taps as f64);
-        reach * (steps - 0.5 * reach)
+        cases * reach * (steps - 0.5 * reach)
     };
     let torsion = terms(system.responses.taps());
-    let pairs = sweep.sites.len().pow(2) as f64;
+    let pairs = sweep.setting.sites.len().pow(2) as f64;
     match &system.bending {
         Some(bending) => pairs * (torsion + 2.0 * terms(bending.taps())),
         None if sweep.bit.is_some() => torsion,
@@ -221,7 +220,7 @@ fn history_terms(sweep: &Sweep, system: &MethodSystem, case: &Case) -> f64 {
 
 fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
     let mut list = vec![frequency_panel(sweep)];
-    let bit = sweep.sites.len() - 1;
+    let bit = sweep.setting.sites.len() - 1;
     let series = |points: &dyn Fn(&MethodSystem) -> Option<Curve>| -> Vec<Series> {
         (systems.iter())
             .filter_map(|system| {
@@ -252,8 +251,8 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
             references: Vec::new(),
         });
     }
-    if let Some(lateral) = &sweep.lateral {
-        let site = site_title(sweep.sites.distances_from_bit()[bit]);
+    if let Some(lateral) = &sweep.setting.lateral {
+        let site = site_title(sweep.setting.sites.distances_from_bit()[bit]);
         list.push(receptance_panel(sweep, lateral, &site));
         list.push(Panel {
             x: axis("Time t (s)"),
@@ -261,11 +260,14 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
             series: series(&|system| {
                 let taps = &system.bending.as_ref()?.from_force[bit][bit];
                 let samples = taps.iter().enumerate();
-                let per_impulse = 1e5 * sweep.sampling_frequency;
+                let per_impulse = 1e5 * sweep.setting.sampling_frequency;
                 Some(
                     samples
                         .map(|(index, tap)| {
-                            (index as f64 / sweep.sampling_frequency, per_impulse * tap)
+                            (
+                                index as f64 / sweep.setting.sampling_frequency,
+                                per_impulse * tap,
+                            )
                         })
                         .collect(),
                 )
@@ -279,9 +281,9 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
 /// Fig. 6(a): the exact response of the bit to the surface, up to half the
 /// sampling frequency.
 fn frequency_panel(sweep: &Sweep) -> Panel {
-    let network = TorsionNetwork::new(&sweep.string, &sweep.sites);
-    let bit = sweep.sites.len() - 1;
-    let highest = 0.5 * sweep.sampling_frequency;
+    let network = TorsionNetwork::new(&sweep.setting.string, &sweep.setting.sites);
+    let bit = sweep.setting.sites.len() - 1;
+    let highest = 0.5 * sweep.setting.sampling_frequency;
     let points = (1..=FREQUENCIES).map(|index| {
         let frequency = highest * index as f64 / FREQUENCIES as f64;
         let response = network.at_frequency(frequency);
@@ -304,13 +306,13 @@ fn frequency_panel(sweep: &Sweep) -> Panel {
 /// Fig. 6(b): the exact displacement of the lowest site per lateral force there.
 fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Panel {
     let network = BendingNetwork::new(
-        &sweep.string,
+        &sweep.setting.string,
         lateral.bending,
         lateral.support,
-        &sweep.sites,
+        &sweep.setting.sites,
     );
-    let lowest = sweep.sites.len() - 1;
-    let highest = 0.5 * sweep.sampling_frequency;
+    let lowest = sweep.setting.sites.len() - 1;
+    let highest = 0.5 * sweep.setting.sampling_frequency;
     let points = (1..=FREQUENCIES).map(|index| {
         let frequency = highest * index as f64 / FREQUENCIES as f64;
         let receptance = network.at_rate(TAU * frequency);
@@ -332,13 +334,16 @@ fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Pan
 
 /// The response to a unit step, times `factor`.
 fn step_response(taps: &[f64], factor: f64, sweep: &Sweep) -> Curve {
-    let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&sweep.string);
-    let count = (shown * sweep.sampling_frequency).ceil() as usize;
+    let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&sweep.setting.string);
+    let count = (shown * sweep.setting.sampling_frequency).ceil() as usize;
     let mut sum = 0.0;
     (0..count)
         .map(|index| {
             sum += taps.get(index).copied().unwrap_or(0.0);
-            (index as f64 / sweep.sampling_frequency, factor * sum)
+            (
+                index as f64 / sweep.setting.sampling_frequency,
+                factor * sum,
+            )
         })
         .collect()
 }

@@ -2,21 +2,26 @@
 //! progress.
 
 pub mod check;
+mod folder;
 pub mod inspect;
+pub mod merge;
 pub mod plot;
 mod progress;
 pub mod run;
 pub mod simulate;
+mod stop;
 
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result, bail};
 use linear::BuildError;
+use serde_json::json;
 
 use crate::cli::WorkArguments;
-use crate::engine::{Case, MethodSystem};
-use crate::spec::{MethodName, SpecError, Sweep};
+use crate::engine::{MethodSystem, Survey, survey};
+use crate::spec::{MethodName, Setting, SpecError, Sweep};
 use progress::Progress;
 
 /// How the program ended; the numbers are its exit codes.
@@ -30,8 +35,14 @@ pub enum Status {
     BadInput = 2,
     /// Finished, but some cases gave no answer.
     SomeFailed = 3,
+    /// Shards are missing.
+    Incomplete = 4,
     /// Labels differ from their reference.
     LabelsDiffer = 5,
+    /// Stopped by Ctrl-C; what is done is kept.
+    Interrupted = 130,
+    /// Stopped by SIGTERM; what is done is kept.
+    Terminated = 143,
 }
 
 /// A request that does not make sense though each of its parts does.
@@ -70,9 +81,21 @@ fn say(text: &str) -> Result<()> {
     }
 }
 
+/// Whether what is told on the error stream is one JSON object a line.
+static TELLS_JSON: AtomicBool = AtomicBool::new(false);
+
 /// Prints a line to standard error, where anybody listens.
 fn complain(line: &str) {
-    let _ = writeln!(std::io::stderr(), "{line}");
+    if TELLS_JSON.load(Ordering::Relaxed) {
+        tell(&json!({ "event": "message", "text": line }));
+    } else {
+        let _ = writeln!(std::io::stderr(), "{line}");
+    }
+}
+
+/// Prints an event to standard error.
+fn tell(event: &serde_json::Value) {
+    let _ = writeln!(std::io::stderr(), "{event}");
 }
 
 /// Reads a sweep file and puts the methods asked for in place of its own.
@@ -129,22 +152,26 @@ fn site_title(distance: f64) -> String {
     }
 }
 
-/// The cases of a sweep.
-fn all_cases(file: &Path, sweep: &Sweep) -> Result<Vec<Case>> {
-    Case::all(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())).into())
+/// A look at every case before any is run.
+fn survey_cases(file: &Path, sweep: &Sweep) -> Result<Survey> {
+    survey(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())).into())
 }
 
-/// The linear system of every method of a sweep.
-fn build_systems(file: &Path, sweep: &Sweep, cases: &[Case]) -> Result<Vec<MethodSystem>> {
-    let systems =
-        MethodSystem::build_all(sweep, cases).with_context(|| file.display().to_string())?;
-    if let Some(index) = systems.iter().find_map(MethodSystem::unreachable_impulse) {
-        let message = "there is no I₀, for no impulse brings this site to the wall; \
-                       give `amount_ns`";
-        let key = format!("impulses[{index}].ratio");
-        bail!(sweep.source.error(&key, message));
-    }
-    Ok(systems)
+/// The linear system of every method, for a string and times up to the longest.
+fn build_systems(
+    file: &Path,
+    sweep: &Sweep,
+    setting: &Setting,
+    longest_time: f64,
+) -> Result<Vec<MethodSystem>> {
+    MethodSystem::build_all(sweep, setting, longest_time).map_err(|error| {
+        // An error in the file names its place already.
+        if error.is::<SpecError>() {
+            error
+        } else {
+            error.context(file.display().to_string())
+        }
+    })
 }
 
 /// Warns of methods that chatter where a site sticks.

@@ -1,4 +1,5 @@
-//! How far a run is: a bar on a terminal, a line now and then elsewhere.
+//! How far a run is: a bar on a terminal, a line now and then elsewhere, or
+//! events for programs. The time left counts only what this run does.
 
 use std::io::IsTerminal;
 use std::sync::Mutex;
@@ -6,88 +7,125 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
 
 /// Time between lines where there is no terminal.
 const BETWEEN_LINES: Duration = Duration::from_secs(10);
 
-/// Counts what is done and shows it on the error stream.
-pub enum Progress {
-    /// Shows nothing.
-    Quiet,
-    /// A bar.
-    Bar(ProgressBar),
-    /// Lines.
-    Lines(Lines),
-}
+/// Time between events.
+const BETWEEN_EVENTS: Duration = Duration::from_secs(1);
 
-/// Progress in lines.
-pub struct Lines {
+/// Counts what is done and shows it on the error stream.
+pub struct Progress {
+    /// Simulations in all, and those done before this run.
     total: usize,
+    before: usize,
     done: AtomicUsize,
     start: Instant,
-    last: Mutex<Instant>,
+    shown: Mutex<Instant>,
+    display: Display,
+}
+
+/// How it is shown.
+enum Display {
+    Nothing,
+    Bar(ProgressBar),
+    Lines,
+    Events,
 }
 
 impl Progress {
-    /// Progress towards `total` simulations.
-    pub fn new(total: usize, quiet: bool) -> Self {
-        if quiet {
-            Progress::Quiet
+    /// Progress for people.
+    pub fn new(total: usize, before: usize, quiet: bool) -> Self {
+        let display = if quiet {
+            Display::Nothing
         } else if std::io::stderr().is_terminal() {
-            Progress::Bar(bar(total))
+            Display::Bar(bar(total, before))
         } else {
-            let now = Instant::now();
-            Progress::Lines(Lines {
-                total,
-                done: AtomicUsize::new(0),
-                start: now,
-                last: Mutex::new(now),
-            })
+            Display::Lines
+        };
+        Self::shown_by(display, total, before)
+    }
+
+    /// Progress for programs.
+    pub fn events(total: usize, before: usize) -> Self {
+        super::tell(&json!({ "event": "start", "total": total, "done": before }));
+        Self::shown_by(Display::Events, total, before)
+    }
+
+    fn shown_by(display: Display, total: usize, before: usize) -> Self {
+        let now = Instant::now();
+        Self {
+            total,
+            before,
+            done: AtomicUsize::new(0),
+            start: now,
+            shown: Mutex::new(now),
+            display,
         }
     }
 
     /// One more is done.
     pub fn tick(&self) {
-        match self {
-            Progress::Quiet => {}
-            Progress::Bar(bar) => bar.inc(1),
-            Progress::Lines(lines) => lines.tick(),
-        }
-    }
-
-    /// All is done: the bar goes.
-    pub fn finish(&self) {
-        if let Progress::Bar(bar) = self {
-            bar.finish_and_clear();
-        }
-    }
-}
-
-impl Lines {
-    fn tick(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        match &self.display {
+            Display::Nothing => {}
+            Display::Bar(bar) => bar.inc(1),
+            Display::Lines => self.now_and_then(BETWEEN_LINES, |left| {
+                super::complain(&format!(
+                    "{} of {} simulations done, about {left:.0} s left",
+                    self.before + done,
+                    self.total
+                ));
+            }),
+            Display::Events => self.now_and_then(BETWEEN_EVENTS, |left| {
+                super::tell(&json!({
+                    "event": "progress",
+                    "done": self.before + done,
+                    "total": self.total,
+                    "seconds_left": left,
+                }));
+            }),
+        }
+    }
+
+    /// Shows something if nothing was shown for a while, with the time left.
+    fn now_and_then(&self, pause: Duration, show: impl Fn(f64)) {
         // A thread that finds another one writing has nothing to add.
-        let Ok(mut last) = self.last.try_lock() else {
+        let Ok(mut shown) = self.shown.try_lock() else {
             return;
         };
-        if last.elapsed() >= BETWEEN_LINES {
-            *last = Instant::now();
-            let seconds = self.start.elapsed().as_secs_f64();
-            let left = seconds / done as f64 * (self.total - done) as f64;
-            super::complain(&format!(
-                "{done} of {} simulations done, about {left:.0} s left",
-                self.total
-            ));
+        if shown.elapsed() >= pause {
+            *shown = Instant::now();
+            let done = self.done.load(Ordering::Relaxed).max(1);
+            let left = self.total.saturating_sub(self.before + done);
+            show(self.start.elapsed().as_secs_f64() / done as f64 * left as f64);
+        }
+    }
+
+    /// The run is over: the bar goes.
+    pub fn finish(&self) {
+        match &self.display {
+            Display::Bar(bar) => bar.finish_and_clear(),
+            Display::Events => super::tell(&json!({
+                "event": "end",
+                "done": self.before + self.done.load(Ordering::Relaxed),
+                "total": self.total,
+                "seconds": self.start.elapsed().as_secs_f64(),
+            })),
+            Display::Nothing | Display::Lines => {}
         }
     }
 }
 
-fn bar(total: usize) -> ProgressBar {
+fn bar(total: usize, before: usize) -> ProgressBar {
     let bar = ProgressBar::new(total as u64);
     let template = "{wide_bar} {pos}/{len} simulations, {eta} left";
     if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style);
     }
+    bar.set_position(before as u64);
+    bar.reset_eta();
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
 }

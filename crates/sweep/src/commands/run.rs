@@ -1,131 +1,297 @@
-//! `sweep run`: every case, every method, a results folder.
+//! `sweep run`: every case, every method, a results folder; from where the last
+//! run of the same sweep stopped.
 
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 
+use super::folder::{Found, LOG, look};
+use super::stop::Stop;
 use super::{
-    Progress, Status, UsageError, all_cases, build_systems, make_folder, read_sweep,
-    results_folder, say, use_threads, warn_of_unstable,
+    Progress, Status, TELLS_JSON, UsageError, build_systems, complain, make_folder, read_sweep,
+    results_folder, say, survey_cases, use_threads, warn_of_unstable,
 };
-use crate::cli::RunArguments;
-use crate::engine::{Case, RowOutcome, run_cases};
+use crate::cli::{LogFormat, RunArguments};
+use crate::engine::{
+    Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Survey, Work, pairs_of,
+};
 use crate::output::{
-    Manifest, boundary, failures_csv, labels_csv, meaning_hash, write_atomically, write_boundary,
+    Boundary, Manifest, boundary, labels_row, meaning, write_atomically, write_boundary,
+    write_tables,
 };
 use crate::spec::Sweep;
 
 /// Runs a sweep.
 pub fn run(arguments: &RunArguments) -> Result<Status> {
     let start = Instant::now();
+    let tells_json = arguments.log == LogFormat::Json;
+    TELLS_JSON.store(tells_json, std::sync::atomic::Ordering::Relaxed);
+    use_threads(arguments.work.jobs)?;
     let sweep = read_sweep(&arguments.file, &arguments.work)?;
-    let cases = all_cases(&arguments.file, &sweep)?;
-    let folder = results_folder(arguments.out.as_ref(), &sweep);
+    let shard = arguments.shard.unwrap_or(Shard::WHOLE);
+    let survey = survey_cases(&arguments.file, &sweep)?;
+    let mut folder = results_folder(arguments.out.as_ref(), &sweep);
+    if arguments.out.is_none() && !shard.is_whole() {
+        folder.push(format!("shard-{}-of-{}", shard.index, shard.of));
+    }
+    let header = Header::new(shard, meaning(&sweep)?);
+    let found = if arguments.fresh {
+        Found::Nothing
+    } else {
+        look(&folder, &header, &sweep)?
+    };
     if arguments.dry_run {
-        say(&plan(&sweep, &cases, &folder)?)?;
+        say(&plan(&sweep, shard, &survey, &folder, &found)?)?;
         return Ok(Status::Complete);
     }
-    refuse_other_results(&sweep, &folder, arguments.fresh)?;
-    use_threads(arguments.work.jobs)?;
-    let systems = build_systems(&arguments.file, &sweep, &cases)?;
-    let limit = boundary(&sweep, &systems).map_err(UsageError)?;
-    // A folder that cannot be written is found before the long work.
-    make_folder(&folder)?;
-    warn_of_unstable(&systems);
-    let progress = Progress::new(cases.len() * systems.len(), arguments.quiet);
-    let rows = run_cases(&systems, &cases, || progress.tick());
-    progress.finish();
-
-    let write = |name: &str, content: &[u8]| write_atomically(&folder.join(name), content);
-    write("labels.csv", &labels_csv(&sweep, &rows)?)?;
-    write("boundary.csv", &write_boundary(&limit)?)?;
-    write("failures.csv", &failures_csv(&arguments.file, &rows)?)?;
-    let manifest = Manifest::new(&sweep, &systems, &rows, start.elapsed().as_secs_f64())?;
-    write("manifest.json", &serde_json::to_vec_pretty(&manifest)?)?;
-    let drawn = super::plot::draw_map(&folder)?;
-    if !arguments.quiet {
-        say(&summary(&manifest, &folder, drawn)?)?;
+    if let Found::Complete(manifest) = found {
+        return show_again(*manifest, &sweep, &folder, arguments.quiet);
     }
-    let failed = rows
-        .iter()
-        .any(|row| matches!(row.outcome, RowOutcome::Failed(_)));
-    Ok(if failed {
+    let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
+    let limit = boundary(&sweep, &systems).map_err(UsageError)?;
+    make_folder(&folder)?;
+    let stop = Stop::listen()?;
+    let log = Log::open(
+        &folder.join(LOG),
+        &header,
+        sweep.design.cases(),
+        sweep.methods.len(),
+        arguments.fresh,
+    )?;
+    if arguments.fresh {
+        super::folder::clear(&folder)?;
+    }
+    tell_of_start(&log, &systems);
+    let total = pairs_of(&sweep, shard);
+    let progress = if tells_json {
+        Progress::events(total, log.count())
+    } else {
+        Progress::new(total, log.count(), arguments.quiet)
+    };
+    let worked = simulate_open_cases(arguments, &sweep, shard, &systems, &log, &stop, &progress);
+    progress.finish();
+    let kept = log.sync();
+    let so_far = || {
+        format!(
+            "{} of {total} simulations are done and kept in {}: the same command goes on",
+            log.count(),
+            folder.display()
+        )
+    };
+    worked.with_context(so_far)?;
+    kept.with_context(so_far)?;
+    if log.count() < total
+        && let Some(status) = stop.status()
+    {
+        complain(&format!("stopped: {}", so_far()));
+        return Ok(status);
+    }
+    let finish = || {
+        finish(
+            arguments, &sweep, shard, &systems, &limit, &log, &folder, start,
+        )
+    };
+    finish().with_context(so_far)
+}
+
+/// Says what is worth knowing before the work.
+fn tell_of_start(log: &Log, systems: &[MethodSystem]) {
+    warn_of_unstable(systems);
+    if log.broken_lines() > 0 {
+        complain(&format!(
+            "warning: {} lines of the log were not whole; their cases are run again",
+            log.broken_lines()
+        ));
+    }
+}
+
+fn simulate_open_cases(
+    arguments: &RunArguments,
+    sweep: &Sweep,
+    shard: Shard,
+    systems: &[MethodSystem],
+    log: &Log,
+    stop: &Stop,
+    progress: &Progress,
+) -> Result<()> {
+    if arguments.fail_fast && log.failed() > 0 {
+        bail!(
+            "{} cases have no answer already (--fail-fast)",
+            log.failed()
+        );
+    }
+    let is_done = log.done();
+    let places: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
+    let keep = |row: Row| -> Result<()> {
+        let reason = match &row.outcome {
+            RowOutcome::Done(_) => None,
+            RowOutcome::Failed(reason) => Some(reason.clone()),
+        };
+        log.append(&Record {
+            case: row.case,
+            method: places
+                .iter()
+                .position(|name| *name == row.method)
+                .unwrap_or(0),
+            row: labels_row(sweep, &row),
+            reason: reason.clone(),
+        })?;
+        progress.tick();
+        match reason {
+            Some(reason) if arguments.fail_fast => bail!(
+                "case {} by {} has no answer: {reason} (--fail-fast)",
+                row.case,
+                row.method
+            ),
+            _ => Ok(()),
+        }
+    };
+    let work = Work {
+        sweep,
+        shard,
+        is_open: &|case, method| !is_done(case, method),
+        stops: &|| stop.status().is_some(),
+    };
+    work.run(systems, &keep)
+}
+
+/// From the log to the results. The log goes last: as long as it is there, the
+/// same command does this again.
+#[allow(clippy::too_many_arguments)]
+fn finish(
+    arguments: &RunArguments,
+    sweep: &Sweep,
+    shard: Shard,
+    systems: &[MethodSystem],
+    limit: &Boundary,
+    log: &Log,
+    folder: &Path,
+    start: Instant,
+) -> Result<Status> {
+    let tally = write_tables(sweep, &arguments.file, log, folder)?;
+    write_atomically(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
+    let seconds = start.elapsed().as_secs_f64();
+    let manifest = Manifest::new(sweep, shard, systems, tally, seconds)?;
+    manifest.write(folder)?;
+    let drawn = shard.is_whole() && super::plot::draw_map(folder)?;
+    let path = folder.join(LOG);
+    std::fs::remove_file(&path).with_context(|| format!("{} cannot be removed", path.display()))?;
+    if !arguments.quiet {
+        say(&summary(&manifest, folder, drawn)?)?;
+    }
+    Ok(status_of(&manifest))
+}
+
+/// A folder that is complete: nothing to run, but a title or a map may have
+/// changed.
+fn show_again(mut manifest: Manifest, sweep: &Sweep, folder: &Path, quiet: bool) -> Result<Status> {
+    let shown = (&manifest.title, &manifest.map, &manifest.sweep);
+    if shown != (&sweep.title, &sweep.map, &sweep.content) {
+        manifest.title.clone_from(&sweep.title);
+        manifest.map.clone_from(&sweep.map);
+        manifest.sweep = sweep.content.clone();
+        manifest.write(folder)?;
+        if manifest.shard().is_whole() {
+            super::plot::draw_map(folder)?;
+        }
+    }
+    if !quiet {
+        let text = summary(&manifest, folder, manifest.map.is_some())?;
+        say(&format!("complete already, nothing to run\n{text}"))?;
+    }
+    Ok(status_of(&manifest))
+}
+
+fn status_of(manifest: &Manifest) -> Status {
+    if manifest.tally.failed > 0 {
         Status::SomeFailed
     } else {
         Status::Complete
-    })
+    }
 }
 
-/// Results of another sweep are not silently replaced.
-fn refuse_other_results(sweep: &Sweep, folder: &Path, fresh: bool) -> Result<()> {
-    if fresh || !folder.join("manifest.json").exists() {
-        return Ok(());
-    }
-    let there = Manifest::read(folder)?;
-    if there.meaning_sha256 == meaning_hash(sweep)? {
-        return Ok(());
-    }
-    bail!(UsageError(format!(
-        "{} holds the results of another sweep, `{}` with hash {}: \
-         choose another --out, or replace them with --fresh",
-        folder.display(),
-        there.name,
-        &there.meaning_sha256[..there.meaning_sha256.len().min(12)],
-    )))
-}
-
-fn plan(sweep: &Sweep, cases: &[Case], folder: &Path) -> Result<String> {
+fn plan(
+    sweep: &Sweep,
+    shard: Shard,
+    survey: &Survey,
+    folder: &Path,
+    found: &Found,
+) -> Result<String> {
     let mut text = String::new();
     let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
-    let simulated: f64 = cases.iter().map(|case| case.scene.timing.duration).sum();
-    let longest = cases
-        .iter()
-        .map(|case| case.scene.timing.duration)
-        .fold(0.0, f64::max);
+    let total = pairs_of(sweep, shard);
+    let done = match found {
+        Found::Complete(_) => total,
+        Found::Unfinished { done } => *done,
+        Found::Nothing => 0,
+    };
     writeln!(text, "{}: {}", sweep.name, sweep.title)?;
+    let part = if shard.is_whole() {
+        String::new()
+    } else {
+        format!(" (shard {shard}: {} cases)", total / methods.len())
+    };
     writeln!(
         text,
-        "would run {} cases by {} ({}), into {}",
-        cases.len(),
+        "would run {} cases by {} ({}){part}, into {}",
+        sweep.design.cases(),
         methods.len(),
         methods.join(", "),
         folder.display()
     )?;
+    let why = match found {
+        Found::Complete(_) => "complete already",
+        Found::Unfinished { .. } => "a stopped run goes on",
+        Found::Nothing => "from the beginning",
+    };
     writeln!(
         text,
-        "simulated time {simulated:.1} s for each method, the longest case {longest:.1} s, \
-         at {} Hz",
-        sweep.sampling_frequency
+        "{} of {total} simulations left: {why}",
+        total - done.min(total)
+    )?;
+    if sweep.design.varies_string() {
+        let strings = sweep.design.strings();
+        writeln!(text, "{strings} distinct strings, each built once")?;
+        if survey.impossible_strings > 0 {
+            let impossible = survey.impossible_strings;
+            writeln!(
+                text,
+                "{impossible} of them cannot be: their cases will fail"
+            )?;
+        }
+    }
+    writeln!(
+        text,
+        "simulated time {:.1} s for each method, the longest case {:.1} s, at {} Hz",
+        survey.simulated, survey.longest, sweep.setting.sampling_frequency
     )?;
     Ok(text)
 }
 
-fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String> {
+/// What came out, in a few lines.
+pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String> {
     let mut text = String::new();
-    let rows = manifest.cases * manifest.methods.len();
+    let rows = manifest.tally.rows;
     writeln!(
         text,
         "{}: {} cases by {} methods in {:.2} s",
         manifest.name,
-        manifest.cases,
+        rows / manifest.methods.len().max(1),
         manifest.methods.len(),
         manifest.wall_seconds
     )?;
-    for (method, labels) in &manifest.labels {
+    for (method, labels) in &manifest.tally.labels {
         let counts: Vec<String> = labels
             .iter()
             .map(|(label, count)| format!("{count} {label}"))
             .collect();
         writeln!(text, "  {method}: {}", counts.join(", "))?;
     }
-    if manifest.failed > 0 {
-        writeln!(
-            text,
-            "  {} of {rows} rows failed: see failures.csv",
-            manifest.failed
-        )?;
+    if manifest.tally.failed > 0 {
+        let failed = manifest.tally.failed;
+        writeln!(text, "  {failed} of {rows} rows failed: see failures.csv")?;
     }
     let map = if drawn { "map.svg, map.png, " } else { "" };
     writeln!(text, "{map}labels.csv and more are in {}", folder.display())?;

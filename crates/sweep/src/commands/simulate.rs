@@ -19,7 +19,7 @@ use crate::cli::SimulateArguments;
 use crate::engine::Case;
 use crate::output::write_atomically;
 use crate::plot::{Orbit, Orbits, Panel, Panels, Reference, Series, orbits, panels};
-use crate::spec::{Axis, Conditions, LateralSettings, Sweep, check_setting, to_rpm};
+use crate::spec::{Axis, Conditions, LateralSettings, Setting, Sweep, check_setting, to_rpm};
 
 /// The clearance is drawn where motion reaches this part of it.
 const CLEARANCE_SHOWN: f64 = 0.2;
@@ -36,13 +36,19 @@ struct Simulation {
 
 /// Simulates the chosen cases with every method and keeps their time histories.
 pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
-    let sweep = read_sweep(&arguments.file, &arguments.work)?;
-    let cases = (unique(&arguments.case).into_iter())
-        .map(|index| chosen_case(&sweep, arguments, index))
+    use_threads(arguments.work.jobs)?;
+    let mut sweep = read_sweep(&arguments.file, &arguments.work)?;
+    let choices = (unique(&arguments.case).into_iter())
+        .map(|index| Choice::new(&sweep, arguments, index))
+        .collect::<Result<Vec<_>>>()?;
+    sweep.setting = common_setting(&sweep, &choices)?;
+    let cases = (choices.into_iter())
+        .map(|choice| choice.case(&sweep))
         .collect::<Result<Vec<_>>>()?;
     let folder = results_folder(arguments.out.as_ref(), &sweep);
-    use_threads(arguments.work.jobs)?;
-    let systems = build_systems(&arguments.file, &sweep, &cases)?;
+    let durations = cases.iter().map(|case| case.scene.timing.duration);
+    let longest = durations.fold(0.0, f64::max);
+    let systems = build_systems(&arguments.file, &sweep, &sweep.setting, longest)?;
     make_folder(&folder)?;
     warn_of_unstable(&systems);
     let pairs = cases
@@ -61,14 +67,14 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
             })
         })
         .collect::<Result<Vec<_>>>()?;
-    let step = 1.0 / sweep.sampling_frequency;
+    let step = 1.0 / sweep.setting.sampling_frequency;
     write_atomically(
         &folder.join("history.csv"),
-        &history_csv(&simulations, &sweep.sites, step)?,
+        &history_csv(&simulations, &sweep.setting.sites, step)?,
     )?;
     let picture = panels(&history_panels(&sweep, &cases, &simulations, step))?;
     save_picture(&folder, "history", &picture)?;
-    if let Some(lateral) = &sweep.lateral {
+    if let Some(lateral) = &sweep.setting.lateral {
         let orbits = orbits(&site_orbits(&sweep, &simulations))?;
         save_picture(&folder, "orbit", &orbits)?;
         let along = along_string(&sweep, lateral, &simulations)?;
@@ -103,36 +109,77 @@ fn unique(indices: &[usize]) -> Vec<usize> {
     unique
 }
 
-fn chosen_case(sweep: &Sweep, arguments: &SimulateArguments, index: usize) -> Result<Case> {
-    let cases = sweep.design.cases();
-    if index >= cases {
-        bail!(UsageError(format!(
-            "--case {index}: {} has cases 0 to {}",
-            arguments.file.display(),
-            cases - 1
-        )));
-    }
-    let axes = sweep.design.axes();
-    let mut values = sweep.design.values(index);
-    let mut conditions = sweep.conditions_at(&values);
-    for &(axis, value) in &arguments.set {
-        check_setting(axis, value)
-            .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
-        if matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm) && sweep.bit.is_none() {
+/// A case with what the command line changes of it.
+struct Choice {
+    index: usize,
+    values: Vec<f64>,
+    conditions: Conditions,
+    /// Quantities of the string, by axes and by `--set`.
+    string: Vec<(Axis, f64)>,
+}
+
+impl Choice {
+    fn new(sweep: &Sweep, arguments: &SimulateArguments, index: usize) -> Result<Self> {
+        let cases = sweep.design.cases();
+        if index >= cases {
             bail!(UsageError(format!(
-                "--set {}: the bit is free in this sweep",
-                axis.name()
+                "--case {index}: {} has cases 0 to {}",
+                arguments.file.display(),
+                cases - 1
             )));
         }
-        conditions = conditions.with(axis, value);
-        for (own, slot) in axes.iter().zip(&mut values) {
-            if *own == axis {
-                *slot = value;
+        let mut values = sweep.design.values(index);
+        let mut conditions = sweep.conditions_at(&values);
+        let axes = sweep.design.axes();
+        for &(axis, value) in &arguments.set {
+            check_setting(axis, value)
+                .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
+            if matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm) && sweep.bit.is_none() {
+                bail!(UsageError(format!(
+                    "--set {}: the bit is free in this sweep",
+                    axis.name()
+                )));
+            }
+            conditions = conditions.with(axis, value);
+            for (own, slot) in axes.iter().zip(&mut values) {
+                if *own == axis {
+                    *slot = value;
+                }
             }
         }
+        refuse_weight_without_rock(sweep, &conditions)?;
+        let of_axes = axes.iter().copied().zip(values.iter().copied());
+        let all = of_axes.chain(arguments.set.iter().copied());
+        let string = all.filter(|(axis, _)| matches!(axis, Axis::String(_)));
+        Ok(Self {
+            index,
+            string: string.collect(),
+            values,
+            conditions,
+        })
     }
-    refuse_weight_without_rock(sweep, &conditions)?;
-    Case::under(sweep, index, values, &conditions).map_err(|reason| UsageError(reason).into())
+
+    fn case(self, sweep: &Sweep) -> Result<Case> {
+        Case::under(
+            sweep,
+            &sweep.setting,
+            self.index,
+            self.values,
+            &self.conditions,
+        )
+        .map_err(|reason| UsageError(reason).into())
+    }
+}
+
+/// The string of all chosen cases, which are drawn in one picture.
+fn common_setting(sweep: &Sweep, choices: &[Choice]) -> Result<Setting> {
+    let string = choices.first().map_or(&[][..], |choice| &choice.string);
+    if choices.iter().any(|choice| choice.string != string) {
+        bail!(UsageError(
+            "--case: cases of different strings cannot be drawn beside each other".to_owned()
+        ));
+    }
+    Ok(sweep.setting_with(string.iter().copied())?.into_owned())
 }
 
 fn refuse_weight_without_rock(sweep: &Sweep, conditions: &Conditions) -> Result<()> {
@@ -211,8 +258,12 @@ fn has_positions(simulations: &[Simulation]) -> bool {
 
 /// The way of every site's centre, with the circle of its clearance.
 fn site_orbits(sweep: &Sweep, simulations: &[Simulation]) -> Orbits {
-    let distances = sweep.sites.distances_from_bit().iter().enumerate();
-    let walls = sweep.lateral.iter().flat_map(|lateral| &lateral.walls);
+    let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
+    let walls = sweep
+        .setting
+        .lateral
+        .iter()
+        .flat_map(|lateral| &lateral.walls);
     let orbits = distances.zip(walls).map(|((site, &distance), wall)| Orbit {
         x: axis(&format!("x at {} (mm)", site_title(distance))),
         y: axis("y (mm)"),
@@ -242,16 +293,16 @@ fn along_string(
     simulations: &[Simulation],
 ) -> Result<Panels> {
     let request = BendingRequest {
-        sites: sweep.sites.clone(),
+        sites: sweep.setting.sites.clone(),
         support: lateral.support,
-        sampling_frequency: sweep.sampling_frequency,
+        sampling_frequency: sweep.setting.sampling_frequency,
         longest_time: 0.0,
     };
     let series = simulations
         .iter()
         .map(|simulation| {
             let whole = reconstruct(
-                &sweep.string,
+                &sweep.setting.string,
                 &lateral.bending,
                 &request,
                 &sweep.content.method.finite_element,
@@ -307,8 +358,13 @@ fn history_panels(sweep: &Sweep, cases: &[Case], simulations: &[Simulation], ste
         references,
     };
     let mut list: Vec<Panel> = Vec::new();
-    if let Some(lateral) = &sweep.lateral {
-        let sites = sweep.sites.distances_from_bit().iter().zip(&lateral.walls);
+    if let Some(lateral) = &sweep.setting.lateral {
+        let sites = sweep
+            .setting
+            .sites
+            .distances_from_bit()
+            .iter()
+            .zip(&lateral.walls);
         for (site, (&distance, wall)) in sites.enumerate() {
             let radii = of_each(&|trajectory, index| {
                 let [x, y] = trajectory.positions[site][index];
@@ -333,7 +389,14 @@ fn history_panels(sweep: &Sweep, cases: &[Case], simulations: &[Simulation], ste
             panels: list,
         };
     }
-    for (site, &distance) in sweep.sites.distances_from_bit().iter().enumerate().rev() {
+    for (site, &distance) in sweep
+        .setting
+        .sites
+        .distances_from_bit()
+        .iter()
+        .enumerate()
+        .rev()
+    {
         let label = if distance == 0.0 {
             "Bit speed (rpm)".to_owned()
         } else {
@@ -349,8 +412,12 @@ fn history_panels(sweep: &Sweep, cases: &[Case], simulations: &[Simulation], ste
         let first_slips = cases.iter().filter_map(|case| {
             let bit = case.scene.bit?;
             let speed = case.scene.surface_speed;
-            let times =
-                stick_slip_times(&sweep.string, speed, bit.torque_static, bit.torque_dynamic);
+            let times = stick_slip_times(
+                &sweep.setting.string,
+                speed,
+                bit.torque_static,
+                bit.torque_dynamic,
+            );
             Some(Reference::Vertical {
                 x: times.first_slip,
                 name: "τ₁".to_owned(),
@@ -369,7 +436,7 @@ fn history_panels(sweep: &Sweep, cases: &[Case], simulations: &[Simulation], ste
         ));
     }
     if let ([_], [first, second, ..]) = (cases, simulations) {
-        let bit = sweep.sites.len() - 1;
+        let bit = sweep.setting.sites.len() - 1;
         let (one, other) = (
             &first.trajectory.speeds[bit],
             &second.trajectory.speeds[bit],
@@ -438,7 +505,7 @@ fn write_outcome(
     simulation: &Simulation,
 ) -> Result<(), std::fmt::Error> {
     if let Some(lateral) = simulation.outcome.lateral {
-        let distance = sweep.sites.distances_from_bit()[lateral.site];
+        let distance = sweep.setting.sites.distances_from_bit()[lateral.site];
         writeln!(
             text,
             "  {}: {}, at {} in contact {:.0} % of the closing window, r = {:.2} mm, \

@@ -1,5 +1,6 @@
 //! Every combination of the axes' values; the first axis changes slowest.
 
+use super::count_string_axes;
 use crate::spec::{Axis, AxisRange, DesignTable, Source, SpecError, check_axis_value};
 
 /// More grid values on an axis are a slip of the pen.
@@ -31,6 +32,13 @@ impl Grid {
 
     pub(super) fn cases(&self) -> usize {
         self.values.iter().map(Vec::len).product()
+    }
+
+    /// Cases of one string: the combinations of all other axes, neighbours as
+    /// the axes of the string come first.
+    pub(super) fn cases_per_string(&self) -> usize {
+        let other = count_string_axes(&self.axes);
+        self.values[other..].iter().map(Vec::len).product()
     }
 
     pub(super) fn values(&self, index: usize) -> Vec<f64> {

@@ -1,7 +1,9 @@
 //! Cases as listed in a CSV file whose header names the axes.
 
+use std::collections::HashMap;
 use std::path::Path;
 
+use super::count_string_axes;
 use crate::lines::{COMMENT, line_from};
 use crate::spec::{Axis, DesignTable, Source, SpecError, check_axis_value};
 
@@ -10,6 +12,9 @@ use crate::spec::{Axis, DesignTable, Source, SpecError, check_axis_value};
 pub struct List {
     axes: Vec<Axis>,
     cases: Vec<Vec<f64>>,
+    /// The numbers of the cases of each string, in the order in which the
+    /// strings first appear.
+    strings: Vec<Vec<usize>>,
 }
 
 impl List {
@@ -39,6 +44,34 @@ impl List {
     pub(super) fn values(&self, index: usize) -> &[f64] {
         &self.cases[index]
     }
+
+    pub(super) fn strings(&self) -> usize {
+        self.strings.len()
+    }
+
+    pub(super) fn cases_of_string(&self, string: usize) -> &[usize] {
+        &self.strings[string]
+    }
+
+    /// Cases with given values along given axes, which are in order.
+    pub fn new(axes: Vec<Axis>, cases: Vec<Vec<f64>>) -> Self {
+        let of_string = count_string_axes(&axes);
+        let mut strings: Vec<Vec<usize>> = Vec::new();
+        let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
+        for (index, values) in cases.iter().enumerate() {
+            let key = values[..of_string].iter().map(|value| value.to_bits());
+            let string = *known.entry(key.collect()).or_insert(strings.len());
+            if string == strings.len() {
+                strings.push(Vec::new());
+            }
+            strings[string].push(index);
+        }
+        Self {
+            axes,
+            cases,
+            strings,
+        }
+    }
 }
 
 /// Reads a list; an error starts where the file's name ends.
@@ -58,11 +91,10 @@ fn read(source: &Source, path: &Path) -> Result<List, String> {
         .iter()
         .map(|name| {
             Axis::from_name(name).ok_or_else(|| {
-                let known: Vec<&str> = Axis::ALL.iter().map(|axis| axis.name()).collect();
                 let line = line_from(&text, 0);
                 format!(
                     ":{line}: unknown column `{name}`; known: {}",
-                    known.join(", ")
+                    Axis::NAMES.join(", ")
                 )
             })
         })
@@ -96,14 +128,12 @@ fn read(source: &Source, path: &Path) -> Result<List, String> {
             let value = text
                 .parse()
                 .map_err(|_| format!(":{line}: {}: `{text}` is not a number", axis.name()))?;
-            check_axis_value(source, axis.name(), axis, value)
+            check_axis_value(source, &axis.name(), axis, value)
                 .map_err(|error| format!(":{line}: {}: {}", axis.name(), error.message()))?;
             Ok(value)
         };
         cases.push(order.iter().map(value).collect::<Result<_, String>>()?);
     }
-    Ok(List {
-        axes: order.iter().map(|&column| columns[column]).collect(),
-        cases,
-    })
+    let axes = order.iter().map(|&column| columns[column]).collect();
+    Ok(List::new(axes, cases))
 }

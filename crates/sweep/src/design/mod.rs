@@ -4,6 +4,8 @@ mod grid;
 mod list;
 mod monte_carlo;
 
+use std::ops::Range;
+
 use crate::spec::{Axis, DesignKind, DesignTable, Source, SpecError};
 
 pub use grid::Grid;
@@ -64,6 +66,14 @@ impl Design {
         }
     }
 
+    /// Seed of random cases.
+    pub fn seed(&self) -> Option<u64> {
+        match self {
+            Design::MonteCarlo(monte_carlo) => Some(monte_carlo.seed()),
+            _ => None,
+        }
+    }
+
     /// Number of cases.
     pub fn cases(&self) -> usize {
         match self {
@@ -81,6 +91,76 @@ impl Design {
             Design::Grid(grid) => grid.values(index),
             Design::MonteCarlo(monte_carlo) => monte_carlo.values(index),
             Design::List(list) => list.values(index).to_vec(),
+        }
+    }
+}
+
+/// The cases of one string.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum CasesOfString<'a> {
+    /// Neighbours.
+    Range(Range<usize>),
+    /// As they are listed.
+    Listed(&'a [usize]),
+}
+
+impl CasesOfString<'_> {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            CasesOfString::Range(range) => range.len(),
+            CasesOfString::Listed(cases) => cases.len(),
+        }
+    }
+
+    /// The number of the case at a position.
+    pub fn get(&self, position: usize) -> usize {
+        match self {
+            CasesOfString::Range(range) => range.start + position,
+            CasesOfString::Listed(cases) => cases[position],
+        }
+    }
+}
+
+/// How many of a design's axes, the first ones, change the string.
+fn count_string_axes(axes: &[Axis]) -> usize {
+    axes.iter()
+        .take_while(|axis| matches!(axis, Axis::String(_)))
+        .count()
+}
+
+impl Design {
+    /// Whether an axis changes the string.
+    pub fn varies_string(&self) -> bool {
+        count_string_axes(self.axes()) > 0
+    }
+
+    /// How many distinct strings the cases have. Random cases have one each.
+    pub fn strings(&self) -> usize {
+        if !self.varies_string() {
+            return 1;
+        }
+        match self {
+            Design::Single => 1,
+            Design::Grid(grid) => grid.cases() / grid.cases_per_string(),
+            Design::MonteCarlo(monte_carlo) => monte_carlo.cases(),
+            Design::List(list) => list.strings(),
+        }
+    }
+
+    /// The cases of one of the strings.
+    pub fn cases_of_string(&self, string: usize) -> CasesOfString<'_> {
+        if !self.varies_string() {
+            return CasesOfString::Range(0..self.cases());
+        }
+        match self {
+            Design::Single => CasesOfString::Range(0..1),
+            Design::Grid(grid) => {
+                let cases = grid.cases_per_string();
+                CasesOfString::Range(string * cases..(string + 1) * cases)
+            }
+            Design::MonteCarlo(_) => CasesOfString::Range(string..string + 1),
+            Design::List(list) => CasesOfString::Listed(list.cases_of_string(string)),
         }
     }
 }

@@ -46,6 +46,10 @@ impl MonteCarlo {
         &self.axes
     }
 
+    pub(super) fn seed(&self) -> u64 {
+        self.seed
+    }
+
     pub(super) fn cases(&self) -> usize {
         self.cases
     }

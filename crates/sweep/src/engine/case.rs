@@ -2,7 +2,7 @@
 
 use sim::{Impulse, Lateral, Outcome, Scene, Timing, Wall, torsion_timing};
 
-use crate::spec::{Conditions, LateralSettings, Sweep, Time};
+use crate::spec::{Conditions, LateralSettings, Setting, Sweep, Time};
 
 /// One case of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,14 +18,14 @@ pub struct Case {
 }
 
 impl Case {
-    /// Case `index` of a sweep.
+    /// Case `index` of a sweep, whose string is that of `setting`.
     ///
     /// # Errors
     /// Where a rock's table does not reach its weight on bit; a sentence.
-    pub fn of(sweep: &Sweep, index: usize) -> Result<Self, String> {
+    pub fn of(sweep: &Sweep, setting: &Setting, index: usize) -> Result<Self, String> {
         let values = sweep.design.values(index);
         let conditions = sweep.conditions_at(&values);
-        Self::under(sweep, index, values, &conditions)
+        Self::under(sweep, setting, index, values, &conditions)
             .map_err(|reason| format!("case {index}: {reason}"))
     }
 
@@ -35,6 +35,7 @@ impl Case {
     /// As [`Case::of`].
     pub fn under(
         sweep: &Sweep,
+        setting: &Setting,
         index: usize,
         values: Vec<f64>,
         conditions: &Conditions,
@@ -47,8 +48,8 @@ impl Case {
                 (Some(torque), Some(bit.torques(torque)))
             }
         };
-        let mut timing = match (&bit, &sweep.lateral) {
-            (Some(bit), None) => torsion_timing(&sweep.string, surface_speed, bit),
+        let mut timing = match (&bit, &setting.lateral) {
+            (Some(bit), None) => torsion_timing(&setting.string, surface_speed, bit),
             _ => BY_DEFAULT,
         };
         if let Time::Given(duration) = sweep.time {
@@ -61,23 +62,11 @@ impl Case {
             scene: Scene {
                 surface_speed,
                 bit,
-                lateral: sweep
-                    .lateral
-                    .as_ref()
+                lateral: (setting.lateral.as_ref())
                     .map(|settings| lateral_scene(settings, conditions)),
                 timing,
             },
         })
-    }
-
-    /// All cases of a sweep.
-    ///
-    /// # Errors
-    /// As [`Case::of`], for the first such case.
-    pub fn all(sweep: &Sweep) -> Result<Vec<Self>, String> {
-        (0..sweep.design.cases())
-            .map(|index| Self::of(sweep, index))
-            .collect()
     }
 }
 
@@ -121,6 +110,8 @@ pub struct Row {
     pub values: Vec<f64>,
     /// T_d, N m.
     pub torque_dynamic_nm: Option<f64>,
+    /// The site that decides the lateral label, m from the bit.
+    pub site_from_bit_m: Option<f64>,
     /// What came out.
     pub outcome: RowOutcome,
 }

@@ -1,8 +1,9 @@
 //! The linear system of each method, built once for all cases.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use linear::passivity::STABLE_MARGIN;
 use linear::{
     BendingRequest, BendingResponses, Method, TorsionRequest, TorsionResponses, bending_responses,
@@ -12,7 +13,7 @@ use sim::excitation::least_impulse;
 use sim::{LateralSystem, Outcome, Scene, SimulationError, System, Trajectory};
 
 use super::case::{Case, Row, RowOutcome};
-use crate::spec::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings, Sweep};
+use crate::spec::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings, Setting, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
@@ -31,6 +32,8 @@ pub struct MethodSystem {
     pub bending_margin: Option<f64>,
     /// Time to build, s.
     pub build_seconds: f64,
+    /// What it was built from.
+    pub setting: Setting,
     stepped: Stepped,
     /// Which impulses are given in multiples of I₀.
     relative: Vec<bool>,
@@ -44,60 +47,64 @@ enum Stepped {
 }
 
 impl MethodSystem {
-    /// Builds the system of every method of a sweep, long enough for all
-    /// cases.
+    /// Builds the system of every method of a sweep for one string.
     ///
     /// # Errors
-    /// Where a method cannot treat the string.
-    pub fn build_all(sweep: &Sweep, cases: &[Case]) -> Result<Vec<Self>> {
-        let longest_time = cases
-            .iter()
-            .map(|case| case.scene.timing.duration)
-            .fold(0.0, f64::max);
-        sweep
-            .methods
-            .iter()
+    /// Where a method cannot treat the string, or an impulse is given in
+    /// multiples of an I₀ that does not exist.
+    pub fn build_all(sweep: &Sweep, setting: &Setting, longest_time: f64) -> Result<Vec<Self>> {
+        let systems = (sweep.methods.iter())
             .map(|method| {
-                Self::build(sweep, *method, longest_time)
+                Self::build(setting, *method, sweep.bit.is_some(), longest_time)
                     .with_context(|| format!("the responses by {} cannot be built", method.name()))
             })
-            .collect()
+            .collect::<Result<Vec<Self>>>()?;
+        if let Some(index) = systems.iter().find_map(Self::unreachable_impulse) {
+            let message = "there is no I₀, for no impulse brings this site to the wall; \
+                           give `amount_ns`";
+            let key = format!("impulses[{index}].ratio");
+            bail!(sweep.source.error(&key, message));
+        }
+        Ok(systems)
     }
 
-    fn build(sweep: &Sweep, method: Method, longest_time: f64) -> Result<Self> {
+    fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
         let start = Instant::now();
-        let sites = sweep.sites.len();
-        let torque_inputs = match (&sweep.lateral, &sweep.bit) {
+        let sites = setting.sites.len();
+        let torque_inputs = match &setting.lateral {
             // Friction turns the string wherever it touches the wall.
-            (Some(_), _) => (0..sites).collect(),
-            (None, Some(_)) => vec![sites - 1],
-            (None, None) => Vec::new(),
+            Some(_) => (0..sites).collect(),
+            None if cuts => vec![sites - 1],
+            None => Vec::new(),
         };
         let request = TorsionRequest {
-            sites: sweep.sites.clone(),
+            sites: setting.sites.clone(),
             torque_inputs,
-            sampling_frequency: sweep.sampling_frequency,
+            sampling_frequency: setting.sampling_frequency,
             longest_time,
         };
-        let responses = torsion_responses(&sweep.string, &method, &request)?;
-        let bending = (sweep.lateral.as_ref())
-            .map(|lateral| build_bending(sweep, lateral, &method, longest_time))
+        let responses = torsion_responses(&setting.string, &method, &request)?;
+        let bending = setting
+            .lateral
+            .as_ref()
+            .map(|lateral| build_bending(setting, lateral, &method, longest_time))
             .transpose()?;
         let build_seconds = start.elapsed().as_secs_f64();
         let stepped = match &bending {
             None => Stepped::Torsion(System::new(&responses)),
             Some(bending) => Stepped::Lateral(LateralSystem::new(&responses, bending)?),
         };
-        let impulses = sweep.lateral.iter().flat_map(|lateral| &lateral.impulses);
+        let impulses = setting.lateral.iter().flat_map(|lateral| &lateral.impulses);
         Ok(Self {
             method,
             torsion_margin: responses.margin()?,
             bending_margin: (bending.as_ref())
                 .map(|bending| bending.margin(&method))
                 .transpose()?,
-            least_impulses: least_impulses(sweep, bending.as_ref()),
+            least_impulses: least_impulses(setting, bending.as_ref()),
             relative: impulses.map(|impulse| impulse.relative).collect(),
             build_seconds,
+            setting: setting.clone(),
             stepped,
             responses,
             bending,
@@ -106,7 +113,7 @@ impl MethodSystem {
 
     /// The first impulse given in multiples of an I₀ that is larger than any
     /// impulse, for its site cannot reach the wall.
-    pub fn unreachable_impulse(&self) -> Option<usize> {
+    fn unreachable_impulse(&self) -> Option<usize> {
         let mut impulses = self.least_impulses.iter().zip(&self.relative);
         impulses
             .position(|(least, relative)| *relative && (least.is_nan() || *least > LARGEST_IMPULSE))
@@ -156,17 +163,26 @@ impl MethodSystem {
         scene
     }
 
-    /// Simulates one case.
+    /// Simulates one case. A case that panics is one without an answer, and not
+    /// the end of the sweep.
     pub fn run(&self, case: &Case) -> Row {
-        let outcome = match self.simulate(case, None) {
-            Ok(outcome) => RowOutcome::Done(outcome),
-            Err(error) => RowOutcome::Failed(error.to_string()),
+        let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, None)));
+        let outcome = match simulated {
+            Ok(Ok(outcome)) => RowOutcome::Done(outcome),
+            Ok(Err(error)) => RowOutcome::Failed(error.to_string()),
+            Err(_) => RowOutcome::Failed("the simulation panicked".to_owned()),
+        };
+        let site_from_bit_m = match &outcome {
+            RowOutcome::Done(outcome) => (outcome.lateral)
+                .map(|lateral| self.setting.sites.distances_from_bit()[lateral.site]),
+            RowOutcome::Failed(_) => None,
         };
         Row {
             case: case.index,
             method: self.method.name(),
             values: case.values.clone(),
             torque_dynamic_nm: case.torque_dynamic_nm,
+            site_from_bit_m,
             outcome,
         }
     }
@@ -178,31 +194,31 @@ pub fn is_unstable(margin: f64) -> bool {
 }
 
 fn build_bending(
-    sweep: &Sweep,
+    setting: &Setting,
     lateral: &LateralSettings,
     method: &Method,
     longest_time: f64,
 ) -> Result<BendingResponses> {
     let request = BendingRequest {
-        sites: sweep.sites.clone(),
+        sites: setting.sites.clone(),
         support: lateral.support,
-        sampling_frequency: sweep.sampling_frequency,
+        sampling_frequency: setting.sampling_frequency,
         longest_time,
     };
-    let responses = bending_responses(&sweep.string, &lateral.bending, method, &request)?;
+    let responses = bending_responses(&setting.string, &lateral.bending, method, &request)?;
     Ok(responses)
 }
 
 /// I₀ of every impulse: by this method, at its own site.
-fn least_impulses(sweep: &Sweep, bending: Option<&BendingResponses>) -> Vec<f64> {
-    let Some((lateral, bending)) = sweep.lateral.as_ref().zip(bending) else {
+fn least_impulses(setting: &Setting, bending: Option<&BendingResponses>) -> Vec<f64> {
+    let Some((lateral, bending)) = setting.lateral.as_ref().zip(bending) else {
         return Vec::new();
     };
     let of = |settings: &ImpulseSettings| {
         let impulse = &settings.impulse;
         least_impulse(
             &bending.from_force[impulse.site][impulse.site],
-            sweep.sampling_frequency,
+            setting.sampling_frequency,
             impulse.duration,
             lateral.walls[impulse.site].clearance,
         )

@@ -86,7 +86,7 @@ impl StickSlipPoint {
             Axis::SurfaceSpeedRpm => Some(self.surface_speed_rpm),
             Axis::WeightOnBitKn => self.weight_on_bit_kn,
             Axis::TorqueDynamicNm => Some(self.torque_dynamic_nm),
-            Axis::ImpulseRatio | Axis::Friction => None,
+            Axis::ImpulseRatio | Axis::Friction | Axis::String(_) => None,
         }
     }
 }
@@ -107,8 +107,12 @@ impl WhirlPoint {
 /// # Errors
 /// Where a rock's table does not reach.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, String> {
+    // Every string has limits of its own.
+    if sweep.design.varies_string() {
+        return Ok(Boundary::StickSlip(Vec::new()));
+    }
     if let (Some(lateral), Some(_)) = (
-        &sweep.lateral,
+        &sweep.setting.lateral,
         position(sweep, |axis| axis == Axis::Friction),
     ) {
         return Ok(Boundary::Whirl(whirl_limit(sweep, lateral)));
@@ -174,12 +178,22 @@ fn whirl_limit(sweep: &Sweep, lateral: &LateralSettings) -> Vec<WhirlPoint> {
         Some(position) => along_axis(sweep, position).collect(),
         None => sweep.conditions.surface_speed_rpm.into_iter().collect(),
     };
-    let limits = speeds.into_iter().filter_map(|speed| {
-        let sites = 0..sweep.sites.len();
-        let of_sites = sites.filter_map(|site| whirl_at(sweep, lateral, speed, site));
-        of_sites.min_by(|one, other| one.friction.total_cmp(&other.friction))
-    });
-    limits.collect()
+    let limits = speeds.into_iter();
+    limits
+        .filter_map(|speed| whirl_bound(sweep, lateral, speed))
+        .collect()
+}
+
+/// The least friction of steady whirl at a surface speed, at the site where it is
+/// least.
+pub fn whirl_bound(
+    sweep: &Sweep,
+    lateral: &LateralSettings,
+    surface_speed_rpm: f64,
+) -> Option<WhirlPoint> {
+    let sites = 0..sweep.setting.sites.len();
+    let of_sites = sites.filter_map(|site| whirl_at(sweep, lateral, surface_speed_rpm, site));
+    of_sites.min_by(|one, other| one.friction.total_cmp(&other.friction))
 }
 
 /// The limit of whirl at one site, the others free.
@@ -193,10 +207,10 @@ fn whirl_at(
         .conditions
         .with(Axis::SurfaceSpeedRpm, surface_speed_rpm);
     let network = BendingNetwork::new(
-        &sweep.string,
+        &sweep.setting.string,
         lateral.bending,
         lateral.support,
-        &sweep.sites,
+        &sweep.setting.sites,
     );
     let dynamic_stiffness = |rate: f64| {
         let stiffness = network.at_rate(rate)[(site, site)].inv();
@@ -207,7 +221,7 @@ fn whirl_at(
     Some(WhirlPoint {
         surface_speed_rpm,
         friction: whirl.least_friction,
-        site_from_bit_m: sweep.sites.distances_from_bit()[site],
+        site_from_bit_m: sweep.setting.sites.distances_from_bit()[site],
         radius_mm: 1e3 * whirl.radius,
         precession_turns_per_s: whirl.rate / std::f64::consts::TAU,
         normal_force_kn: 1e-3 * whirl.normal_force,

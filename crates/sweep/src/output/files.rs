@@ -1,25 +1,71 @@
 //! Files that are there whole or not at all.
 
 use std::fs::{self, File};
-use std::io::Write;
-use std::path::Path;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use tempfile::NamedTempFile;
 
-/// Writes a file under another name in the same folder, makes sure that it is
-/// on the disk, and gives it its name.
-pub fn write_atomically(path: &Path, content: &[u8]) -> Result<()> {
-    let attempt = || -> std::io::Result<()> {
+/// A file that is written under another name in the same folder, and gets its
+/// own when it is whole and on the disk. Names are unique, so that two programs
+/// that write the same file do not mix.
+pub struct AtomicFile {
+    path: PathBuf,
+    writer: BufWriter<NamedTempFile>,
+}
+
+impl AtomicFile {
+    /// Begins a file.
+    ///
+    /// # Errors
+    /// Where its folder cannot be written.
+    pub fn create(path: &Path) -> Result<Self> {
         let folder = path.parent().unwrap_or(Path::new("."));
-        let mut file = NamedTempFile::new_in(folder)?;
-        file.write_all(content)?;
-        make_readable(file.as_file())?;
-        file.as_file().sync_all()?;
-        file.persist(path).map_err(|error| error.error)?;
-        sync_folder(folder)
-    };
-    attempt().with_context(|| format!("{} cannot be written", path.display()))
+        let file = NamedTempFile::new_in(folder).with_context(|| unwritable(path))?;
+        Ok(Self {
+            path: path.to_owned(),
+            writer: BufWriter::new(file),
+        })
+    }
+
+    /// Adds to it.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn write(&mut self, content: &[u8]) -> Result<()> {
+        (self.writer.write_all(content)).with_context(|| unwritable(&self.path))
+    }
+
+    /// Gives it its name.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn finish(self) -> Result<()> {
+        let Self { path, writer } = self;
+        let attempt = || -> std::io::Result<()> {
+            let file = writer.into_inner().map_err(|error| error.into_error())?;
+            make_readable(file.as_file())?;
+            file.as_file().sync_all()?;
+            file.persist(&path).map_err(|error| error.error)?;
+            sync_folder(path.parent().unwrap_or(Path::new(".")))
+        };
+        attempt().with_context(|| unwritable(&path))
+    }
+}
+
+fn unwritable(path: &Path) -> String {
+    format!("{} cannot be written", path.display())
+}
+
+/// Writes a whole file.
+///
+/// # Errors
+/// Where it cannot be written; what was there before stays.
+pub fn write_atomically(path: &Path, content: &[u8]) -> Result<()> {
+    let mut file = AtomicFile::create(path)?;
+    file.write(content)?;
+    file.finish()
 }
 
 /// A temporary file is private; a result is for everybody the folder is for.

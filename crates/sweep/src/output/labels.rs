@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow};
 use sim::{LateralMeasures, TorsionMeasures};
 
 use crate::engine::{Row, RowOutcome};
@@ -34,25 +34,24 @@ const RESULT_COLUMNS: [&str; 20] = [
     "status",
 ];
 
-/// The whole of `labels.csv`.
-pub fn labels_csv(sweep: &Sweep, rows: &[Row]) -> Result<Vec<u8>> {
-    let with_torque = shows_torque(sweep);
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let mut header = vec!["case", "method"];
+/// The first line of `labels.csv`.
+pub fn labels_header(sweep: &Sweep) -> String {
+    let mut header = vec!["case".to_owned(), "method".to_owned()];
     header.extend(sweep.design.axes().iter().map(|axis| axis.name()));
-    header.extend(with_torque.then_some(Axis::TorqueDynamicNm.name()));
-    header.extend(RESULT_COLUMNS);
-    writer.write_record(&header)?;
-    for row in rows {
-        let mut fields = vec![row.case.to_string(), row.method.to_owned()];
-        fields.extend(row.values.iter().map(f64::to_string));
-        if with_torque {
-            fields.push(optional(row.torque_dynamic_nm));
-        }
-        fields.extend(result_fields(sweep, &row.outcome));
-        writer.write_record(&fields)?;
+    header.extend(shows_torque(sweep).then(|| Axis::TorqueDynamicNm.name()));
+    header.extend(RESULT_COLUMNS.map(str::to_owned));
+    header.join(",")
+}
+
+/// A row of `labels.csv`. No field of it needs quotes: they are names and numbers.
+pub fn labels_row(sweep: &Sweep, row: &Row) -> String {
+    let mut fields = vec![row.case.to_string(), row.method.to_owned()];
+    fields.extend(row.values.iter().map(f64::to_string));
+    if shows_torque(sweep) {
+        fields.push(optional(row.torque_dynamic_nm));
     }
-    Ok(writer.into_inner()?)
+    fields.extend(result_fields(row));
+    fields.join(",")
 }
 
 /// What an axis is mapped to on the way to the model is a column too.
@@ -64,8 +63,8 @@ fn optional(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
 }
 
-fn result_fields(sweep: &Sweep, outcome: &RowOutcome) -> Vec<String> {
-    let done = match outcome {
+fn result_fields(row: &Row) -> Vec<String> {
+    let done = match &row.outcome {
         RowOutcome::Done(outcome) => Some(outcome),
         RowOutcome::Failed(_) => None,
     };
@@ -76,7 +75,7 @@ fn result_fields(sweep: &Sweep, outcome: &RowOutcome) -> Vec<String> {
         lateral.map_or_else(String::new, |lateral| lateral.regime.name().to_owned()),
     ];
     fields.extend(torsion.map_or_else(|| vec![String::new(); 6], torsion_fields));
-    let lateral_fields = |lateral| lateral_fields(sweep, lateral);
+    let lateral_fields = |lateral| lateral_fields(row.site_from_bit_m, lateral);
     fields.extend(lateral.map_or_else(|| vec![String::new(); 9], lateral_fields));
     let (ended, status) = match done {
         Some(_) => ("end", "ok"),
@@ -98,9 +97,9 @@ fn torsion_fields(torsion: &TorsionMeasures) -> Vec<String> {
     ]
 }
 
-fn lateral_fields(sweep: &Sweep, lateral: &LateralMeasures) -> Vec<String> {
+fn lateral_fields(site_from_bit_m: Option<f64>, lateral: &LateralMeasures) -> Vec<String> {
     vec![
-        sweep.sites.distances_from_bit()[lateral.site].to_string(),
+        optional(site_from_bit_m),
         optional(lateral.first_contact),
         (1e3 * lateral.peak_radius).to_string(),
         (1e3 * lateral.mean_radius).to_string(),
@@ -112,22 +111,29 @@ fn lateral_fields(sweep: &Sweep, lateral: &LateralMeasures) -> Vec<String> {
     ]
 }
 
-/// The whole of `failures.csv`.
-pub fn failures_csv(sweep_file: &Path, rows: &[Row]) -> Result<Vec<u8>> {
+/// The first line of `failures.csv`.
+pub const FAILURES_HEADER: &str = "case,method,reason,repeat_with";
+
+/// A row of `failures.csv`.
+///
+/// # Errors
+/// None that a string could cause.
+pub fn failures_row(sweep_file: &Path, case: usize, method: &str, reason: &str) -> Result<Vec<u8>> {
+    let file = shell_quoted(&sweep_file.display().to_string());
+    let repeat = format!("sweep simulate {file} --case {case} --methods {method}");
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["case", "method", "reason", "repeat_with"])?;
-    for row in rows {
-        if let RowOutcome::Failed(reason) = &row.outcome {
-            let repeat = format!(
-                "sweep simulate {} --case {} --methods {}",
-                sweep_file.display(),
-                row.case,
-                row.method
-            );
-            writer.write_record([&row.case.to_string(), row.method, reason, &repeat])?;
-        }
-    }
+    writer.write_record([&case.to_string(), method, reason, &repeat])?;
     Ok(writer.into_inner()?)
+}
+
+/// A path as a shell takes it.
+fn shell_quoted(path: &str) -> String {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "/._-".contains(letter);
+    if path.chars().all(is_plain) {
+        path.to_owned()
+    } else {
+        format!("'{}'", path.replace('\'', r"'\''"))
+    }
 }
 
 /// What is read back of a row: enough to draw it or to run it again.
@@ -147,57 +153,102 @@ pub struct LabelRow {
     pub lateral: String,
 }
 
-/// Reads labels back: the columns `case`, `method`, the axes asked for, `torsion`
-/// and, if it is there, `lateral`, wherever they stand; others are passed over.
+/// Where the columns are that are read back: `case`, `method`, the axes asked
+/// for, `torsion` and, if it is there, `lateral`; others are passed over.
+struct Columns {
+    case: usize,
+    method: usize,
+    values: Vec<usize>,
+    torsion: usize,
+    lateral: Option<usize>,
+}
+
+impl Columns {
+    /// An error is the name of a missing column.
+    fn find(header: &csv::StringRecord, axes: &[Axis]) -> Result<Self, String> {
+        let column = |name: &str| {
+            let found = header.iter().position(|field| field == name);
+            found.ok_or_else(|| format!("has no column `{name}`"))
+        };
+        Ok(Self {
+            case: column("case")?,
+            method: column("method")?,
+            values: (axes.iter())
+                .map(|axis| column(&axis.name()))
+                .collect::<Result<_, _>>()?,
+            torsion: column("torsion")?,
+            lateral: column("lateral").ok(),
+        })
+    }
+
+    /// An error is what is wrong with the record.
+    fn row(&self, record: &csv::StringRecord, line: usize) -> Result<LabelRow, String> {
+        let field = |column: usize| record.get(column).unwrap_or_default();
+        let case = field(self.case);
+        let number = |&column: &usize| {
+            let text = field(column);
+            text.parse()
+                .map_err(|_| format!("`{text}` is not a number"))
+        };
+        Ok(LabelRow {
+            line,
+            case: case
+                .parse()
+                .map_err(|_| format!("`{case}` is not a case number"))?,
+            method: field(self.method).to_owned(),
+            values: self.values.iter().map(number).collect::<Result<_, _>>()?,
+            torsion: field(self.torsion).to_owned(),
+            lateral: self
+                .lateral
+                .map_or_else(String::new, |column| field(column).to_owned()),
+        })
+    }
+}
+
+/// Reads labels that a person may have written, with comments and empty lines.
+///
+/// # Errors
+/// Where they cannot be read; the message names file and line.
 pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
     let text = std::fs::read_to_string(path)
         .with_context(|| format!("{} cannot be read", path.display()))?;
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(COMMENT))
         .from_reader(text.as_bytes());
+    let at = |line: usize, reason: String| anyhow!("{}:{line}: {reason}", path.display());
     let header = reader.headers()?.clone();
-    let column = |name: &str| {
-        let found = header.iter().position(|field| field == name);
-        let line = line_from(&text, 0);
-        found.with_context(|| format!("{}:{line}: has no column `{name}`", path.display()))
-    };
-    let (case, method, torsion) = (column("case")?, column("method")?, column("torsion")?);
-    let lateral = column("lateral").ok();
-    let value_columns = axes
-        .iter()
-        .map(|axis| column(axis.name()))
-        .collect::<Result<Vec<_>>>()?;
-    let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record.with_context(|| format!("{} is not a table", path.display()))?;
-        let line = line_from(
-            &text,
-            record.position().map_or(0, csv::Position::byte) as usize,
+    let columns = Columns::find(&header, axes).map_err(|reason| at(line_from(&text, 0), reason))?;
+    reader
+        .records()
+        .map(|record| {
+            let record = record.with_context(|| format!("{} is not a table", path.display()))?;
+            let byte = record.position().map_or(0, csv::Position::byte) as usize;
+            let line = line_from(&text, byte);
+            columns
+                .row(&record, line)
+                .map_err(|reason| at(line, reason))
+        })
+        .collect()
+}
+
+/// Gives every row of a `labels.csv` to `each`; only one is in memory at a time.
+///
+/// # Errors
+/// Where it cannot be read; the message names file and line.
+pub fn stream_labels(path: &Path, axes: &[Axis], mut each: impl FnMut(LabelRow)) -> Result<()> {
+    let unreadable = || format!("{} cannot be read", path.display());
+    let at = |line: usize, reason: String| anyhow!("{}:{line}: {reason}", path.display());
+    let mut reader = csv::Reader::from_path(path).with_context(unreadable)?;
+    let header = reader.headers().with_context(unreadable)?.clone();
+    let columns = Columns::find(&header, axes).map_err(|reason| at(1, reason))?;
+    let mut record = csv::StringRecord::new();
+    while reader.read_record(&mut record).with_context(unreadable)? {
+        let line = record.position().map_or(0, csv::Position::line) as usize;
+        each(
+            columns
+                .row(&record, line)
+                .map_err(|reason| at(line, reason))?,
         );
-        let Ok(case) = record[case].parse() else {
-            bail!(
-                "{}:{line}: `{}` is not a case number",
-                path.display(),
-                &record[case]
-            );
-        };
-        let number = |&column: &usize| -> Result<f64> {
-            record[column].parse().with_context(|| {
-                format!(
-                    "{}:{line}: `{}` is not a number",
-                    path.display(),
-                    &record[column]
-                )
-            })
-        };
-        rows.push(LabelRow {
-            line,
-            case,
-            method: record[method].to_owned(),
-            values: value_columns.iter().map(number).collect::<Result<_>>()?,
-            torsion: record[torsion].to_owned(),
-            lateral: lateral.map_or_else(String::new, |column| record[column].to_owned()),
-        });
     }
-    Ok(rows)
+    Ok(())
 }

@@ -1,14 +1,16 @@
 //! `manifest.json`: what was run, with what, and what came of it.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::files::write_atomically;
+use super::results::Tally;
 use crate::design::Design;
-use crate::engine::{MethodSystem, Row, RowOutcome};
+use crate::engine::{MethodSystem, Shard};
 use crate::spec::{FileContent, MapSettings, Sweep};
 
 /// What was run.
@@ -18,27 +20,38 @@ pub struct Manifest {
     pub name: String,
     /// One line about it.
     pub title: String,
-    /// Version of this program.
+    /// The program, with its version and commit.
+    pub program: String,
+    /// Version of the program.
     pub program_version: String,
     /// Processor architecture and operating system.
     pub platform: String,
     /// Hash of everything that the results depend on.
     pub meaning_sha256: String,
-    /// Sampling frequency, Hz.
+    /// Hash of the cases, where the design is a list.
+    pub cases_sha256: Option<String>,
+    /// Seed, where the design draws random cases.
+    pub seed: Option<u64>,
+    /// Sampling frequency, Hz; of the string as the file says it, where axes
+    /// change the string.
     pub sampling_frequency_hz: f64,
     /// Whether that is the paper's rule or given in the file.
     pub sampling_frequency_by_rule: bool,
-    /// Number of cases.
+    /// Number of cases of the whole sweep.
     pub cases: usize,
-    /// What is known of each method.
+    /// Number of distinct strings among them.
+    pub strings: usize,
+    /// The part of the sweep that is here, where that is not the whole.
+    pub shard: Option<Shard>,
+    /// What is known of each method; of the string as the file says it, where
+    /// axes change the string.
     pub methods: Vec<MethodRecord>,
-    /// Rows per method and label.
-    pub labels: BTreeMap<String, BTreeMap<String, usize>>,
-    /// Rows without an answer.
-    pub failed: usize,
+    /// What came out.
+    #[serde(flatten)]
+    pub tally: Tally,
     /// Threads used.
     pub threads: usize,
-    /// Time from start to end, s.
+    /// Time from start to end, s; of the last part, where it was stopped.
     pub wall_seconds: f64,
     /// How the map is drawn, where there is one.
     pub map: Option<MapSettings>,
@@ -63,44 +76,74 @@ pub struct MethodRecord {
     pub build_seconds: f64,
 }
 
+impl MethodRecord {
+    fn of(system: &MethodSystem) -> Self {
+        Self {
+            method: system.method.name().to_owned(),
+            taps: system.responses.taps(),
+            positive_real_margin: system.torsion_margin,
+            bending_margin: system.bending_margin,
+            least_impulses_ns: system.least_impulses.clone(),
+            build_seconds: system.build_seconds,
+        }
+    }
+}
+
 impl Manifest {
     /// The record of a finished run.
+    ///
+    /// # Errors
+    /// None that a sweep that was read could cause.
     pub fn new(
         sweep: &Sweep,
+        shard: Shard,
         systems: &[MethodSystem],
-        rows: &[Row],
+        tally: Tally,
         wall_seconds: f64,
     ) -> Result<Self> {
         Ok(Self {
             name: sweep.name.clone(),
             title: sweep.title.clone(),
+            program: crate::PROGRAM.to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             platform: format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),
-            meaning_sha256: meaning_hash(sweep)?,
-            sampling_frequency_hz: sweep.sampling_frequency,
-            sampling_frequency_by_rule: sweep.sampling_by_rule,
+            meaning_sha256: meaning_hash(&meaning(sweep)?)?,
+            cases_sha256: cases_hash(&sweep.design)?,
+            seed: sweep.design.seed(),
+            sampling_frequency_hz: sweep.setting.sampling_frequency,
+            sampling_frequency_by_rule: sweep.setting.sampling_by_rule,
             cases: sweep.design.cases(),
-            methods: systems
-                .iter()
-                .map(|system| MethodRecord {
-                    method: system.method.name().to_owned(),
-                    taps: system.responses.taps(),
-                    positive_real_margin: system.torsion_margin,
-                    bending_margin: system.bending_margin,
-                    least_impulses_ns: system.least_impulses.clone(),
-                    build_seconds: system.build_seconds,
-                })
-                .collect(),
-            labels: count_labels(rows),
-            failed: rows
-                .iter()
-                .filter(|row| matches!(row.outcome, RowOutcome::Failed(_)))
-                .count(),
+            strings: sweep.design.strings(),
+            shard: (!shard.is_whole()).then_some(shard),
+            methods: systems.iter().map(MethodRecord::of).collect(),
+            tally,
             threads: rayon::current_num_threads(),
             wall_seconds,
             map: sweep.map.clone(),
             sweep: sweep.content.clone(),
         })
+    }
+
+    /// What the sweep it records means.
+    ///
+    /// # Errors
+    /// None that a manifest that was read could cause.
+    pub fn meaning(&self) -> Result<serde_json::Value> {
+        meaning_of(&self.sweep, self.cases_sha256.as_deref())
+    }
+
+    /// The part of the sweep it records.
+    pub fn shard(&self) -> Shard {
+        self.shard.unwrap_or(Shard::WHOLE)
+    }
+
+    /// Writes it into a results folder.
+    ///
+    /// # Errors
+    /// Where that cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        let content = serde_json::to_vec_pretty(self)?;
+        write_atomically(&folder.join("manifest.json"), &content)
     }
 
     /// Reads the manifest of a results folder.
@@ -113,41 +156,85 @@ impl Manifest {
     }
 }
 
-fn count_labels(rows: &[Row]) -> BTreeMap<String, BTreeMap<String, usize>> {
-    let mut counts: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
-    for row in rows {
-        let RowOutcome::Done(outcome) = &row.outcome else {
-            continue;
-        };
-        let torsion = outcome.torsion.map(|torsion| torsion.regime.name());
-        let lateral = outcome.lateral.map(|lateral| lateral.regime.name());
-        for label in torsion.into_iter().chain(lateral) {
-            let of_method = counts.entry(row.method.to_owned()).or_default();
-            *of_method.entry(label.to_owned()).or_default() += 1;
-        }
-    }
-    counts
+/// What a sweep means: comments, key order, the spelling of numbers, titles and
+/// how the map is drawn do not matter; the cases of a list do.
+///
+/// # Errors
+/// None that a sweep that was read could cause.
+pub fn meaning(sweep: &Sweep) -> Result<serde_json::Value> {
+    meaning_of(&sweep.content, cases_hash(&sweep.design)?.as_deref())
 }
 
-/// Hash of what a sweep means: comments, key order, the spelling of numbers,
-/// titles and how the map is drawn do not matter; the cases of a list do.
-pub fn meaning_hash(sweep: &Sweep) -> Result<String> {
-    let mut content = sweep.content.clone();
+fn meaning_of(content: &FileContent, cases_sha256: Option<&str>) -> Result<serde_json::Value> {
+    let mut content = content.clone();
     content.title = None;
     content.map = Default::default();
     for section in &mut content.string.sections {
         section.name = None;
     }
-    let mut hash = Sha256::new();
-    hash.update(serde_json::to_vec(&content)?);
-    if let Design::List(_) = &sweep.design {
-        for case in 0..sweep.design.cases() {
-            hash.update(serde_json::to_vec(&sweep.design.values(case))?);
-        }
+    let mut meaning = serde_json::to_value(&content)?;
+    if let (Some(hash), Some(table)) = (cases_sha256, meaning.as_object_mut()) {
+        table.insert("cases of the list".to_owned(), hash.into());
     }
-    Ok(hash
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect())
+    Ok(meaning)
+}
+
+/// Hash of the cases of a list.
+fn cases_hash(design: &Design) -> Result<Option<String>> {
+    let Design::List(_) = design else {
+        return Ok(None);
+    };
+    let mut hash = Sha256::new();
+    for case in 0..design.cases() {
+        hash.update(serde_json::to_vec(&design.values(case))?);
+    }
+    Ok(Some(hexadecimal(hash)))
+}
+
+fn meaning_hash(meaning: &serde_json::Value) -> Result<String> {
+    let mut hash = Sha256::new();
+    hash.update(serde_json::to_vec(meaning)?);
+    Ok(hexadecimal(hash))
+}
+
+fn hexadecimal(hash: Sha256) -> String {
+    let bytes = hash.finalize();
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Where two meanings differ, each as `key: before → now`.
+pub fn differences(before: &serde_json::Value, now: &serde_json::Value) -> Vec<String> {
+    let mut found = Vec::new();
+    compare("", before, now, &mut found);
+    found
+}
+
+fn compare(
+    path: &str,
+    before: &serde_json::Value,
+    now: &serde_json::Value,
+    found: &mut Vec<String>,
+) {
+    use serde_json::Value::{Array, Null, Object};
+    match (before, now) {
+        _ if before == now => {}
+        (Object(one), Object(other)) => {
+            let keys: BTreeSet<&String> = one.keys().chain(other.keys()).collect();
+            for key in keys {
+                let path = if path.is_empty() {
+                    key.clone()
+                } else {
+                    format!("{path}.{key}")
+                };
+                let value = |table: &serde_json::Map<_, _>| table.get(key).cloned().unwrap_or(Null);
+                compare(&path, &value(one), &value(other), found);
+            }
+        }
+        (Array(one), Array(other)) if one.len() == other.len() => {
+            for (index, (one, other)) in one.iter().zip(other).enumerate() {
+                compare(&format!("{path}[{index}]"), one, other, found);
+            }
+        }
+        _ => found.push(format!("{path}: {before} → {now}")),
+    }
 }

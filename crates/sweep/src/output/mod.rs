@@ -4,8 +4,10 @@ mod boundary;
 mod files;
 mod labels;
 mod manifest;
+mod results;
 
-pub use boundary::{Boundary, boundary, read_boundary, write_boundary};
-pub use files::write_atomically;
-pub use labels::{LabelRow, failures_csv, labels_csv, read_labels};
-pub use manifest::{Manifest, meaning_hash};
+pub use boundary::{Boundary, boundary, read_boundary, whirl_bound, write_boundary};
+pub use files::{AtomicFile, write_atomically};
+pub use labels::{FAILURES_HEADER, LabelRow, labels_row, read_labels, stream_labels};
+pub use manifest::{Manifest, differences, meaning};
+pub use results::{Counted, Tally, write_tables};

@@ -10,6 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::lateral::{BendingTable, EccentricMassTable, ImpulseTable, WallTable};
 use super::source::{Source, SpecError};
+use super::string_axis::StringAxis;
 
 /// A sweep file, its bases merged in, as it is written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -279,9 +280,13 @@ impl<'de> Deserialize<'de> for AutoOr {
 }
 
 /// A quantity that a design varies, named as in result files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-#[serde(rename_all = "snake_case")]
+///
+/// Those of the string come first: in a grid the first axis changes slowest, so
+/// that the cases of one string are neighbours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Axis {
+    /// A quantity of the string itself.
+    String(StringAxis),
     /// Surface speed Ω, rpm.
     SurfaceSpeedRpm,
     /// Weight on bit W, kN.
@@ -295,8 +300,8 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// All axes, in the order of their columns.
-    pub const ALL: [Axis; 5] = [
+    /// The axes of operating conditions, in the order of their columns.
+    const CONDITIONS: [Axis; 5] = [
         Axis::SurfaceSpeedRpm,
         Axis::WeightOnBitKn,
         Axis::TorqueDynamicNm,
@@ -304,51 +309,76 @@ impl Axis {
         Axis::Friction,
     ];
 
-    /// The names of all axes.
-    const NAMES: [&str; 5] = [
-        Axis::ALL[0].name(),
-        Axis::ALL[1].name(),
-        Axis::ALL[2].name(),
-        Axis::ALL[3].name(),
-        Axis::ALL[4].name(),
-    ];
+    /// The names of conditions, and examples of quantities of the string.
+    pub const NAMES: [&str; 13] = {
+        let mut names = [""; 13];
+        let mut index = 0;
+        while index < names.len() {
+            names[index] = if index < Axis::CONDITIONS.len() {
+                Axis::CONDITIONS[index].condition_name()
+            } else {
+                StringAxis::EXAMPLES[index - Axis::CONDITIONS.len()]
+            };
+            index += 1;
+        }
+        names
+    };
 
     /// The axis of a column.
     pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|axis| axis.name() == name)
+        let mut conditions = Self::CONDITIONS.into_iter();
+        conditions
+            .find(|axis| axis.condition_name() == name)
+            .or_else(|| StringAxis::from_name(name).map(Axis::String))
     }
 
     /// The column's name.
-    pub const fn name(self) -> &'static str {
+    pub fn name(self) -> String {
+        match self {
+            Axis::String(axis) => axis.name(),
+            _ => self.condition_name().to_owned(),
+        }
+    }
+
+    const fn condition_name(self) -> &'static str {
         match self {
             Axis::SurfaceSpeedRpm => "surface_speed_rpm",
             Axis::WeightOnBitKn => "weight_on_bit_kn",
             Axis::TorqueDynamicNm => "torque_dynamic_nm",
             Axis::ImpulseRatio => "impulse_ratio",
             Axis::Friction => "friction",
+            Axis::String(_) => "",
         }
     }
 
     /// The symbol and, where it has one, the unit.
-    pub fn symbol(self) -> &'static str {
+    pub fn symbol(self) -> String {
         match self {
-            Axis::SurfaceSpeedRpm => "Ω/rpm",
-            Axis::WeightOnBitKn => "W/kN",
-            Axis::TorqueDynamicNm => "T_d/(N m)",
-            Axis::ImpulseRatio => "I/I₀",
-            Axis::Friction => "μ₀",
+            Axis::SurfaceSpeedRpm => "Ω/rpm".to_owned(),
+            Axis::WeightOnBitKn => "W/kN".to_owned(),
+            Axis::TorqueDynamicNm => "T_d/(N m)".to_owned(),
+            Axis::ImpulseRatio => "I/I₀".to_owned(),
+            Axis::Friction => "μ₀".to_owned(),
+            Axis::String(axis) => axis.name(),
         }
     }
 
     /// The title of a plot's axis.
-    pub fn title(self) -> &'static str {
+    pub fn title(self) -> String {
         match self {
-            Axis::SurfaceSpeedRpm => "Surface speed Ω (rpm)",
-            Axis::WeightOnBitKn => "Weight on bit W (kN)",
-            Axis::TorqueDynamicNm => "Dynamic torque T_d (N m)",
-            Axis::ImpulseRatio => "Impulse I / I₀",
-            Axis::Friction => "Coefficient of friction μ₀",
+            Axis::SurfaceSpeedRpm => "Surface speed Ω (rpm)".to_owned(),
+            Axis::WeightOnBitKn => "Weight on bit W (kN)".to_owned(),
+            Axis::TorqueDynamicNm => "Dynamic torque T_d (N m)".to_owned(),
+            Axis::ImpulseRatio => "Impulse I / I₀".to_owned(),
+            Axis::Friction => "Coefficient of friction μ₀".to_owned(),
+            Axis::String(axis) => axis.title(),
         }
+    }
+}
+
+impl Serialize for Axis {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
     }
 }
 

@@ -6,8 +6,10 @@ mod file;
 mod lateral;
 mod map;
 mod resolve;
+mod setting;
 mod source;
 mod string;
+mod string_axis;
 #[cfg(test)]
 mod tests;
 
@@ -15,4 +17,5 @@ pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName
 pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};
 pub use resolve::{Bit, Conditions, MapSettings, Sweep, Time, to_rpm};
 pub(crate) use resolve::{check_axis_value, check_setting};
+pub use setting::Setting;
 pub use source::{Source, SpecError};

@@ -8,7 +8,7 @@ use sim::laws::rock::RockError;
 use sim::{BitTorque, Rock};
 
 use super::file::{AutoOr, Axis, FileContent, MethodName};
-use super::lateral::LateralSettings;
+use super::setting::Setting;
 use super::source::{Source, SpecError};
 use crate::design::Design;
 
@@ -24,22 +24,14 @@ pub struct Sweep {
     pub name: String,
     /// One line for pictures.
     pub title: String,
-    /// The drillstring.
-    pub string: Drillstring,
-    /// Sites from the surface down; the bit is always the last.
-    pub sites: Sites,
-    /// Sampling frequency, Hz.
-    pub sampling_frequency: f64,
-    /// Whether that follows from the string by the paper's rule.
-    pub sampling_by_rule: bool,
+    /// What the linear system is built from, but for axes of the string.
+    pub setting: Setting,
     /// Linear methods.
     pub methods: Vec<Method>,
     /// Time simulated.
     pub time: Time,
     /// Torque at the bit, where it is modelled.
     pub bit: Option<Bit>,
-    /// Lateral motion, where it is modelled.
-    pub lateral: Option<LateralSettings>,
     /// What the file says of the quantities that axes may change.
     pub conditions: Conditions,
     /// The cases.
@@ -101,6 +93,8 @@ impl Conditions {
             }
             Axis::ImpulseRatio => self.impulse_ratio = Some(value),
             Axis::Friction => self.friction = Some(value),
+            // Part of the setting.
+            Axis::String(_) => {}
         }
         self
     }
@@ -113,6 +107,7 @@ impl Conditions {
             Axis::TorqueDynamicNm => self.torque_dynamic_nm,
             Axis::ImpulseRatio => self.impulse_ratio,
             Axis::Friction => self.friction,
+            Axis::String(_) => None,
         }
     }
 
@@ -199,7 +194,6 @@ impl Sweep {
         let source = Source::read(path)?;
         let content: FileContent = source.parse()?;
         let check = Check { source: &source };
-        let string = check.string(&content)?;
         let bit = content.bit.as_ref().map(|bit| check.bit(bit)).transpose()?;
         let conditions = check.conditions(&content)?;
         let design = Design::resolve(&source, content.design.as_ref())?;
@@ -208,13 +202,6 @@ impl Sweep {
             || "sweep".to_owned(),
             |stem| stem.to_string_lossy().into_owned(),
         );
-        let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
-            AutoOr::Auto => (linear::estimates::sampling_frequency(&string), true),
-            AutoOr::Given(value) => {
-                check.within("sampling_frequency_hz", value, 1.0, 1e6, "Hz")?;
-                (value, false)
-            }
-        };
         let time = match content.time_s {
             AutoOr::Auto => Time::Auto,
             AutoOr::Given(value) => {
@@ -222,21 +209,16 @@ impl Sweep {
                 Time::Given(value)
             }
         };
-        let sites = check.sites(&content, &string)?;
-        let lateral = check.lateral(&content, &string, &sites, &conditions, &design)?;
-        check.impulses_are_sampled(lateral.as_ref(), sampling_frequency)?;
+        let setting = Setting::resolve(&source, &content, &conditions, &design)?;
+        check.string_axes(&content, &design)?;
         let methods = check.methods(&content)?;
         let map = check.map(&content, &design, bit.as_ref())?;
         Ok(Self {
             title: content.title.clone().unwrap_or_else(|| name.clone()),
-            sites,
-            lateral,
+            setting,
             methods,
             map,
             name,
-            string,
-            sampling_frequency,
-            sampling_by_rule,
             time,
             bit,
             conditions,
@@ -264,7 +246,11 @@ impl Check<'_> {
         within(value, least, most, unit).map_err(|message| self.source.error(key, message))
     }
 
-    fn sites(&self, content: &FileContent, string: &Drillstring) -> Result<Sites, SpecError> {
+    pub(super) fn sites(
+        &self,
+        content: &FileContent,
+        string: &Drillstring,
+    ) -> Result<Sites, SpecError> {
         // Without a wall, the bit is always looked at.
         let mut distances = vec![0.0];
         if content.wall.is_some() {
@@ -341,6 +327,22 @@ impl Check<'_> {
             .iter()
             .map(|&name| content.method(name))
             .collect())
+    }
+
+    /// An axis of the string must have something to change.
+    fn string_axes(&self, content: &FileContent, design: &Design) -> Result<(), SpecError> {
+        for &axis in design.axes() {
+            if let Axis::String(string_axis) = axis {
+                let value = string_axis.limits().1;
+                string_axis
+                    .set(&mut content.clone(), value)
+                    .map_err(|message| {
+                        let key = format!("design.axes.{}", axis.name());
+                        self.source.error(&key, message)
+                    })?;
+            }
+        }
+        Ok(())
     }
 
     fn conditions(&self, content: &FileContent) -> Result<Conditions, SpecError> {
@@ -431,6 +433,13 @@ pub(crate) fn check_setting(axis: Axis, value: f64) -> Result<(), String> {
         Axis::TorqueDynamicNm => within(value, 0.0, 1e7, "N m"),
         Axis::ImpulseRatio => within(value, 0.0, 1e6, ""),
         Axis::Friction => within(value, 0.0, 50.0, ""),
+        Axis::String(axis) => {
+            let (least, most, unit) = axis.limits();
+            if axis.is_counted() && value.fract() != 0.0 {
+                return Err(format!("{value} is not a whole number"));
+            }
+            within(value, least, most, unit)
+        }
     }
 }
 

@@ -2,12 +2,10 @@
 
 use linear::{Drillstring, DrillstringError, Material, Section, Tube};
 
-use super::file::{FileContent, SectionTable};
-use super::resolve::Check;
+use super::file::{Axis, FileContent, SectionTable};
+use super::resolve::{Check, check_axis_value};
 use super::source::SpecError;
-
-/// Longer than any borehole, m.
-const LONGEST_STRING: f64 = 2e4;
+use super::string_axis::{LONGEST_STRING, StringAxis, TubeMeasure};
 
 impl Check<'_> {
     pub(super) fn string(&self, content: &FileContent) -> Result<Drillstring, SpecError> {
@@ -27,12 +25,10 @@ impl Check<'_> {
             "kg/m³",
         )?;
         let damping = table.torsional_damping_nms_rad_m;
-        self.within(
+        self.measure(
             "string.torsional_damping_nms_rad_m",
+            StringAxis::TorsionalDamping,
             damping,
-            0.0,
-            1e5,
-            "N m s/rad per m",
         )?;
         for (section, data) in table.sections.iter().enumerate() {
             self.section(section, data)?;
@@ -84,40 +80,42 @@ impl Check<'_> {
         Err(self.source.error(&key, message))
     }
 
-    fn section(&self, index: usize, section: &SectionTable) -> Result<(), SpecError> {
-        let key = format!("string.sections[{index}]");
-        self.within(
+    fn section(&self, section: usize, table: &SectionTable) -> Result<(), SpecError> {
+        let key = format!("string.sections[{section}]");
+        let repeat = table.repeat as f64;
+        self.measure(
             &format!("{key}.repeat"),
-            section.repeat as f64,
-            1.0,
-            1e5,
-            "",
+            StringAxis::Repeat { section },
+            repeat,
         )?;
-        for (part, tube) in section.parts.iter().enumerate() {
-            let key = format!("{key}.parts[{part}]");
-            self.within(
-                &format!("{key}.length_m"),
-                tube.length_m,
-                1e-3,
-                LONGEST_STRING,
-                "m",
-            )?;
-            self.within(
-                &format!("{key}.inner_radius_m"),
-                tube.inner_radius_m,
-                0.0,
-                2.0,
-                "m",
-            )?;
-            self.within(
-                &format!("{key}.outer_radius_m"),
-                tube.outer_radius_m,
-                1e-3,
-                2.0,
-                "m",
-            )?;
+        for (part, tube) in table.parts.iter().enumerate() {
+            for (name, measure, value) in [
+                ("length_m", TubeMeasure::Length, tube.length_m),
+                (
+                    "inner_radius_m",
+                    TubeMeasure::InnerRadius,
+                    tube.inner_radius_m,
+                ),
+                (
+                    "outer_radius_m",
+                    TubeMeasure::OuterRadius,
+                    tube.outer_radius_m,
+                ),
+            ] {
+                let axis = StringAxis::Tube {
+                    section,
+                    part,
+                    measure,
+                };
+                self.measure(&format!("{key}.parts[{part}].{name}"), axis, value)?;
+            }
         }
         Ok(())
+    }
+
+    /// A quantity that could be an axis too has one range for both.
+    pub(super) fn measure(&self, key: &str, axis: StringAxis, value: f64) -> Result<(), SpecError> {
+        check_axis_value(self.source, key, Axis::String(axis), value)
     }
 }
 

@@ -1,0 +1,90 @@
+//! Parts of a sweep for several machines.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+/// Part `index` of `of`, counted from 0. The whole sweep is part 0 of 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Shard {
+    /// Which part.
+    pub index: usize,
+    /// Of how many.
+    pub of: usize,
+}
+
+impl Shard {
+    /// The whole sweep.
+    pub const WHOLE: Shard = Shard { index: 0, of: 1 };
+
+    /// Whether the case at a position among those of its string is of this
+    /// part. Where there are enough strings, they are dealt whole, so that each
+    /// is built in one place; else the cases are dealt, neighbours apart, for
+    /// they take about the same time.
+    pub fn has(self, strings: usize, string: usize, position: usize) -> bool {
+        if strings >= self.of {
+            string % self.of == self.index
+        } else {
+            position % self.of == self.index
+        }
+    }
+
+    /// Whether this is the whole sweep.
+    pub fn is_whole(self) -> bool {
+        self.of == 1
+    }
+}
+
+impl fmt::Display for Shard {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.index, self.of)
+    }
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let meant = "expected I/N with I from 0 to N − 1, such as 0/4";
+        let (index, of) = text.split_once('/').ok_or(meant)?;
+        let number = |text: &str| text.trim().parse().map_err(|_| meant.to_owned());
+        let shard = Shard {
+            index: number(index)?,
+            of: number(of)?,
+        };
+        if shard.index < shard.of {
+            Ok(shard)
+        } else {
+            Err(meant.to_owned())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_is_in_one_shard() {
+        for (strings, cases) in [(1, 10), (3, 4), (12, 1)] {
+            for of in [1, 2, 3, 5, 20] {
+                for string in 0..strings {
+                    for position in 0..cases {
+                        let shards = (0..of).map(|index| Shard { index, of });
+                        let holders = shards.filter(|shard| shard.has(strings, string, position));
+                        assert_eq!(holders.count(), 1);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_shard_is_refused() {
+        for text in ["", "1", "4/4", "-1/4", "0/0", "a/b", "1/2/3"] {
+            assert!(text.parse::<Shard>().is_err(), "{text}");
+        }
+        assert_eq!("3/4".parse(), Ok(Shard { index: 3, of: 4 }));
+    }
+}

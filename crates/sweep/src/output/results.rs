@@ -1,0 +1,90 @@
+//! From the log of a finished run to the tables of its results folder, row by
+//! row.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
+
+use super::files::AtomicFile;
+use super::labels::{FAILURES_HEADER, failures_row, labels_header};
+use crate::engine::Log;
+use crate::spec::Sweep;
+
+/// What came out, counted.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Tally {
+    /// Rows.
+    pub rows: usize,
+    /// Rows per method and label.
+    pub labels: BTreeMap<String, BTreeMap<String, usize>>,
+    /// Rows without an answer.
+    pub failed: usize,
+}
+
+/// Where the fields to count are in a row.
+pub struct Counted {
+    method: usize,
+    labels: [usize; 2],
+    status: usize,
+}
+
+impl Counted {
+    /// From the header of `labels.csv`.
+    ///
+    /// # Errors
+    /// Where it is not one.
+    pub fn new(header: &str) -> Result<Self> {
+        let place = |name: &str| {
+            let found = header.split(',').position(|field| field == name);
+            found.with_context(|| format!("`labels.csv` has no column `{name}`"))
+        };
+        Ok(Self {
+            method: place("method")?,
+            labels: [place("torsion")?, place("lateral")?],
+            status: place("status")?,
+        })
+    }
+
+    /// Adds a row of `labels.csv` to what came out.
+    pub fn add(&self, row: &str, tally: &mut Tally) {
+        let fields: Vec<&str> = row.split(',').collect();
+        let field = |place: usize| fields.get(place).copied().unwrap_or_default();
+        tally.rows += 1;
+        tally.failed += usize::from(field(self.status) == "failed");
+        for label in self.labels.map(field) {
+            if !label.is_empty() {
+                let method = tally.labels.entry(field(self.method).to_owned());
+                *method.or_default().entry(label.to_owned()).or_default() += 1;
+            }
+        }
+    }
+}
+
+/// Writes `labels.csv` and `failures.csv`, in the order of cases and methods
+/// however they were done.
+///
+/// # Errors
+/// Where the log cannot be read or the tables cannot be written.
+pub fn write_tables(sweep: &Sweep, sweep_file: &Path, log: &Log, folder: &Path) -> Result<Tally> {
+    let header = labels_header(sweep);
+    let counted = Counted::new(&header)?;
+    let mut tally = Tally::default();
+    let mut labels = AtomicFile::create(&folder.join("labels.csv"))?;
+    let mut failures = AtomicFile::create(&folder.join("failures.csv"))?;
+    labels.write(format!("{header}\n").as_bytes())?;
+    failures.write(format!("{FAILURES_HEADER}\n").as_bytes())?;
+    log.in_order(|record| {
+        counted.add(&record.row, &mut tally);
+        labels.write(format!("{}\n", record.row).as_bytes())?;
+        if let Some(reason) = &record.reason {
+            let method = sweep.methods[record.method].name();
+            failures.write(&failures_row(sweep_file, record.case, method, reason)?)?;
+        }
+        Ok(())
+    })?;
+    labels.finish()?;
+    failures.finish()?;
+    Ok(tally)
+}

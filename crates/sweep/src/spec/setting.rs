@@ -1,0 +1,100 @@
+//! What a linear system is built from: the string, where it is looked at, and
+//! how fast it is sampled. A sweep has one, or one for each value of the axes that
+//! change the string.
+
+use std::borrow::Cow;
+
+use linear::{Drillstring, Sites};
+
+use super::file::{AutoOr, Axis, FileContent};
+use super::lateral::LateralSettings;
+use super::resolve::{Check, Conditions, Sweep};
+use super::source::{Source, SpecError};
+use super::string_axis::StringAxis;
+use crate::design::Design;
+
+/// A string, ready to be built.
+#[derive(Debug, Clone)]
+pub struct Setting {
+    /// The drillstring.
+    pub string: Drillstring,
+    /// Sites from the surface down; the bit is always the last.
+    pub sites: Sites,
+    /// Sampling frequency, Hz.
+    pub sampling_frequency: f64,
+    /// Whether that follows from the string by the paper's rule.
+    pub sampling_by_rule: bool,
+    /// Lateral motion, where it is modelled.
+    pub lateral: Option<LateralSettings>,
+}
+
+impl Setting {
+    pub(super) fn resolve(
+        source: &Source,
+        content: &FileContent,
+        conditions: &Conditions,
+        design: &Design,
+    ) -> Result<Self, SpecError> {
+        let check = Check { source };
+        let string = check.string(content)?;
+        let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
+            AutoOr::Auto => (linear::estimates::sampling_frequency(&string), true),
+            AutoOr::Given(value) => {
+                check.within("sampling_frequency_hz", value, 1.0, 1e6, "Hz")?;
+                (value, false)
+            }
+        };
+        let sites = check.sites(content, &string)?;
+        let lateral = check.lateral(content, &string, &sites, conditions, design)?;
+        check.impulses_are_sampled(lateral.as_ref(), sampling_frequency)?;
+        Ok(Self {
+            string,
+            sites,
+            sampling_frequency,
+            sampling_by_rule,
+            lateral,
+        })
+    }
+}
+
+impl Sweep {
+    /// The setting of a case with the given values along the design's axes.
+    ///
+    /// # Errors
+    /// Where these values make no string.
+    pub fn setting_at(&self, values: &[f64]) -> Result<Cow<'_, Setting>, SpecError> {
+        let axes = self
+            .design
+            .axes()
+            .iter()
+            .copied()
+            .zip(values.iter().copied());
+        self.setting_with(axes)
+    }
+
+    /// The setting with some quantities of the string changed; other axes do
+    /// not matter here.
+    ///
+    /// # Errors
+    /// As [`Sweep::setting_at`].
+    pub fn setting_with(
+        &self,
+        values: impl Iterator<Item = (Axis, f64)>,
+    ) -> Result<Cow<'_, Setting>, SpecError> {
+        let changes: Vec<(StringAxis, f64)> = values
+            .filter_map(|(axis, value)| match axis {
+                Axis::String(axis) => Some((axis, value)),
+                _ => None,
+            })
+            .collect();
+        if changes.is_empty() {
+            return Ok(Cow::Borrowed(&self.setting));
+        }
+        let mut content = self.content.clone();
+        for (axis, value) in changes {
+            axis.set(&mut content, value)
+                .map_err(|message| self.source.error(&axis.name(), message))?;
+        }
+        Setting::resolve(&self.source, &content, &self.conditions, &self.design).map(Cow::Owned)
+    }
+}
