@@ -103,7 +103,8 @@ fn another_sweep_is_refused_in_the_same_folder_and_fresh_replaces_it() {
     let answer = place.sweep(&["run", "other.toml", "--out", "results"]);
     assert_eq!(answer.code, 2, "{answer:?}");
     for word in [
-        "results holds the results of another sweep, `small`",
+        "results holds the results of another sweep",
+        "design.axes.weight_on_bit_kn.values[1]: 70.0 → 60.0",
         "--fresh",
     ] {
         assert!(answer.errors.contains(word), "{answer:?}");

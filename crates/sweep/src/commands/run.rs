@@ -28,6 +28,7 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     let start = Instant::now();
     let tells_json = arguments.log == LogFormat::Json;
     TELLS_JSON.store(tells_json, std::sync::atomic::Ordering::Relaxed);
+    let stop = Stop::listen()?;
     use_threads(arguments.work.jobs)?;
     let sweep = read_sweep(&arguments.file, &arguments.work)?;
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
@@ -52,7 +53,6 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
     let limit = boundary(&sweep, &systems).map_err(UsageError)?;
     make_folder(&folder)?;
-    let stop = Stop::listen()?;
     let log = Log::open(
         &folder.join(LOG),
         &header,

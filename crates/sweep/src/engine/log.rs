@@ -203,7 +203,15 @@ pub fn read_header(path: &Path) -> Result<Option<Header>, LogError> {
         Ok(parse_header(&line))
     };
     match read() {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        // A folder that is none is found when it is to be made.
+        Err(error)
+            if matches!(
+                error.kind(),
+                io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
+            ) =>
+        {
+            Ok(None)
+        }
         result => result.map_err(|error| file_error(path, "read", error)),
     }
 }

@@ -21,8 +21,11 @@ impl Check<'_> {
             }
         }
         let other = |taken: Option<Axis>| {
-            let mut axes = design.axes().iter().copied();
-            axes.find(|axis| Some(*axis) != taken)
+            // Operating conditions before quantities of the string.
+            let is_string = |axis: &Axis| matches!(axis, Axis::String(_));
+            let mut axes = design.axes().to_vec();
+            axes.sort_by_key(is_string);
+            axes.into_iter().find(|axis| Some(*axis) != taken)
         };
         let y = content.map.y.or_else(|| other(content.map.x));
         let x = content.map.x.or_else(|| other(y));
