@@ -458,3 +458,48 @@ fn lines_are_counted_as_an_editor_does() {
     refused_at(&windows, "-12", "time_s", "");
     refused_at(&format!("\u{feff}{windows}"), "-12", "time_s", "");
 }
+
+#[test]
+fn axes_of_the_string_that_cannot_be_are_refused() {
+    let axes = "count = 3 }\n";
+    for (axis, key, meant) in [
+        (
+            "section_1_repeat = { values = [3] }",
+            "design.axes.section_1_repeat",
+            "the string has 1 sections, from 0",
+        ),
+        (
+            "section_0_repeat = { values = [3, 3.5] }",
+            "design.axes.section_0_repeat.values[1]",
+            "3.5 is not a whole number",
+        ),
+        (
+            "section_0_part_2_length_m = { values = [3] }",
+            "design.axes.section_0_part_2_length_m",
+            "section 0 has 2 parts, from 0",
+        ),
+        (
+            "section_0_part_1_length_m = { from = -1, to = 3, count = 2 }",
+            "design.axes.section_0_part_1_length_m.from",
+            "between",
+        ),
+        (
+            "site_1_distance_from_bit_m = { values = [3] }",
+            "design.axes.site_1_distance_from_bit_m",
+            "the file has 1 [[sites]], from 0",
+        ),
+        (
+            "bending_damping_ns_m2 = { values = [3] }",
+            "design.axes.bending_damping_ns_m2",
+            "[string.bending]",
+        ),
+        (
+            "section_0_part_0_lenght_m = { values = [3] }",
+            "design.axes.section_0_part_0_lenght_m",
+            "did you mean `section_0_part_0_length_m`?",
+        ),
+    ] {
+        let text = with(SMALL, axes, &format!("{axes}{axis} # here\n"));
+        refused_at(&text, "# here", key, meant);
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::support::{SMALL, Workplace, small_with_design};
+use crate::support::{SMALL, Workplace, small_with_design, with};
 use crate::{columns, manifest, run, succeeds, table, text};
 
 const SPEED_AND_WEIGHT: [&str; 2] = ["surface_speed_rpm", "weight_on_bit_kn"];
@@ -130,4 +130,86 @@ fn a_list_is_looked_for_beside_the_file_that_names_it() {
     place.write("child.toml", "base = \"bases/small.toml\"\n");
     let answer = succeeds(&place, &["run", "child.toml", "--dry-run"]);
     assert!(answer.output.contains("would run 1 cases"), "{answer:?}");
+}
+
+/// Axes of the string: each case is what a file with its values would give.
+#[test]
+fn an_axis_of_the_string_is_as_if_the_file_said_it() {
+    let axes = "[design.axes]\n\
+         torsional_damping_nms_rad_m = { values = [10, 30] }\n\
+         section_0_repeat = { values = [8, 10] }\n\
+         section_0_part_1_outer_radius_m = { values = [0.14, 0.15] }\n\
+         site_0_distance_from_bit_m = { values = [20, 50] }\n";
+    let place = Workplace::with_small(&with(SMALL, "[design.axes]\n", axes).replace(
+        "marks = [{ name = \"A\", surface_speed_rpm = 0.3, weight_on_bit_kn = 50 }]",
+        "",
+    ));
+    let dry = succeeds(&place, &["run", "small.toml", "--dry-run"]).output;
+    assert!(dry.contains("16 distinct strings"), "{dry}");
+    run(&place, "small.toml", "axes");
+    let strings = &manifest(&place, "axes")["strings"];
+    assert_eq!(strings, 16);
+    let found = table(&text(&place, "axes/labels.csv"));
+    assert_eq!(found.len(), 1 + 16 * 6);
+    // In the file: cases of one string are neighbours.
+    for (string, [damping, repeat, radius, place_of_site]) in [
+        (0, ["10", "8", "0.14", "20"]),
+        (6, ["10", "10", "0.15", "20"]),
+        (15, ["30", "10", "0.15", "50"]),
+    ] {
+        let mut text_of = SMALL.to_owned();
+        for (before, after, value) in [
+            ("rad_m = 10", "rad_m = ", damping),
+            ("repeat = 10", "repeat = ", repeat),
+            ("outer_radius_m = 0.15 ", "outer_radius_m = ", radius),
+            ("from_bit_m = 50", "from_bit_m = ", place_of_site),
+        ] {
+            text_of = with(&text_of, before, &format!("{after}{value} "));
+        }
+        place.write("one.toml", text_of);
+        run(&place, "one.toml", &format!("one-{string}"));
+        let expected = table(&text(&place, &format!("one-{string}/labels.csv")));
+        for case in 0..6 {
+            let row = &found[1 + 6 * string + case];
+            let values = [damping, repeat, radius, place_of_site];
+            assert_eq!(row[2..6], values.map(str::to_owned));
+            assert_eq!(row[6..], expected[1 + case][2..], "{string} {case}");
+        }
+    }
+}
+
+/// The impulse goes with its site, and the wall stays where it is.
+#[test]
+fn a_site_that_moves_takes_its_impulse_along() {
+    let lateral = |distance: &str| {
+        let text = with(
+            &small_with_design(""),
+            "[[string.sections]]",
+            "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n\n\
+             [[string.sections]]",
+        );
+        let text = with(&text, "[bit]\nrock = \"sandstone\"\n", "");
+        with(
+            &text,
+            "distance_from_bit_m = 50",
+            &format!("distance_from_bit_m = {distance}"),
+        ) + &format!(
+            "[wall]\nclearance_mm = 15\nstiffness_gn_m15 = 1\nfriction = 0.5\n\n\
+                 [[impulses]]\ndistance_from_bit_m = {distance}\nratio = 3\n"
+        )
+    };
+    let place = Workplace::new();
+    let axes = "\n[design]\nkind = \"grid\"\n[design.axes]\n\
+                site_0_distance_from_bit_m = { values = [0, 20] }\n";
+    place.write("axes.toml", lateral("50") + axes);
+    run(&place, "axes.toml", "axes");
+    let found = table(&text(&place, "axes/labels.csv"));
+    for (case, distance) in ["0", "20"].into_iter().enumerate() {
+        place.write("one.toml", lateral(distance));
+        run(&place, "one.toml", distance);
+        let expected = table(&text(&place, &format!("{distance}/labels.csv")));
+        assert_eq!(found[1 + case][3..], expected[1][2..]);
+        assert_ne!(expected[1][3], "no_contact");
+    }
+    assert_ne!(found[1][4..], found[2][4..]);
 }

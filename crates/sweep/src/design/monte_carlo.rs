@@ -75,6 +75,10 @@ impl Range {
         else {
             return Err(source.error(&key, "a Monte Carlo axis has `from` and `to`"));
         };
+        if axis.is_counted() {
+            let message = "is counted in whole numbers: make it an axis of a grid or a list";
+            return Err(source.error(&key, message));
+        }
         check_axis_value(source, &format!("{key}.from"), axis, from)?;
         check_axis_value(source, &format!("{key}.to"), axis, to)?;
         range.check_ends(source, &key, from, to)?;

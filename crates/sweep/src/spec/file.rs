@@ -351,6 +351,11 @@ impl Axis {
         }
     }
 
+    /// Whether only whole numbers make sense.
+    pub(crate) fn is_counted(self) -> bool {
+        matches!(self, Axis::String(axis) if axis.is_counted())
+    }
+
     /// The symbol and, where it has one, the unit.
     pub fn symbol(self) -> String {
         match self {
