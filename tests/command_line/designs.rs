@@ -137,7 +137,7 @@ fn a_list_is_looked_for_beside_the_file_that_names_it() {
 fn an_axis_of_the_string_is_as_if_the_file_said_it() {
     let axes = "[design.axes]\n\
          torsional_damping_nms_rad_m = { values = [10, 30] }\n\
-         section_0_repeat = { values = [8, 10] }\n\
+         section_0_repeat = { from = 8, to = 10, count = 2 }\n\
          section_0_part_1_outer_radius_m = { values = [0.14, 0.15] }\n\
          site_0_distance_from_bit_m = { values = [20, 50] }\n";
     let place = Workplace::with_small(&with(SMALL, "[design.axes]\n", axes).replace(

@@ -55,6 +55,16 @@ impl Grid {
     }
 }
 
+/// A whole number that rounding has missed.
+fn snapped(value: f64) -> f64 {
+    let whole = value.round();
+    if (value - whole).abs() < 1e-9 * whole.abs() {
+        whole
+    } else {
+        value
+    }
+}
+
 fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64>, SpecError> {
     let key = format!("design.axes.{}", axis.name());
     let values = match (&range.values, range.from, range.to, range.count) {
@@ -70,6 +80,7 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
             let last = count.saturating_sub(1).max(1) as f64;
             (0..count)
                 .map(|step| range.spacing.between(from, to, step as f64 / last))
+                .map(|value| if axis.is_counted() { snapped(value) } else { value })
                 .collect()
         }
         _ => {
