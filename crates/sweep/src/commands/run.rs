@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 
 use super::folder::{Found, LOG, look};
 use super::stop::Stop;
@@ -80,8 +80,9 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
             folder.display()
         )
     };
-    worked.with_context(so_far)?;
-    kept.with_context(so_far)?;
+    let with_so_far = |error: anyhow::Error| anyhow!("{error:#}; {}", so_far());
+    worked.map_err(with_so_far)?;
+    kept.map_err(|error| with_so_far(error.into()))?;
     if log.count() < total
         && let Some(status) = stop.status()
     {
@@ -93,7 +94,7 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
             arguments, &sweep, shard, &systems, &limit, &log, &folder, start,
         )
     };
-    finish().with_context(so_far)
+    finish().map_err(with_so_far)
 }
 
 /// Says what is worth knowing before the work.

@@ -80,7 +80,13 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
             let last = count.saturating_sub(1).max(1) as f64;
             (0..count)
                 .map(|step| range.spacing.between(from, to, step as f64 / last))
-                .map(|value| if axis.is_counted() { snapped(value) } else { value })
+                .map(|value| {
+                    if axis.is_counted() {
+                        snapped(value)
+                    } else {
+                        value
+                    }
+                })
                 .collect()
         }
         _ => {
