@@ -3,7 +3,7 @@
 
 use linear::{BendingResponses, TorsionResponses};
 
-use crate::history::Kernel;
+use crate::history::{History, Kernels};
 use crate::laws::bit::{BitMotion, BitTorque};
 use crate::laws::wall::{Approach, Contact, Touch};
 use crate::regime::BitWatch;
@@ -23,12 +23,11 @@ const MOST_TURNS: usize = 200;
 /// Every site has a torque input, for friction turns the string.
 #[derive(Debug, Clone)]
 pub struct LateralSystem {
+    sites: usize,
     step_length: f64,
     surface_step: Vec<Vec<f64>>,
-    /// `[site][input]`.
-    from_torque: Vec<Vec<Kernel>>,
-    /// `[site][input]`.
-    from_force: Vec<Vec<Kernel>>,
+    from_torque: Kernels,
+    from_force: Kernels,
 }
 
 impl LateralSystem {
@@ -48,34 +47,39 @@ impl LateralSystem {
         if !all_inputs || !alike {
             return Err(SimulationError::UnlikeParts);
         }
-        let kernels = |responses: &[Vec<Vec<f64>>]| -> Vec<Vec<Kernel>> {
-            responses
-                .iter()
-                .map(|inputs| inputs.iter().map(|taps| Kernel::new(taps)).collect())
-                .collect()
-        };
         Ok(Self {
+            sites,
             step_length: 1.0 / torsion.sampling_frequency,
             surface_step: surface_steps(torsion),
-            from_torque: kernels(&torsion.from_torque),
-            from_force: kernels(&bending.from_force),
+            from_torque: Kernels::new(&torsion.from_torque),
+            from_force: Kernels::new(&bending.from_force),
         })
     }
 }
 
-/// What the sites have done so far.
+/// What the sites have done so far, and buffers for a step.
 struct Run<'a> {
     system: &'a LateralSystem,
     scene: &'a Scene,
     lateral: &'a Lateral,
-    /// Inputs of each site, one entry a step.
-    torques: Vec<Vec<f64>>,
-    forces: [Vec<Vec<f64>>; 2],
+    /// Torques at the sites.
+    torques: History<'a>,
+    /// Forces at the sites, along x and along y.
+    forces: History<'a>,
     /// The last step's state.
     positions: Vec<[f64; 2]>,
-    speeds: Vec<f64>,
     rotations: Vec<f64>,
     bit_motion: BitMotion,
+    /// This step without contact: forces of disturbances, x of all sites and then
+    /// y; speeds; displacements, x of all sites and then y.
+    external: Vec<f64>,
+    free_speeds: Vec<f64>,
+    free_positions: Vec<f64>,
+    /// This step: loads of every site, force and torque; inputs of both histories.
+    loads: Vec<([f64; 2], f64)>,
+    step_torques: Vec<f64>,
+    step_forces: Vec<f64>,
+    now: Step,
 }
 
 /// One step of all sites.
@@ -98,7 +102,7 @@ pub fn simulate_lateral(
     let Some(lateral) = &scene.lateral else {
         return Err(SimulationError::UnlikeParts);
     };
-    let sites = system.from_force.len();
+    let sites = system.sites;
     if lateral.walls.len() != sites {
         return Err(SimulationError::UnlikeParts);
     }
@@ -121,15 +125,15 @@ pub fn simulate_lateral(
         }
         wall_watch.see(&now.contacts);
         if let Some(record) = record.as_deref_mut() {
-            record.push(
-                &now.speeds,
-                &now.contacts,
-                now.bit.map(|(_, torque)| torque),
-            );
+            let torque = now.bit.map(|(_, torque)| torque);
+            record.push(&now.speeds, &now.contacts, torque);
         }
     }
     if let Some(record) = record {
-        record.forces = run.forces;
+        record.forces = std::array::from_fn(|axis| {
+            let forces = |site| run.forces.inputs(axis, site).to_vec();
+            (0..sites).map(forces).collect()
+        });
     }
     Ok(Outcome {
         simulated: (steps - 1) as f64 * system.step_length,
@@ -145,112 +149,103 @@ impl<'a> Run<'a> {
         lateral: &'a Lateral,
         steps: usize,
     ) -> Self {
-        let sites = system.from_force.len();
-        let inputs = || vec![Vec::with_capacity(steps); sites];
+        let sites = system.sites;
         Self {
             system,
             scene,
             lateral,
-            torques: inputs(),
-            forces: [inputs(), inputs()],
+            torques: History::new(&system.from_torque, 1, steps),
+            forces: History::new(&system.from_force, 2, steps),
             positions: vec![[0.0; 2]; sites],
-            speeds: vec![0.0; sites],
             rotations: vec![0.0; sites],
             bit_motion: BitMotion::Stuck,
+            external: vec![0.0; 2 * sites],
+            free_speeds: vec![0.0; sites],
+            free_positions: vec![0.0; 2 * sites],
+            loads: vec![([0.0; 2], 0.0); sites],
+            step_torques: vec![0.0; sites],
+            step_forces: vec![0.0; 2 * sites],
+            now: Step {
+                contacts: vec![Contact::NONE; sites],
+                speeds: vec![0.0; sites],
+                bit: None,
+            },
         }
     }
 
-    fn step(&mut self, step: usize) -> Result<Step, SimulationError> {
-        let sites = self.positions.len();
+    fn step(&mut self, step: usize) -> Result<&Step, SimulationError> {
+        let sites = self.system.sites;
         let time = step as f64 * self.system.step_length;
-        let external = self.external_forces(time);
-        let free_speeds: Vec<f64> = (0..sites).map(|site| self.free_speed(site, step)).collect();
-        let free_positions: Vec<[f64; 2]> = (0..sites)
-            .map(|site| self.free_position(site, &external))
-            .collect();
-        let now = self.meet(&free_speeds, &free_positions, time)?;
+        self.find_external_forces(time);
+        self.find_free_motion(step);
+        self.meet(time)?;
         for site in 0..sites {
-            let contact = &now.contacts[site];
-            let bit_torque = now
-                .bit
+            let contact = &self.now.contacts[site];
+            let bit_torque = (self.now.bit)
                 .filter(|_| site == sites - 1)
                 .map_or(0.0, |bit| bit.1);
-            self.torques[site].push(contact.torque + bit_torque);
+            self.step_torques[site] = contact.torque + bit_torque;
             for axis in 0..2 {
-                self.forces[axis][site].push(external[site][axis] + contact.force[axis]);
+                let place = axis * sites + site;
+                self.step_forces[place] = self.external[place] + contact.force[axis];
             }
             self.positions[site] = contact.position;
-            self.speeds[site] = now.speeds[site];
-            self.rotations[site] += now.speeds[site] * self.system.step_length;
+            self.rotations[site] += self.now.speeds[site] * self.system.step_length;
         }
-        if let Some((motion, _)) = now.bit {
+        self.torques.push(&self.step_torques);
+        self.forces.push(&self.step_forces);
+        if let Some((motion, _)) = self.now.bit {
             self.bit_motion = motion;
         }
-        Ok(now)
+        Ok(&self.now)
     }
 
     /// Disturbances of this step; an eccentric mass pulls as the last step
     /// left it.
-    fn external_forces(&self, time: f64) -> Vec<[f64; 2]> {
-        let mut forces = vec![[0.0; 2]; self.positions.len()];
+    fn find_external_forces(&mut self, time: f64) {
+        let sites = self.system.sites;
+        self.external.fill(0.0);
         let mut add = |site: usize, [x, y]: [f64; 2]| {
-            forces[site][0] += x;
-            forces[site][1] += y;
+            self.external[site] += x;
+            self.external[sites + site] += y;
         };
         for impulse in &self.lateral.impulses {
             add(impulse.site, impulse.force(time));
         }
         for mass in &self.lateral.eccentric_masses {
             let [x, y] = self.positions[mass.site];
-            let (rotation, speed) = (self.rotations[mass.site], self.speeds[mass.site]);
+            let (rotation, speed) = (self.rotations[mass.site], self.now.speeds[mass.site]);
             add(mass.site, mass.force(x.hypot(y), rotation, speed));
         }
-        forces
     }
 
-    fn free_speed(&self, site: usize, step: usize) -> f64 {
-        let surface = &self.system.surface_step[site];
-        let from_surface = self.scene.surface_speed * surface[step.min(surface.len() - 1)];
-        let kernels = self.system.from_torque[site].iter().zip(&self.torques);
-        from_surface
-            + kernels
-                .map(|(kernel, torques)| kernel.past_sum(torques))
-                .sum::<f64>()
-    }
-
-    fn free_position(&self, site: usize, external: &[[f64; 2]]) -> [f64; 2] {
-        std::array::from_fn(|axis| {
-            let kernels = self.system.from_force[site].iter().zip(&self.forces[axis]);
-            let past: f64 = kernels
-                .map(|(kernel, forces)| kernel.past_sum(forces))
-                .sum();
-            let now: f64 = (self.system.from_force[site].iter())
-                .zip(external)
-                .map(|(kernel, force)| kernel.instant() * force[axis])
-                .sum();
-            past + now
-        })
+    /// Speeds and displacements of this step if nothing touched.
+    fn find_free_motion(&mut self, step: usize) {
+        let sites = self.system.sites;
+        self.torques.past(&mut self.free_speeds);
+        for (speed, surface) in self.free_speeds.iter_mut().zip(&self.system.surface_step) {
+            *speed += self.scene.surface_speed * surface[step.min(surface.len() - 1)];
+        }
+        self.forces.past(&mut self.free_positions);
+        for (place, position) in self.free_positions.iter_mut().enumerate() {
+            let (axis, site) = (place / sites, place % sites);
+            for input in 0..sites {
+                let force = self.external[axis * sites + input];
+                *position += self.system.from_force.instant(site, input) * force;
+            }
+        }
     }
 
     /// All sites at once: in turn, each with the others' latest loads, until
     /// none changes.
-    fn meet(
-        &self,
-        free_speeds: &[f64],
-        free_positions: &[[f64; 2]],
-        time: f64,
-    ) -> Result<Step, SimulationError> {
-        let sites = free_speeds.len();
-        let mut loads = vec![([0.0; 2], 0.0); sites];
-        let mut contacts: Vec<Option<Contact>> = vec![None; sites];
-        let mut speeds = vec![0.0; sites];
-        let mut bit = None;
+    fn meet(&mut self, time: f64) -> Result<(), SimulationError> {
+        let sites = self.system.sites;
+        self.loads.fill(([0.0; 2], 0.0));
         for _ in 0..MOST_TURNS {
             let mut largest: f64 = 0.0;
             let mut change: f64 = 0.0;
             for site in 0..sites {
-                let (contact, speed, torque) =
-                    self.meet_one(site, free_speeds, free_positions, &loads);
+                let (contact, speed, torque) = self.meet_one(site);
                 if !(speed.is_finite() && contact.normal_force.is_finite()) {
                     return Err(SimulationError::NotFinite { time });
                 }
@@ -258,22 +253,18 @@ impl<'a> Run<'a> {
                     contact.force,
                     contact.torque + torque.map_or(0.0, |bit| bit.1),
                 );
-                let before: ([f64; 2], f64) = loads[site];
+                let before = self.loads[site];
                 largest = largest.max(contact.normal_force);
                 change = change
                     .max((load.0[0] - before.0[0]).abs())
                     .max((load.0[1] - before.0[1]).abs());
-                loads[site] = load;
-                contacts[site] = Some(contact);
-                speeds[site] = speed;
-                bit = torque.or(bit);
+                self.loads[site] = load;
+                self.now.contacts[site] = contact;
+                self.now.speeds[site] = speed;
+                self.now.bit = torque;
             }
             if sites == 1 || change <= COUPLING_TOLERANCE * largest {
-                return Ok(Step {
-                    contacts: contacts.into_iter().flatten().collect(),
-                    speeds,
-                    bit,
-                });
+                return Ok(());
             }
         }
         Err(SimulationError::NotSettled { time })
@@ -281,33 +272,28 @@ impl<'a> Run<'a> {
 
     /// One site, the loads of the others given: its contact, its speed, and
     /// what the bit does if it is the bit.
-    fn meet_one(
-        &self,
-        site: usize,
-        free_speeds: &[f64],
-        free_positions: &[[f64; 2]],
-        loads: &[([f64; 2], f64)],
-    ) -> (Contact, f64, Option<(BitMotion, f64)>) {
-        let mut free_speed = free_speeds[site];
-        let mut free_position = free_positions[site];
-        for (other, (force, torque)) in loads.iter().enumerate() {
+    fn meet_one(&self, site: usize) -> (Contact, f64, Option<(BitMotion, f64)>) {
+        let (system, sites) = (self.system, self.system.sites);
+        let mut free_speed = self.free_speeds[site];
+        let mut free_position = [0, 1].map(|axis| self.free_positions[axis * sites + site]);
+        for (other, (force, torque)) in self.loads.iter().enumerate() {
             if other != site {
-                let compliance = self.system.from_force[site][other].instant();
+                let compliance = system.from_force.instant(site, other);
                 free_position[0] += compliance * force[0];
                 free_position[1] += compliance * force[1];
-                free_speed += self.system.from_torque[site][other].instant() * torque;
+                free_speed += system.from_torque.instant(site, other) * torque;
             }
         }
-        let torsional_compliance = self.system.from_torque[site][site].instant();
-        let is_bit = site + 1 == free_speeds.len();
+        let torsional_compliance = system.from_torque.instant(site, site);
+        let is_bit = site + 1 == sites;
         let law: Option<BitTorque> = self.scene.bit.filter(|_| is_bit);
         let contact = self.lateral.walls[site].meet(&Approach {
             free_position,
             previous_position: self.positions[site],
             free_speed,
-            compliance: self.system.from_force[site][site].instant(),
+            compliance: system.from_force.instant(site, site),
             torsional_compliance,
-            sampling_frequency: 1.0 / self.system.step_length,
+            sampling_frequency: 1.0 / system.step_length,
             bit: law.map(|law| (law, self.bit_motion)),
         });
         let turned = free_speed + torsional_compliance * contact.torque;

@@ -3,7 +3,7 @@
 use linear::TorsionResponses;
 use thiserror::Error;
 
-use crate::history::Kernel;
+use crate::history::{History, Kernel, Kernels};
 use crate::laws::bit::{BitMotion, BitTorque};
 use crate::regime::{BitWatch, TorsionMeasures};
 use crate::scene::Scene;
@@ -47,6 +47,7 @@ pub struct System {
 #[derive(Debug, Clone)]
 struct BitInput {
     site: usize,
+    to_itself: Kernels,
     to_sites: Vec<Kernel>,
 }
 
@@ -57,6 +58,7 @@ impl System {
     pub fn new(responses: &TorsionResponses) -> Self {
         let bit = responses.torque_inputs.first().map(|&site| BitInput {
             site,
+            to_itself: Kernels::new(&[vec![responses.from_torque[site][0].clone()]]),
             to_sites: responses
                 .from_torque
                 .iter()
@@ -157,22 +159,23 @@ fn step_bit(
             ..Trajectory::default()
         };
     }
-    let kernel = &input.to_sites[input.site];
-    let mut torques = Vec::with_capacity(steps);
+    let compliance = input.to_itself.instant(0, 0);
+    let mut torques = History::new(&input.to_itself, 1, steps);
     let mut watch = BitWatch::new(system.step_length, steps, scene.timing.closing_window);
     // The first instant is stuck.
     let mut motion = BitMotion::Stuck;
     for step in 0..steps {
         let from_surface = scene.surface_speed * system.surface_response(input.site, step);
-        let free_speed = from_surface + kernel.past_sum(&torques);
-        let now = law.meet(motion, free_speed, kernel.instant());
+        let mut past = [0.0];
+        torques.past(&mut past);
+        let now = law.meet(motion, from_surface + past[0], compliance);
         if !now.torque.is_finite() {
             return Err(SimulationError::NotFinite {
                 time: step as f64 * system.step_length,
             });
         }
         motion = now.motion;
-        torques.push(now.torque);
+        torques.push(&[now.torque]);
         watch.see(motion, now.speed);
         if let Some(record) = record.as_deref_mut() {
             record.speeds[input.site][step] = now.speed;

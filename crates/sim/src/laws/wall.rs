@@ -72,15 +72,25 @@ pub struct Contact {
     pub ambiguous: bool,
 }
 
+impl Contact {
+    /// At rest in the middle.
+    pub const NONE: Contact = Contact {
+        touch: Touch::Free,
+        position: [0.0; 2],
+        force: [0.0; 2],
+        normal_force: 0.0,
+        friction_ratio: 0.0,
+        torque: 0.0,
+        ambiguous: false,
+    };
+}
+
 /// Rolling is solved to this fraction of the friction coefficient.
 const RATIO_TOLERANCE: f64 = 1e-15;
 
 /// A step that carries the free position further than this many clearances may
 /// turn the centre so far that several friction ratios solve it.
 const FAR: f64 = 1.1;
-
-/// Friction ratios tried where several may solve a step.
-const SEARCHED: usize = 64;
 
 impl Wall {
     /// Solves one step at one site.
@@ -89,13 +99,8 @@ impl Wall {
         let distance = x.hypot(y);
         if distance <= self.clearance {
             return Contact {
-                touch: Touch::Free,
                 position: approach.free_position,
-                force: [0.0; 2],
-                normal_force: 0.0,
-                friction_ratio: 0.0,
-                torque: 0.0,
-                ambiguous: false,
+                ..Contact::NONE
             };
         }
         let press = Press {
@@ -129,9 +134,14 @@ struct Trial {
 }
 
 impl Press<'_> {
-    /// Sliding one way, sliding the other, or rolling between.
+    /// Rolling, or sliding one way or the other.
     fn solve(&self) -> Contact {
         let friction = self.wall.friction;
+        if self.approach.bit.is_none()
+            && let [Some(rolling), _] = self.rolling()
+        {
+            return self.contact(rolling, Touch::Rolling, false);
+        }
         let forward = self.trial(-friction);
         if forward.sliding_speed >= 0.0 {
             return self.contact(forward, Touch::Sliding, false);
@@ -140,40 +150,99 @@ impl Press<'_> {
         if backward.sliding_speed <= 0.0 {
             return self.contact(backward, Touch::Sliding, false);
         }
+        // A torque law at the same site, or a contact between rolling and
+        // sliding to the last digit.
         self.contact(self.roll(forward, backward), Touch::Rolling, false)
     }
 
-    /// All solutions on a fine grid of friction ratios; the one that turns the
-    /// centre least is taken.
+    /// All solutions; the one that turns the centre least is taken.
     fn search(&self) -> Contact {
         let friction = self.wall.friction;
-        let trials: Vec<Trial> = (0..=SEARCHED)
-            .map(|index| self.trial(friction * (2.0 * index as f64 / SEARCHED as f64 - 1.0)))
-            .collect();
-        let mut found = Vec::new();
-        if trials[0].sliding_speed >= 0.0 {
-            found.push((trials[0], Touch::Sliding));
-        }
-        if trials[SEARCHED].sliding_speed <= 0.0 {
-            found.push((trials[SEARCHED], Touch::Sliding));
-        }
-        for pair in trials.windows(2) {
-            let (low, high) = (pair[0].sliding_speed, pair[1].sliding_speed);
-            if low < 0.0 && high > 0.0 || low > 0.0 && high < 0.0 {
-                found.push((self.roll(pair[0], pair[1]), Touch::Rolling));
+        let mut found = [None; 4];
+        let (forward, backward) = (self.trial(-friction), self.trial(friction));
+        found[0] = Some((forward, Touch::Sliding)).filter(|_| forward.sliding_speed >= 0.0);
+        found[1] = Some((backward, Touch::Sliding)).filter(|_| backward.sliding_speed <= 0.0);
+        if self.approach.bit.is_none() {
+            for (found, rolling) in found[2..].iter_mut().zip(self.rolling()) {
+                *found = rolling.map(|trial| (trial, Touch::Rolling));
             }
+        } else if forward.sliding_speed < 0.0 && backward.sliding_speed > 0.0 {
+            found[2] = Some((self.roll(forward, backward), Touch::Rolling));
         }
-        let ambiguous = found.len() > 1;
+        let ambiguous = found.iter().flatten().count() > 1;
         let [x, y] = self.approach.previous_position;
         let along = |trial: &Trial| trial.direction[0] * x + trial.direction[1] * y;
-        let nearest = found
-            .into_iter()
-            .max_by(|a, b| along(&a.0).total_cmp(&along(&b.0)));
+        let nearest = (found.into_iter().flatten())
+            .max_by(|one, other| along(&one.0).total_cmp(&along(&other.0)));
         match nearest {
             Some((trial, touch)) => self.contact(trial, touch, ambiguous),
-            // A sliding speed of exactly zero at a grid point only.
-            None => self.solve(),
+            // A contact between rolling and sliding to the last digit.
+            None => self.contact(self.roll(forward, backward), Touch::Rolling, false),
         }
+    }
+
+    /// The contacts that roll, friction allowing. The first is the one at which
+    /// the sliding speed increases with friction.
+    ///
+    /// Across e_r the load line leaves αF_N = −p_h·e_θ/h₀, so that the sliding
+    /// speed R₀(θ̇_h + g₀R₀αF_N) − f_s p_prev·e_θ is linear in e_θ: it vanishes
+    /// where w·e_θ = R₀θ̇_h for w = (R₀²g₀/h₀) p_h + f_s p_prev.
+    fn rolling(&self) -> [Option<Trial>; 2] {
+        let approach = self.approach;
+        let turning =
+            self.wall.radius.powi(2) * approach.torsional_compliance / approach.compliance;
+        let [wx, wy]: [f64; 2] = std::array::from_fn(|axis| {
+            turning * approach.free_position[axis]
+                + approach.sampling_frequency * approach.previous_position[axis]
+        });
+        let length = wx.hypot(wy);
+        let sine = self.wall.radius * approach.free_speed / length;
+        // No length or no number: nothing rolls.
+        if !(sine.abs() <= 1.0) {
+            return [None, None];
+        }
+        // e_θ at the angle of w plus a right angle minus asin, or plus it.
+        let cosine = (1.0 - sine * sine).sqrt();
+        [cosine, -cosine].map(|cosine| {
+            // e_r has the angle ψ_w − asin(sine).
+            let direction = [
+                (wx * cosine + wy * sine) / length,
+                (wy * cosine - wx * sine) / length,
+            ];
+            self.rolling_along(direction)
+        })
+    }
+
+    /// The contact that rolls at a direction e_r, if it presses and friction
+    /// holds it.
+    fn rolling_along(&self, [cos, sin]: [f64; 2]) -> Option<Trial> {
+        let [x, y] = self.approach.free_position;
+        let gap = x * cos + y * sin - self.wall.clearance;
+        if gap <= 0.0 {
+            return None;
+        }
+        let compliance = self.approach.compliance;
+        let (normal_force, depth) = if self.wall.stiffness.is_infinite() {
+            (gap / compliance, 0.0)
+        } else {
+            // δ + h₀k_c δ^(3/2) = gap, in √δ.
+            let steepness = compliance * self.wall.stiffness;
+            let root = newton_from_above(start_from_above(gap, steepness), |root| {
+                let value = root * root * (1.0 + steepness * root) - gap;
+                let slope = root * (2.0 + 3.0 * steepness * root);
+                (value, slope)
+            });
+            (self.wall.stiffness * root.powi(3), root * root)
+        };
+        let friction = (x * sin - y * cos) / compliance;
+        let holds = friction.abs() <= self.wall.friction * normal_force;
+        holds.then_some(Trial {
+            ratio: friction / normal_force,
+            normal_force,
+            radius: self.wall.clearance + depth,
+            direction: [cos, sin],
+            sliding_speed: 0.0,
+        })
     }
 
     /// The root of the sliding speed between two trials of opposite signs:
@@ -203,8 +272,8 @@ impl Press<'_> {
 
     /// Position, forces and sliding speed for one friction ratio.
     fn trial(&self, ratio: f64) -> Trial {
-        let normal_force = self.normal_force(ratio);
-        let radius = self.wall.clearance + self.depth(normal_force);
+        let (normal_force, depth) = self.press(ratio);
+        let radius = self.wall.clearance + depth;
         let compliance = self.approach.compliance;
         // p_h in the frame (e_r, e_θ) gives the direction of e_r.
         let along = radius + compliance * normal_force;
@@ -234,39 +303,31 @@ impl Press<'_> {
         }
     }
 
-    fn depth(&self, normal_force: f64) -> f64 {
-        (normal_force / self.wall.stiffness).powf(2.0 / 3.0)
-    }
-
-    /// F_N from (c + δ + h₀F_N)² + (h₀αF_N)² = |p_h|² and F_N = k_c δ^(3/2).
-    fn normal_force(&self, ratio: f64) -> f64 {
+    /// F_N and δ from (c + δ + h₀F_N)² + (h₀αF_N)² = |p_h|² and F_N = k_c δ^(3/2).
+    fn press(&self, ratio: f64) -> (f64, f64) {
         let (clearance, compliance) = (self.wall.clearance, self.approach.compliance);
-        // The rigid wall, a quadratic, in the form that loses no digits.
         let gap = (self.distance - clearance) * (self.distance + clearance);
-        let spread = 1.0 + ratio * ratio;
-        let rigid =
-            gap / (compliance * (clearance + (clearance * clearance + spread * gap).sqrt()));
         let stiffness = self.wall.stiffness;
         if stiffness.is_infinite() {
-            return rigid;
+            // A quadratic, in the form that loses no digits.
+            let spread = 1.0 + ratio * ratio;
+            let root = (clearance * clearance + spread * gap).sqrt();
+            return (gap / (compliance * (clearance + root)), 0.0);
         }
-        // Convex and increasing in δ, so Newton from above never overshoots.
-        let mut depth = self.depth(rigid).min(self.distance - clearance);
-        loop {
-            let root = depth.sqrt();
-            let force = compliance * stiffness * depth * root;
-            let force_slope = 1.5 * compliance * stiffness * root;
+        let steepness = compliance * stiffness;
+        let start = start_from_above(self.distance - clearance, steepness);
+        let root = newton_from_above(start, |root| {
+            let depth = root * root;
+            let force = steepness * depth * root;
+            let force_slope = 3.0 * steepness * depth;
             // |p_h|² − c² is known exactly; so is what δ adds to c².
             let along = depth + force;
             let value = along * (2.0 * clearance + along) + (ratio * force).powi(2) - gap;
-            let slope = 2.0 * (clearance + along) * (1.0 + force_slope)
+            let slope = 2.0 * (clearance + along) * (2.0 * root + force_slope)
                 + 2.0 * ratio * ratio * force * force_slope;
-            let next = depth - value / slope;
-            if next >= depth || next <= 0.0 {
-                return stiffness * depth * root;
-            }
-            depth = next;
-        }
+            (value, slope)
+        });
+        (stiffness * root.powi(3), root * root)
     }
 
     fn contact(&self, trial: Trial, touch: Touch, ambiguous: bool) -> Contact {
@@ -284,6 +345,31 @@ impl Press<'_> {
             torque: self.wall.radius * friction,
             ambiguous,
         }
+    }
+}
+
+/// No less than the root of s² + a s³ = gap.
+fn start_from_above(gap: f64, steepness: f64) -> f64 {
+    let soft = gap.sqrt();
+    if steepness * soft < 1.0 {
+        soft
+    } else {
+        soft.min((gap / steepness).cbrt() * (1.0 + f64::EPSILON))
+    }
+}
+
+/// The root of a convex, increasing function below a starting point above it:
+/// Newton's steps never overshoot, and end where rounding stops them.
+fn newton_from_above(start: f64, value_and_slope: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let mut root = start;
+    loop {
+        let (value, slope) = value_and_slope(root);
+        let next = root - value / slope;
+        // Not a number ends it too.
+        if !(next < root && next > 0.0) {
+            return root;
+        }
+        root = next;
     }
 }
 

@@ -1,7 +1,4 @@
-//! The sum over past inputs (Eq. 17): the work of a simulation.
-//!
-//! A [`Kernel`] is made once from a response and shared by all cases; a case
-//! keeps its inputs.
+//! The sum as it is written, term by term.
 
 /// Taps prepared for summing, shared by every case.
 #[derive(Debug, Clone)]

@@ -1,0 +1,483 @@
+//! The sum over the past by blocks, each as a product of spectra, without
+//! delay: convolution in nested partitions.
+//!
+//! Time is cut into blocks of B₀ steps, eight of which make a block of the next
+//! level, and so on. Where a block of some level ends (of the highest, where
+//! several do), its inputs are transformed once, and what they and the earlier
+//! ones of the same larger block add to the *next* block of that level is
+//! computed at once. What is left at each step is the sum over the inputs of the
+//! present block of B₀. With a kernel of n taps and n steps the work grows as
+//! n log n.
+//!
+//! A transform of 2B samples of zero-padded input, times that of the taps
+//! (q − 1)B … (q + 1)B − 1, holds in its second half what the block q blocks ago
+//! adds to the present one. Transforms are not normalised; the kernels carry the
+//! factor 1/2B. Blocks without any input, which is most of the life of a site that
+//! does not touch, are neither transformed nor multiplied.
+
+use std::sync::Arc;
+
+use pulp::Arch;
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+
+/// Steps whose inputs are summed one by one.
+const FIRST_BLOCK: usize = 32;
+
+/// Blocks of a level in one of the next.
+const RATIO: usize = 8;
+
+/// A level is worth its transforms if the kernel has this many of its blocks.
+const LEAST_BLOCKS: usize = 4;
+
+/// Responses between the sites prepared for summing, shared by all cases.
+#[derive(Debug, Clone)]
+pub struct Kernels {
+    sites: usize,
+    /// A(0), `[output × sites + input]`.
+    instants: Vec<f64>,
+    /// Taps B₀ − 1 … 1 of each pair, the latest first.
+    recent: Vec<Vec<f64>>,
+    levels: Vec<Level>,
+    arch: Arch,
+}
+
+/// The kernels cut into blocks of one length.
+#[derive(Clone)]
+struct Level {
+    block: usize,
+    partitions: usize,
+    /// Of each pair and partition, block + 1 real parts, then the imaginary
+    /// ones.
+    spectra: Vec<f64>,
+    forward: Arc<dyn RealToComplex<f64>>,
+    inverse: Arc<dyn ComplexToReal<f64>>,
+}
+
+impl std::fmt::Debug for Level {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Level")
+            .field("block", &self.block)
+            .field("partitions", &self.partitions)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Level {
+    /// Length of one spectrum, real and imaginary parts.
+    fn stride(&self) -> usize {
+        2 * (self.block + 1)
+    }
+
+    fn new(taps: &[&[f64]], block: usize, partitions: usize) -> Self {
+        let mut planner = RealFftPlanner::new();
+        let forward = planner.plan_fft_forward(2 * block);
+        let inverse = planner.plan_fft_inverse(2 * block);
+        let mut level = Self {
+            block,
+            partitions,
+            spectra: Vec::new(),
+            forward,
+            inverse,
+        };
+        let mut window = level.forward.make_input_vec();
+        let mut spectrum = level.forward.make_output_vec();
+        let mut scratch = level.forward.make_scratch_vec();
+        level.spectra = vec![0.0; taps.len() * partitions * level.stride()];
+        let parts = level.spectra.chunks_exact_mut(2 * (block + 1));
+        for (index, part) in parts.enumerate() {
+            let (pair, partition) = (taps[index / partitions], index % partitions);
+            for (lag, value) in window.iter_mut().enumerate() {
+                let tap = pair.get(partition * block + lag).copied().unwrap_or(0.0);
+                *value = tap / (2 * block) as f64;
+            }
+            transform(&*level.forward, &mut window, &mut spectrum, &mut scratch);
+            split(&spectrum, part);
+        }
+        level
+    }
+}
+
+fn transform(
+    plan: &dyn RealToComplex<f64>,
+    signal: &mut [f64],
+    spectrum: &mut [Complex<f64>],
+    scratch: &mut [Complex<f64>],
+) {
+    plan.process_with_scratch(signal, spectrum, scratch)
+        .expect("all buffers were made by the plan");
+}
+
+/// Real parts first, for products without shuffling.
+fn split(spectrum: &[Complex<f64>], parts: &mut [f64]) {
+    let (real, imaginary) = parts.split_at_mut(spectrum.len());
+    for ((value, real), imaginary) in spectrum.iter().zip(real).zip(imaginary) {
+        (*real, *imaginary) = (value.re, value.im);
+    }
+}
+
+impl Kernels {
+    /// Prepares `taps[output][input]`, a square of responses.
+    pub fn new(taps: &[Vec<Vec<f64>>]) -> Self {
+        let pairs: Vec<&[f64]> = taps.iter().flatten().map(Vec::as_slice).collect();
+        let longest = pairs.iter().map(|taps| taps.len()).max().unwrap_or(0);
+        let mut levels = Vec::new();
+        let mut block = FIRST_BLOCK;
+        loop {
+            let is_last = RATIO * LEAST_BLOCKS * block > longest;
+            let partitions = if is_last {
+                longest.div_ceil(block).max(1)
+            } else {
+                RATIO - 1
+            };
+            levels.push(Level::new(&pairs, block, partitions));
+            if is_last {
+                break;
+            }
+            block *= RATIO;
+        }
+        let tap = |taps: &[f64], lag: usize| taps.get(lag).copied().unwrap_or(0.0);
+        Self {
+            sites: taps.len(),
+            instants: pairs.iter().map(|taps| tap(taps, 0)).collect(),
+            recent: (pairs.iter())
+                .map(|taps| (1..FIRST_BLOCK).rev().map(|lag| tap(taps, lag)).collect())
+                .collect(),
+            levels,
+            arch: Arch::new(),
+        }
+    }
+
+    /// A(0): the response of a site within the step of an input at another.
+    pub fn instant(&self, output: usize, input: usize) -> f64 {
+        self.instants[output * self.sites + input]
+    }
+}
+
+/// The inputs of one case so far, in one plane or in two that share their
+/// kernels, and what they are going to add.
+#[derive(Debug)]
+pub struct History<'a> {
+    kernels: &'a Kernels,
+    planes: usize,
+    steps: usize,
+    /// Of each plane and site, all steps.
+    inputs: Vec<Vec<f64>>,
+    /// Of each plane and site, B₀ steps: what all earlier blocks add to the
+    /// present one.
+    known: Vec<f64>,
+    /// Whether a plane and site has had an input in the present block.
+    is_active: Vec<bool>,
+    levels: Vec<PastLevel>,
+    window: Vec<f64>,
+    spectrum: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
+    sums: Vec<f64>,
+}
+
+/// The past at one level, within the present block of the next.
+#[derive(Debug)]
+struct PastLevel {
+    /// Of each block, plane and site, its spectrum.
+    spectra: Vec<f64>,
+    /// Which of these are not zero.
+    is_active: Vec<bool>,
+    /// Blocks so far.
+    blocks: usize,
+    /// Of each plane and site, one block: what they add.
+    ready: Vec<f64>,
+}
+
+impl<'a> History<'a> {
+    /// The empty past of a case of at most so many steps.
+    pub fn new(kernels: &'a Kernels, planes: usize, steps: usize) -> Self {
+        let channels = planes * kernels.sites;
+        let last = kernels.levels.len() - 1;
+        let level = |(index, level): (usize, &Level)| {
+            let blocks = if index == last {
+                steps.div_ceil(level.block)
+            } else {
+                RATIO
+            };
+            PastLevel {
+                spectra: vec![0.0; blocks * channels * level.stride()],
+                is_active: vec![false; blocks * channels],
+                blocks: 0,
+                ready: vec![0.0; channels * level.block],
+            }
+        };
+        let largest = kernels.levels.iter().map(|level| level.block).max();
+        let largest = largest.unwrap_or(FIRST_BLOCK);
+        let scratch = kernels.levels.iter().map(|level| {
+            let forward = level.forward.get_scratch_len();
+            forward.max(level.inverse.get_scratch_len())
+        });
+        Self {
+            kernels,
+            planes,
+            steps: 0,
+            inputs: vec![Vec::with_capacity(steps); channels],
+            known: vec![0.0; channels * FIRST_BLOCK],
+            is_active: vec![false; channels],
+            levels: kernels.levels.iter().enumerate().map(level).collect(),
+            window: vec![0.0; 2 * largest],
+            spectrum: vec![Complex::default(); largest + 1],
+            scratch: vec![Complex::default(); scratch.max().unwrap_or(0)],
+            sums: vec![0.0; 2 * (largest + 1) * planes],
+        }
+    }
+
+    /// Writes Σ A(k − n) E(n) over the past, n < k, of every plane and site, in
+    /// this order, for the present step k.
+    pub fn past(&self, sums: &mut [f64]) {
+        let (kernels, sites) = (self.kernels, self.kernels.sites);
+        let within = self.steps % FIRST_BLOCK;
+        let start = self.steps - within;
+        kernels.arch.dispatch(|| {
+            for (channel, sum) in sums.iter_mut().enumerate() {
+                let (plane, output) = (channel / sites, channel % sites);
+                *sum = self.known[channel * FIRST_BLOCK + within];
+                for input in 0..sites {
+                    let channel = plane * sites + input;
+                    if self.is_active[channel] {
+                        let taps = &kernels.recent[output * sites + input];
+                        *sum += dot(&taps[taps.len() - within..], &self.inputs[channel][start..]);
+                    }
+                }
+            }
+        });
+    }
+
+    /// Ends the present step with the inputs of every plane and site.
+    pub fn push(&mut self, inputs: &[f64]) {
+        for (channel, &input) in inputs.iter().enumerate() {
+            self.inputs[channel].push(input);
+            self.is_active[channel] |= input != 0.0;
+        }
+        self.steps += 1;
+        if self.steps.is_multiple_of(FIRST_BLOCK) {
+            self.end_block();
+        }
+    }
+
+    /// All inputs of a plane and site so far.
+    pub fn inputs(&self, plane: usize, site: usize) -> &[f64] {
+        &self.inputs[plane * self.kernels.sites + site]
+    }
+
+    /// Computes what is known of the next block.
+    fn end_block(&mut self) {
+        let level = (self.kernels.levels.iter())
+            .rposition(|level| self.steps.is_multiple_of(level.block))
+            .unwrap_or(0);
+        for lower in &mut self.levels[..level] {
+            lower.blocks = 0;
+            lower.ready.fill(0.0);
+        }
+        self.transform_newest(level);
+        let kernels = self.kernels;
+        kernels.arch.dispatch(|| self.multiply(level));
+        self.is_active.fill(false);
+        for (channel, known) in self.known.chunks_exact_mut(FIRST_BLOCK).enumerate() {
+            known.fill(0.0);
+            for (level, past) in kernels.levels.iter().zip(&self.levels) {
+                let from = channel * level.block + self.steps % level.block;
+                let ready = &past.ready[from..from + FIRST_BLOCK];
+                for (known, ready) in known.iter_mut().zip(ready) {
+                    *known += ready;
+                }
+            }
+        }
+    }
+
+    /// The spectra of the block that has just ended.
+    fn transform_newest(&mut self, level: usize) {
+        let (plan, past) = (&self.kernels.levels[level], &mut self.levels[level]);
+        let (block, stride) = (plan.block, plan.stride());
+        for (channel, inputs) in self.inputs.iter().enumerate() {
+            let place = past.blocks * self.inputs.len() + channel;
+            let newest = &inputs[self.steps - block..];
+            past.is_active[place] = newest.iter().any(|&input| input != 0.0);
+            if past.is_active[place] {
+                let window = &mut self.window[..2 * block];
+                window[..block].copy_from_slice(newest);
+                window[block..].fill(0.0);
+                let spectrum = &mut self.spectrum[..=block];
+                let scratch = &mut self.scratch[..plan.forward.get_scratch_len()];
+                transform(&*plan.forward, window, spectrum, scratch);
+                split(
+                    spectrum,
+                    &mut past.spectra[place * stride..(place + 1) * stride],
+                );
+            }
+        }
+        past.blocks += 1;
+    }
+
+    /// What all blocks of a level add to the next one.
+    #[inline(always)]
+    fn multiply(&mut self, level: usize) {
+        let (plan, past) = (&self.kernels.levels[level], &mut self.levels[level]);
+        let (block, stride, sites) = (plan.block, plan.stride(), self.kernels.sites);
+        let channels = self.planes * sites;
+        let reach = past.blocks.min(plan.partitions);
+        for output in 0..sites {
+            let sums = &mut self.sums[..self.planes * stride];
+            sums.fill(0.0);
+            let mut is_zero = [true; 2];
+            for partition in 0..reach {
+                let newest = past.blocks - 1 - partition;
+                for input in 0..sites {
+                    let pair = (output * sites + input) * plan.partitions + partition;
+                    let kernel = &plan.spectra[pair * stride..(pair + 1) * stride];
+                    for plane in 0..self.planes {
+                        let place = newest * channels + plane * sites + input;
+                        if past.is_active[place] {
+                            is_zero[plane] = false;
+                            add_product(
+                                &mut sums[plane * stride..(plane + 1) * stride],
+                                kernel,
+                                &past.spectra[place * stride..(place + 1) * stride],
+                            );
+                        }
+                    }
+                }
+            }
+            for plane in 0..self.planes {
+                let from = (plane * sites + output) * block;
+                let ready = &mut past.ready[from..from + block];
+                if is_zero[plane] {
+                    ready.fill(0.0);
+                    continue;
+                }
+                let (real, imaginary) =
+                    sums[plane * stride..(plane + 1) * stride].split_at(block + 1);
+                let spectrum = &mut self.spectrum[..=block];
+                for ((value, &re), &im) in spectrum.iter_mut().zip(real).zip(imaginary) {
+                    *value = Complex::new(re, im);
+                }
+                // Of a real signal; rounding may have left something.
+                (spectrum[0].im, spectrum[block].im) = (0.0, 0.0);
+                let window = &mut self.window[..2 * block];
+                let scratch = &mut self.scratch[..plan.inverse.get_scratch_len()];
+                plan.inverse
+                    .process_with_scratch(spectrum, window, scratch)
+                    .expect("all buffers were made by the plan");
+                ready.copy_from_slice(&window[block..]);
+            }
+        }
+    }
+}
+
+/// Adds the product of two spectra, each with its real parts first.
+#[inline(always)]
+fn add_product(sums: &mut [f64], kernel: &[f64], input: &[f64]) {
+    let count = sums.len() / 2;
+    let (sum_re, sum_im) = sums.split_at_mut(count);
+    let (kernel_re, kernel_im) = kernel.split_at(count);
+    let (input_re, input_im) = input.split_at(count);
+    for index in 0..count {
+        let (a, b) = (kernel_re[index], kernel_im[index]);
+        let (c, d) = (input_re[index], input_im[index]);
+        sum_re[index] += a * c - b * d;
+        sum_im[index] += a * d + b * c;
+    }
+}
+
+/// Scalar product in a fixed order, so that results are the same everywhere,
+/// with enough independent sums for the processor to work in parallel.
+#[inline(always)]
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    const LANES: usize = 8;
+    let mut sums = [0.0; LANES];
+    let (a_blocks, b_blocks) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let (a_rest, b_rest) = (a_blocks.remainder(), b_blocks.remainder());
+    for (x, y) in a_blocks.zip(b_blocks) {
+        for lane in 0..LANES {
+            sums[lane] += x[lane] * y[lane];
+        }
+    }
+    for (sum, (x, y)) in sums.iter_mut().zip(a_rest.iter().zip(b_rest)) {
+        *sum += x * y;
+    }
+    sums.iter().sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::history::Kernel;
+
+    /// A cheap sequence without pattern, in (−1, 1).
+    fn noise(seed: usize, count: usize) -> Vec<f64> {
+        let mut state = seed as u64 * 2 + 1;
+        let mut next = || {
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        (0..count).map(|_| next()).collect()
+    }
+
+    /// The sum by blocks is the sum term by term, for kernels shorter and longer
+    /// than the case, for quiet times, for one site and for several.
+    #[test]
+    fn the_sum_by_blocks_is_the_direct_sum() {
+        for (sites, planes, taps, steps) in [
+            (1, 1, 1, 100),
+            (1, 1, 40, 400),
+            (1, 2, 3000, 3000),
+            (3, 2, 5000, 2500),
+            (2, 1, 700, 9000),
+            (1, 1, 20_000, 20_000),
+        ] {
+            let responses: Vec<Vec<Vec<f64>>> = (0..sites)
+                .map(|output| {
+                    (0..sites)
+                        .map(|input| noise(7 + output * sites + input, taps))
+                        .collect()
+                })
+                .collect();
+            let kernels = Kernels::new(&responses);
+            let direct: Vec<Vec<Kernel>> = (responses.iter())
+                .map(|row| row.iter().map(|taps| Kernel::new(taps)).collect())
+                .collect();
+            let channels = planes * sites;
+            let mut inputs: Vec<Vec<f64>> = (0..channels)
+                .map(|channel| noise(100 + channel, steps))
+                .collect();
+            for channel in &mut inputs {
+                // Quiet at first, and for a while between.
+                let (from, to) = (steps / 3, steps / 2);
+                channel[..steps / 5].fill(0.0);
+                channel[from..to].fill(0.0);
+            }
+            let mut history = History::new(&kernels, planes, steps);
+            let mut sums = vec![0.0; channels];
+            for step in 0..steps {
+                history.past(&mut sums);
+                // Each step costs the reference all of them: some are enough.
+                if step % 17 == 0 || step + 50 > steps {
+                    for (channel, sum) in sums.iter().enumerate() {
+                        let (plane, output) = (channel / sites, channel % sites);
+                        let expected: f64 = (0..sites)
+                            .map(|input| {
+                                let past = &inputs[plane * sites + input][..step];
+                                direct[output][input].past_sum(past)
+                            })
+                            .sum();
+                        let scale = (sites * step.min(taps)) as f64;
+                        assert!(
+                            (sum - expected).abs() <= 1e-13 * scale.max(1.0).sqrt() * 10.0,
+                            "{sites} sites, {taps} taps, step {step}: {sum} {expected}"
+                        );
+                    }
+                }
+                let now: Vec<f64> = inputs.iter().map(|channel| channel[step]).collect();
+                history.push(&now);
+            }
+            assert_eq!(history.inputs(planes - 1, sites - 1), inputs[channels - 1]);
+        }
+    }
+}
