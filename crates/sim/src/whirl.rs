@@ -105,7 +105,7 @@ impl WallWatch {
             let [x, y] = contact.position;
             let [px, py] = std::mem::replace(&mut self.positions[site], contact.position);
             let sums = &mut self.sites[site];
-            let radius = x.hypot(y);
+            let radius = (x * x + y * y).sqrt();
             sums.peak_radius = sums.peak_radius.max(radius);
             self.ambiguous += usize::from(contact.ambiguous);
             if touches(contact) {

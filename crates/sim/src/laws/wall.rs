@@ -96,7 +96,7 @@ impl Wall {
     /// Solves one step at one site.
     pub fn meet(&self, approach: &Approach) -> Contact {
         let [x, y] = approach.free_position;
-        let distance = x.hypot(y);
+        let distance = (x * x + y * y).sqrt();
         if distance <= self.clearance {
             return Contact {
                 position: approach.free_position,
@@ -142,17 +142,43 @@ impl Press<'_> {
         {
             return self.contact(rolling, Touch::Rolling, false);
         }
-        let forward = self.trial(-friction);
-        if forward.sliding_speed >= 0.0 {
-            return self.contact(forward, Touch::Sliding, false);
+        let forward = self.slides_forward_without_friction();
+        let ratio = if forward { -friction } else { friction };
+        let one = self.trial(ratio);
+        if one.sliding_speed == 0.0 || (one.sliding_speed > 0.0) == forward {
+            return self.contact(one, Touch::Sliding, false);
         }
-        let backward = self.trial(friction);
-        if backward.sliding_speed <= 0.0 {
-            return self.contact(backward, Touch::Sliding, false);
+        let other = self.trial(-ratio);
+        if other.sliding_speed == 0.0 || (other.sliding_speed > 0.0) != forward {
+            return self.contact(other, Touch::Sliding, false);
         }
+        let (forward, backward) = if forward { (one, other) } else { (other, one) };
         // A torque law at the same site, or a contact between rolling and
         // sliding to the last digit.
         self.contact(self.roll(forward, backward), Touch::Rolling, false)
+    }
+
+    /// The way the surfaces slide where the wall is smooth: friction slows it or
+    /// stops it, but does not turn it round.
+    fn slides_forward_without_friction(&self) -> bool {
+        let approach = self.approach;
+        let [x, y] = approach.free_position;
+        let [px, py] = approach.previous_position;
+        let spin = approach.bit.map_or(approach.free_speed, |(law, motion)| {
+            law.meet(motion, approach.free_speed, approach.torsional_compliance)
+                .speed
+        });
+        let drift = (px * y - py * x) * approach.sampling_frequency;
+        self.wall.radius * spin * self.distance + drift > 0.0
+    }
+
+    /// The square root of the depth of the last step, from which this one's is
+    /// not far.
+    fn last_root(&self) -> f64 {
+        let [x, y] = self.approach.previous_position;
+        ((x * x + y * y).sqrt() - self.wall.clearance)
+            .max(0.0)
+            .sqrt()
     }
 
     /// All solutions; the one that turns the centre least is taken.
@@ -195,7 +221,7 @@ impl Press<'_> {
             turning * approach.free_position[axis]
                 + approach.sampling_frequency * approach.previous_position[axis]
         });
-        let length = wx.hypot(wy);
+        let length = (wx * wx + wy * wy).sqrt();
         let sine = self.wall.radius * approach.free_speed / length;
         // No length or no number: nothing rolls.
         if !(sine.abs() <= 1.0) {
@@ -227,7 +253,8 @@ impl Press<'_> {
         } else {
             // δ + h₀k_c δ^(3/2) = gap, in √δ.
             let steepness = compliance * self.wall.stiffness;
-            let root = newton_from_above(start_from_above(gap, steepness), |root| {
+            let highest = start_from_above(gap, steepness);
+            let root = newton(self.last_root(), highest, |root| {
                 let value = root * root * (1.0 + steepness * root) - gap;
                 let slope = root * (2.0 + 3.0 * steepness * root);
                 (value, slope)
@@ -316,7 +343,7 @@ impl Press<'_> {
         }
         let steepness = compliance * stiffness;
         let start = start_from_above(self.distance - clearance, steepness);
-        let root = newton_from_above(start, |root| {
+        let root = newton(self.last_root(), start, |root| {
             let depth = root * root;
             let force = steepness * depth * root;
             let force_slope = 3.0 * steepness * depth;
@@ -358,10 +385,18 @@ fn start_from_above(gap: f64, steepness: f64) -> f64 {
     }
 }
 
-/// The root of a convex, increasing function below a starting point above it:
-/// Newton's steps never overshoot, and end where rounding stops them.
-fn newton_from_above(start: f64, value_and_slope: impl Fn(f64) -> (f64, f64)) -> f64 {
-    let mut root = start;
+/// The root of a convex, increasing function, no higher than `highest`: a step
+/// of Newton's from a guess on either side ends above it, and from there none
+/// overshoots, until rounding stops them.
+fn newton(guess: f64, highest: f64, value_and_slope: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let (value, slope) = value_and_slope(guess);
+    let first = guess - value / slope;
+    // A guess of zero has no slope.
+    let mut root = if first < highest && first > 0.0 {
+        first
+    } else {
+        highest
+    };
     loop {
         let (value, slope) = value_and_slope(root);
         let next = root - value / slope;
