@@ -4,7 +4,7 @@ mod grid;
 mod list;
 mod monte_carlo;
 
-use crate::spec::{Axis, DesignKind, DesignTable, Source, SpecError};
+use crate::spec::{Axis, DesignKind, DesignTable, Source, SpecError, TextOf};
 
 pub use grid::Grid;
 pub use list::List;
@@ -32,7 +32,11 @@ impl Design {
     /// # Errors
     /// Where an axis has no values or impossible ones, or a list cannot be
     /// read.
-    pub(crate) fn resolve(source: &Source, table: Option<&DesignTable>) -> Result<Self, SpecError> {
+    pub(crate) fn resolve(
+        source: &Source,
+        table: Option<&DesignTable>,
+        text_of: TextOf,
+    ) -> Result<Self, SpecError> {
         let Some(table) = table else {
             return Ok(Design::Single);
         };
@@ -40,7 +44,7 @@ impl Design {
         let design = match table.kind {
             DesignKind::Grid => Design::Grid(Grid::resolve(source, table)?),
             DesignKind::MonteCarlo => Design::MonteCarlo(MonteCarlo::resolve(source, table)?),
-            DesignKind::List => Design::List(List::resolve(source, table)?),
+            DesignKind::List => Design::List(List::resolve(source, table, text_of)?),
         };
         if design.cases() > MOST_CASES {
             let message = format!("{} cases are more than {MOST_CASES}", design.cases());

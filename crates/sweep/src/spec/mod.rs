@@ -3,16 +3,16 @@
 
 mod bit;
 mod file;
+#[cfg(test)]
+mod fuzz;
 mod lateral;
 mod map;
 mod resolve;
 mod source;
 mod string;
-#[cfg(test)]
-mod tests;
 
 pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
 pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};
 pub use resolve::{Bit, Conditions, MapSettings, Sweep, Time, to_rpm};
 pub(crate) use resolve::{check_axis_value, check_setting};
-pub use source::{Source, SpecError};
+pub use source::{Source, SpecError, TextOf};
