@@ -10,6 +10,8 @@ mod map;
 mod resolve;
 mod source;
 mod string;
+#[cfg(test)]
+mod tests;
 
 pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
 pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};

@@ -33,14 +33,14 @@ impl SpecError {
 
 impl fmt::Display for SpecError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.file.display())?;
-        if let Some(line) = self.line {
-            write!(f, ":{line}")?;
-        }
-        if let Some(key) = &self.key {
-            write!(f, ": `{key}`")?;
-        }
-        write!(f, ": {}", self.message)
+        let file = self.file.display();
+        let line = self
+            .line
+            .map_or_else(String::new, |line| format!(":{line}"));
+        let key = (self.key.as_ref()).map_or_else(String::new, |key| format!(": `{key}`"));
+        let text = format!("{file}{line}{key}: {}", self.message);
+        // What the file says in quotes may not break the line or steer a terminal.
+        f.write_str(&text.replace(char::is_control, " "))
     }
 }
 
@@ -218,10 +218,11 @@ impl Source {
                 (DeValue::Table(_), Some(toml::Value::Table(below))) if key_path != "design" => {
                     Some(below)
                 }
-                _ => {
+                (_, Some(_)) => {
                     self.forget(&key_path);
                     None
                 }
+                (_, None) => None,
             };
             self.places.insert(key_path.clone(), Place { file, line });
             let merged = self.value(file, lines, below, value, &key_path);

@@ -1,0 +1,72 @@
+//! Sweep files that once went wrong, read from memory.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use super::{SpecError, Sweep};
+
+/// Reads a file on top of the paper's drillstring.
+fn read(text: &str) -> Result<Sweep, SpecError> {
+    let text = format!("base = \"academic.toml\"\n{text}");
+    Sweep::read_from(Path::new("sweep.toml"), &|path| {
+        Ok(match path.to_str() {
+            Some("sweep.toml") => text.clone(),
+            _ => include_str!("../../../../sweeps/academic.toml").to_owned(),
+        })
+    })
+}
+
+#[track_caller]
+fn message(text: &str) -> String {
+    read(text).unwrap_err().to_string()
+}
+
+/// Four times 2¹⁶ cases multiply to none in 64 bits.
+#[test]
+fn a_grid_of_more_cases_than_can_be_counted_is_refused() {
+    let axes = [
+        "surface_speed_rpm",
+        "weight_on_bit_kn",
+        "impulse_ratio",
+        "friction",
+    ];
+    let axes = axes.map(|axis| format!("{axis} = {{ from = 1, to = 2, count = 65536 }}\n"));
+    let text = format!(
+        "[design]\nkind = \"grid\"\n[design.axes]\n{}",
+        axes.concat()
+    );
+    let message = message(&text);
+    assert!(message.starts_with("sweep.toml:2: `design`: "), "{message}");
+    assert!(
+        message.contains("cases are more than 10000000"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_message_is_one_line_whatever_the_file_says() {
+    for text in [
+        "\"a\\nb\\u001b[31m\" = 1",
+        "[bit]\nrock = \"a\\r\\nb\"",
+        "\u{8}",
+    ] {
+        let message = message(text);
+        assert!(!message.contains(char::is_control), "{message:?}");
+    }
+}
+
+/// Finding the places of values that are replaced took a minute, though none were.
+#[test]
+fn a_long_file_is_read_at_once() {
+    let start = Instant::now();
+    let marks = "{ name = \"x\", friction = 1, impulse_ratio = 2 }, ".repeat(40_000);
+    let sweep = read(&format!("map.marks = [{marks}]")).unwrap();
+    assert_eq!(sweep.content.map.marks.len(), 40_000);
+    let message = message(
+        &(0..40_000)
+            .map(|key| format!("k{key} = 1\n"))
+            .collect::<String>(),
+    );
+    assert!(message.contains("unknown key"), "{message}");
+    assert!(start.elapsed() < Duration::from_secs(10));
+}
