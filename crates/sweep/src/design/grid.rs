@@ -30,8 +30,10 @@ impl Grid {
         &self.axes
     }
 
+    /// Of more cases than can be counted, as many as can be.
     pub(super) fn cases(&self) -> usize {
-        self.values.iter().map(Vec::len).product()
+        let counts = self.values.iter().map(Vec::len);
+        counts.fold(1, usize::saturating_mul)
     }
 
     /// Cases of one string: the combinations of all other axes, neighbours as

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::count_string_axes;
 use crate::lines::{COMMENT, line_from};
-use crate::spec::{Axis, DesignTable, Source, SpecError, check_axis_value};
+use crate::spec::{Axis, DesignTable, Source, SpecError, TextOf, check_axis_value};
 
 /// Listed cases.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,12 +18,16 @@ pub struct List {
 }
 
 impl List {
-    pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SpecError> {
+    pub(super) fn resolve(
+        source: &Source,
+        table: &DesignTable,
+        text_of: TextOf,
+    ) -> Result<Self, SpecError> {
         let Some(file) = &table.file else {
             return Err(source.error("design", "a list needs `file`, a CSV file of cases"));
         };
         let path = source.folder_of("design.file").join(file);
-        let list = read(source, &path).map_err(|message| {
+        let list = read(source, &path, text_of).map_err(|message| {
             source.error("design.file", format!("{}{message}", path.display()))
         })?;
         if list.cases.is_empty() {
@@ -75,9 +79,8 @@ impl List {
 }
 
 /// Reads a list; an error starts where the file's name ends.
-fn read(source: &Source, path: &Path) -> Result<List, String> {
-    let text =
-        std::fs::read_to_string(path).map_err(|error| format!(" cannot be read: {error}"))?;
+fn read(source: &Source, path: &Path, text_of: TextOf) -> Result<List, String> {
+    let text = text_of(path).map_err(|error| format!(" cannot be read: {error}"))?;
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .comment(Some(COMMENT))

@@ -6,7 +6,7 @@ mod monte_carlo;
 
 use std::ops::Range;
 
-use crate::spec::{Axis, DesignKind, DesignTable, Source, SpecError};
+use crate::spec::{Axis, DesignKind, DesignTable, Source, SpecError, TextOf};
 
 pub use grid::Grid;
 pub use list::List;
@@ -34,7 +34,11 @@ impl Design {
     /// # Errors
     /// Where an axis has no values or impossible ones, or a list cannot be
     /// read.
-    pub(crate) fn resolve(source: &Source, table: Option<&DesignTable>) -> Result<Self, SpecError> {
+    pub(crate) fn resolve(
+        source: &Source,
+        table: Option<&DesignTable>,
+        text_of: TextOf,
+    ) -> Result<Self, SpecError> {
         let Some(table) = table else {
             return Ok(Design::Single);
         };
@@ -42,7 +46,7 @@ impl Design {
         let design = match table.kind {
             DesignKind::Grid => Design::Grid(Grid::resolve(source, table)?),
             DesignKind::MonteCarlo => Design::MonteCarlo(MonteCarlo::resolve(source, table)?),
-            DesignKind::List => Design::List(List::resolve(source, table)?),
+            DesignKind::List => Design::List(List::resolve(source, table, text_of)?),
         };
         if design.cases() > MOST_CASES {
             let message = format!("{} cases are more than {MOST_CASES}", design.cases());

@@ -3,6 +3,8 @@
 
 mod bit;
 mod file;
+#[cfg(test)]
+mod fuzz;
 mod lateral;
 mod map;
 mod resolve;
@@ -18,4 +20,4 @@ pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};
 pub use resolve::{Bit, Conditions, MapSettings, Sweep, Time, to_rpm};
 pub(crate) use resolve::{check_axis_value, check_setting};
 pub use setting::Setting;
-pub use source::{Source, SpecError};
+pub use source::{Source, SpecError, TextOf};

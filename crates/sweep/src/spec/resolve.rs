@@ -1,6 +1,8 @@
 //! From the keys of a sweep file to what the model needs, in SI; every value
 //! checked against what it can be.
 
+use std::path::Path;
+
 use linear::method::Method;
 use linear::{BuildError, Drillstring, Sites};
 use serde::{Deserialize, Serialize};
@@ -9,7 +11,7 @@ use sim::{BitTorque, Rock};
 
 use super::file::{AutoOr, Axis, FileContent, MethodName};
 use super::setting::Setting;
-use super::source::{Source, SpecError};
+use super::source::{Source, SpecError, TextOf};
 use crate::design::Design;
 
 /// More elements in a cell resolve no more than rounding leaves.
@@ -190,13 +192,18 @@ impl Sweep {
     ///
     /// # Errors
     /// Where the file, a base or a list of cases does not make sense.
-    pub fn read(path: &std::path::Path) -> Result<Self, SpecError> {
-        let source = Source::read(path)?;
+    pub fn read(path: &Path) -> Result<Self, SpecError> {
+        Self::read_from(path, &|path| std::fs::read_to_string(path))
+    }
+
+    /// As [`Sweep::read`], from any source of texts.
+    pub(super) fn read_from(path: &Path, text_of: TextOf) -> Result<Self, SpecError> {
+        let source = Source::read(path, text_of)?;
         let content: FileContent = source.parse()?;
         let check = Check { source: &source };
         let bit = content.bit.as_ref().map(|bit| check.bit(bit)).transpose()?;
         let conditions = check.conditions(&content)?;
-        let design = Design::resolve(&source, content.design.as_ref())?;
+        let design = Design::resolve(&source, content.design.as_ref(), text_of)?;
         check.conditions_are_complete(bit.as_ref(), &conditions, &design)?;
         let name = path.file_stem().map_or_else(
             || "sweep".to_owned(),

@@ -12,6 +12,9 @@ use toml::de::{DeTable, DeValue};
 /// A base of a base of a base is deep enough; more is a circle.
 const DEEPEST_BASE: usize = 8;
 
+/// Gives the text of a file: from the disk or, in tests, from memory.
+pub type TextOf<'a> = &'a dyn Fn(&Path) -> std::io::Result<String>;
+
 /// One clear sentence about a sweep file that cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SpecError {
@@ -30,14 +33,14 @@ impl SpecError {
 
 impl fmt::Display for SpecError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.file.display())?;
-        if let Some(line) = self.line {
-            write!(f, ":{line}")?;
-        }
-        if let Some(key) = &self.key {
-            write!(f, ": `{key}`")?;
-        }
-        write!(f, ": {}", self.message)
+        let file = self.file.display();
+        let line = self
+            .line
+            .map_or_else(String::new, |line| format!(":{line}"));
+        let key = (self.key.as_ref()).map_or_else(String::new, |key| format!(": `{key}`"));
+        let text = format!("{file}{line}{key}: {}", self.message);
+        // What the file says in quotes may not break the line or steer a terminal.
+        f.write_str(&text.replace(char::is_control, " "))
     }
 }
 
@@ -64,13 +67,13 @@ impl Source {
     ///
     /// # Errors
     /// Where a file cannot be read or is not TOML, or the bases go in a circle.
-    pub fn read(path: &Path) -> Result<Self, SpecError> {
+    pub fn read(path: &Path, text_of: TextOf) -> Result<Self, SpecError> {
         let mut source = Self {
             table: toml::Table::new(),
             files: Vec::new(),
             places: HashMap::new(),
         };
-        source.add_file(path)?;
+        source.add_file(path, text_of)?;
         Ok(source)
     }
 
@@ -153,7 +156,7 @@ impl Source {
         self.error(&key, format!("{what} `{unknown}`; {hint}"))
     }
 
-    fn add_file(&mut self, path: &Path) -> Result<(), SpecError> {
+    fn add_file(&mut self, path: &Path, text_of: TextOf) -> Result<(), SpecError> {
         let file = self.files.len();
         self.files.push(path.to_owned());
         let unusable = |line, key: Option<&str>, message: String| SpecError {
@@ -162,7 +165,7 @@ impl Source {
             key: key.map(str::to_owned),
             message,
         };
-        let text = std::fs::read_to_string(path)
+        let text = text_of(path)
             .map_err(|error| unusable(None, None, format!("cannot be read: {error}")))?;
         let lines = LineNumbers::new(&text);
         let table = DeTable::parse(&text).map_err(|error| {
@@ -184,10 +187,11 @@ impl Source {
                 return Err(unusable(Some(line), Some("base"), message));
             }
             let base = path.parent().unwrap_or(Path::new("")).join(base.as_ref());
-            self.add_file(&base).map_err(|error| match error.line {
-                None => unusable(Some(line), Some("base"), error.to_string()),
-                Some(_) => error,
-            })?;
+            self.add_file(&base, text_of)
+                .map_err(|error| match error.line {
+                    None => unusable(Some(line), Some("base"), error.to_string()),
+                    Some(_) => error,
+                })?;
         }
         let merged = std::mem::take(&mut self.table);
         self.table = self.merge(file, &lines, merged, table.get_ref(), "");
@@ -214,10 +218,11 @@ impl Source {
                 (DeValue::Table(_), Some(toml::Value::Table(below))) if key_path != "design" => {
                     Some(below)
                 }
-                _ => {
+                (_, Some(_)) => {
                     self.forget(&key_path);
                     None
                 }
+                (_, None) => None,
             };
             self.places.insert(key_path.clone(), Place { file, line });
             let merged = self.value(file, lines, below, value, &key_path);

@@ -1,0 +1,132 @@
+//! Cost of whole cases and of the sum over the past: `cargo bench -p sim`.
+#![allow(missing_docs, reason = "benchmarks are no interface")]
+
+#[path = "../../../tests/support/academic.rs"]
+#[allow(dead_code, reason = "not every benchmark needs all of it")]
+mod academic;
+
+use divan::{Bencher, black_box};
+use linear::{
+    Bending, BendingRequest, Method, Sites, SurfaceSupport, TorsionRequest, bending_responses,
+    torsion_responses,
+};
+use sim::history::{History, Kernel, Kernels};
+use sim::{Impulse, Lateral, LateralSystem, Scene, Timing, Wall, simulate_lateral};
+
+fn main() {
+    divan::main();
+}
+
+const SPEED: f64 = std::f64::consts::TAU;
+
+/// `sites` places of contact, ten metres apart from the bit up.
+fn system(sites: usize, longest_time: f64) -> LateralSystem {
+    let string = academic::string();
+    let distances: Vec<f64> = (0..sites).map(|site| 10.0 * site as f64).collect();
+    let sites = Sites::new(&string, &distances).unwrap();
+    let sampling_frequency = academic::SAMPLING_FREQUENCY;
+    let torsion = TorsionRequest {
+        sites: sites.clone(),
+        torque_inputs: (0..sites.len()).collect(),
+        sampling_frequency,
+        longest_time,
+    };
+    let bending = BendingRequest {
+        sites,
+        support: SurfaceSupport::Free,
+        sampling_frequency,
+        longest_time,
+    };
+    let material = Bending {
+        youngs_modulus: 210e9,
+        damping: 2000.0,
+        compression: 0.0,
+    };
+    let torsion = torsion_responses(&string, &Method::Quadrature, &torsion).unwrap();
+    let bending = bending_responses(&string, &material, &Method::Quadrature, &bending).unwrap();
+    LateralSystem::new(&torsion, &bending).unwrap()
+}
+
+fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
+    let wall = Wall {
+        clearance: 0.015,
+        stiffness: 1e9,
+        friction,
+        radius: 0.15,
+    };
+    Scene {
+        surface_speed: SPEED,
+        bit: None,
+        lateral: Some(Lateral {
+            walls: vec![wall; sites],
+            impulses: vec![Impulse {
+                site: sites - 1,
+                amount: 1000.0,
+                start: 1.0,
+                duration: 0.02,
+                direction: 0.0,
+            }],
+            eccentric_masses: vec![],
+        }),
+        timing: Timing {
+            duration,
+            closing_window: 2.0,
+        },
+    }
+}
+
+fn case(bencher: Bencher, sites: usize, friction: f64, duration: f64) {
+    let system = system(sites, duration);
+    let scene = scene(sites, friction, duration);
+    bencher.bench(|| simulate_lateral(black_box(&system), black_box(&scene), None));
+}
+
+/// Ten seconds, rolling whirl from one second to the end.
+#[divan::bench(args = [1, 3, 9, 27], sample_count = 10)]
+fn whirl(bencher: Bencher, sites: usize) {
+    case(bencher, sites, 2.0, 10.0);
+}
+
+/// Ten seconds, without contact at the end.
+#[divan::bench(args = [1, 3, 9, 27], sample_count = 10)]
+fn transient(bencher: Bencher, sites: usize) {
+    case(bencher, sites, 0.5, 10.0);
+}
+
+/// Rolling whirl at one site for more and more steps.
+#[divan::bench(args = [6400, 25_600, 102_400], sample_count = 10)]
+fn steps(bencher: Bencher, steps: usize) {
+    case(bencher, 1, 2.0, steps as f64 / academic::SAMPLING_FREQUENCY);
+}
+
+fn noise(count: usize) -> Vec<f64> {
+    (0..count)
+        .map(|n| ((n * n) % 1009) as f64 / 1009.0 - 0.5)
+        .collect()
+}
+
+/// One response, as many steps as taps: the sum as it is written.
+#[divan::bench(args = [1600, 6400, 25_600], sample_count = 10)]
+fn history_direct(bencher: Bencher, taps: usize) {
+    let (kernel, inputs) = (Kernel::new(&noise(taps)), noise(taps));
+    bencher.bench(|| {
+        let sums = (0..taps).map(|step| black_box(&kernel).past_sum(&inputs[..step]));
+        sums.sum::<f64>()
+    });
+}
+
+/// The same by blocks.
+#[divan::bench(args = [1600, 6400, 25_600], sample_count = 10)]
+fn history_by_blocks(bencher: Bencher, taps: usize) {
+    let (kernels, inputs) = (Kernels::new(&[vec![noise(taps)]]), noise(taps));
+    bencher.bench(|| {
+        let mut history = History::new(black_box(&kernels), 1, taps);
+        let (mut past, mut sum) = ([0.0], 0.0);
+        for &input in &inputs {
+            history.past(&mut past);
+            sum += past[0];
+            history.push(&[input]);
+        }
+        sum
+    });
+}

@@ -1,0 +1,185 @@
+//! Everything the program is built from may be passed on under MIT or
+//! Apache-2.0, and is built in one version.
+
+use std::collections::BTreeMap;
+use std::process::Command;
+
+use serde::Deserialize;
+use spdx::{Expression, ParseMode};
+
+/// Licences that ask for little more than to be named. Each is needed.
+const ALLOWED: [&str; 6] = [
+    "Apache-2.0",
+    "BSD-2-Clause",
+    "BSD-3-Clause",
+    "MIT",
+    "Unicode-3.0",
+    "Zlib",
+];
+
+/// Old versions beside the newest of the same package, and who holds on to them.
+const ACCEPTED: [(&str, &str, &str); 7] = [
+    ("equator", "0.2", "nano-gemm, below faer"),
+    ("equator-macro", "0.2", "equator 0.2"),
+    ("miniz_oxide", "0.8", "png, below resvg"),
+    ("syn", "1", "interpol, below faer; only to build"),
+    ("syn", "2", "equator-macro 0.2 and others; only to build"),
+    ("thiserror", "1", "sysctl, below faer; on Apple's systems"),
+    ("thiserror-impl", "1", "thiserror 1"),
+];
+
+/// Whether the allowed licences meet an SPDX expression, or an old one with `/`.
+/// No expression, or none that can be understood, is never met.
+fn is_met(expression: &str, allowed: &[&str]) -> bool {
+    let terms = Expression::parse_mode(expression, ParseMode::LAX);
+    terms.is_ok_and(|terms| terms.evaluate(|term| allowed.contains(&term.to_string().as_str())))
+}
+
+/// Every package with its version, and its licence: those that end up in the
+/// program and those that run to build it, on any platform. What only the tests
+/// need is not passed on. `cargo tree` leaves out what `cargo metadata` lists
+/// though no feature asks for it.
+fn licences() -> BTreeMap<String, String> {
+    // The licences of other platforms' packages are in packages that a build here
+    // does not download. Cargo does so now; without a network, this platform's
+    // own must do.
+    let tree = tree(&["--target", "all"])
+        .or_else(|error| {
+            eprintln!("only the packages of this platform are looked at: {error}");
+            tree(&["--offline"])
+        })
+        .unwrap();
+    let lines = tree.lines().filter(|line| !line.is_empty());
+    lines
+        .map(|line| {
+            let (package, licence) = line.rsplit_once('|').unwrap();
+            let licence = licence.trim_end_matches(" (*)");
+            (package.to_owned(), licence.to_owned())
+        })
+        .collect()
+}
+
+fn tree(arguments: &[&str]) -> Result<String, String> {
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| env!("CARGO").to_owned());
+    let output = Command::new(cargo)
+        .args(["tree", "--locked", "--workspace", "--edges", "no-dev"])
+        .args(["--prefix", "none", "--format", "{p}|{l}"])
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .map_err(|error| error.to_string())?;
+    let text = |bytes| String::from_utf8_lossy(bytes).into_owned();
+    match output.status.success() {
+        true => Ok(text(&output.stdout)),
+        false => Err(text(&output.stderr)),
+    }
+}
+
+#[derive(Deserialize)]
+struct Lock {
+    package: Vec<Package>,
+}
+
+#[derive(Deserialize)]
+struct Package {
+    name: String,
+    version: String,
+}
+
+/// Old versions in a lock file that are not accepted, and accepted ones that are
+/// not there. The file has all platforms' packages, those of the tests too. Cargo
+/// takes no two compatible versions, and lists the newest last.
+fn complaints(lock: &str, accepted: &[(&str, &str, &str)]) -> Vec<String> {
+    let packages = toml::from_str::<Lock>(lock).unwrap().package;
+    let pairs = packages.windows(2);
+    let old: Vec<&Package> = pairs
+        .filter(|pair| pair[0].name == pair[1].name)
+        .map(|pair| &pair[0])
+        .collect();
+    let is = |package: &Package, name: &str, start: &str| {
+        package.name == name && package.version.starts_with(&format!("{start}."))
+    };
+    let unexpected = (old.iter())
+        .filter(|old| !accepted.iter().any(|(name, start, _)| is(old, name, start)))
+        .map(|old| format!("{} {} is there beside a newer one", old.name, old.version));
+    let unneeded = (accepted.iter())
+        .filter(|(name, start, _)| !old.iter().any(|old| is(old, name, start)))
+        .map(|(name, start, _)| format!("{name} {start} need not be accepted any more"));
+    unexpected.chain(unneeded).collect()
+}
+
+#[test]
+fn every_package_has_a_licence_that_goes_with_ours() {
+    let licences = licences();
+    let refused: Vec<_> = (licences.iter())
+        .filter(|(_, licence)| !is_met(licence, &ALLOWED))
+        .collect();
+    assert!(refused.is_empty(), "{refused:#?}");
+}
+
+#[test]
+fn every_allowed_licence_is_needed() {
+    let licences = licences();
+    for without in ALLOWED {
+        let others: Vec<&str> = ALLOWED.into_iter().filter(|one| *one != without).collect();
+        let needed = licences.values().any(|licence| !is_met(licence, &others));
+        assert!(needed, "no package needs {without}");
+    }
+}
+
+#[test]
+fn no_package_is_there_in_two_versions_without_a_reason() {
+    let lock = concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.lock");
+    let complaints = complaints(&std::fs::read_to_string(lock).unwrap(), &ACCEPTED);
+    assert!(complaints.is_empty(), "{complaints:#?}");
+}
+
+#[test]
+fn a_licence_expression_is_met_by_what_is_allowed() {
+    for expression in [
+        "MIT",
+        "MIT OR Apache-2.0",
+        "MIT/Apache-2.0",
+        "Unlicense / MIT",
+        "GPL-2.0 OR MIT",
+        "(MIT OR GPL-3.0-only) AND Unicode-3.0",
+        "Apache-2.0 WITH LLVM-exception OR Apache-2.0",
+        "MIT OR GPL-3.0-only AND Unicode-3.0",
+    ] {
+        assert!(is_met(expression, &ALLOWED), "{expression}");
+    }
+    for expression in [
+        "",
+        "GPL-3.0-only",
+        "LGPL-2.1-or-later OR GPL-2.0",
+        "MIT AND GPL-3.0-only",
+        "GPL-3.0-only/MPL-2.0",
+        "(MIT OR GPL-3.0-only) AND MPL-2.0",
+        "(MIT AND MPL-2.0) OR GPL-3.0-only",
+        "GPL-2.0-only WITH Classpath-exception-2.0",
+        "Apache-2.0 WITH LLVM-exception",
+        "LicenseRef-MIT",
+        "Mitt",
+        "MIT OR",
+        "(MIT",
+        "MIT Apache-2.0",
+    ] {
+        assert!(!is_met(expression, &ALLOWED), "{expression}");
+    }
+}
+
+#[test]
+fn an_old_version_is_accepted_as_long_as_it_is_there() {
+    let lock: String = [("one", "0.2.9"), ("one", "0.20.1"), ("two", "1.0.0")]
+        .map(|(name, version)| format!("[[package]]\nname = \"{name}\"\nversion = \"{version}\"\n"))
+        .concat();
+    assert!(complaints(&lock, &[("one", "0.2", "")]).is_empty());
+    assert_eq!(
+        complaints(&lock, &[]),
+        ["one 0.2.9 is there beside a newer one"]
+    );
+    assert_eq!(
+        complaints(&lock, &[("one", "0.2", ""), ("two", "1", "")]),
+        ["two 1 need not be accepted any more"]
+    );
+}
