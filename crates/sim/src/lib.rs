@@ -29,7 +29,7 @@
 //!     longest_time: 20.0,
 //! };
 //! let responses = linear::torsion_responses(&string, &Method::Quadrature, &request)?;
-//! let system = System::new(&responses);
+//! let system = System::new(&responses, 20.0);
 //! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0 };
 //! let scene = Scene {
 //!     surface_speed: 0.5,
@@ -44,6 +44,7 @@
 
 pub mod duration;
 pub mod excitation;
+mod held;
 pub mod history;
 pub mod lateral;
 pub mod laws;

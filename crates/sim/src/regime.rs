@@ -87,6 +87,11 @@ impl BitWatch {
         }
     }
 
+    /// The first steps, in which the bit does not move.
+    pub(crate) fn skip_stuck(&mut self, steps: usize) {
+        self.step += steps;
+    }
+
     pub(crate) fn see(&mut self, motion: BitMotion, speed: f64) {
         match (self.motion, motion) {
             (BitMotion::Stuck, BitMotion::Stuck) => {}

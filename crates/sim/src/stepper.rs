@@ -3,6 +3,7 @@
 use linear::TorsionResponses;
 use thiserror::Error;
 
+use crate::held::HeldTorque;
 use crate::history::{History, Kernel, Kernels};
 use crate::laws::bit::{BitMotion, BitTorque};
 use crate::regime::{BitWatch, TorsionMeasures};
@@ -26,6 +27,9 @@ pub enum SimulationError {
     /// Torsion, bending and scene do not have the same sites.
     #[error("torsion, bending and the scene do not have the same sites")]
     UnlikeParts,
+    /// The system was not prepared for so long a case.
+    #[error("the case lasts longer than its linear system was prepared for")]
+    LongerThanPrepared,
     /// Sites that touch one another within a step did not settle.
     #[error("coupled sites do not settle at {time} s; a higher sampling frequency parts them")]
     NotSettled {
@@ -48,35 +52,51 @@ pub struct System {
 struct BitInput {
     site: usize,
     to_itself: Kernels,
+    held: HeldTorque,
     to_sites: Vec<Kernel>,
 }
 
 impl System {
-    /// Prepares responses for simulation. The response to the surface's step
-    /// is summed here once; a case only scales it. A torque input, if there is
-    /// one, is the bit.
-    pub fn new(responses: &TorsionResponses) -> Self {
-        let bit = responses.torque_inputs.first().map(|&site| BitInput {
-            site,
-            to_itself: Kernels::new(&[vec![responses.from_torque[site][0].clone()]]),
-            to_sites: responses
-                .from_torque
-                .iter()
-                .map(|from_inputs| Kernel::new(&from_inputs[0]))
-                .collect(),
+    /// Prepares responses for simulations of at most `longest_time` (s). What
+    /// does not depend on the case is computed here once: the response to the
+    /// surface's step, and the torque of a bit that never slips; a case only
+    /// scales them. A torque input, if there is one, is the bit.
+    pub fn new(responses: &TorsionResponses, longest_time: f64) -> Self {
+        let surface_step = surface_steps(responses);
+        let step_length = 1.0 / responses.sampling_frequency;
+        let bit = responses.torque_inputs.first().map(|&site| {
+            let to_itself = Kernels::new(&[vec![responses.from_torque[site][0].clone()]]);
+            let surface = |step: usize| settled(&surface_step[site], step);
+            BitInput {
+                site,
+                held: HeldTorque::new(&to_itself, surface, steps_of(longest_time, step_length)),
+                to_itself,
+                to_sites: (responses.from_torque.iter())
+                    .map(|from_inputs| Kernel::new(&from_inputs[0]))
+                    .collect(),
+            }
         });
         Self {
-            step_length: 1.0 / responses.sampling_frequency,
-            surface_step: surface_steps(responses),
+            step_length,
+            surface_step,
             bit,
         }
     }
 
     /// Speed of a site in a step, per unit surface speed, no torque acting.
     fn surface_response(&self, site: usize, step: usize) -> f64 {
-        let response = &self.surface_step[site];
-        response[step.min(response.len() - 1)]
+        settled(&self.surface_step[site], step)
     }
+}
+
+/// A response at a step; it does not change after its last.
+fn settled(response: &[f64], step: usize) -> f64 {
+    response[step.min(response.len() - 1)]
+}
+
+/// Steps of a case, that at its start included.
+pub(crate) fn steps_of(duration: f64, step_length: f64) -> usize {
+    (duration / step_length).ceil() as usize + 1
 }
 
 /// Response of each site to a surface that starts to turn at 1 rad/s.
@@ -115,7 +135,7 @@ pub fn simulate(
     scene: &Scene,
     record: Option<&mut Trajectory>,
 ) -> Result<Outcome, SimulationError> {
-    let steps = (scene.timing.duration / system.step_length).ceil() as usize + 1;
+    let steps = steps_of(scene.timing.duration, system.step_length);
     let torsion = match (scene.bit, &system.bit) {
         (None, _) => {
             if let Some(record) = record {
@@ -152,30 +172,38 @@ fn step_bit(
     steps: usize,
     mut record: Option<&mut Trajectory>,
 ) -> Result<TorsionMeasures, SimulationError> {
+    if steps > input.held.steps() {
+        return Err(SimulationError::LongerThanPrepared);
+    }
+    let speed = scene.surface_speed;
+    let held = |step: usize| speed * input.held.at(step);
+    let slip = input.held.first_slip(speed, law.torque_static).min(steps);
     if let Some(record) = record.as_deref_mut() {
         *record = Trajectory {
             speeds: free_speeds(system, scene, steps),
-            bit_torque: Vec::with_capacity(steps),
+            bit_torque: (0..slip).map(held).collect(),
             ..Trajectory::default()
         };
+        record.speeds[input.site][..slip].fill(0.0);
     }
     let compliance = input.to_itself.instant(0, 0);
-    let mut torques = History::new(&input.to_itself, 1, steps);
+    // Torque beyond that of a bit held fast.
+    let mut beyond = History::new(&input.to_itself, 1, steps - slip);
     let mut watch = BitWatch::new(system.step_length, steps, scene.timing.closing_window);
+    watch.skip_stuck(slip);
     // The first instant is stuck.
     let mut motion = BitMotion::Stuck;
-    for step in 0..steps {
-        let from_surface = scene.surface_speed * system.surface_response(input.site, step);
+    for step in slip..steps {
         let mut past = [0.0];
-        torques.past(&mut past);
-        let now = law.meet(motion, from_surface + past[0], compliance);
+        beyond.past(&mut past);
+        let now = law.meet(motion, past[0] - compliance * held(step), compliance);
         if !now.torque.is_finite() {
             return Err(SimulationError::NotFinite {
                 time: step as f64 * system.step_length,
             });
         }
         motion = now.motion;
-        torques.push(&[now.torque]);
+        beyond.push(&[now.torque - held(step)]);
         watch.see(motion, now.speed);
         if let Some(record) = record.as_deref_mut() {
             record.speeds[input.site][step] = now.speed;

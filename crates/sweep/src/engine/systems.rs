@@ -91,7 +91,7 @@ impl MethodSystem {
             .transpose()?;
         let build_seconds = start.elapsed().as_secs_f64();
         let stepped = match &bending {
-            None => Stepped::Torsion(System::new(&responses)),
+            None => Stepped::Torsion(System::new(&responses, longest_time)),
             Some(bending) => Stepped::Lateral(LateralSystem::new(&responses, bending)?),
         };
         let impulses = setting.lateral.iter().flat_map(|lateral| &lateral.impulses);
