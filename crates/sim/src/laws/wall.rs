@@ -224,7 +224,7 @@ impl Press<'_> {
         let length = (wx * wx + wy * wy).sqrt();
         let sine = self.wall.radius * approach.free_speed / length;
         // No length or no number: nothing rolls.
-        if !(sine.abs() <= 1.0) {
+        if sine.is_nan() || sine.abs() > 1.0 {
             return [None, None];
         }
         // e_θ at the angle of w plus a right angle minus asin, or plus it.
