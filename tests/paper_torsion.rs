@@ -13,7 +13,7 @@ use linear::method::{FiniteElement, Transform};
 use linear::passivity::STABLE_MARGIN;
 use linear::{Method, TorsionResponses, torsion_responses};
 use sim::{
-    BitTorque, Rock, Scene, System, Timing, TorsionMeasures, TorsionRegime, Trajectory,
+    BitTorque, Rock, Scene, Stopping, System, Timing, TorsionMeasures, TorsionRegime, Trajectory,
     torsion_timing,
 };
 
@@ -57,7 +57,7 @@ fn simulate(system: &System, rpm: f64, torque: f64, duration: Option<f64>) -> To
         lateral: None,
         timing,
     };
-    sim::simulate(system, &scene, None)
+    sim::simulate(system, &scene, Stopping::Full, None)
         .unwrap()
         .torsion
         .unwrap()
@@ -204,7 +204,7 @@ fn scaling_speed_and_torque_together_changes_no_label() {
             lateral: None,
             timing,
         };
-        sim::simulate(&system, &scene, None)
+        sim::simulate(&system, &scene, Stopping::Full, None)
             .unwrap()
             .torsion
             .unwrap()
@@ -244,7 +244,8 @@ fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
             },
         };
         let mut trajectory = Trajectory::default();
-        let outcome = sim::simulate(&system, &scene, Some(&mut trajectory)).unwrap();
+        let outcome =
+            sim::simulate(&system, &scene, Stopping::Full, Some(&mut trajectory)).unwrap();
         assert_eq!(outcome.torsion.unwrap().regime, TorsionRegime::Stuck);
         let torque =
             |time: f64| trajectory.bit_torque[(time * academic::SAMPLING_FREQUENCY) as usize];
@@ -359,7 +360,7 @@ fn roughness_while_stuck(method: &Method) -> f64 {
         },
     };
     let mut trajectory = Trajectory::default();
-    sim::simulate(&system, &scene, Some(&mut trajectory)).unwrap();
+    sim::simulate(&system, &scene, Stopping::Full, Some(&mut trajectory)).unwrap();
     let late = &trajectory.bit_torque[trajectory.bit_torque.len() / 2..];
     late.windows(3)
         .map(|t| (t[0] - 2.0 * t[1] + t[2]).abs())

@@ -11,7 +11,7 @@ use linear::{
     torsion_responses,
 };
 use sim::history::{History, Kernel, Kernels};
-use sim::{Impulse, Lateral, LateralSystem, Scene, Timing, Wall, simulate_lateral};
+use sim::{Impulse, Lateral, LateralSystem, Scene, Stopping, Timing, Wall, simulate_lateral};
 
 fn main() {
     divan::main();
@@ -75,28 +75,40 @@ fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
     }
 }
 
-fn case(bencher: Bencher, sites: usize, friction: f64, duration: f64) {
+fn case(bencher: Bencher, sites: usize, friction: f64, duration: f64, stopping: Stopping) {
     let system = system(sites, duration);
     let scene = scene(sites, friction, duration);
-    bencher.bench(|| simulate_lateral(black_box(&system), black_box(&scene), None));
+    bencher.bench(|| simulate_lateral(black_box(&system), black_box(&scene), stopping, None));
 }
 
 /// Ten seconds, rolling whirl from one second to the end.
 #[divan::bench(args = [1, 3, 9, 27], sample_count = 10)]
 fn whirl(bencher: Bencher, sites: usize) {
-    case(bencher, sites, 2.0, 10.0);
+    case(bencher, sites, 2.0, 10.0, Stopping::Full);
 }
 
 /// Ten seconds, without contact at the end.
 #[divan::bench(args = [1, 3, 9, 27], sample_count = 10)]
 fn transient(bencher: Bencher, sites: usize) {
-    case(bencher, sites, 0.5, 10.0);
+    case(bencher, sites, 0.5, 10.0, Stopping::Full);
+}
+
+/// The same two with what is certain or settled left out.
+#[divan::bench(args = [1, 3, 9, 27], sample_count = 10)]
+fn whirl_until_settled(bencher: Bencher, sites: usize) {
+    case(bencher, sites, 2.0, 10.0, Stopping::Early);
+}
+
+#[divan::bench(args = [1, 3, 9, 27], sample_count = 10)]
+fn transient_until_certain(bencher: Bencher, sites: usize) {
+    case(bencher, sites, 0.5, 10.0, Stopping::Early);
 }
 
 /// Rolling whirl at one site for more and more steps.
 #[divan::bench(args = [6400, 25_600, 102_400], sample_count = 10)]
 fn steps(bencher: Bencher, steps: usize) {
-    case(bencher, 1, 2.0, steps as f64 / academic::SAMPLING_FREQUENCY);
+    let duration = steps as f64 / academic::SAMPLING_FREQUENCY;
+    case(bencher, 1, 2.0, duration, Stopping::Full);
 }
 
 fn noise(count: usize) -> Vec<f64> {

@@ -18,6 +18,11 @@ pub struct Impulse {
 }
 
 impl Impulse {
+    /// Whether it acts at no time from `from` to `to`, s.
+    pub fn is_quiet(&self, from: f64, to: f64) -> bool {
+        to < self.start || from >= self.start + self.duration
+    }
+
     /// The force at a time, N.
     pub fn force(&self, time: f64) -> [f64; 2] {
         let since = time - self.start;

@@ -3,12 +3,14 @@
 
 use linear::{BendingResponses, TorsionResponses};
 
+use crate::history::partitioned::FIRST_BLOCK;
 use crate::history::{History, Kernels};
 use crate::laws::bit::{BitMotion, BitTorque};
 use crate::laws::wall::{Approach, Contact, Touch};
 use crate::regime::BitWatch;
 use crate::scene::{Lateral, Scene};
-use crate::stepper::{Outcome, SimulationError, surface_steps};
+use crate::settling::{Ended, Settling, Stopping};
+use crate::stepper::{Outcome, SimulationError, steps_of, surface_steps};
 use crate::trajectory::Trajectory;
 use crate::whirl::WallWatch;
 
@@ -90,13 +92,14 @@ struct Step {
 }
 
 /// Simulates one case with lateral contact, writing its time history into
-/// `record` where asked.
+/// `record` where asked; nothing is left out of that.
 ///
 /// # Errors
 /// Where the motion is not finite or coupled sites do not settle.
 pub fn simulate_lateral(
     system: &LateralSystem,
     scene: &Scene,
+    stopping: Stopping,
     mut record: Option<&mut Trajectory>,
 ) -> Result<Outcome, SimulationError> {
     let Some(lateral) = &scene.lateral else {
@@ -106,7 +109,12 @@ pub fn simulate_lateral(
     if lateral.walls.len() != sites {
         return Err(SimulationError::UnlikeParts);
     }
-    let steps = (scene.timing.duration / system.step_length).ceil() as usize + 1;
+    let stopping = if record.is_some() {
+        Stopping::Full
+    } else {
+        stopping
+    };
+    let steps = steps_of(scene.timing.duration, system.step_length);
     let mut run = Run::new(system, scene, lateral, steps);
     let mut bit_watch = BitWatch::new(system.step_length, steps, scene.timing.closing_window);
     let mut wall_watch = WallWatch::new(
@@ -118,8 +126,21 @@ pub fn simulate_lateral(
     if let Some(record) = record.as_deref_mut() {
         *record = Trajectory::with_sites(sites);
     }
-    for step in 0..steps {
+    let mut settling = Settling::new(sites, system.step_length, steps);
+    let mut foretold = None;
+    let (mut step, mut stepped) = (0, 0);
+    while step < steps {
+        if stopping != Stopping::Full {
+            let passed = run.pass_free_block(step, steps, &mut wall_watch);
+            if passed > 0 {
+                step += passed;
+                settling.skip(passed);
+                continue;
+            }
+        }
         let now = run.step(step)?;
+        step += 1;
+        stepped = step;
         if let Some((motion, _)) = now.bit {
             bit_watch.see(motion, now.speeds[sites - 1]);
         }
@@ -127,6 +148,20 @@ pub fn simulate_lateral(
         if let Some(record) = record.as_deref_mut() {
             let torque = now.bit.map(|(_, torque)| torque);
             record.push(&now.speeds, &now.contacts, torque);
+        }
+        let may_settle = stopping != Stopping::Full && foretold.is_none() && run.may_settle(step);
+        if may_settle && settling.see(&run.now.contacts, &lateral.walls) {
+            let measures = settling.measures(&wall_watch);
+            if stopping == Stopping::Early {
+                return Ok(Outcome {
+                    simulated: (step - 1) as f64 * system.step_length,
+                    ended: Ended::Settled,
+                    foretold: None,
+                    torsion: None,
+                    lateral: Some(measures),
+                });
+            }
+            foretold = Some(measures.regime.name());
         }
     }
     if let Some(record) = record {
@@ -136,7 +171,13 @@ pub fn simulate_lateral(
         });
     }
     Ok(Outcome {
-        simulated: (steps - 1) as f64 * system.step_length,
+        simulated: stepped.saturating_sub(1) as f64 * system.step_length,
+        ended: if stepped < steps {
+            Ended::Certain
+        } else {
+            Ended::End
+        },
+        foretold,
         torsion: scene.bit.map(|_| bit_watch.measures()),
         lateral: Some(wall_watch.measures()),
     })
@@ -198,6 +239,53 @@ impl<'a> Run<'a> {
             self.bit_motion = motion;
         }
         Ok(&self.now)
+    }
+
+    /// Whether nothing disturbs the sites from one step to before another.
+    fn is_quiet(&self, from: usize, to: usize) -> bool {
+        let time = |step: usize| step as f64 * self.system.step_length;
+        let mut impulses = self.lateral.impulses.iter();
+        self.lateral.eccentric_masses.is_empty()
+            && impulses.all(|impulse| impulse.is_quiet(time(from), time(to)))
+    }
+
+    /// Whether the motion from a step on can be settled: a bit that cuts has a
+    /// regime of its own to wait for.
+    fn may_settle(&self, step: usize) -> bool {
+        self.scene.bit.is_none()
+            && (self.lateral.impulses.iter())
+                .all(|impulse| impulse.is_quiet(step as f64 * self.system.step_length, f64::MAX))
+    }
+
+    /// Passes a whole block, or what is left of the time, in which nothing
+    /// disturbs the sites and none reaches its wall: its motion is known, and the
+    /// same as if it were stepped. Returns how many steps that were.
+    fn pass_free_block(&mut self, step: usize, steps: usize, watch: &mut WallWatch) -> usize {
+        let count = FIRST_BLOCK.min(steps - step);
+        if self.scene.bit.is_some() || !self.is_quiet(step, step + FIRST_BLOCK) {
+            return 0;
+        }
+        let Some(motion) = self.forces.next_block() else {
+            return 0;
+        };
+        let (x, y) = motion.split_at(motion.len() / 2);
+        let clearances = self.lateral.walls.iter().map(|wall| wall.clearance);
+        let blocks = x.chunks_exact(FIRST_BLOCK).zip(y.chunks_exact(FIRST_BLOCK));
+        let is_free = blocks.zip(clearances).all(|((x, y), clearance)| {
+            let furthest = (x.iter().zip(y)).map(|(x, y)| x * x + y * y);
+            furthest.fold(0.0, f64::max) <= clearance * clearance
+        });
+        if !is_free {
+            return 0;
+        }
+        watch.see_free_block(x, y, FIRST_BLOCK, count);
+        for (site, position) in self.positions.iter_mut().enumerate() {
+            let last = (site + 1) * FIRST_BLOCK - 1;
+            *position = [x[last], y[last]];
+        }
+        self.torques.push_quiet_block();
+        self.forces.push_quiet_block();
+        count
     }
 
     /// Disturbances of this step; an eccentric mass pulls as the last step

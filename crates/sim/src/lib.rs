@@ -37,7 +37,7 @@
 //!     lateral: None,
 //!     timing: sim::torsion_timing(&string, 0.5, &bit),
 //! };
-//! let outcome = sim::simulate(&system, &scene, None)?;
+//! let outcome = sim::simulate(&system, &scene, sim::Stopping::Early, None)?;
 //! assert_eq!(outcome.torsion.map(|torsion| torsion.regime), Some(TorsionRegime::Smooth));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -50,6 +50,7 @@ pub mod lateral;
 pub mod laws;
 pub mod regime;
 pub mod scene;
+pub mod settling;
 pub mod steady_whirl;
 pub mod stepper;
 pub mod trajectory;
@@ -63,6 +64,7 @@ pub use laws::rock::Rock;
 pub use laws::wall::Wall;
 pub use regime::{TorsionMeasures, TorsionRegime};
 pub use scene::{Lateral, Scene};
+pub use settling::{Ended, Stopping};
 pub use steady_whirl::{SteadyWhirl, steady_backward_whirl};
 pub use stepper::{Outcome, SimulationError, System, simulate};
 pub use trajectory::Trajectory;

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::laws::bit::BitMotion;
+use crate::settling::SETTLING_TOLERANCE;
 
 /// Recaptures that make stick-slip: near the limit one may be the echo of the
 /// first slip and a second its consequence; a third repeats.
@@ -51,9 +52,29 @@ pub struct TorsionMeasures {
     pub closing_speed: f64,
 }
 
+/// From one slip to the next.
+#[derive(Debug, Clone, Copy, Default)]
+struct Cycle {
+    /// Steps.
+    period: usize,
+    /// Steps of that in slipping.
+    slipping: usize,
+    /// Sum of the speeds of its steps, rad/s.
+    travel: f64,
+}
+
+/// Cycles that have to agree for stick-slip to be settled.
+const AGREEING_CYCLES: usize = 3;
+
 /// Watches the bit step by step.
 #[derive(Debug, Clone)]
 pub(crate) struct BitWatch {
+    steps: usize,
+    cycles: [Cycle; AGREEING_CYCLES],
+    /// Speeds since the last slip began, and of the cycle before.
+    since_slip: Vec<f64>,
+    last_cycle: Vec<f64>,
+    recaptured_at: usize,
     step_length: f64,
     closing_from: usize,
     step: usize,
@@ -72,6 +93,11 @@ impl BitWatch {
     pub(crate) fn new(step_length: f64, steps: usize, closing_window: f64) -> Self {
         let window = (closing_window / step_length).round() as usize;
         Self {
+            steps,
+            cycles: Default::default(),
+            since_slip: Vec::new(),
+            last_cycle: Vec::new(),
+            recaptured_at: 0,
             step_length,
             closing_from: steps.saturating_sub(window.max(1)),
             step: 0,
@@ -96,11 +122,16 @@ impl BitWatch {
         match (self.motion, motion) {
             (BitMotion::Stuck, BitMotion::Stuck) => {}
             (BitMotion::Stuck, _) => {
+                if self.first_slip.is_some() {
+                    self.end_cycle();
+                }
+                self.since_slip.clear();
                 self.first_slip.get_or_insert(self.step);
                 self.last_slip = self.step;
                 self.slips += 1;
             }
             (_, BitMotion::Stuck) => {
+                self.recaptured_at = self.step;
                 self.sticks += 1;
                 self.slipping_steps += self.step - self.last_slip;
             }
@@ -110,11 +141,93 @@ impl BitWatch {
             self.last_recaptured = Some(self.step);
         }
         self.motion = motion;
+        if self.first_slip.is_some() {
+            self.since_slip.push(speed);
+        }
         self.peak_speed = self.peak_speed.max(speed);
         if self.step >= self.closing_from {
             self.closing_sum += speed;
         }
         self.step += 1;
+    }
+
+    fn end_cycle(&mut self) {
+        self.cycles.rotate_left(1);
+        self.cycles[AGREEING_CYCLES - 1] = Cycle {
+            period: self.step - self.last_slip,
+            slipping: self.recaptured_at - self.last_slip,
+            travel: self.since_slip.iter().sum(),
+        };
+        std::mem::swap(&mut self.last_cycle, &mut self.since_slip);
+    }
+
+    /// Steps for which the bit has been turning without a stop.
+    pub(crate) fn turning_for(&self) -> usize {
+        match self.motion {
+            BitMotion::Stuck => 0,
+            _ => self.step - self.last_slip,
+        }
+    }
+
+    /// Whether a slip has just begun that repeats the last ones, and goes on to,
+    /// changing as they did lately, until the end of the time.
+    pub(crate) fn is_settled(&self) -> bool {
+        let [first, second, last] = self.cycles;
+        if self.since_slip.len() != 1 || first.period == 0 || self.sticks < REPEATED {
+            return false;
+        }
+        let cycles_left = (self.steps - self.step) as f64 / last.period as f64;
+        let steady = |one: f64, other: f64, rounding: f64| {
+            let change = ((one - other).abs() - rounding).max(0.0);
+            change * cycles_left.max(1.0) <= SETTLING_TOLERANCE * other
+        };
+        [(first, second), (second, last)]
+            .iter()
+            .all(|(one, other)| {
+                steady(one.period as f64, other.period as f64, 1.0)
+                    && one.slipping.abs_diff(other.slipping) <= 1
+                    && steady(
+                        one.travel,
+                        other.travel,
+                        other.travel / other.slipping as f64,
+                    )
+            })
+    }
+
+    /// The rest of the time as repetitions of the last cycle.
+    pub(crate) fn repeat_last_cycle(&mut self) {
+        let cycle = std::mem::take(&mut self.last_cycle);
+        let period = cycle.len();
+        let last = self.cycles[AGREEING_CYCLES - 1];
+        // The present slip is one step old.
+        let begun = self.step - 1;
+        for step in self.step..self.steps {
+            let phase = (step - begun) % period;
+            let closing = step >= self.closing_from;
+            if closing {
+                self.closing_sum += cycle[phase];
+            }
+            if phase == last.slipping {
+                self.sticks += 1;
+                self.slipping_steps += last.slipping;
+            }
+            if phase == 0 {
+                self.slips += 1;
+                self.last_slip = step;
+            }
+            if phase >= last.slipping {
+                self.last_recaptured = Some(step);
+            }
+        }
+        self.step = self.steps;
+    }
+
+    /// The rest of the time at one speed.
+    pub(crate) fn turn_on(&mut self, speed: f64) {
+        let closing = self.steps - self.closing_from.max(self.step).min(self.steps);
+        self.closing_sum += closing as f64 * speed;
+        self.peak_speed = self.peak_speed.max(speed);
+        self.step = self.steps;
     }
 
     fn is_sustained(&self) -> bool {

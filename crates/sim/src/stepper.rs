@@ -6,8 +6,9 @@ use thiserror::Error;
 use crate::held::HeldTorque;
 use crate::history::{History, Kernel, Kernels};
 use crate::laws::bit::{BitMotion, BitTorque};
-use crate::regime::{BitWatch, TorsionMeasures};
+use crate::regime::{BitWatch, TorsionMeasures, TorsionRegime};
 use crate::scene::Scene;
+use crate::settling::{Ended, Stopping};
 use crate::trajectory::Trajectory;
 use crate::whirl::LateralMeasures;
 
@@ -118,39 +119,47 @@ fn running_sum(taps: &[f64]) -> Vec<f64> {
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outcome {
-    /// Time simulated, s.
+    /// Time stepped, s.
     pub simulated: f64,
+    /// Why it ended.
+    pub ended: Ended,
+    /// The label that settled motion would have given, where it was followed to
+    /// the end to see.
+    pub foretold: Option<&'static str>,
     /// Regime and measures of the bit, where it meets rock.
     pub torsion: Option<TorsionMeasures>,
     /// Regime and measures of the lateral motion, where it is modelled.
     pub lateral: Option<LateralMeasures>,
 }
 
-/// Simulates one case, writing its time history into `record` where asked.
+/// Simulates one case, writing its time history into `record` where asked;
+/// nothing is left out of that.
 ///
 /// # Errors
 /// Where the motion is not finite or the responses do not fit the scene.
 pub fn simulate(
     system: &System,
     scene: &Scene,
+    stopping: Stopping,
     record: Option<&mut Trajectory>,
 ) -> Result<Outcome, SimulationError> {
     let steps = steps_of(scene.timing.duration, system.step_length);
-    let torsion = match (scene.bit, &system.bit) {
+    match (scene.bit, &system.bit) {
         (None, _) => {
             if let Some(record) = record {
                 record.speeds = free_speeds(system, scene, steps);
             }
-            None
+            Ok(Outcome {
+                simulated: (steps - 1) as f64 * system.step_length,
+                ended: Ended::End,
+                foretold: None,
+                torsion: None,
+                lateral: None,
+            })
         }
-        (Some(_), None) => return Err(SimulationError::NoTorqueInput),
-        (Some(law), Some(input)) => Some(step_bit(system, input, scene, law, steps, record)?),
-    };
-    Ok(Outcome {
-        simulated: (steps - 1) as f64 * system.step_length,
-        torsion,
-        lateral: None,
-    })
+        (Some(_), None) => Err(SimulationError::NoTorqueInput),
+        (Some(law), Some(input)) => step_bit(system, input, scene, law, steps, stopping, record),
+    }
 }
 
 /// Speeds of all sites with nothing but the surface turning them.
@@ -170,8 +179,14 @@ fn step_bit(
     scene: &Scene,
     law: BitTorque,
     steps: usize,
+    stopping: Stopping,
     mut record: Option<&mut Trajectory>,
-) -> Result<TorsionMeasures, SimulationError> {
+) -> Result<Outcome, SimulationError> {
+    let stopping = if record.is_some() {
+        Stopping::Full
+    } else {
+        stopping
+    };
     if steps > input.held.steps() {
         return Err(SimulationError::LongerThanPrepared);
     }
@@ -193,6 +208,13 @@ fn step_bit(
     watch.skip_stuck(slip);
     // The first instant is stuck.
     let mut motion = BitMotion::Stuck;
+    // A torque that has not changed for as long as the response lasts turns the
+    // bit at one speed for ever.
+    let memory = input
+        .to_itself
+        .longest()
+        .max(system.surface_step[input.site].len());
+    let (mut ended, mut foretold, mut simulated) = (Ended::End, None, steps.max(1) - 1);
     for step in slip..steps {
         let mut past = [0.0];
         beyond.past(&mut past);
@@ -209,11 +231,33 @@ fn step_bit(
             record.speeds[input.site][step] = now.speed;
             record.bit_torque.push(now.torque);
         }
+        if stopping == Stopping::Full {
+            continue;
+        }
+        if watch.turning_for() >= memory && step >= memory {
+            watch.turn_on(now.speed);
+            (ended, simulated) = (Ended::Certain, step);
+            break;
+        }
+        if foretold.is_none() && watch.is_settled() {
+            if stopping == Stopping::Early {
+                watch.repeat_last_cycle();
+                (ended, simulated) = (Ended::Settled, step);
+                break;
+            }
+            foretold = Some(TorsionRegime::StickSlip.name());
+        }
     }
     if let Some(record) = record {
         add_torque_to_other_sites(input, record);
     }
-    Ok(watch.measures())
+    Ok(Outcome {
+        simulated: simulated as f64 * system.step_length,
+        ended,
+        foretold,
+        torsion: Some(watch.measures()),
+        lateral: None,
+    })
 }
 
 /// Sites that are only looked at follow from the recorded torque.

@@ -62,15 +62,31 @@ pub struct LateralMeasures {
     pub ambiguous_steps: usize,
 }
 
-/// One site's sums.
+/// What one site did over some steps.
 #[derive(Debug, Clone, Copy, Default)]
-struct SiteSums {
-    peak_radius: f64,
-    contact: usize,
-    rolling: usize,
-    angle: f64,
-    radius: f64,
-    normal_force: f64,
+pub(crate) struct SiteSums {
+    /// Steps in contact.
+    pub(crate) contact: usize,
+    /// Steps of that in rolling.
+    pub(crate) rolling: usize,
+    /// Angle gone round, rad.
+    pub(crate) angle: f64,
+    /// Sum of radii, m.
+    pub(crate) radius: f64,
+    /// Sum of normal forces, N.
+    pub(crate) normal_force: f64,
+}
+
+impl SiteSums {
+    /// One more step, from a position.
+    pub(crate) fn see(&mut self, contact: &Contact, [px, py]: [f64; 2]) {
+        let [x, y] = contact.position;
+        self.contact += usize::from(touches(contact));
+        self.rolling += usize::from(contact.touch == Touch::Rolling);
+        self.angle += (px * y - py * x).atan2(px * x + py * y);
+        self.radius += (x * x + y * y).sqrt();
+        self.normal_force += contact.normal_force;
+    }
 }
 
 /// Watches all sites step by step.
@@ -81,7 +97,9 @@ pub(crate) struct WallWatch {
     step: usize,
     first_contact: Option<usize>,
     ambiguous: usize,
-    sites: Vec<SiteSums>,
+    closing: Vec<SiteSums>,
+    /// Squares of the largest radii, m².
+    furthest: Vec<f64>,
     positions: Vec<[f64; 2]>,
 }
 
@@ -94,49 +112,65 @@ impl WallWatch {
             step: 0,
             first_contact: None,
             ambiguous: 0,
-            sites: vec![SiteSums::default(); sites],
+            closing: vec![SiteSums::default(); sites],
+            furthest: vec![0.0; sites],
             positions: vec![[0.0; 2]; sites],
         }
     }
 
     pub(crate) fn see(&mut self, contacts: &[Contact]) {
-        let closing = self.step >= self.closing_from;
         for (site, contact) in contacts.iter().enumerate() {
-            let [x, y] = contact.position;
-            let [px, py] = std::mem::replace(&mut self.positions[site], contact.position);
-            let sums = &mut self.sites[site];
-            let radius = (x * x + y * y).sqrt();
-            sums.peak_radius = sums.peak_radius.max(radius);
+            self.see_site(site, contact);
             self.ambiguous += usize::from(contact.ambiguous);
             if touches(contact) {
                 self.first_contact.get_or_insert(self.step);
-            }
-            if closing {
-                sums.contact += usize::from(touches(contact));
-                sums.rolling += usize::from(contact.touch == Touch::Rolling);
-                sums.angle += (px * y - py * x).atan2(px * x + py * y);
-                sums.radius += radius;
-                sums.normal_force += contact.normal_force;
             }
         }
         self.step += 1;
     }
 
+    fn see_site(&mut self, site: usize, contact: &Contact) {
+        let [x, y] = contact.position;
+        self.furthest[site] = self.furthest[site].max(x * x + y * y);
+        let before = std::mem::replace(&mut self.positions[site], contact.position);
+        if self.step >= self.closing_from {
+            self.closing[site].see(contact, before);
+        }
+    }
+
+    /// The first `count` steps of a block without contact: x and y of every site,
+    /// a block each.
+    pub(crate) fn see_free_block(&mut self, x: &[f64], y: &[f64], block: usize, count: usize) {
+        for step in 0..count {
+            for site in 0..self.positions.len() {
+                let place = site * block + step;
+                let position = [x[place], y[place]];
+                self.see_site(
+                    site,
+                    &Contact {
+                        position,
+                        ..Contact::NONE
+                    },
+                );
+            }
+            self.step += 1;
+        }
+    }
+
     pub(crate) fn measures(&self) -> LateralMeasures {
-        let steps = self.step.saturating_sub(self.closing_from).max(1) as f64;
-        let most = self
-            .sites
-            .iter()
-            .map(|sums| sums.contact)
-            .max()
-            .unwrap_or(0);
+        let steps = self.step.saturating_sub(self.closing_from).max(1);
+        self.measures_of(&self.closing, steps)
+    }
+
+    /// The measures of sums over some last steps, which stand for the closing
+    /// window.
+    pub(crate) fn measures_of(&self, closing: &[SiteSums], steps: usize) -> LateralMeasures {
+        let most = closing.iter().map(|sums| sums.contact).max().unwrap_or(0);
         // The lowest of equals: the bit, where nothing touches.
-        let site = self
-            .sites
-            .iter()
+        let site = (closing.iter())
             .rposition(|sums| sums.contact == most)
             .unwrap_or(0);
-        let sums = self.sites[site];
+        let (sums, steps) = (closing[site], steps as f64);
         let contact_fraction = sums.contact as f64 / steps;
         let in_contact = (sums.contact as f64).max(1.0);
         let regime = match self.first_contact {
@@ -151,7 +185,7 @@ impl WallWatch {
             first_contact: self
                 .first_contact
                 .map(|step| step as f64 * self.step_length),
-            peak_radius: sums.peak_radius,
+            peak_radius: self.furthest[site].sqrt(),
             contact_fraction,
             rolling_fraction: sums.rolling as f64 / in_contact,
             precession_rate: sums.angle / (steps * self.step_length),

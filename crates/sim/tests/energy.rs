@@ -6,7 +6,9 @@ use linear::{
     Bending, BendingRequest, Drillstring, Material, Method, Section, Sites, SurfaceSupport,
     TorsionRequest, Tube, bending_responses, torsion_responses,
 };
-use sim::{Impulse, Lateral, LateralSystem, Scene, Timing, Trajectory, Wall, simulate_lateral};
+use sim::{
+    Impulse, Lateral, LateralSystem, Scene, Stopping, Timing, Trajectory, Wall, simulate_lateral,
+};
 
 const SAMPLING_FREQUENCY: f64 = 640.0;
 const STEPS: usize = 100_000;
@@ -73,7 +75,7 @@ fn rattle(method: &Method, wall: Wall, sampling_frequency: f64, steps: usize) ->
         },
     };
     let mut trajectory = Trajectory::default();
-    simulate_lateral(&system, &scene, Some(&mut trajectory)).unwrap();
+    simulate_lateral(&system, &scene, Stopping::Full, Some(&mut trajectory)).unwrap();
     trajectory
 }
 

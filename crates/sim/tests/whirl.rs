@@ -12,8 +12,8 @@ use linear::{
 };
 use sim::excitation::least_impulse;
 use sim::{
-    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, LateralSystem, Scene, Timing,
-    Trajectory, Wall, simulate_lateral,
+    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, LateralSystem, Scene,
+    Stopping, Timing, Trajectory, Wall, simulate_lateral,
 };
 
 const BENDING: Bending = Bending {
@@ -90,7 +90,7 @@ impl Case {
                 closing_window: 2.0,
             },
         };
-        let outcome = simulate_lateral(&self.system, &scene, record).unwrap();
+        let outcome = simulate_lateral(&self.system, &scene, Stopping::Full, record).unwrap();
         outcome.lateral.unwrap()
     }
 
@@ -320,7 +320,8 @@ fn the_bit_cuts_and_touches_the_wall_at_once() {
             },
         };
         let mut trajectory = Trajectory::default();
-        let outcome = simulate_lateral(&case.system, &scene, Some(&mut trajectory)).unwrap();
+        let outcome =
+            simulate_lateral(&case.system, &scene, Stopping::Full, Some(&mut trajectory)).unwrap();
         (outcome, trajectory)
     };
     let (smooth, frictionless) = run(0.0, 3.0);

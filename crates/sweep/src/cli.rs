@@ -75,6 +75,9 @@ pub struct RunArguments {
     /// Stop at the first case that gives no answer
     #[arg(long)]
     pub fail_fast: bool,
+    /// Simulate every case to its end, even where the rest is certain or settled
+    #[arg(long)]
+    pub full: bool,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,

@@ -22,7 +22,7 @@ use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 /// Steps whose inputs are summed one by one.
-const FIRST_BLOCK: usize = 32;
+pub const FIRST_BLOCK: usize = 32;
 
 /// Blocks of a level in one of the next.
 const RATIO: usize = 8;
@@ -34,6 +34,7 @@ const LEAST_BLOCKS: usize = 4;
 #[derive(Debug, Clone)]
 pub struct Kernels {
     sites: usize,
+    longest: usize,
     /// A(0), `[output × sites + input]`.
     instants: Vec<f64>,
     /// Taps B₀ − 1 … 1 of each pair, the latest first.
@@ -139,6 +140,7 @@ impl Kernels {
         let tap = |taps: &[f64], lag: usize| taps.get(lag).copied().unwrap_or(0.0);
         Self {
             sites: taps.len(),
+            longest,
             instants: pairs.iter().map(|taps| tap(taps, 0)).collect(),
             recent: (pairs.iter())
                 .map(|taps| (1..FIRST_BLOCK).rev().map(|lag| tap(taps, lag)).collect())
@@ -146,6 +148,11 @@ impl Kernels {
             levels,
             arch: Arch::new(),
         }
+    }
+
+    /// Taps of the longest response.
+    pub fn longest(&self) -> usize {
+        self.longest
     }
 
     /// A(0): the response of a site within the step of an input at another.
@@ -258,6 +265,24 @@ impl<'a> History<'a> {
         if self.steps.is_multiple_of(FIRST_BLOCK) {
             self.end_block();
         }
+    }
+
+    /// At the beginning of a block, what all earlier ones add to its steps, B₀ of
+    /// them for every plane and site: the whole sums, as long as nothing is added
+    /// within.
+    pub fn next_block(&self) -> Option<&[f64]> {
+        let begins = self.steps.is_multiple_of(FIRST_BLOCK);
+        begins.then_some(self.known.as_slice())
+    }
+
+    /// Ends a whole block without inputs.
+    pub fn push_quiet_block(&mut self) {
+        let steps = self.steps + FIRST_BLOCK;
+        for inputs in &mut self.inputs {
+            inputs.resize(steps, 0.0);
+        }
+        self.steps = steps;
+        self.end_block();
     }
 
     /// All inputs of a plane and site so far.

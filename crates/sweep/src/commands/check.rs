@@ -83,6 +83,7 @@ fn run_all(
     let work = Work {
         sweep,
         shard: Shard::WHOLE,
+        full: false,
         is_open: &|_, _| true,
         stops: &|| false,
     };

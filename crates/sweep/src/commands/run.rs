@@ -37,7 +37,7 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     if arguments.out.is_none() && !shard.is_whole() {
         folder.push(format!("shard-{}-of-{}", shard.index, shard.of));
     }
-    let header = Header::new(shard, meaning(&sweep)?);
+    let header = Header::new(shard, meaning(&sweep, arguments.full)?);
     let found = if arguments.fresh {
         Found::Nothing
     } else {
@@ -152,6 +152,7 @@ fn simulate_open_cases(
     let work = Work {
         sweep,
         shard,
+        full: arguments.full,
         is_open: &|case, method| !is_done(case, method),
         stops: &|| stop.status().is_some(),
     };
@@ -174,7 +175,7 @@ fn finish(
     let tally = write_tables(sweep, &arguments.file, log, folder)?;
     write_atomically(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
     let seconds = start.elapsed().as_secs_f64();
-    let manifest = Manifest::new(sweep, shard, systems, tally, seconds)?;
+    let manifest = Manifest::new(sweep, shard, arguments.full, systems, tally, seconds)?;
     manifest.write(folder)?;
     let drawn = shard.is_whole() && super::plot::draw_map(folder)?;
     let path = folder.join(LOG);
@@ -293,6 +294,14 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     if manifest.tally.failed > 0 {
         let failed = manifest.tally.failed;
         writeln!(text, "  {failed} of {rows} rows failed: see failures.csv")?;
+    }
+    if manifest.tally.settled_wrong > 0 {
+        let (wrong, checked) = (manifest.tally.settled_wrong, manifest.tally.settled_checked);
+        writeln!(
+            text,
+            "  {wrong} of {checked} settled cases that were followed to the end changed their \
+             label: use --full"
+        )?;
     }
     let map = if drawn { "map.svg, map.png, " } else { "" };
     writeln!(text, "{map}labels.csv and more are in {}", folder.display())?;

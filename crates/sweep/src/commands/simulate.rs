@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use linear::elements::reconstruction::reconstruct;
 use linear::estimates::stick_slip_times;
 use linear::{BendingRequest, Sites};
-use sim::{BitTorque, Outcome, Trajectory};
+use sim::{BitTorque, Outcome, Stopping, Trajectory};
 
 use super::plot::{axis, save_picture};
 use super::{
@@ -57,7 +57,7 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     let simulations = pairs
         .map(|(case, system)| {
             let mut trajectory = Trajectory::default();
-            let outcome = system.simulate(case, Some(&mut trajectory))?;
+            let outcome = system.simulate(case, Stopping::Full, Some(&mut trajectory))?;
             Ok(Simulation {
                 case: case.index,
                 method: system.method.name(),

@@ -18,6 +18,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use anyhow::Result;
 use rayon::prelude::*;
+use sim::Stopping;
 
 use crate::spec::Sweep;
 
@@ -25,12 +26,18 @@ use crate::spec::Sweep;
 /// would leave threads without work at the end of each batch.
 const STRINGS_PER_THREAD: usize = 4;
 
+/// One case in so many is followed to its end even if it settles, to count how
+/// often that was wrong.
+const CHECKED_PART: usize = 16;
+
 /// The part of a sweep that is to be run.
 pub struct Work<'a> {
     /// The sweep.
     pub sweep: &'a Sweep,
     /// Which of its cases.
     pub shard: Shard,
+    /// Whether to simulate every case to its end.
+    pub full: bool,
     /// Which pairs of case and method (by its place in the sweep's list) are
     /// not done yet.
     pub is_open: &'a (dyn Fn(usize, usize) -> bool + Sync),
@@ -152,6 +159,18 @@ impl Work<'_> {
         }
     }
 
+    /// Of the cases that may stop when they have settled, some are followed to
+    /// the end.
+    fn stopping(&self, case: usize) -> Stopping {
+        if self.full {
+            Stopping::Full
+        } else if case.is_multiple_of(CHECKED_PART) {
+            Stopping::Checked
+        } else {
+            Stopping::Early
+        }
+    }
+
     fn run_pair(
         &self,
         built: &Built,
@@ -172,7 +191,8 @@ impl Work<'_> {
             .map_err(str::to_owned)
             .and_then(|systems| {
                 let system = &systems[method];
-                Ok(system.run(&Case::of(self.sweep, &system.setting, index)?))
+                let case = Case::of(self.sweep, &system.setting, index)?;
+                Ok(system.run(&case, self.stopping(index)))
             })
             .unwrap_or_else(|reason| Row {
                 case: index,

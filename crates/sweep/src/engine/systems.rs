@@ -10,7 +10,7 @@ use linear::{
     torsion_responses,
 };
 use sim::excitation::least_impulse;
-use sim::{LateralSystem, Outcome, Scene, SimulationError, System, Trajectory};
+use sim::{LateralSystem, Outcome, Scene, SimulationError, Stopping, System, Trajectory};
 
 use super::case::{Case, Row, RowOutcome};
 use crate::spec::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings, Setting, Sweep};
@@ -131,19 +131,21 @@ impl MethodSystem {
         Some(self.responses.from_torque[site].last()?)
     }
 
-    /// Simulates one scene, writing its time history into `record` where asked.
+    /// Simulates one scene, writing its time history into `record` where asked;
+    /// nothing is left out of that.
     ///
     /// # Errors
     /// Where the case gives no answer.
     pub fn simulate(
         &self,
         case: &Case,
+        stopping: Stopping,
         record: Option<&mut Trajectory>,
     ) -> Result<Outcome, SimulationError> {
         match &self.stepped {
-            Stepped::Torsion(system) => sim::simulate(system, &case.scene, record),
+            Stepped::Torsion(system) => sim::simulate(system, &case.scene, stopping, record),
             Stepped::Lateral(system) => {
-                sim::simulate_lateral(system, &self.with_amounts(&case.scene), record)
+                sim::simulate_lateral(system, &self.with_amounts(&case.scene), stopping, record)
             }
         }
     }
@@ -165,8 +167,8 @@ impl MethodSystem {
 
     /// Simulates one case. A case that panics is one without an answer, and not
     /// the end of the sweep.
-    pub fn run(&self, case: &Case) -> Row {
-        let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, None)));
+    pub fn run(&self, case: &Case, stopping: Stopping) -> Row {
+        let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, stopping, None)));
         let outcome = match simulated {
             Ok(Ok(outcome)) => RowOutcome::Done(outcome),
             Ok(Err(error)) => RowOutcome::Failed(error.to_string()),

@@ -11,7 +11,7 @@ use crate::lines::{COMMENT, line_from};
 use crate::spec::{Axis, Sweep, to_rpm};
 
 /// Columns that follow the axes.
-const RESULT_COLUMNS: [&str; 20] = [
+const RESULT_COLUMNS: [&str; 21] = [
     "torsion",
     "lateral",
     "first_slip_s",
@@ -29,6 +29,7 @@ const RESULT_COLUMNS: [&str; 20] = [
     "precession_turns_per_s",
     "normal_force_mean_kn",
     "ambiguous_steps",
+    "foretold",
     "simulated_s",
     "ended",
     "status",
@@ -77,8 +78,12 @@ fn result_fields(row: &Row) -> Vec<String> {
     fields.extend(torsion.map_or_else(|| vec![String::new(); 6], torsion_fields));
     let lateral_fields = |lateral| lateral_fields(row.site_from_bit_m, lateral);
     fields.extend(lateral.map_or_else(|| vec![String::new(); 9], lateral_fields));
+    let foretold = done
+        .and_then(|outcome| outcome.foretold)
+        .unwrap_or_default();
+    fields.push(foretold.to_owned());
     let (ended, status) = match done {
-        Some(_) => ("end", "ok"),
+        Some(outcome) => (outcome.ended.name(), "ok"),
         None => ("", "failed"),
     };
     fields.push(optional(done.map(|outcome| outcome.simulated)));

@@ -43,6 +43,8 @@ pub struct Manifest {
     pub strings: usize,
     /// The part of the sweep that is here, where that is not the whole.
     pub shard: Option<Shard>,
+    /// Whether every case was simulated to its end.
+    pub full: bool,
     /// What is known of each method; of the string as the file says it, where
     /// axes change the string.
     pub methods: Vec<MethodRecord>,
@@ -97,6 +99,7 @@ impl Manifest {
     pub fn new(
         sweep: &Sweep,
         shard: Shard,
+        full: bool,
         systems: &[MethodSystem],
         tally: Tally,
         wall_seconds: f64,
@@ -107,7 +110,7 @@ impl Manifest {
             program: crate::PROGRAM.to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             platform: format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),
-            meaning_sha256: meaning_hash(&meaning(sweep)?)?,
+            meaning_sha256: meaning_hash(&meaning(sweep, full)?)?,
             cases_sha256: cases_hash(&sweep.design)?,
             seed: sweep.design.seed(),
             sampling_frequency_hz: sweep.setting.sampling_frequency,
@@ -115,6 +118,7 @@ impl Manifest {
             cases: sweep.design.cases(),
             strings: sweep.design.strings(),
             shard: (!shard.is_whole()).then_some(shard),
+            full,
             methods: systems.iter().map(MethodRecord::of).collect(),
             tally,
             threads: rayon::current_num_threads(),
@@ -129,7 +133,7 @@ impl Manifest {
     /// # Errors
     /// None that a manifest that was read could cause.
     pub fn meaning(&self) -> Result<serde_json::Value> {
-        meaning_of(&self.sweep, self.cases_sha256.as_deref())
+        meaning_of(&self.sweep, self.cases_sha256.as_deref(), self.full)
     }
 
     /// The part of the sweep it records.
@@ -156,16 +160,20 @@ impl Manifest {
     }
 }
 
-/// What a sweep means: comments, key order, the spelling of numbers, titles and
+/// What a sweep, run in `full` or not, means: comments, key order, the spelling of numbers, titles and
 /// how the map is drawn do not matter; the cases of a list do.
 ///
 /// # Errors
 /// None that a sweep that was read could cause.
-pub fn meaning(sweep: &Sweep) -> Result<serde_json::Value> {
-    meaning_of(&sweep.content, cases_hash(&sweep.design)?.as_deref())
+pub fn meaning(sweep: &Sweep, full: bool) -> Result<serde_json::Value> {
+    meaning_of(&sweep.content, cases_hash(&sweep.design)?.as_deref(), full)
 }
 
-fn meaning_of(content: &FileContent, cases_sha256: Option<&str>) -> Result<serde_json::Value> {
+fn meaning_of(
+    content: &FileContent,
+    cases_sha256: Option<&str>,
+    full: bool,
+) -> Result<serde_json::Value> {
     let mut content = content.clone();
     content.title = None;
     content.map = Default::default();
@@ -173,8 +181,13 @@ fn meaning_of(content: &FileContent, cases_sha256: Option<&str>) -> Result<serde
         section.name = None;
     }
     let mut meaning = serde_json::to_value(&content)?;
-    if let (Some(hash), Some(table)) = (cases_sha256, meaning.as_object_mut()) {
-        table.insert("cases of the list".to_owned(), hash.into());
+    if let Some(table) = meaning.as_object_mut() {
+        if let Some(hash) = cases_sha256 {
+            table.insert("cases of the list".to_owned(), hash.into());
+        }
+        if full {
+            table.insert("--full".to_owned(), full.into());
+        }
     }
     Ok(meaning)
 }

@@ -21,12 +21,18 @@ pub struct Tally {
     pub labels: BTreeMap<String, BTreeMap<String, usize>>,
     /// Rows without an answer.
     pub failed: usize,
+    /// Settled rows that were followed to the end, and those of them whose label
+    /// changed.
+    pub settled_checked: usize,
+    /// See `settled_checked`.
+    pub settled_wrong: usize,
 }
 
 /// Where the fields to count are in a row.
 pub struct Counted {
     method: usize,
     labels: [usize; 2],
+    foretold: usize,
     status: usize,
 }
 
@@ -43,6 +49,7 @@ impl Counted {
         Ok(Self {
             method: place("method")?,
             labels: [place("torsion")?, place("lateral")?],
+            foretold: place("foretold")?,
             status: place("status")?,
         })
     }
@@ -53,7 +60,12 @@ impl Counted {
         let field = |place: usize| fields.get(place).copied().unwrap_or_default();
         tally.rows += 1;
         tally.failed += usize::from(field(self.status) == "failed");
-        for label in self.labels.map(field) {
+        let (labels, foretold) = (self.labels.map(field), field(self.foretold));
+        if !foretold.is_empty() {
+            tally.settled_checked += 1;
+            tally.settled_wrong += usize::from(!labels.contains(&foretold));
+        }
+        for label in labels {
             if !label.is_empty() {
                 let method = tally.labels.entry(field(self.method).to_owned());
                 *method.or_default().entry(label.to_owned()).or_default() += 1;
