@@ -1,6 +1,6 @@
 //! Every combination of the axes' values; the first axis changes slowest.
 
-use super::count_string_axes;
+use super::{MOST_CASES, count_string_axes};
 use crate::spec::{Axis, AxisRange, DesignTable, Source, SpecError, check_axis_value};
 
 /// More grid values on an axis are a slip of the pen.
@@ -15,15 +15,18 @@ pub struct Grid {
 
 impl Grid {
     pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SpecError> {
-        let values = table
-            .axes
-            .iter()
-            .map(|(&axis, range)| axis_values(source, axis, range))
-            .collect::<Result<_, _>>()?;
-        Ok(Self {
+        let mut grid = Self {
             axes: table.axes.keys().copied().collect(),
-            values,
-        })
+            values: Vec::new(),
+        };
+        for (&axis, range) in &table.axes {
+            grid.values.push(axis_values(source, axis, range)?);
+            // It will be refused: further axes would only fill the memory.
+            if grid.cases() > MOST_CASES {
+                break;
+            }
+        }
+        Ok(grid)
     }
 
     pub(super) fn axes(&self) -> &[Axis] {

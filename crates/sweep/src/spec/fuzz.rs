@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::TestRunner;
 
-use super::{Sweep, check_setting};
+use super::{Setting, SpecError, Sweep, check_setting};
 use crate::engine::Case;
 
 /// Inputs made by changing a sweep file. A sixth can still be read.
@@ -66,7 +66,7 @@ section_1_part_0_outer_radius_m = { values = [0.15, 0.16] }
 site_0_distance_from_bit_m = { values = [40, 60] }
 "#;
 
-/// A rock's table, and as many axes as there can be.
+/// A rock's table, and as many axes of conditions as there can be.
 const TABLE: &str = r#"
 base = "fig10.toml"
 
@@ -82,6 +82,25 @@ surface_speed_rpm = { from = 10, to = 60, count = 30 }
 weight_on_bit_kn = { from = 10, to = 60, count = 30 }
 impulse_ratio = { from = 1, to = 3, count = 30 }
 friction = { from = 0, to = 3, count = 30 }
+"#;
+
+/// Axes of a string that touches a wall.
+const STRINGS: &str = r#"
+base = "fig10.toml"
+
+[design]
+kind = "grid"
+
+[design.axes]
+torsional_damping_nms_rad_m = { values = [5, 10] }
+bending_damping_ns_m2 = { values = [0, 2000] }
+compression_kn = { from = -50, to = 50, count = 3 }
+section_0_repeat = { from = 20, to = 90, count = 2 }
+section_0_part_0_length_m = { values = [9] }
+section_0_part_1_inner_radius_m = { values = [0.04] }
+section_1_part_0_outer_radius_m = { values = [0.16] }
+site_0_distance_from_bit_m = { from = 0, to = 1, count = 2 }
+friction = { values = [1, 2] }
 "#;
 
 /// What is put in the place of what was there, besides words of the files.
@@ -108,7 +127,7 @@ static PIECES: LazyLock<Vec<String>> = LazyLock::new(|| {
     short.map(str::to_owned).into_iter().chain(long).collect()
 });
 
-/// Every sweep file and list that is shipped, and the two above, by name.
+/// Every sweep file and list that is shipped, and the three above, by name.
 static SHIPPED: LazyLock<BTreeMap<PathBuf, Vec<u8>>> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../sweeps");
     let files = std::fs::read_dir(folder).unwrap().map(|file| {
@@ -116,7 +135,11 @@ static SHIPPED: LazyLock<BTreeMap<PathBuf, Vec<u8>>> = LazyLock::new(|| {
         let text = std::fs::read(file.path()).unwrap();
         (PathBuf::from(file.file_name()), text)
     });
-    let own = [("more.toml", MORE), ("table.toml", TABLE)];
+    let own = [
+        ("more.toml", MORE),
+        ("table.toml", TABLE),
+        ("strings.toml", STRINGS),
+    ];
     files
         .chain(own.map(|(name, text)| (name.into(), text.into())))
         .collect()
@@ -293,33 +316,46 @@ fn read(path: &Path, instead: &Texts) -> bool {
     let sweep = match Sweep::read_from(path, &|path| text_of(path, instead)) {
         Ok(sweep) => sweep,
         Err(error) => {
-            let message = error.to_string();
-            let mut files = instead.keys().chain(SHIPPED.keys());
-            let named = files.any(|file| message.starts_with(file.to_str().unwrap()));
-            assert!(named, "{message}");
-            assert!(!message.contains(char::is_control), "{message:?}");
+            is_a_sentence(&error, instead);
             return false;
         }
     };
-    let cases = sweep.design.cases();
-    assert!(cases > 0);
-    for index in [0, cases - 1] {
-        let values = sweep.design.values(index);
-        assert_eq!(values.len(), sweep.design.axes().len());
-        for (&axis, &value) in sweep.design.axes().iter().zip(&values) {
-            assert_eq!(check_setting(axis, value), Ok(()));
-        }
-        let case = sweep
-            .setting_at(&values)
-            .map_err(|error| error.to_string())
-            .and_then(|setting| Case::of(&sweep, &setting, index));
-        if let Ok(case) = case {
-            assert_eq!(case.values, values);
-            let duration = case.scene.timing.duration;
-            assert!(duration > 0.0 && duration.is_finite(), "{duration}");
+    let design = &sweep.design;
+    assert!(design.cases() > 0 && design.strings() > 0);
+    for string in [0, design.strings() - 1] {
+        let cases = design.cases_of_string(string);
+        for position in [0, cases.len() - 1] {
+            let index = cases.get(position);
+            assert!(index < design.cases());
+            let values = design.values(index);
+            assert_eq!(values.len(), design.axes().len());
+            for (&axis, &value) in design.axes().iter().zip(&values) {
+                assert_eq!(check_setting(axis, value), Ok(()));
+            }
+            match sweep.setting_at(&values) {
+                Ok(setting) => can_be_run(&sweep, &setting, index),
+                Err(error) => is_a_sentence(&error, instead),
+            }
         }
     }
     true
+}
+
+/// An error is one line that begins with the name of a file.
+fn is_a_sentence(error: &SpecError, instead: &Texts) {
+    let message = error.to_string();
+    let mut files = instead.keys().chain(SHIPPED.keys());
+    let named = files.any(|file| message.starts_with(file.to_str().unwrap()));
+    assert!(named, "{message}");
+    assert!(!message.contains(char::is_control), "{message:?}");
+}
+
+/// A case takes some time, or is outside its rock's table.
+fn can_be_run(sweep: &Sweep, setting: &Setting, index: usize) {
+    if let Ok(case) = Case::of(sweep, setting, index) {
+        let duration = case.scene.timing.duration;
+        assert!(duration > 0.0 && duration.is_finite(), "{duration}");
+    }
 }
 
 /// Runs a test. Were too few inputs readable, it would see little more than the

@@ -43,6 +43,22 @@ fn a_grid_of_more_cases_than_can_be_counted_is_refused() {
     );
 }
 
+/// A hundred axes of a million values took most of a gigabyte before they were
+/// multiplied.
+#[test]
+fn a_grid_that_is_too_large_is_not_filled() {
+    let start = Instant::now();
+    let axes: String = (0..100)
+        .map(|site| {
+            let name = format!("site_{site}_distance_from_bit_m");
+            format!("{name} = {{ from = 1, to = 2, count = 1000000 }}\n")
+        })
+        .collect();
+    let message = message(&format!("[design]\nkind = \"grid\"\n[design.axes]\n{axes}"));
+    assert!(message.contains("cases are more than"), "{message}");
+    assert!(start.elapsed() < Duration::from_secs(5));
+}
+
 #[test]
 fn a_message_is_one_line_whatever_the_file_says() {
     for text in [
