@@ -15,7 +15,7 @@ fn run_with_room(place: &Workplace, kilobytes: usize) -> (Option<i32>, String) {
         .arg("-c")
         // POSIX counts blocks of 512 bytes; the signal is to be an error.
         .arg(format!(
-            "trap '' XFSZ; ulimit -f {}; exec \"$0\" run small.toml --quiet --out results",
+            "trap '' XFSZ; ulimit -f {}; exec \"$0\" run small.toml --full --quiet --out results",
             2 * kilobytes
         ))
         .arg(binary)
@@ -31,7 +31,10 @@ fn run_with_room(place: &Workplace, kilobytes: usize) -> (Option<i32>, String) {
 #[test]
 fn a_full_disk_loses_nothing() {
     let place = Workplace::with_small(&long());
-    finishes(&place, &["run", "small.toml", "--quiet", "--out", "whole"]);
+    finishes(
+        &place,
+        &["run", "small.toml", "--full", "--quiet", "--out", "whole"],
+    );
     let mut before = 0;
     for kilobytes in [8, 32, 48] {
         let (code, errors) = run_with_room(&place, kilobytes);
@@ -48,7 +51,7 @@ fn a_full_disk_loses_nothing() {
     }
     finishes(
         &place,
-        &["run", "small.toml", "--quiet", "--out", "results"],
+        &["run", "small.toml", "--full", "--quiet", "--out", "results"],
     );
     same_tables(&place, "whole", "results");
 }
@@ -70,7 +73,7 @@ fn the_folder_of_someone_else_is_an_error() {
     allow("theirs", 0o555);
     let mut command = Command::new(place.path("sweep"));
     command
-        .args(["run", "small.toml", "--quiet", "--out", "theirs"])
+        .args(["run", "small.toml", "--full", "--quiet", "--out", "theirs"])
         .current_dir(place.path(""));
     let is_root = std::fs::metadata("/proc/self").is_ok_and(|own| {
         use std::os::unix::fs::MetadataExt;

@@ -3,12 +3,12 @@
 use crate::support::{Workplace, with};
 use crate::{finishes, long, same_tables};
 
-const RUN: [&str; 5] = ["run", "small.toml", "--quiet", "--out", "results"];
+const RUN: [&str; 6] = ["run", "small.toml", "--full", "--quiet", "--out", "results"];
 
 /// A place with a whole run, and a stopped one whose log has its first lines.
 fn stopped(lines: usize) -> (Workplace, String) {
     let place = Workplace::with_small(&failing_last(&long()));
-    let answer = place.sweep(&["run", "small.toml", "--out", "whole"]);
+    let answer = place.sweep(&["run", "small.toml", "--full", "--out", "whole"]);
     assert_eq!(answer.code, 3, "{answer:?}");
     // A run that stops at its last cases, which cannot be.
     let answer = place.sweep(&[&RUN[..], &["--fail-fast", "--jobs", "1"]].concat());
@@ -101,9 +101,9 @@ fn a_log_of_another_program_is_refused() {
             "shard 1/1 of this sweep, not 0/1",
         ),
         (
-            "\"time_s\":200.0",
+            "\"time_s\":1000.0",
             "\"time_s\":100.0",
-            "another sweep (time_s: 100.0 → 200.0)",
+            "another sweep (time_s: 100.0 → 1000.0)",
         ),
     ] {
         let other = with(text, piece, instead);

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use crate::support::Workplace;
 use crate::{finishes, logged, long, same_tables};
 
-const RUN: [&str; 5] = ["run", "small.toml", "--quiet", "--out", "stopped"];
+const RUN: [&str; 6] = ["run", "small.toml", "--full", "--quiet", "--out", "stopped"];
 
 fn start(place: &Workplace, arguments: &[&str]) -> Child {
     place
@@ -38,7 +38,10 @@ fn signal(child: &Child, name: &str) {
 #[test]
 fn a_run_killed_twenty_times_ends_with_the_same_bytes() {
     let place = Workplace::with_small(&long());
-    finishes(&place, &["run", "small.toml", "--quiet", "--out", "whole"]);
+    finishes(
+        &place,
+        &["run", "small.toml", "--full", "--quiet", "--out", "whole"],
+    );
     let mut killed = 0;
     let mut before = 0;
     for attempt in 0..20u64 {
@@ -114,9 +117,12 @@ fn asked_to_stop_a_run_keeps_what_is_done_and_says_how_to_go_on() {
         serde_json::from_str(answer.errors.lines().next().unwrap()).unwrap();
     assert_eq!(first["event"], "start");
     assert!(first["done"].as_u64().unwrap() >= 10);
-    let again = finishes(&place, &["run", "small.toml", "--out", "stopped"]);
+    let again = finishes(&place, &["run", "small.toml", "--full", "--out", "stopped"]);
     assert!(again.output.starts_with("complete already"), "{again:?}");
-    finishes(&place, &["run", "small.toml", "--quiet", "--out", "whole"]);
+    finishes(
+        &place,
+        &["run", "small.toml", "--full", "--quiet", "--out", "whole"],
+    );
     same_tables(&place, "whole", "stopped");
 }
 
@@ -136,6 +142,9 @@ fn two_runs_never_write_one_folder() {
         );
     }
     assert!(first.wait().unwrap().success());
-    finishes(&place, &["run", "small.toml", "--quiet", "--out", "whole"]);
+    finishes(
+        &place,
+        &["run", "small.toml", "--full", "--quiet", "--out", "whole"],
+    );
     same_tables(&place, "whole", "stopped");
 }
