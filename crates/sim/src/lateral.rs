@@ -14,8 +14,8 @@ use crate::stepper::{Outcome, SimulationError, steps_of, surface_steps};
 use crate::trajectory::Trajectory;
 use crate::whirl::WallWatch;
 
-/// Sites that touch one another within a step are solved in turn until no force
-/// changes by more than this fraction.
+/// Sites that feel one another within a step are solved in turn until no force
+/// would change by more than this fraction of the largest.
 const COUPLING_TOLERANCE: f64 = 1e-12;
 
 /// Turns after which sites that do not settle are given up.
@@ -79,6 +79,8 @@ struct Run<'a> {
     free_positions: Vec<f64>,
     /// This step: loads of every site, force and torque; inputs of both histories.
     loads: Vec<([f64; 2], f64)>,
+    /// How much they have changed in the last turn.
+    changes: Vec<(f64, f64)>,
     step_torques: Vec<f64>,
     step_forces: Vec<f64>,
     now: Step,
@@ -204,6 +206,7 @@ impl<'a> Run<'a> {
             free_speeds: vec![0.0; sites],
             free_positions: vec![0.0; 2 * sites],
             loads: vec![([0.0; 2], 0.0); sites],
+            changes: vec![(0.0, 0.0); sites],
             step_torques: vec![0.0; sites],
             step_forces: vec![0.0; 2 * sites],
             now: Step {
@@ -283,6 +286,7 @@ impl<'a> Run<'a> {
             let last = (site + 1) * FIRST_BLOCK - 1;
             *position = [x[last], y[last]];
         }
+        self.loads.fill(([0.0; 2], 0.0));
         self.torques.push_quiet_block();
         self.forces.push_quiet_block();
         count
@@ -324,14 +328,12 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// All sites at once: in turn, each with the others' latest loads, until
-    /// none changes.
+    /// All sites at once: in turn, each with the others' latest loads, at first
+    /// those of the last step, until what has changed of them no longer matters.
     fn meet(&mut self, time: f64) -> Result<(), SimulationError> {
         let sites = self.system.sites;
-        self.loads.fill(([0.0; 2], 0.0));
         for _ in 0..MOST_TURNS {
             let mut largest: f64 = 0.0;
-            let mut change: f64 = 0.0;
             for site in 0..sites {
                 let (contact, speed, torque) = self.meet_one(site);
                 if !(speed.is_finite() && contact.normal_force.is_finite()) {
@@ -341,21 +343,42 @@ impl<'a> Run<'a> {
                     contact.force,
                     contact.torque + torque.map_or(0.0, |bit| bit.1),
                 );
-                let before = self.loads[site];
+                let before = std::mem::replace(&mut self.loads[site], load);
+                self.changes[site] = (
+                    (load.0[0] - before.0[0]).abs() + (load.0[1] - before.0[1]).abs(),
+                    (load.1 - before.1).abs(),
+                );
                 largest = largest.max(contact.normal_force);
-                change = change
-                    .max((load.0[0] - before.0[0]).abs())
-                    .max((load.0[1] - before.0[1]).abs());
-                self.loads[site] = load;
                 self.now.contacts[site] = contact;
                 self.now.speeds[site] = speed;
                 self.now.bit = torque;
             }
-            if sites == 1 || change <= COUPLING_TOLERANCE * largest {
+            if self.largest_effect() <= COUPLING_TOLERANCE * largest {
                 return Ok(());
             }
         }
         Err(SimulationError::NotSettled { time })
+    }
+
+    /// The most that the last changes of the loads change the force at any other
+    /// site, N.
+    fn largest_effect(&self) -> f64 {
+        let (forces, torques) = (&self.system.from_force, &self.system.from_torque);
+        let mut largest: f64 = 0.0;
+        for site in 0..self.system.sites {
+            // A site gives way by its own response, or turns by it.
+            let radius = self.lateral.walls[site].radius;
+            for (other, (force, torque)) in self.changes.iter().enumerate() {
+                if other != site {
+                    let pushed = forces.instant(site, other).abs() * force;
+                    let turned = torques.instant(site, other).abs() * torque;
+                    largest = largest
+                        .max(pushed / forces.instant(site, site))
+                        .max(turned / (torques.instant(site, site) * radius));
+                }
+            }
+        }
+        largest
     }
 
     /// One site, the loads of the others given: its contact, its speed, and

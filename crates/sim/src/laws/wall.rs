@@ -88,6 +88,10 @@ impl Contact {
 /// Rolling is solved to this fraction of the friction coefficient.
 const RATIO_TOLERANCE: f64 = 1e-15;
 
+/// A step of Newton's as small as this part of the root ends within rounding of
+/// it: the next would be as small as the square of this.
+const CLOSE: f64 = 1e-8;
+
 /// A step that carries the free position further than this many clearances may
 /// turn the centre so far that several friction ratios solve it.
 const FAR: f64 = 1.1;
@@ -403,6 +407,9 @@ fn newton(guess: f64, highest: f64, value_and_slope: impl Fn(f64) -> (f64, f64))
         // Not a number ends it too.
         if !(next < root && next > 0.0) {
             return root;
+        }
+        if root - next <= CLOSE * root {
+            return next;
         }
         root = next;
     }

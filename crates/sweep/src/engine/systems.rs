@@ -9,6 +9,7 @@ use linear::{
     BendingRequest, BendingResponses, Method, TorsionRequest, TorsionResponses, bending_responses,
     torsion_responses,
 };
+use rayon::prelude::*;
 use sim::excitation::least_impulse;
 use sim::{LateralSystem, Outcome, Scene, SimulationError, Stopping, System, Trajectory};
 
@@ -53,12 +54,14 @@ impl MethodSystem {
     /// Where a method cannot treat the string, or an impulse is given in
     /// multiples of an I₀ that does not exist.
     pub fn build_all(sweep: &Sweep, setting: &Setting, longest_time: f64) -> Result<Vec<Self>> {
-        let systems = (sweep.methods.iter())
+        let systems = (sweep.methods.par_iter())
             .map(|method| {
                 Self::build(setting, *method, sweep.bit.is_some(), longest_time)
                     .with_context(|| format!("the responses by {} cannot be built", method.name()))
             })
-            .collect::<Result<Vec<Self>>>()?;
+            .collect::<Vec<_>>();
+        // The first method's error, whichever was found first.
+        let systems = systems.into_iter().collect::<Result<Vec<Self>>>()?;
         if let Some(index) = systems.iter().find_map(Self::unreachable_impulse) {
             let message = "there is no I₀, for no impulse brings this site to the wall; \
                            give `amount_ns`";
@@ -83,12 +86,17 @@ impl MethodSystem {
             sampling_frequency: setting.sampling_frequency,
             longest_time,
         };
-        let responses = torsion_responses(&setting.string, &method, &request)?;
-        let bending = setting
-            .lateral
-            .as_ref()
-            .map(|lateral| build_bending(setting, lateral, &method, longest_time))
-            .transpose()?;
+        // Neither alone keeps all cores busy.
+        let (responses, bending) = rayon::join(
+            || torsion_responses(&setting.string, &method, &request),
+            || {
+                let lateral = setting.lateral.as_ref();
+                lateral
+                    .map(|lateral| build_bending(setting, lateral, &method, longest_time))
+                    .transpose()
+            },
+        );
+        let (responses, bending) = (responses?, bending?);
         let build_seconds = start.elapsed().as_secs_f64();
         let stepped = match &bending {
             None => Stepped::Torsion(System::new(&responses, longest_time)),
