@@ -44,6 +44,7 @@
 
 pub mod duration;
 pub mod excitation;
+mod future;
 mod held;
 pub mod history;
 pub mod lateral;

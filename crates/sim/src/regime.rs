@@ -222,11 +222,14 @@ impl BitWatch {
         self.step = self.steps;
     }
 
-    /// The rest of the time at one speed.
-    pub(crate) fn turn_on(&mut self, speed: f64) {
+    /// The rest of the time without a stop, at speeds of which the last stays.
+    pub(crate) fn turn_on(&mut self, motion: BitMotion, speeds: &[f64]) {
+        for &speed in speeds.iter().take(self.steps - self.step) {
+            self.see(motion, speed);
+        }
+        let last = speeds.last().copied().unwrap_or(0.0);
         let closing = self.steps - self.closing_from.max(self.step).min(self.steps);
-        self.closing_sum += closing as f64 * speed;
-        self.peak_speed = self.peak_speed.max(speed);
+        self.closing_sum += closing as f64 * last;
         self.step = self.steps;
     }
 

@@ -3,6 +3,7 @@
 use linear::TorsionResponses;
 use thiserror::Error;
 
+use crate::future::Future;
 use crate::held::HeldTorque;
 use crate::history::{History, Kernel, Kernels};
 use crate::laws::bit::{BitMotion, BitTorque};
@@ -54,6 +55,7 @@ struct BitInput {
     site: usize,
     to_itself: Kernels,
     held: HeldTorque,
+    future: Future,
     to_sites: Vec<Kernel>,
 }
 
@@ -66,12 +68,14 @@ impl System {
         let surface_step = surface_steps(responses);
         let step_length = 1.0 / responses.sampling_frequency;
         let bit = responses.torque_inputs.first().map(|&site| {
+            let future = Future::new(&responses.from_torque[site][0]);
             let to_itself = Kernels::new(&[vec![responses.from_torque[site][0].clone()]]);
             let surface = |step: usize| settled(&surface_step[site], step);
             BitInput {
                 site,
                 held: HeldTorque::new(&to_itself, surface, steps_of(longest_time, step_length)),
                 to_itself,
+                future,
                 to_sites: (responses.from_torque.iter())
                     .map(|from_inputs| Kernel::new(&from_inputs[0]))
                     .collect(),
@@ -173,6 +177,10 @@ fn free_speeds(system: &System, scene: &Scene, steps: usize) -> Vec<Vec<f64>> {
         .collect()
 }
 
+/// A bit that turns for this part of what it remembers, in per cent, may turn for
+/// ever: a wave has come and gone several times.
+const TURNING_FOR: usize = 10;
+
 fn step_bit(
     system: &System,
     input: &BitInput,
@@ -208,12 +216,7 @@ fn step_bit(
     watch.skip_stuck(slip);
     // The first instant is stuck.
     let mut motion = BitMotion::Stuck;
-    // A torque that has not changed for as long as the response lasts turns the
-    // bit at one speed for ever.
-    let memory = input
-        .to_itself
-        .longest()
-        .max(system.surface_step[input.site].len());
+    let memory = input.future.memory();
     let (mut ended, mut foretold, mut simulated) = (Ended::End, None, steps.max(1) - 1);
     for step in slip..steps {
         let mut past = [0.0];
@@ -234,10 +237,25 @@ fn step_bit(
         if stopping == Stopping::Full {
             continue;
         }
-        if watch.turning_for() >= memory && step >= memory {
-            watch.turn_on(now.speed);
-            (ended, simulated) = (Ended::Certain, step);
-            break;
+        // A look ahead costs about as much as stepping half of what it sees.
+        let looks_ahead =
+            watch.turning_for() == TURNING_FOR * memory / 100 && steps - step > memory / 2;
+        if looks_ahead {
+            let first = (step + 1).saturating_sub(memory);
+            let before = (first..slip.max(first)).map(held);
+            let since = slip.max(first)..step + 1;
+            let torques = since.map(|n| beyond.inputs(0, 0)[n - slip] + held(n));
+            let mut speeds = input.future.speeds(before.chain(torques), now.torque);
+            for (ahead, value) in speeds.iter_mut().enumerate() {
+                *value += speed * system.surface_response(input.site, step + 1 + ahead);
+            }
+            // The surface, too, has settled by then.
+            let is_last = step + memory >= system.surface_step[input.site].len();
+            if is_last && speeds.iter().all(|next| next * now.speed > 0.0) {
+                watch.turn_on(motion, &speeds);
+                (ended, simulated) = (Ended::Certain, step);
+                break;
+            }
         }
         if foretold.is_none() && watch.is_settled() {
             if stopping == Stopping::Early {

@@ -34,7 +34,6 @@ const LEAST_BLOCKS: usize = 4;
 #[derive(Debug, Clone)]
 pub struct Kernels {
     sites: usize,
-    longest: usize,
     /// A(0), `[output × sites + input]`.
     instants: Vec<f64>,
     /// Taps B₀ − 1 … 1 of each pair, the latest first.
@@ -140,7 +139,6 @@ impl Kernels {
         let tap = |taps: &[f64], lag: usize| taps.get(lag).copied().unwrap_or(0.0);
         Self {
             sites: taps.len(),
-            longest,
             instants: pairs.iter().map(|taps| tap(taps, 0)).collect(),
             recent: (pairs.iter())
                 .map(|taps| (1..FIRST_BLOCK).rev().map(|lag| tap(taps, lag)).collect())
@@ -148,11 +146,6 @@ impl Kernels {
             levels,
             arch: Arch::new(),
         }
-    }
-
-    /// Taps of the longest response.
-    pub fn longest(&self) -> usize {
-        self.longest
     }
 
     /// A(0): the response of a site within the step of an input at another.

@@ -1,0 +1,117 @@
+//! What a turning bit is going to do if it never stops: the torque is then known,
+//! and one convolution gives every speed to come.
+
+use std::sync::Arc;
+
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+
+/// The response of a bit to its own torque, ready for one convolution with as much
+/// of the past as it remembers.
+#[derive(Clone)]
+pub(crate) struct Future {
+    memory: usize,
+    spectrum: Vec<Complex<f64>>,
+    /// Response to a torque of one that lasts.
+    step_response: Vec<f64>,
+    forward: Arc<dyn RealToComplex<f64>>,
+    inverse: Arc<dyn ComplexToReal<f64>>,
+}
+
+impl std::fmt::Debug for Future {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Future")
+            .field("memory", &self.memory)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Future {
+    pub(crate) fn new(taps: &[f64]) -> Self {
+        let memory = taps.len();
+        // What wraps round the transform falls into the past.
+        let length = 2 * memory;
+        let mut planner = RealFftPlanner::new();
+        let forward = planner.plan_fft_forward(length);
+        let inverse = planner.plan_fft_inverse(length);
+        let mut signal = forward.make_input_vec();
+        let mut spectrum = forward.make_output_vec();
+        for (value, tap) in signal.iter_mut().zip(taps) {
+            *value = tap / length as f64;
+        }
+        forward
+            .process(&mut signal, &mut spectrum)
+            .expect("both buffers were made by the plan");
+        let step_response = taps.iter().scan(0.0, |sum, tap| {
+            *sum += tap;
+            Some(*sum)
+        });
+        Self {
+            memory,
+            spectrum,
+            step_response: step_response.collect(),
+            forward,
+            inverse,
+        }
+    }
+
+    /// Steps after which a torque is forgotten.
+    pub(crate) fn memory(&self) -> usize {
+        self.memory
+    }
+
+    /// What the torques of the last steps, `past`, at most as many as are
+    /// remembered and the last one last, and from now on the torque `torque` add
+    /// to the speed, for as many steps as are remembered.
+    pub(crate) fn speeds(&self, past: impl Iterator<Item = f64>, torque: f64) -> Vec<f64> {
+        let mut signal = self.forward.make_input_vec();
+        let mut known = 0;
+        for (value, torque) in signal.iter_mut().zip(past.take(self.memory)) {
+            *value = torque;
+            known += 1;
+        }
+        let mut product = self.forward.make_output_vec();
+        self.forward
+            .process(&mut signal, &mut product)
+            .expect("both buffers were made by the plan");
+        for (value, factor) in product.iter_mut().zip(&self.spectrum) {
+            *value *= factor;
+        }
+        // Of a real signal; rounding may have left something.
+        let last = product.len() - 1;
+        (product[0].im, product[last].im) = (0.0, 0.0);
+        self.inverse
+            .process(&mut product, &mut signal)
+            .expect("both buffers were made by the plan");
+        let to_come = signal[known..].iter().zip(&self.step_response);
+        to_come
+            .map(|(past, response)| past + torque * response)
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::history::Kernel;
+
+    #[test]
+    fn the_future_is_what_stepping_gives() {
+        let taps: Vec<f64> = (0..301)
+            .map(|n| ((n * n) % 17) as f64 / 17.0 - 0.4)
+            .collect();
+        let future = Future::new(&taps);
+        let kernel = Kernel::new(&taps);
+        for known in [1, 150, 301, 900] {
+            let mut torques: Vec<f64> = (0..known).map(|n| ((n * 7) % 23) as f64).collect();
+            let past = torques[known.saturating_sub(301)..].iter().copied();
+            let found = future.speeds(past, -2.5);
+            assert_eq!(found.len(), 301);
+            for found in found {
+                let expected = kernel.past_sum(&torques) + kernel.instant() * -2.5;
+                assert!((found - expected).abs() < 1e-10);
+                torques.push(-2.5);
+            }
+        }
+    }
+}
