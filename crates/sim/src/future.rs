@@ -102,7 +102,7 @@ mod tests {
             .collect();
         let future = Future::new(&taps);
         let kernel = Kernel::new(&taps);
-        for known in [1, 150, 301, 900] {
+        for known in [1usize, 150, 301, 900] {
             let mut torques: Vec<f64> = (0..known).map(|n| ((n * 7) % 23) as f64).collect();
             let past = torques[known.saturating_sub(301)..].iter().copied();
             let found = future.speeds(past, -2.5);

@@ -1,0 +1,61 @@
+//! Cost of building responses of the paper's string: `cargo bench -p linear`.
+#![allow(missing_docs, reason = "benchmarks are no interface")]
+
+#[path = "../../../tests/support/academic.rs"]
+#[allow(dead_code, reason = "not every benchmark needs all of it")]
+mod academic;
+
+use divan::Bencher;
+use linear::method::{FiniteElement, Transform};
+use linear::{
+    Bending, BendingRequest, Method, Sites, SurfaceSupport, bending_responses, torsion_responses,
+};
+
+fn main() {
+    divan::main();
+}
+
+const METHODS: [&str; 3] = ["quadrature", "hilbert", "finite-element"];
+
+fn method(name: &str) -> Method {
+    match name {
+        "hilbert" => Method::Hilbert(Transform::default()),
+        "finite-element" => Method::FiniteElement(FiniteElement::default()),
+        _ => Method::Quadrature,
+    }
+}
+
+/// From the torque at the bit, until it has decayed.
+#[divan::bench(args = METHODS, sample_count = 5)]
+fn torsion(bencher: Bencher, name: &str) {
+    let (string, request) = (academic::string(), academic::bit_request(60.0));
+    bencher.bench(|| torsion_responses(&string, &method(name), &request));
+}
+
+fn bending(bencher: Bencher, name: &str, distances: &[f64]) {
+    let string = academic::string();
+    let material = Bending {
+        youngs_modulus: 210e9,
+        damping: 2000.0,
+        compression: 0.0,
+    };
+    let request = BendingRequest {
+        sites: Sites::new(&string, distances).unwrap(),
+        support: SurfaceSupport::Free,
+        sampling_frequency: academic::SAMPLING_FREQUENCY,
+        longest_time: 10.0,
+    };
+    bencher.bench(|| bending_responses(&string, &material, &method(name), &request));
+}
+
+/// Ten seconds of displacements at the bit.
+#[divan::bench(args = METHODS, sample_count = 5)]
+fn bending_one_site(bencher: Bencher, name: &str) {
+    bending(bencher, name, &[0.0]);
+}
+
+/// Ten seconds of displacements at the three sites of Fig. 17.
+#[divan::bench(args = METHODS, sample_count = 5)]
+fn bending_three_sites(bencher: Bencher, name: &str) {
+    bending(bencher, name, &[100.0, 50.0, 0.0]);
+}
