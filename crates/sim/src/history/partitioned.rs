@@ -22,7 +22,7 @@ use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 /// Steps whose inputs are summed one by one.
-pub const FIRST_BLOCK: usize = 32;
+pub const FIRST_BLOCK: usize = 64;
 
 /// Blocks of a level in one of the next.
 const RATIO: usize = 8;
