@@ -70,6 +70,8 @@ const AGREEING_CYCLES: usize = 3;
 #[derive(Debug, Clone)]
 pub(crate) struct BitWatch {
     steps: usize,
+    /// Steps: the closing window is no shorter than a cycle.
+    longest_cycle: usize,
     cycles: [Cycle; AGREEING_CYCLES],
     /// Speeds since the last slip began, and of the cycle before.
     since_slip: Vec<f64>,
@@ -94,9 +96,10 @@ impl BitWatch {
         let window = (closing_window / step_length).round() as usize;
         Self {
             steps,
+            longest_cycle: window + 1,
             cycles: Default::default(),
-            since_slip: Vec::new(),
-            last_cycle: Vec::new(),
+            since_slip: Vec::with_capacity(window + 1),
+            last_cycle: Vec::with_capacity(window + 1),
             recaptured_at: 0,
             step_length,
             closing_from: steps.saturating_sub(window.max(1)),
@@ -141,7 +144,8 @@ impl BitWatch {
             self.last_recaptured = Some(self.step);
         }
         self.motion = motion;
-        if self.first_slip.is_some() {
+        // A bit that turns on needs no more than a cycle.
+        if self.first_slip.is_some() && self.since_slip.len() < self.longest_cycle {
             self.since_slip.push(speed);
         }
         self.peak_speed = self.peak_speed.max(speed);
@@ -173,7 +177,9 @@ impl BitWatch {
     /// changing as they did lately, until the end of the time.
     pub(crate) fn is_settled(&self) -> bool {
         let [first, second, last] = self.cycles;
-        if self.since_slip.len() != 1 || first.period == 0 || self.sticks < REPEATED {
+        let is_whole = self.last_cycle.len() == last.period;
+        let has_just_slipped = self.since_slip.len() == 1;
+        if !is_whole || !has_just_slipped || first.period == 0 || self.sticks < REPEATED {
             return false;
         }
         let cycles_left = (self.steps - self.step) as f64 / last.period as f64;
