@@ -5,6 +5,7 @@ pub mod check;
 mod folder;
 pub mod inspect;
 pub mod merge;
+mod motion;
 pub mod plot;
 mod progress;
 pub mod run;

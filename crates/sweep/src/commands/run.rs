@@ -70,7 +70,15 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     } else {
         Progress::new(total, log.count(), arguments.quiet)
     };
-    let worked = simulate_open_cases(arguments, &sweep, shard, &systems, &log, &stop, &progress);
+    let session = Session {
+        arguments,
+        sweep: &sweep,
+        shard,
+        systems: &systems,
+        folder: &folder,
+        start,
+    };
+    let worked = session.simulate_open_cases(&log, &stop, &progress);
     progress.finish();
     let kept = log.sync();
     let so_far = || {
@@ -89,12 +97,7 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         complain(&format!("stopped: {}", so_far()));
         return Ok(status);
     }
-    let finish = || {
-        finish(
-            arguments, &sweep, shard, &systems, &limit, &log, &folder, start,
-        )
-    };
-    finish().map_err(with_so_far)
+    session.finish(&limit, &log).map_err(with_so_far)
 }
 
 /// Says what is worth knowing before the work.
@@ -108,82 +111,80 @@ fn tell_of_start(log: &Log, systems: &[MethodSystem]) {
     }
 }
 
-fn simulate_open_cases(
-    arguments: &RunArguments,
-    sweep: &Sweep,
+/// A run of a sweep, or of a part of it, under way.
+struct Session<'a> {
+    arguments: &'a RunArguments,
+    sweep: &'a Sweep,
     shard: Shard,
-    systems: &[MethodSystem],
-    log: &Log,
-    stop: &Stop,
-    progress: &Progress,
-) -> Result<()> {
-    if arguments.fail_fast && log.failed() > 0 {
-        bail!(
-            "{} cases have no answer already (--fail-fast)",
-            log.failed()
-        );
-    }
-    let is_done = log.done();
-    let places: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
-    let keep = |row: Row| -> Result<()> {
-        let reason = match &row.outcome {
-            RowOutcome::Done(_) => None,
-            RowOutcome::Failed(reason) => Some(reason.clone()),
-        };
-        log.append(&Record {
-            case: row.case,
-            method: places
-                .iter()
-                .position(|name| *name == row.method)
-                .unwrap_or(0),
-            row: labels_row(sweep, &row),
-            reason: reason.clone(),
-        })?;
-        progress.tick();
-        match reason {
-            Some(reason) if arguments.fail_fast => bail!(
-                "case {} by {} has no answer: {reason} (--fail-fast)",
-                row.case,
-                row.method
-            ),
-            _ => Ok(()),
-        }
-    };
-    let work = Work {
-        sweep,
-        shard,
-        full: arguments.full,
-        is_open: &|case, method| !is_done(case, method),
-        stops: &|| stop.status().is_some(),
-    };
-    work.run(systems, &keep)
+    systems: &'a [MethodSystem],
+    folder: &'a Path,
+    start: Instant,
 }
 
-/// From the log to the results. The log goes last: as long as it is there, the
-/// same command does this again.
-#[allow(clippy::too_many_arguments)]
-fn finish(
-    arguments: &RunArguments,
-    sweep: &Sweep,
-    shard: Shard,
-    systems: &[MethodSystem],
-    limit: &Boundary,
-    log: &Log,
-    folder: &Path,
-    start: Instant,
-) -> Result<Status> {
-    let tally = write_tables(sweep, &arguments.file, log, folder)?;
-    write_atomically(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
-    let seconds = start.elapsed().as_secs_f64();
-    let manifest = Manifest::new(sweep, shard, arguments.full, systems, tally, seconds)?;
-    manifest.write(folder)?;
-    let drawn = shard.is_whole() && super::plot::draw_map(folder)?;
-    let path = folder.join(LOG);
-    std::fs::remove_file(&path).with_context(|| format!("{} cannot be removed", path.display()))?;
-    if !arguments.quiet {
-        say(&summary(&manifest, folder, drawn)?)?;
+impl Session<'_> {
+    fn simulate_open_cases(&self, log: &Log, stop: &Stop, progress: &Progress) -> Result<()> {
+        let (arguments, sweep) = (self.arguments, self.sweep);
+        if arguments.fail_fast && log.failed() > 0 {
+            bail!(
+                "{} cases have no answer already (--fail-fast)",
+                log.failed()
+            );
+        }
+        let is_done = log.done();
+        let places: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
+        let keep = |row: Row| -> Result<()> {
+            let reason = match &row.outcome {
+                RowOutcome::Done(_) => None,
+                RowOutcome::Failed(reason) => Some(reason.clone()),
+            };
+            log.append(&Record {
+                case: row.case,
+                method: places
+                    .iter()
+                    .position(|name| *name == row.method)
+                    .unwrap_or(0),
+                row: labels_row(sweep, &row),
+                reason: reason.clone(),
+            })?;
+            progress.tick();
+            match reason {
+                Some(reason) if arguments.fail_fast => bail!(
+                    "case {} by {} has no answer: {reason} (--fail-fast)",
+                    row.case,
+                    row.method
+                ),
+                _ => Ok(()),
+            }
+        };
+        let work = Work {
+            sweep,
+            shard: self.shard,
+            full: arguments.full,
+            is_open: &|case, method| !is_done(case, method),
+            stops: &|| stop.status().is_some(),
+        };
+        work.run(self.systems, &keep)
     }
-    Ok(status_of(&manifest))
+
+    /// From the log to the results. The log goes last: as long as it is there, the
+    /// same command does this again.
+    fn finish(&self, limit: &Boundary, log: &Log) -> Result<Status> {
+        let (arguments, sweep, shard, folder) =
+            (self.arguments, self.sweep, self.shard, self.folder);
+        let tally = write_tables(sweep, &arguments.file, log, folder)?;
+        write_atomically(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
+        let seconds = self.start.elapsed().as_secs_f64();
+        let manifest = Manifest::new(sweep, shard, arguments.full, self.systems, tally, seconds)?;
+        manifest.write(folder)?;
+        let drawn = shard.is_whole() && super::plot::draw_map(folder)?;
+        let path = folder.join(LOG);
+        std::fs::remove_file(&path)
+            .with_context(|| format!("{} cannot be removed", path.display()))?;
+        if !arguments.quiet {
+            say(&summary(&manifest, folder, drawn)?)?;
+        }
+        Ok(status_of(&manifest))
+    }
 }
 
 /// A folder that is complete: nothing to run, but a title or a map may have
