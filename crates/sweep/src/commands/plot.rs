@@ -13,6 +13,9 @@ use crate::spec::MapSettings;
 /// The regimes that circles stand for: sustained vibration.
 const SUSTAINED: [&str; 3] = ["stick_slip", "backward_whirl", "forward_whirl"];
 
+/// The label of a case that was too short to tell; it is not drawn.
+const UNDETERMINED: &str = "stuck";
+
 /// More cases than this are drawn by cells.
 const MOST_SYMBOLS: usize = 4000;
 
@@ -110,7 +113,7 @@ impl MapExtent {
 
 /// The paper's symbols: a circle where every method finds sustained vibration,
 /// a cross where none does, a square where they differ. Cases without an answer
-/// by some method are left out. Where there are too many cases to see, those of a
+/// by some method, or with one that tells nothing, are left out. Where there are too many cases to see, those of a
 /// cell share the symbol that most of them have.
 fn points(labels: &Path, settings: &MapSettings, extent: &MapExtent) -> Result<Vec<MapPoint>> {
     let mut points = Vec::new();
@@ -232,7 +235,7 @@ fn for_each_case(
         if let Some((_, case)) = &mut last {
             case.rows += 1;
             case.is_lateral |= !row.lateral.is_empty();
-            case.answered += usize::from(!label.is_empty());
+            case.answered += usize::from(!label.is_empty() && label != UNDETERMINED);
             case.sustained += usize::from(SUSTAINED.contains(&label.as_str()));
         }
     })?;
