@@ -49,6 +49,7 @@ pub mod estimates;
 pub mod filters;
 pub mod method;
 pub mod passivity;
+pub mod pulse;
 pub mod response;
 pub mod waves;
 
@@ -56,4 +57,5 @@ pub use build::{bending_responses, torsion_responses};
 pub use drillstring::{Bending, Drillstring, Material, Section, Sites, SurfaceSupport, Tube};
 pub use error::{BuildError, DrillstringError};
 pub use method::Method;
+pub use pulse::RaisedCosine;
 pub use response::{BendingRequest, BendingResponses, TorsionRequest, TorsionResponses};

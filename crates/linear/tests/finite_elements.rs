@@ -6,7 +6,7 @@ mod oracles;
 use linear::elements::newmark::Weights;
 use linear::elements::reduction::CondensedString;
 use linear::method::FiniteElement;
-use linear::{Method, Sites, TorsionRequest, torsion_responses};
+use linear::{Method, RaisedCosine, Sites, TorsionRequest, torsion_responses};
 use oracles::academic::{self, SAMPLING_FREQUENCY};
 
 fn weights(parameters: &FiniteElement) -> Weights {
@@ -100,7 +100,7 @@ fn elements_and_waves_agree_on_a_smooth_input() {
         ..academic::bit_request(2.0)
     };
     let input: Vec<f64> = (0..5000)
-        .map(|n| oracles::raised_cosine_ramp(n as f64 / 2560.0, 0.2))
+        .map(|n| RaisedCosine { duration: 0.2 }.integral(n as f64 / 2560.0))
         .collect();
     let speed = |method| {
         let taps = torsion_responses(&string, &method, &request).unwrap();

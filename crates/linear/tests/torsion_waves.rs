@@ -4,6 +4,7 @@
 mod oracles;
 
 use faer::c64;
+use linear::RaisedCosine;
 use linear::estimates::{torsional_impedance, torsional_stiffness, torsional_travel_time};
 use linear::waves::chain::Stiffness;
 use linear::waves::{chain, network::TorsionNetwork, torsion};
@@ -91,7 +92,7 @@ fn the_first_plateau_is_that_of_two_impedances_in_series() {
     };
     let taps = responses(&string, &Method::Quadrature, &request);
     let input: Vec<f64> = (0..1280)
-        .map(|n| oracles::raised_cosine_ramp(n as f64 / sampling_frequency, ramp))
+        .map(|n| RaisedCosine { duration: ramp }.integral(n as f64 / sampling_frequency))
         .collect();
     let speed = oracles::convolve(&taps.from_surface[0], &input);
     // The plateau lasts until the wave has been up and down the collars. The
@@ -136,7 +137,7 @@ fn a_uniform_undamped_string_follows_dalembert() {
     .unwrap();
     let travel = torsional_travel_time(&string);
     let (sampling_frequency, count) = (4000.0, 8000);
-    let ramp = |time: f64| oracles::raised_cosine_ramp(time, 0.2);
+    let ramp = |time: f64| RaisedCosine { duration: 0.2 }.integral(time);
     let input: Vec<f64> = (0..count)
         .map(|n| ramp(n as f64 / sampling_frequency))
         .collect();

@@ -1,6 +1,8 @@
 //! What disturbs the string laterally: an impulse (Section 5.2.2) and the
 //! forces of eccentric masses (Section 5.2.3).
 
+use linear::RaisedCosine;
+
 /// A band-limited lateral impulse: a raised cosine of unit area times its
 /// amount, (1 − cos 2πt/τ)/τ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,12 +27,10 @@ impl Impulse {
 
     /// The force at a time, N.
     pub fn force(&self, time: f64) -> [f64; 2] {
-        let since = time - self.start;
-        if !(0.0..self.duration).contains(&since) {
-            return [0.0; 2];
-        }
-        let phase = std::f64::consts::TAU * since / self.duration;
-        let force = self.amount * (1.0 - phase.cos()) / self.duration;
+        let pulse = RaisedCosine {
+            duration: self.duration,
+        };
+        let force = self.amount * pulse.at(time - self.start);
         [force * self.direction.cos(), force * self.direction.sin()]
     }
 }

@@ -7,6 +7,7 @@
 pub mod direct;
 pub mod hilbert;
 pub mod quadrature;
+pub mod radau;
 
 use faer::c64;
 use rayon::prelude::*;

@@ -19,6 +19,40 @@ const SAMPLES_PER_TAP: usize = 4;
 /// folded back onto tap n. Between this and rounding, ρ is a compromise.
 const CIRCLE_DECAY: f64 = 1e-10;
 
+/// The points ζ at which generating functions are sampled.
+pub(super) struct Circle {
+    /// How many there are, all around.
+    pub(super) samples: usize,
+    radius: f64,
+}
+
+/// The circle for so many taps.
+pub(super) fn circle(count: usize) -> Circle {
+    let samples = SAMPLES_PER_TAP * count.max(2);
+    Circle {
+        samples,
+        radius: CIRCLE_DECAY.powf(1.0 / samples as f64),
+    }
+}
+
+impl Circle {
+    /// A point, in the order of the transform.
+    pub(super) fn point(&self, index: usize) -> c64 {
+        let angle = -std::f64::consts::TAU / self.samples as f64;
+        c64::from_polar(self.radius, angle * index as f64)
+    }
+}
+
+/// The first `count` Taylor coefficients of what was sampled on a circle.
+pub(super) fn coefficients(mut spectrum: Vec<c64>, circle: &Circle, count: usize) -> Vec<f64> {
+    let mut taps = inverse_transform(&mut spectrum, circle.samples);
+    taps.truncate(count);
+    for (index, tap) in taps.iter_mut().enumerate() {
+        *tap *= circle.radius.powf(-(index as f64));
+    }
+    taps
+}
+
 /// The first `count` taps of every channel.
 pub fn taps(
     sampling_frequency: f64,
@@ -26,23 +60,11 @@ pub fn taps(
     channels: usize,
     response: &(impl Fn(c64, &mut [c64]) + Sync),
 ) -> Vec<Vec<f64>> {
-    let samples = SAMPLES_PER_TAP * count.max(2);
-    let radius = CIRCLE_DECAY.powf(1.0 / samples as f64);
-    let angle = -std::f64::consts::TAU / samples as f64;
-    let on_circle = |index: usize| {
-        let zeta = c64::from_polar(radius, angle * index as f64);
-        generating_function(zeta) * sampling_frequency
-    };
-    sample(channels, samples / 2 + 1, on_circle, response)
+    let circle = circle(count);
+    let on_circle = |index: usize| generating_function(circle.point(index)) * sampling_frequency;
+    sample(channels, circle.samples / 2 + 1, on_circle, response)
         .into_iter()
-        .map(|mut spectrum| {
-            let mut taps = inverse_transform(&mut spectrum, samples);
-            taps.truncate(count);
-            for (index, tap) in taps.iter_mut().enumerate() {
-                *tap *= radius.powf(-(index as f64));
-            }
-            taps
-        })
+        .map(|spectrum| coefficients(spectrum, &circle, count))
         .collect()
 }
 

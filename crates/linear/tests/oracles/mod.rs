@@ -7,21 +7,6 @@ use linear::{Drillstring, Tube};
 #[path = "../../../../tests/support/academic.rs"]
 pub mod academic;
 
-/// A surface speed that rises from 0 to 1 in `duration`, its acceleration a
-/// raised cosine (1 − cos 2πt/T)/T.
-pub fn raised_cosine_ramp(time: f64, duration: f64) -> f64 {
-    let phase = (time / duration).clamp(0.0, 1.0);
-    phase - (std::f64::consts::TAU * phase).sin() / std::f64::consts::TAU
-}
-
-/// Laplace transform of [`raised_cosine_ramp`].
-pub fn raised_cosine_ramp_transform(s: c64, duration: f64) -> c64 {
-    let rate = std::f64::consts::TAU / duration;
-    let acceleration =
-        (1.0 - (-s * duration).exp()) / duration * rate * rate / (s * (s * s + rate * rate));
-    acceleration / s
-}
-
 /// Bit speed of a uniform undamped string, its surface turning at `surface(t)`,
 /// its bit free (d'Alembert).
 pub fn free_bit_speed(time: f64, travel_time: f64, surface: impl Fn(f64) -> f64) -> f64 {
@@ -34,37 +19,6 @@ pub fn free_bit_speed(time: f64, travel_time: f64, surface: impl Fn(f64) -> f64)
         arrival += 2.0 * travel_time;
     }
     speed
-}
-
-/// The time function whose Laplace transform is `transform`, at `k · step`, by
-/// the trapezoidal rule along Re s = const: exact but for what the function is
-/// after `count` steps, damped e^23 times, and for frequencies left out.
-pub fn inverse_laplace(
-    transform: impl Fn(c64) -> c64,
-    step: f64,
-    count: usize,
-    oversampling: usize,
-) -> Vec<f64> {
-    let period = count as f64 * step;
-    let shift = 23.0 / period;
-    let samples = count * oversampling;
-    let mut spectrum: Vec<c64> = (0..=samples / 2)
-        .map(|index| {
-            let omega = std::f64::consts::TAU * index as f64 / period;
-            transform(c64::new(shift, omega))
-        })
-        .collect();
-    spectrum[0].im = 0.0;
-    spectrum[samples / 2].im = 0.0;
-    let plan = realfft::RealFftPlanner::<f64>::new().plan_fft_inverse(samples);
-    let mut values = plan.make_output_vec();
-    plan.process(&mut spectrum, &mut values).unwrap();
-    (0..count)
-        .map(|index| {
-            let time = index as f64 * step;
-            values[index * oversampling] * (shift * time).exp() / period
-        })
-        .collect()
 }
 
 /// Transfer matrix of (rotation, internal torque) across one tube, from Eq. 3

@@ -1,0 +1,97 @@
+//! Convolution quadrature with the two-stage Radau IIA method (Ch. Lubich and
+//! A. Ostermann, *Mathematics of Computation* 60, 1993, 105–131): of third order,
+//! and passive as BDF2 is.
+//!
+//! Every tap is a matrix between the two stages of a step, at c₁ = ⅓ and c₂ = 1
+//! of its length. The taps are the coefficients of K(Δ(ζ) f_s) with
+//! Δ(ζ) = (A + ζ/(1 − ζ) 1 bᵀ)⁻¹, K taken of a matrix by its eigenvalues. A
+//! simulation would have to meet every contact at two coupled stages; the
+//! stepper does not, and this filter serves to compare linear responses.
+
+use faer::c64;
+
+use super::quadrature::{circle, coefficients};
+use super::sample;
+
+/// Where the stages lie, in parts of a step.
+pub const STAGES: [f64; 2] = [1.0 / 3.0, 1.0];
+
+/// The coefficients A of Radau IIA; the last row is b.
+const A: [[f64; 2]; 2] = [[5.0 / 12.0, -1.0 / 12.0], [0.75, 0.25]];
+
+/// The first `count` taps of one channel from `response` at s (rad/s):
+/// `taps[2 * output + input][step]` between the stages.
+pub fn taps(
+    sampling_frequency: f64,
+    count: usize,
+    response: &(impl Fn(c64) -> c64 + Sync),
+) -> [Vec<f64>; 4] {
+    let circle = circle(count);
+    let on_circle = |index: usize| circle.point(index);
+    let between_stages = |zeta: c64, channels: &mut [c64]| {
+        let [[a, b], [c, d]] = generating_matrix(zeta);
+        let (mean, determinant) = (0.5 * (a + d), a * d - b * c);
+        let root = (mean * mean - determinant).sqrt();
+        let (one, other) = (mean + root, mean - root);
+        // Sylvester's formula: K(Δ) = p + q Δ.
+        let [k_one, k_other] =
+            [one, other].map(|eigenvalue| response(eigenvalue * sampling_frequency));
+        let q = (k_one - k_other) / (one - other);
+        let p = k_one - q * one;
+        channels.copy_from_slice(&[p + q * a, q * b, q * c, p + q * d]);
+    };
+    let spectra = sample(4, circle.samples / 2 + 1, on_circle, &between_stages);
+    let mut channels = spectra
+        .into_iter()
+        .map(|spectrum| coefficients(spectrum, &circle, count));
+    std::array::from_fn(|_| channels.next().unwrap_or_default())
+}
+
+/// Δ(ζ).
+fn generating_matrix(zeta: c64) -> [[c64; 2]; 2] {
+    let carried = zeta / (1.0 - zeta);
+    let [first, last] = A;
+    let entry = |row: [f64; 2], column: usize| carried * last[column] + row[column];
+    let (a, b) = (entry(first, 0), entry(first, 1));
+    let (c, d) = (entry(last, 0), entry(last, 1));
+    let scale = (a * d - b * c).inv();
+    [[d * scale, -b * scale], [-c * scale, a * scale]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// K(s) = 1/s integrates: a quadratic to its cubic exactly at the ends of
+    /// steps, for the method is of third order.
+    #[test]
+    fn a_quadratic_is_integrated_exactly() {
+        let (frequency, steps) = (10.0, 64);
+        let taps = taps(frequency, steps, &|s: c64| s.inv());
+        for step in 0..steps {
+            let mut sum = 0.0;
+            for input in 0..=step {
+                for (stage, place) in STAGES.iter().enumerate() {
+                    let time = (input as f64 + place) / frequency;
+                    sum += taps[2 + stage][step - input] * time * time;
+                }
+            }
+            let end = (step + 1) as f64 / frequency;
+            assert!((sum - end.powi(3) / 3.0).abs() < 1e-7, "{step}: {sum}");
+        }
+    }
+
+    /// Weighted by b, Δ has a positive Hermitian part wherever |ζ| < 1: so has
+    /// K(Δ) for a positive-real K.
+    #[test]
+    fn the_generating_matrix_is_passive() {
+        for index in 0..400 {
+            let zeta = c64::from_polar(0.999, f64::from(index) * 0.0157);
+            let [[a, b], [c, d]] = generating_matrix(zeta);
+            let [_, [b1, b2]] = A;
+            let off = 0.5 * (b * b1 + (c * b2).conj());
+            let determinant = (a * b1).re * (d * b2).re - off.norm_sqr();
+            assert!((a * b1).re > 0.0 && determinant > -1e-9, "{zeta}");
+        }
+    }
+}
