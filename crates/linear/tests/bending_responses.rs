@@ -6,8 +6,8 @@ mod oracles;
 use linear::method::{FiniteElement, Transform};
 use linear::passivity::STABLE_MARGIN;
 use linear::{
-    Bending, BendingRequest, BendingResponses, Drillstring, Method, Section, Sites, SurfaceSupport,
-    bending_responses,
+    Bending, BendingRequest, BendingResponses, Drillstring, Method, RaisedCosine, Section, Sites,
+    SurfaceSupport, bending_responses,
 };
 use oracles::academic::{self, SAMPLING_FREQUENCY, tube};
 
@@ -16,6 +16,8 @@ const BENDING: Bending = Bending {
     damping: 2000.0,
     compression: 0.0,
 };
+
+const PULSE: RaisedCosine = RaisedCosine { duration: 0.02 };
 
 fn hilbert(seconds: f64) -> Method {
     Method::Hilbert(Transform {
@@ -40,16 +42,8 @@ fn responses(method: &Method, distances: &[f64], longest_time: f64) -> BendingRe
 
 /// Response to the band-limited unit impulse (1 − cos 2πt/τ)/τ, τ = 0.02 s.
 fn pulse_response(taps: &[f64]) -> Vec<f64> {
-    let duration = 0.02;
     let pulse: Vec<f64> = (0..taps.len())
-        .map(|step| {
-            let time = step as f64 / SAMPLING_FREQUENCY;
-            if time < duration {
-                (1.0 - (std::f64::consts::TAU * time / duration).cos()) / duration
-            } else {
-                0.0
-            }
-        })
+        .map(|step| PULSE.at(step as f64 / SAMPLING_FREQUENCY))
         .collect();
     oracles::convolve(taps, &pulse)
 }

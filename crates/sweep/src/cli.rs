@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::engine::Shard;
 use crate::spec::{Axis, MethodName};
+use crate::study::tradeoff::{LADDER, Measure};
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]
@@ -48,6 +49,11 @@ pub enum Command {
         Exit code 4 where a shard is missing or not finished; its number is printed."
     )]
     Merge(MergeArguments),
+    /// Chart accuracy against speed, for all methods, on the paper's string
+    #[command(after_help = "Examples:\n  sweep tradeoff\n  \
+        sweep tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
+        The whole study takes a quarter of an hour; a part of it, seconds.")]
+    Tradeoff(TradeoffArguments),
 }
 
 /// Arguments of `run`.
@@ -164,6 +170,33 @@ pub struct MergeArguments {
     /// Results folder
     #[arg(long)]
     pub out: PathBuf,
+}
+
+/// Arguments of `tradeoff`.
+#[derive(Debug, Args)]
+pub struct TradeoffArguments {
+    /// Sampling frequencies in Hz; the highest is a multiple of all
+    #[arg(long, value_name = "HZ", value_delimiter = ',', default_values_t = LADDER)]
+    pub ladder: Vec<f64>,
+    /// What to measure, by name as in tradeoff.csv [default: everything]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_measure)]
+    pub measures: Vec<Measure>,
+    /// Results folder
+    #[arg(long, default_value = "results/tradeoff")]
+    pub out: PathBuf,
+    /// Threads for building [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    #[arg(long)]
+    pub jobs: Option<usize>,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+fn parse_measure(name: &str) -> Result<Measure, String> {
+    Measure::from_name(name).ok_or_else(|| {
+        let known = Measure::ALL.map(Measure::name);
+        format!("unknown measure `{name}`; known: {}", known.join(", "))
+    })
 }
 
 fn parse_setting(text: &str) -> Result<(Axis, f64), String> {

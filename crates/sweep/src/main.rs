@@ -1,7 +1,8 @@
 //! `sweep`: parameter sweeps of drillstring dynamics.
 //!
 //! A sweep file (`spec`) names cases (`design`); the `engine` runs them on all
-//! cores against linear systems built once; `output` and `plot` make the files
+//! cores against linear systems built once; a `study` looks at the methods
+//! themselves; `output` and `plot` make the files
 //! of a results folder. `commands` has one file for each thing a user can ask.
 
 mod cli;
@@ -12,6 +13,7 @@ mod lines;
 mod output;
 mod plot;
 mod spec;
+mod study;
 
 use std::process::ExitCode;
 
@@ -31,6 +33,7 @@ fn main() -> ExitCode {
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments),
         Command::Plot(arguments) => commands::plot::plot(&arguments),
         Command::Merge(arguments) => commands::merge::merge(&arguments),
+        Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments),
     };
     result
         .unwrap_or_else(|error| commands::report(&error))

@@ -11,9 +11,13 @@ use faer::c64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
-/// σT: what is folded back is damped to 1e-10, and rounding grows by its
-/// inverse's root at most, for only the first half of the period is kept.
+/// σT: what is folded back is damped to 1e-10.
 const DAMPING: f64 = 23.0;
+
+/// Only this part of the period is kept: rounding in the transform, which is a
+/// few thousand times that of the numbers, grows by e^(σt) and so no further
+/// than to 1e-10.
+const KEPT_PART: usize = 4;
 
 /// The function of time whose Laplace transform is `transform`, at the times
 /// `k · step` (s) for k below `count`; frequencies up to `oversampling` times
@@ -24,8 +28,9 @@ pub fn time_response(
     count: usize,
     oversampling: usize,
 ) -> Vec<f64> {
-    let samples = 2 * count.max(1) * oversampling.max(1);
-    let period = 2.0 * count.max(1) as f64 * step;
+    let (kept, oversampling) = (KEPT_PART * count.max(1), oversampling.max(1));
+    let samples = kept * oversampling;
+    let period = kept as f64 * step;
     let shift = DAMPING / period;
     let mut spectrum: Vec<c64> = (0..samples / 2 + 1)
         .into_par_iter()
@@ -44,7 +49,7 @@ pub fn time_response(
     (0..count)
         .map(|index| {
             let time = index as f64 * step;
-            values[index * oversampling.max(1)] * (shift * time).exp() / period
+            values[index * oversampling] * (shift * time).exp() / period
         })
         .collect()
 }

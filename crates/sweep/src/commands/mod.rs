@@ -11,6 +11,7 @@ mod progress;
 pub mod run;
 pub mod simulate;
 mod stop;
+pub mod tradeoff;
 
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};

@@ -97,11 +97,11 @@ impl MethodSystem {
             },
         );
         let (responses, bending) = (responses?, bending?);
-        let build_seconds = start.elapsed().as_secs_f64();
         let stepped = match &bending {
             None => Stepped::Torsion(System::new(&responses, longest_time)),
             Some(bending) => Stepped::Lateral(LateralSystem::new(&responses, bending)?),
         };
+        let build_seconds = start.elapsed().as_secs_f64();
         let impulses = setting.lateral.iter().flat_map(|lateral| &lateral.impulses);
         Ok(Self {
             method,

@@ -1,7 +1,7 @@
 //! The legend beside a plot.
 
 use super::canvas::{Canvas, Stroke};
-use super::symbols::{Symbol, draw_symbol};
+use super::symbols::{Symbol, draw_marker, draw_rim, draw_symbol};
 use super::text::{Block, SMALL_SIZE};
 use anyhow::Result;
 use plotters::style::text_anchor::HPos;
@@ -19,6 +19,10 @@ const ENTRY_GAP: f64 = 6.0;
 pub(super) enum Key {
     Symbol(Symbol),
     Line(Stroke),
+    /// The marker of the kind with this index.
+    Marker(usize),
+    /// The rim around what is pointed out.
+    Rim,
 }
 
 /// Keys and their texts, top to bottom.
@@ -65,6 +69,41 @@ impl Legend {
     }
 }
 
+impl Legend {
+    /// Entries beside each other, in columns as wide as the legend is.
+    fn columns(&self, width: f64) -> usize {
+        let column = self.width() + 2.0 * KEY_GAP;
+        ((width / column) as usize).clamp(1, self.entries.len().max(1))
+    }
+
+    /// Height in pixels where entries stand beside each other.
+    pub fn row_height(&self, width: f64) -> f64 {
+        let rows = self.entries.chunks(self.columns(width));
+        rows.map(tallest).sum()
+    }
+
+    /// Draws the entries beside each other, in as many rows as they need.
+    pub fn draw_row(&self, canvas: &mut Canvas, left: f64, top: f64, width: f64) -> Result<()> {
+        let columns = self.columns(width);
+        let mut top = top;
+        for row in self.entries.chunks(columns) {
+            for (column, (key, text)) in row.iter().enumerate() {
+                let left = left + column as f64 * width / columns as f64;
+                let middle = top + text.line_height() / 2.0;
+                draw_key(canvas, key, left, middle)?;
+                canvas.text(text, left + KEY_WIDTH + KEY_GAP, middle, HPos::Left)?;
+            }
+            top += tallest(row);
+        }
+        Ok(())
+    }
+}
+
+fn tallest(row: &[(Key, Block)]) -> f64 {
+    let heights = row.iter().map(|(_, text)| entry_height(text));
+    heights.fold(0.0, f64::max)
+}
+
 /// An entry is one line high even if its text is empty.
 fn entry_height(text: &Block) -> f64 {
     text.height().max(text.line_height()) + ENTRY_GAP
@@ -76,6 +115,8 @@ fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) -> Result<()> {
             draw_symbol(canvas, *symbol, (left + KEY_WIDTH / 2.0, y), SYMBOL_RADIUS)
         }
         Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY_WIDTH, y)], *stroke),
+        Key::Marker(kind) => draw_marker(canvas, *kind, (left + KEY_WIDTH / 2.0, y), SYMBOL_RADIUS),
+        Key::Rim => draw_rim(canvas, (left + KEY_WIDTH / 2.0, y), 1.5 * SYMBOL_RADIUS),
     }
 }
 

@@ -19,6 +19,7 @@ mod orbits;
 mod panels;
 mod references;
 mod scale;
+mod scatter;
 mod symbols;
 mod text;
 
@@ -30,6 +31,7 @@ pub use map::{Line, MapPoint, Mark, RegimeMap, regime_map};
 pub use orbits::{Orbit, Orbits, orbits};
 pub use panels::{Panel, Panels, Series, panels};
 pub use references::Reference;
+pub use scatter::{Points, ScatterGrid, ScatterPanel, scatter_grid};
 pub use symbols::Symbol;
 
 /// Raster pixels per SVG pixel, so that the PNG stays sharp in print.

@@ -23,7 +23,7 @@ const LEGEND_GAP: f64 = 22.0;
 const MOST_POINTS: usize = 4000;
 
 /// Colours of Okabe and Ito, which colour-blind readers can tell apart.
-const COLOURS: [RGBColor; 7] = [
+pub(super) const COLOURS: [RGBColor; 7] = [
     RGBColor(0x00, 0x72, 0xB2),
     RGBColor(0xE6, 0x9F, 0x00),
     RGBColor(0x00, 0x9E, 0x73),

@@ -2,6 +2,7 @@
 
 use super::canvas::{Canvas, Stroke};
 use super::geometry::Pixel;
+use super::panels::COLOURS;
 use anyhow::Result;
 use plotters::style::{BLACK, RGBColor, WHITE};
 
@@ -48,6 +49,48 @@ pub(super) fn draw_symbol(
             canvas.line(&path, Stroke::solid(ORANGE, 0.42 * r))
         }
     }
+}
+
+/// Draws the marker of a kind of points: told apart by shape as well as by colour.
+pub(super) fn draw_marker(canvas: &mut Canvas, kind: usize, (x, y): Pixel, r: f64) -> Result<()> {
+    let colour = COLOURS[kind % COLOURS.len()];
+    match kind % 5 {
+        0 => canvas.disc((x, y), r, colour),
+        1 => canvas.polygon(
+            &[
+                (x, y - 1.3 * r),
+                (x + 1.3 * r, y),
+                (x, y + 1.3 * r),
+                (x - 1.3 * r, y),
+            ],
+            colour,
+        ),
+        2 => canvas.polygon(&triangle((x, y), 1.3 * r), colour),
+        3 => canvas.polygon(
+            &[
+                (x - r, y - r),
+                (x + r, y - r),
+                (x + r, y + r),
+                (x - r, y + r),
+            ],
+            colour,
+        ),
+        _ => {
+            let path = [
+                (x - r, y - r),
+                (x + r, y + r),
+                (x, y),
+                (x + r, y - r),
+                (x - r, y + r),
+            ];
+            canvas.line(&path, Stroke::solid(colour, 0.55 * r))
+        }
+    }
+}
+
+/// A ring around a point.
+pub(super) fn draw_rim(canvas: &Canvas, centre: Pixel, radius: f64) -> Result<()> {
+    canvas.ring(centre, radius, Stroke::solid(BLACK, 1.4))
 }
 
 /// A black triangle with a white halo.

@@ -1,0 +1,234 @@
+//! A grid of panels of points with their Pareto fronts, such as error over cost.
+
+use super::canvas::{Canvas, Stroke, draw_picture};
+use super::frame::Frame;
+use super::geometry::{Pixel, Rect};
+use super::legend::{Key, Legend};
+use super::references::{Reference, draw_references};
+use super::scale::{Scale, visible};
+use super::symbols::{draw_marker, draw_rim};
+use super::text::{Block, LABEL_SIZE, TITLE_SIZE};
+use super::{Axis, Picture};
+use anyhow::Result;
+use plotters::style::BLACK;
+use plotters::style::text_anchor::HPos;
+
+const WIDTH: f64 = 1180.0;
+const PANEL_HEIGHT: f64 = 270.0;
+const COLUMNS: usize = 3;
+const MARGIN: f64 = 14.0;
+/// Distance between panels.
+const GAP: f64 = 16.0;
+const MARKER_RADIUS: f64 = 3.4;
+/// Radius of the rim around a point that is pointed out.
+const RIM_RADIUS: f64 = 7.5;
+const FRONT: Stroke = Stroke {
+    colour: BLACK,
+    width: 1.4,
+    dash: &[],
+};
+
+/// Points of one kind.
+pub struct Points {
+    /// Name in the legend; points of the same name look the same.
+    pub name: String,
+    /// The points.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// One panel.
+pub struct ScatterPanel {
+    /// Title above it.
+    pub title: String,
+    /// Horizontal axis; all panels share its range.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Points, by kind.
+    pub kinds: Vec<Points>,
+    /// The Pareto front, from left to right: drawn as steps.
+    pub front: Vec<(f64, f64)>,
+    /// Points to point out with a rim.
+    pub rims: Vec<(f64, f64)>,
+    /// Reference lines.
+    pub references: Vec<Reference>,
+}
+
+/// A grid of panels with one title and one legend.
+pub struct ScatterGrid {
+    /// Title above all.
+    pub title: String,
+    /// What the front is, in the legend.
+    pub front: String,
+    /// What the rims are, in the legend.
+    pub rim: String,
+    /// Panels, row by row.
+    pub panels: Vec<ScatterPanel>,
+}
+
+/// Draws the grid, its legend in a row below.
+pub fn scatter_grid(grid: &ScatterGrid) -> Result<Picture> {
+    let names = kinds(grid);
+    let title = Block::new(&grid.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
+    let entries = (names.iter().enumerate())
+        .map(|(index, name)| (Key::Marker(index), *name))
+        .chain([
+            (Key::Line(FRONT), grid.front.as_str()),
+            (Key::Rim, grid.rim.as_str()),
+        ]);
+    let legend = Legend::new(entries)?;
+    let top = 2.0 * MARGIN + title.height();
+    let rows = grid.panels.len().div_ceil(COLUMNS);
+    let legend_top = top + rows as f64 * PANEL_HEIGHT;
+    let height = legend_top + legend.row_height(WIDTH - 2.0 * MARGIN) + MARGIN;
+    let frames = frames(grid, top)?;
+    draw_picture(WIDTH, height, |canvas| {
+        let title_row = MARGIN + title.line_height() / 2.0;
+        canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
+        for (panel, frame) in grid.panels.iter().zip(&frames) {
+            draw_panel(canvas, panel, frame, &names)?;
+        }
+        legend.draw_row(canvas, MARGIN, legend_top, WIDTH - 2.0 * MARGIN)
+    })
+}
+
+/// The distinct kinds of points, in order of appearance.
+fn kinds(grid: &ScatterGrid) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for kind in grid.panels.iter().flat_map(|panel| &panel.kinds) {
+        if !names.contains(&kind.name.as_str()) {
+            names.push(&kind.name);
+        }
+    }
+    names
+}
+
+/// The frames of all panels, the sides of each column aligned.
+fn frames(grid: &ScatterGrid, top: f64) -> Result<Vec<Frame>> {
+    let width = (WIDTH - 2.0 * MARGIN) / COLUMNS as f64;
+    let all = grid.panels.iter().flat_map(shown_points).map(|(x, _)| x);
+    let x = Scale::new(true, all);
+    let mut frames = Vec::with_capacity(grid.panels.len());
+    for (index, panel) in grid.panels.iter().enumerate() {
+        let (row, column) = (index / COLUMNS, index % COLUMNS);
+        let (left, top) = (
+            MARGIN + column as f64 * width,
+            top + row as f64 * PANEL_HEIGHT,
+        );
+        let outer = Rect {
+            left,
+            top: top + LABEL_SIZE + GAP / 2.0,
+            right: left + width - GAP,
+            bottom: top + PANEL_HEIGHT - GAP,
+        };
+        let lines = panel.references.iter().filter_map(|line| match line {
+            Reference::Horizontal { y, .. } => Some(*y),
+            Reference::Vertical { .. } => None,
+        });
+        let y = Scale::new(
+            panel.y.logarithmic,
+            shown_points(panel).map(|(_, y)| y).chain(lines),
+        );
+        frames.push(Frame::new(outer, (&panel.x, x), (&panel.y, y))?);
+    }
+    for column in 0..COLUMNS {
+        let left = (frames.iter().skip(column).step_by(COLUMNS))
+            .map(|frame| frame.area.left)
+            .fold(0.0, f64::max);
+        for frame in frames.iter_mut().skip(column).step_by(COLUMNS) {
+            frame.area.left = left;
+        }
+    }
+    Ok(frames)
+}
+
+fn shown_points(panel: &ScatterPanel) -> impl Iterator<Item = (f64, f64)> {
+    let points = panel.kinds.iter().flat_map(|kind| &kind.points);
+    visible(&panel.x, &panel.y, points.copied())
+}
+
+fn draw_panel(
+    canvas: &mut Canvas,
+    panel: &ScatterPanel,
+    frame: &Frame,
+    names: &[&str],
+) -> Result<()> {
+    frame.draw(canvas)?;
+    let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width())?;
+    let middle = 0.5 * (frame.area.left + frame.area.right);
+    canvas.text(
+        &title,
+        middle,
+        frame.area.top - GAP / 2.0 - 2.0,
+        HPos::Center,
+    )?;
+    let mut drawn = Vec::new();
+    for kind in &panel.kinds {
+        let index = names.iter().position(|&name| name == kind.name);
+        for pixel in kind.points.iter().filter_map(|&point| frame.pixel(point)) {
+            draw_marker(canvas, index.unwrap_or(0), pixel, MARKER_RADIUS)?;
+            drawn.push(vec![pixel]);
+        }
+    }
+    canvas.line(&steps(frame, &panel.front), FRONT)?;
+    for pixel in panel.rims.iter().filter_map(|&point| frame.pixel(point)) {
+        draw_rim(canvas, pixel, RIM_RADIUS)?;
+    }
+    draw_references(canvas, frame, drawn, &panel.references)
+}
+
+/// A front as steps: at each cost the least error so far, to the end of the frame.
+fn steps(frame: &Frame, front: &[(f64, f64)]) -> Vec<Pixel> {
+    let pixels: Vec<Pixel> = front.iter().filter_map(|&at| frame.pixel(at)).collect();
+    let mut steps: Vec<Pixel> = Vec::with_capacity(2 * pixels.len() + 1);
+    for (x, y) in pixels {
+        if let Some((_, last)) = steps.last() {
+            steps.push((x, *last));
+        }
+        steps.push((x, y));
+    }
+    if let Some((_, last)) = steps.last() {
+        steps.push((frame.area.right, *last));
+    }
+    steps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::canvas::tests::assert_text_inside;
+    use super::*;
+
+    fn panel(points: Vec<(f64, f64)>) -> ScatterPanel {
+        let axis = |label: &str| Axis {
+            label: label.to_string(),
+            logarithmic: true,
+        };
+        ScatterPanel {
+            title: "Normal force of whirl, Fig. 12".to_string(),
+            x: axis("Time for 1000 cases of 10 s (s)"),
+            y: axis("Relative error"),
+            kinds: vec![Points {
+                name: "finite-element, γ = 0.52".to_string(),
+                points: points.clone(),
+            }],
+            front: points,
+            rims: vec![(1.0, 0.1)],
+            references: vec![Reference::Horizontal {
+                y: 1e-3,
+                name: "uncertainty of the reference".to_string(),
+            }],
+        }
+    }
+
+    #[test]
+    fn a_grid_with_a_last_row_that_is_not_full_is_drawn() {
+        let points = vec![(0.01, 0.2), (1.0, 0.1), (30.0, 1e-5)];
+        let picture = scatter_grid(&ScatterGrid {
+            title: "Accuracy against speed".to_string(),
+            front: "no other is cheaper and better".to_string(),
+            rim: "the paper's own".to_string(),
+            panels: (0..4).map(|_| panel(points.clone())).collect(),
+        });
+        assert_text_inside(&picture.expect("drawn"));
+    }
+}

@@ -1,0 +1,4 @@
+//! Studies of the methods themselves, on the paper's string.
+
+mod scenes;
+pub mod tradeoff;

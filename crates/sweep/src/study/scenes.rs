@@ -1,0 +1,37 @@
+//! The sweeps that are shipped, for studies: built in, so that an installed
+//! program needs no file.
+
+use std::io::{Error, ErrorKind};
+use std::path::Path;
+
+use crate::spec::{SpecError, Sweep};
+
+const FILES: [(&str, &str); 5] = [
+    (
+        "academic.toml",
+        include_str!("../../../../sweeps/academic.toml"),
+    ),
+    (
+        "fig08a.toml",
+        include_str!("../../../../sweeps/fig08a.toml"),
+    ),
+    (
+        "fig08b.toml",
+        include_str!("../../../../sweeps/fig08b.toml"),
+    ),
+    ("fig10.toml", include_str!("../../../../sweeps/fig10.toml")),
+    ("fig12.toml", include_str!("../../../../sweeps/fig12.toml")),
+];
+
+/// A shipped sweep by the name of its file.
+///
+/// # Errors
+/// Where it is not among those built in.
+pub fn shipped(name: &str) -> Result<Sweep, SpecError> {
+    Sweep::read_from(Path::new(name), &|path| {
+        let known = FILES.iter().find(|(name, _)| path == Path::new(name));
+        known
+            .map(|(_, text)| (*text).to_owned())
+            .ok_or_else(|| Error::from(ErrorKind::NotFound))
+    })
+}

@@ -1,0 +1,140 @@
+//! What is asked of each configuration.
+
+/// A quantity whose error is charted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Measure {
+    /// Fig. 7(a): the bit's speed after a step of the surface's.
+    SurfaceStep,
+    /// The bit's speed in the end, of the surface's.
+    SteadySpeed,
+    /// k_eff, N m/rad.
+    StaticStiffness,
+    /// Δ of Eq. 75, rad/s per N m.
+    Undershoot,
+    /// Fig. 8(b): time of the first slip, s.
+    FirstSlip,
+    /// Fig. 8(b): time from slip to slip, s.
+    Period,
+    /// Fig. 9: Ω/T_d below which stick-slip sustains itself, rpm per kN m.
+    StickSlipLimit,
+    /// Fig. 7(b): the bit's displacement after a band-limited impulse.
+    LateralImpulse,
+    /// Fig. 12: radius of backward whirl, m.
+    WhirlRadius,
+    /// Fig. 12: its rate, turns a second.
+    WhirlRate,
+    /// Fig. 12: its normal force, N.
+    WhirlForce,
+    /// Fig. 14: friction above which an impulse of 3 I₀ starts whirl.
+    WhirlLimit,
+}
+
+impl Measure {
+    /// All, in the order of the chart.
+    pub const ALL: [Measure; 12] = [
+        Measure::SurfaceStep,
+        Measure::SteadySpeed,
+        Measure::StaticStiffness,
+        Measure::Undershoot,
+        Measure::FirstSlip,
+        Measure::Period,
+        Measure::StickSlipLimit,
+        Measure::LateralImpulse,
+        Measure::WhirlRadius,
+        Measure::WhirlRate,
+        Measure::WhirlForce,
+        Measure::WhirlLimit,
+    ];
+
+    /// The name in the table, with the unit of its value.
+    pub fn name(self) -> &'static str {
+        match self {
+            Measure::SurfaceStep => "surface_step",
+            Measure::SteadySpeed => "steady_speed_ratio",
+            Measure::StaticStiffness => "static_stiffness_nm_rad",
+            Measure::Undershoot => "undershoot_rad_s_nm",
+            Measure::FirstSlip => "first_slip_s",
+            Measure::Period => "stick_slip_period_s",
+            Measure::StickSlipLimit => "stick_slip_limit_rpm_knm",
+            Measure::LateralImpulse => "lateral_impulse",
+            Measure::WhirlRadius => "whirl_radius_m",
+            Measure::WhirlRate => "whirl_rate_turns_s",
+            Measure::WhirlForce => "whirl_normal_force_n",
+            Measure::WhirlLimit => "whirl_limit_friction",
+        }
+    }
+
+    /// The title of its chart.
+    pub fn title(self) -> &'static str {
+        match self {
+            Measure::SurfaceStep => "Step of surface speed, Fig. 7(a)",
+            Measure::SteadySpeed => "Bit speed in the end",
+            Measure::StaticStiffness => "Static stiffness k_eff",
+            Measure::Undershoot => "Undershoot Δ, Eq. 75",
+            Measure::FirstSlip => "First slip, Fig. 8(b)",
+            Measure::Period => "Stick-slip period, Fig. 8(b)",
+            Measure::StickSlipLimit => "Limit of stick-slip, Fig. 9",
+            Measure::LateralImpulse => "Lateral impulse, Fig. 7(b)",
+            Measure::WhirlRadius => "Radius of whirl, Fig. 12",
+            Measure::WhirlRate => "Rate of whirl, Fig. 12",
+            Measure::WhirlForce => "Normal force of whirl, Fig. 12",
+            Measure::WhirlLimit => "Limit of whirl at 3 I₀, Fig. 14",
+        }
+    }
+
+    /// Whether it is of the string in bending.
+    pub fn is_lateral(self) -> bool {
+        self >= Measure::LateralImpulse
+    }
+
+    /// Whether its error falls with the step: static limits are exact, or wrong, at
+    /// any.
+    pub fn converges(self) -> bool {
+        !matches!(self, Measure::SteadySpeed | Measure::StaticStiffness)
+    }
+
+    /// The measure of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|measure| measure.name() == name)
+    }
+}
+
+/// What a measure should be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reference {
+    /// The value; of a whole history, nothing.
+    pub value: f64,
+    /// How far it may be off, in parts of itself.
+    pub uncertainty: f64,
+}
+
+/// What a configuration gives for a measure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Found {
+    /// Which measure.
+    pub measure: Measure,
+    /// Its value, where it is one number.
+    pub value: Option<f64>,
+    /// Its relative error; `None` where the configuration gives no answer.
+    pub error: Option<f64>,
+}
+
+impl Found {
+    /// One number against its reference.
+    pub fn number(measure: Measure, value: Option<f64>, reference: &Reference) -> Self {
+        Self {
+            measure,
+            value,
+            error: value.map(|value| (value / reference.value - 1.0).abs()),
+        }
+    }
+
+    /// A history whose greatest relative error is known.
+    pub fn history(measure: Measure, error: f64) -> Self {
+        Self {
+            measure,
+            value: None,
+            error: error.is_finite().then_some(error),
+        }
+    }
+}

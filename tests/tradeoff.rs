@@ -1,0 +1,110 @@
+//! Accuracy against speed: a part of the study, small enough for every day.
+
+mod support;
+
+use std::collections::BTreeMap;
+
+use support::Workplace;
+
+type Row = BTreeMap<String, String>;
+
+fn rows(place: &Workplace) -> Vec<Row> {
+    let mut reader = csv::Reader::from_path(place.path("out/tradeoff.csv")).unwrap();
+    reader.deserialize().map(Result::unwrap).collect()
+}
+
+/// The error of a method at a frequency, of its first parameters in the table
+/// that are not excluded.
+fn error(rows: &[Row], measure: &str, method: &str, frequency: &str, gamma: &str) -> f64 {
+    let is_it = |row: &&Row| {
+        row["measure"] == measure
+            && row["method"] == method
+            && row["sampling_frequency_hz"] == frequency
+            && row["gamma"] == gamma
+            && ["", "20"].contains(&row["elements_per_cell"].as_str())
+            && ["", "20"].contains(&row["transform_s"].as_str())
+    };
+    let row = rows.iter().find(is_it).unwrap();
+    row["relative_error"].parse().unwrap()
+}
+
+#[test]
+fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
+    let place = Workplace::new();
+    let answer = place.sweep(&[
+        "tradeoff",
+        "--ladder",
+        "640,160,320",
+        "--measures",
+        "surface_step,static_stiffness_nm_rad,lateral_impulse,whirl_normal_force_n",
+        "--out",
+        "out",
+    ]);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    for said in [
+        "observed orders of convergence",
+        "cheapest within 10 %",
+        "cheapest within 1 %",
+        "cheapest within 0.1 %",
+    ] {
+        assert!(answer.output.contains(said), "{answer:?}");
+    }
+    let rows = rows(&place);
+    let of = |measure, method, frequency| {
+        let gamma = if method == "finite-element" {
+            "0.52"
+        } else {
+            ""
+        };
+        error(&rows, measure, method, frequency, gamma)
+    };
+    // Within its band the digital filter is exact; the others have their order.
+    assert!(of("surface_step", "hilbert", "640") < 1e-5);
+    for method in ["quadrature", "finite-element", "radau-quadrature"] {
+        let [coarse, fine] = ["320", "640"].map(|rung| of("surface_step", method, rung));
+        assert!(
+            fine < 0.6 * coarse && fine > 1e-5,
+            "{method}: {coarse} {fine}"
+        );
+    }
+    // Static limits are exact, but for what a finite transform folds back.
+    assert!(of("static_stiffness_nm_rad", "quadrature", "160") < 1e-6);
+    assert!(of("static_stiffness_nm_rad", "finite-element", "160") < 1e-6);
+    // In bending the filter loses the slow tail.
+    assert!(of("lateral_impulse", "hilbert", "640") > 0.3);
+    assert!(of("lateral_impulse", "quadrature", "640") < 0.01);
+    // Steady whirl is what the balance of forces says.
+    assert!(of("whirl_normal_force_n", "quadrature", "640") < 2e-3);
+    for file in ["out/tradeoff.svg", "out/tradeoff.png"] {
+        assert!(place.path(file).exists());
+    }
+    // Nothing on the front is beaten by another of its measure.
+    for row in rows.iter().filter(|row| row["on_front"] == "yes") {
+        let number = |row: &Row, key: &str| row[key].parse::<f64>().unwrap_or(f64::INFINITY);
+        let is_beaten = rows.iter().any(|other| {
+            other["measure"] == row["measure"]
+                && other["on_front"] == "yes"
+                && number(other, "cost_1000_cases_s") < number(row, "cost_1000_cases_s")
+                && number(other, "relative_error") < 0.5 * number(row, "relative_error")
+        });
+        assert!(!is_beaten, "{row:?}");
+    }
+}
+
+#[test]
+fn a_ladder_or_a_measure_that_cannot_be_is_refused() {
+    let place = Workplace::new();
+    for (arguments, said) in [
+        (["--ladder", "160,250"], "160 Hz is not between"),
+        (["--ladder", "1,2"], "1 Hz is not between"),
+        (
+            ["--measures", "colour"],
+            "unknown measure `colour`; known: ",
+        ),
+    ] {
+        let answer = place.sweep(&["tradeoff", arguments[0], arguments[1]]);
+        assert_eq!(answer.code, 2, "{answer:?}");
+        assert!(answer.errors.contains(said), "{answer:?}");
+        assert!(!place.path("results").exists());
+    }
+}
