@@ -1,5 +1,6 @@
 //! Accuracy against speed: a part of the study, small enough for every day.
 
+#[allow(dead_code, reason = "other tests use the rest of it")]
 mod support;
 
 use std::collections::BTreeMap;

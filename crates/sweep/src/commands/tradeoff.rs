@@ -10,7 +10,7 @@ use super::progress::Progress;
 use super::{Status, UsageError, make_folder, say, use_threads};
 use crate::cli::TradeoffArguments;
 use crate::output::write_atomically;
-use crate::plot::{Axis, Points, Reference, ScatterGrid, ScatterPanel, scatter_grid};
+use crate::plot::{Axis, Points, ScatterGrid, ScatterPanel, scatter_grid};
 use crate::study::tradeoff::{
     CASE_SECONDS, CASES, Cheapest, Measure, PaperRatio, PaperSteps, Row, cheapest, configurations,
     front, orders, study,
@@ -86,6 +86,7 @@ fn measures(rows: &[Row]) -> Vec<Measure> {
 fn table(rows: &[Row]) -> Result<Vec<u8>> {
     let fronts: Vec<&Row> = (measures(rows).into_iter())
         .flat_map(|measure| front(rows, measure))
+        .map(|(row, _)| row)
         .collect();
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([
@@ -138,6 +139,7 @@ fn draw(rows: &[Row], folder: &Path) -> Result<()> {
         title: "Accuracy against speed: what each configuration costs, and how far off it is"
             .to_owned(),
         front: "nothing is both cheaper and better".to_owned(),
+        floor: "the reference is no surer than this".to_owned(),
         rim: "the paper's own: 640 Hz, filters of 10 s or 20 elements".to_owned(),
         panels: panels.collect(),
     })?;
@@ -172,29 +174,25 @@ fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
         x: log_axis(&format!("Time for {CASES} cases of {CASE_SECONDS} s (s)")),
         y: log_axis(if is_first { "Relative error" } else { "" }),
         kinds,
-        front: front(rows, measure).into_iter().filter_map(point).collect(),
+        front: (front(rows, measure).into_iter())
+            .map(|(row, error)| (row.cost(), error.max(SMALLEST_DRAWN)))
+            .collect(),
         rims: known()
             .filter(|row| row.configuration.paper().is_some())
             .filter_map(point)
             .collect(),
-        references: (uncertainty.filter(|part| *part > 0.0))
-            .map(|y| Reference::Horizontal {
-                y,
-                name: "reference no surer".to_owned(),
-            })
-            .into_iter()
-            .collect(),
+        floor: uncertainty.filter(|part| *part > 0.0),
     }
 }
 
 fn describe_orders(rows: &[Row]) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     writeln!(text, "observed orders of convergence in 1/f_s")?;
-    for measure in measures(rows).into_iter().filter(|one| one.converges()) {
+    for measure in measures(rows) {
         for order in orders(rows, measure) {
             writeln!(
                 text,
-                "  {:26} {:40} {:5.2} up to {} Hz",
+                "  {:25}{:42}{:5.2} up to {} Hz",
                 measure.name(),
                 order.title,
                 order.order,
@@ -210,7 +208,8 @@ fn describe_cheapest(rows: &[Row], steps: &PaperSteps) -> Result<String, std::fm
     for accuracy in ACCURACIES {
         writeln!(
             text,
-            "\ncheapest within {} %, for {CASES} cases of {CASE_SECONDS} s",
+            "\ncheapest within {} %: time for {CASES} cases of {CASE_SECONDS} s, and how many times \
+             dearer the paper's filters and elements are",
             100.0 * accuracy
         )?;
         let answers: Vec<Cheapest> = (measures(rows).into_iter())
@@ -237,22 +236,26 @@ fn describe_cheapest(rows: &[Row], steps: &PaperSteps) -> Result<String, std::fm
     Ok(text)
 }
 
-/// One measure: method, frequency, cost, and how many times dearer the paper's
-/// filters and its elements are, stepped as here and in the paper's own way.
+/// One measure: configuration, cost, and how many times dearer the paper's filters
+/// and its elements are, stepped as here.
 fn line(answer: &Cheapest) -> String {
     let Some(row) = answer.row else {
-        return format!("  {:26} none", answer.measure.name());
+        return format!("  {:25}none", answer.measure.name());
     };
     let ratio = |paper: Option<PaperRatio>| match paper {
-        Some(paper) => format!("×{:.1} (×{:.0})", paper.stepped_here, paper.own_way),
+        Some(paper) => format!("×{:.1}", paper.stepped_here),
         None => "–".to_owned(),
     };
     let [filter, elements] = answer.paper;
+    let configuration = &row.configuration;
     format!(
-        "  {:26} {:40} {:>6} Hz {:9.3} s  filters {:14} elements {}",
+        "  {:25}{:45}{:>8.3} s   {:>6} {:>6}",
         answer.measure.name(),
-        row.configuration.title(),
-        row.configuration.sampling_frequency,
+        format!(
+            "{} at {} Hz",
+            configuration.title(),
+            configuration.sampling_frequency
+        ),
         row.cost(),
         ratio(filter),
         ratio(elements)

@@ -9,7 +9,8 @@ use plotters::style::RGBColor;
 
 /// Distance between a reference line and its name.
 const NAME_GAP: f64 = 3.0;
-const REFERENCE: Stroke = Stroke {
+/// How a reference line looks.
+pub(super) const REFERENCE: Stroke = Stroke {
     colour: RGBColor(0x55, 0x55, 0x55),
     width: 1.0,
     dash: &[5.0, 4.0],

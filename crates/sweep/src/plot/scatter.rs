@@ -4,7 +4,7 @@ use super::canvas::{Canvas, Stroke, draw_picture};
 use super::frame::Frame;
 use super::geometry::{Pixel, Rect};
 use super::legend::{Key, Legend};
-use super::references::{Reference, draw_references};
+use super::references::REFERENCE;
 use super::scale::{Scale, visible};
 use super::symbols::{draw_marker, draw_rim};
 use super::text::{Block, LABEL_SIZE, TITLE_SIZE};
@@ -50,8 +50,8 @@ pub struct ScatterPanel {
     pub front: Vec<(f64, f64)>,
     /// Points to point out with a rim.
     pub rims: Vec<(f64, f64)>,
-    /// Reference lines.
-    pub references: Vec<Reference>,
+    /// A height below which differences mean nothing.
+    pub floor: Option<f64>,
 }
 
 /// A grid of panels with one title and one legend.
@@ -60,6 +60,8 @@ pub struct ScatterGrid {
     pub title: String,
     /// What the front is, in the legend.
     pub front: String,
+    /// What the floors are, in the legend.
+    pub floor: String,
     /// What the rims are, in the legend.
     pub rim: String,
     /// Panels, row by row.
@@ -74,6 +76,7 @@ pub fn scatter_grid(grid: &ScatterGrid) -> Result<Picture> {
         .map(|(index, name)| (Key::Marker(index), *name))
         .chain([
             (Key::Line(FRONT), grid.front.as_str()),
+            (Key::Line(REFERENCE), grid.floor.as_str()),
             (Key::Rim, grid.rim.as_str()),
         ]);
     let legend = Legend::new(entries)?;
@@ -121,13 +124,9 @@ fn frames(grid: &ScatterGrid, top: f64) -> Result<Vec<Frame>> {
             right: left + width - GAP,
             bottom: top + PANEL_HEIGHT - GAP,
         };
-        let lines = panel.references.iter().filter_map(|line| match line {
-            Reference::Horizontal { y, .. } => Some(*y),
-            Reference::Vertical { .. } => None,
-        });
         let y = Scale::new(
             panel.y.logarithmic,
-            shown_points(panel).map(|(_, y)| y).chain(lines),
+            shown_points(panel).map(|(_, y)| y).chain(panel.floor),
         );
         frames.push(Frame::new(outer, (&panel.x, x), (&panel.y, y))?);
     }
@@ -155,6 +154,10 @@ fn draw_panel(
 ) -> Result<()> {
     frame.draw(canvas)?;
     let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width())?;
+    if let Some(y) = panel.floor.and_then(|floor| frame.pixel_y(floor)) {
+        let Rect { left, right, .. } = frame.area;
+        canvas.line(&[(left, y), (right, y)], REFERENCE)?;
+    }
     let middle = 0.5 * (frame.area.left + frame.area.right);
     canvas.text(
         &title,
@@ -162,19 +165,17 @@ fn draw_panel(
         frame.area.top - GAP / 2.0 - 2.0,
         HPos::Center,
     )?;
-    let mut drawn = Vec::new();
     for kind in &panel.kinds {
         let index = names.iter().position(|&name| name == kind.name);
         for pixel in kind.points.iter().filter_map(|&point| frame.pixel(point)) {
             draw_marker(canvas, index.unwrap_or(0), pixel, MARKER_RADIUS)?;
-            drawn.push(vec![pixel]);
         }
     }
     canvas.line(&steps(frame, &panel.front), FRONT)?;
     for pixel in panel.rims.iter().filter_map(|&point| frame.pixel(point)) {
         draw_rim(canvas, pixel, RIM_RADIUS)?;
     }
-    draw_references(canvas, frame, drawn, &panel.references)
+    Ok(())
 }
 
 /// A front as steps: at each cost the least error so far, to the end of the frame.
@@ -213,10 +214,7 @@ mod tests {
             }],
             front: points,
             rims: vec![(1.0, 0.1)],
-            references: vec![Reference::Horizontal {
-                y: 1e-3,
-                name: "uncertainty of the reference".to_string(),
-            }],
+            floor: Some(1e-3),
         }
     }
 
@@ -226,6 +224,7 @@ mod tests {
         let picture = scatter_grid(&ScatterGrid {
             title: "Accuracy against speed".to_string(),
             front: "no other is cheaper and better".to_string(),
+            floor: "uncertainty of the reference".to_string(),
             rim: "the paper's own".to_string(),
             panels: (0..4).map(|_| panel(points.clone())).collect(),
         });

@@ -11,12 +11,19 @@ const ABOVE_UNCERTAINTY: f64 = 4.0;
 /// Rungs of the ladder that an order is fitted to.
 const FITTED: usize = 3;
 
+/// Neighbouring rungs of a fit have its slope to within this.
+const REGULAR: f64 = 0.25;
+
+/// The most that half the step can make of an error, by the third order: no method
+/// here has a higher one.
+const MOST_IMPROVEMENT: f64 = 8.0;
+
 /// Errors of less are rounding, or the cut tail of a response.
 const ROUNDING: f64 = 1e-7;
 
 /// The rows of one measure that no other beats in both cost and error, cheapest
-/// first.
-pub fn front(rows: &[Row], measure: Measure) -> Vec<&Row> {
+/// first, with the errors that they are sure not to exceed.
+pub fn front(rows: &[Row], measure: Measure) -> Vec<(&Row, f64)> {
     let mut known: Vec<(&Row, f64)> = (rows.iter())
         .filter(|row| row.measure == measure)
         .map(|row| (row, certain(rows, row)))
@@ -29,21 +36,27 @@ pub fn front(rows: &[Row], measure: Measure) -> Vec<&Row> {
         best = best.min(*error);
         is_better
     });
-    known.into_iter().map(|(row, _)| row).collect()
+    known
 }
 
-/// The error that a row is sure not to exceed: that of no finer step of the same
-/// method is larger, for an error that passes through zero by chance promises
-/// nothing; and the reference may be off by its uncertainty.
+/// The error that a row is sure not to exceed: no finer step of the same method has
+/// a larger one, and none is smaller than the next coarser step allows, for an error
+/// that passes through zero by chance promises nothing; and the reference may be off
+/// by its uncertainty.
 fn certain(rows: &[Row], row: &Row) -> f64 {
     let title = row.configuration.title();
-    let finer = rows.iter().filter(|other| {
-        other.measure == row.measure
-            && other.configuration.sampling_frequency >= row.configuration.sampling_frequency
-            && other.configuration.title() == title
-    });
-    let errors = finer.map(|other| other.error.unwrap_or(f64::INFINITY));
-    errors.fold(0.0, f64::max) + row.reference.uncertainty
+    let frequency = |row: &Row| row.configuration.sampling_frequency;
+    let error = |row: &Row| row.error.unwrap_or(f64::INFINITY);
+    let (finer, coarser): (Vec<&Row>, Vec<&Row>) = (rows.iter())
+        .filter(|other| other.measure == row.measure && other.configuration.title() == title)
+        .partition(|other| frequency(other) >= frequency(row));
+    let largest = finer.iter().map(|row| error(row)).fold(0.0, f64::max);
+    // A finer step confirms; the finest has only the coarser to be judged by.
+    let allowed = (coarser.iter())
+        .max_by(|one, other| frequency(one).total_cmp(&frequency(other)))
+        .filter(|_| finer.len() == 1)
+        .map_or(0.0, |coarser| error(coarser) / MOST_IMPROVEMENT);
+    largest.max(allowed) + row.reference.uncertainty
 }
 
 /// How fast the error of one method falls with f_s.
@@ -59,7 +72,8 @@ pub struct Order {
     pub highest: f64,
 }
 
-/// Observed orders, fitted to the last rungs before the error no longer falls.
+/// Observed orders, fitted to the last rungs before the error no longer falls, where
+/// it falls regularly.
 pub fn orders(rows: &[Row], measure: Measure) -> Vec<Order> {
     let mut titles: Vec<String> = Vec::new();
     for row in rows.iter().filter(|row| row.measure == measure) {
@@ -84,11 +98,13 @@ pub fn orders(rows: &[Row], measure: Measure) -> Vec<Order> {
         {
             points.pop();
         }
-        let fitted = points.len().checked_sub(FITTED)?;
-        Some(Order {
+        let fitted = &points[points.len().checked_sub(FITTED)?..];
+        let order = -slope(fitted);
+        let is_regular = (fitted.windows(2)).all(|pair| (slope(pair) + order).abs() < REGULAR);
+        is_regular.then_some(Order {
             measure,
             title,
-            order: -slope(&points[fitted..]),
+            order,
             highest: points.last()?.0,
         })
     };
@@ -211,9 +227,10 @@ mod tests {
         };
         assert_eq!(found(0.1), Some(80.0));
         assert_eq!(found(0.01), Some(320.0));
-        assert_eq!(found(0.001), None);
+        assert_eq!(found(0.00105), None);
+        assert_eq!(found(0.0011), Some(640.0));
         let front = front(&rows, Measure::FirstSlip);
-        assert_eq!(front[0].configuration.sampling_frequency, 80.0);
+        assert_eq!(front[0].0.configuration.sampling_frequency, 80.0);
         assert_eq!(front.len(), 3);
     }
 

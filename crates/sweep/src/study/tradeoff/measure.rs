@@ -87,12 +87,6 @@ impl Measure {
         self >= Measure::LateralImpulse
     }
 
-    /// Whether its error falls with the step: static limits are exact, or wrong, at
-    /// any.
-    pub fn converges(self) -> bool {
-        !matches!(self, Measure::SteadySpeed | Measure::StaticStiffness)
-    }
-
     /// The measure of a name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|measure| measure.name() == name)
