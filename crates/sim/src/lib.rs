@@ -49,6 +49,7 @@ mod held;
 pub mod history;
 pub mod lateral;
 pub mod laws;
+pub mod oscillator;
 pub mod regime;
 pub mod scene;
 pub mod settling;

@@ -184,6 +184,7 @@ impl ValueEnum for MethodName {
             MethodName::Hilbert,
             MethodName::FiniteElement,
             MethodName::DirectIdft,
+            MethodName::Trapezoidal,
         ]
     }
 
@@ -193,6 +194,9 @@ impl ValueEnum for MethodName {
             MethodName::Hilbert => "the paper's digital filter",
             MethodName::FiniteElement => "finite elements with Newmark's scheme",
             MethodName::DirectIdft => "plain inverse DFT, kept to show that it fails",
+            MethodName::Trapezoidal => {
+                "convolution quadrature, trapezoidal rule, kept to show that it chatters"
+            }
         };
         Some(clap::builder::PossibleValue::new(self.name()).help(help))
     }

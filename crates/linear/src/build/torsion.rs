@@ -10,6 +10,7 @@ use crate::elements::newmark::Weights;
 use crate::elements::reduction::{CondensedString, StringState};
 use crate::error::BuildError;
 use crate::estimates::{torsional_decay_rate, torsional_travel_time};
+use crate::filters::quadrature::Formula;
 use crate::filters::{direct, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::response::{TorsionRequest, TorsionResponses};
@@ -40,7 +41,8 @@ pub fn torsion_responses(
 ) -> Result<TorsionResponses, BuildError> {
     check_sampling(request.sampling_frequency)?;
     let channels = match method {
-        Method::Quadrature => quadrature_taps(string, request)?,
+        Method::Quadrature => quadrature_taps(Formula::BackwardDifferences, string, request)?,
+        Method::Trapezoidal => quadrature_taps(Formula::Trapezoidal, string, request)?,
         Method::Hilbert(transform) => {
             needs_damping(method, string)?;
             let length = transform_samples(string, transform, request)?;
@@ -70,12 +72,14 @@ pub fn torsion_responses(
 }
 
 fn quadrature_taps(
+    formula: Formula,
     string: &Drillstring,
     request: &TorsionRequest,
 ) -> Result<Vec<Vec<f64>>, BuildError> {
     let response = wave_response(string, request);
     until_decayed(string, request, |length| {
         quadrature::taps(
+            formula,
             request.sampling_frequency,
             length,
             request.channels(),
