@@ -44,6 +44,14 @@ pub fn torsional_decay_rate(string: &Drillstring) -> f64 {
     string.torsional_damping() * string.length() / (2.0 * inertia)
 }
 
+/// Time constant, s, in which torque that distributed damping holds back seeps
+/// along a string held at both ends: c_t L/(π² k_eff). A short string vibrates
+/// longer than that.
+pub fn torsional_settling_time(string: &Drillstring) -> f64 {
+    let squared = std::f64::consts::PI.powi(2);
+    string.torsional_damping() * string.length() / (squared * torsional_stiffness(string))
+}
+
 /// Δ of Eq. 75: the largest undershoot of the step response whose taps are
 /// given, in the units of the response (rad/s per N m at the bit).
 pub fn largest_undershoot(taps: &[f64]) -> f64 {

@@ -140,6 +140,28 @@ impl BendingResponses {
         positive_real_margin(velocities.len(), |output, input| &velocities[output][input])
     }
 
+    /// The margin of the differences of positions from step to step, times f_s:
+    /// what a wall meets that takes them for velocities, as the sliding speed of
+    /// Eq. 70 does. By `hilbert` that is the method's own derivative; by
+    /// `quadrature` it stays positive; Newmark's scheme has a velocity of its own,
+    /// a part of a step ahead, and this margin may be below zero where
+    /// [`Self::margin`] is not.
+    ///
+    /// # Errors
+    /// Where the taps are not finite.
+    pub fn margin_of_differences(&self) -> Result<f64, BuildError> {
+        let differences = |taps: &Vec<f64>| -> Vec<f64> {
+            let before = std::iter::once(&0.0).chain(taps);
+            taps.iter()
+                .zip(before)
+                .map(|(now, before)| now - before)
+                .collect()
+        };
+        let sites = self.from_force.len();
+        let velocities: Vec<Vec<f64>> = self.from_force.iter().flatten().map(differences).collect();
+        positive_real_margin(sites, |output, input| &velocities[output * sites + input])
+    }
+
     /// Taps from the forces at the sites to their velocities, as `method`, which
     /// built these responses, differentiates in time; `[site][input]`, m/s per N.
     pub fn velocities(&self, method: &Method) -> Vec<Vec<Vec<f64>>> {

@@ -15,6 +15,9 @@ use crate::history::{History, Kernels};
 /// Steps that the oscillator is followed, in lengths of the response.
 const RESPONSE_LENGTHS: usize = 32;
 
+/// No oscillator is followed longer, in steps.
+const MOST_STEPS: usize = 1 << 22;
+
 /// What the margin of some driving points foretells, and what a load tuned to it
 /// finds; both in units of the largest A(0).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,12 +65,19 @@ pub fn worst_load(taps: &[Vec<&[f64]>]) -> Result<WorstLoad, BuildError> {
 /// in each step exactly as much more as the string gives, −T v. A weak κ leaves
 /// it at its frequency.
 pub fn energy_gained(taps: &[f64], angle: f64) -> f64 {
-    let steps = RESPONSE_LENGTHS * taps.len().max(2);
+    let steps = (RESPONSE_LENGTHS * taps.len().max(2)).min(MOST_STEPS);
     let kernels = Kernels::new(&[vec![taps.to_vec()]]);
     let compliance = kernels.instant(0, 0);
-    // Met by a resistance A(0), half of the time takes a factor e.
-    let stiffness = 2.0 / (compliance * steps as f64);
     let (sine, cosine) = angle.sin_cos();
+    // At the ends of the band x has one direction only, and is pushed twice as
+    // much.
+    let pushes = if sine.abs() < 1.0 / steps as f64 {
+        2.0
+    } else {
+        1.0
+    };
+    // Met by a resistance A(0), half of the time takes a factor e.
+    let stiffness = 2.0 / (pushes * compliance * steps as f64);
     let (mut real, mut imaginary) = (1.0, 0.0);
     let mut half_way = 0.0;
     let mut torques = History::new(&kernels, 1, steps);

@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::engine::Shard;
 use crate::spec::{Axis, MethodName};
+use crate::study::stability::Family;
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]
@@ -48,6 +49,10 @@ pub enum Command {
         Exit code 4 where a shard is missing or not finished; its number is printed."
     )]
     Merge(MergeArguments),
+    /// Where methods fail, and whether their margins foretell it: CSV and chart
+    #[command(after_help = "Examples:\n  sweep stability\n  \
+        sweep stability --family newmark --out /tmp/newmark")]
+    Stability(StabilityArguments),
 }
 
 /// Arguments of `run`.
@@ -164,6 +169,23 @@ pub struct MergeArguments {
     /// Results folder
     #[arg(long)]
     pub out: PathBuf,
+}
+
+/// Arguments of `stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArguments {
+    /// Results folder
+    #[arg(long, default_value = "results/stability")]
+    pub out: PathBuf,
+    /// Only these parts of the atlas; may be repeated
+    #[arg(long, value_name = "FAMILY", value_delimiter = ',')]
+    pub family: Vec<Family>,
+    /// Threads [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    #[arg(long)]
+    pub jobs: Option<usize>,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
 }
 
 fn parse_setting(text: &str) -> Result<(Axis, f64), String> {

@@ -12,6 +12,7 @@ mod lines;
 mod output;
 mod plot;
 mod spec;
+mod study;
 
 use std::process::ExitCode;
 
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments),
         Command::Plot(arguments) => commands::plot::plot(&arguments),
         Command::Merge(arguments) => commands::merge::merge(&arguments),
+        Command::Stability(arguments) => commands::stability::stability(&arguments),
     };
     result
         .unwrap_or_else(|error| commands::report(&error))

@@ -52,9 +52,10 @@ impl Mul for Transfer {
 }
 
 /// Displacement at the bit per unit force there, m/N, of a string that nothing
-/// holds at the surface, at the Laplace variable `s` (rad/s, not zero). Not a
-/// number, or infinite, where the products overflow.
-pub fn tip_receptance(string: &Drillstring, bending: &Bending, s: c64) -> c64 {
+/// holds at the surface, at an angular frequency (rad/s, not zero). Not a number, or
+/// infinite, where the products overflow.
+pub fn tip_receptance(string: &Drillstring, bending: &Bending, rate: f64) -> c64 {
+    let s = c64::new(0.0, rate);
     let mut chain: Option<Transfer> = None;
     for section in string.sections() {
         for part in (0..section.repeat).flat_map(|_| &section.parts) {

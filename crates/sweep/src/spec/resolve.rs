@@ -197,7 +197,7 @@ impl Sweep {
     }
 
     /// As [`Sweep::read`], from any source of texts.
-    pub(super) fn read_from(path: &Path, text_of: TextOf) -> Result<Self, SpecError> {
+    pub fn read_from(path: &Path, text_of: TextOf) -> Result<Self, SpecError> {
         let source = Source::read(path, text_of)?;
         let content: FileContent = source.parse()?;
         let check = Check { source: &source };

@@ -1,0 +1,3 @@
+//! Studies: one question asked of every method, answered by a table and a chart.
+
+pub mod stability;
