@@ -2,11 +2,13 @@
 
 use anyhow::Result;
 
+use super::plot::save_picture;
 use super::progress::Progress;
 use super::{Status, make_folder, say, use_threads};
 use crate::cli::StabilityArguments;
 use crate::output::write_atomically;
-use crate::study::stability::{Cell, Family, cells, run, summary, to_csv};
+use crate::plot::cell_chart;
+use crate::study::stability::{Cell, Family, cells, chart, run, summary, to_csv};
 
 /// Computes the atlas and writes its table and chart.
 pub fn stability(arguments: &StabilityArguments) -> Result<Status> {
@@ -23,6 +25,8 @@ pub fn stability(arguments: &StabilityArguments) -> Result<Status> {
     progress.finish();
     let entries = entries?;
     write_atomically(&arguments.out.join("stability.csv"), &to_csv(&entries)?)?;
+    let picture = cell_chart(&chart(&entries))?;
+    save_picture(&arguments.out, "stability", &picture)?;
     if !arguments.quiet {
         say(&summary(&entries))?;
     }

@@ -10,6 +10,7 @@
 //! shows a symptom; a cell foretold stable is right only if none does.
 
 mod bending;
+mod chart;
 mod families;
 mod scenes;
 mod sticking;
@@ -17,6 +18,7 @@ mod table;
 mod verdict;
 mod whirl;
 
+pub use chart::chart;
 pub use families::{Approach, Cell, Family, cells};
 pub use table::{Entry, summary, to_csv};
 pub use verdict::Findings;

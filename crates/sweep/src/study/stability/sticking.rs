@@ -1,8 +1,8 @@
 //! A bit that is held, and one that sticks and slips.
 
 use anyhow::{Context, Result, anyhow};
-use linear::Method;
 use linear::estimates::{torsional_settling_time, torsional_stiffness};
+use linear::{Drillstring, Method, Section, Sites};
 use sim::oscillator::worst_load;
 use sim::{Stopping, diagnosis};
 
@@ -10,7 +10,7 @@ use super::families::Cell;
 use super::scenes::Scenes;
 use super::verdict::Findings;
 use crate::engine::{Case, MethodSystem};
-use crate::spec::{Axis, Setting, Sweep};
+use crate::spec::{Setting, Sweep};
 
 /// The bit is held for this time, s, as long as Fig. 8(b) is simulated: every
 /// wave of the paper's string has died away by half of it.
@@ -48,11 +48,20 @@ pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings>
     Ok(findings)
 }
 
+/// The scene's setting, or that of a plain row of its drillpipe.
 fn setting_of(sweep: &Sweep, cell: &Cell) -> Result<Setting> {
-    let sections = Axis::from_name("section_0_repeat");
-    let changes = sections.zip(cell.sections.map(|count| count as f64));
-    let mut setting = sweep.setting_with(changes.into_iter())?.into_owned();
+    let mut setting = sweep.setting.clone();
     setting.sampling_frequency = cell.sampling_frequency;
+    if let Some(repeat) = cell.sections {
+        let string = &setting.string;
+        let pipe = Section {
+            repeat,
+            ..string.sections()[0].clone()
+        };
+        setting.string =
+            Drillstring::new(string.material(), vec![pipe], string.torsional_damping())?;
+        setting.sites = Sites::bit();
+    }
     Ok(setting)
 }
 

@@ -62,6 +62,16 @@ impl Entry {
         }
     }
 
+    /// The method, with its parameter where that is not the usual one.
+    pub fn method_name(&self) -> String {
+        let name = self.cell.approach.name();
+        match (self.transform(), self.gamma()) {
+            (Some(seconds), _) => format!("{name}, {seconds} s"),
+            (None, Some(gamma)) => format!("{name}, γ = {gamma}"),
+            (None, None) => name.to_owned(),
+        }
+    }
+
     fn symptoms(&self) -> String {
         let names: Vec<&str> = (self.findings.symptoms().iter())
             .map(|symptom| symptom.name())
@@ -71,7 +81,7 @@ impl Entry {
 
     fn fields(&self) -> [String; 23] {
         let (cell, findings) = (&self.cell, &self.findings);
-        let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
+        let number = |value: Option<f64>| value.map_or_else(String::new, exactly);
         let count =
             |value: Option<usize>| value.map_or_else(String::new, |value| value.to_string());
         let verdict = |stable: bool| if stable { "stable" } else { "unstable" }.to_owned();
@@ -112,11 +122,9 @@ impl Entry {
 
     /// The cell in a line: what makes it different from others of its family.
     fn place(&self) -> String {
-        let mut place = format!("{} {}", self.cell.family.name(), self.cell.approach.name());
+        let mut place = format!("{}: {}", self.cell.family.name(), self.method_name());
         let parts = [
             ("f_s", Some(self.cell.sampling_frequency), " Hz"),
-            ("transform", self.transform(), " s"),
-            ("γ", self.gamma(), ""),
             ("stiffness", self.cell.stiffness, " N/m^1.5"),
             ("spacing", self.cell.site_spacing, " m"),
             ("sections", self.cell.sections.map(|n| n as f64), ""),
@@ -127,6 +135,15 @@ impl Entry {
             }
         }
         place
+    }
+}
+
+/// The shortest number that reads back as this one.
+fn exactly(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
     }
 }
 

@@ -22,10 +22,9 @@ pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings>
     let place = Axis::from_name("site_0_distance_from_bit_m").zip(cell.site_spacing);
     let mut setting = sweep.setting_with(place.into_iter())?.into_owned();
     setting.sampling_frequency = cell.sampling_frequency;
-    for lateral in &mut setting.lateral {
-        for wall in &mut lateral.walls {
-            wall.stiffness = cell.stiffness.unwrap_or(wall.stiffness);
-        }
+    let walls = setting.lateral.iter_mut();
+    for wall in walls.flat_map(|lateral| &mut lateral.walls) {
+        wall.stiffness = cell.stiffness.unwrap_or(wall.stiffness);
     }
     let mut case = Case::under(sweep, &setting, 0, Vec::new(), &sweep.conditions)
         .map_err(|reason| anyhow!(reason))?;
