@@ -45,11 +45,12 @@ pub fn torsional_decay_rate(string: &Drillstring) -> f64 {
 }
 
 /// Time constant, s, in which torque that distributed damping holds back seeps
-/// along a string held at both ends: c_t L/(π² k_eff). A short string vibrates
-/// longer than that.
+/// along the string to a free bit: 4 c_t L/(π² k_eff), or a quarter of that where
+/// the bit is held. Strings of a few kilometres vibrate longer than that; longer
+/// ones do not vibrate, and seeping is the slowest they do.
 pub fn torsional_settling_time(string: &Drillstring) -> f64 {
     let squared = std::f64::consts::PI.powi(2);
-    string.torsional_damping() * string.length() / (squared * torsional_stiffness(string))
+    4.0 * string.torsional_damping() * string.length() / (squared * torsional_stiffness(string))
 }
 
 /// Δ of Eq. 75: the largest undershoot of the step response whose taps are

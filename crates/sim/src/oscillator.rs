@@ -13,7 +13,7 @@ use linear::passivity::worst_point;
 use crate::history::{History, Kernels};
 
 /// Steps that the oscillator is followed, in lengths of the response.
-const RESPONSE_LENGTHS: usize = 32;
+const RESPONSE_LENGTHS: usize = 128;
 
 /// No oscillator is followed longer, in steps.
 const MOST_STEPS: usize = 1 << 22;

@@ -21,7 +21,7 @@ pub fn stability(arguments: &StabilityArguments) -> Result<Status> {
         .flat_map(cells)
         .collect();
     let progress = Progress::new(cells.len(), 0, arguments.quiet);
-    let entries = run(cells, &|| progress.tick());
+    let entries = run(&cells, &|| progress.tick());
     progress.finish();
     let entries = entries?;
     write_atomically(&arguments.out.join("stability.csv"), &to_csv(&entries)?)?;

@@ -30,27 +30,44 @@ use rayon::prelude::*;
 ///
 /// # Errors
 /// Where a scene or a linear system cannot be built.
-pub fn run(cells: Vec<Cell>, done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
+pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
     let scenes = scenes::Scenes::read()?;
-    let entries: Vec<Result<Entry>> = (cells.into_par_iter().with_max_len(1))
-        .map(|cell| {
-            let findings = examine(&scenes, &cell)?;
-            done();
-            Ok(Entry { cell, findings })
+    let groups: Vec<&[Cell]> = cells.chunk_by(Cell::shares_responses).collect();
+    let entries: Vec<Result<Vec<Entry>>> = (groups.par_iter().with_max_len(1))
+        .map(|group| {
+            let findings = examine(&scenes, group)?;
+            group.iter().for_each(|_| done());
+            let entries = group.iter().zip(findings);
+            Ok(entries
+                .map(|(cell, findings)| Entry {
+                    cell: *cell,
+                    findings,
+                })
+                .collect())
         })
         .collect();
-    entries.into_iter().collect()
+    let entries: Result<Vec<Vec<Entry>>> = entries.into_iter().collect();
+    Ok(entries?.concat())
 }
 
-fn examine(scenes: &scenes::Scenes, cell: &Cell) -> Result<Findings> {
-    match (cell.family, cell.approach) {
-        (Family::Tail, Approach::Method(method)) => bending::tail(scenes, cell, method),
-        (_, Approach::TransferProducts | Approach::JoinedStiffnesses) => {
-            bending::chain(scenes, cell)
-        }
+/// Cells of the same responses.
+fn examine(scenes: &scenes::Scenes, group: &[Cell]) -> Result<Vec<Findings>> {
+    let Some(first) = group.first() else {
+        return Ok(Vec::new());
+    };
+    match (first.family, first.approach) {
         (Family::Stiffness | Family::Sites | Family::LongWhirl, Approach::Method(method)) => {
-            whirl::examine(scenes, cell, method)
+            whirl::examine(scenes, group, method)
         }
-        (_, Approach::Method(method)) => sticking::examine(scenes, cell, method),
+        (Family::Tail, Approach::Method(method)) => (group.iter())
+            .map(|cell| bending::tail(scenes, cell, method))
+            .collect(),
+        (_, Approach::TransferProducts | Approach::JoinedStiffnesses) => group
+            .iter()
+            .map(|cell| bending::chain(scenes, cell))
+            .collect(),
+        (_, Approach::Method(method)) => (group.iter())
+            .map(|cell| sticking::examine(scenes, cell, method))
+            .collect(),
     }
 }

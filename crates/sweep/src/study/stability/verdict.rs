@@ -154,5 +154,13 @@ pub fn explanation(cell: &Cell, findings: &Findings) -> Option<String> {
                 .to_owned(),
         );
     }
+    let decays = findings.growth.is_some_and(|growth| growth < 1.0);
+    if findings.foretold_stable() == Some(true) && symptoms == [Symptom::Chatter] && decays {
+        return Some(
+            "positive-real, but hardly at the top of the band: chatter gains nothing \
+             and decays slowly"
+                .to_owned(),
+        );
+    }
     None
 }

@@ -14,34 +14,46 @@ use super::verdict::Findings;
 use crate::engine::{Case, MethodSystem};
 use crate::spec::{Axis, LateralSettings, Setting, Sweep};
 
-pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings> {
-    let sweep = match cell.site_spacing {
+/// Cells that differ in their wall alone.
+pub fn examine(scenes: &Scenes, group: &[Cell], method: Method) -> Result<Vec<Findings>> {
+    let first = &group[0];
+    let sweep = match first.site_spacing {
         Some(_) => &scenes.two_sites,
         None => &scenes.whirl,
     };
-    let place = Axis::from_name("site_0_distance_from_bit_m").zip(cell.site_spacing);
+    let place = Axis::from_name("site_0_distance_from_bit_m").zip(first.site_spacing);
     let mut setting = sweep.setting_with(place.into_iter())?.into_owned();
-    setting.sampling_frequency = cell.sampling_frequency;
-    let walls = setting.lateral.iter_mut();
-    for wall in walls.flat_map(|lateral| &mut lateral.walls) {
-        wall.stiffness = cell.stiffness.unwrap_or(wall.stiffness);
+    setting.sampling_frequency = first.sampling_frequency;
+    let mut duration = case_of(sweep, &setting)?.scene.timing.duration;
+    if let Some(steps) = first.steps {
+        duration = steps as f64 / first.sampling_frequency;
     }
-    let mut case = Case::under(sweep, &setting, 0, Vec::new(), &sweep.conditions)
-        .map_err(|reason| anyhow!(reason))?;
-    if let Some(steps) = cell.steps {
-        case.scene.timing.duration = steps as f64 / cell.sampling_frequency;
-    }
-    let system = MethodSystem::build(&setting, method, false, case.scene.timing.duration)?;
-    let mut findings = loads(&system)?;
-    let mut record = Trajectory::default();
-    match system.simulate(&case, Stopping::Full, Some(&mut record)) {
-        Err(error) => findings.no_answer = Some(error.to_string()),
-        Ok(outcome) => {
-            let steady = steady_whirl(sweep, &setting);
-            watch(&case, cell, &outcome, &record, steady, &mut findings);
-        }
-    }
-    Ok(findings)
+    let system = MethodSystem::build(&setting, method, false, duration)?;
+    let loads = loads(&system)?;
+    (group.iter())
+        .map(|cell| {
+            let walls = setting.lateral.iter_mut();
+            for wall in walls.flat_map(|lateral| &mut lateral.walls) {
+                wall.stiffness = cell.stiffness.unwrap_or(wall.stiffness);
+            }
+            let mut case = case_of(sweep, &setting)?;
+            case.scene.timing.duration = duration;
+            let mut findings = loads.clone();
+            let mut record = Trajectory::default();
+            match system.simulate(&case, Stopping::Full, Some(&mut record)) {
+                Err(error) => findings.no_answer = Some(error.to_string()),
+                Ok(outcome) => {
+                    let steady = steady_whirl(sweep, &setting);
+                    watch(&case, cell, &outcome, &record, steady, &mut findings);
+                }
+            }
+            Ok(findings)
+        })
+        .collect()
+}
+
+fn case_of(sweep: &Sweep, setting: &Setting) -> Result<Case> {
+    Case::under(sweep, setting, 0, Vec::new(), &sweep.conditions).map_err(|reason| anyhow!(reason))
 }
 
 /// What the margins and the loads tuned to them say.
