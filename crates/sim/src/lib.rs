@@ -13,6 +13,7 @@
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`regime`] |
 //! | Section 5.2.2: transient contact or whirl | [`whirl`], its bound in [`steady_whirl`] |
+//! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`duration`] |
 //!
 //! ```

@@ -49,8 +49,8 @@ pub fn tail(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings> {
 }
 
 /// Receptance at the end of a row of drillpipe, by products of transfer matrices
-/// against joined stiffnesses; of these, against the same row joined from its other
-/// end, one section at a time.
+/// against joined stiffnesses; of these, doubled, against the same row joined one
+/// section at a time.
 pub fn chain(scenes: &Scenes, cell: &Cell) -> Result<Findings> {
     let setting = &scenes.whirl.setting;
     let lateral = setting.lateral.as_ref().context(NO_BENDING)?;
@@ -78,7 +78,8 @@ pub fn chain(scenes: &Scenes, cell: &Cell) -> Result<Findings> {
     let error = (other / joined(&string) - 1.0).norm();
     Ok(Findings {
         error: Some(error),
-        no_answer: (!error.is_finite()).then(|| "the products overflow".to_owned()),
+        no_answer: (!error.is_finite())
+            .then(|| "the products overflow, or hold the growing wave alone".to_owned()),
         ..Findings::default()
     })
 }

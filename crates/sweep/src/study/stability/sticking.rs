@@ -20,6 +20,7 @@ const HELD_FOR: f64 = 40.0;
 /// constants: four times shorter where the bit is held than where it is free.
 const SETTLING_TIMES: f64 = 2.5;
 
+/// Holds the bit, lets it stick and slip, and hangs the worst load on it.
 pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings> {
     let sweep = &scenes.stick_slip;
     let setting = setting_of(sweep, cell)?;
