@@ -11,6 +11,8 @@ mod manifest;
 mod run;
 #[path = "command_line/single_case.rs"]
 mod single_case;
+#[path = "command_line/stability.rs"]
+mod stability;
 mod support;
 #[path = "command_line/terminal.rs"]
 mod terminal;

@@ -29,6 +29,11 @@ impl Method {
                 numerator: [1.5, -2.0, 0.5],
                 denominator: [1.0, 0.0, 0.0],
             },
+            // δ(ζ) of the trapezoidal rule.
+            Method::Trapezoidal => Derivative {
+                numerator: [2.0, -2.0, 0.0],
+                denominator: [1.0, 1.0, 0.0],
+            },
             // Newmark's two updates, the acceleration eliminated.
             Method::FiniteElement(parameters) => {
                 let (gamma, beta) = (parameters.gamma, parameters.beta());

@@ -44,6 +44,15 @@ pub fn torsional_decay_rate(string: &Drillstring) -> f64 {
     string.torsional_damping() * string.length() / (2.0 * inertia)
 }
 
+/// Time constant, s, in which torque that distributed damping holds back seeps
+/// along the string to a free bit: 4 c_t L/(π² k_eff), or a quarter of that where
+/// the bit is held. Strings of a few kilometres vibrate longer than that; longer
+/// ones do not vibrate, and seeping is the slowest they do.
+pub fn torsional_settling_time(string: &Drillstring) -> f64 {
+    let squared = std::f64::consts::PI.powi(2);
+    4.0 * string.torsional_damping() * string.length() / (squared * torsional_stiffness(string))
+}
+
 /// Δ of Eq. 75: the largest undershoot of the step response whose taps are
 /// given, in the units of the response (rad/s per N m at the bit).
 pub fn largest_undershoot(taps: &[f64]) -> f64 {

@@ -16,6 +16,7 @@
 //! | Eqs. 12–13, 41–48: surface and sites | [`waves::network`] |
 //! | Eqs. 50–58: bending at the sites | [`waves::lateral`] |
 //! | Section 2.4: digital filters | [`filters`] |
+//! | where Eqs. 5–10 fail without their scaling | [`waves::transfer`] |
 //! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
 //! | Section 3: finite elements, Newmark | [`elements`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |

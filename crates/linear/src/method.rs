@@ -11,6 +11,8 @@ pub enum Method {
     Hilbert(Transform),
     /// Convolution quadrature with BDF2.
     Quadrature,
+    /// Convolution quadrature with the trapezoidal rule, which fails.
+    Trapezoidal,
     /// Finite elements with Newmark's scheme (Section 3).
     FiniteElement(FiniteElement),
     /// The plain inverse discrete Fourier transform, which fails.
@@ -23,6 +25,7 @@ impl Method {
         match self {
             Method::Hilbert(_) => "hilbert",
             Method::Quadrature => "quadrature",
+            Method::Trapezoidal => "trapezoidal",
             Method::FiniteElement(_) => "finite-element",
             Method::DirectIdft(_) => "direct-idft",
         }

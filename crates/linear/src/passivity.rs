@@ -18,6 +18,17 @@ pub const STABLE_MARGIN: f64 = -1e-4;
 /// spectrum is seen between its own samples too.
 const REFINEMENT: usize = 8;
 
+/// Where a response is furthest from being positive-real.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorstPoint {
+    /// The positive-real margin (see [`positive_real_margin`]).
+    pub margin: f64,
+    /// The frequency at which it is found, rad per step, from 0 to π.
+    pub angle: f64,
+    /// In what proportion the inputs act there, a unit vector.
+    pub direction: Vec<f64>,
+}
+
 /// The smallest real part over a fine frequency grid, relative to the largest
 /// instantaneous response A(0): for several inputs the smallest eigenvalue of
 /// the Hermitian part. `taps(output, input)` gives the response between two of
@@ -29,34 +40,68 @@ pub fn positive_real_margin<'a>(
     inputs: usize,
     taps: impl Fn(usize, usize) -> &'a [f64],
 ) -> Result<f64, BuildError> {
+    worst_point(inputs, taps).map(|worst| worst.margin)
+}
+
+/// The margin with the place where it is found: what a load must be tuned to
+/// that draws energy from the string.
+///
+/// # Errors
+/// Where the taps are not finite.
+pub fn worst_point<'a>(
+    inputs: usize,
+    taps: impl Fn(usize, usize) -> &'a [f64],
+) -> Result<WorstPoint, BuildError> {
     let instant = (0..inputs).map(|input| taps(input, input)[0]);
     let scale = instant.fold(0.0, f64::max);
     let length = REFINEMENT * taps(0, 0).len().next_power_of_two();
     let spectra: Vec<Vec<c64>> = (0..inputs * inputs)
         .map(|pair| spectrum(taps(pair / inputs, pair % inputs), length))
         .collect();
-    let mut smallest = f64::INFINITY;
+    let hermitian_part = |frequency: usize| {
+        Mat::from_fn(inputs, inputs, |row, column| {
+            let [one, other] = [row * inputs + column, column * inputs + row];
+            0.5 * (spectra[one][frequency] + spectra[other][frequency].conj())
+        })
+    };
+    let (mut smallest, mut place) = (f64::INFINITY, 0);
     for frequency in 0..=length / 2 {
-        let response = Mat::from_fn(inputs, inputs, |output, input| {
-            spectra[output * inputs + input][frequency]
-        });
-        smallest = smallest.min(smallest_real_part(&response)?);
+        let real_part = if inputs == 1 {
+            spectra[0][frequency].re
+        } else {
+            smallest_eigenvalue(&hermitian_part(frequency))?
+        };
+        if real_part < smallest {
+            (smallest, place) = (real_part, frequency);
+        }
     }
-    Ok(smallest / scale)
+    Ok(WorstPoint {
+        margin: smallest / scale,
+        angle: std::f64::consts::TAU * place as f64 / length as f64,
+        direction: worst_direction(&hermitian_part(place))?,
+    })
 }
 
-/// Smallest eigenvalue of the Hermitian part; a single input has one value.
-fn smallest_real_part(response: &Mat<c64>) -> Result<f64, BuildError> {
-    if response.nrows() == 1 {
-        return Ok(response[(0, 0)].re);
-    }
-    let hermitian = Mat::from_fn(response.nrows(), response.ncols(), |row, column| {
-        0.5 * (response[(row, column)] + response[(column, row)].conj())
-    });
+fn smallest_eigenvalue(hermitian: &Mat<c64>) -> Result<f64, BuildError> {
     let eigenvalues = hermitian
         .self_adjoint_eigenvalues(Side::Lower)
         .map_err(|_| BuildError::NotFinite { method: "taps" })?;
     Ok(eigenvalues[0])
+}
+
+/// The eigenvector of the smallest eigenvalue. Reciprocity makes the Hermitian
+/// part real, and so the eigenvector, but for a factor.
+fn worst_direction(hermitian: &Mat<c64>) -> Result<Vec<f64>, BuildError> {
+    let decomposition = hermitian
+        .self_adjoint_eigen(Side::Lower)
+        .map_err(|_| BuildError::NotFinite { method: "taps" })?;
+    let vector = decomposition.U().col(0);
+    let largest = (vector.iter().copied())
+        .max_by(|one, other| one.norm().total_cmp(&other.norm()))
+        .unwrap_or(c64::new(1.0, 0.0));
+    let turned: Vec<f64> = (vector.iter().map(|entry| (entry / largest).re)).collect();
+    let length = turned.iter().map(|x| x * x).sum::<f64>().sqrt();
+    Ok(turned.iter().map(|x| x / length).collect())
 }
 
 fn spectrum(taps: &[f64], length: usize) -> Vec<c64> {

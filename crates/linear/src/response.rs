@@ -63,10 +63,22 @@ impl TorsionResponses {
         if self.torque_inputs.is_empty() {
             return Ok(None);
         }
-        let taps = |output: usize, input: usize| {
-            self.from_torque[self.torque_inputs[output]][input].as_slice()
-        };
+        let points = self.driving_points();
+        let taps = |output: usize, input: usize| points[output][input];
         positive_real_margin(self.torque_inputs.len(), taps).map(Some)
+    }
+
+    /// Responses between the sites that torques act on, `[output][input]`.
+    pub fn driving_points(&self) -> Vec<Vec<&[f64]>> {
+        let inputs = 0..self.torque_inputs.len();
+        (self.torque_inputs.iter())
+            .map(|&site| {
+                (inputs
+                    .clone()
+                    .map(|input| self.from_torque[site][input].as_slice()))
+                .collect()
+            })
+            .collect()
     }
 
     /// Splits channels in the order of [`TorsionRequest::channels`].
@@ -124,11 +136,38 @@ impl BendingResponses {
     /// # Errors
     /// Where the taps are not finite.
     pub fn margin(&self, method: &Method) -> Result<f64, BuildError> {
+        let velocities = self.velocities(method);
+        positive_real_margin(velocities.len(), |output, input| &velocities[output][input])
+    }
+
+    /// The margin of the differences of positions from step to step, times f_s:
+    /// what a wall meets that takes them for velocities, as the sliding speed of
+    /// Eq. 70 does. By `hilbert` that is the method's own derivative; by
+    /// `quadrature` it stays positive; Newmark's scheme has a velocity of its own,
+    /// a part of a step ahead, and this margin may be below zero where
+    /// [`Self::margin`] is not.
+    ///
+    /// # Errors
+    /// Where the taps are not finite.
+    pub fn margin_of_differences(&self) -> Result<f64, BuildError> {
+        let differences = |taps: &Vec<f64>| -> Vec<f64> {
+            let before = std::iter::once(&0.0).chain(taps);
+            taps.iter()
+                .zip(before)
+                .map(|(now, before)| now - before)
+                .collect()
+        };
         let sites = self.from_force.len();
-        let derivative = method.derivative();
-        let velocities: Vec<Vec<f64>> = (self.from_force.iter().flatten())
-            .map(|taps| derivative.of(taps))
-            .collect();
+        let velocities: Vec<Vec<f64>> = self.from_force.iter().flatten().map(differences).collect();
         positive_real_margin(sites, |output, input| &velocities[output * sites + input])
+    }
+
+    /// Taps from the forces at the sites to their velocities, as `method`, which
+    /// built these responses, differentiates in time; `[site][input]`, m/s per N.
+    pub fn velocities(&self, method: &Method) -> Vec<Vec<Vec<f64>>> {
+        let derivative = method.derivative();
+        (self.from_force.iter())
+            .map(|inputs| inputs.iter().map(|taps| derivative.of(taps)).collect())
+            .collect()
     }
 }

@@ -7,6 +7,7 @@ use faer::c64;
 use linear::waves::bending::uniform;
 use linear::waves::block::Block;
 use linear::waves::lateral::BendingNetwork;
+use linear::waves::transfer::tip_receptance;
 use linear::{Bending, Drillstring, Section, Sites, SurfaceSupport, Tube};
 use oracles::academic::{self, tube};
 use proptest::prelude::*;
@@ -101,6 +102,29 @@ fn a_long_damped_beam_is_one_way_and_does_not_overflow() {
     // Plain hyperbolic functions cannot say so.
     let plain = bishop_and_johnson(20_000.0, SurfaceSupport::Free, s);
     assert!(!plain.is_finite(), "expected the closed form to overflow");
+}
+
+/// The academic string's drillpipe, so many cells of it.
+fn cells(repeat: usize) -> Drillstring {
+    let academic = academic::string();
+    let pipe = Section {
+        repeat,
+        ..academic.sections()[0].clone()
+    };
+    Drillstring::new(academic.material(), vec![pipe], 0.0).unwrap()
+}
+
+#[test]
+fn plain_products_of_transfer_matrices_agree_with_joined_stiffnesses_on_short_strings_only() {
+    let s = c64::new(0.0, std::f64::consts::TAU * 100.0);
+    let joined = |string: &Drillstring| tip(string, BENDING, SurfaceSupport::Free, s);
+    let products = |string: &Drillstring| tip_receptance(string, &BENDING, s.im);
+    assert_close(products(&cells(1)), joined(&cells(1)), 1e-6);
+    let lost = (products(&cells(20)) / joined(&cells(20)) - 1.0).norm();
+    assert!(lost > 0.1, "{lost}");
+    assert!(!products(&cells(2000)).is_finite());
+    // A string that long is one way: its length no longer matters.
+    assert_close(joined(&cells(2000)), joined(&cells(1000)), 1e-9);
 }
 
 #[test]

@@ -52,6 +52,11 @@ impl HeldTorque {
         self.torques.len()
     }
 
+    /// T₁ of all steps.
+    pub(crate) fn torques(&self) -> &[f64] {
+        &self.torques
+    }
+
     /// T₁ at a step.
     pub(crate) fn at(&self, step: usize) -> f64 {
         self.torques[step]

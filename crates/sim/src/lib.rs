@@ -13,6 +13,7 @@
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`regime`] |
 //! | Section 5.2.2: transient contact or whirl | [`whirl`], its bound in [`steady_whirl`] |
+//! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`duration`] |
 //!
 //! ```
@@ -42,6 +43,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod diagnosis;
 pub mod duration;
 pub mod excitation;
 mod future;
@@ -49,6 +51,7 @@ mod held;
 pub mod history;
 pub mod lateral;
 pub mod laws;
+pub mod oscillator;
 pub mod regime;
 pub mod scene;
 pub mod settling;

@@ -88,6 +88,13 @@ impl System {
         }
     }
 
+    /// The torque that holds the bit fast from the first step on, for as long as
+    /// any case lasts, N m per rad/s of surface speed; `None` where no torque acts
+    /// there.
+    pub fn held_torque(&self) -> Option<&[f64]> {
+        self.bit.as_ref().map(|bit| bit.held.torques())
+    }
+
     /// Speed of a site in a step, per unit surface speed, no torque acting.
     fn surface_response(&self, site: usize, step: usize) -> f64 {
         settled(&self.surface_step[site], step)

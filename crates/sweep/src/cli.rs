@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::engine::Shard;
 use crate::spec::{Axis, MethodName};
+use crate::study::stability::Family;
 use crate::study::tradeoff::{LADDER, Measure};
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
@@ -54,6 +55,10 @@ pub enum Command {
         sweep tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
         The whole study takes a quarter of an hour; a part of it, seconds.")]
     Tradeoff(TradeoffArguments),
+    /// Where methods fail, and whether their margins foretell it: CSV and chart
+    #[command(after_help = "Examples:\n  sweep stability\n  \
+        sweep stability --family newmark --out /tmp/newmark")]
+    Stability(StabilityArguments),
 }
 
 /// Arguments of `run`.
@@ -192,6 +197,23 @@ pub struct TradeoffArguments {
     pub quiet: bool,
 }
 
+/// Arguments of `stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArguments {
+    /// Results folder
+    #[arg(long, default_value = "results/stability")]
+    pub out: PathBuf,
+    /// Only these parts of the atlas; may be repeated
+    #[arg(long, value_name = "FAMILY", value_delimiter = ',')]
+    pub family: Vec<Family>,
+    /// Threads [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    #[arg(long)]
+    pub jobs: Option<usize>,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+}
+
 fn parse_measure(name: &str) -> Result<Measure, String> {
     Measure::from_name(name).ok_or_else(|| {
         let known = Measure::ALL.map(Measure::name);
@@ -217,6 +239,7 @@ impl ValueEnum for MethodName {
             MethodName::Hilbert,
             MethodName::FiniteElement,
             MethodName::DirectIdft,
+            MethodName::Trapezoidal,
         ]
     }
 
@@ -226,6 +249,9 @@ impl ValueEnum for MethodName {
             MethodName::Hilbert => "the paper's digital filter",
             MethodName::FiniteElement => "finite elements with Newmark's scheme",
             MethodName::DirectIdft => "plain inverse DFT, kept to show that it fails",
+            MethodName::Trapezoidal => {
+                "convolution quadrature, trapezoidal rule, kept to show that it chatters"
+            }
         };
         Some(clap::builder::PossibleValue::new(self.name()).help(help))
     }

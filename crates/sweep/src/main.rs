@@ -34,6 +34,7 @@ fn main() -> ExitCode {
         Command::Plot(arguments) => commands::plot::plot(&arguments),
         Command::Merge(arguments) => commands::merge::merge(&arguments),
         Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments),
+        Command::Stability(arguments) => commands::stability::stability(&arguments),
     };
     result
         .unwrap_or_else(|error| commands::report(&error))

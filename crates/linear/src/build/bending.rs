@@ -9,6 +9,7 @@ use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::elements::newmark::Weights;
 use crate::elements::reduction::CondensedBeam;
 use crate::error::BuildError;
+use crate::filters::quadrature::Formula;
 use crate::filters::{direct, hilbert, quadrature};
 use crate::method::{FiniteElement, Method};
 use crate::response::{BendingRequest, BendingResponses};
@@ -35,13 +36,18 @@ pub fn bending_responses(
     let sites = request.sites.len();
     let displacement =
         |s: c64, channels: &mut [c64]| fill(&network, s, c64::new(1.0, 0.0), channels);
-    let channels = match method {
-        Method::Quadrature => quadrature::taps(
+    let by_formula = |formula: Formula| {
+        quadrature::taps(
+            formula,
             request.sampling_frequency,
             needed,
             sites * sites,
             &displacement,
-        ),
+        )
+    };
+    let channels = match method {
+        Method::Quadrature => by_formula(Formula::BackwardDifferences),
+        Method::Trapezoidal => by_formula(Formula::Trapezoidal),
         Method::FiniteElement(parameters) => {
             element_taps(string, bending, parameters, request, needed)?
         }

@@ -9,7 +9,8 @@ use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
 use crate::elements::reduction::{CondensedString, StringState};
 use crate::error::BuildError;
-use crate::estimates::{torsional_decay_rate, torsional_travel_time};
+use crate::estimates::{torsional_decay_rate, torsional_settling_time, torsional_travel_time};
+use crate::filters::quadrature::Formula;
 use crate::filters::{direct, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::response::{TorsionRequest, TorsionResponses};
@@ -24,6 +25,10 @@ const NEGLIGIBLE_TAIL: f64 = 1e-8;
 /// A tail counts as decayed only if this last part of what was computed is
 /// negligible too, so that a quiet moment is not taken for the end.
 const QUIET_PART: f64 = 0.25;
+
+/// A digital filter lasts at least so many time constants of what seeps along the
+/// string: its static stiffness is then right to a part in a thousand.
+const SEEPING_TIMES: f64 = 8.0;
 
 /// A first guess of the length, in round trips, where damping says nothing.
 const FIRST_ROUND_TRIPS: f64 = 16.0;
@@ -40,7 +45,8 @@ pub fn torsion_responses(
 ) -> Result<TorsionResponses, BuildError> {
     check_sampling(request.sampling_frequency)?;
     let channels = match method {
-        Method::Quadrature => quadrature_taps(string, request)?,
+        Method::Quadrature => quadrature_taps(Formula::BackwardDifferences, string, request)?,
+        Method::Trapezoidal => quadrature_taps(Formula::Trapezoidal, string, request)?,
         Method::Hilbert(transform) => {
             needs_damping(method, string)?;
             let length = transform_samples(string, transform, request)?;
@@ -70,12 +76,14 @@ pub fn torsion_responses(
 }
 
 fn quadrature_taps(
+    formula: Formula,
     string: &Drillstring,
     request: &TorsionRequest,
 ) -> Result<Vec<Vec<f64>>, BuildError> {
     let response = wave_response(string, request);
     until_decayed(string, request, |length| {
         quadrature::taps(
+            formula,
             request.sampling_frequency,
             length,
             request.channels(),
@@ -115,7 +123,8 @@ fn transform_samples(
     transform: &Transform,
     request: &TorsionRequest,
 ) -> Result<usize, BuildError> {
-    let lasts = 2.0 * first_length(string, request) as f64;
+    let seeps = SEEPING_TIMES * torsional_settling_time(string) * request.sampling_frequency;
+    let lasts = 2.0 * seeps.max(first_length(string, request) as f64);
     transform_length(transform, lasts, request.sampling_frequency)
 }
 

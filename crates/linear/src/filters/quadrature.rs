@@ -1,11 +1,10 @@
 //! Convolution quadrature (Lubich, Numer. Math. 52, 1988, 129–145 and
-//! 413–425) with the two-step backward difference formula.
+//! 413–425): the taps are the Taylor coefficients in ζ of K(δ(ζ) f_s), where δ
+//! belongs to a formula for differentiating in time.
 //!
-//! The taps are the Taylor coefficients in ζ of K(δ(ζ) f_s) with
-//! δ(ζ) = 3/2 − 2ζ + ζ²/2. BDF2 is A-stable: δ maps the unit disc into the
-//! right half plane, where a positive-real K has a positive real part. So the
-//! taps are positive-real exactly, a sticking bit is stable, and since
-//! δ(1) = 0 the static limits are exact.
+//! Both formulas here are A-stable: δ maps the unit disc into the right half
+//! plane, where a positive-real K has a positive real part. So the taps are
+//! positive-real exactly, and since δ(1) = 0 the static limits are exact.
 
 use faer::c64;
 
@@ -53,39 +52,69 @@ pub(super) fn coefficients(mut spectrum: Vec<c64>, circle: &Circle, count: usize
     taps
 }
 
+/// A formula for differentiating in time, of second order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Formula {
+    /// Two-step backward differences, BDF2: δ(ζ) = 3/2 − 2ζ + ζ²/2. The highest
+    /// frequency sampled is damped, δ(−1) = 4.
+    BackwardDifferences,
+    /// The trapezoidal rule: δ(ζ) = 2(1 − ζ)/(1 + ζ), kept to show that it fails.
+    /// All frequencies to infinity are squeezed in below the highest one sampled,
+    /// for δ(−1) is infinite, and none is damped by the formula: what is up there
+    /// rings on for ever. Taps that are cut off anywhere are not positive-real.
+    Trapezoidal,
+}
+
+impl Formula {
+    /// δ(ζ) within the unit circle, |ζ| < 1, where it is finite.
+    fn generating_function(self, zeta: c64) -> c64 {
+        match self {
+            Formula::BackwardDifferences => 1.5 - zeta * (2.0 - 0.5 * zeta),
+            Formula::Trapezoidal => 2.0 * (1.0 - zeta) / (1.0 + zeta),
+        }
+    }
+}
+
 /// The first `count` taps of every channel.
 pub fn taps(
+    formula: Formula,
     sampling_frequency: f64,
     count: usize,
     channels: usize,
     response: &(impl Fn(c64, &mut [c64]) + Sync),
 ) -> Vec<Vec<f64>> {
     let circle = circle(count);
-    let on_circle = |index: usize| generating_function(circle.point(index)) * sampling_frequency;
+    let on_circle =
+        |index: usize| formula.generating_function(circle.point(index)) * sampling_frequency;
     sample(channels, circle.samples / 2 + 1, on_circle, response)
         .into_iter()
         .map(|spectrum| coefficients(spectrum, &circle, count))
         .collect()
 }
 
-/// δ(ζ) of BDF2.
-fn generating_function(zeta: c64) -> c64 {
-    1.5 - zeta * (2.0 - 0.5 * zeta)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn assert_integrates(formula: Formula, exact: impl Fn(i32) -> f64) {
+        let integrate = |s: c64, out: &mut [c64]| out[0] = s.inv();
+        let taps = &taps(formula, 10.0, 64, 1, &integrate)[0];
+        for (index, tap) in taps.iter().enumerate() {
+            let exact = exact(index as i32) / 10.0;
+            assert!((tap - exact).abs() < 1e-9, "{index}: {tap} {exact}");
+        }
+    }
 
     /// K(s) = 1/s integrates: 1/δ = 1/(1 − ζ) − 1/(3 − ζ) has the
     /// coefficients 1 − 3^(−n−1).
     #[test]
     fn taps_of_an_integrator_are_those_of_the_difference_formula() {
-        let integrate = |s: c64, out: &mut [c64]| out[0] = s.inv();
-        let taps = &taps(10.0, 64, 1, &integrate)[0];
-        for (index, tap) in taps.iter().enumerate() {
-            let exact = (1.0 - 3f64.powi(-(index as i32) - 1)) / 10.0;
-            assert!((tap - exact).abs() < 1e-9, "{index}: {tap} {exact}");
-        }
+        assert_integrates(Formula::BackwardDifferences, |n| 1.0 - 3f64.powi(-n - 1));
+    }
+
+    /// 1/δ = ½ + ζ + ζ² + …
+    #[test]
+    fn the_trapezoidal_rule_gives_half_its_weight_to_the_ends() {
+        assert_integrates(Formula::Trapezoidal, |n| if n == 0 { 0.5 } else { 1.0 });
     }
 }

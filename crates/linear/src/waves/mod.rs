@@ -9,3 +9,4 @@ pub mod inversion;
 pub mod lateral;
 pub mod network;
 pub mod torsion;
+pub mod transfer;

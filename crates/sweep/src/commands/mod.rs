@@ -10,6 +10,7 @@ pub mod plot;
 mod progress;
 pub mod run;
 pub mod simulate;
+pub mod stability;
 mod stop;
 pub mod tradeoff;
 

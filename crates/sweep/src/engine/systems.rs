@@ -71,7 +71,12 @@ impl MethodSystem {
         Ok(systems)
     }
 
-    fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
+    /// Builds the system of one method; `cuts` says whether a torque acts on the
+    /// bit.
+    ///
+    /// # Errors
+    /// Where the method cannot treat the string.
+    pub fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
         let start = Instant::now();
         let sites = setting.sites.len();
         let torque_inputs = match &setting.lateral {
@@ -131,6 +136,15 @@ impl MethodSystem {
     pub fn unstable_margin(&self) -> Option<f64> {
         let margins = [self.torsion_margin, self.bending_margin];
         (margins.into_iter().flatten()).find(|margin| is_unstable(*margin))
+    }
+
+    /// The torque that holds the bit fast, where only torsion is modelled and a
+    /// torque acts there (see [`System::held_torque`]).
+    pub fn held_torque(&self) -> Option<&[f64]> {
+        match &self.stepped {
+            Stepped::Torsion(system) => system.held_torque(),
+            Stepped::Lateral(_) => None,
+        }
     }
 
     /// Taps of the lowest driving point in torsion, where a torque acts there.

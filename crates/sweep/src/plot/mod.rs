@@ -9,6 +9,7 @@
 //! to the caller.
 
 mod canvas;
+mod cells;
 mod frame;
 mod geometry;
 mod legend;
@@ -27,6 +28,7 @@ use anyhow::{Context, Result};
 use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
 
+pub use cells::{CellChart, CellPanel, ChartCell, Foretold, Seen, cell_chart};
 pub use map::{Line, MapPoint, Mark, RegimeMap, regime_map};
 pub use orbits::{Orbit, Orbits, orbits};
 pub use panels::{Panel, Panels, Series, panels};

@@ -206,6 +206,8 @@ pub enum MethodName {
     FiniteElement,
     /// Plain inverse DFT, which fails.
     DirectIdft,
+    /// Convolution quadrature, trapezoidal rule, which fails.
+    Trapezoidal,
 }
 
 impl MethodName {
@@ -216,6 +218,7 @@ impl MethodName {
             MethodName::Quadrature => "quadrature",
             MethodName::FiniteElement => "finite-element",
             MethodName::DirectIdft => "direct-idft",
+            MethodName::Trapezoidal => "trapezoidal",
         }
     }
 }

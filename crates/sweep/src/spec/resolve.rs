@@ -475,6 +475,7 @@ impl FileContent {
             MethodName::Quadrature => Method::Quadrature,
             MethodName::FiniteElement => Method::FiniteElement(self.method.finite_element),
             MethodName::DirectIdft => Method::DirectIdft(self.method.direct_idft),
+            MethodName::Trapezoidal => Method::Trapezoidal,
         }
     }
 }

@@ -1,4 +1,5 @@
-//! Studies of the methods themselves, on the paper's string.
+//! Studies: one question asked of every method, answered by a table and a chart.
 
 mod scenes;
+pub mod stability;
 pub mod tradeoff;

@@ -6,7 +6,13 @@ use std::path::Path;
 
 use crate::spec::{SpecError, Sweep};
 
-const FILES: [(&str, &str); 5] = [
+/// Fig. 12 with a second site.
+const TWO_SITES: &str = r#"base = "fig12.toml"
+sites = [{ distance_from_bit_m = 10 }, { distance_from_bit_m = 0 }]
+"#;
+
+const FILES: [(&str, &str); 6] = [
+    ("two_sites.toml", TWO_SITES),
     (
         "academic.toml",
         include_str!("../../../../sweeps/academic.toml"),

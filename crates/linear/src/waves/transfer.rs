@@ -1,0 +1,71 @@
+//! Bending by plain products of transfer matrices, kept to show that it fails.
+//!
+//! A transfer matrix carries displacement and slope, force and moment from the
+//! top of a tube to its bottom, and that of a chain is the product. In bending
+//! one wave grows along the tube by e^(βL) and another decays as much. Soon the
+//! products hold nothing but the growing wave, and the difference that would be
+//! the answer is rounding; in the end they overflow. The stiffnesses of
+//! [`super::chain`] give the same response and do neither.
+
+use std::ops::Mul;
+
+use faer::c64;
+
+use super::bending::{BeamStiffness, uniform};
+use super::block::Block;
+use crate::drillstring::{Bending, Drillstring};
+
+/// From (x, x′) and (force, moment) on the top of a piece to those on the top of
+/// the next: `[u; f] ← [[a, b], [c, d]] [u; f]`.
+#[derive(Debug, Clone, Copy)]
+struct Transfer {
+    a: Block,
+    b: Block,
+    c: Block,
+    d: Block,
+}
+
+impl Transfer {
+    fn of(piece: &BeamStiffness) -> Self {
+        let b = piece.cross.inverse();
+        let a = -(b * piece.top);
+        Self {
+            a,
+            b,
+            c: -(piece.cross.transpose() + piece.bottom * a),
+            d: -(piece.bottom * b),
+        }
+    }
+}
+
+/// First the right one, then the left one.
+impl Mul for Transfer {
+    type Output = Self;
+    fn mul(self, upper: Self) -> Self {
+        Self {
+            a: self.a * upper.a + self.b * upper.c,
+            b: self.a * upper.b + self.b * upper.d,
+            c: self.c * upper.a + self.d * upper.c,
+            d: self.c * upper.b + self.d * upper.d,
+        }
+    }
+}
+
+/// Displacement at the bit per unit force there, m/N, of a string that nothing
+/// holds at the surface, at an angular frequency (rad/s, not zero). Not a number, or
+/// infinite, where the products overflow.
+pub fn tip_receptance(string: &Drillstring, bending: &Bending, rate: f64) -> c64 {
+    let s = c64::new(0.0, rate);
+    let mut chain: Option<Transfer> = None;
+    for section in string.sections() {
+        for part in (0..section.repeat).flat_map(|_| &section.parts) {
+            let part = Transfer::of(&uniform(string, bending, part, s));
+            chain = Some(chain.map_or(part, |upper| part * upper));
+        }
+    }
+    chain.map_or(c64::new(f64::NAN, f64::NAN), |chain| {
+        // Nothing acts on the top; what acts on the bottom is carried on, negated.
+        let Block([[receptance, _], _]) = -(chain.a * chain.c.inverse());
+        receptance
+    })
+}

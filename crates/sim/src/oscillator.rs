@@ -1,0 +1,123 @@
+//! A passive load that looks for energy in the string: an oscillator without
+//! loss, hung on the sites, tuned, and let go.
+//!
+//! A string whose responses are positive-real takes energy from it, always. One
+//! that is not gives it energy, and for ever more of it, if the oscillator is
+//! tuned to a frequency at which the real part of the response is negative. So
+//! it shows in time what the positive-real margin ([`linear::passivity`]) says
+//! of all frequencies: not every scene finds that load, but some load there is.
+
+use linear::BuildError;
+use linear::passivity::worst_point;
+
+use crate::history::{History, Kernels};
+
+/// Steps that the oscillator is followed, in lengths of the response.
+const RESPONSE_LENGTHS: usize = 128;
+
+/// No oscillator is followed longer, in steps.
+const MOST_STEPS: usize = 1 << 22;
+
+/// What the margin of some driving points foretells, and what a load tuned to it
+/// finds; both in units of the largest A(0).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorstLoad {
+    /// The positive-real margin.
+    pub margin: f64,
+    /// What an oscillator tuned to its place gains: its negative, if the margin
+    /// is right.
+    pub energy_gained: f64,
+}
+
+/// Hangs an oscillator on the sites where their responses `taps[output][input]`
+/// are furthest from positive-real, tuned to that frequency and distributed as
+/// they are weakest.
+///
+/// # Errors
+/// Where the taps are not finite.
+pub fn worst_load(taps: &[Vec<&[f64]>]) -> Result<WorstLoad, BuildError> {
+    let worst = worst_point(taps.len(), |output, input| taps[output][input])?;
+    let mut combined = vec![0.0; taps[0][0].len()];
+    for (output, inputs) in taps.iter().enumerate() {
+        for (input, taps) in inputs.iter().enumerate() {
+            let factor = worst.direction[output] * worst.direction[input];
+            for (sum, tap) in combined.iter_mut().zip(*taps) {
+                *sum += factor * tap;
+            }
+        }
+    }
+    let largest = (0..taps.len()).map(|site| taps[site][site][0]);
+    let scale = combined[0] / largest.fold(0.0, f64::max);
+    Ok(WorstLoad {
+        margin: worst.margin,
+        energy_gained: scale * energy_gained(&combined, worst.angle),
+    })
+}
+
+/// What an oscillator at `angle` (rad per step) gains from a string at rest with
+/// the driving-point response `taps`: over the second half of the time, when the
+/// waves of its start have died away, the mean resistance that it met, negated,
+/// in units of A(0). Above zero, energy is gained: minus the real part of the
+/// response at that frequency.
+///
+/// Its state x turns by `angle` in each step and is pushed by the site's speed,
+/// x ← (x + v) exp(i angle), its torque is −κ (Re x + v/2), and it holds ½κ|x|²:
+/// in each step exactly as much more as the string gives, −T v. A weak κ leaves
+/// it at its frequency.
+pub fn energy_gained(taps: &[f64], angle: f64) -> f64 {
+    let steps = (RESPONSE_LENGTHS * taps.len().max(2)).min(MOST_STEPS);
+    let kernels = Kernels::new(&[vec![taps.to_vec()]]);
+    let compliance = kernels.instant(0, 0);
+    let (sine, cosine) = angle.sin_cos();
+    // At the ends of the band x has one direction only, and is pushed twice as
+    // much.
+    let pushes = if sine.abs() < 1.0 / steps as f64 {
+        2.0
+    } else {
+        1.0
+    };
+    // Met by a resistance A(0), half of the time takes a factor e.
+    let stiffness = 2.0 / (pushes * compliance * steps as f64);
+    let (mut real, mut imaginary) = (1.0, 0.0);
+    let mut half_way = 0.0;
+    let mut torques = History::new(&kernels, 1, steps);
+    for step in 0..steps {
+        if step == steps / 2 {
+            half_way = f64::ln(real * real + imaginary * imaginary);
+        }
+        let mut past = [0.0];
+        torques.past(&mut past);
+        // The load line speed = past + A(0) torque, met by the oscillator.
+        let torque = -stiffness * (real + 0.5 * past[0]) / (1.0 + 0.5 * stiffness * compliance);
+        let pushed = real + past[0] + compliance * torque;
+        (real, imaginary) = (
+            pushed * cosine - imaginary * sine,
+            pushed * sine + imaginary * cosine,
+        );
+        torques.push(&[torque]);
+    }
+    f64::ln(real * real + imaginary * imaginary) - half_way
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Re 1/(1 − ζ/2) at ζ = −i is 0.8.
+    #[test]
+    fn a_passive_response_takes_what_its_real_part_says() {
+        let lag: Vec<f64> = (0..64).map(|n| 0.5f64.powi(n)).collect();
+        let gained = energy_gained(&lag, std::f64::consts::FRAC_PI_2);
+        assert!((gained + 0.8).abs() < 0.01, "{gained}");
+    }
+
+    /// Re (1 + 2ζ³) at ζ = 1 is 3, at ζ = −1 it is −1.
+    #[test]
+    fn a_delay_that_is_too_strong_gives_energy_where_its_real_part_is_negative() {
+        let delayed: Vec<f64> = (0..64)
+            .map(|n| [1.0, 0.0, 0.0, 2.0].get(n).copied().unwrap_or(0.0))
+            .collect();
+        assert!(energy_gained(&delayed, std::f64::consts::FRAC_PI_3) > 0.5);
+        assert!(energy_gained(&delayed, 0.5) < 0.0);
+    }
+}

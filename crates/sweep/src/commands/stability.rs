@@ -1,0 +1,34 @@
+//! `sweep stability`: where methods fail, and whether their margins foretell it.
+
+use anyhow::Result;
+
+use super::plot::save_picture;
+use super::progress::Progress;
+use super::{Status, make_folder, say, use_threads};
+use crate::cli::StabilityArguments;
+use crate::output::write_atomically;
+use crate::plot::cell_chart;
+use crate::study::stability::{Cell, Family, cells, chart, run, summary, to_csv};
+
+/// Computes the atlas and writes its table and chart.
+pub fn stability(arguments: &StabilityArguments) -> Result<Status> {
+    use_threads(arguments.jobs)?;
+    make_folder(&arguments.out)?;
+    let is_wanted =
+        |family: &Family| arguments.family.is_empty() || arguments.family.contains(family);
+    let cells: Vec<Cell> = (Family::all().iter().copied())
+        .filter(is_wanted)
+        .flat_map(cells)
+        .collect();
+    let progress = Progress::new(cells.len(), 0, arguments.quiet);
+    let entries = run(&cells, &|| progress.tick());
+    progress.finish();
+    let entries = entries?;
+    write_atomically(&arguments.out.join("stability.csv"), &to_csv(&entries)?)?;
+    let picture = cell_chart(&chart(&entries))?;
+    save_picture(&arguments.out, "stability", &picture)?;
+    if !arguments.quiet {
+        say(&summary(&entries))?;
+    }
+    Ok(Status::Complete)
+}

@@ -1,0 +1,347 @@
+//! Charts of cells: what was foretold as the ground, what was seen as a symbol,
+//! the number that foretold it beside it. Panels stand in two columns.
+
+use super::Picture;
+use super::canvas::{Canvas, Stroke, draw_picture};
+use super::geometry::{Pixel, Rect};
+use super::text::{self, Block, SMALL_SIZE, TITLE_SIZE};
+use anyhow::Result;
+use plotters::style::text_anchor::HPos;
+use plotters::style::{BLACK, RGBColor};
+
+const WIDTH: f64 = 1400.0;
+const MARGIN: f64 = 16.0;
+/// Distance between the two columns of panels.
+const GUTTER: f64 = 30.0;
+const CELL_HEIGHT: f64 = 24.0;
+/// Columns are no wider, however few there are.
+const WIDEST_CELL: f64 = 80.0;
+/// Distance between a panel's parts, and between panels.
+const GAP: f64 = 6.0;
+const PANEL_GAP: f64 = 20.0;
+/// Size of the numbers in cells and of the labels beside them.
+const CELL_TEXT: f64 = 10.5;
+const LABEL_TEXT: f64 = 12.5;
+const RADIUS: f64 = 4.2;
+
+// Tints of Okabe and Ito's sky blue and orange, and their strong colours.
+const SKY: RGBColor = RGBColor(0xD3, 0xEA, 0xF8);
+const SAND: RGBColor = RGBColor(0xF8, 0xDD, 0xA6);
+const PALE: RGBColor = RGBColor(0xEE, 0xEE, 0xEE);
+const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xB2);
+const VERMILION: RGBColor = RGBColor(0xB0, 0x3A, 0x00);
+
+/// What was foretold of a cell.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Foretold {
+    /// That it is stable.
+    Stable,
+    /// That it is unstable.
+    Unstable,
+    /// Nothing.
+    Nothing,
+}
+
+/// What was seen of a cell.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Seen {
+    /// Nothing wrong: a ring.
+    Sound,
+    /// Something that only a load made for it brings out: a disc.
+    Provoked,
+    /// A failure in an ordinary scene: a cross.
+    Failed,
+}
+
+/// One cell.
+pub struct ChartCell {
+    /// Its column, from the left, from 0.
+    pub column: usize,
+    /// Its row, from the top, from 0.
+    pub row: usize,
+    /// What was foretold: its ground.
+    pub foretold: Foretold,
+    /// What was seen: its symbol.
+    pub seen: Seen,
+    /// A number of a few characters.
+    pub text: String,
+}
+
+/// A table of cells.
+pub struct CellPanel {
+    /// Title above it.
+    pub title: String,
+    /// What its columns are, with the unit.
+    pub x: String,
+    /// Names of the columns.
+    pub columns: Vec<String>,
+    /// Names of the rows, with the unit where they are numbers.
+    pub rows: Vec<String>,
+    /// Its cells.
+    pub cells: Vec<ChartCell>,
+}
+
+/// Panels with one title and one legend.
+pub struct CellChart {
+    /// Title above everything.
+    pub title: String,
+    /// What is printed in cells, for the legend.
+    pub number: String,
+    /// Panels; they fill the left column first, then the right one.
+    pub panels: Vec<CellPanel>,
+}
+
+/// Draws a chart of cells.
+pub fn cell_chart(chart: &CellChart) -> Result<Picture> {
+    let title = Block::new(&chart.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
+    let top = 2.0 * MARGIN + title.height();
+    let column_width = (WIDTH - 2.0 * MARGIN - GUTTER) / 2.0;
+    let (places, bottom) = places(&chart.panels, top);
+    let height = bottom + LEGEND_HEIGHT + MARGIN;
+    draw_picture(WIDTH, height, |canvas| {
+        let title_row = MARGIN + title.line_height() / 2.0;
+        canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
+        for (panel, (column, top)) in chart.panels.iter().zip(&places) {
+            let left = MARGIN + *column as f64 * (column_width + GUTTER);
+            draw_panel(canvas, panel, left, *top, column_width)?;
+        }
+        draw_legend(canvas, chart, bottom)
+    })
+}
+
+/// Column and top of each panel, and the bottom of all.
+fn places(panels: &[CellPanel], top: f64) -> (Vec<(usize, f64)>, f64) {
+    let heights: Vec<f64> = panels
+        .iter()
+        .map(|panel| panel_height(panel) + PANEL_GAP)
+        .collect();
+    let half = 0.5 * heights.iter().sum::<f64>();
+    let (mut places, mut before, mut bottoms) = (Vec::new(), 0.0, [top; 2]);
+    for height in heights {
+        // A panel stands on the side where its middle would be.
+        let column = usize::from(before + 0.5 * height > half);
+        places.push((column, bottoms[column]));
+        bottoms[column] += height;
+        before += height;
+    }
+    (places, bottoms[0].max(bottoms[1]))
+}
+
+fn line(size: f64) -> f64 {
+    1.4 * size
+}
+
+fn panel_height(panel: &CellPanel) -> f64 {
+    let labels = 2.0 * line(LABEL_TEXT) + GAP;
+    line(SMALL_SIZE) + GAP + panel.rows.len() as f64 * CELL_HEIGHT + labels
+}
+
+fn draw_panel(
+    canvas: &mut Canvas,
+    panel: &CellPanel,
+    left: f64,
+    top: f64,
+    width: f64,
+) -> Result<()> {
+    let mut names: f64 = 0.0;
+    for name in &panel.rows {
+        names = names.max(text::width(name, LABEL_TEXT)?);
+    }
+    let grid_left = left + names + GAP;
+    let count = panel.columns.len().max(1) as f64;
+    let cell_width = ((left + width - grid_left) / count).min(WIDEST_CELL);
+    let grid_top = top + line(SMALL_SIZE) + GAP;
+    let write = |canvas: &Canvas, words: &str, size: f64, (x, y): Pixel, align: HPos| {
+        canvas.text(&Block::new(words, size, f64::INFINITY)?, x, y, align)
+    };
+    let title_row = top + 0.5 * line(SMALL_SIZE);
+    write(
+        canvas,
+        &panel.title,
+        SMALL_SIZE,
+        (grid_left, title_row),
+        HPos::Left,
+    )?;
+    for (row, name) in panel.rows.iter().enumerate() {
+        let middle = grid_top + (row as f64 + 0.5) * CELL_HEIGHT;
+        write(
+            canvas,
+            name,
+            LABEL_TEXT,
+            (grid_left - GAP, middle),
+            HPos::Right,
+        )?;
+    }
+    for cell in &panel.cells {
+        let rect = Rect {
+            left: grid_left + cell.column as f64 * cell_width,
+            top: grid_top + cell.row as f64 * CELL_HEIGHT,
+            right: grid_left + (cell.column + 1) as f64 * cell_width,
+            bottom: grid_top + (cell.row + 1) as f64 * CELL_HEIGHT,
+        };
+        draw_cell(canvas, cell, rect)?;
+    }
+    let below = grid_top + panel.rows.len() as f64 * CELL_HEIGHT + GAP;
+    for (column, name) in panel.columns.iter().enumerate() {
+        let middle = grid_left + (column as f64 + 0.5) * cell_width;
+        let place = (middle, below + 0.5 * line(LABEL_TEXT));
+        write(canvas, name, LABEL_TEXT, place, HPos::Center)?;
+    }
+    let centre = grid_left + 0.5 * count * cell_width;
+    let place = (centre, below + 1.5 * line(LABEL_TEXT));
+    write(canvas, &panel.x, LABEL_TEXT, place, HPos::Center)
+}
+
+fn draw_cell(canvas: &mut Canvas, cell: &ChartCell, rect: Rect) -> Result<()> {
+    let ground = match cell.foretold {
+        Foretold::Stable => SKY,
+        Foretold::Unstable => SAND,
+        Foretold::Nothing => PALE,
+    };
+    // White lines between cells.
+    let inner = Rect::centred(rect.centre(), rect.width() - 2.0, CELL_HEIGHT - 2.0);
+    canvas.polygon(&inner.corners(), ground)?;
+    let middle = rect.centre().1;
+    draw_seen(canvas, cell.seen, (inner.left + RADIUS + 3.0, middle))?;
+    let was_wrong = matches!(
+        (cell.foretold, cell.seen),
+        (Foretold::Stable, Seen::Provoked | Seen::Failed) | (Foretold::Unstable, Seen::Sound)
+    );
+    if was_wrong {
+        let [first, second, third, fourth] = inner.corners();
+        let closed = [first, second, third, fourth, first];
+        canvas.line(&closed, Stroke::solid(BLACK, 2.0))?;
+    }
+    let number = Block::new(&cell.text, CELL_TEXT, f64::INFINITY)?;
+    canvas.text(&number, inner.right - 3.0, middle, HPos::Right)
+}
+
+fn draw_seen(canvas: &mut Canvas, seen: Seen, (x, y): Pixel) -> Result<()> {
+    match seen {
+        Seen::Sound => canvas.ring((x, y), RADIUS, Stroke::solid(BLUE, 1.5)),
+        Seen::Provoked => canvas.disc((x, y), RADIUS, VERMILION),
+        Seen::Failed => {
+            let [left, right] = [x - RADIUS, x + RADIUS];
+            let [top, bottom] = [y - RADIUS, y + RADIUS];
+            let path = [
+                (left, top),
+                (right, bottom),
+                (x, y),
+                (right, top),
+                (left, bottom),
+            ];
+            canvas.line(&path, Stroke::solid(VERMILION, 2.0))
+        }
+    }
+}
+
+/// Two rows of keys.
+const LEGEND_HEIGHT: f64 = 2.0 * LEGEND_ROW;
+const LEGEND_ROW: f64 = 26.0;
+const KEY_WIDTH: f64 = 26.0;
+const KEY_GAP: f64 = 28.0;
+
+fn draw_legend(canvas: &mut Canvas, chart: &CellChart, top: f64) -> Result<()> {
+    let grounds = [
+        (Some(SKY), "foretold: stable"),
+        (Some(SAND), "foretold: unstable"),
+        (Some(PALE), "the margin says nothing of it"),
+        (None, chart.number.as_str()),
+    ];
+    let first_row = top + 0.5 * LEGEND_ROW;
+    let mut left = MARGIN;
+    for (ground, words) in grounds {
+        if let Some(ground) = ground {
+            let key = Rect::centred((left + 0.5 * KEY_WIDTH, first_row), KEY_WIDTH, 16.0);
+            canvas.polygon(&key.corners(), ground)?;
+            left += KEY_WIDTH + GAP;
+        }
+        left = legend_text(canvas, words, left, first_row)?;
+    }
+    let symbols = [
+        (Some(Seen::Sound), "nothing wrong was seen"),
+        (Some(Seen::Failed), "failed in an ordinary scene"),
+        (
+            Some(Seen::Provoked),
+            "fails under a load tuned to the margin",
+        ),
+        (None, "framed: not as foretold"),
+    ];
+    let second_row = top + 1.5 * LEGEND_ROW;
+    let mut left = MARGIN;
+    for (seen, words) in symbols {
+        match seen {
+            Some(seen) => draw_seen(canvas, seen, (left + 0.5 * KEY_WIDTH, second_row))?,
+            None => {
+                let key = Rect::centred((left + 0.5 * KEY_WIDTH, second_row), KEY_WIDTH, 16.0);
+                let [first, second, third, fourth] = key.corners();
+                let closed = [first, second, third, fourth, first];
+                canvas.line(&closed, Stroke::solid(BLACK, 2.0))?;
+            }
+        }
+        left = legend_text(canvas, words, left + KEY_WIDTH + GAP, second_row)?;
+    }
+    Ok(())
+}
+
+/// Writes a key's words and returns where the next key begins.
+fn legend_text(canvas: &Canvas, words: &str, left: f64, row: f64) -> Result<f64> {
+    let block = Block::new(words, SMALL_SIZE, f64::INFINITY)?;
+    canvas.text(&block, left, row, HPos::Left)?;
+    Ok(left + block.width + KEY_GAP)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::canvas::tests::assert_text_inside;
+    use super::*;
+
+    fn chart(foretold: Foretold, seen: Seen) -> CellChart {
+        let panel = || CellPanel {
+            title: "Newmark in sticking".to_owned(),
+            x: "γ".to_owned(),
+            columns: (50..60).map(|n| format!("0.{n}")).collect(),
+            rows: vec!["160 Hz".to_owned(), "2560 Hz".to_owned()],
+            cells: vec![ChartCell {
+                column: 9,
+                row: 1,
+                foretold,
+                seen,
+                text: "−0.055".to_owned(),
+            }],
+        };
+        CellChart {
+            title: "The atlas".to_owned(),
+            number: "number: the margin".to_owned(),
+            panels: vec![panel(), panel(), panel()],
+        }
+    }
+
+    #[test]
+    fn every_label_lies_inside_and_only_wrong_cells_are_framed() {
+        let lines = |foretold, seen| {
+            let picture = cell_chart(&chart(foretold, seen)).expect("drawn");
+            assert_text_inside(&picture);
+            picture.svg.matches("<polyline").count()
+        };
+        let right = lines(Foretold::Stable, Seen::Sound);
+        assert_eq!(lines(Foretold::Unstable, Seen::Sound), right + 3);
+        assert_eq!(lines(Foretold::Stable, Seen::Provoked), right + 3);
+        assert_eq!(lines(Foretold::Nothing, Seen::Provoked), right);
+    }
+
+    #[test]
+    fn panels_share_the_height() {
+        let panels = chart(Foretold::Stable, Seen::Sound).panels;
+        let columns: Vec<usize> = places(&panels, 0.0).0.iter().map(|place| place.0).collect();
+        assert_eq!(columns, [0, 0, 1]);
+        assert!(
+            cell_chart(&CellChart {
+                title: String::new(),
+                number: String::new(),
+                panels: vec![]
+            })
+            .is_ok()
+        );
+    }
+}

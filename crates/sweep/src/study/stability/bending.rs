@@ -1,0 +1,85 @@
+//! Failures in bending that no margin is about: responses that are passive and
+//! wrong, and chains that cannot be computed.
+
+use std::f64::consts::TAU;
+
+use anyhow::{Context, Result};
+use linear::waves::lateral::BendingNetwork;
+use linear::waves::transfer::tip_receptance;
+use linear::{BendingRequest, Drillstring, Method, Section, bending_responses};
+
+use super::families::{Approach, Cell};
+use super::scenes::Scenes;
+use super::verdict::Findings;
+
+/// When the displacement after an impulse is looked at, s.
+const LOOKED_AT: f64 = 9.0;
+
+/// The frequency at which chains are compared, Hz: within the band, and high
+/// enough that waves in bending are short.
+const CHAIN_FREQUENCY: f64 = 100.0;
+
+const NO_BENDING: &str = "the scene has no lateral motion";
+
+/// How much of the displacement at the bit is left 9 s after an impulse, against
+/// quadrature.
+pub fn tail(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings> {
+    let setting = &scenes.whirl.setting;
+    let lateral = setting.lateral.as_ref().context(NO_BENDING)?;
+    let request = BendingRequest {
+        sites: setting.sites.clone(),
+        support: lateral.support,
+        sampling_frequency: cell.sampling_frequency,
+        longest_time: LOOKED_AT,
+    };
+    let responses =
+        |method: &Method| bending_responses(&setting.string, &lateral.bending, method, &request);
+    let (found, reference) = (responses(&method)?, responses(&Method::Quadrature)?);
+    let [found_last, true_last] = [&found, &reference].map(|responses| {
+        responses.from_force[0][0]
+            .last()
+            .copied()
+            .unwrap_or(f64::NAN)
+    });
+    Ok(Findings {
+        margin_bending: Some(found.margin(&method)?),
+        error: Some((found_last / true_last - 1.0).abs()),
+        ..Findings::default()
+    })
+}
+
+/// Receptance at the end of a row of drillpipe, by products of transfer matrices
+/// against joined stiffnesses; of these, doubled, against the same row joined one
+/// section at a time.
+pub fn chain(scenes: &Scenes, cell: &Cell) -> Result<Findings> {
+    let setting = &scenes.whirl.setting;
+    let lateral = setting.lateral.as_ref().context(NO_BENDING)?;
+    let count = cell.sections.unwrap_or(1);
+    let pipe = &setting.string.sections()[0];
+    let row = |sections: Vec<Section>| Drillstring::new(setting.string.material(), sections, 0.0);
+    let string = row(vec![Section {
+        repeat: count,
+        ..pipe.clone()
+    }])?;
+    let rate = TAU * CHAIN_FREQUENCY;
+    let joined = |string: &Drillstring| {
+        let bit = linear::Sites::bit();
+        BendingNetwork::new(string, lateral.bending, lateral.support, &bit).at_rate(rate)[(0, 0)]
+    };
+    let other = if cell.approach == Approach::TransferProducts {
+        tip_receptance(&string, &lateral.bending, rate)
+    } else {
+        let one = Section {
+            repeat: 1,
+            ..pipe.clone()
+        };
+        joined(&row(vec![one; count])?)
+    };
+    let error = (other / joined(&string) - 1.0).norm();
+    Ok(Findings {
+        error: Some(error),
+        no_answer: (!error.is_finite())
+            .then(|| "the products overflow, or hold the growing wave alone".to_owned()),
+        ..Findings::default()
+    })
+}

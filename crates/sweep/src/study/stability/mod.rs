@@ -1,0 +1,73 @@
+//! The atlas of failures: every method in settings that strain it, what its
+//! positive-real margin foretells before anything is simulated, and what
+//! simulations then show.
+//!
+//! Positive-realness is what makes a string stable against *every* passive load.
+//! A margin below zero promises that some load draws energy from it, not that
+//! each does. So every cell meets two kinds of load: ordinary scenes, a bit that
+//! is held, stick-slip, whirl, and one oscillator without loss, tuned to where
+//! the margin is smallest (`sim::oscillator`). A cell is unstable if any of them
+//! shows a symptom; a cell foretold stable is right only if none does.
+
+mod bending;
+mod chart;
+mod families;
+mod scenes;
+mod sticking;
+mod table;
+mod verdict;
+mod whirl;
+
+pub use chart::chart;
+pub use families::{Approach, Cell, Family, cells};
+pub use table::{Entry, summary, to_csv};
+pub use verdict::Findings;
+
+use anyhow::Result;
+use rayon::prelude::*;
+
+/// Runs cells on all cores; `done` is called after each.
+///
+/// # Errors
+/// Where a scene or a linear system cannot be built.
+pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
+    let scenes = scenes::Scenes::read()?;
+    let groups: Vec<&[Cell]> = cells.chunk_by(Cell::shares_responses).collect();
+    let entries: Vec<Result<Vec<Entry>>> = (groups.par_iter().with_max_len(1))
+        .map(|group| {
+            let findings = examine(&scenes, group)?;
+            group.iter().for_each(|_| done());
+            let entries = group.iter().zip(findings);
+            Ok(entries
+                .map(|(cell, findings)| Entry {
+                    cell: *cell,
+                    findings,
+                })
+                .collect())
+        })
+        .collect();
+    let entries: Result<Vec<Vec<Entry>>> = entries.into_iter().collect();
+    Ok(entries?.concat())
+}
+
+/// Cells of the same responses.
+fn examine(scenes: &scenes::Scenes, group: &[Cell]) -> Result<Vec<Findings>> {
+    let Some(first) = group.first() else {
+        return Ok(Vec::new());
+    };
+    match (first.family, first.approach) {
+        (Family::Stiffness | Family::Sites | Family::LongWhirl, Approach::Method(method)) => {
+            whirl::examine(scenes, group, method)
+        }
+        (Family::Tail, Approach::Method(method)) => (group.iter())
+            .map(|cell| bending::tail(scenes, cell, method))
+            .collect(),
+        (_, Approach::TransferProducts | Approach::JoinedStiffnesses) => group
+            .iter()
+            .map(|cell| bending::chain(scenes, cell))
+            .collect(),
+        (_, Approach::Method(method)) => (group.iter())
+            .map(|cell| sticking::examine(scenes, cell, method))
+            .collect(),
+    }
+}

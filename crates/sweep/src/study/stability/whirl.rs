@@ -1,0 +1,119 @@
+//! Backward whirl: Fig. 12 against softer and harder walls, at two sites, for a
+//! long time.
+
+use anyhow::{Result, anyhow};
+use linear::Method;
+use linear::waves::lateral::BendingNetwork;
+use sim::diagnosis::roughness;
+use sim::oscillator::worst_load;
+use sim::{LateralRegime, Outcome, SteadyWhirl, Stopping, Trajectory, Wall, steady_backward_whirl};
+
+use super::families::Cell;
+use super::scenes::Scenes;
+use super::verdict::Findings;
+use crate::engine::{Case, MethodSystem};
+use crate::spec::{Axis, LateralSettings, Setting, Sweep};
+
+/// Cells that differ in their wall alone.
+pub fn examine(scenes: &Scenes, group: &[Cell], method: Method) -> Result<Vec<Findings>> {
+    let first = &group[0];
+    let sweep = match first.site_spacing {
+        Some(_) => &scenes.two_sites,
+        None => &scenes.whirl,
+    };
+    let place = Axis::from_name("site_0_distance_from_bit_m").zip(first.site_spacing);
+    let mut setting = sweep.setting_with(place.into_iter())?.into_owned();
+    setting.sampling_frequency = first.sampling_frequency;
+    let mut duration = case_of(sweep, &setting)?.scene.timing.duration;
+    if let Some(steps) = first.steps {
+        duration = steps as f64 / first.sampling_frequency;
+    }
+    let system = MethodSystem::build(&setting, method, false, duration)?;
+    let loads = loads(&system)?;
+    (group.iter())
+        .map(|cell| {
+            let walls = setting.lateral.iter_mut();
+            for wall in walls.flat_map(|lateral| &mut lateral.walls) {
+                wall.stiffness = cell.stiffness.unwrap_or(wall.stiffness);
+            }
+            let mut case = case_of(sweep, &setting)?;
+            case.scene.timing.duration = duration;
+            let mut findings = loads.clone();
+            let mut record = Trajectory::default();
+            match system.simulate(&case, Stopping::Full, Some(&mut record)) {
+                Err(error) => findings.no_answer = Some(error.to_string()),
+                Ok(outcome) => {
+                    let steady = steady_whirl(sweep, &setting);
+                    watch(&case, cell, &outcome, &record, steady, &mut findings);
+                }
+            }
+            Ok(findings)
+        })
+        .collect()
+}
+
+fn case_of(sweep: &Sweep, setting: &Setting) -> Result<Case> {
+    Case::under(sweep, setting, 0, Vec::new(), &sweep.conditions).map_err(|reason| anyhow!(reason))
+}
+
+/// What the margins and the loads tuned to them say.
+fn loads(system: &MethodSystem) -> Result<Findings> {
+    let torsion = worst_load(&system.responses.driving_points())?;
+    let mut findings = Findings {
+        margin_torsion: Some(torsion.margin),
+        energy_gained: Some(torsion.energy_gained),
+        ..Findings::default()
+    };
+    if let Some(bending) = &system.bending {
+        let velocities = bending.velocities(&system.method);
+        let taps: Vec<Vec<&[f64]>> = (velocities.iter())
+            .map(|inputs| inputs.iter().map(Vec::as_slice).collect())
+            .collect();
+        let worst = worst_load(&taps)?;
+        findings.margin_bending = Some(worst.margin);
+        findings.energy_gained = Some(torsion.energy_gained.max(worst.energy_gained));
+        findings.margin_wall = Some(bending.margin_of_differences()?);
+    }
+    Ok(findings)
+}
+
+/// The motion in the closing window, where the bit whirls.
+fn watch(
+    case: &Case,
+    cell: &Cell,
+    outcome: &Outcome,
+    record: &Trajectory,
+    steady: Option<SteadyWhirl>,
+    findings: &mut Findings,
+) {
+    let whirl = (outcome.lateral).filter(|it| it.regime == LateralRegime::BackwardWhirl);
+    let (Some(whirl), Some(forces)) = (whirl, record.wall_forces.last()) else {
+        return;
+    };
+    let window = (case.scene.timing.closing_window * cell.sampling_frequency) as usize;
+    let normal: Vec<f64> = (forces.iter()).map(|[x, y]| x.hypot(*y)).collect();
+    let late = &normal[normal.len().saturating_sub(window)..];
+    let earlier = &normal[normal.len().saturating_sub(2 * window)..normal.len() - late.len()];
+    let mean = late.iter().sum::<f64>() / late.len() as f64;
+    findings.chatter = Some(roughness(late) / mean);
+    findings.growth = Some(roughness(late) / roughness(earlier));
+    findings.drift = steady.map(|steady| whirl.mean_radius / steady.radius - 1.0);
+}
+
+/// Where contact at one site is steady, by the balance of forces.
+fn steady_whirl(sweep: &Sweep, setting: &Setting) -> Option<SteadyWhirl> {
+    let lateral: &LateralSettings = setting.lateral.as_ref()?;
+    let [wall]: &[Wall] = lateral.walls.as_slice() else {
+        return None;
+    };
+    let network = BendingNetwork::new(
+        &setting.string,
+        lateral.bending,
+        lateral.support,
+        &setting.sites,
+    );
+    steady_backward_whirl(wall, sweep.conditions.surface_speed()?, |rate| {
+        let stiffness = network.at_rate(rate)[(0, 0)].inv();
+        [stiffness.re, stiffness.im]
+    })
+}

@@ -1,0 +1,64 @@
+//! `sweep stability` on a part of the atlas.
+
+use super::support::Workplace;
+use super::{PNG_SIGNATURE, columns, names, names_in, succeeds, table, text};
+
+#[test]
+fn a_part_of_the_atlas_is_written_the_same_by_any_number_of_threads() {
+    let place = Workplace::new();
+    let run = |out: &str, jobs: &str| {
+        let arguments = [
+            "stability",
+            "--family",
+            "formulas",
+            "--out",
+            out,
+            "--jobs",
+            jobs,
+        ];
+        succeeds(&place, &[arguments.as_slice(), &["--quiet"]].concat())
+    };
+    assert_eq!(run("one", "1").output, "");
+    run("two", "2");
+    let files = names(["stability.csv", "stability.png", "stability.svg"]);
+    assert_eq!(names_in(&place, "one"), files);
+    let csv = text(&place, "one/stability.csv");
+    assert_eq!(csv, text(&place, "two/stability.csv"));
+    let rows = columns(&table(&csv), ["method", "predicted", "outcome", "right"]);
+    assert_eq!(rows.len(), 10);
+    for row in rows {
+        let verdict = if row[0] == "quadrature" {
+            "stable"
+        } else {
+            "unstable"
+        };
+        assert_eq!(row[1..], [verdict, verdict, "yes"].map(str::to_owned));
+    }
+    let png = std::fs::read(place.path("one/stability.png")).unwrap();
+    assert!(png.starts_with(PNG_SIGNATURE));
+}
+
+#[test]
+fn the_atlas_tells_how_often_its_margins_were_right() {
+    let place = Workplace::new();
+    let arguments = ["stability", "--family", "hilbert,tail", "--out", "atlas"];
+    let answer = succeeds_with_progress(&place, &arguments);
+    let line = |name: &str| {
+        let found = answer.lines().find(|line| line.starts_with(name));
+        found
+            .unwrap_or_else(|| panic!("no {name} in {answer}"))
+            .split_whitespace()
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(line("hilbert")[1..4], ["45", "45", "45"].map(str::to_owned));
+    // No margin is about accuracy.
+    assert_eq!(line("tail")[1..4], ["7", "0", "0"].map(str::to_owned));
+}
+
+/// Standard output; progress may be told on the other stream.
+fn succeeds_with_progress(place: &Workplace, arguments: &[&str]) -> String {
+    let answer = place.sweep(arguments);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    answer.output
+}

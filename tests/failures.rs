@@ -1,0 +1,177 @@
+//! The failures that the atlas of `sweep stability` is about: each failing method
+//! is seen to fail, and its margin says so beforehand; each remedy holds. The
+//! paper's string, its bit held by rock or its side on the wall.
+
+#[path = "support/academic.rs"]
+#[allow(dead_code, reason = "each test uses some of it")]
+mod academic;
+
+use linear::estimates::torsional_stiffness;
+use linear::method::{FiniteElement, Transform};
+use linear::passivity::STABLE_MARGIN;
+use linear::waves::lateral::BendingNetwork;
+use linear::waves::transfer::tip_receptance;
+use linear::{
+    Bending, BendingRequest, Drillstring, Method, Section, Sites, SurfaceSupport, TorsionResponses,
+    bending_responses, torsion_responses,
+};
+use sim::System;
+use sim::diagnosis::{Sticking, sticking};
+use sim::oscillator::{WorstLoad, worst_load};
+
+const BENDING: Bending = Bending {
+    youngs_modulus: 210e9,
+    damping: 2000.0,
+    compression: 0.0,
+};
+
+/// As long as Fig. 8(b), s.
+const HELD_FOR: f64 = 40.0;
+
+fn responses(method: &Method) -> TorsionResponses {
+    torsion_responses(
+        &academic::string(),
+        method,
+        &academic::bit_request(HELD_FOR),
+    )
+    .unwrap()
+}
+
+fn elements(gamma: f64) -> Method {
+    Method::FiniteElement(FiniteElement {
+        gamma,
+        ..FiniteElement::default()
+    })
+}
+
+fn hilbert(seconds: f64) -> Method {
+    Method::Hilbert(Transform {
+        seconds: Some(seconds),
+    })
+}
+
+/// What holding the bit shows, and what the worst load gains.
+fn held(method: &Method) -> (Sticking, WorstLoad) {
+    let responses = responses(method);
+    let system = System::new(&responses, HELD_FOR);
+    let found = sticking(
+        system.held_torque().unwrap(),
+        academic::SAMPLING_FREQUENCY,
+        torsional_stiffness(&academic::string()),
+        responses.from_torque[0][0][0],
+    );
+    (found, worst_load(&responses.driving_points()).unwrap())
+}
+
+#[track_caller]
+fn assert_fails_as_foretold(method: &Method) -> Sticking {
+    let (found, worst) = held(method);
+    assert!(worst.margin < STABLE_MARGIN, "{worst:?}");
+    assert!(worst.energy_gained > -STABLE_MARGIN, "{worst:?}");
+    found
+}
+
+#[track_caller]
+fn assert_holds(method: &Method) {
+    let (found, worst) = held(method);
+    assert!(worst.margin > STABLE_MARGIN, "{worst:?}");
+    assert!(worst.energy_gained < -STABLE_MARGIN, "{worst:?}");
+    assert!(found.chatter < 1e-6, "{found:?}");
+    assert!(found.drift.abs() < 1e-3, "{found:?}");
+}
+
+#[test]
+fn the_plain_inverse_transform_diverges_while_the_bit_sticks() {
+    let found = assert_fails_as_foretold(&Method::DirectIdft(Transform::default()));
+    assert!(found.chatter > 1.0 && found.growth > 1e6, "{found:?}");
+}
+
+#[test]
+fn a_short_digital_filter_drifts_and_a_longer_one_does_not() {
+    let found = assert_fails_as_foretold(&hilbert(3.0));
+    assert!(found.drift > 0.2, "{found:?}");
+    let found = assert_fails_as_foretold(&hilbert(4.0));
+    assert!(found.drift.abs() > 0.05, "{found:?}");
+    assert_holds(&hilbert(20.0));
+}
+
+#[test]
+fn newmark_without_numerical_damping_chatters_and_with_a_little_does_not() {
+    let found = assert_fails_as_foretold(&elements(0.5));
+    assert!(found.chatter > 1e-4, "{found:?}");
+    assert_holds(&elements(0.52));
+}
+
+#[test]
+fn the_trapezoidal_rule_chatters_and_backward_differences_do_not() {
+    let found = assert_fails_as_foretold(&Method::Trapezoidal);
+    assert!(found.chatter > 1e-4, "{found:?}");
+    assert_holds(&Method::Quadrature);
+}
+
+/// The displacement at the bit 9 s after an impulse, m per N s.
+fn displacement_left(method: &Method) -> f64 {
+    let request = BendingRequest {
+        sites: Sites::bit(),
+        support: SurfaceSupport::Free,
+        sampling_frequency: academic::SAMPLING_FREQUENCY,
+        longest_time: 9.0,
+    };
+    let found = bending_responses(&academic::string(), &BENDING, method, &request).unwrap();
+    assert!(found.margin(method).unwrap() > STABLE_MARGIN);
+    found.from_force[0][0].last().unwrap() * academic::SAMPLING_FREQUENCY
+}
+
+/// Passive all the same: no margin foretells it.
+#[test]
+fn a_digital_filter_in_bending_loses_the_tail_and_a_longer_one_loses_less() {
+    let truly = displacement_left(&Method::Quadrature);
+    assert!((truly / 2.353e-5 - 1.0).abs() < 0.005, "{truly}");
+    let left = [20.0, 40.0, 160.0].map(|seconds| displacement_left(&hilbert(seconds)) / truly);
+    assert!(left[0] < 0.25 && left[1] < 0.72, "{left:?}");
+    assert!((0.9..1.0).contains(&left[2]), "{left:?}");
+}
+
+#[test]
+fn products_of_transfer_matrices_overflow_and_joined_stiffnesses_do_not() {
+    let academic = academic::string();
+    let pipe = Section {
+        repeat: 2000,
+        ..academic.sections()[0].clone()
+    };
+    let string = Drillstring::new(academic.material(), vec![pipe], 0.0).unwrap();
+    let rate = std::f64::consts::TAU * 100.0;
+    assert!(!tip_receptance(&string, &BENDING, rate).is_finite());
+    let bit = Sites::bit();
+    let network = BendingNetwork::new(&string, BENDING, SurfaceSupport::Free, &bit);
+    let joined = network.at_rate(rate)[(0, 0)];
+    // Passive: the force does work.
+    assert!(joined.is_finite() && joined.im < 0.0, "{joined}");
+}
+
+/// A transform that suits the paper's string would be too short for one of ten
+/// kilometres, along which torque seeps for minutes.
+#[test]
+fn the_digital_filter_of_a_very_long_string_lasts_until_torque_has_seeped_along() {
+    let academic = academic::string();
+    let pipe = Section {
+        repeat: 1000,
+        ..academic.sections()[0].clone()
+    };
+    let damping = academic.torsional_damping();
+    let string = Drillstring::new(academic.material(), vec![pipe], damping).unwrap();
+    let request = linear::TorsionRequest {
+        sampling_frequency: 40.0,
+        ..academic::bit_request(400.0)
+    };
+    let method = Method::Hilbert(Transform::default());
+    let responses = torsion_responses(&string, &method, &request).unwrap();
+    let system = System::new(&responses, 400.0);
+    let found = sticking(
+        system.held_torque().unwrap(),
+        40.0,
+        torsional_stiffness(&string),
+        responses.from_torque[0][0][0],
+    );
+    assert!(found.drift.abs() < 0.01, "{found:?}");
+}
