@@ -6,7 +6,7 @@
 use crate::drillstring::{Sites, SurfaceSupport};
 use crate::error::BuildError;
 use crate::method::Method;
-use crate::passivity::positive_real_margin;
+use crate::passivity::{Ending, positive_real_margin};
 
 /// What a torsional response is needed for.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +46,8 @@ pub struct TorsionResponses {
     pub from_torque: Vec<Vec<Vec<f64>>>,
     /// The sites that torques act on, one for each input.
     pub torque_inputs: Vec<usize>,
+    /// Whether the response ends with its taps, or only the simulation does.
+    pub ending: Ending,
 }
 
 impl TorsionResponses {
@@ -66,11 +68,15 @@ impl TorsionResponses {
         let taps = |output: usize, input: usize| {
             self.from_torque[self.torque_inputs[output]][input].as_slice()
         };
-        positive_real_margin(self.torque_inputs.len(), taps).map(Some)
+        positive_real_margin(self.torque_inputs.len(), self.ending, taps).map(Some)
     }
 
     /// Splits channels in the order of [`TorsionRequest::channels`].
-    pub(crate) fn from_channels(request: &TorsionRequest, mut channels: Vec<Vec<f64>>) -> Self {
+    pub(crate) fn from_channels(
+        request: &TorsionRequest,
+        mut channels: Vec<Vec<f64>>,
+        ending: Ending,
+    ) -> Self {
         let torques = request.torque_inputs.len();
         let mut from_torque = channels.split_off(request.sites.len()).into_iter();
         Self {
@@ -80,6 +86,7 @@ impl TorsionResponses {
                 .map(|_| from_torque.by_ref().take(torques).collect())
                 .collect(),
             torque_inputs: request.torque_inputs.clone(),
+            ending,
         }
     }
 }
@@ -129,6 +136,8 @@ impl BendingResponses {
         let velocities: Vec<Vec<f64>> = (self.from_force.iter().flatten())
             .map(|taps| derivative.of(taps))
             .collect();
-        positive_real_margin(sites, |output, input| &velocities[output * sites + input])
+        positive_real_margin(sites, Ending::Cut, |output, input| {
+            &velocities[output * sites + input]
+        })
     }
 }

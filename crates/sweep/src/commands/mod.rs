@@ -177,13 +177,7 @@ fn build_systems(
 
 /// Warns of methods that chatter where a site sticks.
 fn warn_of_unstable(systems: &[MethodSystem]) {
-    for system in systems {
-        if let Some(margin) = system.unstable_margin() {
-            complain(&format!(
-                "warning: the responses by {} are not positive-real (margin {margin:.2e}): \
-                 a stuck site may chatter and its labels mean little",
-                system.method.name(),
-            ));
-        }
+    for instability in systems.iter().filter_map(MethodSystem::instability) {
+        complain(&format!("warning: {instability}"));
     }
 }
