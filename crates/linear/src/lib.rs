@@ -19,6 +19,7 @@
 //! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
 //! | Section 3: finite elements, Newmark | [`elements`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
+//! | exact responses in time, to compare with | [`exact`] |
 //! | Eqs. 59–61: what a simulation needs | [`response`] |
 //!
 //! ```
@@ -46,6 +47,7 @@ pub mod drillstring;
 pub mod elements;
 mod error;
 pub mod estimates;
+pub mod exact;
 pub mod filters;
 pub mod method;
 pub mod passivity;

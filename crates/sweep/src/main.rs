@@ -2,8 +2,9 @@
 //!
 //! A sweep file (`spec`) names cases (`design`); the `engine` runs them on all
 //! cores against linear systems built once; `output` and `plot` make the files
-//! of a results folder. `commands` has one file for each thing a user can ask.
+//! of a results folder; `accuracy` chooses a method where a sweep asks for one. `commands` has one file for each thing a user can ask.
 
+mod accuracy;
 mod cli;
 mod commands;
 mod design;

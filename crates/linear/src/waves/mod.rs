@@ -5,6 +5,7 @@
 pub mod bending;
 pub mod block;
 pub mod chain;
+pub mod inversion;
 pub mod lateral;
 pub mod network;
 pub mod torsion;

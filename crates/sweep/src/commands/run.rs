@@ -31,7 +31,7 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     TELLS_JSON.store(tells_json, std::sync::atomic::Ordering::Relaxed);
     let stop = Stop::listen()?;
     use_threads(arguments.work.jobs)?;
-    let sweep = read_sweep(&arguments.file, &arguments.work)?;
+    let sweep = read_sweep(&arguments.file, &arguments.work, arguments.full)?;
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let survey = survey_cases(&arguments.file, &sweep)?;
     let mut folder = results_folder(arguments.out.as_ref(), &sweep);
@@ -308,6 +308,9 @@ fn plan(
         "simulated time {:.1} s for each method, the longest case {:.1} s, at {} Hz",
         survey.simulated, survey.longest, sweep.setting.sampling_frequency
     )?;
+    if let Some(choice) = &sweep.choice {
+        writeln!(text, "{choice}")?;
+    }
     Ok(text)
 }
 
@@ -323,6 +326,9 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
         manifest.methods.len(),
         manifest.wall_seconds
     )?;
+    if let Some(choice) = &manifest.accuracy {
+        writeln!(text, "  {choice}")?;
+    }
     for (method, labels) in &manifest.tally.labels {
         let counts: Vec<String> = labels
             .iter()

@@ -72,7 +72,11 @@ impl MethodSystem {
         Ok(systems)
     }
 
-    fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
+    /// Builds one method's system for one string; `cuts`: a torque acts at the bit.
+    ///
+    /// # Errors
+    /// Where the method cannot treat the string.
+    pub fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
         let start = Instant::now();
         let sites = setting.sites.len();
         let torque_inputs = match &setting.lateral {

@@ -9,6 +9,7 @@ use sha2::{Digest, Sha256};
 
 use super::files::write_atomically;
 use super::results::Tally;
+use crate::accuracy::Choice;
 use crate::design::Design;
 use crate::engine::{MethodSystem, Shard, Terms};
 use crate::spec::{FileContent, MapSettings, Sweep};
@@ -37,6 +38,9 @@ pub struct Manifest {
     pub sampling_frequency_hz: f64,
     /// Whether that is the paper's rule or given in the file.
     pub sampling_frequency_by_rule: bool,
+    /// What was chosen for the accuracy asked for, and why.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Choice>,
     /// Number of cases of the whole sweep.
     pub cases: usize,
     /// Number of distinct strings among them.
@@ -116,6 +120,7 @@ impl Manifest {
             seed: sweep.design.seed(),
             sampling_frequency_hz: sweep.setting.sampling_frequency,
             sampling_frequency_by_rule: sweep.setting.sampling_by_rule,
+            accuracy: sweep.choice.clone(),
             cases: sweep.design.cases(),
             strings: sweep.design.strings(),
             shard: (!shard.is_whole()).then_some(shard),

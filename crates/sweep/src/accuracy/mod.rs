@@ -1,0 +1,252 @@
+//! `accuracy`: the cheapest method and sampling frequency whose error, estimated on
+//! the sweep's own string and cases, is within what was asked for.
+//!
+//! What a case costs grows with f_s and hardly depends on the method, for all are
+//! stepped alike; so the ladder goes up in f_s, and at each of its frequencies from
+//! the method that is built the fastest to the slowest. Nothing is timed: the same
+//! sweep chooses the same on any machine.
+//!
+//! The reference is the quadrature at a frequency where doubling it changed the
+//! answers by no more than a part of the accuracy; that change is its uncertainty,
+//! and counts in full. The error of a candidate is the largest of
+//!
+//! - that of its linear responses, on smooth motions, from the exact ones
+//!   ([`linear::exact`]), which share no time step with anything,
+//! - the shift of the limit between regimes, by surface speed or by friction, near a
+//!   few of the sweep's cases ([`probes`]),
+//! - that of the numbers a person would quote of those cases ([`answer`]).
+
+mod answer;
+mod ladder;
+mod probes;
+
+use anyhow::{Result, bail};
+use linear::Method;
+use linear::estimates::sampling_frequency;
+use serde::{Deserialize, Serialize};
+use sim::Stopping;
+
+use crate::spec::{Accuracy, Sweep, per_cent};
+use answer::{Answer, largest_error};
+use ladder::{FREQUENCIES, candidates};
+use probes::{Probes, Systems};
+
+/// The reference's uncertainty is at most this part of the accuracy.
+const REFERENCE_PART: f64 = 0.25;
+
+/// What was chosen, and why: `accuracy` of the manifest. Errors are parts of one.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Choice {
+    /// The largest error wanted.
+    pub asked: f64,
+    /// The estimated error, the reference's uncertainty included.
+    pub delivered: f64,
+    /// What was chosen.
+    pub chosen: Candidate,
+    /// Sampling frequency of the reference, by quadrature, Hz.
+    pub reference_hz: f64,
+    /// The change of its answers from half that frequency.
+    pub reference_uncertainty: f64,
+    /// Cases that were simulated to compare.
+    pub probes: Vec<usize>,
+    /// Everything tried, the chosen last.
+    pub tried: Vec<Tried>,
+}
+
+/// A method at a sampling frequency.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Candidate {
+    /// Its name.
+    pub method: String,
+    /// Elements in one cell, of finite elements.
+    pub elements_per_cell: Option<usize>,
+    /// Sampling frequency, Hz.
+    pub sampling_frequency_hz: f64,
+}
+
+/// A candidate and its error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Tried {
+    /// The candidate.
+    #[serde(flatten)]
+    pub candidate: Candidate,
+    /// Its error from the reference, where it can be told.
+    pub error: Option<f64>,
+    /// What the error is of, or why there is none.
+    pub of: String,
+}
+
+impl std::fmt::Display for Candidate {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.method)?;
+        if let Some(elements) = self.elements_per_cell {
+            write!(f, " ({elements} elements a cell)")?;
+        }
+        write!(f, " at {} Hz", self.sampling_frequency_hz)
+    }
+}
+
+impl std::fmt::Display for Choice {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "accuracy {} %: {}, estimated error {} % (reference: quadrature at {} Hz, \
+             uncertain by {} %)",
+            per_cent(self.asked),
+            self.chosen,
+            per_cent(self.delivered),
+            self.reference_hz,
+            per_cent(self.reference_uncertainty)
+        )
+    }
+}
+
+/// Where the sweep asks for an accuracy, chooses for it and puts the choice in.
+///
+/// # Errors
+/// Where nothing delivers the accuracy, or the sweep's cases cannot be.
+pub fn choose(sweep: &mut Sweep, full: bool) -> Result<()> {
+    let Some(Accuracy(asked)) = sweep.content.accuracy else {
+        return Ok(());
+    };
+    let stopping = if full {
+        Stopping::Full
+    } else {
+        Stopping::Early
+    };
+    let probes =
+        Probes::of(sweep, asked).map_err(|reason| sweep.source.error("accuracy", reason))?;
+    let (method, choice) = match search(&probes, asked, stopping) {
+        Ok(found) => found,
+        Err(reason) => bail!(sweep.source.error("accuracy", reason)),
+    };
+    sweep.choose(method, choice)?;
+    Ok(())
+}
+
+fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Choice), String> {
+    let rungs = up_to_reference(probes, asked)?;
+    let (reference, uncertainty) = match &rungs[..] {
+        [.., before, last] => (
+            &last.answers,
+            largest_error(&before.answers, &last.answers, asked),
+        ),
+        _ => return Err("the ladder of sampling frequencies has one rung".to_owned()),
+    };
+    let uncertainty = uncertainty
+        .map_err(|reason| format!("the reference: {reason}"))?
+        .part;
+    let mut tried: Vec<Tried> = Vec::new();
+    for rung in &rungs[..rungs.len() - 1] {
+        for method in candidates() {
+            let is_reference_method = method == Method::Quadrature;
+            let built = (!is_reference_method).then(|| probes.systems(method, rung.frequency));
+            let systems = built.as_ref().unwrap_or(&rung.systems);
+            let found = error_of(probes, systems, reference, asked, stopping);
+            let candidate = ladder::candidate(&method, rung.frequency);
+            let delivered = found
+                .as_ref()
+                .map_or(f64::INFINITY, |error| error.part + uncertainty);
+            tried.push(Tried {
+                candidate: candidate.clone(),
+                error: found.as_ref().ok().map(|error| error.part),
+                of: found.map_or_else(|reason| reason, |error| error.of),
+            });
+            if delivered <= asked {
+                let choice = Choice {
+                    asked,
+                    delivered,
+                    chosen: candidate,
+                    reference_hz: rungs[rungs.len() - 1].frequency,
+                    reference_uncertainty: uncertainty,
+                    probes: probes.cases(),
+                    tried,
+                };
+                return Ok((method, choice));
+            }
+        }
+    }
+    Err(none_delivers(asked, &tried))
+}
+
+fn none_delivers(asked: f64, tried: &[Tried]) -> String {
+    let known = tried.iter().filter_map(|tried| Some((tried.error?, tried)));
+    let best = known.min_by(|one, other| one.0.total_cmp(&other.0));
+    let best = best.map_or_else(String::new, |(error, tried)| {
+        let (percent, of) = (per_cent(error), &tried.of);
+        format!(
+            "; the best, {}, has an error of {percent} % ({of})",
+            tried.candidate
+        )
+    });
+    format!("nothing delivers {} %{best}", per_cent(asked))
+}
+
+/// The quadrature at one frequency.
+struct Rung {
+    frequency: f64,
+    systems: Result<Systems, String>,
+    answers: Vec<Answer>,
+}
+
+/// The quadrature at every frequency up to that of the reference.
+fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
+    let least = sampling_frequency(&probes.sweep.setting.string);
+    let mut rungs: Vec<Rung> = Vec::new();
+    let mut best = "no two frequencies can be compared".to_owned();
+    for frequency in FREQUENCIES {
+        let systems = probes.systems(Method::Quadrature, frequency);
+        let answers = match &systems {
+            Ok(systems) => probes.answers(systems, Stopping::Full),
+            Err(_) => Vec::new(),
+        };
+        let rung = Rung {
+            frequency,
+            systems,
+            answers,
+        };
+        let change = rungs
+            .last()
+            .map(|before| largest_error(&before.answers, &rung.answers, asked));
+        rungs.push(rung);
+        match change {
+            Some(Ok(error)) if frequency >= least && error.part <= REFERENCE_PART * asked => {
+                return Ok(rungs);
+            }
+            Some(Ok(error)) => {
+                let percent = per_cent(error.part);
+                best = format!(
+                    "from half of {frequency} Hz to that, {} changes by {percent} %",
+                    error.of
+                );
+            }
+            Some(Err(reason)) => best = format!("at {frequency} Hz {reason}"),
+            None => {}
+        }
+    }
+    let (asked, part) = (per_cent(asked), per_cent(REFERENCE_PART * asked));
+    Err(format!(
+        "{asked} % cannot be told: the reference is to be certain to {part} %, but {best}"
+    ))
+}
+
+/// The error of a candidate, or why it does not deliver.
+fn error_of(
+    probes: &Probes,
+    systems: &Result<Systems, String>,
+    reference: &[Answer],
+    asked: f64,
+    stopping: Stopping,
+) -> Result<answer::Error, String> {
+    let systems = systems.as_ref().map_err(String::clone)?;
+    let linear = probes.linear_error(systems);
+    if linear.part > asked {
+        return Ok(linear);
+    }
+    let simulated = largest_error(&probes.answers(systems, stopping), reference, asked)?;
+    Ok(if linear.part > simulated.part {
+        linear
+    } else {
+        simulated
+    })
+}
