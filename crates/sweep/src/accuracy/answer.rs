@@ -52,9 +52,10 @@ pub fn regimes(outcome: &Outcome) -> String {
 }
 
 /// The numbers of a case that converge. After a contact that ends motion is chaotic,
-/// and of it only the regime counts; the peak speed of a slipping bit is that of a
+/// and of it only the regime counts; whirl at several sites beats, and none of them
+/// keeps its radius or force; the peak speed of a slipping bit is that of a
 /// wave front, which every finer step sharpens.
-pub fn measures(outcome: &Outcome) -> Vec<(&'static str, f64)> {
+pub fn measures(outcome: &Outcome, sites: usize) -> Vec<(&'static str, f64)> {
     let mut found = Vec::new();
     if let Some(torsion) = outcome.torsion {
         found.extend(torsion.first_slip.map(|time| ("first slip", time)));
@@ -65,7 +66,7 @@ pub fn measures(outcome: &Outcome) -> Vec<(&'static str, f64)> {
         }
     }
     if let Some(lateral) = outcome.lateral {
-        if is_whirl(lateral.regime) {
+        if is_whirl(lateral.regime) && sites == 1 {
             found.extend([
                 ("radius", lateral.mean_radius),
                 ("precession rate", lateral.precession_rate),

@@ -152,6 +152,9 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
                 error: found.as_ref().ok().map(|error| error.part),
                 of: found.map_or_else(|reason| reason, |error| error.of),
             });
+            if rung.systems.is_err() {
+                break;
+            }
             if delivered <= asked {
                 let choice = Choice {
                     asked,
@@ -196,8 +199,9 @@ fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
     let mut best = "no two frequencies can be compared".to_owned();
     for frequency in FREQUENCIES {
         let systems = probes.systems(Method::Quadrature, frequency);
+        let known = rungs.last().map_or(&[][..], |before| &before.answers);
         let answers = match &systems {
-            Ok(systems) => probes.answers(systems, Stopping::Full),
+            Ok(systems) => probes.answers(systems, Stopping::Full, known),
             Err(_) => Vec::new(),
         };
         let rung = Rung {
@@ -243,7 +247,8 @@ fn error_of(
     if linear.part > asked {
         return Ok(linear);
     }
-    let simulated = largest_error(&probes.answers(systems, stopping), reference, asked)?;
+    let answers = probes.answers(systems, stopping, reference);
+    let simulated = largest_error(&answers, reference, asked)?;
     Ok(if linear.part > simulated.part {
         linear
     } else {

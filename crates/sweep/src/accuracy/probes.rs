@@ -19,6 +19,9 @@ const DOUBLINGS: i32 = 3;
 /// A limit is found to this part of the accuracy.
 const LIMIT_PART: f64 = 1.0 / 16.0;
 
+/// A limit is looked for within this factor of a known one.
+const NEAR: f64 = 1.2;
+
 /// Duration of the impulse in bending where the scene has none, s.
 const DURATION: f64 = 0.02;
 
@@ -148,14 +151,24 @@ impl<'a> Probes<'a> {
         systems.into_iter().collect()
     }
 
-    /// The answers to all probes.
-    pub fn answers(&self, systems: &Systems, stopping: Stopping) -> Vec<Answer> {
-        (self.probes.par_iter())
-            .map(|probe| self.answer(&systems[probe.string], probe.case, stopping))
+    /// The answers to all probes, their limits looked for near those of `known`
+    /// answers.
+    pub fn answers(&self, systems: &Systems, stopping: Stopping, known: &[Answer]) -> Vec<Answer> {
+        (self.probes.par_iter().enumerate())
+            .map(|(index, probe)| {
+                let near = known.get(index).and_then(|known| known.limit);
+                self.answer(&systems[probe.string], probe.case, stopping, near)
+            })
             .collect()
     }
 
-    fn answer(&self, system: &MethodSystem, case: usize, stopping: Stopping) -> Answer {
+    fn answer(
+        &self,
+        system: &MethodSystem,
+        case: usize,
+        stopping: Stopping,
+        near: Option<f64>,
+    ) -> Answer {
         let mut found = Answer {
             case,
             regimes: String::new(),
@@ -165,8 +178,8 @@ impl<'a> Probes<'a> {
         match self.simulate(system, case, 1.0, stopping) {
             Ok(outcome) => {
                 found.regimes = regimes(&outcome);
-                found.measures = measures(&outcome);
-                found.limit = self.limit(system, case, is_inside(&outcome));
+                found.measures = measures(&outcome, system.setting.sites.len());
+                found.limit = self.limit(system, case, is_inside(&outcome), near);
             }
             Err(reason) => found.regimes = format!("without an answer ({reason})"),
         }
@@ -192,31 +205,54 @@ impl<'a> Probes<'a> {
         outcome.map_err(|error| error.to_string())
     }
 
-    /// Where the regime changes nearest to a case, in multiples of its speed or
-    /// friction.
-    fn limit(&self, system: &MethodSystem, case: usize, inside: bool) -> Option<f64> {
+    /// Where the regime changes, in multiples of a case's speed or friction: near a
+    /// known limit, or else nearest to the case.
+    fn limit(
+        &self,
+        system: &MethodSystem,
+        case: usize,
+        inside: bool,
+        near: Option<f64>,
+    ) -> Option<f64> {
         let is_inside_at = |factor: f64| {
             let outcome = self.simulate(system, case, factor, Stopping::Early);
             outcome.ok().map(|outcome| is_inside(&outcome))
         };
+        let around = near.map(|limit| (limit / NEAR, limit * NEAR));
         let outwards = (1..=DOUBLINGS).flat_map(|exponent| [exponent, -exponent]);
-        for exponent in outwards {
-            let beyond = 2f64.powi(exponent);
-            if is_inside_at(beyond)? == inside {
-                continue;
+        let octaves = outwards.map(|exponent| {
+            let inner = exponent - exponent.signum();
+            (2f64.powi(inner), 2f64.powi(exponent))
+        });
+        for (from, to) in around.into_iter().chain(octaves) {
+            // Inside an octave looked through already nothing has changed.
+            let inside = match near {
+                Some(_) => is_inside_at(from)?,
+                None => inside,
+            };
+            if is_inside_at(to)? != inside {
+                return self.bisect((from, to), inside, is_inside_at);
             }
-            let (mut same, mut other) = (2f64.powi(exponent - exponent.signum()), beyond);
-            while (other / same).ln().abs() > LIMIT_PART * self.asked {
-                let middle = (same * other).sqrt();
-                if is_inside_at(middle)? == inside {
-                    same = middle;
-                } else {
-                    other = middle;
-                }
-            }
-            return Some((same * other).sqrt());
         }
         None
+    }
+
+    /// The limit between two factors, of which the first is inside or not.
+    fn bisect(
+        &self,
+        (mut from, mut to): (f64, f64),
+        inside: bool,
+        is_inside_at: impl Fn(f64) -> Option<bool>,
+    ) -> Option<f64> {
+        while (to / from).ln().abs() > LIMIT_PART * self.asked {
+            let middle = (from * to).sqrt();
+            if is_inside_at(middle)? == inside {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        Some((from * to).sqrt())
     }
 
     /// The error of the linear responses of all strings, on smooth motions.

@@ -124,7 +124,7 @@ fn describe_choice(choice: &Choice) -> Result<String, std::fmt::Error> {
     let mut text = format!("\n{choice}\n");
     for tried in &choice.tried {
         let error = (tried.error).map_or_else(
-            || "no error".to_owned(),
+            || "refused".to_owned(),
             |error| format!("{} %", per_cent(error)),
         );
         writeln!(text, "  {}: {error}, {}", tried.candidate, tried.of)?;
