@@ -6,9 +6,9 @@
 //! the method that is built the fastest to the slowest. Nothing is timed: the same
 //! sweep chooses the same on any machine.
 //!
-//! The reference is the quadrature at a frequency where doubling it changed the
-//! answers by no more than a part of the accuracy; that change is its uncertainty,
-//! and counts in full. The error of a candidate is the largest of
+//! The reference is the quadrature at a frequency where the last doubling, and the
+//! last two, changed the answers by no more than a part of the accuracy; the change of
+//! the last is its uncertainty, and counts in full. The error of a candidate is the largest of
 //!
 //! - that of its linear responses, on smooth motions, from the exact ones
 //!   ([`linear::exact`]), which share no time step with anything,
@@ -125,42 +125,32 @@ pub fn choose(sweep: &mut Sweep, full: bool) -> Result<()> {
 }
 
 fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Choice), String> {
-    let rungs = up_to_reference(probes, asked)?;
-    let (reference, uncertainty) = match &rungs[..] {
-        [.., before, last] => (
-            &last.answers,
-            largest_error(&before.answers, &last.answers, asked),
-        ),
-        _ => return Err("the ladder of sampling frequencies has one rung".to_owned()),
-    };
-    let uncertainty = uncertainty
-        .map_err(|reason| format!("the reference: {reason}"))?
-        .part;
+    let mut rungs = up_to_reference(probes, asked)?;
     let mut tried: Vec<Tried> = Vec::new();
-    for rung in &rungs[..rungs.len() - 1] {
-        for method in candidates() {
-            let is_reference_method = method == Method::Quadrature;
-            let built = (!is_reference_method).then(|| probes.systems(method, rung.frequency));
-            let systems = built.as_ref().unwrap_or(&rung.systems);
-            let found = error_of(probes, systems, reference, asked, stopping);
-            let candidate = ladder::candidate(&method, rung.frequency);
-            let delivered = found
-                .as_ref()
-                .map_or(f64::INFINITY, |error| error.part + uncertainty);
-            tried.push(Tried {
-                candidate: candidate.clone(),
-                error: found.as_ref().ok().map(|error| error.part),
-                of: found.map_or_else(|reason| reason, |error| error.of),
-            });
-            if rung.systems.is_err() {
-                break;
-            }
-            if delivered <= asked {
+    let mut next = 0;
+    loop {
+        let [below @ .., before, reference] = &rungs[..] else {
+            return Err("the ladder of sampling frequencies is too short".to_owned());
+        };
+        let change = largest_error(&before.answers, &reference.answers, asked);
+        let uncertainty = change
+            .map_err(|reason| format!("the reference: {reason}"))?
+            .part;
+        for rung in below.iter().chain([before]).skip(next) {
+            let found = try_rung(
+                probes,
+                rung,
+                reference,
+                asked - uncertainty,
+                stopping,
+                &mut tried,
+            );
+            if let Some((method, chosen, error)) = found {
                 let choice = Choice {
                     asked,
-                    delivered,
-                    chosen: candidate,
-                    reference_hz: rungs[rungs.len() - 1].frequency,
+                    delivered: error + uncertainty,
+                    chosen,
+                    reference_hz: reference.frequency,
                     reference_uncertainty: uncertainty,
                     probes: probes.cases(),
                     tried,
@@ -168,8 +158,44 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
                 return Ok((method, choice));
             }
         }
+        next = rungs.len() - 1;
+        // Finer than the reference has to be, but nothing coarser delivers.
+        match FREQUENCIES.get(rungs.len()) {
+            Some(&frequency) => rungs.push(Rung::build(probes, frequency, rungs.last())),
+            None => return Err(none_delivers(asked, &tried)),
+        }
     }
-    Err(none_delivers(asked, &tried))
+}
+
+/// The first candidate at one frequency whose error is within `allowed`, with that.
+fn try_rung(
+    probes: &Probes,
+    rung: &Rung,
+    reference: &Rung,
+    allowed: f64,
+    stopping: Stopping,
+    tried: &mut Vec<Tried>,
+) -> Option<(Method, Candidate, f64)> {
+    for method in candidates() {
+        let built = (method != Method::Quadrature).then(|| probes.systems(method, rung.frequency));
+        let systems = built.as_ref().unwrap_or(&rung.systems);
+        let found = error_of(probes, systems, &reference.answers, allowed, stopping);
+        let candidate = ladder::candidate(&method, rung.frequency);
+        let error = found.as_ref().ok().map(|error| error.part);
+        tried.push(Tried {
+            candidate: candidate.clone(),
+            error,
+            of: found.map_or_else(|reason| reason, |error| error.of),
+        });
+        if let Some(error) = error.filter(|error| *error <= allowed) {
+            return Some((method, candidate, error));
+        }
+        // What the quadrature cannot treat, no other method can.
+        if rung.systems.is_err() {
+            break;
+        }
+    }
+    None
 }
 
 fn none_delivers(asked: f64, tried: &[Tried]) -> String {
@@ -192,40 +218,51 @@ struct Rung {
     answers: Vec<Answer>,
 }
 
-/// The quadrature at every frequency up to that of the reference.
+impl Rung {
+    fn build(probes: &Probes, frequency: f64, before: Option<&Rung>) -> Self {
+        let systems = probes.systems(Method::Quadrature, frequency);
+        let known = before.map_or(&[][..], |before| &before.answers);
+        let answers = match &systems {
+            Ok(systems) => probes.answers(systems, Stopping::Full, known),
+            Err(_) => Vec::new(),
+        };
+        Self {
+            frequency,
+            systems,
+            answers,
+        }
+    }
+}
+
+/// The quadrature at every frequency up to the first that can be the reference: two
+/// doublings have to agree on it, for one may by chance.
 fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
     let least = sampling_frequency(&probes.sweep.setting.string);
     let mut rungs: Vec<Rung> = Vec::new();
     let mut best = "no two frequencies can be compared".to_owned();
     for frequency in FREQUENCIES {
-        let systems = probes.systems(Method::Quadrature, frequency);
-        let known = rungs.last().map_or(&[][..], |before| &before.answers);
-        let answers = match &systems {
-            Ok(systems) => probes.answers(systems, Stopping::Full, known),
-            Err(_) => Vec::new(),
-        };
-        let rung = Rung {
-            frequency,
-            systems,
-            answers,
-        };
-        let change = rungs
-            .last()
-            .map(|before| largest_error(&before.answers, &rung.answers, asked));
+        let rung = Rung::build(probes, frequency, rungs.last());
         rungs.push(rung);
-        match change {
-            Some(Ok(error)) if frequency >= least && error.part <= REFERENCE_PART * asked => {
-                return Ok(rungs);
-            }
-            Some(Ok(error)) => {
-                let percent = per_cent(error.part);
+        let [.., quarter, half, whole] = &rungs[..] else {
+            continue;
+        };
+        let change = |from: &Rung| largest_error(&from.answers, &whole.answers, asked);
+        match (change(half), change(quarter)) {
+            (Ok(last), Ok(both)) => {
+                let is_certain = last.part <= REFERENCE_PART * asked
+                    && both.part <= 2.0 * REFERENCE_PART * asked;
+                if is_certain && frequency >= least {
+                    return Ok(rungs);
+                }
+                let (from, percent) = (quarter.frequency, per_cent(both.part));
                 best = format!(
-                    "from half of {frequency} Hz to that, {} changes by {percent} %",
-                    error.of
+                    "from {from} Hz to {frequency} Hz {} changes by {percent} %",
+                    both.of
                 );
             }
-            Some(Err(reason)) => best = format!("at {frequency} Hz {reason}"),
-            None => {}
+            (Err(reason), _) | (_, Err(reason)) => {
+                best = format!("from below to {frequency} Hz {reason}");
+            }
         }
     }
     let (asked, part) = (per_cent(asked), per_cent(REFERENCE_PART * asked));
@@ -234,21 +271,22 @@ fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
     ))
 }
 
-/// The error of a candidate, or why it does not deliver.
+/// The error of a candidate, of its linear responses alone if that is more than
+/// `allowed`, or why it has none.
 fn error_of(
     probes: &Probes,
     systems: &Result<Systems, String>,
     reference: &[Answer],
-    asked: f64,
+    allowed: f64,
     stopping: Stopping,
 ) -> Result<answer::Error, String> {
     let systems = systems.as_ref().map_err(String::clone)?;
     let linear = probes.linear_error(systems);
-    if linear.part > asked {
+    if linear.part > allowed {
         return Ok(linear);
     }
     let answers = probes.answers(systems, stopping, reference);
-    let simulated = largest_error(&answers, reference, asked)?;
+    let simulated = largest_error(&answers, reference, allowed)?;
     Ok(if linear.part > simulated.part {
         linear
     } else {

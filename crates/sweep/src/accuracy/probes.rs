@@ -2,6 +2,7 @@
 //! them.
 
 use linear::Method;
+use linear::estimates::largest_undershoot;
 use linear::exact::{bending_error, torsion_error};
 use rayon::prelude::*;
 use sim::{Outcome, Stopping};
@@ -183,6 +184,12 @@ impl<'a> Probes<'a> {
             }
             Err(reason) => found.regimes = format!("without an answer ({reason})"),
         }
+        // The limit by Eq. 74 moves with it, and evenly, where the simulated one jumps.
+        let undershoot = system.driving_point().map(largest_undershoot);
+        let undershoot = undershoot.filter(|_| system.bending.is_none());
+        found
+            .measures
+            .extend(undershoot.map(|undershoot| ("undershoot", undershoot)));
         let least = system
             .least_impulses
             .iter()
