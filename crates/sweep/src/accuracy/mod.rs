@@ -6,9 +6,9 @@
 //! the method that is built the fastest to the slowest. Nothing is timed: the same
 //! sweep chooses the same on any machine.
 //!
-//! The reference is the quadrature at a frequency where the last doubling, and the
-//! last two, changed the answers by no more than a part of the accuracy; the change of
-//! the last is its uncertainty, and counts in full. The error of a candidate is the largest of
+//! The reference is the quadrature at a frequency where the last two doublings changed
+//! the answers by no more than a part of the accuracy; that change is its uncertainty,
+//! and counts in full. The error of a candidate is the largest of
 //!
 //! - that of its linear responses, on smooth motions, from the exact ones
 //!   ([`linear::exact`]), which share no time step with anything,
@@ -45,7 +45,7 @@ pub struct Choice {
     pub chosen: Candidate,
     /// Sampling frequency of the reference, by quadrature, Hz.
     pub reference_hz: f64,
-    /// The change of its answers from half that frequency.
+    /// The change of its answers from a quarter of that frequency.
     pub reference_uncertainty: f64,
     /// Cases that were simulated to compare.
     pub probes: Vec<usize>,
@@ -132,8 +132,7 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
         let [below @ .., before, reference] = &rungs[..] else {
             return Err("the ladder of sampling frequencies is too short".to_owned());
         };
-        let change = largest_error(&before.answers, &reference.answers, asked);
-        let uncertainty = change
+        let uncertainty = uncertainty_of(&rungs, asked)
             .map_err(|reason| format!("the reference: {reason}"))?
             .part;
         for rung in below.iter().chain([before]).skip(next) {
@@ -234,8 +233,16 @@ impl Rung {
     }
 }
 
-/// The quadrature at every frequency up to the first that can be the reference: two
-/// doublings have to agree on it, for one may by chance.
+/// By how much the last answers may be wrong: by what they changed over two doublings,
+/// for over one they may agree by chance.
+fn uncertainty_of(rungs: &[Rung], asked: f64) -> Result<answer::Error, String> {
+    match rungs {
+        [.., quarter, _, whole] => largest_error(&quarter.answers, &whole.answers, asked),
+        _ => Err("there are not three frequencies to compare".to_owned()),
+    }
+}
+
+/// The quadrature at every frequency up to the first that can be the reference.
 fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
     let least = sampling_frequency(&probes.sweep.setting.string);
     let mut rungs: Vec<Rung> = Vec::new();
@@ -243,26 +250,18 @@ fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
     for frequency in FREQUENCIES {
         let rung = Rung::build(probes, frequency, rungs.last());
         rungs.push(rung);
-        let [.., quarter, half, whole] = &rungs[..] else {
-            continue;
-        };
-        let change = |from: &Rung| largest_error(&from.answers, &whole.answers, asked);
-        match (change(half), change(quarter)) {
-            (Ok(last), Ok(both)) => {
-                let is_certain = last.part <= REFERENCE_PART * asked
-                    && both.part <= 2.0 * REFERENCE_PART * asked;
-                if is_certain && frequency >= least {
-                    return Ok(rungs);
-                }
-                let (from, percent) = (quarter.frequency, per_cent(both.part));
+        match uncertainty_of(&rungs, asked) {
+            Ok(error) if frequency >= least && error.part <= REFERENCE_PART * asked => {
+                return Ok(rungs);
+            }
+            Ok(error) => {
+                let percent = per_cent(error.part);
                 best = format!(
-                    "from {from} Hz to {frequency} Hz {} changes by {percent} %",
-                    both.of
+                    "from a quarter of {frequency} Hz to that, {} changes by {percent} %",
+                    error.of
                 );
             }
-            (Err(reason), _) | (_, Err(reason)) => {
-                best = format!("from below to {frequency} Hz {reason}");
-            }
+            Err(reason) => best = format!("from a quarter of {frequency} Hz to that, {reason}"),
         }
     }
     let (asked, part) = (per_cent(asked), per_cent(REFERENCE_PART * asked));
