@@ -7,6 +7,9 @@ mod check;
 mod designs;
 #[path = "command_line/manifest.rs"]
 mod manifest;
+#[path = "support/refusals.rs"]
+#[allow(dead_code, reason = "its tables of mistakes are for bad_input")]
+mod refusals;
 #[path = "command_line/run.rs"]
 mod run;
 #[path = "command_line/single_case.rs"]
@@ -16,6 +19,8 @@ mod stability;
 mod support;
 #[path = "command_line/terminal.rs"]
 mod terminal;
+#[path = "command_line/unstable.rs"]
+mod unstable;
 
 use std::collections::BTreeSet;
 

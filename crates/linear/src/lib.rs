@@ -20,6 +20,7 @@
 //! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
 //! | Section 3: finite elements, Newmark | [`elements`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
+//! | exact responses in time, to compare with | [`exact`] |
 //! | Eqs. 59–61: what a simulation needs | [`response`] |
 //!
 //! ```
@@ -47,6 +48,7 @@ pub mod drillstring;
 pub mod elements;
 mod error;
 pub mod estimates;
+pub mod exact;
 pub mod filters;
 pub mod method;
 pub mod passivity;

@@ -6,7 +6,7 @@
 use crate::drillstring::{Sites, SurfaceSupport};
 use crate::error::BuildError;
 use crate::method::Method;
-use crate::passivity::positive_real_margin;
+use crate::passivity::{Ending, positive_real_margin};
 
 /// What a torsional response is needed for.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +46,8 @@ pub struct TorsionResponses {
     pub from_torque: Vec<Vec<Vec<f64>>>,
     /// The sites that torques act on, one for each input.
     pub torque_inputs: Vec<usize>,
+    /// Whether the response ends with its taps, or only the simulation does.
+    pub ending: Ending,
 }
 
 impl TorsionResponses {
@@ -65,7 +67,7 @@ impl TorsionResponses {
         }
         let points = self.driving_points();
         let taps = |output: usize, input: usize| points[output][input];
-        positive_real_margin(self.torque_inputs.len(), taps).map(Some)
+        positive_real_margin(self.torque_inputs.len(), self.ending, taps).map(Some)
     }
 
     /// Responses between the sites that torques act on, `[output][input]`.
@@ -82,7 +84,11 @@ impl TorsionResponses {
     }
 
     /// Splits channels in the order of [`TorsionRequest::channels`].
-    pub(crate) fn from_channels(request: &TorsionRequest, mut channels: Vec<Vec<f64>>) -> Self {
+    pub(crate) fn from_channels(
+        request: &TorsionRequest,
+        mut channels: Vec<Vec<f64>>,
+        ending: Ending,
+    ) -> Self {
         let torques = request.torque_inputs.len();
         let mut from_torque = channels.split_off(request.sites.len()).into_iter();
         Self {
@@ -92,6 +98,7 @@ impl TorsionResponses {
                 .map(|_| from_torque.by_ref().take(torques).collect())
                 .collect(),
             torque_inputs: request.torque_inputs.clone(),
+            ending,
         }
     }
 }
@@ -137,7 +144,9 @@ impl BendingResponses {
     /// Where the taps are not finite.
     pub fn margin(&self, method: &Method) -> Result<f64, BuildError> {
         let velocities = self.velocities(method);
-        positive_real_margin(velocities.len(), |output, input| &velocities[output][input])
+        positive_real_margin(velocities.len(), Ending::Cut, |output, input| {
+            &velocities[output][input]
+        })
     }
 
     /// The margin of the differences of positions from step to step, times f_s:
@@ -159,7 +168,9 @@ impl BendingResponses {
         };
         let sites = self.from_force.len();
         let velocities: Vec<Vec<f64>> = self.from_force.iter().flatten().map(differences).collect();
-        positive_real_margin(sites, |output, input| &velocities[output * sites + input])
+        positive_real_margin(sites, Ending::Cut, |output, input| {
+            &velocities[output * sites + input]
+        })
     }
 
     /// Taps from the forces at the sites to their velocities, as `method`, which

@@ -8,7 +8,7 @@
 //! of all frequencies: not every scene finds that load, but some load there is.
 
 use linear::BuildError;
-use linear::passivity::worst_point;
+use linear::passivity::{Ending, worst_point};
 
 use crate::history::{History, Kernels};
 
@@ -36,7 +36,9 @@ pub struct WorstLoad {
 /// # Errors
 /// Where the taps are not finite.
 pub fn worst_load(taps: &[Vec<&[f64]>]) -> Result<WorstLoad, BuildError> {
-    let worst = worst_point(taps.len(), |output, input| taps[output][input])?;
+    let worst = worst_point(taps.len(), Ending::Whole, |output, input| {
+        taps[output][input]
+    })?;
     let mut combined = vec![0.0; taps[0][0].len()];
     for (output, inputs) in taps.iter().enumerate() {
         for (input, taps) in inputs.iter().enumerate() {

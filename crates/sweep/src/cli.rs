@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use crate::engine::Shard;
+use crate::engine::{Shard, Terms};
 use crate::spec::{Axis, MethodName};
 use crate::study::stability::Family;
 use crate::study::tradeoff::{LADDER, Measure};
@@ -89,12 +89,25 @@ pub struct RunArguments {
     /// Simulate every case to its end, even where the rest is certain or settled
     #[arg(long)]
     pub full: bool,
+    /// Only warn of a method whose margin says that a stuck site chatters
+    #[arg(long)]
+    pub allow_unstable: bool,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,
     /// How to tell of progress on the error stream
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     pub log: LogFormat,
+}
+
+impl RunArguments {
+    /// What of them the results depend on.
+    pub fn terms(&self) -> Terms {
+        Terms {
+            full: self.full,
+            allow_unstable: self.allow_unstable,
+        }
+    }
 }
 
 /// How progress is told.

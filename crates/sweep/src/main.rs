@@ -4,7 +4,10 @@
 //! cores against linear systems built once; a `study` looks at the methods
 //! themselves; `output` and `plot` make the files
 //! of a results folder. `commands` has one file for each thing a user can ask.
+//! cores against linear systems built once; `output` and `plot` make the files
+//! of a results folder; `accuracy` chooses a method where a sweep asks for one. `commands` has one file for each thing a user can ask.
 
+mod accuracy;
 mod cli;
 mod commands;
 mod design;

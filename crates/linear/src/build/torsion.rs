@@ -13,6 +13,7 @@ use crate::estimates::{torsional_decay_rate, torsional_settling_time, torsional_
 use crate::filters::quadrature::Formula;
 use crate::filters::{direct, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
+use crate::passivity::Ending;
 use crate::response::{TorsionRequest, TorsionResponses};
 use crate::waves::network::TorsionNetwork;
 
@@ -44,42 +45,44 @@ pub fn torsion_responses(
     request: &TorsionRequest,
 ) -> Result<TorsionResponses, BuildError> {
     check_sampling(request.sampling_frequency)?;
-    let channels = match method {
+    let (channels, ending) = match method {
         Method::Quadrature => quadrature_taps(Formula::BackwardDifferences, string, request)?,
         Method::Trapezoidal => quadrature_taps(Formula::Trapezoidal, string, request)?,
         Method::Hilbert(transform) => {
             needs_damping(method, string)?;
             let length = transform_samples(string, transform, request)?;
             let response = wave_response(string, request);
-            hilbert::taps(
+            let taps = hilbert::taps(
                 request.sampling_frequency,
                 length,
                 request.channels(),
                 &response,
-            )
+            );
+            (taps, Ending::Whole)
         }
         Method::DirectIdft(transform) => {
             needs_damping(method, string)?;
             let length = transform_samples(string, transform, request)?;
             let response = wave_response(string, request);
-            direct::taps(
+            let taps = direct::taps(
                 request.sampling_frequency,
                 length,
                 request.channels(),
                 &response,
-            )
+            );
+            (taps, Ending::Whole)
         }
         Method::FiniteElement(parameters) => element_taps(string, parameters, request)?,
     };
     all_finite(&channels, method.name())?;
-    Ok(TorsionResponses::from_channels(request, channels))
+    Ok(TorsionResponses::from_channels(request, channels, ending))
 }
 
 fn quadrature_taps(
     formula: Formula,
     string: &Drillstring,
     request: &TorsionRequest,
-) -> Result<Vec<Vec<f64>>, BuildError> {
+) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
     let response = wave_response(string, request);
     until_decayed(string, request, |length| {
         quadrature::taps(
@@ -99,13 +102,16 @@ fn until_decayed(
     string: &Drillstring,
     request: &TorsionRequest,
     mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
-) -> Result<Vec<Vec<f64>>, BuildError> {
+) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
     let mut length = first_length(string, request);
     loop {
         let mut channels = build(length);
-        if cut_decayed_tail(&mut channels) || length as f64 >= needed {
-            return Ok(channels);
+        if cut_decayed_tail(&mut channels) {
+            return Ok((channels, Ending::Whole));
+        }
+        if length as f64 >= needed {
+            return Ok((channels, Ending::Cut));
         }
         if length == MOST_TAPS {
             return Err(too_many(needed));
@@ -180,7 +186,7 @@ fn element_taps(
     string: &Drillstring,
     parameters: &FiniteElement,
     request: &TorsionRequest,
-) -> Result<Vec<Vec<f64>>, BuildError> {
+) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
     let weights = Weights::new(parameters, request.sampling_frequency)?;
     let condensed = CondensedString::new(
         string,

@@ -40,7 +40,7 @@ fn sample(
 
 /// The real sequence of length `length` (even) whose discrete Fourier
 /// transform starts with `half_spectrum` (`length / 2 + 1` values).
-fn inverse_transform(half_spectrum: &mut [c64], length: usize) -> Vec<f64> {
+pub(crate) fn inverse_transform(half_spectrum: &mut [c64], length: usize) -> Vec<f64> {
     // A real sequence has real values at zero frequency and at Nyquist.
     if let [first, .., last] = half_spectrum {
         first.im = 0.0;

@@ -9,10 +9,13 @@ use anyhow::{Result, bail};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use sim::Outcome;
 
-use super::{Progress, Status, UsageError, build_systems, say, survey_cases, use_threads};
+use super::{
+    Progress, Status, UsageError, build_systems, say, survey_cases, use_threads, warn_of_unstable,
+};
+use crate::accuracy::choose;
 use crate::cli::CheckArguments;
 use crate::design::{Design, List};
-use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Work};
+use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Terms, Work};
 use crate::output::{LabelRow, read_labels, whirl_bound};
 use crate::spec::{Sweep, check_setting};
 
@@ -20,6 +23,7 @@ use crate::spec::{Sweep, check_setting};
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
     use_threads(arguments.jobs)?;
     let mut sweep = Sweep::read(&arguments.file)?;
+    choose(&mut sweep, false)?;
     let axes = sweep.design.axes().to_vec();
     let reference = read_labels(&arguments.reference, &axes)
         .map_err(|error| UsageError(format!("{error:#}")))?;
@@ -35,6 +39,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     sweep.design = Design::List(List::new(axes, cases.into_values().collect()));
     let survey = survey_cases(&arguments.reference, &sweep)?;
     let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
+    warn_of_unstable(&systems);
     let found = run_all(&sweep, &systems, &numbers)?;
 
     let mut different = 0;
@@ -83,7 +88,10 @@ fn run_all(
     let work = Work {
         sweep,
         shard: Shard::WHOLE,
-        full: false,
+        terms: Terms {
+            full: false,
+            allow_unstable: true,
+        },
         is_open: &|_, _| true,
         stops: &|| false,
     };

@@ -16,10 +16,11 @@ use super::{
     Status, build_systems, make_folder, read_sweep, results_folder, say, site_title, survey_cases,
     use_threads,
 };
+use crate::accuracy::Choice;
 use crate::cli::InspectArguments;
 use crate::engine::{MethodSystem, Survey, is_unstable};
 use crate::plot::{Axis, Panel, Panels, Series, panels};
-use crate::spec::{LateralSettings, Sweep, Time};
+use crate::spec::{LateralSettings, Sweep, Time, per_cent};
 
 /// Points of the frequency response drawn.
 const FREQUENCIES: usize = 4000;
@@ -33,7 +34,7 @@ type Curve = Vec<(f64, f64)>;
 /// Shows the linear system.
 pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
-    let sweep = read_sweep(&arguments.file, &arguments.work)?;
+    let sweep = read_sweep(&arguments.file, &arguments.work, false)?;
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     let survey = survey_cases(&arguments.file, &sweep)?;
     let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
@@ -103,11 +104,31 @@ fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
     } else {
         "given in the sweep file"
     };
+    let why = match sweep.choice {
+        Some(_) => "by the accuracy asked for",
+        None => why,
+    };
     writeln!(
         text,
         "  sampling frequency f_s     {:.2} Hz ({why})",
         sweep.setting.sampling_frequency
     )?;
+    if let Some(choice) = &sweep.choice {
+        text += &describe_choice(choice)?;
+    }
+    Ok(text)
+}
+
+/// What was chosen for an accuracy, and what else was tried.
+fn describe_choice(choice: &Choice) -> Result<String, std::fmt::Error> {
+    let mut text = format!("\n{choice}\n");
+    for tried in &choice.tried {
+        let error = (tried.error).map_or_else(
+            || "refused".to_owned(),
+            |error| format!("{} %", per_cent(error)),
+        );
+        writeln!(text, "  {}: {error}, {}", tried.candidate, tried.of)?;
+    }
     Ok(text)
 }
 

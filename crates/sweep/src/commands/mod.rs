@@ -22,6 +22,7 @@ use anyhow::{Context, Result, bail};
 use linear::BuildError;
 use serde_json::json;
 
+use crate::accuracy::choose;
 use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
 use crate::spec::{MethodName, Setting, SpecError, Sweep};
@@ -101,9 +102,15 @@ fn tell(event: &serde_json::Value) {
     let _ = writeln!(std::io::stderr(), "{event}");
 }
 
-/// Reads a sweep file and puts the methods asked for in place of its own.
-fn read_sweep(file: &Path, work: &WorkArguments) -> Result<Sweep> {
+/// Reads a sweep file and puts the methods asked for in place of its own; or chooses
+/// one, where it asks for an accuracy.
+fn read_sweep(file: &Path, work: &WorkArguments, full: bool) -> Result<Sweep> {
     let mut sweep = Sweep::read(file)?;
+    if sweep.content.accuracy.is_some() && !work.methods.is_empty() {
+        let message = "asks for an accuracy, which chooses the method: leave out --methods";
+        bail!(sweep.source.error("accuracy", message));
+    }
+    choose(&mut sweep, full)?;
     if !work.methods.is_empty() {
         let mut names: Vec<MethodName> = Vec::new();
         for &name in &work.methods {
@@ -179,13 +186,7 @@ fn build_systems(
 
 /// Warns of methods that chatter where a site sticks.
 fn warn_of_unstable(systems: &[MethodSystem]) {
-    for system in systems {
-        if let Some(margin) = system.unstable_margin() {
-            complain(&format!(
-                "warning: the responses by {} are not positive-real (margin {margin:.2e}): \
-                 a stuck site may chatter and its labels mean little",
-                system.method.name(),
-            ));
-        }
+    for instability in systems.iter().filter_map(MethodSystem::instability) {
+        complain(&format!("warning: {instability}"));
     }
 }

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow, bail};
+use linear::Method;
 
 use super::folder::{Found, LOG, look};
 use super::stop::Stop;
@@ -30,14 +31,14 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     TELLS_JSON.store(tells_json, std::sync::atomic::Ordering::Relaxed);
     let stop = Stop::listen()?;
     use_threads(arguments.work.jobs)?;
-    let sweep = read_sweep(&arguments.file, &arguments.work)?;
+    let sweep = read_sweep(&arguments.file, &arguments.work, arguments.full)?;
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let survey = survey_cases(&arguments.file, &sweep)?;
     let mut folder = results_folder(arguments.out.as_ref(), &sweep);
     if arguments.out.is_none() && !shard.is_whole() {
         folder.push(format!("shard-{}-of-{}", shard.index, shard.of));
     }
-    let header = Header::new(shard, meaning(&sweep, arguments.full)?);
+    let header = Header::new(shard, meaning(&sweep, arguments.terms())?);
     let found = if arguments.fresh {
         Found::Nothing
     } else {
@@ -51,6 +52,9 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         return show_again(*manifest, &sweep, &folder, arguments.quiet);
     }
     let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
+    if !arguments.allow_unstable && !sweep.design.varies_string() {
+        refuse_unstable(arguments, &sweep, &systems)?;
+    }
     let limit = boundary(&sweep, &systems).map_err(UsageError)?;
     make_folder(&folder)?;
     let log = Log::open(
@@ -98,6 +102,33 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         return Ok(status);
     }
     session.finish(&limit, &log).map_err(with_so_far)
+}
+
+/// Refuses a method that chatters where a site sticks. Where axes change the
+/// string, each string's own margin counts, and its cases fail.
+fn refuse_unstable(
+    arguments: &RunArguments,
+    sweep: &Sweep,
+    systems: &[MethodSystem],
+) -> Result<()> {
+    let found = systems.iter().enumerate();
+    let first = found
+        .filter_map(|(index, system)| Some((index, system, system.instability()?)))
+        .next();
+    let Some((index, system, instability)) = first else {
+        return Ok(());
+    };
+    let remedy = match system.method {
+        Method::Hilbert(_) => "take another method or a longer transform",
+        Method::FiniteElement(_) => "take another method or a larger gamma",
+        Method::Quadrature | Method::Trapezoidal | Method::DirectIdft(_) => "take another method",
+    };
+    let message = format!("{instability}; {remedy}, or give --allow-unstable");
+    if arguments.work.methods.is_empty() {
+        let key = format!("methods[{index}]");
+        bail!(sweep.source.error(&key, message));
+    }
+    bail!(UsageError(format!("--methods: {message}")))
 }
 
 /// Says what is worth knowing before the work.
@@ -159,7 +190,7 @@ impl Session<'_> {
         let work = Work {
             sweep,
             shard: self.shard,
-            full: arguments.full,
+            terms: arguments.terms(),
             is_open: &|case, method| !is_done(case, method),
             stops: &|| stop.status().is_some(),
         };
@@ -174,7 +205,14 @@ impl Session<'_> {
         let tally = write_tables(sweep, &arguments.file, log, folder)?;
         write_atomically(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
         let seconds = self.start.elapsed().as_secs_f64();
-        let manifest = Manifest::new(sweep, shard, arguments.full, self.systems, tally, seconds)?;
+        let manifest = Manifest::new(
+            sweep,
+            shard,
+            arguments.terms(),
+            self.systems,
+            tally,
+            seconds,
+        )?;
         manifest.write(folder)?;
         let drawn = shard.is_whole() && super::plot::draw_map(folder)?;
         let path = folder.join(LOG);
@@ -270,6 +308,9 @@ fn plan(
         "simulated time {:.1} s for each method, the longest case {:.1} s, at {} Hz",
         survey.simulated, survey.longest, sweep.setting.sampling_frequency
     )?;
+    if let Some(choice) = &sweep.choice {
+        writeln!(text, "{choice}")?;
+    }
     Ok(text)
 }
 
@@ -285,6 +326,9 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
         manifest.methods.len(),
         manifest.wall_seconds
     )?;
+    if let Some(choice) = &manifest.accuracy {
+        writeln!(text, "  {choice}")?;
+    }
     for (method, labels) in &manifest.tally.labels {
         let counts: Vec<String> = labels
             .iter()

@@ -6,12 +6,14 @@ mod log;
 mod shard;
 mod survey;
 mod systems;
+mod terms;
 
 pub use case::{Case, Row, RowOutcome};
 pub use log::{Header, Log, Record, count_done, read_header};
 pub use shard::Shard;
 pub use survey::{Survey, survey};
 pub use systems::{MethodSystem, is_unstable};
+pub use terms::Terms;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -36,8 +38,8 @@ pub struct Work<'a> {
     pub sweep: &'a Sweep,
     /// Which of its cases.
     pub shard: Shard,
-    /// Whether to simulate every case to its end.
-    pub full: bool,
+    /// On which terms.
+    pub terms: Terms,
     /// Which pairs of case and method (by its place in the sweep's list) are
     /// not done yet.
     pub is_open: &'a (dyn Fn(usize, usize) -> bool + Sync),
@@ -162,7 +164,7 @@ impl Work<'_> {
     /// Of the cases that may stop when they have settled, some are followed to
     /// the end.
     fn stopping(&self, case: usize) -> Stopping {
-        if self.full {
+        if self.terms.full {
             Stopping::Full
         } else if case.is_multiple_of(CHECKED_PART) {
             Stopping::Checked
@@ -191,6 +193,11 @@ impl Work<'_> {
             .map_err(str::to_owned)
             .and_then(|systems| {
                 let system = &systems[method];
+                if let (Some(instability), false) =
+                    (system.instability(), self.terms.allow_unstable)
+                {
+                    return Err(format!("{instability} (--allow-unstable simulates it)"));
+                }
                 let case = Case::of(self.sweep, &system.setting, index)?;
                 Ok(system.run(&case, self.stopping(index)))
             })

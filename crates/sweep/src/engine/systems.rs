@@ -1,5 +1,6 @@
 //! The linear system of each method, built once for all cases.
 
+use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
@@ -132,10 +133,19 @@ impl MethodSystem {
             .position(|(least, relative)| *relative && (least.is_nan() || *least > LARGEST_IMPULSE))
     }
 
-    /// The margin, where one says that sticking or contact is unstable.
-    pub fn unstable_margin(&self) -> Option<f64> {
-        let margins = [self.torsion_margin, self.bending_margin];
-        (margins.into_iter().flatten()).find(|margin| is_unstable(*margin))
+    /// Why labels by this method mean little, where its margin says so.
+    pub fn instability(&self) -> Option<Instability> {
+        let margins = [
+            (self.torsion_margin, "torsion"),
+            (self.bending_margin, "bending"),
+        ];
+        let (margin, motion) = (margins.into_iter())
+            .find_map(|(margin, motion)| Some((margin.filter(|m| is_unstable(*m))?, motion)))?;
+        Some(Instability {
+            method: self.method.name(),
+            motion,
+            margin,
+        })
     }
 
     /// The torque that holds the bit fast, where only torsion is modelled and a
@@ -209,6 +219,28 @@ impl MethodSystem {
             site_from_bit_m,
             outcome,
         }
+    }
+}
+
+/// A method's responses that are not positive-real.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instability {
+    /// Name of the method.
+    pub method: &'static str,
+    /// `torsion` or `bending`.
+    pub motion: &'static str,
+    /// Positive-real margin.
+    pub margin: f64,
+}
+
+impl fmt::Display for Instability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the responses in {} by {} are not positive-real (margin {:.2e}): \
+             a stuck site chatters and labels mean little",
+            self.motion, self.method, self.margin
+        )
     }
 }
 

@@ -9,8 +9,9 @@ use sha2::{Digest, Sha256};
 
 use super::files::write_atomically;
 use super::results::Tally;
+use crate::accuracy::Choice;
 use crate::design::Design;
-use crate::engine::{MethodSystem, Shard};
+use crate::engine::{MethodSystem, Shard, Terms};
 use crate::spec::{FileContent, MapSettings, Sweep};
 
 /// What was run.
@@ -37,14 +38,18 @@ pub struct Manifest {
     pub sampling_frequency_hz: f64,
     /// Whether that is the paper's rule or given in the file.
     pub sampling_frequency_by_rule: bool,
+    /// What was chosen for the accuracy asked for, and why.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Choice>,
     /// Number of cases of the whole sweep.
     pub cases: usize,
     /// Number of distinct strings among them.
     pub strings: usize,
     /// The part of the sweep that is here, where that is not the whole.
     pub shard: Option<Shard>,
-    /// Whether every case was simulated to its end.
-    pub full: bool,
+    /// On which terms it was run.
+    #[serde(flatten)]
+    pub terms: Terms,
     /// What is known of each method; of the string as the file says it, where
     /// axes change the string.
     pub methods: Vec<MethodRecord>,
@@ -99,7 +104,7 @@ impl Manifest {
     pub fn new(
         sweep: &Sweep,
         shard: Shard,
-        full: bool,
+        terms: Terms,
         systems: &[MethodSystem],
         tally: Tally,
         wall_seconds: f64,
@@ -110,15 +115,16 @@ impl Manifest {
             program: crate::PROGRAM.to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             platform: format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),
-            meaning_sha256: meaning_hash(&meaning(sweep, full)?)?,
+            meaning_sha256: meaning_hash(&meaning(sweep, terms)?)?,
             cases_sha256: cases_hash(&sweep.design)?,
             seed: sweep.design.seed(),
             sampling_frequency_hz: sweep.setting.sampling_frequency,
             sampling_frequency_by_rule: sweep.setting.sampling_by_rule,
+            accuracy: sweep.choice.clone(),
             cases: sweep.design.cases(),
             strings: sweep.design.strings(),
             shard: (!shard.is_whole()).then_some(shard),
-            full,
+            terms,
             methods: systems.iter().map(MethodRecord::of).collect(),
             tally,
             threads: rayon::current_num_threads(),
@@ -133,7 +139,7 @@ impl Manifest {
     /// # Errors
     /// None that a manifest that was read could cause.
     pub fn meaning(&self) -> Result<serde_json::Value> {
-        meaning_of(&self.sweep, self.cases_sha256.as_deref(), self.full)
+        meaning_of(&self.sweep, self.cases_sha256.as_deref(), self.terms)
     }
 
     /// The part of the sweep it records.
@@ -160,19 +166,19 @@ impl Manifest {
     }
 }
 
-/// What a sweep, run in `full` or not, means: comments, key order, the spelling of numbers, titles and
-/// how the map is drawn do not matter; the cases of a list do.
+/// What a sweep means, run on these terms: comments, key order, the spelling of
+/// numbers, titles and how the map is drawn do not matter; the cases of a list do.
 ///
 /// # Errors
 /// None that a sweep that was read could cause.
-pub fn meaning(sweep: &Sweep, full: bool) -> Result<serde_json::Value> {
-    meaning_of(&sweep.content, cases_hash(&sweep.design)?.as_deref(), full)
+pub fn meaning(sweep: &Sweep, terms: Terms) -> Result<serde_json::Value> {
+    meaning_of(&sweep.content, cases_hash(&sweep.design)?.as_deref(), terms)
 }
 
 fn meaning_of(
     content: &FileContent,
     cases_sha256: Option<&str>,
-    full: bool,
+    terms: Terms,
 ) -> Result<serde_json::Value> {
     let mut content = content.clone();
     content.title = None;
@@ -185,8 +191,13 @@ fn meaning_of(
         if let Some(hash) = cases_sha256 {
             table.insert("cases of the list".to_owned(), hash.into());
         }
-        if full {
-            table.insert("--full".to_owned(), full.into());
+        for (option, is_given) in [
+            ("--full", terms.full),
+            ("--allow-unstable", terms.allow_unstable),
+        ] {
+            if is_given {
+                table.insert(option.to_owned(), true.into());
+            }
         }
     }
     Ok(meaning)

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use linear::method::{FiniteElement, Transform};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::accuracy::Accuracy;
 use super::lateral::{BendingTable, EccentricMassTable, ImpulseTable, WallTable};
 use super::source::{Source, SpecError};
 use super::string_axis::StringAxis;
@@ -40,6 +41,10 @@ pub struct FileContent {
     /// Eccentric masses.
     #[serde(default)]
     pub eccentric_masses: Vec<EccentricMassTable>,
+    /// Largest error wanted, instead of methods and a sampling frequency: the
+    /// cheapest that deliver it are chosen.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Accuracy>,
     /// Linear methods, in the order of the results. Default: `quadrature`.
     #[serde(default = "default_methods")]
     pub methods: Vec<MethodName>,

@@ -1,6 +1,7 @@
 //! The sweep file: read with its base, resolved to SI, refused with file, line
 //! and key where it does not make sense.
 
+mod accuracy;
 mod bit;
 mod file;
 #[cfg(test)]
@@ -15,6 +16,7 @@ mod string_axis;
 #[cfg(test)]
 mod tests;
 
+pub use accuracy::{Accuracy, per_cent};
 pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
 pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};
 pub use resolve::{Bit, Conditions, MapSettings, Sweep, Time, to_rpm};

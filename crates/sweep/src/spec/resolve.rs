@@ -12,6 +12,7 @@ use sim::{BitTorque, Rock};
 use super::file::{AutoOr, Axis, FileContent, MethodName};
 use super::setting::Setting;
 use super::source::{Source, SpecError, TextOf};
+use crate::accuracy::Choice;
 use crate::design::Design;
 
 /// More elements in a cell resolve no more than rounding leaves.
@@ -30,6 +31,8 @@ pub struct Sweep {
     pub setting: Setting,
     /// Linear methods.
     pub methods: Vec<Method>,
+    /// What was chosen for the accuracy asked for.
+    pub choice: Option<Choice>,
     /// Time simulated.
     pub time: Time,
     /// Torque at the bit, where it is modelled.
@@ -218,12 +221,16 @@ impl Sweep {
         };
         let setting = Setting::resolve(&source, &content, &conditions, &design)?;
         check.string_axes(&content, &design)?;
+        if let Some(accuracy) = content.accuracy {
+            check.accuracy(accuracy)?;
+        }
         let methods = check.methods(&content)?;
         let map = check.map(&content, &design, bit.as_ref())?;
         Ok(Self {
             title: content.title.clone().unwrap_or_else(|| name.clone()),
             setting,
             methods,
+            choice: None,
             map,
             name,
             time,

@@ -4,13 +4,14 @@
 
 use std::borrow::Cow;
 
-use linear::{Drillstring, Sites};
+use linear::{Drillstring, Method, Sites};
 
-use super::file::{AutoOr, Axis, FileContent};
+use super::file::{AutoOr, Axis, FileContent, MethodName};
 use super::lateral::LateralSettings;
 use super::resolve::{Check, Conditions, Sweep};
 use super::source::{Source, SpecError};
 use super::string_axis::StringAxis;
+use crate::accuracy::Choice;
 use crate::design::Design;
 
 /// A string, ready to be built.
@@ -90,11 +91,62 @@ impl Sweep {
         if changes.is_empty() {
             return Ok(Cow::Borrowed(&self.setting));
         }
+        self.setting_of(self.content.clone(), changes)
+            .map(Cow::Owned)
+    }
+
+    /// The setting of a case with the given values along the design's axes, sampled
+    /// at another frequency (Hz).
+    ///
+    /// # Errors
+    /// As [`Sweep::setting_at`], and where it samples an impulse too coarsely.
+    pub fn setting_sampled(
+        &self,
+        values: &[f64],
+        sampling_frequency: f64,
+    ) -> Result<Setting, SpecError> {
         let mut content = self.content.clone();
+        content.sampling_frequency_hz = AutoOr::Given(sampling_frequency);
+        let axes = self.design.axes().iter().zip(values);
+        let changes = axes.filter_map(|(axis, &value)| match axis {
+            Axis::String(axis) => Some((*axis, value)),
+            _ => None,
+        });
+        self.setting_of(content, changes.collect())
+    }
+
+    /// Uses the method and the sampling frequency chosen for the accuracy asked for.
+    ///
+    /// # Errors
+    /// Where they do not suit the string as the file says it.
+    pub fn choose(&mut self, method: Method, choice: Choice) -> Result<(), SpecError> {
+        let content = &mut self.content;
+        content.sampling_frequency_hz = AutoOr::Given(choice.chosen.sampling_frequency_hz);
+        content.methods = vec![match method {
+            Method::Hilbert(_) => MethodName::Hilbert,
+            Method::Quadrature => MethodName::Quadrature,
+            Method::Trapezoidal => MethodName::Trapezoidal,
+            Method::FiniteElement(parameters) => {
+                content.method.finite_element = parameters;
+                MethodName::FiniteElement
+            }
+            Method::DirectIdft(_) => MethodName::DirectIdft,
+        }];
+        self.methods = vec![method];
+        self.choice = Some(choice);
+        self.setting = self.setting_of(self.content.clone(), Vec::new())?;
+        Ok(())
+    }
+
+    fn setting_of(
+        &self,
+        mut content: FileContent,
+        changes: Vec<(StringAxis, f64)>,
+    ) -> Result<Setting, SpecError> {
         for (axis, value) in changes {
             axis.set(&mut content, value)
                 .map_err(|message| self.source.error(&axis.name(), message))?;
         }
-        Setting::resolve(&self.source, &content, &self.conditions, &self.design).map(Cow::Owned)
+        Setting::resolve(&self.source, &content, &self.conditions, &self.design)
     }
 }

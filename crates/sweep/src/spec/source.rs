@@ -12,6 +12,14 @@ use toml::de::{DeTable, DeValue};
 /// A base of a base of a base is deep enough; more is a circle.
 const DEEPEST_BASE: usize = 8;
 
+/// Keys that say the same in another way: a file gives one of each pair, and it
+/// replaces the other of its base.
+const RIVALS: [(&str, &str); 3] = [
+    ("accuracy", "methods"),
+    ("accuracy", "method"),
+    ("accuracy", "sampling_frequency_hz"),
+];
+
 /// Gives the text of a file: from the disk or, in tests, from memory.
 pub type TextOf<'a> = &'a dyn Fn(&Path) -> std::io::Result<String>;
 
@@ -193,6 +201,19 @@ impl Source {
                     Some(_) => error,
                 })?;
         }
+        let given = table.get_ref();
+        for (one, other) in RIVALS {
+            match (given.get_key_value(one), given.contains_key(other)) {
+                (Some((key, _)), true) => {
+                    let line = lines.of(key.span().start);
+                    let message = format!("is given instead of `{other}`, not beside it");
+                    return Err(unusable(Some(line), Some(one), message));
+                }
+                (Some(_), false) => self.replace(other),
+                (None, true) => self.replace(one),
+                (None, false) => {}
+            }
+        }
         let merged = std::mem::take(&mut self.table);
         self.table = self.merge(file, &lines, merged, table.get_ref(), "");
         Ok(())
@@ -254,6 +275,12 @@ impl Source {
             }
             scalar => plain(scalar),
         }
+    }
+
+    /// Takes out what a base gave at a key that another replaces.
+    fn replace(&mut self, key: &str) {
+        self.table.remove(key);
+        self.forget(key);
     }
 
     /// Forgets the places of a value that is replaced as a whole.

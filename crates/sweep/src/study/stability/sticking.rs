@@ -35,7 +35,7 @@ pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings>
     let stiffness = torsional_stiffness(&setting.string);
     let sticking = diagnosis::sticking(held, cell.sampling_frequency, stiffness, instant);
     let mut findings = Findings {
-        margin_torsion: Some(worst.margin),
+        margin_torsion: system.torsion_margin,
         energy_gained: Some(worst.energy_gained),
         chatter: Some(sticking.chatter),
         growth: Some(sticking.growth),

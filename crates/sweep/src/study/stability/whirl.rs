@@ -60,7 +60,7 @@ fn case_of(sweep: &Sweep, setting: &Setting) -> Result<Case> {
 fn loads(system: &MethodSystem) -> Result<Findings> {
     let torsion = worst_load(&system.responses.driving_points())?;
     let mut findings = Findings {
-        margin_torsion: Some(torsion.margin),
+        margin_torsion: system.torsion_margin,
         energy_gained: Some(torsion.energy_gained),
         ..Findings::default()
     };
@@ -70,7 +70,7 @@ fn loads(system: &MethodSystem) -> Result<Findings> {
             .map(|inputs| inputs.iter().map(Vec::as_slice).collect())
             .collect();
         let worst = worst_load(&taps)?;
-        findings.margin_bending = Some(worst.margin);
+        findings.margin_bending = system.bending_margin;
         findings.energy_gained = Some(torsion.energy_gained.max(worst.energy_gained));
         findings.margin_wall = Some(bending.margin_of_differences()?);
     }

@@ -1,0 +1,134 @@
+//! What is compared of a case: its regime, the limit near it, and the numbers a
+//! person would quote.
+
+use sim::{LateralRegime, Outcome, TorsionRegime};
+
+/// What a method answers to one probe.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// Number of the case.
+    pub case: usize,
+    /// Its regimes in torsion and bending, or why it has none.
+    pub regimes: String,
+    /// Where the regime changes, in multiples of the case's own surface speed, or of
+    /// its friction where there is a wall.
+    pub limit: Option<f64>,
+    /// Numbers with their names.
+    pub measures: Vec<(&'static str, f64)>,
+}
+
+/// An error relative to the reference, and what it is of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Error {
+    /// A part of one.
+    pub part: f64,
+    /// In words.
+    pub of: String,
+}
+
+/// Whether a case is in the regime that a limit bounds: whirl, where there is a wall,
+/// else stick-slip.
+pub fn is_inside(outcome: &Outcome) -> bool {
+    match (outcome.lateral, outcome.torsion) {
+        (Some(lateral), _) => is_whirl(lateral.regime),
+        (None, Some(torsion)) => torsion.regime == TorsionRegime::StickSlip,
+        (None, None) => false,
+    }
+}
+
+fn is_whirl(regime: LateralRegime) -> bool {
+    matches!(
+        regime,
+        LateralRegime::BackwardWhirl | LateralRegime::ForwardWhirl
+    )
+}
+
+/// The regimes of a case.
+pub fn regimes(outcome: &Outcome) -> String {
+    let torsion = outcome.torsion.map(|torsion| torsion.regime.name());
+    let lateral = outcome.lateral.map(|lateral| lateral.regime.name());
+    let both: Vec<&str> = torsion.into_iter().chain(lateral).collect();
+    both.join(" and ")
+}
+
+/// The numbers of a case that converge. After a contact that ends motion is chaotic,
+/// and of it only the regime counts; whirl at several sites beats, and none of them
+/// keeps its radius or force; the peak speed of a slipping bit is that of a
+/// wave front, which every finer step sharpens; and how long a slip lasts depends on
+/// which echo ends it.
+pub fn measures(outcome: &Outcome, sites: usize) -> Vec<(&'static str, f64)> {
+    let mut found = Vec::new();
+    if let Some(torsion) = outcome.torsion {
+        found.extend(torsion.first_slip.map(|time| ("first slip", time)));
+        if torsion.regime == TorsionRegime::StickSlip && outcome.lateral.is_none() {
+            found.extend(torsion.period.map(|period| ("period", period)));
+            found.push(("closing bit speed", torsion.closing_speed));
+        }
+    }
+    if let Some(lateral) = outcome.lateral {
+        if is_whirl(lateral.regime) && sites == 1 {
+            found.extend([
+                ("radius", lateral.mean_radius),
+                ("precession rate", lateral.precession_rate),
+                ("normal force", lateral.mean_normal_force),
+                ("time in contact", lateral.contact_fraction),
+            ]);
+        } else if lateral.regime == LateralRegime::NoContact {
+            found.push(("peak radius", lateral.peak_radius));
+        }
+    }
+    found
+}
+
+/// The largest error of some answers from those of a reference. Where the regime
+/// differs, a case within the accuracy of the reference's limit counts by the shift of
+/// that limit alone.
+///
+/// # Errors
+/// Where regimes differ, or a limit is not found; a sentence.
+pub fn largest_error(found: &[Answer], reference: &[Answer], asked: f64) -> Result<Error, String> {
+    if found.is_empty() || found.len() != reference.len() {
+        return Err("there is nothing to compare".to_owned());
+    }
+    let mut worst = Error {
+        part: 0.0,
+        of: "nothing".to_owned(),
+    };
+    for (found, expected) in found.iter().zip(reference) {
+        for error in errors(found, expected, asked)? {
+            if error.part > worst.part {
+                worst = error;
+            }
+        }
+    }
+    Ok(worst)
+}
+
+fn errors(found: &Answer, expected: &Answer, asked: f64) -> Result<Vec<Error>, String> {
+    let case = expected.case;
+    let mut errors = Vec::new();
+    match (found.limit, expected.limit) {
+        (Some(found), Some(expected)) => errors.push(Error {
+            part: (found / expected - 1.0).abs(),
+            of: format!("the limit near case {case}"),
+        }),
+        (None, Some(_)) => return Err(format!("the limit near case {case} is not found")),
+        (_, None) => {}
+    }
+    if found.regimes != expected.regimes {
+        let distance = expected
+            .limit
+            .map_or(f64::INFINITY, |limit| limit.ln().abs());
+        if distance > asked {
+            let (found, expected) = (&found.regimes, &expected.regimes);
+            return Err(format!("case {case} is {found} instead of {expected}"));
+        }
+        return Ok(errors);
+    }
+    let pairs = found.measures.iter().zip(&expected.measures);
+    errors.extend(pairs.map(|((name, found), (_, expected))| Error {
+        part: (found - expected).abs() / expected.abs().max(f64::MIN_POSITIVE),
+        of: format!("the {name} of case {case}"),
+    }));
+    Ok(errors)
+}

@@ -1,0 +1,294 @@
+//! `accuracy`: the cheapest method and sampling frequency whose error, estimated on
+//! the sweep's own string and cases, is within what was asked for.
+//!
+//! What a case costs grows with f_s and hardly depends on the method, for all are
+//! stepped alike; so the ladder goes up in f_s, and at each of its frequencies from
+//! the method that is built the fastest to the slowest. Nothing is timed: the same
+//! sweep chooses the same on any machine.
+//!
+//! The reference is the quadrature at a frequency where the last two doublings changed
+//! the answers by no more than a part of the accuracy; that change is its uncertainty,
+//! and counts in full. The error of a candidate is the largest of
+//!
+//! - that of its linear responses, on smooth motions, from the exact ones
+//!   ([`linear::exact`]), which share no time step with anything,
+//! - the shift of the limit between regimes, by surface speed or by friction, near a
+//!   few of the sweep's cases ([`probes`]),
+//! - that of the numbers a person would quote of those cases ([`answer`]).
+
+mod answer;
+mod ladder;
+mod probes;
+
+use anyhow::{Result, bail};
+use linear::Method;
+use linear::estimates::sampling_frequency;
+use serde::{Deserialize, Serialize};
+use sim::Stopping;
+
+use crate::spec::{Accuracy, Sweep, per_cent};
+use answer::{Answer, largest_error};
+use ladder::{FREQUENCIES, candidates};
+use probes::{Probes, Systems};
+
+/// The reference's uncertainty is at most this part of the accuracy.
+const REFERENCE_PART: f64 = 0.25;
+
+/// What was chosen, and why: `accuracy` of the manifest. Errors are parts of one.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Choice {
+    /// The largest error wanted.
+    pub asked: f64,
+    /// The estimated error, the reference's uncertainty included.
+    pub delivered: f64,
+    /// What was chosen.
+    pub chosen: Candidate,
+    /// Sampling frequency of the reference, by quadrature, Hz.
+    pub reference_hz: f64,
+    /// The change of its answers from a quarter of that frequency.
+    pub reference_uncertainty: f64,
+    /// Cases that were simulated to compare.
+    pub probes: Vec<usize>,
+    /// Everything tried, the chosen last.
+    pub tried: Vec<Tried>,
+}
+
+/// A method at a sampling frequency.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Candidate {
+    /// Its name.
+    pub method: String,
+    /// Elements in one cell, of finite elements.
+    pub elements_per_cell: Option<usize>,
+    /// Sampling frequency, Hz.
+    pub sampling_frequency_hz: f64,
+}
+
+/// A candidate and its error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Tried {
+    /// The candidate.
+    #[serde(flatten)]
+    pub candidate: Candidate,
+    /// Its error from the reference, where it can be told.
+    pub error: Option<f64>,
+    /// What the error is of, or why there is none.
+    pub of: String,
+}
+
+impl std::fmt::Display for Candidate {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.method)?;
+        if let Some(elements) = self.elements_per_cell {
+            write!(f, " ({elements} elements a cell)")?;
+        }
+        write!(f, " at {} Hz", self.sampling_frequency_hz)
+    }
+}
+
+impl std::fmt::Display for Choice {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "accuracy {} %: {}, estimated error {} % (reference: quadrature at {} Hz, \
+             uncertain by {} %)",
+            per_cent(self.asked),
+            self.chosen,
+            per_cent(self.delivered),
+            self.reference_hz,
+            per_cent(self.reference_uncertainty)
+        )
+    }
+}
+
+/// Where the sweep asks for an accuracy, chooses for it and puts the choice in.
+///
+/// # Errors
+/// Where nothing delivers the accuracy, or the sweep's cases cannot be.
+pub fn choose(sweep: &mut Sweep, full: bool) -> Result<()> {
+    let Some(Accuracy(asked)) = sweep.content.accuracy else {
+        return Ok(());
+    };
+    let stopping = if full {
+        Stopping::Full
+    } else {
+        Stopping::Early
+    };
+    let probes =
+        Probes::of(sweep, asked).map_err(|reason| sweep.source.error("accuracy", reason))?;
+    let (method, choice) = match search(&probes, asked, stopping) {
+        Ok(found) => found,
+        Err(reason) => bail!(sweep.source.error("accuracy", reason)),
+    };
+    sweep.choose(method, choice)?;
+    Ok(())
+}
+
+fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Choice), String> {
+    let mut rungs = up_to_reference(probes, asked)?;
+    let mut tried: Vec<Tried> = Vec::new();
+    let mut next = 0;
+    loop {
+        let [below @ .., before, reference] = &rungs[..] else {
+            return Err("the ladder of sampling frequencies is too short".to_owned());
+        };
+        let uncertainty = uncertainty_of(&rungs, asked)
+            .map_err(|reason| format!("the reference: {reason}"))?
+            .part;
+        for rung in below.iter().chain([before]).skip(next) {
+            let found = try_rung(
+                probes,
+                rung,
+                reference,
+                asked - uncertainty,
+                stopping,
+                &mut tried,
+            );
+            if let Some((method, chosen, error)) = found {
+                let choice = Choice {
+                    asked,
+                    delivered: error + uncertainty,
+                    chosen,
+                    reference_hz: reference.frequency,
+                    reference_uncertainty: uncertainty,
+                    probes: probes.cases(),
+                    tried,
+                };
+                return Ok((method, choice));
+            }
+        }
+        next = rungs.len() - 1;
+        // Finer than the reference has to be, but nothing coarser delivers.
+        match FREQUENCIES.get(rungs.len()) {
+            Some(&frequency) => rungs.push(Rung::build(probes, frequency, rungs.last())),
+            None => return Err(none_delivers(asked, &tried)),
+        }
+    }
+}
+
+/// The first candidate at one frequency whose error is within `allowed`, with that.
+fn try_rung(
+    probes: &Probes,
+    rung: &Rung,
+    reference: &Rung,
+    allowed: f64,
+    stopping: Stopping,
+    tried: &mut Vec<Tried>,
+) -> Option<(Method, Candidate, f64)> {
+    for method in candidates() {
+        let built = (method != Method::Quadrature).then(|| probes.systems(method, rung.frequency));
+        let systems = built.as_ref().unwrap_or(&rung.systems);
+        let found = error_of(probes, systems, &reference.answers, allowed, stopping);
+        let candidate = ladder::candidate(&method, rung.frequency);
+        let error = found.as_ref().ok().map(|error| error.part);
+        tried.push(Tried {
+            candidate: candidate.clone(),
+            error,
+            of: found.map_or_else(|reason| reason, |error| error.of),
+        });
+        if let Some(error) = error.filter(|error| *error <= allowed) {
+            return Some((method, candidate, error));
+        }
+        // What the quadrature cannot treat, no other method can.
+        if rung.systems.is_err() {
+            break;
+        }
+    }
+    None
+}
+
+fn none_delivers(asked: f64, tried: &[Tried]) -> String {
+    let known = tried.iter().filter_map(|tried| Some((tried.error?, tried)));
+    let best = known.min_by(|one, other| one.0.total_cmp(&other.0));
+    let best = best.map_or_else(String::new, |(error, tried)| {
+        let (percent, of) = (per_cent(error), &tried.of);
+        format!(
+            "; the best, {}, has an error of {percent} % ({of})",
+            tried.candidate
+        )
+    });
+    format!("nothing delivers {} %{best}", per_cent(asked))
+}
+
+/// The quadrature at one frequency.
+struct Rung {
+    frequency: f64,
+    systems: Result<Systems, String>,
+    answers: Vec<Answer>,
+}
+
+impl Rung {
+    fn build(probes: &Probes, frequency: f64, before: Option<&Rung>) -> Self {
+        let systems = probes.systems(Method::Quadrature, frequency);
+        let known = before.map_or(&[][..], |before| &before.answers);
+        let answers = match &systems {
+            Ok(systems) => probes.answers(systems, Stopping::Full, known),
+            Err(_) => Vec::new(),
+        };
+        Self {
+            frequency,
+            systems,
+            answers,
+        }
+    }
+}
+
+/// By how much the last answers may be wrong: by what they changed over two doublings,
+/// for over one they may agree by chance.
+fn uncertainty_of(rungs: &[Rung], asked: f64) -> Result<answer::Error, String> {
+    match rungs {
+        [.., quarter, _, whole] => largest_error(&quarter.answers, &whole.answers, asked),
+        _ => Err("there are not three frequencies to compare".to_owned()),
+    }
+}
+
+/// The quadrature at every frequency up to the first that can be the reference.
+fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
+    let least = sampling_frequency(&probes.sweep.setting.string);
+    let mut rungs: Vec<Rung> = Vec::new();
+    let mut best = "no two frequencies can be compared".to_owned();
+    for frequency in FREQUENCIES {
+        let rung = Rung::build(probes, frequency, rungs.last());
+        rungs.push(rung);
+        match uncertainty_of(&rungs, asked) {
+            Ok(error) if frequency >= least && error.part <= REFERENCE_PART * asked => {
+                return Ok(rungs);
+            }
+            Ok(error) => {
+                let percent = per_cent(error.part);
+                best = format!(
+                    "from a quarter of {frequency} Hz to that, {} changes by {percent} %",
+                    error.of
+                );
+            }
+            Err(reason) => best = format!("from a quarter of {frequency} Hz to that, {reason}"),
+        }
+    }
+    let (asked, part) = (per_cent(asked), per_cent(REFERENCE_PART * asked));
+    Err(format!(
+        "{asked} % cannot be told: the reference is to be certain to {part} %, but {best}"
+    ))
+}
+
+/// The error of a candidate, of its linear responses alone if that is more than
+/// `allowed`, or why it has none.
+fn error_of(
+    probes: &Probes,
+    systems: &Result<Systems, String>,
+    reference: &[Answer],
+    allowed: f64,
+    stopping: Stopping,
+) -> Result<answer::Error, String> {
+    let systems = systems.as_ref().map_err(String::clone)?;
+    let linear = probes.linear_error(systems);
+    if linear.part > allowed {
+        return Ok(linear);
+    }
+    let answers = probes.answers(systems, stopping, reference);
+    let simulated = largest_error(&answers, reference, allowed)?;
+    Ok(if linear.part > simulated.part {
+        linear
+    } else {
+        simulated
+    })
+}

@@ -1,0 +1,302 @@
+//! A few of the sweep's own cases, simulated to compare methods, and the limits near
+//! them.
+
+use linear::Method;
+use linear::estimates::largest_undershoot;
+use linear::exact::{bending_error, torsion_error};
+use rayon::prelude::*;
+use sim::{Outcome, Stopping};
+
+use super::answer::{Answer, Error, is_inside, measures, regimes};
+use crate::engine::{Case, MethodSystem};
+use crate::spec::{Axis, Setting, Sweep};
+
+/// Cases compared, evenly spread over the design.
+const MOST_PROBES: usize = 8;
+
+/// A limit is looked for up to this many doublings from a case, or halvings.
+const DOUBLINGS: i32 = 3;
+
+/// A limit is found to this part of the accuracy.
+const LIMIT_PART: f64 = 1.0 / 16.0;
+
+/// A limit is looked for within this factor of a known one.
+const NEAR: f64 = 1.2;
+
+/// Duration of the impulse in bending where the scene has none, s.
+const DURATION: f64 = 0.02;
+
+/// One method's system of every string among the probes.
+pub type Systems = Vec<MethodSystem>;
+
+/// A case, and its string among those of the probes.
+struct Probe {
+    case: usize,
+    string: usize,
+}
+
+/// The cases compared.
+pub struct Probes<'a> {
+    /// The sweep.
+    pub sweep: &'a Sweep,
+    probes: Vec<Probe>,
+    /// A case of each string.
+    strings: Vec<usize>,
+    longest: f64,
+    asked: f64,
+}
+
+impl<'a> Probes<'a> {
+    /// Chooses the probes of a sweep that asks for an accuracy.
+    ///
+    /// # Errors
+    /// Where none of them can be; a sentence.
+    pub fn of(sweep: &'a Sweep, asked: f64) -> Result<Self, String> {
+        let mut found = Self {
+            sweep,
+            probes: Vec::new(),
+            strings: Vec::new(),
+            longest: 0.0,
+            asked,
+        };
+        let cases = sweep.design.cases();
+        let count = cases.min(MOST_PROBES);
+        let mut reason = String::new();
+        for case in (0..count).map(|index| (2 * index + 1) * cases / (2 * count)) {
+            // A string that cannot be has cases that fail, and nothing to compare.
+            match found.longest_of(case) {
+                Ok(longest) => found.add(case, longest),
+                Err(why) => reason = why,
+            }
+        }
+        if found.probes.is_empty() {
+            return Err(reason);
+        }
+        Ok(found)
+    }
+
+    /// Numbers of the cases.
+    pub fn cases(&self) -> Vec<usize> {
+        self.probes.iter().map(|probe| probe.case).collect()
+    }
+
+    fn longest_of(&self, case: usize) -> Result<f64, String> {
+        let values = self.sweep.design.values(case);
+        let setting = self
+            .sweep
+            .setting_at(&values)
+            .map_err(|error| error.to_string())?;
+        let mut longest = 0.0f64;
+        for exponent in [-DOUBLINGS, 0, DOUBLINGS] {
+            let case = self.case_at(&setting, case, 2f64.powi(exponent))?;
+            longest = longest.max(case.scene.timing.duration);
+        }
+        Ok(longest)
+    }
+
+    fn add(&mut self, case: usize, longest: f64) {
+        let quantities = |case: usize| -> Vec<f64> {
+            let axes = self.sweep.design.axes().iter();
+            axes.zip(self.sweep.design.values(case))
+                .filter(|(axis, _)| matches!(axis, Axis::String(_)))
+                .map(|(_, value)| value)
+                .collect()
+        };
+        let known = (self.strings.iter()).position(|&other| quantities(other) == quantities(case));
+        let string = known.unwrap_or_else(|| {
+            self.strings.push(case);
+            self.strings.len() - 1
+        });
+        self.probes.push(Probe { case, string });
+        self.longest = self.longest.max(longest);
+    }
+
+    /// A case, its surface speed, or friction where there is a wall, multiplied.
+    fn case_at(&self, setting: &Setting, index: usize, factor: f64) -> Result<Case, String> {
+        let values = self.sweep.design.values(index);
+        let mut conditions = self.sweep.conditions_at(&values);
+        if setting.lateral.is_none()
+            && let Some(speed) = conditions.surface_speed_rpm
+        {
+            conditions = conditions.with(Axis::SurfaceSpeedRpm, factor * speed);
+        }
+        let mut case = Case::under(self.sweep, setting, index, values, &conditions)?;
+        let walls = case
+            .scene
+            .lateral
+            .iter_mut()
+            .flat_map(|lateral| &mut lateral.walls);
+        walls.for_each(|wall| wall.friction *= factor);
+        Ok(case)
+    }
+
+    /// A method's system of every string.
+    ///
+    /// # Errors
+    /// Where it cannot treat one, or a stuck site chatters; a sentence.
+    pub fn systems(&self, method: Method, frequency: f64) -> Result<Systems, String> {
+        let build = |&case: &usize| {
+            let values = self.sweep.design.values(case);
+            let setting = self.sweep.setting_sampled(&values, frequency);
+            let setting = setting.map_err(|error| error.message().to_owned())?;
+            let cuts = self.sweep.bit.is_some();
+            let system = MethodSystem::build(&setting, method, cuts, self.longest)
+                .map_err(|error| format!("{error:#}"))?;
+            match system.instability() {
+                Some(instability) => Err(instability.to_string()),
+                None => Ok(system),
+            }
+        };
+        let systems: Vec<Result<MethodSystem, String>> =
+            self.strings.par_iter().map(build).collect();
+        systems.into_iter().collect()
+    }
+
+    /// The answers to all probes, their limits looked for near those of `known`
+    /// answers.
+    pub fn answers(&self, systems: &Systems, stopping: Stopping, known: &[Answer]) -> Vec<Answer> {
+        (self.probes.par_iter().enumerate())
+            .map(|(index, probe)| {
+                let near = known.get(index).and_then(|known| known.limit);
+                self.answer(&systems[probe.string], probe.case, stopping, near)
+            })
+            .collect()
+    }
+
+    fn answer(
+        &self,
+        system: &MethodSystem,
+        case: usize,
+        stopping: Stopping,
+        near: Option<f64>,
+    ) -> Answer {
+        let mut found = Answer {
+            case,
+            regimes: String::new(),
+            limit: None,
+            measures: Vec::new(),
+        };
+        match self.simulate(system, case, 1.0, stopping) {
+            Ok(outcome) => {
+                found.regimes = regimes(&outcome);
+                found.measures = measures(&outcome, system.setting.sites.len());
+                found.limit = self.limit(system, case, is_inside(&outcome), near);
+            }
+            Err(reason) => found.regimes = format!("without an answer ({reason})"),
+        }
+        // The limit by Eq. 74 moves with it, and evenly, where the simulated one jumps.
+        let undershoot = system.driving_point().map(largest_undershoot);
+        let undershoot = undershoot.filter(|_| system.bending.is_none());
+        found
+            .measures
+            .extend(undershoot.map(|undershoot| ("undershoot", undershoot)));
+        let least = system
+            .least_impulses
+            .iter()
+            .filter(|least| least.is_finite());
+        found
+            .measures
+            .extend(least.map(|&least| ("least impulse", least)));
+        found
+    }
+
+    fn simulate(
+        &self,
+        system: &MethodSystem,
+        case: usize,
+        factor: f64,
+        stopping: Stopping,
+    ) -> Result<Outcome, String> {
+        let case = self.case_at(&system.setting, case, factor)?;
+        let outcome = system.simulate(&case, stopping, None);
+        outcome.map_err(|error| error.to_string())
+    }
+
+    /// Where the regime changes, in multiples of a case's speed or friction: near a
+    /// known limit, or else nearest to the case.
+    fn limit(
+        &self,
+        system: &MethodSystem,
+        case: usize,
+        inside: bool,
+        near: Option<f64>,
+    ) -> Option<f64> {
+        let is_inside_at = |factor: f64| {
+            let outcome = self.simulate(system, case, factor, Stopping::Early);
+            outcome.ok().map(|outcome| is_inside(&outcome))
+        };
+        let around = near.map(|limit| (limit / NEAR, limit * NEAR));
+        let outwards = (1..=DOUBLINGS).flat_map(|exponent| [exponent, -exponent]);
+        let octaves = outwards.map(|exponent| {
+            let inner = exponent - exponent.signum();
+            (2f64.powi(inner), 2f64.powi(exponent))
+        });
+        for (from, to) in around.into_iter().chain(octaves) {
+            // Inside an octave looked through already nothing has changed.
+            let inside = match near {
+                Some(_) => is_inside_at(from)?,
+                None => inside,
+            };
+            if is_inside_at(to)? != inside {
+                return self.bisect((from, to), inside, is_inside_at);
+            }
+        }
+        None
+    }
+
+    /// The limit between two factors, of which the first is inside or not.
+    fn bisect(
+        &self,
+        (mut from, mut to): (f64, f64),
+        inside: bool,
+        is_inside_at: impl Fn(f64) -> Option<bool>,
+    ) -> Option<f64> {
+        while (to / from).ln().abs() > LIMIT_PART * self.asked {
+            let middle = (from * to).sqrt();
+            if is_inside_at(middle)? == inside {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        Some((from * to).sqrt())
+    }
+
+    /// The error of the linear responses of all strings, on smooth motions.
+    pub fn linear_error(&self, systems: &Systems) -> Error {
+        let mut worst = Error {
+            part: 0.0,
+            of: "the linear responses".to_owned(),
+        };
+        for system in systems {
+            let setting = &system.setting;
+            let torsion = torsion_error(&setting.string, &setting.sites, &system.responses);
+            let bending = (setting.lateral.as_ref().zip(system.bending.as_ref())).map_or(
+                0.0,
+                |(lateral, responses)| {
+                    let durations = lateral.impulses.iter().map(|known| known.impulse.duration);
+                    let shortest = durations.fold(f64::INFINITY, f64::min);
+                    bending_error(
+                        &setting.string,
+                        &lateral.bending,
+                        lateral.support,
+                        &setting.sites,
+                        if shortest.is_finite() {
+                            shortest
+                        } else {
+                            DURATION
+                        },
+                        responses,
+                    )
+                },
+            );
+            for (part, of) in [(torsion, "torsion"), (bending, "bending")] {
+                if part > worst.part {
+                    worst.part = part;
+                    worst.of = format!("the linear responses in {of}");
+                }
+            }
+        }
+        worst
+    }
+}
