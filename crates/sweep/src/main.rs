@@ -2,7 +2,7 @@
 //!
 //! A sweep file (`spec`) names cases (`design`); the `engine` runs them on all
 //! cores against linear systems built once; `output` and `plot` make the files
-//! of a results folder. `commands` has one file for each thing a user can ask.
+//! of a results folder, `report` tells what is in it. `commands` has one file for each thing a user can ask.
 
 mod cli;
 mod commands;
@@ -11,6 +11,7 @@ mod engine;
 mod lines;
 mod output;
 mod plot;
+mod report;
 mod spec;
 
 use std::process::ExitCode;
@@ -31,6 +32,8 @@ fn main() -> ExitCode {
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments),
         Command::Plot(arguments) => commands::plot::plot(&arguments),
         Command::Merge(arguments) => commands::merge::merge(&arguments),
+        Command::Report(arguments) => commands::report::report(&arguments),
+        Command::Summary(arguments) => commands::report::summary(&arguments),
     };
     result
         .unwrap_or_else(|error| commands::report(&error))

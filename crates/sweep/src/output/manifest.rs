@@ -11,7 +11,7 @@ use super::files::write_atomically;
 use super::results::Tally;
 use crate::design::Design;
 use crate::engine::{MethodSystem, Shard};
-use crate::spec::{FileContent, MapSettings, Sweep};
+use crate::spec::{Axis, FileContent, MapSettings, Sweep};
 
 /// What was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -39,6 +39,8 @@ pub struct Manifest {
     pub sampling_frequency_by_rule: bool,
     /// Number of cases of the whole sweep.
     pub cases: usize,
+    /// What differs between them, in the order of the columns.
+    pub axes: Vec<Axis>,
     /// Number of distinct strings among them.
     pub strings: usize,
     /// The part of the sweep that is here, where that is not the whole.
@@ -116,6 +118,7 @@ impl Manifest {
             sampling_frequency_hz: sweep.setting.sampling_frequency,
             sampling_frequency_by_rule: sweep.setting.sampling_by_rule,
             cases: sweep.design.cases(),
+            axes: sweep.design.axes().to_vec(),
             strings: sweep.design.strings(),
             shard: (!shard.is_whole()).then_some(shard),
             full,
