@@ -69,7 +69,17 @@ impl Table {
         let mut filled = cells.filter(|cell| *cell != NOTHING).peekable();
         filled.peek().is_some() && filled.all(is_number)
     }
+
+    /// Whether a column holds sentences, commands or the like.
+    pub fn is_long(&self, column: usize) -> bool {
+        self.rows
+            .iter()
+            .any(|row| row[column].chars().count() > LONG)
+    }
 }
+
+/// Cells longer than this are broken into lines, where there are lines to break.
+const LONG: usize = 40;
 
 /// A cell with nothing to say.
 pub const NOTHING: &str = "–";

@@ -31,11 +31,13 @@ pub fn table(table: &Table) -> String {
     let caption = escaped(&table.caption);
     let mut html = format!(
         "<div class=\"scroll\" role=\"region\" aria-label=\"{caption}\" tabindex=\"0\">\n<table>\n\
-         <caption>{caption}</caption>\n<thead><tr>"
+         <caption><span>{caption}</span></caption>\n<thead><tr>"
     );
     let class = |column: usize| {
         if table.is_numeric(column) {
             " class=\"number\""
+        } else if table.is_long(column) {
+            " class=\"long\""
         } else {
             ""
         }

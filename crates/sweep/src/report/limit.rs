@@ -10,10 +10,10 @@ use crate::spec::Axis;
 pub struct LimitCheck {
     /// The method.
     pub method: String,
-    /// Cases that vibrate and that do not, where the limit allows it.
-    pub allowed: [usize; 2],
-    /// The same where it does not.
-    pub forbidden: [usize; 2],
+    /// Cases below the limit that vibrate, and that do not.
+    pub below: [usize; 2],
+    /// The same above it.
+    pub above: [usize; 2],
     /// The place of the vibrating case furthest to the forbidden side.
     pub last_vibrating: Option<f64>,
     /// The place of the quiet case furthest to the allowed side.
@@ -128,19 +128,18 @@ impl LimitCheck {
     fn new(method: &str) -> Self {
         Self {
             method: method.to_owned(),
-            allowed: [0; 2],
-            forbidden: [0; 2],
+            below: [0; 2],
+            above: [0; 2],
             last_vibrating: None,
             last_quiet: None,
         }
     }
 
     fn add(&mut self, place: f64, vibrates: bool, allows_below: bool) {
-        let is_allowed = (place < 1.0) == allows_below;
-        let side = if is_allowed {
-            &mut self.allowed
+        let side = if place < 1.0 {
+            &mut self.below
         } else {
-            &mut self.forbidden
+            &mut self.above
         };
         side[usize::from(!vibrates)] += 1;
         let (last, is_greatest) = if vibrates {
@@ -213,7 +212,7 @@ mod tests {
             });
         }
         let check = &limits.checks[0];
-        assert_eq!((check.allowed, check.forbidden), ([1, 1], [1, 1]));
+        assert_eq!((check.below, check.above), ([1, 1], [1, 1]));
         assert!((check.last_vibrating.expect("one") - 1.1).abs() < 1e-12);
         assert!((check.last_quiet.expect("one") - 0.8).abs() < 1e-12);
     }

@@ -87,8 +87,8 @@ fn figure(map: &Map) -> Result<String> {
     };
     let svg = std::fs::read(path).with_context(|| format!("{} cannot be read", path.display()))?;
     Ok(format!(
-        "<figure>\n<img alt=\"Regime map: {}\" src=\"data:image/svg+xml;base64,{}\">\n\
-         {caption}<details>\n<summary>The map in characters</summary>\n{characters}</details>\n\
+        "<figure>\n<div class=\"scroll\" tabindex=\"0\"><img alt=\"Regime map: {}\" \
+         src=\"data:image/svg+xml;base64,{}\"></div>\n{caption}<details>\n<summary>The map in characters</summary>\n{characters}</details>\n\
          </figure>\n",
         escaped(&map.caption),
         STANDARD.encode(svg),

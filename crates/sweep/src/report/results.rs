@@ -12,7 +12,7 @@ use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, read_boundary
 use crate::spec::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
-const CHARACTERS: [usize; 2] = [64, 20];
+const CHARACTERS: [usize; 2] = [64, 25];
 
 /// What a results folder says.
 pub struct Results {

@@ -56,11 +56,11 @@ pub fn row_of(all: &[Results], results: &Results, cells: Vec<String>) -> Vec<Str
 }
 
 /// `text`, with its folder before it where there are several.
-fn named(all: &[Results], results: &Results, text: String) -> String {
+fn named(all: &[Results], results: &Results, text: impl std::fmt::Display) -> String {
     if all.len() > 1 {
         format!("{}: {text}", results.name)
     } else {
-        text
+        text.to_string()
     }
 }
 
@@ -111,7 +111,7 @@ fn maps(all: &[Results]) -> Vec<Block> {
     let mut blocks = Vec::new();
     for results in all {
         let Some(characters) = &results.characters else {
-            let text = "no map: the cases differ in fewer than two quantities.".to_owned();
+            let text = "No map: the cases differ in fewer than two quantities.";
             blocks.push(Block::Text(named(all, results, text)));
             continue;
         };
@@ -119,7 +119,7 @@ fn maps(all: &[Results]) -> Vec<Block> {
         let missing = if svg.exists() {
             None
         } else if results.manifest.shard.is_some() {
-            Some("the picture is drawn when the shards are merged.".to_owned())
+            Some("The picture is drawn when the shards are merged.".to_owned())
         } else {
             Some(format!(
                 "map.svg is missing; `sweep plot {}` draws it.",
@@ -129,7 +129,7 @@ fn maps(all: &[Results]) -> Vec<Block> {
         let svg = missing.is_none().then_some(svg);
         blocks.extend(missing.map(|text| Block::Text(named(all, results, text))));
         blocks.push(Block::Map(Map {
-            caption: named(all, results, results.manifest.title.clone()),
+            caption: named(all, results, &results.manifest.title),
             svg,
             characters: characters.clone(),
         }));
@@ -235,39 +235,24 @@ fn limits(all: &[Results]) -> Vec<Block> {
     let mut blocks = Vec::new();
     for results in all {
         let Some(limits) = &results.limits else {
-            let text = "no limit is known for these cases.".to_owned();
+            let text = "No limit is known for these cases.";
             blocks.push(Block::Text(named(all, results, text)));
             continue;
         };
-        let (caption, header) = match limits.limited {
+        let (caption, last) = match limits.limited {
             Limited::StickSlip => (
                 "Surface speed in multiples of the limit of Eq. 74, below which stick-slip can \
-                 sustain itself",
-                [
-                    "method",
-                    "stick-slip below",
-                    "smooth below",
-                    "stick-slip above",
-                    "smooth above",
-                    "highest stick-slip",
-                    "lowest smooth",
-                ],
+                 sustain itself; cases as stick-slip / smooth",
+                ["highest stick-slip", "lowest smooth"],
             ),
             Limited::Whirl => (
                 "Friction in multiples of the least that sustains steady backward whirl at one \
-                 site",
-                [
-                    "method",
-                    "whirl above",
-                    "none above",
-                    "whirl below",
-                    "none below",
-                    "lowest whirl",
-                    "highest without",
-                ],
+                 site; cases as backward whirl / none",
+                ["lowest whirl", "highest without"],
             ),
         };
-        let mut table = Table::new(named(all, results, caption.to_owned()), &header);
+        let header = ["method", "below the limit", "above it", last[0], last[1]];
+        let mut table = Table::new(named(all, results, caption), &header);
         table.rows.extend(limits.checks.iter().map(limit_row));
         blocks.push(table.into());
     }
@@ -275,13 +260,17 @@ fn limits(all: &[Results]) -> Vec<Block> {
 }
 
 fn limit_row(check: &LimitCheck) -> Vec<String> {
-    let counts = check.allowed.into_iter().chain(check.forbidden);
-    let places = [check.last_vibrating, check.last_quiet];
-    let place =
-        |place: Option<f64>| place.map_or_else(|| NOTHING.to_owned(), |p| format!("{p:.3}"));
-    let counts = counts.map(|count| count.to_string());
-    let cells = counts.chain(places.map(place));
-    [check.method.clone()].into_iter().chain(cells).collect()
+    let counts = |[vibrating, quiet]: [usize; 2]| format!("{vibrating} / {quiet}");
+    let place = |place: Option<f64>| {
+        place.map_or_else(|| NOTHING.to_owned(), |place| format!("{place:.3}"))
+    };
+    vec![
+        check.method.clone(),
+        counts(check.below),
+        counts(check.above),
+        place(check.last_vibrating),
+        place(check.last_quiet),
+    ]
 }
 
 fn failures(all: &[Results]) -> Vec<Block> {
@@ -289,7 +278,7 @@ fn failures(all: &[Results]) -> Vec<Block> {
     for results in all {
         let (listed, count) = (&results.failures.listed, results.failures.count());
         if count == 0 {
-            let text = "none.".to_owned();
+            let text = "None.";
             blocks.push(Block::Text(named(all, results, text)));
             continue;
         }
