@@ -30,6 +30,12 @@ pub struct Extent {
 }
 
 impl Extent {
+    /// Whether every value to the right comes with every value upwards.
+    pub fn is_grid(&self) -> bool {
+        let [x, y] = self.distinct;
+        x.max(y) < MOST_DISTINCT && x * y <= self.cases
+    }
+
     /// Of a `labels.csv`.
     ///
     /// # Errors
@@ -106,14 +112,34 @@ impl Cells {
         most.filter(|&most| counts[most as usize] > 0)
     }
 
-    /// The middle of a cell.
-    pub fn middle(&self, column: usize, row: usize) -> [f64; 2] {
-        let middle = |[from, to]: [f64; 2], index: usize, cells: usize| {
-            from + (to - from) * (index as f64 + 0.5) / cells as f64
+    /// Runs of neighbours to the right with the same symbol: row, first column and
+    /// the one after the last.
+    pub fn runs(&self) -> Vec<(usize, [usize; 2], Symbol)> {
+        let mut runs: Vec<(usize, [usize; 2], Symbol)> = Vec::new();
+        for row in 0..self.size[1] {
+            for column in 0..self.size[0] {
+                let Some(symbol) = self.symbol(column, row) else {
+                    continue;
+                };
+                match runs.last_mut() {
+                    Some((of, [_, end], same)) if (*of, *end, *same) == (row, column, symbol) => {
+                        *end += 1;
+                    }
+                    _ => runs.push((row, [column, column + 1], symbol)),
+                }
+            }
+        }
+        runs
+    }
+
+    /// A place to the right and upwards, counted in cells.
+    pub fn place(&self, column: f64, row: f64) -> [f64; 2] {
+        let place = |[from, to]: [f64; 2], index: f64, cells: usize| {
+            from + (to - from) * index / cells as f64
         };
         [
-            middle(self.extent.x, column, self.size[0]),
-            middle(self.extent.y, row, self.size[1]),
+            place(self.extent.x, column, self.size[0]),
+            place(self.extent.y, row, self.size[1]),
         ]
     }
 }
@@ -146,7 +172,9 @@ mod tests {
         let bottom = [cells.symbol(0, 0), cells.symbol(1, 0)];
         assert_eq!(bottom, [Some(Symbol::Circle), Some(Symbol::Square)]);
         assert_eq!(cells.symbol(0, 1), None);
-        assert_eq!(cells.middle(1, 0), [3.0, 1.25]);
+        assert_eq!(cells.place(1.5, 0.5), [3.0, 1.25]);
+        let runs = [(0, [0, 1], Symbol::Circle), (0, [1, 2], Symbol::Square)];
+        assert_eq!(cells.runs(), runs);
     }
 
     #[test]
@@ -156,6 +184,6 @@ mod tests {
         for x in [0.0, 1.0, 2.0, 3.0, 4.0] {
             cells.add([x, 1.5], Symbol::Cross);
         }
-        assert!((0..5).all(|column| cells.symbol(column, 0).is_some()));
+        assert_eq!(cells.runs(), [(0, [0, 5], Symbol::Cross)]);
     }
 }

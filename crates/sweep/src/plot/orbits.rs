@@ -1,5 +1,5 @@
 //! Orbits: curves in a plane with the same scale both ways, side by side, each
-//! with the circle it may not leave.
+//! with the circle it may not leave where it comes near that.
 
 use super::canvas::{Canvas, DASHES, Stroke, draw_picture};
 use super::frame::Frame;
@@ -30,8 +30,8 @@ pub struct Orbit {
     pub y: Axis,
     /// Curves.
     pub series: Vec<Series>,
-    /// Radius of the dashed circle around the origin.
-    pub circle: f64,
+    /// Radius of a dashed circle around the origin.
+    pub circle: Option<f64>,
 }
 
 /// Orbits with one title and one legend.
@@ -92,7 +92,8 @@ fn draw_orbit(
         width: 1.2,
         dash: DASHES[1],
     };
-    for piece in frame.curve(&circle(orbit.circle)) {
+    let circle = orbit.circle.map(circle).unwrap_or_default();
+    for piece in frame.curve(&circle) {
         canvas.line(&piece, dashed)?;
     }
     for series in &orbit.series {
@@ -113,7 +114,7 @@ fn reach(orbit: &Orbit) -> f64 {
     let points = orbit.series.iter().flat_map(|series| &series.points);
     points
         .filter(|(x, y)| x.is_finite() && y.is_finite())
-        .fold(orbit.circle, |reach, (x, y)| {
+        .fold(orbit.circle.unwrap_or(0.0), |reach, (x, y)| {
             reach.max(x.abs()).max(y.abs())
         })
 }
@@ -145,7 +146,7 @@ mod tests {
                 name: "hilbert".to_owned(),
                 points: vec![(0.0, 0.0), (3.0, f64::NAN), (20.0, -1.0)],
             }],
-            circle: 15.0,
+            circle: Some(15.0),
         };
         assert_eq!(reach(&orbit()), 20.0);
         let picture = orbits(&Orbits {
