@@ -6,6 +6,7 @@
 //     scripts/look-at-report.mjs results/fig09/report.html FOLDER
 //
 // Needs Node and Chromium (CHROMIUM, or `chromium` on the path), and no package.
+// Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 the page could not be looked at.
 import { spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -23,10 +24,14 @@ const chromium = spawn(
   ["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", `--user-data-dir=${profile}`],
   { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] },
 );
-chromium.on("error", (error) => {
-  console.log(`skipped: Chromium cannot be started (${error.code})`);
-  process.exit(0);
-});
+const giveUp = (why) => {
+  console.error(`skipped: ${why}`);
+  chromium.kill();
+  process.exit(3);
+};
+chromium.on("error", (error) => giveUp(`Chromium cannot be started (${error.code})`));
+process.on("uncaughtException", (error) => giveUp(error.message));
+setTimeout(() => giveUp("Chromium does not answer"), 120_000).unref();
 const [, , , toChromium, fromChromium] = chromium.stdio;
 
 // The DevTools protocol: JSON messages that end with a zero byte.
