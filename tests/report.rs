@@ -177,6 +177,7 @@ fn a_folder_without_results_is_refused_in_one_line() {
     std::fs::create_dir(place.path("empty")).unwrap();
     std::fs::create_dir(place.path("stopped")).unwrap();
     place.write("stopped/cases.log", "");
+    let before = place.files();
     for (folder, why) in [
         ("nowhere", "nowhere is not a folder"),
         (
@@ -198,6 +199,7 @@ fn a_folder_without_results_is_refused_in_one_line() {
             assert_eq!(answer.errors.lines().count(), 1);
         }
     }
+    assert!(place.files() == before);
 }
 
 #[test]
