@@ -18,9 +18,15 @@ const MARGIN: f64 = 14.0;
 const SIDE: f64 = 420.0;
 /// Distance between the plotting areas and the legend.
 const LEGEND_GAP: f64 = 22.0;
+/// Distance between an orbit and the next one's labels.
+const ORBIT_GAP: f64 = 18.0;
 /// Corners of a circle that looks round.
 const CIRCLE_CORNERS: usize = 180;
-const CIRCLE_COLOUR: RGBColor = RGBColor(0x44, 0x44, 0x44);
+const CIRCLE: Stroke = Stroke {
+    colour: RGBColor(0x44, 0x44, 0x44),
+    width: 1.2,
+    dash: DASHES[1],
+};
 
 /// One orbit, seen along the axis it goes around.
 pub struct Orbit {
@@ -30,7 +36,7 @@ pub struct Orbit {
     pub y: Axis,
     /// Curves.
     pub series: Vec<Series>,
-    /// Radius of a dashed circle around the origin.
+    /// Radius of a dashed circle around the origin, the clearance.
     pub circle: Option<f64>,
 }
 
@@ -51,7 +57,10 @@ pub fn orbits(p: &Orbits) -> Result<Picture> {
         }
     }
     let keys = names.iter().enumerate();
-    let legend = Legend::new(keys.map(|(index, &name)| (Key::Line(series_stroke(index)), name)))?;
+    let curves = keys.map(|(index, &name)| (Key::Line(series_stroke(index)), name));
+    let has_circle = p.orbits.iter().any(|orbit| orbit.circle.is_some());
+    let circle = has_circle.then_some((Key::Line(CIRCLE), "clearance"));
+    let legend = Legend::new(curves.chain(circle))?;
     let plots = p.orbits.len() as f64 * SIDE;
     let width = MARGIN + plots + LEGEND_GAP + legend.width() + MARGIN;
     let title = Block::new(&p.title, TITLE_SIZE, width - 2.0 * MARGIN)?;
@@ -77,7 +86,7 @@ fn draw_orbit(
     let outer = Rect {
         left,
         top,
-        right: left + SIDE,
+        right: left + SIDE - ORBIT_GAP,
         bottom: top + SIDE,
     };
     let reach = reach(orbit);
@@ -87,14 +96,9 @@ fn draw_orbit(
     frame.area.right = frame.area.left + side;
     frame.area.top = frame.area.bottom - side;
     frame.draw(canvas)?;
-    let dashed = Stroke {
-        colour: CIRCLE_COLOUR,
-        width: 1.2,
-        dash: DASHES[1],
-    };
     let circle = orbit.circle.map(circle).unwrap_or_default();
     for piece in frame.curve(&circle) {
-        canvas.line(&piece, dashed)?;
+        canvas.line(&piece, CIRCLE)?;
     }
     for series in &orbit.series {
         let index = names.iter().position(|&name| name == series.name);

@@ -28,7 +28,7 @@ pub struct Results {
     pub limits: Option<Limits>,
     /// Cases without an answer.
     pub failures: Failures,
-    /// The regimes in characters, where the design has two axes.
+    /// The regimes in characters, where the design has two axes and a case is here.
     pub characters: Option<String>,
 }
 
@@ -73,7 +73,9 @@ impl Results {
         Ok(Self {
             name: folder.display().to_string(),
             folder: folder.to_owned(),
-            characters: map.map(|map| character_map(&map.cells, &map.extent, map.axes)),
+            characters: map
+                .filter(|map| map.extent.cases > 0)
+                .map(|map| character_map(&map.cells, &map.extent, map.axes)),
             agreement,
             limits,
             failures,

@@ -111,7 +111,11 @@ fn maps(all: &[Results]) -> Vec<Block> {
     let mut blocks = Vec::new();
     for results in all {
         let Some(characters) = &results.characters else {
-            let text = "No map: the cases differ in fewer than two quantities.";
+            let text = if results.manifest.map.is_some() {
+                "No map: there is no case in this part."
+            } else {
+                "No map: the cases differ in fewer than two quantities."
+            };
             blocks.push(Block::Text(named(all, results, text)));
             continue;
         };
