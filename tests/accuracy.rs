@@ -242,10 +242,7 @@ fn the_strings_of_a_sweep_count() {
 #[test]
 fn what_is_given_last_replaces_the_other_and_both_at_once_are_refused() {
     let place = Workplace::with_small(&asking("\"30 %\"", FEW));
-    place.write(
-        "asks.toml",
-        "base = \"plain.toml\"\naccuracy = 0.3\n".to_owned(),
-    );
+    place.write("asks.toml", "base = \"plain.toml\"\naccuracy = 0.3\n");
     place.write("plain.toml", FEW);
     place.write(
         "names.toml",

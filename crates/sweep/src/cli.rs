@@ -59,6 +59,14 @@ pub enum Command {
     #[command(after_help = "Examples:\n  sweep stability\n  \
         sweep stability --family newmark --out /tmp/newmark")]
     Stability(StabilityArguments),
+    /// Write a page about a results folder, or about several side by side
+    #[command(after_help = "Examples:\n  sweep report results/fig09\n  \
+        sweep report results/fig14 results/fig17 --out whirl.html\n\n\
+        The page is one file, and needs neither network nor scripts.")]
+    Report(ReportArguments),
+    /// Say in the terminal what a results folder holds
+    #[command(after_help = "Example: sweep summary results/fig09")]
+    Summary(SummaryArguments),
 }
 
 /// Arguments of `run`.
@@ -232,6 +240,24 @@ fn parse_measure(name: &str) -> Result<Measure, String> {
         let known = Measure::ALL.map(Measure::name);
         format!("unknown measure `{name}`; known: {}", known.join(", "))
     })
+}
+
+/// Arguments of `report`.
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Results folders
+    #[arg(required = true)]
+    pub folders: Vec<PathBuf>,
+    /// The page [default: report.html, in the folder if there is one, else here]
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// Arguments of `summary`.
+#[derive(Debug, Args)]
+pub struct SummaryArguments {
+    /// A results folder
+    pub folder: PathBuf,
 }
 
 fn parse_setting(text: &str) -> Result<(Axis, f64), String> {

@@ -1,11 +1,10 @@
 //! `sweep`: parameter sweeps of drillstring dynamics.
 //!
 //! A sweep file (`spec`) names cases (`design`); the `engine` runs them on all
-//! cores against linear systems built once; a `study` looks at the methods
-//! themselves; `output` and `plot` make the files
-//! of a results folder. `commands` has one file for each thing a user can ask.
-//! cores against linear systems built once; `output` and `plot` make the files
-//! of a results folder; `accuracy` chooses a method where a sweep asks for one. `commands` has one file for each thing a user can ask.
+//! cores against linear systems built once; `output` and `plot` make the files of a
+//! results folder, `report` tells what is in it. `accuracy` chooses a method where a
+//! sweep asks for an accuracy, a `study` looks at the methods themselves. `commands`
+//! has one file for each thing a user can ask.
 
 mod accuracy;
 mod cli;
@@ -15,6 +14,7 @@ mod engine;
 mod lines;
 mod output;
 mod plot;
+mod report;
 mod spec;
 mod study;
 
@@ -38,6 +38,8 @@ fn main() -> ExitCode {
         Command::Merge(arguments) => commands::merge::merge(&arguments),
         Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments),
         Command::Stability(arguments) => commands::stability::stability(&arguments),
+        Command::Report(arguments) => commands::report::report(&arguments),
+        Command::Summary(arguments) => commands::report::summary(&arguments),
     };
     result
         .unwrap_or_else(|error| commands::report(&error))

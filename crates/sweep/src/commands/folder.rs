@@ -14,14 +14,15 @@ use crate::spec::Sweep;
 /// The log of a run that is not finished.
 pub const LOG: &str = "cases.log";
 
-/// What a run leaves when it is finished.
-const RESULTS: [&str; 6] = [
+/// What a run leaves when it is finished, and what was made of that.
+const RESULTS: [&str; 7] = [
     "manifest.json",
     "labels.csv",
     "boundary.csv",
     "failures.csv",
     "map.svg",
     "map.png",
+    "report.html",
 ];
 
 /// Differences shown of two sweeps.
@@ -88,6 +89,28 @@ fn refuse_other(what: &str, there: &Header, ours: &Header) -> Result<()> {
         bail!(UsageError(format!(
             "{what} another program, {}, and this is {}: {remedy}",
             there.program, ours.program
+        )));
+    }
+    Ok(())
+}
+
+/// Refuses a folder that has no results, or not all of them yet.
+///
+/// # Errors
+/// What is missing.
+pub fn refuse_unfinished(folder: &Path) -> Result<()> {
+    let folder_name = folder.display();
+    if !folder.is_dir() {
+        bail!(UsageError(format!("{folder_name} is not a folder")));
+    }
+    if folder.join(LOG).exists() {
+        bail!(UsageError(format!(
+            "{folder_name} holds a stopped run ({LOG}): the same `sweep run` as before finishes it"
+        )));
+    }
+    if !folder.join("manifest.json").exists() {
+        bail!(UsageError(format!(
+            "{folder_name} holds no results: there is no manifest.json in it"
         )));
     }
     Ok(())

@@ -276,7 +276,8 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
         let site = site_title(sweep.setting.sites.distances_from_bit()[bit]);
         list.push(receptance_panel(sweep, lateral, &site));
         list.push(Panel {
-            x: axis("Time t (s)"),
+            // Longer than the steps above, so with a range of its own.
+            x: axis("Time after the impulse t (s)"),
             y: axis(&format!("Displacement at {site} (10⁻⁵ m per N s)")),
             series: series(&|system| {
                 let taps = &system.bending.as_ref()?.from_force[bit][bit];

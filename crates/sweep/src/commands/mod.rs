@@ -8,6 +8,7 @@ pub mod merge;
 mod motion;
 pub mod plot;
 mod progress;
+pub mod report;
 pub mod run;
 pub mod simulate;
 pub mod stability;

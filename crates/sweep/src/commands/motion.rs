@@ -16,7 +16,8 @@ use crate::spec::{LateralSettings, Sweep, to_rpm};
 /// The clearance is drawn where motion reaches this part of it.
 const CLEARANCE_SHOWN: f64 = 0.2;
 
-/// The way of every site's centre, with the circle of its clearance.
+/// The way of every site's centre, with the circle of its clearance where it comes
+/// near that.
 pub fn site_orbits(sweep: &Sweep, simulations: &[Simulation]) -> Orbits {
     let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
     let walls = sweep
@@ -24,20 +25,24 @@ pub fn site_orbits(sweep: &Sweep, simulations: &[Simulation]) -> Orbits {
         .lateral
         .iter()
         .flat_map(|lateral| &lateral.walls);
-    let orbits = distances.zip(walls).map(|((site, &distance), wall)| Orbit {
-        x: axis(&format!("x at {} (mm)", site_title(distance))),
-        y: axis("y (mm)"),
-        series: simulations
-            .iter()
-            .map(|simulation| Series {
-                name: simulation.name.clone(),
-                points: simulation.trajectory.positions[site]
-                    .iter()
-                    .map(|[x, y]| (1e3 * x, 1e3 * y))
-                    .collect(),
-            })
-            .collect(),
-        circle: 1e3 * wall.clearance,
+    let orbits = distances.zip(walls).map(|((site, &distance), wall)| {
+        let of_site = |simulation: &Simulation| Series {
+            name: simulation.name.clone(),
+            points: simulation.trajectory.positions[site]
+                .iter()
+                .map(|[x, y]| (1e3 * x, 1e3 * y))
+                .collect(),
+        };
+        let series: Vec<Series> = simulations.iter().map(of_site).collect();
+        let clearance = 1e3 * wall.clearance;
+        let points = series.iter().flat_map(|series| &series.points);
+        let furthest = points.fold(0.0, |most: f64, (x, y)| most.max(x.hypot(*y)));
+        Orbit {
+            x: axis(&format!("x at {} (mm)", site_title(distance))),
+            y: axis("y (mm)"),
+            series,
+            circle: shows_wall(furthest, clearance).then_some(clearance),
+        }
     });
     Orbits {
         title: sweep.title.clone(),
@@ -92,94 +97,145 @@ pub fn along_string(
 }
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
-/// speed, torque on the bit, and, as in the paper, the difference between the
-/// first two methods beneath.
+/// speed and the torque on the bit. As in the paper, the difference between the
+/// first two methods is beneath.
 pub fn history_panels(
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
     step: f64,
 ) -> Panels {
-    let series = |name: &str, values: &dyn Fn(usize) -> f64, count: usize| Series {
-        name: name.to_owned(),
-        points: (0..count)
-            .map(|index| (index as f64 * step, values(index)))
-            .collect(),
+    let histories = Histories {
+        sweep,
+        cases,
+        simulations,
+        step,
     };
-    let of_each = |values: &dyn Fn(&Trajectory, usize) -> f64| -> Vec<Series> {
+    Panels {
+        title: sweep.title.clone(),
+        panels: match &sweep.setting.lateral {
+            Some(lateral) => histories.radii(lateral),
+            None => histories.speeds_and_torque(),
+        },
+    }
+}
+
+/// What is drawn over time.
+struct Histories<'a> {
+    sweep: &'a Sweep,
+    cases: &'a [Case],
+    simulations: &'a [Simulation],
+    step: f64,
+}
+
+impl Histories<'_> {
+    fn panel(&self, label: &str, series: Vec<Series>, references: Vec<Reference>) -> Panel {
+        Panel {
+            x: axis("Time t (s)"),
+            y: axis(label),
+            series,
+            references,
+        }
+    }
+
+    fn series(&self, name: &str, values: &dyn Fn(usize) -> f64) -> Series {
+        let steps = self.simulations.first().map_or(0, |simulation| {
+            let speeds = simulation.trajectory.speeds.first();
+            speeds.map_or(0, Vec::len)
+        });
+        Series {
+            name: name.to_owned(),
+            points: (0..steps)
+                .map(|index| (index as f64 * self.step, values(index)))
+                .collect(),
+        }
+    }
+
+    fn of_each(&self, values: &dyn Fn(&Trajectory, usize) -> f64) -> Vec<Series> {
+        let simulations = self.simulations.iter();
         simulations
-            .iter()
             .map(|simulation| {
-                let trajectory = &simulation.trajectory;
-                let count = trajectory.speeds[0].len();
-                series(&simulation.name, &|index| values(trajectory, index), count)
+                let of_step = |index| values(&simulation.trajectory, index);
+                self.series(&simulation.name, &of_step)
             })
             .collect()
-    };
-    let panel = |label: &str, series, references| Panel {
-        x: axis("Time t (s)"),
-        y: axis(label),
-        series,
-        references,
-    };
-    let mut list: Vec<Panel> = Vec::new();
-    if let Some(lateral) = &sweep.setting.lateral {
-        let sites = sweep
-            .setting
-            .sites
-            .distances_from_bit()
-            .iter()
-            .zip(&lateral.walls);
-        for (site, (&distance, wall)) in sites.enumerate() {
-            let radii = of_each(&|trajectory, index| {
-                let [x, y] = trajectory.positions[site][index];
-                1e3 * x.hypot(y)
-            });
-            let clearance = 1e3 * wall.clearance;
-            let points = radii.iter().flat_map(|series| &series.points);
-            let furthest = points.fold(0.0, |most: f64, point| most.max(point.1));
-            // Motion far from the wall would not be seen beside it.
-            let shows_wall = furthest > CLEARANCE_SHOWN * clearance;
-            list.push(panel(
-                &format!("Radius at {} (mm)", site_title(distance)),
-                radii,
-                shows_wall
-                    .then(|| level(clearance, "clearance"))
-                    .into_iter()
-                    .collect(),
+    }
+
+    /// Between the first two methods, where there is one case.
+    fn difference(&self, label: &str, values: &dyn Fn(&Trajectory, usize) -> f64) -> Option<Panel> {
+        let ([_], [first, second, ..]) = (self.cases, self.simulations) else {
+            return None;
+        };
+        let name = format!("{} − {}", first.name, second.name);
+        let series = self.series(&name, &|index| {
+            values(&first.trajectory, index) - values(&second.trajectory, index)
+        });
+        Some(self.panel(label, vec![series], Vec::new()))
+    }
+
+    fn radii(&self, lateral: &LateralSettings) -> Vec<Panel> {
+        let distances = self.sweep.setting.sites.distances_from_bit().iter();
+        let mut list: Vec<Panel> = distances
+            .zip(&lateral.walls)
+            .enumerate()
+            .map(|(site, (&distance, wall))| {
+                let radii = self.of_each(&|trajectory, index| radius_mm(trajectory, site, index));
+                let clearance = 1e3 * wall.clearance;
+                let points = radii.iter().flat_map(|series| &series.points);
+                let furthest = points.fold(0.0, |most: f64, point| most.max(point.1));
+                let wall = shows_wall(furthest, clearance).then(|| level(clearance, "clearance"));
+                let label = format!("Radius at {} (mm)", site_title(distance));
+                self.panel(&label, radii, wall.into_iter().collect())
+            })
+            .collect();
+        let lowest = self.sweep.setting.sites.len() - 1;
+        let distance = self.sweep.setting.sites.distances_from_bit()[lowest];
+        list.extend(self.difference(
+            &format!("Difference in radius at {} (mm)", site_title(distance)),
+            &|trajectory, index| radius_mm(trajectory, lowest, index),
+        ));
+        list
+    }
+
+    fn speeds_and_torque(&self) -> Vec<Panel> {
+        let mut list = Vec::new();
+        let distances = self.sweep.setting.sites.distances_from_bit().iter();
+        for (site, &distance) in distances.enumerate().rev() {
+            let label = if distance == 0.0 {
+                "Bit speed (rpm)".to_owned()
+            } else {
+                format!("Speed {distance} m above the bit (rpm)")
+            };
+            list.push(self.panel(
+                &label,
+                self.of_each(&|trajectory, index| to_rpm(trajectory.speeds[site][index])),
+                levels(self.cases, "Ω", |case| {
+                    Some(to_rpm(case.scene.surface_speed))
+                }),
             ));
         }
-        return Panels {
-            title: sweep.title.clone(),
-            panels: list,
-        };
+        if let Some(bit_speed) = list.first_mut() {
+            bit_speed.references.extend(self.first_slips());
+        }
+        if has_torque(self.simulations) {
+            list.push(self.torque());
+        }
+        let bit = self.sweep.setting.sites.len() - 1;
+        list.extend(
+            self.difference("Difference in bit speed (rpm)", &|trajectory, index| {
+                to_rpm(trajectory.speeds[bit][index])
+            }),
+        );
+        list
     }
-    for (site, &distance) in sweep
-        .setting
-        .sites
-        .distances_from_bit()
-        .iter()
-        .enumerate()
-        .rev()
-    {
-        let label = if distance == 0.0 {
-            "Bit speed (rpm)".to_owned()
-        } else {
-            format!("Speed {distance} m above the bit (rpm)")
-        };
-        list.push(panel(
-            &label,
-            of_each(&|trajectory, index| to_rpm(trajectory.speeds[site][index])),
-            levels(cases, "Ω", |case| Some(to_rpm(case.scene.surface_speed))),
-        ));
-    }
-    if let Some(bit_speed) = list.first_mut() {
-        let first_slips = cases.iter().filter_map(|case| {
+
+    /// The times of Eq. 72.
+    fn first_slips(&self) -> impl Iterator<Item = Reference> {
+        self.cases.iter().filter_map(|case| {
             let bit = case.scene.bit?;
-            let speed = case.scene.surface_speed;
             let times = stick_slip_times(
-                &sweep.setting.string,
-                speed,
+                &self.sweep.setting.string,
+                case.scene.surface_speed,
                 bit.torque_static,
                 bit.torque_dynamic,
             );
@@ -187,37 +243,29 @@ pub fn history_panels(
                 x: times.first_slip,
                 name: "τ₁".to_owned(),
             })
-        });
-        bit_speed.references.extend(first_slips);
+        })
     }
-    if has_torque(simulations) {
+
+    fn torque(&self) -> Panel {
         let limit = |of: fn(BitTorque) -> f64| move |case: &Case| Some(1e-3 * of(case.scene.bit?));
-        let mut limits = levels(cases, "Tₛ", limit(|bit| bit.torque_static));
-        limits.extend(levels(cases, "T_d", limit(|bit| bit.torque_dynamic)));
-        list.push(panel(
+        let mut limits = levels(self.cases, "Tₛ", limit(|bit| bit.torque_static));
+        limits.extend(levels(self.cases, "T_d", limit(|bit| bit.torque_dynamic)));
+        self.panel(
             "Torque on bit (kN m)",
-            of_each(&|trajectory, index| -1e-3 * trajectory.bit_torque[index]),
+            self.of_each(&|trajectory, index| -1e-3 * trajectory.bit_torque[index]),
             limits,
-        ));
+        )
     }
-    if let ([_], [first, second, ..]) = (cases, simulations) {
-        let bit = sweep.setting.sites.len() - 1;
-        let (one, other) = (
-            &first.trajectory.speeds[bit],
-            &second.trajectory.speeds[bit],
-        );
-        let name = format!("{} − {}", first.name, second.name);
-        let difference = series(&name, &|index| to_rpm(one[index] - other[index]), one.len());
-        list.push(panel(
-            "Difference in bit speed (rpm)",
-            vec![difference],
-            Vec::new(),
-        ));
-    }
-    Panels {
-        title: sweep.title.clone(),
-        panels: list,
-    }
+}
+
+fn radius_mm(trajectory: &Trajectory, site: usize, index: usize) -> f64 {
+    let [x, y] = trajectory.positions[site][index];
+    1e3 * x.hypot(y)
+}
+
+/// Motion far from the wall would not be seen beside it.
+fn shows_wall(furthest: f64, clearance: f64) -> bool {
+    furthest > CLEARANCE_SHOWN * clearance
 }
 
 /// A level of every case, each value once.

@@ -6,21 +6,24 @@ use anyhow::{Result, bail};
 
 use super::{Status, UsageError, say};
 use crate::cli::PlotArguments;
-use crate::output::{Boundary, Manifest, read_boundary, stream_labels, write_atomically};
-use crate::plot::{Axis, Line, MapPoint, Mark, Picture, RegimeMap, Symbol, regime_map};
-use crate::spec::MapSettings;
-
-/// The regimes that circles stand for: sustained vibration.
-const SUSTAINED: [&str; 3] = ["stick_slip", "backward_whirl", "forward_whirl"];
-
-/// The label of a case that was too short to tell; it is not drawn.
-const UNDETERMINED: &str = "stuck";
+use crate::output::{
+    Boundary, CaseReader, Cells, Extent, Manifest, read_boundary, write_atomically,
+};
+use crate::plot::{Axis, Line, MapCell, MapPoint, Mark, Picture, RegimeMap, regime_map};
+use crate::spec::{self, MapSettings};
 
 /// More cases than this are drawn by cells.
 const MOST_SYMBOLS: usize = 4000;
 
-/// Cells to the right and upwards.
-const CELLS: [usize; 2] = [72, 54];
+/// Cells to the right and upwards at most: more would make the picture too large
+/// a file where no two neighbours are alike.
+const MOST_CELLS: [usize; 2] = [104, 78];
+
+/// Random cases leave hardly a cell empty if it has so many on average.
+const CASES_PER_CELL: f64 = 5.0;
+
+/// Symbols drawn over cells, to the right and upwards.
+const SYMBOLS_ACROSS: usize = 12;
 
 /// Draws the map again.
 pub fn plot(arguments: &PlotArguments) -> Result<Status> {
@@ -43,12 +46,20 @@ pub fn draw_map(folder: &Path) -> Result<bool> {
     };
     let labels = folder.join("labels.csv");
     let limit = read_boundary(&folder.join("boundary.csv"))?;
-    let extent = MapExtent::of(&labels, settings)?;
+    let axes = [settings.x, settings.y];
+    let extent = Extent::of(&labels, axes)?;
+    let (cells, points) = if is_crowded(&extent) {
+        let cells = count_cells(&labels, axes, &extent)?;
+        (filled(&cells), sparse_symbols(&cells))
+    } else {
+        (Vec::new(), symbols(&labels, axes)?)
+    };
     let picture = regime_map(&RegimeMap {
         title: manifest.title.clone(),
         x: axis(&settings.x.title()),
         y: axis(&settings.y.title()),
-        points: points(&labels, settings, &extent)?,
+        cells,
+        points,
         legend: legend(&manifest, &extent),
         lines: lines(&limit, settings, &extent),
         marks: settings
@@ -79,80 +90,79 @@ pub fn axis(label: &str) -> Axis {
     }
 }
 
-/// What a map spans.
-struct MapExtent {
-    x: [f64; 2],
-    y: [f64; 2],
-    cases: usize,
-    is_lateral: bool,
+/// Whether there are too many cases to see each.
+fn is_crowded(extent: &Extent) -> bool {
+    extent.cases > MOST_SYMBOLS
 }
 
-impl MapExtent {
-    fn of(labels: &Path, settings: &MapSettings) -> Result<Self> {
-        let empty = [f64::INFINITY, f64::NEG_INFINITY];
-        let mut extent = Self {
-            x: empty,
-            y: empty,
-            cases: 0,
-            is_lateral: false,
-        };
-        for_each_case(labels, [settings.x, settings.y], |case| {
-            let widen = |[from, to]: [f64; 2], value: f64| [from.min(value), to.max(value)];
-            extent.x = widen(extent.x, case.values[0]);
-            extent.y = widen(extent.y, case.values[1]);
-            extent.cases += 1;
-            extent.is_lateral |= case.is_lateral;
-        })?;
-        Ok(extent)
-    }
-
-    fn is_crowded(&self) -> bool {
-        self.cases > MOST_SYMBOLS
-    }
-}
-
-/// The paper's symbols: a circle where every method finds sustained vibration,
-/// a cross where none does, a square where they differ. Cases without an answer
-/// by some method, or with one that tells nothing, are left out. Where there are too many cases to see, those of a
-/// cell share the symbol that most of them have.
-fn points(labels: &Path, settings: &MapSettings, extent: &MapExtent) -> Result<Vec<MapPoint>> {
+/// A symbol for every case that tells something.
+fn symbols(labels: &Path, axes: [spec::Axis; 2]) -> Result<Vec<MapPoint>> {
     let mut points = Vec::new();
-    let mut cells = vec![[0usize; 3]; CELLS[0] * CELLS[1]];
-    let place = |[from, to]: [f64; 2], value: f64, cells: usize| {
-        let fraction = (value - from) / (to - from).max(f64::MIN_POSITIVE);
-        ((fraction * cells as f64) as usize).min(cells - 1)
-    };
-    for_each_case(labels, [settings.x, settings.y], |case| {
-        let Some(symbol) = case.symbol() else { return };
-        let [x, y] = case.values;
-        if extent.is_crowded() {
-            let cell = [place(extent.x, x, CELLS[0]), place(extent.y, y, CELLS[1])];
-            cells[cell[0] * CELLS[1] + cell[1]][symbol as usize] += 1;
-        } else {
-            points.push(MapPoint { x, y, symbol });
-        }
-    })?;
-    let middle = |[from, to]: [f64; 2], index: usize, cells: usize| {
-        from + (to - from) * (index as f64 + 0.5) / cells as f64
-    };
-    for (index, counts) in cells.iter().enumerate() {
-        let symbols = [Symbol::Circle, Symbol::Cross, Symbol::Square];
-        let most = symbols
-            .into_iter()
-            .max_by_key(|&symbol| counts[symbol as usize]);
-        points.extend(
-            most.filter(|&most| counts[most as usize] > 0)
-                .map(|symbol| MapPoint {
-                    x: middle(extent.x, index / CELLS[1], CELLS[0]),
-                    y: middle(extent.y, index % CELLS[1], CELLS[1]),
-                    symbol,
-                }),
-        );
+    for case in CaseReader::open(labels, &axes)? {
+        let case = case?;
+        let [x, y] = [case.values[0], case.values[1]];
+        points.extend(case.symbol().map(|symbol| MapPoint { x, y, symbol }));
     }
     Ok(points)
 }
 
-fn legend(manifest: &Manifest, extent: &MapExtent) -> [String; 3] {
+/// Of too many cases to see each, those of a cell share what most of them are.
+fn count_cells(labels: &Path, axes: [spec::Axis; 2], extent: &Extent) -> Result<Cells> {
+    let mut cells = Cells::new(extent, most_cells(extent));
+    for case in CaseReader::open(labels, &axes)? {
+        let case = case?;
+        if let Some(symbol) = case.symbol() {
+            cells.add([case.values[0], case.values[1]], symbol);
+        }
+    }
+    Ok(cells)
+}
+
+/// As many cells as have some cases each, in the shape of the picture; a grid has a
+/// cell for each of its values.
+fn most_cells(extent: &Extent) -> [usize; 2] {
+    if extent.is_grid() {
+        return MOST_CELLS;
+    }
+    let most = MOST_CELLS.map(|cells| cells as f64);
+    let cells = extent.cases as f64 / CASES_PER_CELL;
+    let scale = (cells / (most[0] * most[1])).sqrt().min(1.0);
+    most.map(|most| (scale * most) as usize)
+}
+
+/// Neighbours that are alike as one.
+fn filled(cells: &Cells) -> Vec<MapCell> {
+    let runs = cells.runs().into_iter();
+    runs.map(|(row, [first, end], symbol)| {
+        let [left, bottom] = cells.place(first as f64, row as f64);
+        let [right, top] = cells.place(end as f64, row as f64 + 1.0);
+        MapCell {
+            x: [left, right],
+            y: [bottom, top],
+            symbol,
+        }
+    })
+    .collect()
+}
+
+/// A symbol here and there, for who cannot tell the colours.
+fn sparse_symbols(cells: &Cells) -> Vec<MapPoint> {
+    let [columns, rows] = cells.size();
+    let [step_x, step_y] = [columns, rows].map(|cells| cells.div_ceil(SYMBOLS_ACROSS).max(1));
+    let places = (step_x / 2..columns).step_by(step_x).flat_map(|column| {
+        let rows = (step_y / 2..rows).step_by(step_y);
+        rows.map(move |row| (column, row))
+    });
+    places
+        .filter_map(|(column, row)| {
+            let [x, y] = cells.place(column as f64 + 0.5, row as f64 + 0.5);
+            let symbol = cells.symbol(column, row)?;
+            Some(MapPoint { x, y, symbol })
+        })
+        .collect()
+}
+
+fn legend(manifest: &Manifest, extent: &Extent) -> [String; 3] {
     let (circle, cross) = if extent.is_lateral {
         ("sustained whirl", "no sustained whirl")
     } else {
@@ -168,9 +178,9 @@ fn legend(manifest: &Manifest, extent: &MapExtent) -> [String; 3] {
     } else {
         " by all methods".to_owned()
     };
-    let crowd = if extent.is_crowded() {
+    let crowd = if is_crowded(extent) {
         format!(
-            "; a symbol for most of its cell, {} cases in all",
+            "; a cell shows what most of its cases are, {} in all",
             extent.cases
         )
     } else {
@@ -183,71 +193,9 @@ fn legend(manifest: &Manifest, extent: &MapExtent) -> [String; 3] {
     ]
 }
 
-/// The rows of one case, as the map needs them.
-struct MapCase {
-    values: [f64; 2],
-    is_lateral: bool,
-    rows: usize,
-    answered: usize,
-    sustained: usize,
-}
-
-impl MapCase {
-    fn symbol(&self) -> Option<Symbol> {
-        if self.answered < self.rows {
-            None
-        } else if self.sustained == self.rows {
-            Some(Symbol::Circle)
-        } else if self.sustained == 0 {
-            Some(Symbol::Cross)
-        } else {
-            Some(Symbol::Square)
-        }
-    }
-}
-
-/// Gives every case of `labels.csv` to `each`; only one is in memory at a time.
-fn for_each_case(
-    labels: &Path,
-    axes: [crate::spec::Axis; 2],
-    mut each: impl FnMut(&MapCase),
-) -> Result<()> {
-    let mut last: Option<(usize, MapCase)> = None;
-    stream_labels(labels, &axes, |row| {
-        // What the map is about: the lateral label where there is one.
-        let label = if row.lateral.is_empty() {
-            &row.torsion
-        } else {
-            &row.lateral
-        };
-        if last.as_ref().is_none_or(|(case, _)| *case != row.case) {
-            let next = MapCase {
-                values: [row.values[0], row.values[1]],
-                is_lateral: false,
-                rows: 0,
-                answered: 0,
-                sustained: 0,
-            };
-            if let Some((_, whole)) = last.replace((row.case, next)) {
-                each(&whole);
-            }
-        }
-        if let Some((_, case)) = &mut last {
-            case.rows += 1;
-            case.is_lateral |= !row.lateral.is_empty();
-            case.answered += usize::from(!label.is_empty() && label != UNDETERMINED);
-            case.sustained += usize::from(SUSTAINED.contains(&label.as_str()));
-        }
-    })?;
-    if let Some((_, whole)) = last {
-        each(&whole);
-    }
-    Ok(())
-}
-
 /// The limit as lines of the map; one that does not depend on an axis crosses
 /// the whole of it.
-fn lines(limit: &Boundary, settings: &MapSettings, extent: &MapExtent) -> Vec<Line> {
+fn lines(limit: &Boundary, settings: &MapSettings, extent: &Extent) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     for (name, point) in limit.lines(settings.x, settings.y) {
         let points = match point {

@@ -1,7 +1,8 @@
 //! `labels.csv`: one row per case and method, tidy; `failures.csv`: the cases
 //! without an answer.
 
-use std::path::Path;
+use std::fs::File;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
 use sim::{LateralMeasures, TorsionMeasures};
@@ -236,24 +237,50 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
         .collect()
 }
 
-/// Gives every row of a `labels.csv` to `each`; only one is in memory at a time.
-///
-/// # Errors
-/// Where it cannot be read; the message names file and line.
-pub fn stream_labels(path: &Path, axes: &[Axis], mut each: impl FnMut(LabelRow)) -> Result<()> {
-    let unreadable = || format!("{} cannot be read", path.display());
-    let at = |line: usize, reason: String| anyhow!("{}:{line}: {reason}", path.display());
-    let mut reader = csv::Reader::from_path(path).with_context(unreadable)?;
-    let header = reader.headers().with_context(unreadable)?.clone();
-    let columns = Columns::find(&header, axes).map_err(|reason| at(1, reason))?;
-    let mut record = csv::StringRecord::new();
-    while reader.read_record(&mut record).with_context(unreadable)? {
-        let line = record.position().map_or(0, csv::Position::line) as usize;
-        each(
-            columns
-                .row(&record, line)
-                .map_err(|reason| at(line, reason))?,
-        );
+/// The rows of a `labels.csv`; only one is in memory at a time.
+pub struct LabelReader {
+    path: PathBuf,
+    reader: csv::Reader<File>,
+    record: csv::StringRecord,
+    columns: Columns,
+}
+
+impl LabelReader {
+    /// Opens a `labels.csv` of which the values along `axes` are wanted.
+    ///
+    /// # Errors
+    /// Where it cannot be read or lacks a column.
+    pub fn open(path: &Path, axes: &[Axis]) -> Result<Self> {
+        let unreadable = || format!("{} cannot be read", path.display());
+        let mut reader = csv::Reader::from_path(path).with_context(unreadable)?;
+        let header = reader.headers().with_context(unreadable)?.clone();
+        let columns = Columns::find(&header, axes)
+            .map_err(|reason| anyhow!("{}:1: {reason}", path.display()))?;
+        Ok(Self {
+            path: path.to_owned(),
+            reader,
+            record: csv::StringRecord::new(),
+            columns,
+        })
     }
-    Ok(())
+
+    fn read(&mut self) -> Result<Option<LabelRow>> {
+        let is_row = self.reader.read_record(&mut self.record);
+        if !is_row.with_context(|| format!("{} cannot be read", self.path.display()))? {
+            return Ok(None);
+        }
+        let line = self.record.position().map_or(0, csv::Position::line) as usize;
+        let row = self.columns.row(&self.record, line);
+        row.map(Some)
+            .map_err(|reason| anyhow!("{}:{line}: {reason}", self.path.display()))
+    }
+}
+
+/// The message of an error names file and line.
+impl Iterator for LabelReader {
+    type Item = Result<LabelRow>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.read().transpose()
+    }
 }

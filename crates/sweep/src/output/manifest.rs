@@ -12,7 +12,7 @@ use super::results::Tally;
 use crate::accuracy::Choice;
 use crate::design::Design;
 use crate::engine::{MethodSystem, Shard, Terms};
-use crate::spec::{FileContent, MapSettings, Sweep};
+use crate::spec::{Axis, FileContent, MapSettings, Sweep};
 
 /// What was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,6 +43,8 @@ pub struct Manifest {
     pub accuracy: Option<Choice>,
     /// Number of cases of the whole sweep.
     pub cases: usize,
+    /// What differs between them, in the order of the columns.
+    pub axes: Vec<Axis>,
     /// Number of distinct strings among them.
     pub strings: usize,
     /// The part of the sweep that is here, where that is not the whole.
@@ -122,6 +124,7 @@ impl Manifest {
             sampling_frequency_by_rule: sweep.setting.sampling_by_rule,
             accuracy: sweep.choice.clone(),
             cases: sweep.design.cases(),
+            axes: sweep.design.axes().to_vec(),
             strings: sweep.design.strings(),
             shard: (!shard.is_whole()).then_some(shard),
             terms,

@@ -63,7 +63,8 @@ pub(super) fn draw_picture(
     let size = (units(width) as u32, units(height) as u32);
     let mut svg = String::new();
     let dashes = draw_with_plotters(&mut svg, size, draw)?;
-    Picture::from_svg(add_dashes(&with_pixel_size(&svg, size)?, &dashes))
+    let svg = with_subscripts(&with_pixel_size(&svg, size)?);
+    Picture::from_svg(add_dashes(&svg, &dashes))
 }
 
 /// Writes the document as plotters makes it and returns the dash patterns of
@@ -182,6 +183,24 @@ fn add_dashes(svg: &str, dashes: &[Dash]) -> String {
     dashed
 }
 
+/// Sets the index of T_d, for which Unicode has no letter, below the line. What
+/// follows on the line goes back up to it.
+fn with_subscripts(svg: &str) -> String {
+    const DOWN: &str = "T<tspan dy=\"0.3em\" font-size=\"70%\">d</tspan>";
+    let mut pieces = svg.split("T_d");
+    let mut set = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let end = piece.find(['\n', '<']).unwrap_or(piece.len());
+        let (line, rest) = piece.split_at(end);
+        set += DOWN;
+        if !line.is_empty() {
+            set += &format!("<tspan dy=\"-0.21em\">{line}</tspan>");
+        }
+        set += rest;
+    }
+    set
+}
+
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
@@ -229,6 +248,20 @@ pub(super) mod tests {
         assert!(picture.svg.starts_with("<svg width=\"90\" height=\"62\""));
         let pixels = Pixmap::decode_png(&picture.png).expect("valid PNG");
         assert_eq!((pixels.width(), pixels.height()), (180, 124));
+    }
+
+    #[test]
+    fn the_index_of_the_dynamic_torque_is_below_the_line() {
+        let picture = draw_picture(200.0, 62.0, |canvas| {
+            let text = Block::new("T_d < 2 kN m, T_d", 14.0, 200.0)?;
+            canvas.text(&text, 5.0, 30.0, HPos::Left)
+        });
+        let picture = picture.expect("drawn");
+        assert!(!picture.svg.contains("T_d"));
+        let index = "T<tspan dy=\"0.3em\" font-size=\"70%\">d</tspan>";
+        let text = format!("{index}<tspan dy=\"-0.21em\"> &lt; 2 kN m, </tspan>{index}\n");
+        assert!(picture.svg.contains(&text), "{}", picture.svg);
+        assert_text_inside(&picture);
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! The legend beside a plot.
 
 use super::canvas::{Canvas, Stroke};
-use super::symbols::{Symbol, draw_marker, draw_rim, draw_symbol};
+use super::geometry::Rect;
+use super::symbols::{Symbol, draw_cell, draw_marker, draw_rim, draw_symbol};
 use super::text::{Block, SMALL_SIZE};
 use anyhow::Result;
 use plotters::style::text_anchor::HPos;
@@ -10,6 +11,7 @@ use plotters::style::text_anchor::HPos;
 const KEY_WIDTH: f64 = 42.0;
 const KEY_GAP: f64 = 8.0;
 const SYMBOL_RADIUS: f64 = 5.0;
+const CELL_HEIGHT: f64 = 17.0;
 /// Text wider than this is broken.
 const TEXT_WIDTH: f64 = 170.0;
 /// Free space after each entry.
@@ -18,6 +20,7 @@ const ENTRY_GAP: f64 = 6.0;
 /// What stands before an entry's text.
 pub(super) enum Key {
     Symbol(Symbol),
+    Cell(Symbol),
     Line(Stroke),
     /// The marker of the kind with this index.
     Marker(usize),
@@ -113,6 +116,12 @@ fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) -> Result<()> {
     match key {
         Key::Symbol(symbol) => {
             draw_symbol(canvas, *symbol, (left + KEY_WIDTH / 2.0, y), SYMBOL_RADIUS)
+        }
+        Key::Cell(symbol) => {
+            let middle = (left + KEY_WIDTH / 2.0, y);
+            let area = Rect::centred(middle, 2.0 * CELL_HEIGHT, CELL_HEIGHT);
+            draw_cell(canvas, *symbol, area)?;
+            draw_symbol(canvas, *symbol, middle, SYMBOL_RADIUS)
         }
         Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY_WIDTH, y)], *stroke),
         Key::Marker(kind) => draw_marker(canvas, *kind, (left + KEY_WIDTH / 2.0, y), SYMBOL_RADIUS),

@@ -6,7 +6,7 @@ use super::geometry::{Pixel, Rect};
 use super::legend::{Key, Legend};
 use super::names::Names;
 use super::scale::{Scale, visible};
-use super::symbols::{HALO, MARK_RADIUS, Symbol, draw_symbol, draw_triangle};
+use super::symbols::{HALO, MARK_RADIUS, Symbol, draw_cell, draw_symbol, draw_triangle};
 use super::text::{Block, TITLE_SIZE};
 use super::{Axis, Picture};
 use anyhow::Result;
@@ -59,6 +59,8 @@ pub struct RegimeMap {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
+    /// Filled cells.
+    pub cells: Vec<MapCell>,
     /// Symbols; those that are not finite are skipped.
     pub points: Vec<MapPoint>,
     /// Legend texts of circle, cross and square.
@@ -69,9 +71,19 @@ pub struct RegimeMap {
     pub marks: Vec<Mark>,
 }
 
+/// A part of a map with so many cases that they share a colour.
+pub struct MapCell {
+    /// Its ends along the horizontal axis.
+    pub x: [f64; 2],
+    /// Its ends along the vertical axis.
+    pub y: [f64; 2],
+    /// What its cases are.
+    pub symbol: Symbol,
+}
+
 /// Draws a regime map.
 ///
-/// The axes span the points and the marks; a map without points spans its
+/// The axes span the cells, the points and the marks; a map without points spans its
 /// lines and marks, an empty one 0 to 1.
 pub fn regime_map(map: &RegimeMap) -> Result<Picture> {
     let title = Block::new(&map.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
@@ -91,6 +103,7 @@ pub fn regime_map(map: &RegimeMap) -> Result<Picture> {
         let title_row = MARGIN + title.line_height() / 2.0;
         canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
         frame.draw(canvas)?;
+        draw_cells(canvas, &frame, &map.cells)?;
         draw_points(canvas, &frame, &map.points)?;
         draw_lines(canvas, &frame, &map.lines)?;
         draw_marks(canvas, &frame, map)?;
@@ -102,7 +115,14 @@ fn legend(map: &RegimeMap) -> Result<Legend> {
     let symbols = [Symbol::Circle, Symbol::Cross, Symbol::Square]
         .into_iter()
         .zip(&map.legend)
-        .map(|(symbol, text)| (Key::Symbol(symbol), text.as_str()));
+        .map(|(symbol, text)| {
+            let key = if map.cells.is_empty() {
+                Key::Symbol(symbol)
+            } else {
+                Key::Cell(symbol)
+            };
+            (key, text.as_str())
+        });
     let lines = map.lines.iter().enumerate();
     let lines = lines.map(|(index, line)| (Key::Line(line_stroke(index)), line.name.as_str()));
     Legend::new(symbols.chain(lines))
@@ -121,6 +141,8 @@ fn line_stroke(index: usize) -> Stroke {
 /// The scales that show all points and marks, or lines if there are no points.
 fn scales(map: &RegimeMap) -> (Scale, Scale) {
     let mut places: Vec<_> = map.points.iter().map(|p| (p.x, p.y)).collect();
+    let corners = |cell: &MapCell| [0, 1].map(|end| (cell.x[end], cell.y[end]));
+    places.extend(map.cells.iter().flat_map(corners));
     if places.is_empty() {
         places.extend(map.lines.iter().flat_map(|line| &line.points));
     }
@@ -130,6 +152,23 @@ fn scales(map: &RegimeMap) -> (Scale, Scale) {
         Scale::new(map.x.logarithmic, places.iter().map(|place| place.0)),
         Scale::new(map.y.logarithmic, places.iter().map(|place| place.1)),
     )
+}
+
+/// Ends on whole pixels leave no seam between neighbours.
+fn draw_cells(canvas: &mut Canvas, frame: &Frame, cells: &[MapCell]) -> Result<()> {
+    for cell in cells {
+        let corner = |end: usize| frame.pixel((cell.x[end], cell.y[end]));
+        if let (Some((left, bottom)), Some((right, top))) = (corner(0), corner(1)) {
+            let area = Rect {
+                left: left.round(),
+                top: top.round(),
+                right: right.round(),
+                bottom: bottom.round(),
+            };
+            draw_cell(canvas, cell.symbol, area)?;
+        }
+    }
+    Ok(())
 }
 
 fn draw_points(canvas: &mut Canvas, frame: &Frame, points: &[MapPoint]) -> Result<()> {
@@ -209,6 +248,7 @@ mod tests {
             title: "Stick-slip regimes".to_string(),
             x: axis("Weight on bit W (kN)"),
             y: axis("Surface speed Ωₛ (rpm)"),
+            cells: Vec::new(),
             points: places
                 .iter()
                 .map(|&(x, y)| MapPoint {
@@ -266,6 +306,24 @@ mod tests {
             points: vec![(-1e6, 0.5), (1e6, 0.5)],
         });
         assert_eq!(scales(&map).0.fraction(1.0), before);
+    }
+
+    #[test]
+    fn cells_fill_the_map_and_its_legend() {
+        let mut map = map(&[], false);
+        map.cells = [Symbol::Circle, Symbol::Square]
+            .into_iter()
+            .enumerate()
+            .map(|(index, symbol)| MapCell {
+                x: [index as f64, index as f64 + 1.0],
+                y: [0.0, 1.0],
+                symbol,
+            })
+            .collect();
+        let picture = regime_map(&map).expect("drawn");
+        // Both cells, and a key for each of the three symbols.
+        assert_eq!(picture.svg.matches("<polygon").count(), 5);
+        assert_text_inside(&picture);
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Plots of regime maps and time histories.
 //!
 //! A plot is drawn once, as SVG, and the PNG is that SVG rasterised, so the
-//! two never differ. The font is embedded: no font or library of the machine
-//! is used, and the same data always gives the same bytes.
+//! two never differ. The font is embedded, in the SVG too: no font or library of
+//! the machine is used, and the same data always gives the same bytes.
 //!
 //! [`regime_map`] draws regimes over two parameters, [`panels()`] draws stacked
 //! curves. Both take plain data and return a [`Picture`]; writing files is left
@@ -25,11 +25,13 @@ mod symbols;
 mod text;
 
 use anyhow::{Context, Result};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
 
 pub use cells::{CellChart, CellPanel, ChartCell, Foretold, Seen, cell_chart};
-pub use map::{Line, MapPoint, Mark, RegimeMap, regime_map};
+pub use map::{Line, MapCell, MapPoint, Mark, RegimeMap, regime_map};
 pub use orbits::{Orbit, Orbits, orbits};
 pub use panels::{Panel, Panels, Series, panels};
 pub use references::Reference;
@@ -60,8 +62,24 @@ impl Picture {
     /// Rasterises `svg` and keeps both.
     fn from_svg(svg: String) -> Result<Picture> {
         let png = rasterise(&svg)?;
+        let svg = with_font(&svg)?;
         Ok(Picture { svg, png })
     }
+}
+
+/// The document with its font. A program that does not read fonts from there takes
+/// another without serifs.
+fn with_font(svg: &str) -> Result<String> {
+    let (start, content) = svg.split_once('>').context("the plot has no content")?;
+    let family = text::FAMILY;
+    let asked = format!("font-family=\"{family}\"");
+    let with_others = format!("font-family=\"'{family}', sans-serif\"");
+    Ok(format!(
+        "{start}>\n<style>@font-face {{ font-family: '{family}'; \
+         src: url(data:font/ttf;base64,{}) }}</style>{}",
+        STANDARD.encode(text::FONT),
+        content.replace(&asked, &with_others)
+    ))
 }
 
 /// Renders an SVG document as a PNG file.
@@ -84,7 +102,7 @@ fn rasterise(svg: &str) -> Result<Vec<u8>> {
 fn fonts() -> usvg::fontdb::Database {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_font_data(text::FONT.to_vec());
-    fonts.set_sans_serif_family(text::FONT_NAME);
+    fonts.set_sans_serif_family(text::FAMILY);
     fonts
 }
 

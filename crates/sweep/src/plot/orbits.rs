@@ -1,5 +1,5 @@
 //! Orbits: curves in a plane with the same scale both ways, side by side, each
-//! with the circle it may not leave.
+//! with the circle it may not leave where it comes near that.
 
 use super::canvas::{Canvas, DASHES, Stroke, draw_picture};
 use super::frame::Frame;
@@ -18,9 +18,15 @@ const MARGIN: f64 = 14.0;
 const SIDE: f64 = 420.0;
 /// Distance between the plotting areas and the legend.
 const LEGEND_GAP: f64 = 22.0;
+/// Distance between an orbit and the next one's labels.
+const ORBIT_GAP: f64 = 18.0;
 /// Corners of a circle that looks round.
 const CIRCLE_CORNERS: usize = 180;
-const CIRCLE_COLOUR: RGBColor = RGBColor(0x44, 0x44, 0x44);
+const CIRCLE: Stroke = Stroke {
+    colour: RGBColor(0x44, 0x44, 0x44),
+    width: 1.2,
+    dash: DASHES[1],
+};
 
 /// One orbit, seen along the axis it goes around.
 pub struct Orbit {
@@ -30,8 +36,8 @@ pub struct Orbit {
     pub y: Axis,
     /// Curves.
     pub series: Vec<Series>,
-    /// Radius of the dashed circle around the origin.
-    pub circle: f64,
+    /// Radius of a dashed circle around the origin, the clearance.
+    pub circle: Option<f64>,
 }
 
 /// Orbits with one title and one legend.
@@ -51,7 +57,10 @@ pub fn orbits(p: &Orbits) -> Result<Picture> {
         }
     }
     let keys = names.iter().enumerate();
-    let legend = Legend::new(keys.map(|(index, &name)| (Key::Line(series_stroke(index)), name)))?;
+    let curves = keys.map(|(index, &name)| (Key::Line(series_stroke(index)), name));
+    let has_circle = p.orbits.iter().any(|orbit| orbit.circle.is_some());
+    let circle = has_circle.then_some((Key::Line(CIRCLE), "clearance"));
+    let legend = Legend::new(curves.chain(circle))?;
     let plots = p.orbits.len() as f64 * SIDE;
     let width = MARGIN + plots + LEGEND_GAP + legend.width() + MARGIN;
     let title = Block::new(&p.title, TITLE_SIZE, width - 2.0 * MARGIN)?;
@@ -77,7 +86,7 @@ fn draw_orbit(
     let outer = Rect {
         left,
         top,
-        right: left + SIDE,
+        right: left + SIDE - ORBIT_GAP,
         bottom: top + SIDE,
     };
     let reach = reach(orbit);
@@ -87,13 +96,9 @@ fn draw_orbit(
     frame.area.right = frame.area.left + side;
     frame.area.top = frame.area.bottom - side;
     frame.draw(canvas)?;
-    let dashed = Stroke {
-        colour: CIRCLE_COLOUR,
-        width: 1.2,
-        dash: DASHES[1],
-    };
-    for piece in frame.curve(&circle(orbit.circle)) {
-        canvas.line(&piece, dashed)?;
+    let circle = orbit.circle.map(circle).unwrap_or_default();
+    for piece in frame.curve(&circle) {
+        canvas.line(&piece, CIRCLE)?;
     }
     for series in &orbit.series {
         let index = names.iter().position(|&name| name == series.name);
@@ -113,7 +118,7 @@ fn reach(orbit: &Orbit) -> f64 {
     let points = orbit.series.iter().flat_map(|series| &series.points);
     points
         .filter(|(x, y)| x.is_finite() && y.is_finite())
-        .fold(orbit.circle, |reach, (x, y)| {
+        .fold(orbit.circle.unwrap_or(0.0), |reach, (x, y)| {
             reach.max(x.abs()).max(y.abs())
         })
 }
@@ -145,7 +150,7 @@ mod tests {
                 name: "hilbert".to_owned(),
                 points: vec![(0.0, 0.0), (3.0, f64::NAN), (20.0, -1.0)],
             }],
-            circle: 15.0,
+            circle: Some(15.0),
         };
         assert_eq!(reach(&orbit()), 20.0);
         let picture = orbits(&Orbits {

@@ -34,6 +34,9 @@ pub(super) const COLOURS: [RGBColor; 7] = [
 ];
 const FIRST_WIDTH: f64 = 2.4;
 const LATER_WIDTH: f64 = 1.8;
+const ALONE_WIDTH: f64 = 1.2;
+/// Room for a name above the highest reference line, as a part of the range.
+const NAME_ROOM: f64 = 0.13;
 
 /// A named curve.
 pub struct Series {
@@ -67,12 +70,9 @@ pub struct Panels {
 pub fn panels(p: &Panels) -> Result<Picture> {
     let names = series_names(p);
     let title = Block::new(&p.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
-    let legend = Legend::new(
-        names
-            .iter()
-            .enumerate()
-            .map(|(index, &name)| (Key::Line(series_stroke(index)), name)),
-    )?;
+    let strokes = strokes(p, &names);
+    let keys = strokes.iter().map(|&stroke| Key::Line(stroke));
+    let legend = Legend::new(keys.zip(names.iter().copied()))?;
     let top = 2.0 * MARGIN + title.height();
     let stacked = p.panels.len() as f64 * PANEL_HEIGHT;
     let height = top + stacked.max(legend.height() + MARGIN);
@@ -82,7 +82,7 @@ pub fn panels(p: &Panels) -> Result<Picture> {
         let title_row = MARGIN + title.line_height() / 2.0;
         canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
         for (panel, frame) in p.panels.iter().zip(&frames) {
-            draw_panel(canvas, panel, frame, &names)?;
+            draw_panel(canvas, panel, frame, (&names, &strokes))?;
         }
         legend.draw(canvas, legend_left, top)
     })
@@ -97,6 +97,24 @@ fn series_names(p: &Panels) -> Vec<&str> {
         }
     }
     names
+}
+
+/// The looks of all series. One that is always alone needs no dashes, which would
+/// hide a curve that swings fast.
+fn strokes(p: &Panels, names: &[&str]) -> Vec<Stroke> {
+    let shares = |name: &str| {
+        let mut panels = p.panels.iter().filter(|panel| panel.series.len() > 1);
+        panels.any(|panel| panel.series.iter().any(|series| series.name == name))
+    };
+    let strokes = names.iter().enumerate().map(|(index, name)| {
+        let stroke = series_stroke(index);
+        if index == 0 || shares(name) {
+            stroke
+        } else {
+            Stroke::solid(stroke.colour, ALONE_WIDTH)
+        }
+    });
+    strokes.collect()
 }
 
 /// The look of the series with the name of this index. Only the first is
@@ -156,15 +174,22 @@ fn x_scale(panel: &Panel, all: &Panels) -> Scale {
 }
 
 fn y_scale(panel: &Panel) -> Scale {
-    let lines = panel
-        .references
-        .iter()
+    let lines: Vec<f64> = (panel.references.iter())
         .filter_map(|reference| match reference {
             Reference::Horizontal { y, .. } => Some(*y),
             Reference::Vertical { .. } => None,
-        });
-    let values = shown_points(panel).map(|(_, y)| y).chain(lines);
-    Scale::new(panel.y.logarithmic, values)
+        })
+        .collect();
+    let shown = shown_points(panel).map(|(_, y)| y);
+    let mut values: Vec<f64> = shown.chain(lines.iter().copied()).collect();
+    if !panel.y.logarithmic {
+        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let room = NAME_ROOM * (high - low);
+        let above = lines.iter().filter(|&&line| line + room > high);
+        values.extend(above.map(|line| line + room));
+    }
+    Scale::new(panel.y.logarithmic, values.into_iter())
 }
 
 fn shown_points(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
@@ -172,11 +197,16 @@ fn shown_points(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
     visible(&panel.x, &panel.y, points.copied())
 }
 
-fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, names: &[&str]) -> Result<()> {
+fn draw_panel(
+    canvas: &mut Canvas,
+    panel: &Panel,
+    frame: &Frame,
+    (names, strokes): (&[&str], &[Stroke]),
+) -> Result<()> {
     frame.draw(canvas)?;
     for series in &panel.series {
         let index = names.iter().position(|&name| name == series.name);
-        draw_series(canvas, frame, series, series_stroke(index.unwrap_or(0)))?;
+        draw_series(canvas, frame, series, strokes[index.unwrap_or(0)])?;
     }
     let curves = panel.series.iter();
     let curves = curves.flat_map(|series| frame.curve(&series.points));
@@ -265,6 +295,19 @@ mod tests {
         assert_eq!(picture.svg.matches("exact").count(), 1);
         // A curve in each panel and the key in the legend.
         assert_eq!(picture.svg.matches("#0072B2").count(), 3);
+    }
+
+    #[test]
+    fn only_a_curve_that_shares_its_panel_is_dashed() {
+        let points = vec![(0.0, 1.0), (1.0, 2.0)];
+        let mut both = panel("a", points.clone(), false);
+        both.series.extend(panel("b", points.clone(), false).series);
+        both.references.clear();
+        let mut difference = panel("a − b", points, false);
+        difference.references.clear();
+        let picture = draw(vec![both, difference]);
+        // The second curve and its key.
+        assert_eq!(picture.svg.matches("dasharray").count(), 2);
     }
 
     #[test]

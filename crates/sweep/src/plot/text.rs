@@ -7,9 +7,7 @@ use std::sync::LazyLock;
 /// The embedded font: Latin-1, Greek, sub- and superscripts of DejaVu Sans.
 pub(super) static FONT: &[u8] = include_bytes!("fonts/DejaVuSans.ttf");
 /// The family name inside [`FONT`].
-pub(super) const FONT_NAME: &str = "DejaVu Sans";
-/// The family that the SVG asks for.
-const FAMILY: &str = "sans-serif";
+pub(super) const FAMILY: &str = "DejaVu Sans";
 
 /// Size of plot titles.
 pub(super) const TITLE_SIZE: f64 = 16.0;

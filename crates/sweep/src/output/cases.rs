@@ -1,0 +1,169 @@
+//! `labels.csv` case by case: what all methods say of each.
+
+use std::iter::Peekable;
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::labels::{LabelReader, LabelRow};
+use crate::plot::Symbol;
+use crate::spec::Axis;
+
+/// The regimes that circles stand for: sustained vibration.
+const SUSTAINED: [&str; 3] = ["stick_slip", "backward_whirl", "forward_whirl"];
+
+/// The label of a case that was too short to tell.
+const UNDETERMINED: &str = "stuck";
+
+impl LabelRow {
+    /// Whether there is any label.
+    pub fn has_answer(&self) -> bool {
+        !(self.torsion.is_empty() && self.lateral.is_empty())
+    }
+
+    /// Whether the vibration that a map is about is sustained: lateral where that
+    /// is modelled, else torsional. None where the row does not tell.
+    pub fn is_sustained(&self) -> Option<bool> {
+        let label = if self.lateral.is_empty() {
+            &self.torsion
+        } else {
+            &self.lateral
+        };
+        let tells = !label.is_empty() && label != UNDETERMINED;
+        tells.then(|| SUSTAINED.contains(&label.as_str()))
+    }
+
+    /// Whether another row has the same labels, of torsion and lateral.
+    pub fn same_labels(&self, other: &LabelRow) -> bool {
+        (&self.torsion, &self.lateral) == (&other.torsion, &other.lateral)
+    }
+
+    /// Both labels, as a person reads them.
+    pub fn regime(&self) -> String {
+        match (self.torsion.as_str(), self.lateral.as_str()) {
+            ("", "") => "no answer".to_owned(),
+            (torsion, "") => torsion.to_owned(),
+            ("", lateral) => lateral.to_owned(),
+            (torsion, lateral) => format!("{torsion}, {lateral}"),
+        }
+    }
+}
+
+/// The rows of one case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseRows {
+    /// Its number.
+    pub case: usize,
+    /// Values along the axes asked for.
+    pub values: Vec<f64>,
+    /// A row for each method.
+    pub rows: Vec<LabelRow>,
+}
+
+impl CaseRows {
+    /// The paper's symbols: a circle where every method finds sustained vibration, a
+    /// cross where none does, a square where they differ. None where a method has no
+    /// answer, or one that tells nothing.
+    pub fn symbol(&self) -> Option<Symbol> {
+        let mut sustained = 0;
+        for row in &self.rows {
+            sustained += usize::from(row.is_sustained()?);
+        }
+        Some(if sustained == self.rows.len() {
+            Symbol::Circle
+        } else if sustained == 0 {
+            Symbol::Cross
+        } else {
+            Symbol::Square
+        })
+    }
+
+    /// Whether two methods that have an answer give different labels.
+    pub fn differs(&self) -> bool {
+        let mut answers = self.rows.iter().filter(|row| row.has_answer());
+        let first = answers.next();
+        answers.any(|row| first.is_some_and(|first| !row.same_labels(first)))
+    }
+
+    /// Whether there is a lateral label.
+    pub fn is_lateral(&self) -> bool {
+        self.rows.iter().any(|row| !row.lateral.is_empty())
+    }
+}
+
+/// The cases of a `labels.csv`; only one is in memory at a time.
+pub struct CaseReader {
+    rows: Peekable<LabelReader>,
+}
+
+impl CaseReader {
+    /// Opens a `labels.csv` of which the values along `axes` are wanted.
+    ///
+    /// # Errors
+    /// Where it cannot be read or lacks a column.
+    pub fn open(path: &Path, axes: &[Axis]) -> Result<Self> {
+        let rows = LabelReader::open(path, axes)?.peekable();
+        Ok(Self { rows })
+    }
+}
+
+/// The message of an error names file and line.
+impl Iterator for CaseReader {
+    type Item = Result<CaseRows>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let first = match self.rows.next()? {
+            Ok(row) => row,
+            Err(error) => return Some(Err(error)),
+        };
+        let case = first.case;
+        let values = first.values.clone();
+        let mut rows = vec![first];
+        let is_of_case = |row: &Result<LabelRow>| row.as_ref().is_ok_and(|row| row.case == case);
+        while let Some(Ok(row)) = self.rows.next_if(is_of_case) {
+            rows.push(row);
+        }
+        Some(Ok(CaseRows { case, values, rows }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Vec<Result<CaseRows>> {
+        let file = tempfile::NamedTempFile::new().expect("a file");
+        std::fs::write(file.path(), text).expect("written");
+        let cases = CaseReader::open(file.path(), &[Axis::Friction]).expect("a table");
+        cases.collect()
+    }
+
+    #[test]
+    fn the_rows_of_a_case_stay_together() {
+        let cases = read(
+            "case,method,friction,torsion,lateral\n\
+             3,a,0.5,stuck,backward_whirl\n3,b,0.5,stuck,no_contact\n\
+             4,a,1,,\n4,b,1,,no_contact\n5,a,2,smooth,\n5,b,2,smooth,\n",
+        );
+        let cases: Vec<CaseRows> = cases.into_iter().map(|case| case.expect("read")).collect();
+        let numbers: Vec<_> = (cases.iter())
+            .map(|case| (case.case, case.values[0], case.rows.len()))
+            .collect();
+        assert_eq!(numbers, [(3, 0.5, 2), (4, 1.0, 2), (5, 2.0, 2)]);
+        let symbols: Vec<_> = cases.iter().map(CaseRows::symbol).collect();
+        assert_eq!(symbols, [Some(Symbol::Square), None, Some(Symbol::Cross)]);
+        let differ: Vec<_> = cases.iter().map(CaseRows::differs).collect();
+        assert_eq!(differ, [true, false, false]);
+        assert_eq!(cases[0].rows[0].regime(), "stuck, backward_whirl");
+    }
+
+    #[test]
+    fn a_broken_row_is_named_by_its_line() {
+        let cases = read("case,method,friction,torsion\n0,a,1,smooth\nx,a,1,smooth\n");
+        let message = format!("{:#}", cases[1].as_ref().expect_err("no number"));
+        assert!(
+            message.contains(":3: `x` is not a case number"),
+            "{message}"
+        );
+    }
+}

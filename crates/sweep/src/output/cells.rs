@@ -1,0 +1,189 @@
+//! Regimes over two axes, cell by cell: what is drawn of a sweep with more cases
+//! than can be told apart.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::cases::CaseReader;
+use crate::plot::Symbol;
+use crate::spec::Axis;
+
+/// Distinct values along an axis are counted up to this.
+const MOST_DISTINCT: usize = 200;
+
+/// What a map spans.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Extent {
+    /// Least and greatest value to the right.
+    pub x: [f64; 2],
+    /// Least and greatest value upwards.
+    pub y: [f64; 2],
+    /// Cases.
+    pub cases: usize,
+    /// Whether there is a lateral label.
+    pub is_lateral: bool,
+    /// Distinct values to the right and upwards; more than can be told apart count
+    /// as `MOST_DISTINCT`.
+    pub distinct: [usize; 2],
+}
+
+impl Extent {
+    /// Whether every value to the right comes with every value upwards.
+    pub fn is_grid(&self) -> bool {
+        let [x, y] = self.distinct;
+        x.max(y) < MOST_DISTINCT && x * y <= self.cases
+    }
+
+    /// Of a `labels.csv`.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    pub fn of(labels: &Path, axes: [Axis; 2]) -> Result<Self> {
+        let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        let mut values = [BTreeSet::new(), BTreeSet::new()];
+        let (mut cases, mut is_lateral) = (0, false);
+        for case in CaseReader::open(labels, &axes)? {
+            let case = case?;
+            for ((range, distinct), &value) in ranges.iter_mut().zip(&mut values).zip(&case.values)
+            {
+                *range = [range[0].min(value), range[1].max(value)];
+                if distinct.len() < MOST_DISTINCT {
+                    distinct.insert(value.to_bits());
+                }
+            }
+            cases += 1;
+            is_lateral |= case.is_lateral();
+        }
+        Ok(Self {
+            x: ranges[0],
+            y: ranges[1],
+            cases,
+            is_lateral,
+            distinct: values.map(|values| values.len()),
+        })
+    }
+}
+
+/// Symbols counted in cells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cells {
+    extent: Extent,
+    size: [usize; 2],
+    counts: Vec<[usize; 3]>,
+}
+
+impl Cells {
+    /// At most `most` cells to the right and upwards; fewer where an axis has fewer
+    /// values, so that none is empty between them.
+    pub fn new(extent: &Extent, most: [usize; 2]) -> Self {
+        let size = [0, 1].map(|axis| most[axis].min(extent.distinct[axis]).max(1));
+        Self {
+            extent: extent.clone(),
+            size,
+            counts: vec![[0; 3]; size[0] * size[1]],
+        }
+    }
+
+    /// Counts the symbol of a case.
+    pub fn add(&mut self, [x, y]: [f64; 2], symbol: Symbol) {
+        let place = |[from, to]: [f64; 2], value: f64, cells: usize| {
+            let fraction = (value - from) / (to - from).max(f64::MIN_POSITIVE);
+            ((fraction * cells as f64) as usize).min(cells - 1)
+        };
+        let column = place(self.extent.x, x, self.size[0]);
+        let row = place(self.extent.y, y, self.size[1]);
+        self.counts[column * self.size[1] + row][symbol as usize] += 1;
+    }
+
+    /// Cells to the right and upwards.
+    pub fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// The symbol that most cases of a cell have; none where it has no case.
+    pub fn symbol(&self, column: usize, row: usize) -> Option<Symbol> {
+        let counts = self.counts[column * self.size[1] + row];
+        let symbols = [Symbol::Circle, Symbol::Cross, Symbol::Square];
+        let most = symbols
+            .into_iter()
+            .max_by_key(|&symbol| counts[symbol as usize]);
+        most.filter(|&most| counts[most as usize] > 0)
+    }
+
+    /// Runs of neighbours to the right with the same symbol: row, first column and
+    /// the one after the last.
+    pub fn runs(&self) -> Vec<(usize, [usize; 2], Symbol)> {
+        let mut runs: Vec<(usize, [usize; 2], Symbol)> = Vec::new();
+        for row in 0..self.size[1] {
+            for column in 0..self.size[0] {
+                let Some(symbol) = self.symbol(column, row) else {
+                    continue;
+                };
+                match runs.last_mut() {
+                    Some((of, [_, end], same)) if (*of, *end, *same) == (row, column, symbol) => {
+                        *end += 1;
+                    }
+                    _ => runs.push((row, [column, column + 1], symbol)),
+                }
+            }
+        }
+        runs
+    }
+
+    /// A place to the right and upwards, counted in cells.
+    pub fn place(&self, column: f64, row: f64) -> [f64; 2] {
+        let place = |[from, to]: [f64; 2], index: f64, cells: usize| {
+            from + (to - from) * index / cells as f64
+        };
+        [
+            place(self.extent.x, column, self.size[0]),
+            place(self.extent.y, row, self.size[1]),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn extent(distinct: [usize; 2]) -> Extent {
+        Extent {
+            x: [0.0, 4.0],
+            y: [1.0, 2.0],
+            cases: 0,
+            is_lateral: false,
+            distinct,
+        }
+    }
+
+    #[test]
+    fn a_cell_shows_what_most_of_its_cases_are() {
+        let mut cells = Cells::new(&extent([100, 100]), [2, 2]);
+        for (x, symbol) in [
+            (0.0, Symbol::Circle),
+            (1.0, Symbol::Circle),
+            (1.9, Symbol::Cross),
+            (4.0, Symbol::Square),
+        ] {
+            cells.add([x, 1.0], symbol);
+        }
+        let bottom = [cells.symbol(0, 0), cells.symbol(1, 0)];
+        assert_eq!(bottom, [Some(Symbol::Circle), Some(Symbol::Square)]);
+        assert_eq!(cells.symbol(0, 1), None);
+        assert_eq!(cells.place(1.5, 0.5), [3.0, 1.25]);
+        let runs = [(0, [0, 1], Symbol::Circle), (0, [1, 2], Symbol::Square)];
+        assert_eq!(cells.runs(), runs);
+    }
+
+    #[test]
+    fn a_grid_gets_a_cell_for_each_of_its_values() {
+        let mut cells = Cells::new(&extent([5, 1]), [72, 54]);
+        assert_eq!(cells.size(), [5, 1]);
+        for x in [0.0, 1.0, 2.0, 3.0, 4.0] {
+            cells.add([x, 1.5], Symbol::Cross);
+        }
+        assert_eq!(cells.runs(), [(0, [0, 5], Symbol::Cross)]);
+    }
+}

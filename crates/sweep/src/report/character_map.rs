@@ -1,0 +1,86 @@
+//! A regime map in characters.
+
+use super::document::short;
+use crate::output::{Cells, Extent};
+use crate::plot::Symbol;
+use crate::spec::Axis;
+
+/// The map with its axes and what the characters mean.
+pub fn character_map(cells: &Cells, extent: &Extent, [x, y]: [Axis; 2]) -> String {
+    let [columns, rows] = cells.size();
+    let [bottom, top] = extent.y.map(short);
+    let margin = bottom.len().max(top.len());
+    let mut text = format!("{}\n", y.title());
+    for row in (0..rows).rev() {
+        let label = match row {
+            0 => &bottom,
+            row if row == rows - 1 => &top,
+            _ => "",
+        };
+        let line: String = (0..columns)
+            .map(|column| cells.symbol(column, row).map_or(' ', character))
+            .collect();
+        text += &format!("{label:>margin$} |{}\n", line.trim_end());
+    }
+    let [left, right] = extent.x.map(short);
+    let room = columns.saturating_sub(left.len() + right.len()).max(1);
+    let indent = " ".repeat(margin);
+    text += &format!("{indent} +{}\n", "-".repeat(columns));
+    text += &format!("{indent}  {left}{}{right}\n", " ".repeat(room));
+    text += &format!("{indent}  {}\n\n", x.title());
+    let regime = if extent.is_lateral {
+        "sustained whirl"
+    } else {
+        "stick-slip"
+    };
+    text += &format!(
+        "{} {regime} by all methods   {} by none   {} methods differ\n",
+        character(Symbol::Circle),
+        character(Symbol::Cross),
+        character(Symbol::Square)
+    );
+    let shared = extent.cases > columns * rows;
+    if shared {
+        text += "A character stands for most of the cases in its cell.\n";
+    }
+    text
+}
+
+/// As unlike each other as characters can be.
+fn character(symbol: Symbol) -> char {
+    match symbol {
+        Symbol::Circle => 'O',
+        Symbol::Cross => '.',
+        Symbol::Square => '#',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_map_has_its_first_row_at_the_bottom() {
+        let extent = Extent {
+            x: [0.02, 0.6],
+            y: [5.0, 100.0],
+            cases: 3,
+            is_lateral: false,
+            distinct: [2, 2],
+        };
+        let mut cells = Cells::new(&extent, [64, 20]);
+        cells.add([0.02, 100.0], Symbol::Circle);
+        cells.add([0.6, 100.0], Symbol::Square);
+        cells.add([0.6, 5.0], Symbol::Cross);
+        let text = character_map(
+            &cells,
+            &extent,
+            [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn],
+        );
+        let lines: Vec<&str> = text.lines().take(4).collect();
+        assert_eq!(
+            lines,
+            ["Weight on bit W (kN)", "100 |O#", "  5 | .", "    +--"]
+        );
+    }
+}

@@ -1,0 +1,119 @@
+//! One results folder against another: where the same cases were run, which
+//! labels differ.
+
+use anyhow::Result;
+
+use super::results::Results;
+use crate::output::{CaseReader, CaseRows};
+
+/// Differing labels that are kept to be listed.
+const MOST_LISTED: usize = 30;
+
+/// What two folders say of the same cases.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Comparison {
+    /// They did not run the same cases; why that is known.
+    OtherCases(String),
+    /// They did, at least in part.
+    SameCases {
+        /// Rows of the same case and method with an answer in both.
+        compared: usize,
+        /// Those of them whose labels are not the same.
+        different: usize,
+        /// The first of these.
+        listed: Vec<Difference>,
+    },
+}
+
+/// A case and method that has another label in another folder.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Difference {
+    /// Number of the case.
+    pub case: usize,
+    /// Name of the method.
+    pub method: String,
+    /// Values along the axes.
+    pub values: Vec<f64>,
+    /// The labels in the one folder and in the other.
+    pub regimes: [String; 2],
+}
+
+impl Comparison {
+    /// Of two folders, case by case.
+    ///
+    /// # Errors
+    /// Where their labels cannot be read.
+    pub fn of(one: &Results, other: &Results) -> Result<Self> {
+        if one.manifest.axes != other.manifest.axes {
+            return Ok(Self::OtherCases("their axes are different".to_owned()));
+        }
+        let mut comparison = Counted::default();
+        let cases =
+            |of: &Results| CaseReader::open(&of.folder.join("labels.csv"), &one.manifest.axes);
+        let mut others = cases(other)?;
+        let mut theirs = others.next().transpose()?;
+        for ours in cases(one)? {
+            let ours = ours?;
+            // A shard has only some of the cases.
+            while theirs
+                .as_ref()
+                .is_some_and(|theirs| theirs.case < ours.case)
+            {
+                theirs = others.next().transpose()?;
+            }
+            let Some(theirs) = theirs.as_ref().filter(|theirs| theirs.case == ours.case) else {
+                continue;
+            };
+            if theirs.values != ours.values {
+                let case = ours.case;
+                return Ok(Self::OtherCases(format!("case {case} has other values")));
+            }
+            comparison.add(&ours, theirs);
+        }
+        Ok(comparison.finish())
+    }
+}
+
+/// A comparison under way.
+#[derive(Default)]
+struct Counted {
+    compared: usize,
+    different: usize,
+    listed: Vec<Difference>,
+}
+
+impl Counted {
+    fn add(&mut self, ours: &CaseRows, theirs: &CaseRows) {
+        for our in ours.rows.iter().filter(|row| row.has_answer()) {
+            let mut answers = theirs.rows.iter().filter(|row| row.has_answer());
+            let Some(their) = answers.find(|row| row.method == our.method) else {
+                continue;
+            };
+            self.compared += 1;
+            if our.same_labels(their) {
+                continue;
+            }
+            self.different += 1;
+            if self.listed.len() < MOST_LISTED {
+                self.listed.push(Difference {
+                    case: ours.case,
+                    method: our.method.clone(),
+                    values: ours.values.clone(),
+                    regimes: [our.regime(), their.regime()],
+                });
+            }
+        }
+    }
+
+    fn finish(self) -> Comparison {
+        if self.compared == 0 {
+            let why = "no case was answered by the same method in both";
+            return Comparison::OtherCases(why.to_owned());
+        }
+        Comparison::SameCases {
+            compared: self.compared,
+            different: self.different,
+            listed: self.listed,
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! What a summary and a report are made of, whatever shows it.
+
+use std::path::PathBuf;
+
+/// A titled part.
+pub struct Section {
+    /// Its heading.
+    pub title: &'static str,
+    /// What it says.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section.
+pub enum Block {
+    /// A paragraph.
+    Text(String),
+    /// A table.
+    Table(Table),
+    /// The regime map of a results folder.
+    Map(Map),
+    /// Something long that few will want: a page folds it, a terminal leaves it out.
+    Folded {
+        /// What it is.
+        title: String,
+        /// Line by line.
+        text: String,
+    },
+}
+
+/// Rows and columns.
+pub struct Table {
+    /// What it shows.
+    pub caption: String,
+    /// Names of the columns.
+    pub header: Vec<String>,
+    /// Rows, as long as the header.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// A regime map in both forms.
+pub struct Map {
+    /// What it shows.
+    pub caption: String,
+    /// The picture, where it was drawn.
+    pub svg: Option<PathBuf>,
+    /// The same in characters.
+    pub characters: String,
+}
+
+impl Table {
+    /// A table with a header and no rows.
+    pub fn new(caption: impl Into<String>, header: &[&str]) -> Self {
+        Self {
+            caption: caption.into(),
+            header: header.iter().map(|name| (*name).to_owned()).collect(),
+            rows: Vec::new(),
+        }
+    }
+
+    /// Whether a column holds numbers only, which are aligned at their end.
+    pub fn is_numeric(&self, column: usize) -> bool {
+        let is_number = |text: &str| {
+            let mut words = text.split(' ');
+            words.next().is_some_and(|word| word.parse::<f64>().is_ok())
+                && words.next().is_none_or(|unit| unit == "%" || unit == "s")
+                && words.next().is_none()
+        };
+        let cells = self.rows.iter().map(|row| row[column].as_str());
+        let mut filled = cells.filter(|cell| *cell != NOTHING).peekable();
+        filled.peek().is_some() && filled.all(is_number)
+    }
+
+    /// Whether a column holds sentences, commands or the like.
+    pub fn is_long(&self, column: usize) -> bool {
+        self.rows
+            .iter()
+            .any(|row| row[column].chars().count() > LONG)
+    }
+}
+
+/// Cells longer than this are broken into lines, where there are lines to break.
+const LONG: usize = 40;
+
+/// A cell with nothing to say.
+pub const NOTHING: &str = "–";
+
+impl From<Table> for Block {
+    fn from(table: Table) -> Self {
+        Block::Table(table)
+    }
+}
+
+/// A number in four digits.
+pub fn short(value: f64) -> String {
+    format!("{value:.3e}").parse().unwrap_or(value).to_string()
+}

@@ -1,0 +1,60 @@
+//! Cases without an answer.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use serde::Deserialize;
+
+/// Failures that are kept to be listed.
+const MOST_LISTED: usize = 50;
+
+/// What `failures.csv` holds.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Failures {
+    /// How many, by method.
+    pub by_method: BTreeMap<String, usize>,
+    /// The first of them.
+    pub listed: Vec<Failure>,
+}
+
+/// A row of `failures.csv`.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct Failure {
+    /// Number of the case.
+    pub case: usize,
+    /// Name of the method.
+    pub method: String,
+    /// Why there is no answer.
+    pub reason: String,
+    /// The command that repeats it.
+    pub repeat_with: String,
+}
+
+impl Failures {
+    /// Reads a `failures.csv`; only what is listed stays in memory.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    pub fn read(path: &Path) -> Result<Self> {
+        let unreadable = || format!("{} cannot be read", path.display());
+        let mut reader = csv::Reader::from_path(path).with_context(unreadable)?;
+        let mut failures = Self::default();
+        for failure in reader.deserialize() {
+            let failure: Failure = failure.with_context(unreadable)?;
+            *failures
+                .by_method
+                .entry(failure.method.clone())
+                .or_default() += 1;
+            if failures.listed.len() < MOST_LISTED {
+                failures.listed.push(failure);
+            }
+        }
+        Ok(failures)
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.by_method.values().sum()
+    }
+}

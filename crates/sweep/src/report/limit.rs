@@ -1,0 +1,219 @@
+//! Where the simulated boundary lies against the analytic limit.
+
+use crate::output::{Boundary, CaseRows, LabelRow, StickSlipPoint};
+use crate::spec::Axis;
+
+/// How one method's labels lie about its limit. A case's place is its value in
+/// multiples of the limit: the surface speed for stick-slip, which Eq. 74 allows
+/// below one; the friction for backward whirl, which is steady only above one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LimitCheck {
+    /// The method.
+    pub method: String,
+    /// Cases below the limit that vibrate, and that do not.
+    pub below: [usize; 2],
+    /// The same above it.
+    pub above: [usize; 2],
+    /// The place of the vibrating case furthest to the forbidden side.
+    pub last_vibrating: Option<f64>,
+    /// The place of the quiet case furthest to the allowed side.
+    pub last_quiet: Option<f64>,
+}
+
+/// What is limited.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Limited {
+    /// The surface speed at which stick-slip can sustain itself.
+    StickSlip,
+    /// The friction at which backward whirl is steady.
+    Whirl,
+}
+
+/// A line by points in ascending order.
+type Curve = Vec<(f64, f64)>;
+
+/// The limit, and what lies on its two sides.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limits {
+    /// What is limited.
+    pub limited: Limited,
+    /// A check for every method.
+    pub checks: Vec<LimitCheck>,
+    /// The limit for every method, over the value that it depends on.
+    lines: Vec<Curve>,
+    /// Places among the values of a case: of what is limited, and of what that
+    /// depends on.
+    value: usize,
+    along: Option<usize>,
+}
+
+impl Limits {
+    /// Of methods that have said nothing yet; none where there is no limit, or it is
+    /// of a quantity that is the same in all cases.
+    pub fn new(boundary: &Boundary, axes: &[Axis], methods: &[&str]) -> Option<Self> {
+        let place = |axis| axes.iter().position(|&other| other == axis);
+        let (limited, value, along, lines) = match boundary {
+            Boundary::StickSlip(points) if !points.is_empty() => {
+                let torque = [Axis::TorqueDynamicNm, Axis::WeightOnBitKn];
+                let torque = torque.into_iter().find(|&axis| place(axis).is_some())?;
+                let of = |method: &&str| stick_slip_curve(points, method, torque);
+                let lines = methods.iter().map(of).collect();
+                let speed = place(Axis::SurfaceSpeedRpm)?;
+                (Limited::StickSlip, speed, place(torque), lines)
+            }
+            Boundary::Whirl(points) if !points.is_empty() => {
+                let line = points.iter().map(|p| (p.surface_speed_rpm, p.friction));
+                let lines = vec![line.collect(); methods.len()];
+                let along = place(Axis::SurfaceSpeedRpm);
+                (Limited::Whirl, place(Axis::Friction)?, along, lines)
+            }
+            _ => return None,
+        };
+        Some(Self {
+            limited,
+            checks: methods
+                .iter()
+                .map(|method| LimitCheck::new(method))
+                .collect(),
+            lines,
+            value,
+            along,
+        })
+    }
+
+    /// Adds a case.
+    pub fn add(&mut self, case: &CaseRows) {
+        for (check, line) in self.checks.iter_mut().zip(&self.lines) {
+            let Some(row) = case.rows.iter().find(|row| row.method == check.method) else {
+                continue;
+            };
+            let limit = match self.along {
+                Some(along) => interpolated(line, case.values[along]),
+                None => line.first().map(|point| point.1),
+            };
+            if let (Some(vibrates), Some(limit)) = (self.limited.vibrates(row), limit) {
+                let place = case.values[self.value] / limit;
+                check.add(place, vibrates, self.limited == Limited::StickSlip);
+            }
+        }
+    }
+}
+
+impl Limited {
+    /// Whether a row has the vibration that is limited.
+    fn vibrates(self, row: &LabelRow) -> Option<bool> {
+        match (self, row.torsion.as_str(), row.lateral.as_str()) {
+            (Limited::StickSlip, "stick_slip", _) => Some(true),
+            (Limited::StickSlip, "smooth", _) => Some(false),
+            (Limited::StickSlip, _, _) | (Limited::Whirl, _, "") => None,
+            (Limited::Whirl, _, lateral) => Some(lateral == "backward_whirl"),
+        }
+    }
+}
+
+/// The limiting speed of one method over the torque or the weight on bit.
+fn stick_slip_curve(points: &[StickSlipPoint], method: &str, torque: Axis) -> Curve {
+    let own = points.iter().filter(|point| point.method == method);
+    own.filter_map(|point| {
+        let along = match torque {
+            Axis::WeightOnBitKn => point.weight_on_bit_kn?,
+            _ => point.torque_dynamic_nm,
+        };
+        Some((along, point.surface_speed_rpm))
+    })
+    .collect()
+}
+
+impl LimitCheck {
+    fn new(method: &str) -> Self {
+        Self {
+            method: method.to_owned(),
+            below: [0; 2],
+            above: [0; 2],
+            last_vibrating: None,
+            last_quiet: None,
+        }
+    }
+
+    fn add(&mut self, place: f64, vibrates: bool, allows_below: bool) {
+        let side = if place < 1.0 {
+            &mut self.below
+        } else {
+            &mut self.above
+        };
+        side[usize::from(!vibrates)] += 1;
+        let (last, is_greatest) = if vibrates {
+            (&mut self.last_vibrating, allows_below)
+        } else {
+            (&mut self.last_quiet, !allows_below)
+        };
+        let further = if is_greatest { f64::max } else { f64::min };
+        *last = Some(last.map_or(place, |last| further(last, place)));
+    }
+}
+
+/// The value of a line at a place on it. Its ends are those of the cases' axis, up
+/// to rounding.
+fn interpolated(line: &[(f64, f64)], at: f64) -> Option<f64> {
+    let last = line.len().checked_sub(1)?;
+    let next = line.partition_point(|point| point.0 < at).min(last);
+    let (place, value) = line[next];
+    if next == 0 || at >= place {
+        return Some(value);
+    }
+    let (from, start) = line[next - 1];
+    Some(start + (value - start) * (at - from) / (place - from))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_read_between_its_points() {
+        let line = [(1.0, 10.0), (2.0, 20.0), (4.0, 0.0)];
+        let at = |place| interpolated(&line, place);
+        let values = [at(1.0), at(1.5), at(2.0), at(3.0), at(4.0)];
+        assert_eq!(values, [10.0, 15.0, 20.0, 10.0, 0.0].map(Some));
+        assert_eq!([at(1.0 - 1e-15), at(4.0 + 1e-15)], [Some(10.0), Some(0.0)]);
+        assert_eq!(interpolated(&[], 1.0), None);
+    }
+
+    #[test]
+    fn cases_are_counted_on_the_sides_of_the_limit() {
+        let points = [10.0, 20.0].map(|weight| StickSlipPoint {
+            weight_on_bit_kn: Some(weight),
+            torque_dynamic_nm: 0.0,
+            surface_speed_rpm: 0.1 * weight,
+            method: "a".to_owned(),
+        });
+        let axes = [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn];
+        let boundary = Boundary::StickSlip(points.to_vec());
+        let mut limits = Limits::new(&boundary, &axes, &["a"]).expect("a limit");
+        for (speed, label) in [
+            (0.75, "stick_slip"),
+            (1.65, "stick_slip"),
+            (1.2, "smooth"),
+            (3.0, "smooth"),
+            (0.1, "stuck"),
+        ] {
+            let row = LabelRow {
+                line: 0,
+                case: 0,
+                method: "a".to_owned(),
+                values: Vec::new(),
+                torsion: label.to_owned(),
+                lateral: String::new(),
+            };
+            limits.add(&CaseRows {
+                case: 0,
+                values: vec![speed, 15.0],
+                rows: vec![row],
+            });
+        }
+        let check = &limits.checks[0];
+        assert_eq!((check.below, check.above), ([1, 1], [1, 1]));
+        assert!((check.last_vibrating.expect("one") - 1.1).abs() < 1e-12);
+        assert!((check.last_quiet.expect("one") - 0.8).abs() < 1e-12);
+    }
+}

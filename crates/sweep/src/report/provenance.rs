@@ -1,0 +1,115 @@
+//! Results folders in words and tables: with what, and how long it took.
+
+use super::document::{Block, NOTHING, Table, short};
+use super::results::Results;
+use super::sections::{row_of, table_of};
+use crate::engine::is_unstable;
+use crate::output::MethodRecord;
+
+/// How long it took.
+pub fn time(all: &[Results]) -> Vec<Block> {
+    let caption = "Whole runs, from start to end: the last part of one that was stopped, the sum \
+                   of merged shards";
+    let mut runs = table_of(all, caption, &["simulations", "threads", "time"]);
+    let header = [
+        "method",
+        "built in",
+        "taps",
+        "margin in torsion",
+        "in bending",
+        "I₀",
+    ];
+    let mut systems = table_of(all, "The linear system of each method", &header);
+    for results in all {
+        let manifest = &results.manifest;
+        let cells = vec![
+            manifest.tally.rows.to_string(),
+            manifest.threads.to_string(),
+            format!("{:.2} s", manifest.wall_seconds),
+        ];
+        runs.rows.push(row_of(all, results, cells));
+        for method in &manifest.methods {
+            systems.rows.push(row_of(all, results, system_row(method)));
+        }
+    }
+    let mut blocks = vec![runs.into(), systems.into()];
+    let varied = all.iter().filter(|results| results.manifest.strings > 1);
+    blocks.extend(varied.map(|results| {
+        Block::Text(format!(
+            "{} has {} distinct strings, each with systems of its own; those above are of the \
+             string as the sweep file says it.",
+            results.name, results.manifest.strings
+        ))
+    }));
+    blocks
+}
+
+fn system_row(method: &MethodRecord) -> Vec<String> {
+    let margin = |margin: Option<f64>| match margin {
+        None => NOTHING.to_owned(),
+        Some(margin) if is_unstable(margin) => format!("{margin:.1e}: chatters"),
+        Some(margin) => format!("{margin:.1e}"),
+    };
+    let impulses = method.least_impulses_ns.iter();
+    let impulses: Vec<String> = impulses
+        .map(|least| format!("{} N s", short(*least)))
+        .collect();
+    vec![
+        method.method.clone(),
+        format!("{:.3} s", method.build_seconds),
+        method.taps.to_string(),
+        margin(method.positive_real_margin),
+        margin(method.bending_margin),
+        if impulses.is_empty() {
+            NOTHING.to_owned()
+        } else {
+            impulses.join(", ")
+        },
+    ]
+}
+
+/// With what, and what exactly.
+pub fn provenance(all: &[Results]) -> Vec<Block> {
+    let names = all.iter().map(|results| results.name.as_str());
+    let header: Vec<&str> = ["of"].into_iter().chain(names).collect();
+    let mut table = Table::new("What the results depend on", &header);
+    let mut row = |name: &str, cell: &dyn Fn(&Results) -> String| {
+        let cells = all.iter().map(cell);
+        table
+            .rows
+            .push([name.to_owned()].into_iter().chain(cells).collect());
+    };
+    row("program", &|results| results.manifest.program.clone());
+    row("platform", &|results| results.manifest.platform.clone());
+    row("sweep", &|results| results.manifest.name.clone());
+    row("hash of the sweep", &|results| {
+        results.manifest.meaning_sha256.clone()
+    });
+    row("seed", &|results| {
+        let seed = results.manifest.seed;
+        seed.map_or_else(|| NOTHING.to_owned(), |seed| seed.to_string())
+    });
+    row("sampling frequency", &|results| {
+        let frequency = short(results.manifest.sampling_frequency_hz);
+        let why = if results.manifest.sampling_frequency_by_rule {
+            "by rule"
+        } else {
+            "as given"
+        };
+        format!("{frequency} Hz, {why}")
+    });
+    row("simulated", &|results| {
+        let until = if results.manifest.terms.full {
+            "every case to its end"
+        } else {
+            "until certain or settled"
+        };
+        until.to_owned()
+    });
+    let mut blocks = vec![table.into()];
+    blocks.extend(all.iter().map(|results| Block::Folded {
+        title: format!("The sweep of {}, as it was run", results.name),
+        text: format!("{:#}", serde_json::json!(results.manifest.sweep)),
+    }));
+    blocks
+}

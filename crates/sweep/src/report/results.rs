@@ -1,0 +1,135 @@
+//! A results folder in numbers.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, bail};
+
+use super::agreement::Agreement;
+use super::character_map::character_map;
+use super::failures::Failures;
+use super::limit::Limits;
+use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, read_boundary};
+use crate::spec::Axis;
+
+/// Cells of the map in characters, to the right and upwards: it fits a terminal.
+const CHARACTERS: [usize; 2] = [64, 25];
+
+/// What a results folder says.
+pub struct Results {
+    /// The folder, as it was given.
+    pub name: String,
+    /// Where it is.
+    pub folder: PathBuf,
+    /// What was run.
+    pub manifest: Manifest,
+    /// Whether the methods say the same.
+    pub agreement: Agreement,
+    /// The boundary against the analytic limit, where there is one.
+    pub limits: Option<Limits>,
+    /// Cases without an answer.
+    pub failures: Failures,
+    /// The regimes in characters, where the design has two axes and a case is here.
+    pub characters: Option<String>,
+}
+
+impl Results {
+    /// Reads the folder of a finished run.
+    ///
+    /// # Errors
+    /// Where a file cannot be read, or the files are not of one run.
+    pub fn read(folder: &Path) -> Result<Self> {
+        let manifest = Manifest::read(folder)?;
+        let labels = folder.join("labels.csv");
+        let methods = manifest.methods.iter().map(|method| method.method.as_str());
+        let methods: Vec<&str> = methods.collect();
+        let boundary = read_boundary(&folder.join("boundary.csv"))?;
+        let mut limits = Limits::new(&boundary, &manifest.axes, &methods);
+        let mut agreement = Agreement::new(&methods);
+        let mut map = MapCells::new(&manifest, &labels)?;
+        let mut rows = 0;
+        for case in CaseReader::open(&labels, &manifest.axes)? {
+            let case = case?;
+            rows += case.rows.len();
+            agreement.add(&case);
+            if let Some(limits) = &mut limits {
+                limits.add(&case);
+            }
+            if let Some(map) = &mut map {
+                map.add(&case);
+            }
+        }
+        let failures = Failures::read(&folder.join("failures.csv"))?;
+        let tally = &manifest.tally;
+        if (rows, failures.count()) != (tally.rows, tally.failed) {
+            bail!(
+                "{} holds {rows} rows, {} of them failed, but manifest.json speaks of {} and {}: \
+                 its files are not of one run",
+                folder.display(),
+                failures.count(),
+                tally.rows,
+                tally.failed
+            );
+        }
+        Ok(Self {
+            name: folder.display().to_string(),
+            folder: folder.to_owned(),
+            characters: map
+                .filter(|map| map.extent.cases > 0)
+                .map(|map| character_map(&map.cells, &map.extent, map.axes)),
+            agreement,
+            limits,
+            failures,
+            manifest,
+        })
+    }
+
+    /// Names of the methods.
+    pub fn methods(&self) -> impl Iterator<Item = &str> {
+        let methods = self.manifest.methods.iter();
+        methods.map(|method| method.method.as_str())
+    }
+
+    /// Rows of a method with a label.
+    pub fn count(&self, method: &str, label: &str) -> usize {
+        let labels = self.manifest.tally.labels.get(method);
+        labels
+            .and_then(|labels| labels.get(label))
+            .map_or(0, |count| *count)
+    }
+}
+
+/// The cells of a map, being counted.
+struct MapCells {
+    cells: Cells,
+    extent: Extent,
+    axes: [Axis; 2],
+    /// Places of the map's axes among the values of a case.
+    places: [usize; 2],
+}
+
+impl MapCells {
+    fn new(manifest: &Manifest, labels: &Path) -> Result<Option<Self>> {
+        let Some(map) = &manifest.map else {
+            return Ok(None);
+        };
+        let axes = [map.x, map.y];
+        let place = |axis| manifest.axes.iter().position(|&other| other == axis);
+        let (Some(x), Some(y)) = (place(map.x), place(map.y)) else {
+            bail!("the map of manifest.json has an axis that its cases do not have");
+        };
+        let extent = Extent::of(labels, axes)?;
+        Ok(Some(Self {
+            cells: Cells::new(&extent, CHARACTERS),
+            extent,
+            axes,
+            places: [x, y],
+        }))
+    }
+
+    fn add(&mut self, case: &CaseRows) {
+        if let Some(symbol) = case.symbol() {
+            self.cells
+                .add(self.places.map(|place| case.values[place]), symbol);
+        }
+    }
+}

@@ -1,0 +1,354 @@
+//! Results folders in words and tables: what came out.
+
+use super::comparison::Comparison;
+use super::document::{Block, Map, NOTHING, Section, Table, short};
+use super::limit::{LimitCheck, Limited};
+use super::provenance::{provenance, time};
+use super::results::Results;
+use crate::spec::Axis;
+
+/// Labels in the order of their columns.
+const LABELS: [&str; 7] = [
+    "stuck",
+    "smooth",
+    "stick_slip",
+    "no_contact",
+    "transient_contact",
+    "backward_whirl",
+    "forward_whirl",
+];
+
+/// Everything there is to say of one folder, or of several side by side;
+/// `comparisons` are those of the first with each of the others.
+pub fn sections(all: &[Results], comparisons: &[Comparison]) -> Vec<Section> {
+    let mut sections = vec![
+        section("What was run", overview(all)),
+        section("Regime map", maps(all)),
+        section("Regimes", vec![regimes(all).into()]),
+        section("Agreement of the methods", agreement(all)),
+        section("The analytic limit", limits(all)),
+        section("Cases without an answer", failures(all)),
+    ];
+    if !comparisons.is_empty() {
+        sections.push(section("Between the folders", between(all, comparisons)));
+    }
+    sections.push(section("Time", time(all)));
+    sections.push(section("Provenance", provenance(all)));
+    sections
+}
+
+fn section(title: &'static str, blocks: Vec<Block>) -> Section {
+    Section { title, blocks }
+}
+
+/// A table that says in its first column which folder a row is of, where there are
+/// several.
+pub fn table_of(all: &[Results], caption: &str, header: &[&str]) -> Table {
+    let folder = (all.len() > 1).then_some("folder");
+    let header: Vec<&str> = folder.into_iter().chain(header.iter().copied()).collect();
+    Table::new(caption, &header)
+}
+
+/// A row of such a table.
+pub fn row_of(all: &[Results], results: &Results, cells: Vec<String>) -> Vec<String> {
+    let folder = (all.len() > 1).then(|| results.name.clone());
+    folder.into_iter().chain(cells).collect()
+}
+
+/// `text`, with its folder before it where there are several.
+fn named(all: &[Results], results: &Results, text: impl std::fmt::Display) -> String {
+    if all.len() > 1 {
+        format!("{}: {text}", results.name)
+    } else {
+        text.to_string()
+    }
+}
+
+fn percentage(part: usize, whole: usize) -> String {
+    if whole == 0 {
+        return NOTHING.to_owned();
+    }
+    format!("{:.1} %", 100.0 * part as f64 / whole as f64)
+}
+
+fn overview(all: &[Results]) -> Vec<Block> {
+    let paragraphs = all.iter().map(|results| {
+        let manifest = &results.manifest;
+        let tally = &manifest.tally;
+        let methods: Vec<&str> = results.methods().collect();
+        let part = manifest.shard.map_or_else(String::new, |shard| {
+            format!(" This is shard {shard}, a part of it.")
+        });
+        let failed = match tally.failed {
+            0 => "Every one has an answer.".to_owned(),
+            failed => format!("{failed} of them have no answer."),
+        };
+        let settled = match tally.settled_checked {
+            0 => String::new(),
+            checked => format!(
+                " Of {checked} simulations that settled and were followed to their end all the \
+                 same, {} changed their label.",
+                tally.settled_wrong
+            ),
+        };
+        Block::Text(format!(
+            "{}: {}. {} cases by {} ({}).{part} {} simulations. {failed}{settled}",
+            results.name,
+            manifest.title,
+            manifest.cases,
+            match methods.len() {
+                1 => "one method".to_owned(),
+                count => format!("{count} methods"),
+            },
+            methods.join(", "),
+            tally.rows,
+        ))
+    });
+    paragraphs.collect()
+}
+
+fn maps(all: &[Results]) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for results in all {
+        let Some(characters) = &results.characters else {
+            let text = if results.manifest.map.is_some() {
+                "No map: there is no case in this part."
+            } else {
+                "No map: the cases differ in fewer than two quantities."
+            };
+            blocks.push(Block::Text(named(all, results, text)));
+            continue;
+        };
+        let svg = results.folder.join("map.svg");
+        let missing = if svg.exists() {
+            None
+        } else if results.manifest.shard.is_some() {
+            Some("The picture is drawn when the shards are merged.".to_owned())
+        } else {
+            Some(format!(
+                "map.svg is missing; `sweep plot {}` draws it.",
+                results.name
+            ))
+        };
+        let svg = missing.is_none().then_some(svg);
+        blocks.extend(missing.map(|text| Block::Text(named(all, results, text))));
+        blocks.push(Block::Map(Map {
+            caption: named(all, results, &results.manifest.title),
+            svg,
+            characters: characters.clone(),
+        }));
+    }
+    blocks
+}
+
+fn regimes(all: &[Results]) -> Table {
+    let is_found = |label: &&str| {
+        let mut methods = all
+            .iter()
+            .flat_map(|results| results.methods().map(move |method| (results, method)));
+        methods.any(|(results, method)| results.count(method, label) > 0)
+    };
+    let labels: Vec<&str> = LABELS.into_iter().filter(is_found).collect();
+    let header: Vec<&str> = ["method"]
+        .into_iter()
+        .chain(labels.clone())
+        .chain(["no answer"])
+        .collect();
+    let mut table = table_of(all, "Cases of each regime, by method", &header);
+    for results in all {
+        for method in results.methods() {
+            let counts = labels.iter().map(|label| results.count(method, label));
+            let failed = results.failures.by_method.get(method).copied().unwrap_or(0);
+            let cells = counts.chain([failed]).map(|count| count.to_string());
+            let cells = [method.to_owned()].into_iter().chain(cells).collect();
+            table.rows.push(row_of(all, results, cells));
+        }
+    }
+    table
+}
+
+fn agreement(all: &[Results]) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let header = ["methods", "same labels", "of cases", "part"];
+    let mut pairs = table_of(all, "Cases on which two methods agree", &header);
+    let header = ["all sustained", "none", "methods differ", "not told"];
+    let mut symbols = table_of(all, "Cases by what the map is about", &header);
+    for results in all {
+        let agreement = &results.agreement;
+        for pair in &agreement.pairs {
+            let cells = vec![
+                pair.methods.join(" and "),
+                pair.same.to_string(),
+                pair.compared.to_string(),
+                percentage(pair.same, pair.compared),
+            ];
+            pairs.rows.push(row_of(all, results, cells));
+        }
+        let counts = agreement.symbols.into_iter().chain([agreement.untold]);
+        let cells = counts.map(|count| count.to_string()).collect();
+        symbols.rows.push(row_of(all, results, cells));
+    }
+    if pairs.rows.is_empty() {
+        blocks.push(Block::Text("There is only one method.".to_owned()));
+    } else {
+        blocks.push(pairs.into());
+    }
+    blocks.push(symbols.into());
+    let differing = all.iter().filter(|results| results.agreement.differing > 0);
+    blocks.extend(differing.map(|results| differing_cases(all, results).into()));
+    blocks
+}
+
+fn differing_cases(all: &[Results], results: &Results) -> Table {
+    let agreement = &results.agreement;
+    let axes = &results.manifest.axes;
+    let axis_names: Vec<String> = axes.iter().map(|axis| axis.name()).collect();
+    let names = axis_names.iter().map(String::as_str);
+    let header: Vec<&str> = ["case"]
+        .into_iter()
+        .chain(names)
+        .chain(results.methods())
+        .collect();
+    let caption = format!(
+        "Cases on which the methods differ{}",
+        extent(agreement.listed.len(), agreement.differing)
+    );
+    let mut table = Table::new(named(all, results, caption), &header);
+    for case in &agreement.listed {
+        let mut cells = vec![case.case.to_string()];
+        cells.extend(case.values.iter().map(|&value| short(value)));
+        cells.extend(results.methods().map(|method| {
+            let row = case.rows.iter().find(|row| row.method == method);
+            row.map_or_else(|| NOTHING.to_owned(), |row| row.regime())
+        }));
+        table.rows.push(cells);
+    }
+    table
+}
+
+/// How many are listed of how many there are.
+fn extent(listed: usize, all: usize) -> String {
+    if listed < all {
+        format!(", the first {listed} of {all}")
+    } else {
+        format!(", all {all}")
+    }
+}
+
+fn limits(all: &[Results]) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for results in all {
+        let Some(limits) = &results.limits else {
+            let text = "No limit is known for these cases.";
+            blocks.push(Block::Text(named(all, results, text)));
+            continue;
+        };
+        let (caption, last) = match limits.limited {
+            Limited::StickSlip => (
+                "Surface speed in multiples of the limit of Eq. 74, below which stick-slip can \
+                 sustain itself; cases as stick-slip / smooth",
+                ["highest stick-slip", "lowest smooth"],
+            ),
+            Limited::Whirl => (
+                "Friction in multiples of the least that sustains steady backward whirl at one \
+                 site; cases as backward whirl / none",
+                ["lowest whirl", "highest without"],
+            ),
+        };
+        let header = ["method", "below the limit", "above it", last[0], last[1]];
+        let mut table = Table::new(named(all, results, caption), &header);
+        table.rows.extend(limits.checks.iter().map(limit_row));
+        blocks.push(table.into());
+    }
+    blocks
+}
+
+fn limit_row(check: &LimitCheck) -> Vec<String> {
+    let counts = |[vibrating, quiet]: [usize; 2]| format!("{vibrating} / {quiet}");
+    let place = |place: Option<f64>| {
+        place.map_or_else(|| NOTHING.to_owned(), |place| format!("{place:.3}"))
+    };
+    vec![
+        check.method.clone(),
+        counts(check.below),
+        counts(check.above),
+        place(check.last_vibrating),
+        place(check.last_quiet),
+    ]
+}
+
+fn failures(all: &[Results]) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for results in all {
+        let (listed, count) = (&results.failures.listed, results.failures.count());
+        if count == 0 {
+            let text = "None.";
+            blocks.push(Block::Text(named(all, results, text)));
+            continue;
+        }
+        let caption = format!("Failed simulations{}", extent(listed.len(), count));
+        let header = ["case", "method", "reason", "repeat with"];
+        let mut table = Table::new(named(all, results, caption), &header);
+        table.rows.extend(listed.iter().map(|failure| {
+            vec![
+                failure.case.to_string(),
+                failure.method.clone(),
+                failure.reason.clone(),
+                failure.repeat_with.clone(),
+            ]
+        }));
+        blocks.push(table.into());
+    }
+    blocks
+}
+
+fn between(all: &[Results], comparisons: &[Comparison]) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let Some((first, others)) = all.split_first() else {
+        return blocks;
+    };
+    for (other, comparison) in others.iter().zip(comparisons) {
+        let folders = format!("{} and {}", first.name, other.name);
+        let (compared, different, listed) = match comparison {
+            Comparison::OtherCases(why) => {
+                let text = format!("{folders} are not of the same cases: {why}.");
+                blocks.push(Block::Text(text));
+                continue;
+            }
+            Comparison::SameCases {
+                compared,
+                different,
+                listed,
+            } => (*compared, *different, listed),
+        };
+        blocks.push(Block::Text(format!(
+            "{folders} have the same labels for {} of {compared} simulations ({}).",
+            compared - different,
+            percentage(compared - different, compared)
+        )));
+        if listed.is_empty() {
+            continue;
+        }
+        let axis_names: Vec<String> = first
+            .manifest
+            .axes
+            .iter()
+            .map(|axis: &Axis| axis.name())
+            .collect();
+        let names = axis_names.iter().map(String::as_str);
+        let header: Vec<&str> = (["case", "method"].into_iter())
+            .chain(names)
+            .chain([first.name.as_str(), other.name.as_str()])
+            .collect();
+        let caption = format!("Labels that differ{}", extent(listed.len(), different));
+        let mut table = Table::new(caption, &header);
+        table.rows.extend(listed.iter().map(|difference| {
+            let mut cells = vec![difference.case.to_string(), difference.method.clone()];
+            cells.extend(difference.values.iter().map(|&value| short(value)));
+            cells.extend(difference.regimes.clone());
+            cells
+        }));
+        blocks.push(table.into());
+    }
+    blocks
+}

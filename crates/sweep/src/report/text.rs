@@ -1,0 +1,125 @@
+//! Sections for a terminal, a pipe or a file.
+
+use super::document::{Block, Section, Table};
+
+/// Lines are broken here; a command to copy is not.
+const WIDTH: usize = 96;
+
+/// Space between columns.
+const GAP: usize = 2;
+
+/// The sections as text.
+pub fn text(title: &str, sections: &[Section]) -> String {
+    let mut text = wrapped(title, 0);
+    for section in sections {
+        let rule = "─".repeat(section.title.chars().count());
+        text += &format!("\n{}\n{rule}\n", section.title);
+        for block in &section.blocks {
+            match block {
+                Block::Text(paragraph) => text += &wrapped(paragraph, 0),
+                Block::Table(table) => text += &table_text(table),
+                Block::Map(map) => text += &format!("{}\n\n{}", map.caption, map.characters),
+                Block::Folded { .. } => {}
+            }
+        }
+    }
+    text
+}
+
+/// A table in columns, or, where they do not fit, row by row.
+fn table_text(table: &Table) -> String {
+    let width = |column: usize| {
+        let cells = table.rows.iter().map(|row| &row[column]);
+        let all = cells.chain([&table.header[column]]);
+        all.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..table.header.len()).map(width).collect();
+    let mut text = wrapped(&format!("{}:", table.caption), 0);
+    if widths.iter().map(|width| width + GAP).sum::<usize>() > WIDTH {
+        for row in &table.rows {
+            text += &record(&table.header, row);
+        }
+        return text;
+    }
+    let line = |cells: &[String]| {
+        let mut line = String::new();
+        for (column, (cell, width)) in cells.iter().zip(&widths).enumerate() {
+            let space = " ".repeat(width - cell.chars().count());
+            let gap = " ".repeat(GAP);
+            line += &if table.is_numeric(column) {
+                format!("{gap}{space}{cell}")
+            } else {
+                format!("{gap}{cell}{space}")
+            };
+        }
+        format!("{}\n", line.trim_end())
+    };
+    text += &line(&table.header);
+    for row in &table.rows {
+        text += &line(row);
+    }
+    text
+}
+
+/// A row of a table that is too wide: a line for each of its cells.
+fn record(header: &[String], row: &[String]) -> String {
+    let mut text = String::new();
+    for (index, (name, cell)) in header.iter().zip(row).enumerate() {
+        let bullet = if index == 0 { "- " } else { "  " };
+        text += &format!("{bullet}{name}: {cell}\n");
+    }
+    text
+}
+
+/// A paragraph in lines of limited width, the later ones indented.
+fn wrapped(paragraph: &str, indent: usize) -> String {
+    let mut text = String::new();
+    let mut column = 0;
+    for word in paragraph.split_whitespace() {
+        let length = word.chars().count();
+        if column > indent && column + 1 + length > WIDTH {
+            text += &format!("\n{}", " ".repeat(indent));
+            column = indent;
+        } else if column > 0 {
+            text.push(' ');
+            column += 1;
+        }
+        text += word;
+        column += length;
+    }
+    text + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(cells: [[&str; 2]; 2]) -> Table {
+        let mut table = Table::new("Of things", &["name", "number"]);
+        table.rows = cells.map(|row| row.map(str::to_owned).to_vec()).to_vec();
+        table
+    }
+
+    #[test]
+    fn numbers_are_aligned_at_their_end_and_words_at_their_start() {
+        let text = table_text(&table([["a", "10"], ["long", "5"]]));
+        assert_eq!(
+            text,
+            "Of things:\n  name  number\n  a         10\n  long       5\n"
+        );
+    }
+
+    #[test]
+    fn a_table_too_wide_becomes_a_list_and_keeps_its_commands_whole() {
+        let command = "sweep simulate ".repeat(8);
+        let text = table_text(&table([["a", &command], ["b", "2"]]));
+        assert!(text.contains(&format!("- name: a\n  number: {command}\n- name: b\n")));
+    }
+
+    #[test]
+    fn paragraphs_are_no_wider_than_a_terminal() {
+        let text = wrapped(&"a word or two ".repeat(40), 0);
+        assert!(text.lines().count() > 4);
+        assert!(text.lines().all(|line| line.chars().count() <= WIDTH));
+    }
+}
