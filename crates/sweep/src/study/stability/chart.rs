@@ -133,13 +133,13 @@ fn number(entry: &Entry) -> String {
         return String::new();
     };
     let text = match value.abs() {
+        size if !size.is_finite() => "∞".to_owned(),
         // Rounding, and what is cut off.
         size if size < 1e-6 => "0".to_owned(),
-        size if size < 1e-2 || size >= 1e4 => format!("{value:.0e}"),
+        size if !(1e-2..1e4).contains(&size) => format!("{value:.0e}"),
         size if size < 1.0 => format!("{value:.2}"),
         size if size < 10.0 => format!("{value:.1}"),
-        size if size < 1e4 => format!("{value:.0}"),
-        _ => "∞".to_owned(),
+        _ => format!("{value:.0}"),
     };
     text.replace('-', "−")
 }

@@ -96,7 +96,9 @@ impl Findings {
     /// Everything that is wrong.
     pub fn symptoms(&self) -> Vec<Symptom> {
         // What is not a number is not below any threshold.
-        let above = |value: Option<f64>, most: f64| value.is_some_and(|value| !(value <= most));
+        let above = |value: Option<f64>, most: f64| {
+            value.is_some_and(|value| value > most || value.is_nan())
+        };
         let chatters = above(self.chatter, CHATTER);
         let drifts = above(self.drift.map(f64::abs), DRIFT);
         let signs = [
