@@ -9,7 +9,7 @@ use anyhow::Result;
 use plotters::style::text_anchor::HPos;
 use plotters::style::{BLACK, RGBColor};
 
-const WIDTH: f64 = 1400.0;
+const WIDTH: f64 = 1500.0;
 const MARGIN: f64 = 16.0;
 /// Distance between the two columns of panels.
 const GUTTER: f64 = 30.0;
@@ -20,9 +20,9 @@ const WIDEST_CELL: f64 = 80.0;
 const GAP: f64 = 6.0;
 const PANEL_GAP: f64 = 20.0;
 /// Size of the numbers in cells and of the labels beside them.
-const CELL_TEXT: f64 = 10.5;
+const CELL_TEXT: f64 = 10.0;
 const LABEL_TEXT: f64 = 12.5;
-const RADIUS: f64 = 4.2;
+const RADIUS: f64 = 4.0;
 
 // Tints of Okabe and Ito's sky blue and orange, and their strong colours.
 const SKY: RGBColor = RGBColor(0xD3, 0xEA, 0xF8);

@@ -133,9 +133,9 @@ fn number(entry: &Entry) -> String {
         return String::new();
     };
     let text = match value.abs() {
+        size if !size.is_finite() => "∞".to_owned(),
         // Rounding, and what is cut off.
         size if size < 1e-6 => "0".to_owned(),
-        f64::INFINITY => "∞".to_owned(),
         size if !(1e-2..1e4).contains(&size) => format!("{value:.0e}"),
         size if size < 1.0 => format!("{value:.2}"),
         size if size < 10.0 => format!("{value:.1}"),

@@ -95,7 +95,7 @@ impl Findings {
 
     /// Everything that is wrong.
     pub fn symptoms(&self) -> Vec<Symptom> {
-        // What is not a number is as bad as can be.
+        // What is not a number is not below any threshold.
         let above = |value: Option<f64>, most: f64| {
             value.is_some_and(|value| value > most || value.is_nan())
         };
