@@ -1,8 +1,26 @@
 //! `sweep`: parameter sweeps of drillstring dynamics.
 //!
-//! A sweep file (`spec`) names cases (`design`); the `engine` runs them on all
-//! cores against linear systems built once; `output` and `plot` make the files
-//! of a results folder. `commands` has one file for each thing a user can ask.
+//! ```text
+//! my-sweep.toml ──> spec     read with its bases, resolved to SI, or refused with its line
+//!                    │
+//!                  design    the cases: a grid, random points, a list
+//!                    │
+//!                  engine    linear systems built once ───────────────> crate `linear`
+//!                    │       cases over all cores, each kept as done ─> crate `sim`
+//!                  output    labels.csv, boundary.csv, manifest.json, failures.csv
+//!                    │
+//!                   plot     map.svg, map.png
+//! ```
+//!
+//! There is no equation here: the string is the business of `linear`, its
+//! motion that of `sim`. `commands` has one file for each thing a user can ask,
+//! and `cli` their arguments. To see it at work:
+//!
+//! ```sh
+//! sweep new my-sweep.toml        # a commented sweep file
+//! sweep run my-sweep.toml        # its cases, its map
+//! sweep help                     # everything else
+//! ```
 
 mod cli;
 mod commands;
@@ -25,12 +43,15 @@ const PROGRAM: &str = concat!("sweep ", env!("SWEEP_VERSION"));
 
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
+        Command::New(arguments) => commands::new::new(&arguments),
         Command::Run(arguments) => commands::run::run(&arguments),
         Command::Check(arguments) => commands::check::check(&arguments),
         Command::Simulate(arguments) => commands::simulate::simulate(&arguments),
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments),
         Command::Plot(arguments) => commands::plot::plot(&arguments),
         Command::Merge(arguments) => commands::merge::merge(&arguments),
+        Command::Completions(arguments) => commands::shell::completions(&arguments),
+        Command::Man(arguments) => commands::shell::man(&arguments),
     };
     result
         .unwrap_or_else(|error| commands::report(&error))

@@ -6,9 +6,11 @@ mod folder;
 pub mod inspect;
 pub mod merge;
 mod motion;
+pub mod new;
 pub mod plot;
 mod progress;
 pub mod run;
+pub mod shell;
 pub mod simulate;
 mod stop;
 

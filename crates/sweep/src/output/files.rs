@@ -21,8 +21,7 @@ impl AtomicFile {
     /// # Errors
     /// Where its folder cannot be written.
     pub fn create(path: &Path) -> Result<Self> {
-        let folder = path.parent().unwrap_or(Path::new("."));
-        let file = NamedTempFile::new_in(folder).with_context(|| unwritable(path))?;
+        let file = NamedTempFile::new_in(folder_of(path)).with_context(|| unwritable(path))?;
         Ok(Self {
             path: path.to_owned(),
             writer: BufWriter::new(file),
@@ -48,9 +47,17 @@ impl AtomicFile {
             make_readable(file.as_file())?;
             file.as_file().sync_all()?;
             file.persist(&path).map_err(|error| error.error)?;
-            sync_folder(path.parent().unwrap_or(Path::new(".")))
+            sync_folder(folder_of(&path))
         };
         attempt().with_context(|| unwritable(&path))
+    }
+}
+
+/// The folder a file is in; a bare name has an empty one, which is the present.
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
     }
 }
 
