@@ -7,6 +7,8 @@ mod check;
 mod designs;
 #[path = "command_line/manifest.rs"]
 mod manifest;
+#[path = "command_line/new.rs"]
+mod new;
 #[path = "command_line/run.rs"]
 mod run;
 #[path = "command_line/single_case.rs"]

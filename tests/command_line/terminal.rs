@@ -11,7 +11,17 @@ use crate::{succeeds, text};
 fn every_command_shows_an_example() {
     let place = Workplace::new();
     let help = succeeds(&place, &["--help"]).output;
-    for command in ["run", "check", "simulate", "inspect", "plot"] {
+    for command in [
+        "new",
+        "run",
+        "check",
+        "simulate",
+        "inspect",
+        "plot",
+        "merge",
+        "man",
+        "completions",
+    ] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         let help = succeeds(&place, &[command, "--help"]).output;
         let example = format!("sweep {command} ");

@@ -5,6 +5,8 @@ mod bit;
 mod file;
 #[cfg(test)]
 mod fuzz;
+#[cfg(test)]
+mod guide;
 mod lateral;
 mod map;
 mod resolve;
