@@ -122,7 +122,7 @@ fn with_a_wall_and_an_impulse_a_new_file_tells_whirl() {
     assert!(
         labels
             .iter()
-            .all(|[label]| label != "" && label != "no_contact"),
+            .all(|[label]| !label.is_empty() && label != "no_contact"),
         "{labels:?}"
     );
     assert_eq!(manifest(&place, "results")["failed"], 0);

@@ -6,7 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::engine::Shard;
-use crate::spec::{Axis, MethodName};
+use crate::spec::{Axis, MethodName, nearest};
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]
@@ -220,8 +220,11 @@ pub struct ManArguments {
 
 fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected AXIS=VALUE")?;
-    let axis = Axis::from_name(name.trim())
-        .ok_or_else(|| format!("unknown axis `{name}`; known: {}", Axis::NAMES.join(", ")))?;
+    let axis =
+        Axis::from_name(name.trim()).ok_or_else(|| match nearest(name.trim(), &Axis::NAMES) {
+            Some(known) => format!("unknown axis `{name}`; did you mean `{known}`?"),
+            None => format!("unknown axis `{name}`; known: {}", Axis::NAMES.join(", ")),
+        })?;
     let value = value.trim();
     let number = value
         .parse()

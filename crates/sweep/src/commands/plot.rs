@@ -152,7 +152,7 @@ fn points(labels: &Path, settings: &MapSettings, extent: &MapExtent) -> Result<V
     Ok(points)
 }
 
-fn legend(manifest: &Manifest, extent: &MapExtent) -> [String; 3] {
+fn legend(manifest: &Manifest, extent: &MapExtent) -> Vec<String> {
     let (circle, cross) = if extent.is_lateral {
         ("sustained whirl", "no sustained whirl")
     } else {
@@ -176,11 +176,15 @@ fn legend(manifest: &Manifest, extent: &MapExtent) -> [String; 3] {
     } else {
         String::new()
     };
-    [
+    let mut legend = vec![
         format!("{circle}{by_all} ({}){crowd}", names.join(", ")),
         format!("{cross}{by_all}"),
-        "methods differ".to_owned(),
-    ]
+    ];
+    // One method cannot differ.
+    if names.len() > 1 {
+        legend.push("methods differ".to_owned());
+    }
+    legend
 }
 
 /// The rows of one case, as the map needs them.

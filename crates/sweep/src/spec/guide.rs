@@ -10,6 +10,7 @@ use toml::{Table, Value};
 
 use super::file::*;
 use super::lateral::*;
+use super::source::keys_of;
 use super::{Sweep, check_setting};
 
 const PAGE: &str = include_str!("../../../../docs/sweep-file.md");
@@ -69,7 +70,7 @@ struct Chapter {
 
 fn chapters() -> Vec<Chapter> {
     fn chapter<T: DeserializeOwned>(heading: &'static str, path: &'static str) -> Chapter {
-        let keys = keys_of::<T>();
+        let keys = keys_of::<T>().into_iter().collect();
         Chapter {
             heading,
             path,
@@ -102,15 +103,6 @@ fn chapters() -> Vec<Chapter> {
     // Not a key of the merged file.
     chapters[0].keys.insert("base".to_owned());
     chapters
-}
-
-/// The keys that a table may have, as its reader names them when it finds another.
-fn keys_of<T: DeserializeOwned>() -> BTreeSet<String> {
-    let unknown = Table::from_iter([("?".to_owned(), Value::Boolean(true))]);
-    let error = unknown.try_into::<T>().err().expect("`?` is no key");
-    let mut words = error.message().split('`').skip(1).step_by(2);
-    assert_eq!(words.next(), Some("?"), "{error}");
-    words.map(str::to_owned).collect()
 }
 
 /// The rows of the table below a heading, by their first cell.
