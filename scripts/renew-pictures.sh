@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Renews the pictures of the guide, docs/images, from the sweep files that are shipped:
-# about a minute on two cores. What the commands say, the numbers that the guide
+# a minute or two on two cores. What the commands say, the numbers that the guide
 # quotes, goes to standard output.
 set -euo pipefail
 cd "$(dirname "$0")/.."
