@@ -16,8 +16,8 @@ use crate::spec::{Axis, MethodName, nearest};
     after_help = "Examples: a map of your own in two commands\n  \
         sweep new my-sweep.toml\n  sweep run my-sweep.toml\n\n\
         `sweep help COMMAND` tells all options of a command, with examples.\n\
-        Exit codes: 0 complete, 1 an error, 2 bad usage or a bad sweep file, 3 some\n\
-        cases gave no answer, 4 shards are missing, 5 labels differ, 130 and 143 stopped."
+        Exit codes: 0 complete, 1 an error, 2 bad usage or a bad sweep file, 3 cases\n\
+        without an answer, 4 shards missing, 5 labels differ, 130 and 143 stopped."
 )]
 pub struct Cli {
     /// What to do.
