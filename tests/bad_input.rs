@@ -31,6 +31,8 @@ fn a_misspelt_key_is_named_with_its_line() {
         [30, 70] } => [30, 70] }⏎[method.finite_element]⏎gamma = 0.6 | method.finite_element | did you mean `finite-element`? | finite_element
         count = 3 => number = 3 | design.axes.surface_speed_rpm.number | known here: from, to, count
         [map] => [plot] | plot | known here: title
+        density_kg_m3 => density | string.density | did you mean `density_kg_m3`?
+        [map] => [map]⏎methods = ["hilbert"] | map.methods | it belongs above the first [table]
         "#,
     );
 }
@@ -385,7 +387,7 @@ fn a_map_that_cannot_be_drawn_is_refused() {
         r#"
         [map] => [map]⏎x = "torque_dynamic_nm" | map.x | torque_dynamic_nm is not an axis of the design
         [map] => [map]⏎y = "torque_dynamic_nm" | map.y | torque_dynamic_nm is not an axis of the design
-        [map] => [map]⏎x = "weight" | map.x | known here: surface_speed_rpm
+        [map] => [map]⏎x = "weight" | map.x | did you mean `weight_on_bit_kn`?
         [map] => [map]⏎x = "weight_on_bit_kn"⏎y = "weight_on_bit_kn" | map.x | is the axis upwards too | x =
         surface_speed_rpm = 0.3,  =>  | map.marks[0] | does not say its surface_speed_rpm | marks
         , weight_on_bit_kn = 50 =>  | map.marks[0] | does not say its weight_on_bit_kn | marks

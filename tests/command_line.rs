@@ -7,6 +7,8 @@ mod check;
 mod designs;
 #[path = "command_line/manifest.rs"]
 mod manifest;
+#[path = "command_line/new.rs"]
+mod new;
 #[path = "support/refusals.rs"]
 #[allow(dead_code, reason = "its tables of mistakes are for bad_input")]
 mod refusals;

@@ -48,7 +48,7 @@ fn an_argument_that_cannot_be_read_is_named() {
         (&["rum", "small.toml"], &["rum", "'run'"]),
         (
             &["simulate", "small.toml", "--set", "speed=1"],
-            &["unknown axis `speed`"],
+            &["unknown axis `speed`", "known: surface_speed_rpm"],
         ),
         (&["simulate", "small.toml", "--set", "1"], &["AXIS=VALUE"]),
         (

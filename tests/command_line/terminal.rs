@@ -12,7 +12,19 @@ fn every_command_shows_an_example() {
     let place = Workplace::new();
     let help = succeeds(&place, &["--help"]).output;
     for command in [
-        "run", "check", "simulate", "inspect", "plot", "merge", "report", "summary",
+        "new",
+        "run",
+        "check",
+        "simulate",
+        "inspect",
+        "plot",
+        "merge",
+        "man",
+        "completions",
+        "report",
+        "summary",
+        "tradeoff",
+        "stability",
     ] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         let help = succeeds(&place, &[command, "--help"]).output;

@@ -53,6 +53,17 @@ pub fn torsional_settling_time(string: &Drillstring) -> f64 {
     4.0 * string.torsional_damping() * string.length() / (squared * torsional_stiffness(string))
 }
 
+/// What damping leaves of the amplitude of a torsional wave on its way from the
+/// surface to the bit: exp(−Σ c_t L / 2Z) over all tubes, reflections apart.
+pub fn torsional_wave_left(string: &Drillstring) -> f64 {
+    let loss: f64 = string
+        .tubes()
+        .map(|(count, tube)| count * tube.length / torsional_impedance(string, tube))
+        .sum::<f64>()
+        * string.torsional_damping();
+    (-0.5 * loss).exp()
+}
+
 /// Δ of Eq. 75: the largest undershoot of the step response whose taps are
 /// given, in the units of the response (rad/s per N m at the bit).
 pub fn largest_undershoot(taps: &[f64]) -> f64 {

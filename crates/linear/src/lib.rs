@@ -7,6 +7,24 @@
 //! rotations and external torques are positive in one and the same direction
 //! at every node, so that every driving-point speed response is positive-real.
 //!
+//! ```text
+//!              Drillstring, Sites                sections from the surface down
+//!                │            │
+//!        waves (exact,     elements (matrices,
+//!        any complex s)    Newmark's scheme)
+//!                │            │
+//!   filters: hilbert,         │
+//!   quadrature, direct-idft   │
+//!                │            │
+//!                └─────┬──────┘
+//!        TorsionResponses, BendingResponses      taps A(0), A(1), …: all that leaves
+//!                      │
+//!             passivity, estimates               what can be said before simulating
+//! ```
+//!
+//! This crate knows nothing of contacts. A string of one's own, in full:
+//! `examples/own_string.rs`.
+//!
 //! | paper | here |
 //! |---|---|
 //! | Table 2, Fig. 5: the string and its sites | [`drillstring`] |

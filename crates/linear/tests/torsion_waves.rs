@@ -5,7 +5,9 @@ mod oracles;
 
 use faer::c64;
 use linear::RaisedCosine;
-use linear::estimates::{torsional_impedance, torsional_stiffness, torsional_travel_time};
+use linear::estimates::{
+    torsional_impedance, torsional_stiffness, torsional_travel_time, torsional_wave_left,
+};
 use linear::waves::chain::Stiffness;
 use linear::waves::{chain, network::TorsionNetwork, torsion};
 use linear::{
@@ -82,6 +84,8 @@ fn the_first_plateau_is_that_of_two_impedances_in_series() {
     let loss = damping * (900.0 / (2.0 * pipe_impedance) + 100.0 / (2.0 * collar_impedance));
     let plateau = 2.0 * 2.0 * pipe_impedance / (pipe_impedance + collar_impedance) * (-loss).exp();
     assert!((plateau / 0.814 - 1.0).abs() < 0.01, "{plateau}");
+    let left = torsional_wave_left(&string);
+    assert!((left / (-loss).exp() - 1.0).abs() < 0.01, "{left}");
 
     // A ramp without the high frequencies that the joints scatter, and a
     // sampling frequency that follows it.

@@ -5,12 +5,29 @@
 //! dynamics*, Journal of Sound and Vibration (2015). This crate sees taps, never how
 //! they were made.
 //!
+//! ```text
+//!   taps from `linear`          Scene: surface speed, bit, walls, impulses, time
+//!          │                                      │
+//!   System, LateralSystem                         │
+//!   (once for all cases)                          │
+//!          └──────────────────┬───────────────────┘
+//!          every step:  history    what the past adds (Eq. 17): the load line
+//!                       laws       meet it: rock, wall (Eqs. 18, 33–38)
+//!                       regime, whirl, settling    watch; end when it is certain
+//!                             │
+//!             Outcome: regimes and measures;  Trajectory, where asked for
+//! ```
+//!
+//! This crate knows nothing of files, threads or methods. A contact law of one's own
+//! is a closure, given to [`bit_speeds`]: `examples/own_contact_law.rs`.
+//!
 //! | paper | here |
 //! |---|---|
 //! | Eqs. 16–17: load line and history | [`history`], [`stepper`] |
 //! | Section 2.2.2, 5.2.1: torque at the bit | [`laws::bit`] |
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
+//! | Eqs. 14–18 for a torque law of one's own | [`own_law`] |
 //! | Section 5.2.1: stick-slip or smooth | [`regime`] |
 //! | Section 5.2.2: transient contact or whirl | [`whirl`], its bound in [`steady_whirl`] |
 //! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
@@ -52,6 +69,7 @@ pub mod history;
 pub mod lateral;
 pub mod laws;
 pub mod oscillator;
+pub mod own_law;
 pub mod regime;
 pub mod scene;
 pub mod settling;
@@ -66,6 +84,7 @@ pub use lateral::{LateralSystem, simulate_lateral};
 pub use laws::bit::BitTorque;
 pub use laws::rock::Rock;
 pub use laws::wall::Wall;
+pub use own_law::{LoadLine, bit_speeds};
 pub use regime::{TorsionMeasures, TorsionRegime};
 pub use scene::{Lateral, Scene};
 pub use settling::{Ended, Stopping};

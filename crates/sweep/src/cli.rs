@@ -3,15 +3,24 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 
 use crate::engine::{Shard, Terms};
-use crate::spec::{Axis, MethodName};
+use crate::spec::{Axis, MethodName, nearest};
 use crate::study::stability::Family;
 use crate::study::tradeoff::{LADDER, Measure};
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]
-#[command(version = env!("SWEEP_VERSION"), about, max_term_width = 100)]
+#[command(
+    version = env!("SWEEP_VERSION"),
+    max_term_width = 100,
+    after_help = "Examples: a map of your own in two commands\n  \
+        sweep new my-sweep.toml\n  sweep run my-sweep.toml\n\n\
+        `sweep help COMMAND` tells all options of a command, with examples.\n\
+        Exit codes: 0 complete, 1 an error, 2 bad usage or a bad sweep file, 3 cases\n\
+        without an answer, 4 shards missing, 5 labels differ, 130 and 143 stopped."
+)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -21,6 +30,13 @@ pub struct Cli {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Write a commented sweep file to start from
+    #[command(
+        after_help = "Example:\n  sweep new my-sweep.toml\n  sweep run my-sweep.toml\n\n\
+        The file runs as it is, in about a second. It needs no other file: string, bit,\n\
+        rock and cases are in it, and a borehole wall, impulses and more to switch on."
+    )]
+    New(NewArguments),
     /// Run every case of a sweep with every method it names; write a results folder
     #[command(
         after_help = "Examples:\n  sweep run sweeps/fig09.toml --out /tmp/fig09\n  \
@@ -30,23 +46,26 @@ pub enum Command {
     )]
     Run(RunArguments),
     /// Rerun the cases of a reference label file and compare the labels
-    #[command(after_help = "Example: sweep check sweeps/fig09.toml results/reference/fig09.csv")]
+    #[command(
+        after_help = "Example:\n  sweep check sweeps/fig09.toml results/reference/fig09.csv\n\n\
+        Exit code 5 where a label differs; each that does is printed."
+    )]
     Check(CheckArguments),
     /// Run a case in full: time histories as CSV and as a picture
     #[command(after_help = "Examples:\n  sweep simulate sweeps/fig08b.toml\n  \
         sweep simulate sweeps/fig09.toml --case 17\n  \
         sweep simulate sweeps/fig13.toml --case 0,1\n  \
-        sweep simulate sweeps/fig09.toml --set surface_speed_rpm=0.1 --set weight_on_bit_kn=60")]
+        sweep simulate sweeps/fig09.toml --set weight_on_bit_kn=60")]
     Simulate(SimulateArguments),
     /// Show the linear system: stiffness, times, taps, stability, cost
-    #[command(after_help = "Example: sweep inspect sweeps/fig09.toml")]
+    #[command(after_help = "Example:\n  sweep inspect sweeps/fig09.toml")]
     Inspect(InspectArguments),
     /// Draw the regime map of a results folder again
-    #[command(after_help = "Example: sweep plot results/fig09")]
+    #[command(after_help = "Example:\n  sweep plot results/fig09")]
     Plot(PlotArguments),
     /// Join the shards of a sweep into one results folder
     #[command(
-        after_help = "Example: sweep merge results/fig14/shard-* --out results/fig14\n\n\
+        after_help = "Example:\n  sweep merge results/fig14/shard-* --out results/fig14\n\n\
         Exit code 4 where a shard is missing or not finished; its number is printed."
     )]
     Merge(MergeArguments),
@@ -67,6 +86,25 @@ pub enum Command {
     /// Say in the terminal what a results folder holds
     #[command(after_help = "Example: sweep summary results/fig09")]
     Summary(SummaryArguments),
+    /// Print a script that completes this command line in a shell
+    #[command(after_help = "Example, for bash:\n  \
+        sweep completions bash > ~/.local/share/bash-completion/completions/sweep")]
+    Completions(CompletionsArguments),
+    /// Print the manual page of the program or of a command
+    #[command(after_help = "Examples:\n  sweep man run | man -l -\n  \
+        sweep man > ~/.local/share/man/man1/sweep.1")]
+    Man(ManArguments),
+}
+
+/// Arguments of `new`.
+#[derive(Debug, Args)]
+pub struct NewArguments {
+    /// The file to write
+    #[arg(default_value = "my-sweep.toml")]
+    pub file: PathBuf,
+    /// Write over a file that is there
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Arguments of `run`.
@@ -260,10 +298,27 @@ pub struct SummaryArguments {
     pub folder: PathBuf,
 }
 
+/// Arguments of `completions`.
+#[derive(Debug, Args)]
+pub struct CompletionsArguments {
+    /// Which shell
+    pub shell: Shell,
+}
+
+/// Arguments of `man`.
+#[derive(Debug, Args)]
+pub struct ManArguments {
+    /// Which command; without it, the program
+    pub command: Option<String>,
+}
+
 fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected AXIS=VALUE")?;
-    let axis = Axis::from_name(name.trim())
-        .ok_or_else(|| format!("unknown axis `{name}`; known: {}", Axis::NAMES.join(", ")))?;
+    let axis =
+        Axis::from_name(name.trim()).ok_or_else(|| match nearest(name.trim(), &Axis::NAMES) {
+            Some(known) => format!("unknown axis `{name}`; did you mean `{known}`?"),
+            None => format!("unknown axis `{name}`; known: {}", Axis::NAMES.join(", ")),
+        })?;
     let value = value.trim();
     let number = value
         .parse()

@@ -1,10 +1,27 @@
 //! `sweep`: parameter sweeps of drillstring dynamics.
 //!
-//! A sweep file (`spec`) names cases (`design`); the `engine` runs them on all
-//! cores against linear systems built once; `output` and `plot` make the files of a
-//! results folder, `report` tells what is in it. `accuracy` chooses a method where a
-//! sweep asks for an accuracy, a `study` looks at the methods themselves. `commands`
-//! has one file for each thing a user can ask.
+//! ```text
+//! my-sweep.toml ──> spec     read with its bases, resolved to SI, or refused with its line
+//!                    │
+//!                  design    the cases: a grid, random points, a list
+//!                    │
+//!                  engine    linear systems built once ───────────────> crate `linear`
+//!                    │       cases over all cores, each kept as done ─> crate `sim`
+//!                  output    labels.csv, boundary.csv, manifest.json, failures.csv
+//!                    │
+//!                   plot     map.svg, map.png; `report` tells what is in the folder
+//! ```
+//!
+//! There is no equation here: the string is the business of `linear`, its
+//! motion that of `sim`. `accuracy` chooses a method where a sweep asks for an
+//! accuracy, a `study` looks at the methods themselves. `commands` has one file for each thing a user can ask,
+//! and `cli` their arguments. To see it at work:
+//!
+//! ```sh
+//! sweep new my-sweep.toml        # a commented sweep file
+//! sweep run my-sweep.toml        # its cases, its map
+//! sweep help                     # everything else
+//! ```
 
 mod accuracy;
 mod cli;
@@ -30,6 +47,7 @@ const PROGRAM: &str = concat!("sweep ", env!("SWEEP_VERSION"));
 
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
+        Command::New(arguments) => commands::new::new(&arguments),
         Command::Run(arguments) => commands::run::run(&arguments),
         Command::Check(arguments) => commands::check::check(&arguments),
         Command::Simulate(arguments) => commands::simulate::simulate(&arguments),
@@ -40,6 +58,8 @@ fn main() -> ExitCode {
         Command::Stability(arguments) => commands::stability::stability(&arguments),
         Command::Report(arguments) => commands::report::report(&arguments),
         Command::Summary(arguments) => commands::report::summary(&arguments),
+        Command::Completions(arguments) => commands::shell::completions(&arguments),
+        Command::Man(arguments) => commands::shell::man(&arguments),
     };
     result
         .unwrap_or_else(|error| commands::report(&error))

@@ -7,6 +7,7 @@ use std::fmt::Write;
 use anyhow::Result;
 use linear::estimates::{
     largest_undershoot, torsional_decay_rate, torsional_stiffness, torsional_travel_time,
+    torsional_wave_left,
 };
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
@@ -98,6 +99,11 @@ fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
         text,
         "  torsional decay rate       {:.3} 1/s",
         torsional_decay_rate(string)
+    )?;
+    writeln!(
+        text,
+        "  of a wave, damping leaves  {:.3} % of its amplitude at the bit",
+        100.0 * torsional_wave_left(string)
     )?;
     let why = if sweep.setting.sampling_by_rule {
         "four times the first torsional mode of one cell of drillpipe"

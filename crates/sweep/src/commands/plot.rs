@@ -162,7 +162,7 @@ fn sparse_symbols(cells: &Cells) -> Vec<MapPoint> {
         .collect()
 }
 
-fn legend(manifest: &Manifest, extent: &Extent) -> [String; 3] {
+fn legend(manifest: &Manifest, extent: &Extent) -> Vec<String> {
     let (circle, cross) = if extent.is_lateral {
         ("sustained whirl", "no sustained whirl")
     } else {
@@ -186,11 +186,15 @@ fn legend(manifest: &Manifest, extent: &Extent) -> [String; 3] {
     } else {
         String::new()
     };
-    [
+    let mut legend = vec![
         format!("{circle}{by_all} ({}){crowd}", names.join(", ")),
         format!("{cross}{by_all}"),
-        "methods differ".to_owned(),
-    ]
+    ];
+    // One method cannot differ.
+    if names.len() > 1 {
+        legend.push("methods differ".to_owned());
+    }
+    legend
 }
 
 /// The limit as lines of the map; one that does not depend on an axis crosses

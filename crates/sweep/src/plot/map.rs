@@ -63,8 +63,8 @@ pub struct RegimeMap {
     pub cells: Vec<MapCell>,
     /// Symbols; those that are not finite are skipped.
     pub points: Vec<MapPoint>,
-    /// Legend texts of circle, cross and square.
-    pub legend: [String; 3],
+    /// Legend texts of circle, cross and, where methods can differ, square.
+    pub legend: Vec<String>,
     /// Lines, cut off where they leave the range of points and marks.
     pub lines: Vec<Line>,
     /// Marked places.
@@ -257,7 +257,7 @@ mod tests {
                     symbol: Symbol::Circle,
                 })
                 .collect(),
-            legend: ["all", "none", "some"].map(String::from),
+            legend: ["all", "none", "some"].map(String::from).into(),
             lines: Vec::new(),
             marks: Vec::new(),
         }

@@ -314,8 +314,12 @@ impl Check<'_> {
                 return Err(self.source.error(&format!("impulses[{index}]"), message));
             }
         };
-        let name = if relative { "ratio" } else { "amount_ns" };
-        self.within(&key(name), amount, 0.0, LARGEST_IMPULSE, "")?;
+        let (name, unit) = if relative {
+            ("ratio", "")
+        } else {
+            ("amount_ns", "N s")
+        };
+        self.within(&key(name), amount, 0.0, LARGEST_IMPULSE, unit)?;
         Ok(ImpulseSettings {
             impulse: sim::Impulse {
                 site,

@@ -6,6 +6,8 @@ mod bit;
 mod file;
 #[cfg(test)]
 mod fuzz;
+#[cfg(test)]
+mod guide;
 mod lateral;
 mod map;
 mod resolve;
@@ -22,4 +24,4 @@ pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};
 pub use resolve::{Bit, Conditions, MapSettings, Sweep, Time, to_rpm};
 pub(crate) use resolve::{check_axis_value, check_setting};
 pub use setting::Setting;
-pub use source::{Source, SpecError, TextOf};
+pub use source::{Source, SpecError, TextOf, nearest};

@@ -167,7 +167,10 @@ impl Bit {
                         value, from, to, ..
                     } = error;
                     let [value, from, to] = [value, from, to].map(|weight| weight / 1e3);
-                    format!("{value} kN is outside the rock's table, {from} to {to} kN")
+                    format!(
+                        "{value} kN is outside the rock's table, {from} to {to} kN; \
+                         it must reach as far as the weights"
+                    )
                 }),
             _ => Ok(None),
         }

@@ -99,7 +99,7 @@ impl Source {
         serde_path_to_error::deserialize(self.table.clone()).map_err(|error| {
             let path = error.path().to_string();
             let message = error.into_inner().message().trim().to_owned();
-            self.type_error(&path, &message)
+            self.type_error(&path, &message, &keys_of::<T>())
         })
     }
 
@@ -123,8 +123,9 @@ impl Source {
     }
 
     /// Serde's words in the user's: what was meant by an unknown key or
-    /// choice, what is missing, what was expected.
-    fn type_error(&self, path: &str, message: &str) -> SpecError {
+    /// choice, what is missing, what was expected. A key of the file itself may
+    /// have slipped into the table above it.
+    fn type_error(&self, path: &str, message: &str, file_keys: &[String]) -> SpecError {
         let path = if path == "." { "" } else { path };
         let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
         if let Some(missing) = message.strip_prefix("missing field ").and(quoted.first()) {
@@ -147,13 +148,10 @@ impl Source {
             "unknown choice"
         };
         let choices = &quoted[1..];
-        let near = choices
-            .iter()
-            .map(|choice| (strsim::damerau_levenshtein(choice, unknown), choice))
-            .min()
-            .filter(|(distance, choice)| *distance <= choice.len() / 3 + 1);
-        let hint = match near {
-            Some((_, choice)) => format!("did you mean `{choice}`?"),
+        let is_misplaced = what == "unknown key" && file_keys.iter().any(|key| key == unknown);
+        let hint = match nearest(unknown, choices) {
+            _ if is_misplaced => "it belongs above the first [table] of the file".to_owned(),
+            Some(choice) => format!("did you mean `{choice}`?"),
             None => format!("known here: {}", choices.join(", ")),
         };
         let key = match what {
@@ -291,6 +289,34 @@ impl Source {
                 .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
         });
     }
+}
+
+/// What was meant by a word that is none of the choices: one without its unit, or
+/// one misspelt.
+pub fn nearest<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
+    let begins = |choice: &&&str| {
+        let rest = choice.strip_prefix(word);
+        rest.is_some_and(|rest| rest.starts_with('_'))
+    };
+    let mut begun = choices.iter().filter(begins);
+    if let (Some(choice), None) = (begun.next(), begun.next()) {
+        return Some(choice);
+    }
+    let distances = choices
+        .iter()
+        .map(|choice| (strsim::damerau_levenshtein(choice, word), *choice));
+    let (distance, choice) = distances.min()?;
+    (distance <= choice.len() / 3 + 1).then_some(choice)
+}
+
+/// The keys that a table may have, as its reader names them when it finds another.
+pub(super) fn keys_of<T: DeserializeOwned>() -> Vec<String> {
+    let unknown = toml::Table::from_iter([("?".to_owned(), toml::Value::Boolean(true))]);
+    let Err(error) = unknown.try_into::<T>() else {
+        return Vec::new();
+    };
+    let quoted = error.message().split('`').skip(1).step_by(2);
+    quoted.skip(1).map(str::to_owned).collect()
 }
 
 fn join(path: &str, key: &str) -> String {

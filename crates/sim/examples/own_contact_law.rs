@@ -1,0 +1,38 @@
+//! A contact law of one's own: a bit with dry and viscous friction.
+//! `cargo run --release -p sim --example own_contact_law`
+
+use linear::{Drillstring, Material, Method, Section, Sites, TorsionRequest, Tube};
+use sim::{LoadLine, bit_speeds};
+
+/// The torque that holds the bit, N m, or beyond 1000 N m slows it.
+fn torque(line: LoadLine) -> f64 {
+    let (dry, viscous) = (1000.0, 200.0); // N m; N m s/rad
+    let beyond = line.free_speed.abs() / line.compliance - dry;
+    let speed = beyond.max(0.0) / (1.0 / line.compliance + viscous);
+    -line.free_speed.signum() * (dry + beyond.min(0.0) + viscous * speed)
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let steel = Material {
+        shear_modulus: 80e9,
+        density: 7850.0,
+    };
+    let parts = vec![Tube {
+        length: 10.0,
+        inner_radius: 0.05,
+        outer_radius: 0.1,
+    }];
+    let string = Drillstring::new(steel, vec![Section { repeat: 50, parts }], 1.0)?;
+    let request = TorsionRequest {
+        sites: Sites::bit(),
+        torque_inputs: vec![0],
+        sampling_frequency: 640.0,
+        longest_time: 10.0,
+    };
+    let responses = linear::torsion_responses(&string, &Method::Quadrature, &request)?;
+    let speeds = bit_speeds(&responses, 2.0, 10.0, torque)?;
+    for (step, speed) in speeds.iter().enumerate().step_by(640).skip(1) {
+        println!("{:2} s  {speed:.4} rad/s", step / 640);
+    }
+    Ok(())
+}

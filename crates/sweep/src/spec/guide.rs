@@ -1,0 +1,248 @@
+//! The page of the guide that lists every key, held to the program: keys, units,
+//! ranges and defaults.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use linear::method::{FiniteElement, Transform};
+use serde::de::DeserializeOwned;
+use toml::{Table, Value};
+
+use super::file::*;
+use super::lateral::*;
+use super::source::keys_of;
+use super::{Sweep, check_setting};
+
+const PAGE: &str = include_str!("../../../../docs/sweep-file.md");
+
+/// A sweep file with every table.
+const EXAMPLE: &str = r#"
+[string]
+shear_modulus_gpa = 80
+density_kg_m3 = 7850
+torsional_damping_nms_rad_m = 10
+bending = { youngs_modulus_gpa = 210, damping_ns_m2 = 2000 }
+[[string.sections]]
+repeat = 10
+parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.15 }]
+[bit]
+rock = "law"
+[bit.law]
+bit_radius_m = 0.15
+specific_energy_mpa = 60
+cutting_ratio = 0.6
+friction = 0.5
+contact_strength_mpa = 60
+contact_growth = 5
+wear_flat_mm = 5
+poor_cleaning_from_kn = 200
+poor_cleaning_nm_per_kn = 100
+[wall]
+clearance_mm = 15
+friction = 0.5
+[[sites]]
+distance_from_bit_m = 0
+[[impulses]]
+distance_from_bit_m = 0
+[[eccentric_masses]]
+distance_from_bit_m = 0
+mass_kg = 1
+offset_m = 0.1
+[method]
+hilbert = {}
+finite-element = {}
+[design]
+kind = "grid"
+[design.axes]
+surface_speed_rpm = { from = 1, to = 2, count = 3 }
+weight_on_bit_kn = { values = [1, 2] }
+impulse_ratio = { values = [1, 2] }
+[map]
+marks = [{ name = "A", surface_speed_rpm = 1, weight_on_bit_kn = 1 }]
+"#;
+
+/// A heading of the page, the table of [`EXAMPLE`] it is about, and its keys.
+struct Chapter {
+    heading: &'static str,
+    path: &'static str,
+    keys: BTreeSet<String>,
+}
+
+fn chapters() -> Vec<Chapter> {
+    fn chapter<T: DeserializeOwned>(heading: &'static str, path: &'static str) -> Chapter {
+        let keys = keys_of::<T>().into_iter().collect();
+        Chapter {
+            heading,
+            path,
+            keys,
+        }
+    }
+    let mut chapters = vec![
+        chapter::<FileContent>("The file itself", ""),
+        chapter::<StringTable>("`[string]`", "string"),
+        chapter::<BendingTable>("`[string.bending]`", "string.bending"),
+        chapter::<SectionTable>("`[[string.sections]]`", "string.sections.0"),
+        chapter::<TubeTable>("`parts`", "string.sections.0.parts.0"),
+        chapter::<BitTable>("`[bit]`", "bit"),
+        chapter::<LawTable>("`[bit.law]`", "bit.law"),
+        chapter::<WallTable>("`[wall]`", "wall"),
+        chapter::<SiteTable>("`[[sites]]`", "sites.0"),
+        chapter::<ImpulseTable>("`[[impulses]]`", "impulses.0"),
+        chapter::<EccentricMassTable>("`[[eccentric_masses]]`", "eccentric_masses.0"),
+        chapter::<MethodTables>("`[method]`", "method"),
+        chapter::<Transform>(
+            "`[method.hilbert]` and `[method.direct-idft]`",
+            "method.hilbert",
+        ),
+        chapter::<FiniteElement>("`[method.finite-element]`", "method.finite-element"),
+        chapter::<DesignTable>("`[design]`", "design"),
+        chapter::<AxisRange>("An axis", "design.axes.surface_speed_rpm"),
+        chapter::<MapTable>("`[map]`", "map"),
+        chapter::<MarkTable>("`marks`", "map.marks.0"),
+    ];
+    // Not a key of the merged file.
+    chapters[0].keys.insert("base".to_owned());
+    chapters
+}
+
+/// The rows of the table below a heading, by their first cell.
+fn rows(heading: &str) -> BTreeMap<String, Vec<&'static str>> {
+    let start = PAGE
+        .find(&format!("\n## {heading}\n"))
+        .unwrap_or_else(|| panic!("no chapter {heading}"));
+    let chapter = PAGE[start + 1..].split("\n## ").next().unwrap();
+    let cells = |line: &'static str| line.split('|').map(str::trim).collect::<Vec<_>>();
+    let lines = chapter.lines().filter(|line| line.starts_with("| `"));
+    lines
+        .map(cells)
+        .map(|cells| (cells[1].trim_matches('`').to_owned(), cells))
+        .collect()
+}
+
+/// The table at a path of [`EXAMPLE`].
+fn table_at<'a>(example: &'a mut Value, path: &str) -> &'a mut Table {
+    let steps = path.split('.').filter(|step| !step.is_empty());
+    let found = steps.fold(example, |value, step| match step.parse::<usize>() {
+        Ok(index) => &mut value[index],
+        Err(_) => &mut value[step],
+    });
+    found.as_table_mut().unwrap()
+}
+
+/// The example with one key changed, or without it.
+fn example_with(path: &str, key: &str, value: Option<Value>) -> Table {
+    let mut example = Value::Table(toml::from_str(EXAMPLE).unwrap());
+    let table = table_at(&mut example, path);
+    match value {
+        Some(value) => table.insert(key.to_owned(), value),
+        None => table.remove(key),
+    };
+    example.as_table().unwrap().clone()
+}
+
+/// What a value far too large is told.
+fn refusals(path: &str, key: &str) -> [String; 2] {
+    [Value::Float(1e300), Value::Integer(i64::MAX)].map(|value| {
+        let text = toml::to_string(&example_with(path, key, Some(value))).unwrap();
+        Sweep::read_from(Path::new("sweep.toml"), &|_| Ok(text.clone()))
+            .err()
+            .map_or_else(String::new, |error| error.message().to_owned())
+    })
+}
+
+/// Holds the cells of a range and a unit to what a value too large is told.
+fn check_range(at: &str, range: &str, unit: &str, refusals: &[String]) {
+    let is_number = |text: &&str| text.parse::<f64>().is_ok();
+    let ends = range
+        .split_once(" to ")
+        .filter(|(from, to)| is_number(from) && is_number(to));
+    let is_checked = |refusal: &String| refusal.contains("is not between");
+    let Some((from, to)) = ends else {
+        let by_words = range == "the axis's" || !refusals.iter().any(is_checked);
+        assert!(by_words, "{at} has a range: {refusals:?}");
+        return;
+    };
+    let space = if unit.is_empty() { "" } else { " " };
+    let told = [
+        format!("is not between {from} and {to}{space}{unit}"),
+        format!("is out of range: {from} to {to}"),
+        format!("more than {to}"),
+    ];
+    let is_told = |refusal: &String| told.iter().any(|told| refusal.contains(told));
+    assert!(
+        refusals.iter().any(is_told),
+        "{at}: {range} {unit}, but {refusals:?}"
+    );
+}
+
+#[test]
+fn the_example_has_no_fault() {
+    Sweep::read_from(Path::new("sweep.toml"), &|_| Ok(EXAMPLE.to_owned())).unwrap();
+}
+
+#[test]
+fn the_guide_lists_every_key_and_no_other() {
+    for chapter in chapters() {
+        let listed: BTreeSet<String> = rows(chapter.heading).into_keys().collect();
+        assert_eq!(listed, chapter.keys, "{}", chapter.heading);
+    }
+}
+
+/// A table that is new has a chapter of its own.
+#[test]
+fn every_table_of_the_reader_has_a_chapter() {
+    let sources = [
+        include_str!("file.rs"),
+        include_str!("lateral.rs"),
+        include_str!("../../../linear/src/method.rs"),
+    ];
+    let tables = sources.map(|source| source.matches("deny_unknown_fields").count());
+    assert_eq!(tables.iter().sum::<usize>(), chapters().len());
+}
+
+#[test]
+fn the_guide_has_the_ranges_and_units_of_the_reader() {
+    for chapter in chapters() {
+        for (key, cells) in rows(chapter.heading) {
+            if key != "base" {
+                let at = format!("{}: {key}", chapter.heading);
+                check_range(&at, cells[4], cells[2], &refusals(chapter.path, &key));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_guide_has_the_defaults_of_the_reader() {
+    for chapter in chapters() {
+        for (key, cells) in rows(chapter.heading) {
+            let at = format!("{}: {key}", chapter.heading);
+            let content = |value| -> Result<FileContent, _> {
+                example_with(chapter.path, &key, value).try_into()
+            };
+            let without = content(None);
+            let default = cells[3];
+            if default == "required" {
+                assert!(without.is_err(), "{at} has a default");
+            } else if let Some(value) = default.strip_prefix('`') {
+                let assignment = format!("value = {}", value.trim_end_matches('`'));
+                let value = toml::from_str::<Table>(&assignment).unwrap()["value"].clone();
+                assert_eq!(content(Some(value)), without, "{at}");
+            } else {
+                assert!(without.is_ok(), "{at} is required");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_guide_lists_every_axis_with_its_range() {
+    let rows = rows("Axes");
+    let listed: BTreeSet<&str> = rows.keys().map(String::as_str).collect();
+    assert_eq!(listed, Axis::NAMES.into());
+    for (name, cells) in &rows {
+        let axis = Axis::from_name(name).unwrap();
+        let refusal = check_setting(axis, 1e300).unwrap_err();
+        check_range(name, cells[3], cells[2], &[refusal]);
+    }
+}

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Renews the pictures of the guide, docs/images, from the sweep files that are shipped:
+# a minute or two on two cores. What the commands say, the numbers that the guide
+# quotes, goes to standard output.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+images=docs/images
+mkdir -p "$images"
+
+cargo build --release --locked --quiet -p sweep
+sweep=target/release/sweep
+
+# keep FIGURE PICTURE...: copies pictures of a figure, by its name and theirs
+keep() {
+    local figure=$1 picture
+    shift
+    for picture in "$@"; do
+        cp "$folder/$figure/$picture.png" "$images/$figure-$picture.png"
+    done
+}
+
+"$sweep" inspect sweeps/fig10.toml --out "$folder/fig06"
+keep fig06 inspect
+
+for figure in fig07a fig07b fig08a fig08b fig11 fig16a fig16b; do
+    "$sweep" simulate "sweeps/$figure.toml" --out "$folder/$figure"
+    keep "$figure" history
+done
+for figure in fig10 fig12 fig15; do
+    "$sweep" simulate "sweeps/$figure.toml" --out "$folder/$figure"
+    keep "$figure" history orbit
+done
+"$sweep" simulate sweeps/fig13.toml --case 0,1 --out "$folder/fig13"
+keep fig13 string
+
+for figure in fig09 fig14 fig17; do
+    "$sweep" run "sweeps/$figure.toml" --out "$folder/$figure"
+    keep "$figure" map
+done
+
+"$sweep" new "$folder/my-sweep.toml"
+"$sweep" run "$folder/my-sweep.toml" --out "$folder/first"
+keep first map
+du -ch "$images"/*.png | tail -n 1

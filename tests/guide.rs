@@ -1,0 +1,101 @@
+//! The guide and the README name files that are there, and tests that are.
+
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Every page with its text.
+fn pages() -> Vec<(PathBuf, String)> {
+    let docs = std::fs::read_dir(root().join("docs")).unwrap();
+    let mut pages: Vec<PathBuf> = docs.map(|entry| entry.unwrap().path()).collect();
+    pages.retain(|path| path.extension().is_some_and(|ending| ending == "md"));
+    pages.push(root().join("README.md"));
+    assert!(pages.len() > 9);
+    let read = |path: PathBuf| (path.clone(), std::fs::read_to_string(path).unwrap());
+    pages.into_iter().map(read).collect()
+}
+
+/// What stands between two pieces, wherever both are on one line.
+fn between<'a>(text: &'a str, start: &str, end: &str) -> Vec<&'a str> {
+    let after = text.lines().flat_map(|line| line.split(start).skip(1));
+    after
+        .filter_map(|rest| Some(rest.split_once(end)?.0))
+        .collect()
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    for (page, text) in pages() {
+        for link in between(&text, "](", ")") {
+            let (file, heading) = link.split_once('#').unwrap_or((link, ""));
+            if file.starts_with("http") {
+                continue;
+            }
+            let target = match file {
+                "" => page.clone(),
+                _ => page.parent().unwrap().join(file),
+            };
+            assert!(target.exists(), "{link} in {}", page.display());
+            if !heading.is_empty() {
+                let text = std::fs::read_to_string(&target).unwrap();
+                let mut headings = text.lines().filter(|line| line.starts_with('#'));
+                let is_it = |line: &str| anchor(line) == heading;
+                assert!(headings.any(is_it), "{link} in {}", page.display());
+            }
+        }
+    }
+}
+
+/// How a heading is linked to.
+fn anchor(heading: &str) -> String {
+    let words = heading.trim_start_matches('#').trim().to_lowercase();
+    let kept = words
+        .chars()
+        .filter(|&c| c.is_alphanumeric() || " -_".contains(c));
+    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
+#[test]
+fn every_file_that_is_named_is_there() {
+    let folders = ["sweeps/", "scripts/", "crates/", "tests/"];
+    for (page, text) in pages() {
+        let words = between(&text, "`", "`")
+            .into_iter()
+            .flat_map(str::split_whitespace);
+        for name in words.filter(|word| folders.iter().any(|folder| word.starts_with(folder))) {
+            assert!(root().join(name).exists(), "{name} in {}", page.display());
+        }
+    }
+}
+
+/// On the pages that argue, `a_sentence_in_quotes_like_this` is the name of a test.
+#[test]
+fn every_test_that_is_named_is_there() {
+    let mut sources = String::new();
+    for folder in ["tests", "crates"] {
+        read_all(&root().join(folder), &mut sources);
+    }
+    for page in ["methods", "errata", "validation"] {
+        let text = std::fs::read_to_string(root().join(format!("docs/{page}.md"))).unwrap();
+        let is_sentence = |name: &&str| name.matches('_').count() >= 4;
+        for name in between(&text, "`", "`").into_iter().filter(is_sentence) {
+            assert!(
+                sources.contains(&format!("fn {name}()")),
+                "{name} in {page}"
+            );
+        }
+    }
+}
+
+fn read_all(folder: &Path, sources: &mut String) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            read_all(&path, sources);
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            sources.push_str(&std::fs::read_to_string(path).unwrap());
+        }
+    }
+}
