@@ -87,21 +87,21 @@ fn the_limit_of_stick_slip_is_within_the_accuracy() {
     }
 }
 
-/// 1.5 km of thinner pipe in cells of 12 m, less damped, on 150 m of collars.
+/// Twice as long as the paper's, of thinner pipe in cells of 12 m.
 #[test]
 fn the_limit_on_a_longer_string_is_within_the_accuracy() {
     let string = "[string]\nshear_modulus_gpa = 79\ndensity_kg_m3 = 7850\n\
-         torsional_damping_nms_rad_m = 0.05\n\
-         [[string.sections]]\nrepeat = 120\nparts = [\n\
-         { length_m = 11.4, inner_radius_m = 0.054, outer_radius_m = 0.0635 },\n\
-         { length_m = 0.6, inner_radius_m = 0.045, outer_radius_m = 0.08 },\n]\n\
+         torsional_damping_nms_rad_m = 1.2\n\
+         [[string.sections]]\nrepeat = 160\nparts = [\n\
+         { length_m = 11.4, inner_radius_m = 0.08, outer_radius_m = 0.1 },\n\
+         { length_m = 0.6, inner_radius_m = 0.08, outer_radius_m = 0.11 },\n]\n\
          [[string.sections]]\nrepeat = 10\n\
-         parts = [{ length_m = 15, inner_radius_m = 0.035, outer_radius_m = 0.1 }]\n";
+         parts = [{ length_m = 12, inner_radius_m = 0.04, outer_radius_m = 0.12 }]\n";
     let setting = format!(
         "[bit]\ntorque_dynamic_nm = 4000\n{string}\n[design]\nkind = \"grid\"\n[design.axes]\n\
-         surface_speed_rpm = {{ from = 8, to = 40, count = 40, spacing = \"log\" }}\n"
+         surface_speed_rpm = {{ from = 0.25, to = 1, count = 40, spacing = \"log\" }}\n"
     );
-    is_within(&setting, "surface_speed_rpm", STICK_SLIP, 0.1, 1280.0);
+    is_within(&setting, "surface_speed_rpm", STICK_SLIP, 0.15, 2560.0);
 }
 
 #[test]
