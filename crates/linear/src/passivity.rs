@@ -53,6 +53,27 @@ pub enum Ending {
     Cut,
 }
 
+/// The part of a response at its end that tells whether it goes on.
+const END_PART: usize = 4;
+
+impl Ending {
+    /// How responses end whose instantaneous ones are no larger than `instant`:
+    /// whole, where the last quarter of each sums to so little that cutting it off
+    /// would not change the verdict on their margin.
+    pub fn of<'a>(responses: impl Iterator<Item = &'a [f64]>, instant: f64) -> Self {
+        let end_sum = |taps: &[f64]| -> f64 {
+            let end = &taps[taps.len() - taps.len() / END_PART..];
+            end.iter().map(|tap| tap.abs()).sum()
+        };
+        let largest = responses.map(end_sum).fold(0.0, f64::max);
+        if largest <= -STABLE_MARGIN * instant {
+            Ending::Whole
+        } else {
+            Ending::Cut
+        }
+    }
+}
+
 /// The smallest real part over a fine frequency grid, relative to the largest
 /// instantaneous response A(0): for several inputs the smallest eigenvalue of
 /// the Hermitian part. `taps(output, input)` gives the response between two of

@@ -144,9 +144,12 @@ impl BendingResponses {
     /// Where the taps are not finite.
     pub fn margin(&self, method: &Method) -> Result<f64, BuildError> {
         let velocities = self.velocities(method);
-        positive_real_margin(velocities.len(), Ending::Cut, |output, input| {
-            &velocities[output][input]
-        })
+        let ending = match method {
+            // A filter is no longer than it is.
+            Method::Hilbert(_) | Method::DirectIdft(_) => Ending::Whole,
+            _ => ending_of(&velocities),
+        };
+        margin_of(&velocities, ending)
     }
 
     /// The margin of the differences of positions from step to step, times f_s:
@@ -166,11 +169,10 @@ impl BendingResponses {
                 .map(|(now, before)| now - before)
                 .collect()
         };
-        let sites = self.from_force.len();
-        let velocities: Vec<Vec<f64>> = self.from_force.iter().flatten().map(differences).collect();
-        positive_real_margin(sites, Ending::Cut, |output, input| {
-            &velocities[output * sites + input]
-        })
+        let velocities: Vec<Vec<Vec<f64>>> = (self.from_force.iter())
+            .map(|inputs| inputs.iter().map(differences).collect())
+            .collect();
+        margin_of(&velocities, ending_of(&velocities))
     }
 
     /// Taps from the forces at the sites to their velocities, as `method`, which
@@ -181,4 +183,18 @@ impl BendingResponses {
             .map(|inputs| inputs.iter().map(|taps| derivative.of(taps)).collect())
             .collect()
     }
+}
+
+/// How velocities at sites end, `[site][input]`.
+fn ending_of(velocities: &[Vec<Vec<f64>>]) -> Ending {
+    let instant = (velocities.iter().enumerate()).map(|(site, inputs)| inputs[site][0]);
+    let responses = velocities.iter().flatten().map(Vec::as_slice);
+    Ending::of(responses, instant.fold(0.0, f64::max))
+}
+
+/// The positive-real margin of velocities at sites, `[site][input]`.
+fn margin_of(velocities: &[Vec<Vec<f64>>], ending: Ending) -> Result<f64, BuildError> {
+    positive_real_margin(velocities.len(), ending, |output, input| {
+        &velocities[output][input]
+    })
 }
