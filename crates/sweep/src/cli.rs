@@ -84,7 +84,7 @@ pub enum Command {
         The page is one file, and needs neither network nor scripts.")]
     Report(ReportArguments),
     /// Say in the terminal what a results folder holds
-    #[command(after_help = "Example: sweep summary results/fig09")]
+    #[command(after_help = "Example:\n  sweep summary results/fig09")]
     Summary(SummaryArguments),
     /// Print a script that completes this command line in a shell
     #[command(after_help = "Example, for bash:\n  \

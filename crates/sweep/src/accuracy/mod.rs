@@ -6,7 +6,7 @@
 //! the method that is built the fastest to the slowest. Nothing is timed: the same
 //! sweep chooses the same on any machine.
 //!
-//! The reference is the quadrature at a frequency where the last two doublings changed
+//! The reference is one method ([`Probes::reference`]) at a frequency where the last two doublings changed
 //! the answers by no more than a part of the accuracy; that change is its uncertainty,
 //! and counts in full. The error of a candidate is the largest of
 //!
@@ -14,7 +14,9 @@
 //!   ([`linear::exact`]), which share no time step with anything,
 //! - the shift of the limit between regimes, by surface speed or by friction, near a
 //!   few of the sweep's cases ([`probes`]),
-//! - that of the numbers a person would quote of those cases ([`answer`]).
+//! - that of the numbers a person would quote of those cases ([`answer`]),
+//!
+//! the last two as root mean squares over these cases.
 
 mod answer;
 mod ladder;
@@ -31,8 +33,8 @@ use answer::{Answer, largest_error};
 use ladder::{FREQUENCIES, candidates};
 use probes::{Probes, Systems};
 
-/// The reference's uncertainty is at most this part of the accuracy.
-const REFERENCE_PART: f64 = 0.25;
+/// The reference's uncertainty is at most this part of the accuracy; it counts in full.
+const REFERENCE_PART: f64 = 0.5;
 
 /// What was chosen, and why: `accuracy` of the manifest. Errors are parts of one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,7 +45,9 @@ pub struct Choice {
     pub delivered: f64,
     /// What was chosen.
     pub chosen: Candidate,
-    /// Sampling frequency of the reference, by quadrature, Hz.
+    /// The method of the reference.
+    pub reference_method: String,
+    /// Its sampling frequency, Hz.
     pub reference_hz: f64,
     /// The change of its answers from a quarter of that frequency.
     pub reference_uncertainty: f64,
@@ -90,11 +94,12 @@ impl std::fmt::Display for Choice {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
-            "accuracy {} %: {}, estimated error {} % (reference: quadrature at {} Hz, \
+            "accuracy {} %: {}, estimated error {} % (reference: {} at {} Hz, \
              uncertain by {} %)",
             per_cent(self.asked),
             self.chosen,
             per_cent(self.delivered),
+            self.reference_method,
             self.reference_hz,
             per_cent(self.reference_uncertainty)
         )
@@ -149,6 +154,7 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
                     asked,
                     delivered: error + uncertainty,
                     chosen,
+                    reference_method: reference.method.name().to_owned(),
                     reference_hz: reference.frequency,
                     reference_uncertainty: uncertainty,
                     probes: probes.cases(),
@@ -176,7 +182,7 @@ fn try_rung(
     tried: &mut Vec<Tried>,
 ) -> Option<(Method, Candidate, f64)> {
     for method in candidates() {
-        let built = (method != Method::Quadrature).then(|| probes.systems(method, rung.frequency));
+        let built = (method != rung.method).then(|| probes.systems(method, rung.frequency));
         let systems = built.as_ref().unwrap_or(&rung.systems);
         let found = error_of(probes, systems, &reference.answers, allowed, stopping);
         let candidate = ladder::candidate(&method, rung.frequency);
@@ -190,7 +196,7 @@ fn try_rung(
             return Some((method, candidate, error));
         }
         // What the quadrature cannot treat, no other method can.
-        if rung.systems.is_err() {
+        if method == Method::Quadrature && built.as_ref().unwrap_or(&rung.systems).is_err() {
             break;
         }
     }
@@ -210,8 +216,9 @@ fn none_delivers(asked: f64, tried: &[Tried]) -> String {
     format!("nothing delivers {} %{best}", per_cent(asked))
 }
 
-/// The quadrature at one frequency.
+/// The reference's method at one frequency.
 struct Rung {
+    method: Method,
     frequency: f64,
     systems: Result<Systems, String>,
     answers: Vec<Answer>,
@@ -219,13 +226,15 @@ struct Rung {
 
 impl Rung {
     fn build(probes: &Probes, frequency: f64, before: Option<&Rung>) -> Self {
-        let systems = probes.systems(Method::Quadrature, frequency);
+        let method = probes.reference();
+        let systems = probes.systems(method, frequency);
         let known = before.map_or(&[][..], |before| &before.answers);
         let answers = match &systems {
             Ok(systems) => probes.answers(systems, Stopping::Full, known),
             Err(_) => Vec::new(),
         };
         Self {
+            method,
             frequency,
             systems,
             answers,
@@ -242,7 +251,7 @@ fn uncertainty_of(rungs: &[Rung], asked: f64) -> Result<answer::Error, String> {
     }
 }
 
-/// The quadrature at every frequency up to the first that can be the reference.
+/// The reference's method at every frequency up to the first that can be the reference.
 fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
     let least = sampling_frequency(&probes.sweep.setting.string);
     let mut rungs: Vec<Rung> = Vec::new();

@@ -2,8 +2,8 @@
 //! them.
 
 use linear::Method;
-use linear::estimates::largest_undershoot;
 use linear::exact::{bending_error, torsion_error};
+use linear::method::Transform;
 use rayon::prelude::*;
 use sim::{Outcome, Stopping};
 
@@ -130,6 +130,22 @@ impl<'a> Probes<'a> {
         Ok(case)
     }
 
+    /// The method of the reference. In torsion alone the limit of stick-slip hangs on
+    /// wave fronts, which the digital filter has within its band and the quadrature
+    /// smooths up to a hundred times higher frequencies; in bending the filter loses
+    /// the slow tail, and without damping it cannot be.
+    pub fn reference(&self) -> Method {
+        let is_damped = |&case: &usize| {
+            let setting = self.sweep.setting_at(&self.sweep.design.values(case));
+            setting.is_ok_and(|setting| setting.string.torsional_damping() > 0.0)
+        };
+        if self.sweep.setting.lateral.is_none() && self.strings.iter().all(is_damped) {
+            Method::Hilbert(Transform::default())
+        } else {
+            Method::Quadrature
+        }
+    }
+
     /// A method's system of every string.
     ///
     /// # Errors
@@ -184,12 +200,6 @@ impl<'a> Probes<'a> {
             }
             Err(reason) => found.regimes = format!("without an answer ({reason})"),
         }
-        // The limit by Eq. 74 moves with it, and evenly, where the simulated one jumps.
-        let undershoot = system.driving_point().map(largest_undershoot);
-        let undershoot = undershoot.filter(|_| system.bending.is_none());
-        found
-            .measures
-            .extend(undershoot.map(|undershoot| ("undershoot", undershoot)));
         let least = system
             .least_impulses
             .iter()
