@@ -218,7 +218,7 @@ fn what_was_chosen_is_told() {
         let answer = place.sweep(arguments);
         assert!(answer.output.contains("accuracy 30 %: "), "{answer:?}");
         assert!(
-            answer.output.contains("reference: quadrature at"),
+            answer.output.contains("reference: hilbert at"),
             "{answer:?}"
         );
     }

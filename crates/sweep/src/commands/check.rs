@@ -38,7 +38,8 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     let numbers: Vec<usize> = cases.keys().copied().collect();
     sweep.design = Design::List(List::new(axes, cases.into_values().collect()));
     let survey = survey_cases(&arguments.reference, &sweep)?;
-    let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
+    let setting = sweep.setting.for_labels();
+    let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     warn_of_unstable(&systems);
     let found = run_all(&sweep, &systems, &numbers)?;
 

@@ -197,6 +197,12 @@ fn describe_scene(
             text,
             "  bending and the borehole wall: no lateral contact is modelled"
         )?;
+        if sweep.setting.sites.len() > 1 {
+            writeln!(
+                text,
+                "  sites other than the bit, in a run: labels are of the bit alone"
+            )?;
+        }
     }
     writeln!(text, "  the torque at the surface: nothing depends on it")?;
     if sweep.bit.is_none() {

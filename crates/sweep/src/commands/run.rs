@@ -51,7 +51,8 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     if let Found::Complete(manifest) = found {
         return show_again(*manifest, &sweep, &folder, arguments.quiet);
     }
-    let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
+    let setting = sweep.setting.for_labels();
+    let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     if !arguments.allow_unstable && !sweep.design.varies_string() {
         refuse_unstable(arguments, &sweep, &systems)?;
     }

@@ -30,6 +30,18 @@ pub struct Setting {
 }
 
 impl Setting {
+    /// What labels and measures need of this: without a wall only the bit has any, and
+    /// places that are just looked at are left to whoever draws them.
+    pub fn for_labels(&self) -> Cow<'_, Self> {
+        if self.lateral.is_some() || self.sites.len() == 1 {
+            return Cow::Borrowed(self);
+        }
+        Cow::Owned(Self {
+            sites: Sites::bit(),
+            ..self.clone()
+        })
+    }
+
     pub(super) fn resolve(
         source: &Source,
         content: &FileContent,

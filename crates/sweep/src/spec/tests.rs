@@ -86,3 +86,18 @@ fn a_long_file_is_read_at_once() {
     assert!(message.contains("unknown key"), "{message}");
     assert!(start.elapsed() < Duration::from_secs(10));
 }
+
+/// Places that are only looked at cost a run nothing.
+#[test]
+fn labels_need_the_bit_alone_where_there_is_no_wall() {
+    let bit = "[bit]\ntorque_dynamic_nm = 2000\n";
+    let looked_at = read(&format!("sites = [{{ distance_from_bit_m = 50 }}]\n{bit}")).unwrap();
+    assert_eq!(looked_at.setting.sites.len(), 2);
+    assert_eq!(looked_at.setting.for_labels().sites.len(), 1);
+    let touching = read(
+        "sites = [{ distance_from_bit_m = 50 }, { distance_from_bit_m = 0 }]\n\
+         [wall]\nclearance_mm = 15\nfriction = 0.5\n",
+    );
+    let touching = touching.unwrap();
+    assert_eq!(touching.setting.for_labels().sites.len(), 2);
+}
