@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Renews the pictures of the guide, docs/images, from the sweep files that are shipped:
 # a minute or two on two cores. What the commands say, the numbers that the guide
-# quotes, goes to standard output.
+# quotes, goes to standard output. Two pictures take minutes and are copied by hand:
+# tradeoff.png from `sweep tradeoff`, stability.png from `sweep stability`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$(mktemp -d)

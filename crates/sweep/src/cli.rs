@@ -72,7 +72,7 @@ pub enum Command {
     /// Chart accuracy against speed, for all methods, on the paper's string
     #[command(after_help = "Examples:\n  sweep tradeoff\n  \
         sweep tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
-        The whole study takes a quarter of an hour; a part of it, seconds.")]
+        The whole study takes five minutes on two cores; a part of it, seconds.")]
     Tradeoff(TradeoffArguments),
     /// Where methods fail, and whether their margins foretell it: CSV and chart
     #[command(after_help = "Examples:\n  sweep stability\n  \

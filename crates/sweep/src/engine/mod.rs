@@ -122,7 +122,8 @@ impl Work<'_> {
     fn build(&self, string: usize) -> Result<Vec<MethodSystem>, String> {
         let setting = survey::setting_of(self.sweep, string).map_err(|error| error.to_string())?;
         let longest = survey::of_string(self.sweep, &setting, string)?.longest;
-        MethodSystem::build_all(self.sweep, &setting.for_labels(), longest).map_err(|error| format!("{error:#}"))
+        MethodSystem::build_all(self.sweep, &setting.for_labels(), longest)
+            .map_err(|error| format!("{error:#}"))
     }
 
     /// Threads take the next pair each until none is left, so that no thread is
