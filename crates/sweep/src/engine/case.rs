@@ -50,7 +50,11 @@ impl Case {
         };
         let mut timing = match (&bit, &setting.lateral) {
             (Some(bit), None) => torsion_timing(&setting.string, surface_speed, bit),
-            _ => BY_DEFAULT,
+            (Some(bit), Some(_)) => longer(
+                torsion_timing(&setting.string, surface_speed, bit),
+                BY_DEFAULT,
+            ),
+            (None, _) => BY_DEFAULT,
         };
         if let Time::Given(duration) = sweep.time {
             timing.duration = duration;
@@ -77,6 +81,14 @@ const BY_DEFAULT: Timing = Timing {
     duration: 10.0,
     closing_window: 2.0,
 };
+
+/// A timing in which two regimes can be told.
+fn longer(one: Timing, other: Timing) -> Timing {
+    Timing {
+        duration: one.duration.max(other.duration),
+        closing_window: one.closing_window.max(other.closing_window),
+    }
+}
 
 /// Walls with the case's friction, impulses with the case's ratio: amounts
 /// relative to I₀ stay so until a method says what its I₀ is.

@@ -276,7 +276,12 @@ impl Check<'_> {
             if content.sites.is_empty() || (content.bit.is_some() && !bit_is_site) {
                 let message = "a wall needs [[sites]] where it may be touched, \
                                the bit among them if it cuts";
-                return Err(self.source.error("sites", message));
+                let key = if content.sites.is_empty() {
+                    "wall"
+                } else {
+                    "sites"
+                };
+                return Err(self.source.error(key, message));
             }
         }
         for (index, site) in content.sites.iter().enumerate() {
