@@ -248,15 +248,8 @@ impl Lateral {
         }
         let exact = self.impulse_response.at(frequency, 1);
         let error = greatest_difference(&response, exact) / self.impulse_response.peak();
-        let wanted = wanted.contains(&Measure::LateralImpulse);
-        Measured {
-            build_seconds,
-            step_seconds: None,
-            found: wanted
-                .then(|| Found::history(Measure::LateralImpulse, error))
-                .into_iter()
-                .collect(),
-        }
+        let found = Found::history(Measure::LateralImpulse, error);
+        Measured::by_radau(build_seconds, wanted, found)
     }
 }
 

@@ -282,15 +282,8 @@ impl Torsion {
             }
         }
         let error = greatest_difference(&speeds, self.surface_step.at(frequency, 1));
-        let wanted = wanted.contains(&Measure::SurfaceStep);
-        Measured {
-            build_seconds,
-            step_seconds: None,
-            found: wanted
-                .then(|| Found::history(Measure::SurfaceStep, error))
-                .into_iter()
-                .collect(),
-        }
+        let found = Found::history(Measure::SurfaceStep, error);
+        Measured::by_radau(build_seconds, wanted, found)
     }
 }
 
