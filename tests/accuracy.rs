@@ -47,13 +47,14 @@ fn limit(place: &Workplace, out: &str, axis: &str, label: [&str; 2]) -> f64 {
     (rows[last].0 * rows[last + 1].0).sqrt()
 }
 
-/// The limit along one axis for an accuracy, and by the quadrature at a much higher
-/// sampling frequency; the axis is finer than the accuracy.
+/// The limit along one axis for an accuracy, and by a method at a much higher sampling
+/// frequency; the axis is finer than the accuracy.
 #[track_caller]
-fn is_within(setting: &str, axis: &str, label: [&str; 2], accuracy: f64, fine_hz: f64) {
+fn is_within(setting: &str, axis: &str, label: [&str; 2], accuracy: f64, fine: (&str, f64)) {
     let place = Workplace::new();
     place.write("asked.toml", format!("accuracy = {accuracy}\n{setting}"));
-    let fine = format!("methods = [\"quadrature\"]\nsampling_frequency_hz = {fine_hz}\n{setting}");
+    let (method, frequency) = fine;
+    let fine = format!("methods = [\"{method}\"]\nsampling_frequency_hz = {frequency}\n{setting}");
     place.write("fine.toml", fine);
     let manifest = run(&place, "asked.toml", "asked");
     run(&place, "fine.toml", "fine");
@@ -82,8 +83,9 @@ const STICK_SLIP: [&str; 2] = ["torsion", "stick_slip"];
 #[test]
 fn the_limit_of_stick_slip_is_within_the_accuracy() {
     let setting = stick_slip(&sweeps("academic.toml"), 0.185, 0.235);
-    for (accuracy, fine_hz) in [(0.1, 5120.0), (0.05, 10240.0)] {
-        is_within(&setting, "surface_speed_rpm", STICK_SLIP, accuracy, fine_hz);
+    // The quadrature comes down to the limit slowly: at 10 kHz it is 4 % below.
+    for (accuracy, fine) in [(0.1, ("quadrature", 10240.0)), (0.01, ("hilbert", 20480.0))] {
+        is_within(&setting, "surface_speed_rpm", STICK_SLIP, accuracy, fine);
     }
 }
 
@@ -101,7 +103,13 @@ fn the_limit_on_a_longer_string_is_within_the_accuracy() {
         "[bit]\ntorque_dynamic_nm = 4000\n{string}\n[design]\nkind = \"grid\"\n[design.axes]\n\
          surface_speed_rpm = {{ from = 0.25, to = 1, count = 40, spacing = \"log\" }}\n"
     );
-    is_within(&setting, "surface_speed_rpm", STICK_SLIP, 0.15, 2560.0);
+    is_within(
+        &setting,
+        "surface_speed_rpm",
+        STICK_SLIP,
+        0.15,
+        ("quadrature", 2560.0),
+    );
 }
 
 #[test]
@@ -111,13 +119,13 @@ fn the_limit_of_whirl_is_within_the_accuracy() {
          friction = {{ from = 1.0, to = 1.5, count = 80, spacing = \"log\" }}\n",
         sweeps("fig10.toml")
     );
-    for (accuracy, fine_hz) in [(0.1, 1280.0), (0.03, 2560.0)] {
+    for (accuracy, frequency) in [(0.1, 1280.0), (0.03, 2560.0)] {
         is_within(
             &setting,
             "friction",
             ["lateral", "backward_whirl"],
             accuracy,
-            fine_hz,
+            ("quadrature", frequency),
         );
     }
 }

@@ -5,12 +5,11 @@
 //! surface and the torques rise along raised cosines instead, and forces act as the
 //! unit impulses of a scene do.
 
-use std::f64::consts::TAU;
-
 use faer::c64;
 
 use crate::drillstring::{Bending, Drillstring, Sites, SurfaceSupport};
 use crate::estimates::torsional_travel_time;
+use crate::pulse::RaisedCosine;
 use crate::response::{BendingResponses, TorsionResponses};
 use crate::waves::inversion::time_response;
 use crate::waves::lateral::BendingNetwork;
@@ -24,10 +23,6 @@ const RISE: f64 = 0.25;
 
 /// Time compared in bending, in durations of the impulse.
 const DURATIONS: f64 = 40.0;
-
-/// The numerical inversion goes on for so many times what is compared, for it is the
-/// worse the later.
-const MARGIN: usize = 2;
 
 /// Frequencies of the inversion reach this many times half the rate at which
 /// motions are compared.
@@ -43,11 +38,9 @@ pub fn torsion_error(string: &Drillstring, sites: &Sites, responses: &TorsionRes
     let times = Times::new(TRAVELS * travel, responses.sampling_frequency);
     let rise = (RISE * travel).max(3.0 * times.step);
     let network = TorsionNetwork::new(string, sites);
-    let input = |time: f64| {
-        let phase = (time / rise).clamp(0.0, 1.0);
-        phase - (TAU * phase).sin() / TAU
-    };
-    let of_input = |s: c64| pulse_transform(s, rise) / s;
+    let rise = RaisedCosine { duration: rise };
+    let input = |time: f64| rise.integral(time);
+    let of_input = |s: c64| rise.transform(s) / s;
     let mut worst = 0.0f64;
     for site in 0..sites.len() {
         let exact = times.exact(|s| network.admittance(s).from_surface[site] * of_input(s));
@@ -73,24 +66,15 @@ pub fn bending_error(
 ) -> f64 {
     let times = Times::new(DURATIONS * duration, responses.sampling_frequency);
     let network = BendingNetwork::new(string, *bending, support, sites);
-    let input = |time: f64| {
-        let inside = (0.0..duration).contains(&time);
-        f64::from(inside) * (1.0 - (TAU * time / duration).cos()) / duration
-    };
+    let pulse = RaisedCosine { duration };
+    let input = |time: f64| pulse.at(time);
     let pairs = (0..sites.len()).flat_map(|site| (0..sites.len()).map(move |input| (site, input)));
     pairs
         .map(|(site, force)| {
-            let exact = times
-                .exact(|s| network.receptance(s)[(site, force)] * pulse_transform(s, duration));
+            let exact = times.exact(|s| network.receptance(s)[(site, force)] * pulse.transform(s));
             times.error(&responses.from_force[site][force], input, &exact)
         })
         .fold(0.0, f64::max)
-}
-
-/// Laplace transform of the raised cosine (1 − cos 2πt/τ)/τ of unit area.
-fn pulse_transform(s: c64, duration: f64) -> c64 {
-    let rate = TAU / duration;
-    (1.0 - (-s * duration).exp()) / duration * rate * rate / (s * (s * s + rate * rate))
 }
 
 /// Times at which motions are compared: samples of the taps, evenly spread.
@@ -114,9 +98,7 @@ impl Times {
     }
 
     fn exact(&self, transform: impl Fn(c64) -> c64 + Sync) -> Vec<f64> {
-        let mut values = time_response(transform, self.step, MARGIN * TIMES, OVERSAMPLING);
-        values.truncate(TIMES);
-        values
+        time_response(transform, self.step, TIMES, OVERSAMPLING)
     }
 
     /// Largest difference of what the taps make of an input from the exact answer.

@@ -29,6 +29,13 @@ pub const STABLE_MARGIN: f64 = -1e-4;
 /// spectrum is seen between its own samples too.
 const REFINEMENT: usize = 8;
 
+/// Differences of the taps that rid the upper half of the band of the lower: a
+/// vibration at a twentieth of f_s is reduced 3 million times.
+const DIFFERENCES: u32 = 8;
+
+/// One in so many taps, the last, tell whether a response goes on.
+const END_PART: usize = 4;
+
 /// Where a response is furthest from being positive-real.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WorstPoint {
@@ -40,10 +47,6 @@ pub struct WorstPoint {
     pub direction: Vec<f64>,
 }
 
-/// Differences of the taps that rid the upper half of the band of the lower: a
-/// vibration at a twentieth of f_s is reduced 3 million times.
-const DIFFERENCES: u32 = 8;
-
 /// Where a response ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
@@ -52,9 +55,6 @@ pub enum Ending {
     /// It goes on; the simulation does not.
     Cut,
 }
-
-/// The part of a response at its end that tells whether it goes on.
-const END_PART: usize = 4;
 
 impl Ending {
     /// How responses end whose instantaneous ones are no larger than `instant`:

@@ -18,24 +18,14 @@ const RESPONSE_LENGTHS: usize = 128;
 /// No oscillator is followed longer, in steps.
 const MOST_STEPS: usize = 1 << 22;
 
-/// What the margin of some driving points foretells, and what a load tuned to it
-/// finds; both in units of the largest A(0).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WorstLoad {
-    /// The positive-real margin.
-    pub margin: f64,
-    /// What an oscillator tuned to its place gains: its negative, if the margin
-    /// is right.
-    pub energy_gained: f64,
-}
-
-/// Hangs an oscillator on the sites where their responses `taps[output][input]`
-/// are furthest from positive-real, tuned to that frequency and distributed as
-/// they are weakest.
+/// What an oscillator gains, in units of the largest A(0), that is hung on the sites
+/// with the responses `taps[output][input]`, tuned to where these are furthest from
+/// positive-real and distributed as they are weakest. Where the margin is right, that
+/// is its negative.
 ///
 /// # Errors
 /// Where the taps are not finite.
-pub fn worst_load(taps: &[Vec<&[f64]>]) -> Result<WorstLoad, BuildError> {
+pub fn worst_load_gain(taps: &[Vec<&[f64]>]) -> Result<f64, BuildError> {
     let worst = worst_point(taps.len(), Ending::Whole, |output, input| {
         taps[output][input]
     })?;
@@ -50,10 +40,7 @@ pub fn worst_load(taps: &[Vec<&[f64]>]) -> Result<WorstLoad, BuildError> {
     }
     let largest = (0..taps.len()).map(|site| taps[site][site][0]);
     let scale = combined[0] / largest.fold(0.0, f64::max);
-    Ok(WorstLoad {
-        margin: worst.margin,
-        energy_gained: scale * energy_gained(&combined, worst.angle),
-    })
+    Ok(scale * energy_gained(&combined, worst.angle))
 }
 
 /// What an oscillator at `angle` (rad per step) gains from a string at rest with
@@ -66,7 +53,7 @@ pub fn worst_load(taps: &[Vec<&[f64]>]) -> Result<WorstLoad, BuildError> {
 /// x ← (x + v) exp(i angle), its torque is −κ (Re x + v/2), and it holds ½κ|x|²:
 /// in each step exactly as much more as the string gives, −T v. A weak κ leaves
 /// it at its frequency.
-pub fn energy_gained(taps: &[f64], angle: f64) -> f64 {
+fn energy_gained(taps: &[f64], angle: f64) -> f64 {
     let steps = (RESPONSE_LENGTHS * taps.len().max(2)).min(MOST_STEPS);
     let kernels = Kernels::new(&[vec![taps.to_vec()]]);
     let compliance = kernels.instant(0, 0);

@@ -6,9 +6,10 @@
 //! the method that is built the fastest to the slowest. Nothing is timed: the same
 //! sweep chooses the same on any machine.
 //!
-//! The reference is one method ([`Probes::reference`]) at a frequency where the last two doublings changed
-//! the answers by no more than a part of the accuracy; that change is its uncertainty,
-//! and counts in full. The error of a candidate is the largest of
+//! The reference is one method ([`Probes::reference`]) at a frequency where the last
+//! two doublings changed the answers by no more than a part of the accuracy; that
+//! change is its uncertainty, and counts in full. The error of a candidate is the
+//! largest of
 //!
 //! - that of its linear responses, on smooth motions, from the exact ones
 //!   ([`linear::exact`]), which share no time step with anything,

@@ -3,7 +3,7 @@
 use anyhow::{Context, Result, anyhow};
 use linear::estimates::{torsional_settling_time, torsional_stiffness};
 use linear::{Drillstring, Method, Section, Sites};
-use sim::oscillator::worst_load;
+use sim::oscillator::worst_load_gain;
 use sim::{Stopping, diagnosis};
 
 use super::families::Cell;
@@ -28,7 +28,7 @@ pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings>
     let by_scene = (HELD_FOR.max(settled) * cell.sampling_frequency) as usize;
     let longest = cell.steps.unwrap_or(by_scene) as f64 / cell.sampling_frequency;
     let system = MethodSystem::build(&setting, method, true, longest)?;
-    let worst = worst_load(&system.responses.driving_points())?;
+    let gain = worst_load_gain(&system.responses.driving_points())?;
     let no_bit = "the scene has no torque at the bit";
     let held = system.held_torque().context(no_bit)?;
     let instant = system.driving_point().context(no_bit)?[0];
@@ -36,7 +36,7 @@ pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings>
     let sticking = diagnosis::sticking(held, cell.sampling_frequency, stiffness, instant);
     let mut findings = Findings {
         margin_torsion: system.torsion_margin,
-        energy_gained: Some(worst.energy_gained),
+        energy_gained: Some(gain),
         chatter: Some(sticking.chatter),
         growth: Some(sticking.growth),
         drift: Some(sticking.drift),

@@ -5,7 +5,7 @@ use anyhow::{Result, anyhow};
 use linear::Method;
 use linear::waves::lateral::BendingNetwork;
 use sim::diagnosis::roughness;
-use sim::oscillator::worst_load;
+use sim::oscillator::worst_load_gain;
 use sim::{LateralRegime, Outcome, SteadyWhirl, Stopping, Trajectory, Wall, steady_backward_whirl};
 
 use super::families::Cell;
@@ -58,10 +58,10 @@ fn case_of(sweep: &Sweep, setting: &Setting) -> Result<Case> {
 
 /// What the margins and the loads tuned to them say.
 fn loads(system: &MethodSystem) -> Result<Findings> {
-    let torsion = worst_load(&system.responses.driving_points())?;
+    let torsion = worst_load_gain(&system.responses.driving_points())?;
     let mut findings = Findings {
         margin_torsion: system.torsion_margin,
-        energy_gained: Some(torsion.energy_gained),
+        energy_gained: Some(torsion),
         ..Findings::default()
     };
     if let Some(bending) = &system.bending {
@@ -69,9 +69,9 @@ fn loads(system: &MethodSystem) -> Result<Findings> {
         let taps: Vec<Vec<&[f64]>> = (velocities.iter())
             .map(|inputs| inputs.iter().map(Vec::as_slice).collect())
             .collect();
-        let worst = worst_load(&taps)?;
+        let gain = worst_load_gain(&taps)?;
         findings.margin_bending = system.bending_margin;
-        findings.energy_gained = Some(torsion.energy_gained.max(worst.energy_gained));
+        findings.energy_gained = Some(torsion.max(gain));
         findings.margin_wall = Some(bending.margin_of_differences()?);
     }
     Ok(findings)

@@ -172,17 +172,9 @@ impl Torsion {
     /// # Errors
     /// Where its responses cannot be built.
     pub fn measure(&self, configuration: &Configuration, wanted: &[Measure]) -> Result<Measured> {
-        match configuration.scheme {
-            Scheme::Radau => Ok(self.measure_radau(configuration.sampling_frequency, wanted)),
-            Scheme::Method(_) => self.measure_method(configuration, wanted),
+        if configuration.scheme == Scheme::Radau {
+            return Ok(self.measure_radau(configuration.sampling_frequency, wanted));
         }
-    }
-
-    fn measure_method(
-        &self,
-        configuration: &Configuration,
-        wanted: &[Measure],
-    ) -> Result<Measured> {
         let system = build(&self.sweep, configuration, self.longest)?;
         let case = self.case(&system, None)?;
         let mut found = self.linear(&system, wanted);
