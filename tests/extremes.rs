@@ -1,0 +1,147 @@
+//! Whole sweeps at the ends of every range, run in little memory: each is answered,
+//! refused, or kept aside case by case with a reason. None panics, is aborted, or hangs.
+//!
+//! `EXTREME_FILES=10000 cargo test --release -p sweep --test extremes` runs more of
+//! them, `EXTREME_FIRST=5000` others.
+
+#![cfg(unix)]
+
+#[path = "extremes/files.rs"]
+mod files;
+mod support;
+
+use std::collections::BTreeMap;
+use std::os::unix::process::ExitStatusExt;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use files::{Random, sweep_file};
+use support::Workplace;
+
+/// Files in a run of all tests.
+const FILES: u64 = 120;
+
+/// What the program may use by its own estimate, and what the system gives it: the
+/// code, the threads and what estimates leave out have their place between.
+const MEMORY: &str = "256M";
+const ADDRESS_SPACE_KB: usize = 2_000_000;
+
+/// Nothing that is drawn takes so long by right.
+const LONGEST: Duration = Duration::from_secs(15);
+
+/// A number from the environment.
+fn asked(name: &str, default: u64) -> u64 {
+    std::env::var(name).map_or(default, |text| text.parse().expect("a number"))
+}
+
+/// Runs one file; what was wrong with its end, or the word for it.
+fn end_of(number: u64) -> Result<&'static str, String> {
+    let mut random = Random::of(number);
+    let text = sweep_file(&mut random);
+    let place = Workplace::with_small(&text);
+    let mut arguments = vec!["run", "small.toml", "--jobs", "1"];
+    if random.happens(0.5) {
+        arguments.push("--allow-unstable");
+    }
+    if random.happens(0.2) {
+        arguments.push("--full");
+    }
+    let (status, errors) = limited(&place.command(&arguments));
+    let wrong = |what: String| Err(format!("file {number}: {what}\n{errors}\n{text}"));
+    let Some(status) = status else {
+        return wrong(format!("still runs after {LONGEST:?}"));
+    };
+    if errors.contains("panicked") {
+        return wrong("a panic".to_owned());
+    }
+    match status.code() {
+        Some(0) => Ok("answered"),
+        Some(2) if errors.contains("memory") => Ok("refused for its memory"),
+        Some(2) => Ok("refused"),
+        Some(3) => {
+            let failures = std::fs::read_to_string(place.path("results/small/failures.csv"));
+            match failures {
+                Ok(failures) if !failures.contains("panicked") => Ok("cases kept aside"),
+                Ok(failures) => wrong(failures),
+                Err(error) => wrong(format!("failures.csv: {error}")),
+            }
+        }
+        code => wrong(format!("exit code {code:?}, signal {:?}", status.signal())),
+    }
+}
+
+/// Runs a command in little memory. Its status, unless it had to be killed, and what it
+/// said.
+fn limited(command: &Command) -> (Option<ExitStatus>, String) {
+    let script = format!("ulimit -c 0; ulimit -v {ADDRESS_SPACE_KB}; exec \"$0\" \"$@\"");
+    let mut shell = Command::new("sh");
+    shell
+        .arg("-c")
+        .arg(script)
+        .arg(command.get_program())
+        .args(command.get_args());
+    if let Some(folder) = command.get_current_dir() {
+        shell.current_dir(folder);
+    }
+    let errors = tempfile::NamedTempFile::new().unwrap();
+    let child = shell
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(errors.reopen().unwrap())
+        .spawn()
+        .unwrap();
+    let status = ended(child);
+    (status, std::fs::read_to_string(errors.path()).unwrap())
+}
+
+fn ended(mut child: Child) -> Option<ExitStatus> {
+    let start = Instant::now();
+    while start.elapsed() < LONGEST {
+        if let Some(status) = child.try_wait().unwrap() {
+            return Some(status);
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    None
+}
+
+#[test]
+fn extreme_sweeps_are_answered_or_refused() {
+    let (first, files) = (asked("EXTREME_FIRST", 0), asked("EXTREME_FILES", FILES));
+    let next = AtomicU64::new(first);
+    let found = Mutex::new((BTreeMap::<&str, usize>::new(), Vec::new()));
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let number = next.fetch_add(1, Ordering::Relaxed);
+                    if number >= first + files {
+                        break;
+                    }
+                    let t0 = Instant::now();
+                    let end = end_of(number);
+                    println!("{number} {:?} {:.1}", end.as_ref().ok(), t0.elapsed().as_secs_f64());
+                    let mut found = found.lock().unwrap();
+                    match end {
+                        Ok(word) => *found.0.entry(word).or_default() += 1,
+                        Err(what) => found.1.push(what),
+                    }
+                }
+            });
+        }
+    });
+    let (ends, wrong) = found.into_inner().unwrap();
+    println!("{ends:?}");
+    assert!(wrong.is_empty(), "{} of {files}:\n{}", wrong.len(), wrong.join("\n\n"));
+    // Were most refused at once, this would see little more than the reader.
+    let simulated = ["answered", "cases kept aside"].map(|word| ends.get(word).unwrap_or(&0));
+    assert!(
+        simulated.into_iter().sum::<usize>() as u64 * 4 >= files,
+        "{ends:?}"
+    );
+}
