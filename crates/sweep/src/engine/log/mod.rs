@@ -1,0 +1,182 @@
+//! The log of a run: what is done, appended case by case, so that a run goes on
+//! from where it was stopped, however it was.
+//!
+//! Each line is `checksum TAB …`, the checksum (CRC-32, eight hexadecimal digits)
+//! being that of all that follows the first tab. The first line is the header; each
+//! other is `case TAB method TAB reason TAB row`, the reason empty but for a case
+//! without an answer, and the row as it will stand in `labels.csv`. A line that
+//! was not written whole, or not as it was meant, does not match its checksum
+//! and counts as not there.
+
+mod content;
+mod error;
+mod header;
+mod line;
+mod record;
+#[cfg(test)]
+mod tests;
+
+pub use content::count_done;
+pub use error::LogError;
+pub use header::{Header, read_header};
+pub use record::Record;
+
+use std::fs::{File, TryLockError};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+use content::Content;
+use error::file_error;
+
+/// What is written reaches the disk at least this often. Less than this is lost
+/// when the power goes; nothing when only the program goes.
+const BETWEEN_SYNCS: Duration = Duration::from_secs(1);
+
+/// An open log, locked for this run.
+#[derive(Debug)]
+pub struct Log {
+    path: PathBuf,
+    state: Mutex<State>,
+}
+
+#[derive(Debug)]
+struct State {
+    file: File,
+    synced: Instant,
+    content: Content,
+}
+
+impl Log {
+    /// Opens a log, or begins one where there is none, or none whole, or it is to
+    /// be `fresh`. The caller has compared headers; this is for a sweep of so many
+    /// cases and methods.
+    ///
+    /// # Errors
+    /// Where another run has it, it is no log, or it cannot be written.
+    pub fn open(
+        path: &Path,
+        header: &Header,
+        cases: usize,
+        methods: usize,
+        fresh: bool,
+    ) -> Result<Self, LogError> {
+        let unwritable = |error| file_error(path, "written", error);
+        let file = File::options()
+            .read(true)
+            .append(true)
+            .create(true)
+            .open(path)
+            .map_err(unwritable)?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(LogError::Locked(path.to_owned())),
+            // A file system without locks: nothing can be promised there.
+            Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {}
+            Err(TryLockError::Error(error)) => return Err(unwritable(error)),
+        }
+        if fresh {
+            file.set_len(0).map_err(unwritable)?;
+        }
+        let content = Content::read(path, &file, cases, methods)?;
+        // What follows the last whole line is the rest of a torn one.
+        file.set_len(content.end()).map_err(unwritable)?;
+        let log = Self {
+            path: path.to_owned(),
+            state: Mutex::new(State {
+                file,
+                synced: Instant::now(),
+                content,
+            }),
+        };
+        let mut state = log.state();
+        if state.content.end() == 0 {
+            let line = (header.line()).map_err(|error| unwritable(error.into()))?;
+            let end = log.write(&mut state, &line)?;
+            state.content.add_header(end);
+            state.file.sync_all().map_err(unwritable)?;
+        }
+        drop(state);
+        Ok(log)
+    }
+
+    fn state(&self) -> std::sync::MutexGuard<'_, State> {
+        // A thread that panicked while it held the state left it whole or the
+        // file one line short, which the next run sees.
+        self.state
+            .lock()
+            .unwrap_or_else(|poisoned| poisoned.into_inner())
+    }
+
+    /// Which pairs of case and method (case × methods + method) are done, as of
+    /// now.
+    pub fn done(&self) -> impl Fn(usize, usize) -> bool + Sync + use<> {
+        self.state().content.done()
+    }
+
+    /// How many pairs are done.
+    pub fn count(&self) -> usize {
+        self.state().content.count()
+    }
+
+    /// How many of them have no answer.
+    pub fn failed(&self) -> usize {
+        self.state().content.failed()
+    }
+
+    /// Lines that do not match their checksum: a torn last one, or damage.
+    pub fn broken_lines(&self) -> usize {
+        self.state().content.broken_lines()
+    }
+
+    /// Adds a record. When this returns, it outlives the program; within a
+    /// second, the machine.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn append(&self, record: &Record) -> Result<(), LogError> {
+        let mut state = self.state();
+        let from = state.content.end();
+        let to = self.write(&mut state, &record.line())?;
+        state.content.add(record, from, to);
+        if state.synced.elapsed() >= BETWEEN_SYNCS {
+            self.sync_state(&mut state)?;
+        }
+        Ok(())
+    }
+
+    /// Puts what is written on the disk.
+    ///
+    /// # Errors
+    /// Where that fails.
+    pub fn sync(&self) -> Result<(), LogError> {
+        self.sync_state(&mut self.state())
+    }
+
+    fn sync_state(&self, state: &mut State) -> Result<(), LogError> {
+        state.synced = Instant::now();
+        (state.file.sync_data()).map_err(|error| file_error(&self.path, "written", error))
+    }
+
+    /// Writes a line at the end; where the log then ends.
+    fn write(&self, state: &mut State, line: &str) -> Result<u64, LogError> {
+        // One call a line: a program that is killed has written it or has not.
+        state.file.write_all(line.as_bytes()).map_err(|error| {
+            // A part of a line would run into the next.
+            let _ = state.file.set_len(state.content.end());
+            file_error(&self.path, "written", error)
+        })?;
+        Ok(state.content.end() + line.len() as u64)
+    }
+
+    /// Gives every record to `each`, in the order of cases and methods; only a
+    /// block of cases is in memory at a time.
+    ///
+    /// # Errors
+    /// Where the log cannot be read, or what `each` returned.
+    pub fn in_order(&self, each: impl FnMut(&Record) -> anyhow::Result<()>) -> anyhow::Result<()> {
+        let state = self.state();
+        state.content.in_order(&self.path, &state.file, each)
+    }
+}

@@ -1,0 +1,150 @@
+use proptest::prelude::*;
+
+use super::*;
+use crate::engine::Shard;
+
+const CASES: usize = 40;
+const METHODS: usize = 2;
+
+fn record(pair: usize) -> Record {
+    Record {
+        case: pair / METHODS,
+        method: pair % METHODS,
+        reason: pair
+            .is_multiple_of(7)
+            .then(|| format!("because\tof {pair}\n")),
+        row: format!("{},quadrature,0.5,ok", pair / METHODS),
+    }
+}
+
+fn header() -> Header {
+    Header::new(Shard::WHOLE, serde_json::json!({ "time_s": 1.0 }))
+}
+
+/// A log with records in an order of its own, and its bytes.
+fn written(folder: &Path) -> (PathBuf, Vec<u8>) {
+    let path = folder.join("log");
+    let log = Log::open(&path, &header(), CASES, METHODS, false).unwrap();
+    for index in 0..CASES * METHODS {
+        log.append(&record(index * 37 % (CASES * METHODS))).unwrap();
+    }
+    drop(log);
+    let bytes = std::fs::read(&path).unwrap();
+    (path, bytes)
+}
+
+#[test]
+fn what_was_appended_is_read_in_the_order_of_cases() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, _) = written(folder.path());
+    assert_eq!(read_header(&path).unwrap(), Some(header()));
+    let log = Log::open(&path, &header(), CASES, METHODS, false).unwrap();
+    assert_eq!(log.count(), CASES * METHODS);
+    assert_eq!(log.failed(), (CASES * METHODS).div_ceil(7));
+    let mut pair = 0;
+    log.in_order(|found| {
+        let expected = record(pair);
+        assert_eq!((found.case, found.method), (expected.case, expected.method));
+        assert_eq!(found.row, expected.row);
+        // Tabs and breaks of lines become spaces.
+        assert_eq!(found.reason.is_some(), expected.reason.is_some());
+        pair += 1;
+        Ok(())
+    })
+    .unwrap();
+    assert_eq!(pair, CASES * METHODS);
+}
+
+#[test]
+fn only_one_has_a_log_open() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, _) = written(folder.path());
+    let _first = Log::open(&path, &header(), CASES, METHODS, false).unwrap();
+    for fresh in [false, true] {
+        let second = Log::open(&path, &header(), CASES, METHODS, fresh);
+        assert!(matches!(second, Err(LogError::Locked(_))));
+    }
+}
+
+/// What may happen to the bytes of a file.
+#[derive(Debug, Clone)]
+enum Damage {
+    Change(usize, u8),
+    Remove(usize, usize),
+    Insert(usize, Vec<u8>),
+    Repeat(usize, usize),
+}
+
+fn damage() -> impl Strategy<Value = Damage> {
+    prop_oneof![
+        (any::<usize>(), any::<u8>()).prop_map(|(at, byte)| Damage::Change(at, byte)),
+        (any::<usize>(), 0..200usize).prop_map(|(at, count)| Damage::Remove(at, count)),
+        (any::<usize>(), prop::collection::vec(any::<u8>(), 0..20))
+            .prop_map(|(at, bytes)| Damage::Insert(at, bytes)),
+        (any::<usize>(), 0..400usize).prop_map(|(at, count)| Damage::Repeat(at, count)),
+    ]
+}
+
+fn apply(bytes: &mut Vec<u8>, damage: &Damage) {
+    let place = |at: usize, bytes: &[u8]| at % bytes.len().max(1);
+    match damage {
+        Damage::Change(at, byte) => {
+            let at = place(*at, bytes);
+            if let Some(old) = bytes.get_mut(at) {
+                *old = *byte;
+            }
+        }
+        Damage::Remove(at, count) => {
+            let at = place(*at, bytes).min(bytes.len());
+            bytes.drain(at..(at + count).min(bytes.len()));
+        }
+        Damage::Insert(at, new) => {
+            let at = place(*at, bytes).min(bytes.len());
+            bytes.splice(at..at, new.iter().copied());
+        }
+        Damage::Repeat(at, count) => {
+            let at = place(*at, bytes).min(bytes.len());
+            let again = bytes[at..(at + count).min(bytes.len())].to_vec();
+            bytes.splice(at..at, again);
+        }
+    }
+}
+
+/// A hundred thousand damaged logs: never a panic, never a record that was
+/// not written, and never fewer of them than whole lines.
+#[test]
+fn a_damaged_log_gives_only_what_was_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, whole) = written(folder.path());
+    let lines: std::collections::HashSet<&[u8]> =
+        whole.split_inclusive(|&byte| byte == b'\n').collect();
+    let config = ProptestConfig {
+        cases: 100_000,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
+    let damages = prop::collection::vec(damage(), 0..6);
+    proptest!(config, |(damages in damages)| {
+        let mut bytes = whole.clone();
+        for damage in &damages {
+            apply(&mut bytes, damage);
+        }
+        std::fs::write(&path, &bytes).unwrap();
+        let file = File::open(&path).unwrap();
+        let has_header = read_header(&path).unwrap().is_some();
+        match Content::read(&path, &file, CASES, METHODS) {
+            Ok(content) => {
+                let records: std::collections::HashSet<(usize, usize)> = bytes
+                    .split_inclusive(|&byte| byte == b'\n')
+                    .filter(|line| lines.contains(line))
+                    .filter_map(Record::parse)
+                    .map(|record| (record.case, record.method))
+                    .collect();
+                let expected = if has_header { records.len() } else { 0 };
+                prop_assert_eq!(content.count(), expected);
+                prop_assert!(content.end() <= bytes.len() as u64);
+            }
+            Err(error) => prop_assert!(!has_header, "{}", error),
+        }
+    });
+}
