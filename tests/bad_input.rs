@@ -9,6 +9,8 @@ mod lateral;
 mod other_files;
 #[path = "support/refusals.rs"]
 mod refusals;
+#[path = "bad_input/spreadsheets.rs"]
+mod spreadsheets;
 mod support;
 
 use refusals::{RUN, each_is_refused, line_of, refused, refused_at};
@@ -504,4 +506,35 @@ fn axes_of_the_string_that_cannot_be_are_refused() {
         let text = with(SMALL, axes, &format!("{axes}{axis} # here\n"));
         refused_at(&text, "# here", key, meant);
     }
+}
+
+/// A title, a section or a mark that steers a terminal or turns the text around it.
+#[test]
+fn control_characters_in_texts_are_refused() {
+    for (escape, code) in [
+        ("\\u001b[31m", "U+001B"),
+        ("\\u0007", "U+0007"),
+        ("\\n", "U+000A"),
+        ("\\u009b31m", "U+009B"),
+        ("\\u202egnp.exe", "U+202E"),
+        ("\\u2066", "U+2066"),
+    ] {
+        let meant = format!("has the control character {code}: leave it out");
+        for (piece, key) in [
+            ("\"A small sweep\"", "title"),
+            ("\"pipe\"", "string.sections[0].name"),
+            ("\"A\"", "map.marks[0].name"),
+        ] {
+            let text = with(SMALL, piece, &format!("\"a{escape}\""));
+            refused_at(&text, escape, key, &meant);
+        }
+    }
+    // Letters of any script are no control characters.
+    let text = with(
+        SMALL,
+        "A small sweep",
+        "Μικρή δοκιμή, סדרה קטנה, 小さな掃引",
+    );
+    let answer = Workplace::with_small(&text).sweep(&RUN);
+    assert_eq!((answer.code, answer.errors.as_str()), (0, ""));
 }

@@ -1,6 +1,6 @@
 //! Mistakes in the lateral part of a sweep file.
 
-use crate::refusals::refused_at;
+use crate::refusals::{refused, refused_at};
 use crate::support::{SMALL, with};
 
 /// The small sweep with a wall, one site in contact and an impulse there.
@@ -187,4 +187,48 @@ fn lateral_keys_without_a_wall_are_refused() {
     let end = text.find("[[sites]]").unwrap();
     let without = with(&text, &text[start..end], "");
     refused_at(&without, "[[impulses]]", "impulses", "needs a table [wall]");
+}
+
+/// Its label would say nothing of the impulse.
+#[test]
+fn an_impulse_that_begins_after_the_end_of_a_case_is_refused() {
+    let with_start = |text: &str, start: &str| {
+        let impulse = format!("duration_s = 0.02\nstart_s = {start}\n");
+        with(text, "duration_s = 0.02\n", &impulse)
+    };
+    let key = "impulses[0].start_s";
+    for start in ["12", "13"] {
+        let meant = format!("{start} s is not before the end of case 0, 12 s");
+        refused_at(&with_start(&lateral(), start), "start_s", key, &meant);
+    }
+    // Times by rule differ: slow cases of Eqs. 72–73 are still under way at 20 s, and
+    // the first that is not is named. Left out, the impulse begins at 1 s.
+    let design = "\n[design]\nkind = \"grid\"\n[design.axes]\n\
+                  surface_speed_rpm = { values = [0.001, 0.002, 30, 60] }\n";
+    let by_rule = with(&lateral(), "time_s = 12", "time_s = \"auto\"") + design;
+    refused_at(
+        &with_start(&by_rule, "20"),
+        "start_s",
+        key,
+        "the end of case 2, 10 s",
+    );
+    let slow = with(&with_start(&by_rule, "20"), ", 30, 60]", "]");
+    let place = crate::support::Workplace::with_small(&slow);
+    let answer = place.sweep(&["run", "small.toml", "--dry-run"]);
+    assert_eq!((answer.code, answer.errors.as_str()), (0, ""));
+    let short = with(&lateral(), "time_s = 12", "time_s = 0.5");
+    let meant = "1 s is not before the end of case 0, 0.5 s";
+    refused_at(&short, "[[impulses]]", key, meant);
+    // Every command that simulates.
+    let place = crate::support::Workplace::with_small(&short);
+    place.write("labels.csv", "case,method,torsion\n7,quadrature,smooth\n");
+    for (arguments, case) in [
+        (&["simulate", "small.toml"][..], 0),
+        (&["inspect", "small.toml"], 0),
+        (&["run", "small.toml", "--dry-run"], 0),
+        (&["check", "small.toml", "labels.csv"], 7),
+    ] {
+        let meant = format!("1 s is not before the end of case {case}, 0.5 s");
+        refused(&place, arguments, &[key, &meant]);
+    }
 }

@@ -43,7 +43,7 @@ fn every_command_refuses_a_bad_sweep_file_alike() {
 }
 
 /// The list of cases `cases.csv` and the sweep that names it.
-fn with_list(cases: impl AsRef<[u8]>) -> Workplace {
+pub fn with_list(cases: impl AsRef<[u8]>) -> Workplace {
     let design = "[design]\nkind = \"list\"\nfile = \"cases.csv\"\n";
     let place = Workplace::with_small(&small_with_design(design));
     place.write("cases.csv", cases);
@@ -80,7 +80,7 @@ fn a_mistake_in_a_list_names_the_list_and_its_line() {
             "weight_on_bit_kn: `fifty` is not a number",
         ),
         ("0.1,\n", 2, "weight_on_bit_kn: `` is not a number"),
-        ("0.1,50\n0.2\n", 3, "1 values, but 2 columns"),
+        ("0.1,50\n0.2\n", 3, "1 value, but 2 columns"),
         ("0.1,50,3\n", 2, "3 values, but 2 columns"),
         (
             "# slow\n\n0.1,50\n# fast\n\n0.2,x\n",

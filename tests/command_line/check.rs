@@ -133,3 +133,64 @@ fn check_refuses_a_reference_that_does_not_belong_to_the_sweep() {
         "{answer:?}"
     );
 }
+
+/// No label that differs, which would be exit code 5.
+#[test]
+fn a_label_that_is_no_regime_is_a_mistake_in_the_reference() {
+    let place = with_reference();
+    let reference = text(&place, "reference.csv");
+    let row = reference.lines().nth(1).unwrap();
+    let label = row
+        .split(',')
+        .find(|cell| ["smooth", "stick_slip"].contains(cell))
+        .unwrap();
+    for (word, meant) in [
+        (
+            "stick-slip",
+            "torsion: `stick-slip` is no torsion regime; did you mean `stick_slip`?",
+        ),
+        (
+            "Smooth",
+            "torsion: `Smooth` is no torsion regime; did you mean `smooth`?",
+        ),
+        (
+            "no",
+            "torsion: `no` is no torsion regime; known: stuck, smooth, stick_slip",
+        ),
+        (
+            "smooth,no_whirl",
+            "lateral: `no_whirl` is no lateral regime; known: no_contact, ",
+        ),
+        (
+            "smooth,stick_slip",
+            "lateral: `stick_slip` is no lateral regime; known: ",
+        ),
+        ("smooth,backward_whirls", "did you mean `backward_whirl`?"),
+    ] {
+        let wrong = match word.contains(',') {
+            true => row.replace(&format!("{label},,"), &format!("{word},")),
+            false => row.replace(label, word),
+        };
+        place.write("reference.csv", with(&reference, row, &wrong));
+        let answer = place.sweep(&["check", "small.toml", "reference.csv"]);
+        assert_eq!(answer.code, 2, "{answer:?}");
+        let is_named = answer.errors.starts_with("error: reference.csv:2: ");
+        assert!(
+            is_named && answer.errors.contains(meant),
+            "{meant}: {answer:?}"
+        );
+    }
+}
+
+/// Through a spreadsheet and back.
+#[test]
+fn a_reference_may_have_semicolons_and_decimal_commas() {
+    let place = with_reference();
+    let exported = text(&place, "reference.csv")
+        .replace(',', ";")
+        .replace('.', ",");
+    let rows = exported.replace('\n', "\r\n") + ";;;\r\n";
+    place.write("reference.csv", format!("\u{feff}{rows}"));
+    let answer = succeeds(&place, &["check", "small.toml", "reference.csv"]);
+    assert_eq!(answer.output, "reference.csv: 6 of 6 labels as expected\n");
+}

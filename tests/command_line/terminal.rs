@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use crate::check::with_reference;
 use crate::support::{SMALL, Workplace, with};
-use crate::{succeeds, text};
+use crate::{run, succeeds, text};
 
 #[test]
 fn every_command_shows_an_example() {
@@ -115,4 +115,40 @@ fn a_full_disk_is_an_error() {
         "{errors}"
     );
     assert!(errors.contains("No space left"), "{errors}");
+}
+
+/// Titles, labels and methods of a folder that somebody else made.
+#[test]
+fn nothing_of_a_foreign_folder_steers_the_terminal() {
+    let place = Workplace::with_small(SMALL);
+    run(&place, "small.toml", "results");
+    let evil = "\u{1b}[2J\u{9b}31m\u{7}\u{202e}gnp";
+    let json = "\\u001b[2J\\u009b31m\\u0007\\u202egnp";
+    let manifest = text(&place, "results/manifest.json").replace("A small sweep", json);
+    place.write("results/manifest.json", manifest);
+    let labels = text(&place, "results/labels.csv").replace("stick_slip", evil);
+    place.write("results/labels.csv", labels);
+    place.write(
+        &format!("{evil}.toml"),
+        with(SMALL, "kind = \"grid\"", "kind = \"x\""),
+    );
+    let strange = format!("{evil}.toml");
+    for arguments in [
+        &["summary", "results"][..],
+        &["report", "results"],
+        &["plot", "results"],
+        &["run", &strange],
+        &["run", "small.toml", "--out", "results", "--log", "json"],
+        &["summary", evil],
+    ] {
+        let answer = place.sweep(arguments);
+        let shown = answer.output + &answer.errors;
+        let steers = |letter: char| (letter.is_control() && letter != '\n') || letter == '\u{202e}';
+        assert!(!shown.contains(steers), "{arguments:?}: {shown:?}");
+    }
+    let summary = succeeds(&place, &["summary", "results"]).output;
+    assert!(
+        summary.contains("\\u{1b}[2J\\u{9b}31m\\u{7}\\u{202e}gnp"),
+        "{summary}"
+    );
 }

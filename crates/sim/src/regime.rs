@@ -23,6 +23,9 @@ pub enum TorsionRegime {
 }
 
 impl TorsionRegime {
+    /// Every one.
+    pub const ALL: [Self; 3] = [Self::Stuck, Self::Smooth, Self::StickSlip];
+
     /// The label in result files.
     pub fn name(self) -> &'static str {
         match self {

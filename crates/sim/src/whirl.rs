@@ -24,6 +24,14 @@ pub enum LateralRegime {
 }
 
 impl LateralRegime {
+    /// Every one.
+    pub const ALL: [Self; 4] = [
+        Self::NoContact,
+        Self::TransientContact,
+        Self::BackwardWhirl,
+        Self::ForwardWhirl,
+    ];
+
     /// The label in result files.
     pub fn name(self) -> &'static str {
         match self {

@@ -28,12 +28,14 @@ mod cli;
 mod commands;
 mod design;
 mod engine;
-mod lines;
+mod hand_table;
 mod output;
 mod plot;
+mod printable;
 mod report;
 mod spec;
 mod study;
+mod text_file;
 
 use std::process::ExitCode;
 

@@ -7,7 +7,7 @@ use std::sync::Mutex;
 
 use anyhow::{Result, bail};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
-use sim::Outcome;
+use sim::{LateralRegime, Outcome, TorsionRegime};
 
 use super::{
     Progress, Status, UsageError, build_systems, say, survey_cases, use_threads, warn_of_unstable,
@@ -17,7 +17,7 @@ use crate::cli::CheckArguments;
 use crate::design::{Design, List};
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Terms, Work};
 use crate::output::{LabelRow, read_labels, whirl_bound};
-use crate::spec::{Sweep, check_setting};
+use crate::spec::{Sweep, check_setting, nearest};
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
@@ -136,12 +136,16 @@ fn cases_of(
     reference: &[LabelRow],
     path: &Path,
 ) -> Result<BTreeMap<usize, Vec<f64>>> {
+    let torsion = TorsionRegime::ALL.map(TorsionRegime::name);
+    let lateral = LateralRegime::ALL.map(LateralRegime::name);
     let mut cases: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     for row in reference {
         let at = |reason: String| UsageError(format!("{}:{}: {reason}", path.display(), row.line));
         if row.torsion.is_empty() && row.lateral.is_empty() {
             bail!(at("has no label to compare with".to_owned()));
         }
+        refuse_unknown("torsion", &row.torsion, &torsion).map_err(at)?;
+        refuse_unknown("lateral", &row.lateral, &lateral).map_err(at)?;
         let axes = sweep.design.axes();
         for (&axis, &value) in axes.iter().zip(&row.values) {
             check_setting(axis, value)
@@ -151,12 +155,26 @@ fn cases_of(
             .setting_at(&row.values)
             .map_err(|error| at(error.to_string()))?;
         let conditions = sweep.conditions_at(&row.values);
-        Case::under(sweep, &setting, row.case, row.values.clone(), &conditions).map_err(at)?;
+        let case = Case::under(sweep, &setting, row.case, row.values.clone(), &conditions);
+        sweep.impulses_are_felt(row.case, case.map_err(at)?.scene.timing.duration)?;
         if *cases.entry(row.case).or_insert_with(|| row.values.clone()) != row.values {
             bail!(at(format!("case {} has other values above", row.case)));
         }
     }
     Ok(cases)
+}
+
+/// A word that is none of the regimes is a mistake in the reference, and no label
+/// that differs.
+fn refuse_unknown(column: &str, label: &str, known: &[&str]) -> Result<(), String> {
+    if label.is_empty() || known.contains(&label) {
+        return Ok(());
+    }
+    let hint = nearest(label, known).map_or_else(
+        || format!("known: {}", known.join(", ")),
+        |known| format!("did you mean `{known}`?"),
+    );
+    Err(format!("{column}: `{label}` is no {column} regime; {hint}"))
 }
 
 fn label(row: &Row, of: fn(&Outcome) -> Option<&'static str>) -> String {

@@ -28,6 +28,7 @@ use serde_json::json;
 use crate::accuracy::choose;
 use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
+use crate::printable::{printable, printable_json};
 use crate::spec::{MethodName, Setting, SpecError, Sweep};
 use progress::Progress;
 
@@ -75,12 +76,13 @@ pub fn report(error: &anyhow::Error) -> Status {
     }
 }
 
-/// Prints lines to standard output. A reader who has seen enough
+/// Prints lines to standard output, and nothing that steers a terminal, whoever
+/// wrote the files it comes from. A reader who has seen enough
 /// (`sweep inspect FILE | head -1`) is no error, and no reason to panic.
 fn say(text: &str) -> Result<()> {
     let mut output = std::io::stdout().lock();
     match output
-        .write_all(text.as_bytes())
+        .write_all(printable(text).as_bytes())
         .and_then(|()| output.flush())
     {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -96,13 +98,14 @@ fn complain(line: &str) {
     if TELLS_JSON.load(Ordering::Relaxed) {
         tell(&json!({ "event": "message", "text": line }));
     } else {
-        let _ = writeln!(std::io::stderr(), "{line}");
+        let _ = writeln!(std::io::stderr(), "{}", printable(line));
     }
 }
 
 /// Prints an event to standard error.
 fn tell(event: &serde_json::Value) {
-    let _ = writeln!(std::io::stderr(), "{event}");
+    let json = event.to_string();
+    let _ = writeln!(std::io::stderr(), "{}", printable_json(&json));
 }
 
 /// Reads a sweep file and puts the methods asked for in place of its own; or chooses
@@ -167,7 +170,12 @@ fn site_title(distance: f64) -> String {
 
 /// A look at every case before any is run.
 fn survey_cases(file: &Path, sweep: &Sweep) -> Result<Survey> {
-    survey(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())).into())
+    let survey =
+        survey(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())))?;
+    if let Some((case, end)) = survey.first_end {
+        sweep.impulses_are_felt(case, end)?;
+    }
+    Ok(survey)
 }
 
 /// The linear system of every method, for a string and times up to the longest.

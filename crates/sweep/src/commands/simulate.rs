@@ -157,14 +157,16 @@ impl Choice {
     }
 
     fn case(self, sweep: &Sweep) -> Result<Case> {
-        Case::under(
+        let case = Case::under(
             sweep,
             &sweep.setting,
             self.index,
             self.values,
             &self.conditions,
         )
-        .map_err(|reason| UsageError(reason).into())
+        .map_err(UsageError)?;
+        sweep.impulses_are_felt(case.index, case.scene.timing.duration)?;
+        Ok(case)
     }
 }
 

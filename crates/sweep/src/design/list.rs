@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::count_string_axes;
-use crate::lines::{COMMENT, line_from};
+use crate::hand_table::{HandTable, Mistake, number};
 use crate::spec::{Axis, DesignTable, Source, SpecError, TextOf, check_axis_value};
 
 /// Listed cases.
@@ -81,62 +81,47 @@ impl List {
 /// Reads a list; an error starts where the file's name ends.
 fn read(source: &Source, path: &Path, text_of: TextOf) -> Result<List, String> {
     let text = text_of(path).map_err(|error| format!(" cannot be read: {error}"))?;
-    let mut reader = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .comment(Some(COMMENT))
-        .flexible(true)
-        .from_reader(text.as_bytes());
-    let header = reader
-        .headers()
-        .map_err(|error| format!(": {error}"))?
-        .clone();
-    let columns = header
-        .iter()
-        .map(|name| {
-            Axis::from_name(name).ok_or_else(|| {
-                let line = line_from(&text, 0);
-                format!(
-                    ":{line}: unknown column `{name}`; known: {}",
-                    Axis::NAMES.join(", ")
-                )
-            })
-        })
-        .collect::<Result<Vec<Axis>, _>>()?;
+    let parsed = HandTable::new(&text).and_then(|table| cases_of(source, &table));
+    parsed.map_err(|mistake| format!(":{mistake}"))
+}
+
+fn cases_of(source: &Source, table: &HandTable) -> Result<List, Mistake> {
+    let columns = axes_of(table)?;
     // Columns of results follow the order of the axes, whatever the file's.
     let mut order: Vec<usize> = (0..columns.len()).collect();
     order.sort_by_key(|&column| columns[column]);
-    if let Some(pair) = order
-        .windows(2)
-        .find(|pair| columns[pair[0]] == columns[pair[1]])
-    {
-        return Err(format!(
-            ":{}: the column `{}` is there twice",
-            line_from(&text, 0),
-            columns[pair[0]].name()
-        ));
+    if let Some(pair) = (order.windows(2)).find(|pair| columns[pair[0]] == columns[pair[1]]) {
+        let name = columns[pair[0]].name();
+        return Err(table.header_mistake(format!("the column `{name}` is there twice")));
     }
     let mut cases = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|error| format!(": {error}"))?;
-        let line = line_from(
-            &text,
-            record.position().map_or(0, csv::Position::byte) as usize,
-        );
-        if record.len() != columns.len() {
-            let (found, expected) = (record.len(), columns.len());
-            return Err(format!(":{line}: {found} values, but {expected} columns"));
-        }
+    for row in table.rows() {
+        let row = row?;
         let value = |&column: &usize| {
-            let (axis, text) = (columns[column], &record[column]);
-            let value = text
-                .parse()
-                .map_err(|_| format!(":{line}: {}: `{text}` is not a number", axis.name()))?;
-            check_axis_value(source, &axis.name(), axis, value)
-                .map_err(|error| format!(":{line}: {}: {}", axis.name(), error.message()))?;
-            Ok(value)
+            let (axis, text) = (columns[column], &row.cells[column]);
+            let value = number(text).and_then(|value| {
+                let checked = check_axis_value(source, &axis.name(), axis, value);
+                checked.map_err(|error| error.message().to_owned())?;
+                Ok(value)
+            });
+            value.map_err(|reason| Mistake {
+                line: row.line,
+                message: format!("{}: {reason}", axis.name()),
+            })
         };
-        cases.push(order.iter().map(value).collect::<Result<_, String>>()?);
+        cases.push(order.iter().map(value).collect::<Result<_, Mistake>>()?);
     }
     let axes = order.iter().map(|&column| columns[column]).collect();
     Ok(List::new(axes, cases))
+}
+
+/// The axes that the columns name.
+fn axes_of(table: &HandTable) -> Result<Vec<Axis>, Mistake> {
+    let axes = table.header().iter().map(|name| {
+        Axis::from_name(name).ok_or_else(|| {
+            let known = Axis::NAMES.join(", ");
+            table.header_mistake(format!("unknown column `{name}`; known: {known}"))
+        })
+    });
+    axes.collect()
 }

@@ -54,6 +54,22 @@ impl MonteCarlo {
         self.cases
     }
 
+    /// Points with every axis at an end of its range: a quantity that rises or falls
+    /// along each axis is largest at one of them.
+    pub fn corners(&self) -> Vec<Vec<f64>> {
+        let mut corners = vec![Vec::new()];
+        for range in &self.ranges {
+            let with = |end: f64| {
+                let of = corners
+                    .iter()
+                    .map(move |corner| [&corner[..], &[end]].concat());
+                of.collect::<Vec<_>>()
+            };
+            corners = [with(range.from), with(range.to)].concat();
+        }
+        corners
+    }
+
     pub(super) fn values(&self, index: usize) -> Vec<f64> {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         random.set_stream(index as u64);

@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use rayon::prelude::*;
 
 use super::case::Case;
+use crate::design::Design;
 use crate::spec::{Setting, SpecError, Sweep};
 
 /// Cases that a thread looks at before it asks for more.
@@ -16,8 +17,10 @@ const CASES_AT_ONCE: usize = 256;
 pub struct Survey {
     /// Time simulated by each method, s.
     pub simulated: f64,
-    /// The longest of it, s.
+    /// The longest that a case takes, s: of random cases, any within their ranges.
     pub longest: f64,
+    /// The case that ends first, and when, s; none where no string can be.
+    pub first_end: Option<(usize, f64)>,
     /// Strings that cannot be; their cases will fail.
     pub impossible_strings: usize,
 }
@@ -27,6 +30,10 @@ impl Survey {
         Survey {
             simulated: self.simulated + other.simulated,
             longest: self.longest.max(other.longest),
+            first_end: match (self.first_end, other.first_end) {
+                (Some(one), Some(other)) if other.1 < one.1 => Some(other),
+                (one, other) => one.or(other),
+            },
             impossible_strings: self.impossible_strings + other.impossible_strings,
         }
     }
@@ -37,6 +44,20 @@ impl Survey {
 /// # Errors
 /// Where a case has conditions that make no sense; a sentence that names it.
 pub fn survey(sweep: &Sweep) -> Result<Survey, String> {
+    let mut survey = of_cases(sweep)?;
+    if let (Design::MonteCarlo(random), false) = (&sweep.design, sweep.design.varies_string()) {
+        // What is prepared for all cases does not depend on how many are drawn.
+        for values in random.corners() {
+            let conditions = sweep.conditions_at(&values);
+            let case = Case::under(sweep, &sweep.setting, 0, values, &conditions)
+                .map_err(|reason| format!("at an end of the random ranges: {reason}"))?;
+            survey.longest = survey.longest.max(case.scene.timing.duration);
+        }
+    }
+    Ok(survey)
+}
+
+fn of_cases(sweep: &Sweep) -> Result<Survey, String> {
     first_error(sweep.design.strings(), |string| {
         match setting_of(sweep, string) {
             Ok(setting) => of_string(sweep, &setting, string),
@@ -60,6 +81,7 @@ pub(super) fn of_string(sweep: &Sweep, setting: &Setting, string: usize) -> Resu
         Ok(Survey {
             simulated: duration,
             longest: duration,
+            first_end: Some((case.index, duration)),
             impossible_strings: 0,
         })
     })

@@ -8,8 +8,9 @@ use anyhow::{Context, Result, anyhow};
 use sim::{LateralMeasures, TorsionMeasures};
 
 use crate::engine::{Row, RowOutcome};
-use crate::lines::{COMMENT, line_from};
+use crate::hand_table::{HandTable, Mistake, number};
 use crate::spec::{Axis, Sweep, to_rpm};
+use crate::text_file::read_text;
 
 /// Columns that follow the axes.
 const RESULT_COLUMNS: [&str; 21] = [
@@ -191,18 +192,15 @@ impl Columns {
     fn row(&self, record: &csv::StringRecord, line: usize) -> Result<LabelRow, String> {
         let field = |column: usize| record.get(column).unwrap_or_default();
         let case = field(self.case);
-        let number = |&column: &usize| {
-            let text = field(column);
-            text.parse()
-                .map_err(|_| format!("`{text}` is not a number"))
-        };
         Ok(LabelRow {
             line,
             case: case
                 .parse()
                 .map_err(|_| format!("`{case}` is not a case number"))?,
             method: field(self.method).to_owned(),
-            values: self.values.iter().map(number).collect::<Result<_, _>>()?,
+            values: (self.values.iter())
+                .map(|&column| number(field(column)))
+                .collect::<Result<_, _>>()?,
             torsion: field(self.torsion).to_owned(),
             lateral: self
                 .lateral
@@ -211,30 +209,27 @@ impl Columns {
     }
 }
 
-/// Reads labels that a person may have written, with comments and empty lines.
+/// Reads labels that a person may have written or exported from a spreadsheet.
 ///
 /// # Errors
 /// Where they cannot be read; the message names file and line.
 pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
-    let text = std::fs::read_to_string(path)
-        .with_context(|| format!("{} cannot be read", path.display()))?;
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(COMMENT))
-        .from_reader(text.as_bytes());
-    let at = |line: usize, reason: String| anyhow!("{}:{line}: {reason}", path.display());
-    let header = reader.headers()?.clone();
-    let columns = Columns::find(&header, axes).map_err(|reason| at(line_from(&text, 0), reason))?;
-    reader
-        .records()
-        .map(|record| {
-            let record = record.with_context(|| format!("{} is not a table", path.display()))?;
-            let byte = record.position().map_or(0, csv::Position::byte) as usize;
-            let line = line_from(&text, byte);
-            columns
-                .row(&record, line)
-                .map_err(|reason| at(line, reason))
+    let text = read_text(path).with_context(|| format!("{} cannot be read", path.display()))?;
+    let parsed = HandTable::new(&text).and_then(|table| rows_of(&table, axes));
+    parsed.map_err(|mistake| anyhow!("{}:{mistake}", path.display()))
+}
+
+fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
+    let columns =
+        Columns::find(table.header(), axes).map_err(|reason| table.header_mistake(reason))?;
+    let rows = table.rows().map(|row| {
+        let row = row?;
+        (columns.row(&row.cells, row.line)).map_err(|message| Mistake {
+            line: row.line,
+            message,
         })
-        .collect()
+    });
+    rows.collect()
 }
 
 /// The rows of a `labels.csv`; only one is in memory at a time.

@@ -1,6 +1,7 @@
 //! HTML, by hand: every text is escaped where it goes in, and nowhere else.
 
 use super::document::Table;
+use crate::printable::steers;
 
 /// A text as it stands in HTML, between tags or in a quoted attribute.
 pub fn escaped(text: &str) -> String {
@@ -13,7 +14,7 @@ pub fn escaped(text: &str) -> String {
             '"' => html += "&quot;",
             '\'' => html += "&#39;",
             // What HTML forbids, a terminal's colours among it.
-            letter if letter.is_control() && letter != '\n' => html.push(' '),
+            letter if steers(letter) && letter != '\n' => html.push(' '),
             letter => html.push(letter),
         }
     }

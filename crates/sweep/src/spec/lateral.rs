@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use sim::{EccentricMass, Wall};
 
 use super::file::{FileContent, SiteTable};
-use super::resolve::{Check, Conditions};
+use super::resolve::{Check, Conditions, Sweep};
 use super::source::SpecError;
 use super::string_axis::StringAxis;
 use crate::design::Design;
@@ -125,6 +125,26 @@ pub struct ImpulseSettings {
     pub impulse: sim::Impulse,
     /// Whether the amount is in multiples of I₀.
     pub relative: bool,
+}
+
+impl Sweep {
+    /// Refuses an impulse that begins when a case is over: its label would say
+    /// nothing of the impulse.
+    ///
+    /// # Errors
+    /// Names the impulse.
+    pub fn impulses_are_felt(&self, case: usize, duration: f64) -> Result<(), SpecError> {
+        for (index, impulse) in self.content.impulses.iter().enumerate() {
+            let start = impulse.start_s;
+            if start >= duration {
+                let message =
+                    format!("{start} s is not before the end of case {case}, {duration} s");
+                let key = format!("impulses[{index}].start_s");
+                return Err(self.source.error(&key, message));
+            }
+        }
+        Ok(())
+    }
 }
 
 impl Check<'_> {

@@ -14,6 +14,8 @@ use super::setting::Setting;
 use super::source::{Source, SpecError, TextOf};
 use crate::accuracy::Choice;
 use crate::design::Design;
+use crate::printable::steers;
+use crate::text_file::read_text;
 
 /// More elements in a cell resolve no more than rounding leaves.
 const MOST_ELEMENTS_PER_CELL: usize = 10_000;
@@ -199,7 +201,7 @@ impl Sweep {
     /// # Errors
     /// Where the file, a base or a list of cases does not make sense.
     pub fn read(path: &Path) -> Result<Self, SpecError> {
-        Self::read_from(path, &|path| std::fs::read_to_string(path))
+        Self::read_from(path, &read_text)
     }
 
     /// As [`Sweep::read`], from any source of texts.
@@ -207,6 +209,7 @@ impl Sweep {
         let source = Source::read(path, text_of)?;
         let content: FileContent = source.parse()?;
         let check = Check { source: &source };
+        check.texts(&content)?;
         let bit = content.bit.as_ref().map(|bit| check.bit(bit)).transpose()?;
         let conditions = check.conditions(&content)?;
         let design = Design::resolve(&source, content.design.as_ref(), text_of)?;
@@ -261,6 +264,34 @@ impl Check<'_> {
         unit: &str,
     ) -> Result<(), SpecError> {
         within(value, least, most, unit).map_err(|message| self.source.error(key, message))
+    }
+
+    /// What people read in pictures and in a terminal.
+    fn texts(&self, content: &FileContent) -> Result<(), SpecError> {
+        let sections = content
+            .string
+            .sections
+            .iter()
+            .enumerate()
+            .map(|(index, section)| {
+                (
+                    format!("string.sections[{index}].name"),
+                    section.name.as_deref(),
+                )
+            });
+        let marks = content.map.marks.iter().enumerate();
+        let marks = marks
+            .map(|(index, mark)| (format!("map.marks[{index}].name"), Some(mark.name.as_str())));
+        let title = ("title".to_owned(), content.title.as_deref());
+        for (key, text) in std::iter::once(title).chain(sections).chain(marks) {
+            if let Some(letter) = text.and_then(|text| text.chars().find(|&letter| steers(letter)))
+            {
+                let code = u32::from(letter);
+                let message = format!("has the control character U+{code:04X}: leave it out");
+                return Err(self.source.error(&key, message));
+            }
+        }
+        Ok(())
     }
 
     pub(super) fn sites(

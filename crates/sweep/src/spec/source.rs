@@ -9,6 +9,8 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::printable::steers;
+
 /// A base of a base of a base is deep enough; more is a circle.
 const DEEPEST_BASE: usize = 8;
 
@@ -48,7 +50,7 @@ impl fmt::Display for SpecError {
         let key = (self.key.as_ref()).map_or_else(String::new, |key| format!(": `{key}`"));
         let text = format!("{file}{line}{key}: {}", self.message);
         // What the file says in quotes may not break the line or steer a terminal.
-        f.write_str(&text.replace(char::is_control, " "))
+        f.write_str(&text.replace(steers, " "))
     }
 }
 
