@@ -24,7 +24,7 @@ pub enum TorsionRegime {
 
 impl TorsionRegime {
     /// The label in result files.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             TorsionRegime::Stuck => "stuck",
             TorsionRegime::Smooth => "smooth",
