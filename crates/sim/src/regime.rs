@@ -27,7 +27,7 @@ impl TorsionRegime {
     pub const ALL: [Self; 3] = [Self::Stuck, Self::Smooth, Self::StickSlip];
 
     /// The label in result files.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             TorsionRegime::Stuck => "stuck",
             TorsionRegime::Smooth => "smooth",

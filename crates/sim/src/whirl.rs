@@ -33,7 +33,7 @@ impl LateralRegime {
     ];
 
     /// The label in result files.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             LateralRegime::NoContact => "no_contact",
             LateralRegime::TransientContact => "transient_contact",

@@ -9,7 +9,7 @@
 //!                    │       cases over all cores, each kept as done ─> crate `sim`
 //!                  output    labels.csv, boundary.csv, manifest.json, failures.csv
 //!                    │
-//!                   plot     map.svg, map.png; `report` tells what is in the folder
+//!                map, plot  map.svg, map.png; `report` tells what is in the folder
 //! ```
 //!
 //! There is no equation here: the string is the business of `linear`, its
@@ -29,6 +29,7 @@ mod commands;
 mod design;
 mod engine;
 mod hand_table;
+mod map;
 mod output;
 mod plot;
 mod printable;

@@ -19,7 +19,7 @@ use crate::engine::{
     Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Survey, Work, pairs_of,
 };
 use crate::output::{
-    Boundary, Manifest, boundary, labels_row, meaning, write_atomically, write_boundary,
+    Boundary, Manifest, Tally, boundary, labels_row, meaning, write_atomically, write_boundary,
     write_tables,
 };
 use crate::spec::Sweep;
@@ -315,6 +315,28 @@ fn plan(
     Ok(text)
 }
 
+/// The labels of each method, in a line for each motion.
+fn label_counts(tally: &Tally) -> Vec<String> {
+    let mut lines = Vec::new();
+    for method in tally.labels.keys() {
+        let lists = tally.by_motion(method);
+        let has_two = lists.len() > 1;
+        for (motion, labels) in lists {
+            let counts = labels
+                .iter()
+                .map(|(label, count)| format!("{count} {label}"));
+            let counts: Vec<String> = counts.collect();
+            let of = if has_two {
+                format!(", {}", motion.adjective())
+            } else {
+                String::new()
+            };
+            lines.push(format!("{method}{of}: {}", counts.join(", ")));
+        }
+    }
+    lines
+}
+
 /// What came out, in a few lines.
 pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String> {
     let mut text = String::new();
@@ -330,12 +352,8 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     if let Some(choice) = &manifest.accuracy {
         writeln!(text, "  {choice}")?;
     }
-    for (method, labels) in &manifest.tally.labels {
-        let counts: Vec<String> = labels
-            .iter()
-            .map(|(label, count)| format!("{count} {label}"))
-            .collect();
-        writeln!(text, "  {method}: {}", counts.join(", "))?;
+    for line in label_counts(&manifest.tally) {
+        writeln!(text, "  {line}")?;
     }
     if manifest.tally.failed > 0 {
         let failed = manifest.tally.failed;

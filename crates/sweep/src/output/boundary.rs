@@ -55,52 +55,6 @@ pub struct WhirlPoint {
     pub normal_force_kn: f64,
 }
 
-impl Boundary {
-    /// A line for each name; a coordinate that the limit does not depend on is
-    /// left open.
-    pub fn lines(&self, x: Axis, y: Axis) -> Vec<(String, OpenPoint)> {
-        match self {
-            Boundary::StickSlip(points) => (points.iter())
-                .map(|point| {
-                    let name = format!("Eq. 74, {}", point.method);
-                    (name, (point.value(x), point.value(y)))
-                })
-                .collect(),
-            Boundary::Whirl(points) => (points.iter())
-                .map(|point| {
-                    let name = "least friction of steady whirl at one site".to_owned();
-                    (name, (point.value(x), point.value(y)))
-                })
-                .collect(),
-        }
-    }
-}
-
-/// A point of a map, a coordinate open where the limit holds for all its
-/// values.
-pub type OpenPoint = (Option<f64>, Option<f64>);
-
-impl StickSlipPoint {
-    fn value(&self, axis: Axis) -> Option<f64> {
-        match axis {
-            Axis::SurfaceSpeedRpm => Some(self.surface_speed_rpm),
-            Axis::WeightOnBitKn => self.weight_on_bit_kn,
-            Axis::TorqueDynamicNm => Some(self.torque_dynamic_nm),
-            Axis::ImpulseRatio | Axis::Friction | Axis::String(_) => None,
-        }
-    }
-}
-
-impl WhirlPoint {
-    fn value(&self, axis: Axis) -> Option<f64> {
-        match axis {
-            Axis::SurfaceSpeedRpm => Some(self.surface_speed_rpm),
-            Axis::Friction => Some(self.friction),
-            _ => None,
-        }
-    }
-}
-
 /// The limit over the range of the design's axes: of whirl where friction is
 /// one of them, else of stick-slip; without points where neither applies.
 ///

@@ -6,14 +6,9 @@ use std::path::Path;
 use anyhow::Result;
 
 use super::labels::{LabelReader, LabelRow};
+use super::motion::Motion;
 use crate::plot::Symbol;
 use crate::spec::Axis;
-
-/// The regimes that circles stand for: sustained vibration.
-const SUSTAINED: [&str; 3] = ["stick_slip", "backward_whirl", "forward_whirl"];
-
-/// The label of a case that was too short to tell.
-const UNDETERMINED: &str = "stuck";
 
 impl LabelRow {
     /// Whether there is any label.
@@ -21,16 +16,17 @@ impl LabelRow {
         !(self.torsion.is_empty() && self.lateral.is_empty())
     }
 
-    /// Whether the vibration that a map is about is sustained: lateral where that
-    /// is modelled, else torsional. None where the row does not tell.
-    pub fn is_sustained(&self) -> Option<bool> {
-        let label = if self.lateral.is_empty() {
-            &self.torsion
-        } else {
-            &self.lateral
-        };
-        let tells = !label.is_empty() && label != UNDETERMINED;
-        tells.then(|| SUSTAINED.contains(&label.as_str()))
+    /// The label of a motion; empty where there is none.
+    pub fn label(&self, motion: Motion) -> &str {
+        match motion {
+            Motion::Torsion => &self.torsion,
+            Motion::Lateral => &self.lateral,
+        }
+    }
+
+    /// Whether a motion is sustained vibration; none where the row does not tell.
+    pub fn is_sustained(&self, motion: Motion) -> Option<bool> {
+        motion.is_sustained(self.label(motion))
     }
 
     /// Whether another row has the same labels, of torsion and lateral.
@@ -61,13 +57,13 @@ pub struct CaseRows {
 }
 
 impl CaseRows {
-    /// The paper's symbols: a circle where every method finds sustained vibration, a
-    /// cross where none does, a square where they differ. None where a method has no
-    /// answer, or one that tells nothing.
-    pub fn symbol(&self) -> Option<Symbol> {
+    /// The paper's symbols for a motion: a circle where every method finds sustained
+    /// vibration, a cross where none does, a square where they differ. None where a
+    /// method has no answer, or one that tells nothing.
+    pub fn symbol(&self, motion: Motion) -> Option<Symbol> {
         let mut sustained = 0;
         for row in &self.rows {
-            sustained += usize::from(row.is_sustained()?);
+            sustained += usize::from(row.is_sustained(motion)?);
         }
         Some(if sustained == self.rows.len() {
             Symbol::Circle
@@ -85,9 +81,9 @@ impl CaseRows {
         answers.any(|row| first.is_some_and(|first| !row.same_labels(first)))
     }
 
-    /// Whether there is a lateral label.
-    pub fn is_lateral(&self) -> bool {
-        self.rows.iter().any(|row| !row.lateral.is_empty())
+    /// Whether a method has a label of a motion.
+    pub fn has(&self, motion: Motion) -> bool {
+        self.rows.iter().any(|row| !row.label(motion).is_empty())
     }
 }
 
@@ -150,8 +146,13 @@ mod tests {
             .map(|case| (case.case, case.values[0], case.rows.len()))
             .collect();
         assert_eq!(numbers, [(3, 0.5, 2), (4, 1.0, 2), (5, 2.0, 2)]);
-        let symbols: Vec<_> = cases.iter().map(CaseRows::symbol).collect();
-        assert_eq!(symbols, [Some(Symbol::Square), None, Some(Symbol::Cross)]);
+        let symbols = |motion| -> Vec<_> { cases.iter().map(|case| case.symbol(motion)).collect() };
+        assert_eq!(
+            symbols(Motion::Lateral),
+            [Some(Symbol::Square), None, None],
+            "no answer of one method, no lateral motion"
+        );
+        assert_eq!(symbols(Motion::Torsion), [None, None, Some(Symbol::Cross)]);
         let differ: Vec<_> = cases.iter().map(CaseRows::differs).collect();
         assert_eq!(differ, [true, false, false]);
         assert_eq!(cases[0].rows[0].regime(), "stuck, backward_whirl");

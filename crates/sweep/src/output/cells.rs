@@ -1,70 +1,8 @@
 //! Regimes over two axes, cell by cell: what is drawn of a sweep with more cases
 //! than can be told apart.
 
-use std::collections::BTreeSet;
-use std::path::Path;
-
-use anyhow::Result;
-
-use super::cases::CaseReader;
+use super::extent::Extent;
 use crate::plot::Symbol;
-use crate::spec::Axis;
-
-/// Distinct values along an axis are counted up to this.
-const MOST_DISTINCT: usize = 200;
-
-/// What a map spans.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Extent {
-    /// Least and greatest value to the right.
-    pub x: [f64; 2],
-    /// Least and greatest value upwards.
-    pub y: [f64; 2],
-    /// Cases.
-    pub cases: usize,
-    /// Whether there is a lateral label.
-    pub is_lateral: bool,
-    /// Distinct values to the right and upwards; more than can be told apart count
-    /// as `MOST_DISTINCT`.
-    pub distinct: [usize; 2],
-}
-
-impl Extent {
-    /// Whether every value to the right comes with every value upwards.
-    pub fn is_grid(&self) -> bool {
-        let [x, y] = self.distinct;
-        x.max(y) < MOST_DISTINCT && x * y <= self.cases
-    }
-
-    /// Of a `labels.csv`.
-    ///
-    /// # Errors
-    /// Where it cannot be read.
-    pub fn of(labels: &Path, axes: [Axis; 2]) -> Result<Self> {
-        let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        let mut values = [BTreeSet::new(), BTreeSet::new()];
-        let (mut cases, mut is_lateral) = (0, false);
-        for case in CaseReader::open(labels, &axes)? {
-            let case = case?;
-            for ((range, distinct), &value) in ranges.iter_mut().zip(&mut values).zip(&case.values)
-            {
-                *range = [range[0].min(value), range[1].max(value)];
-                if distinct.len() < MOST_DISTINCT {
-                    distinct.insert(value.to_bits());
-                }
-            }
-            cases += 1;
-            is_lateral |= case.is_lateral();
-        }
-        Ok(Self {
-            x: ranges[0],
-            y: ranges[1],
-            cases,
-            is_lateral,
-            distinct: values.map(|values| values.len()),
-        })
-    }
-}
 
 /// Symbols counted in cells.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,7 +16,7 @@ impl Cells {
     /// At most `most` cells to the right and upwards; fewer where an axis has fewer
     /// values, so that none is empty between them.
     pub fn new(extent: &Extent, most: [usize; 2]) -> Self {
-        let size = [0, 1].map(|axis| most[axis].min(extent.distinct[axis]).max(1));
+        let size = [0, 1].map(|axis| most[axis].min(extent.values[axis].len()).max(1));
         Self {
             extent: extent.clone(),
             size,
@@ -147,14 +85,17 @@ impl Cells {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output::Motion;
 
     fn extent(distinct: [usize; 2]) -> Extent {
         Extent {
             x: [0.0, 4.0],
             y: [1.0, 2.0],
             cases: 0,
-            is_lateral: false,
-            distinct,
+            motions: vec![Motion::Torsion],
+            values: distinct.map(|count| vec![0.0; count]),
+            others: Some(vec![Vec::new()]),
+            other_ranges: Vec::new(),
         }
     }
 

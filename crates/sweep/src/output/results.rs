@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::files::AtomicFile;
 use super::labels::{FAILURES_HEADER, failures_row, labels_header};
+use super::motion::Motion;
 use crate::engine::Log;
 use crate::spec::Sweep;
 
@@ -17,7 +18,8 @@ use crate::spec::Sweep;
 pub struct Tally {
     /// Rows.
     pub rows: usize,
-    /// Rows per method and label.
+    /// Rows per method and label. A row of a scene with bit and wall has two labels,
+    /// one of each motion.
     pub labels: BTreeMap<String, BTreeMap<String, usize>>,
     /// Rows without an answer.
     pub failed: usize,
@@ -26,6 +28,36 @@ pub struct Tally {
     pub settled_checked: usize,
     /// See `settled_checked`.
     pub settled_wrong: usize,
+}
+
+impl Tally {
+    /// The motions that have labels; that of torsion where no case has any.
+    pub fn motions(&self) -> Vec<Motion> {
+        let has = |motion: &Motion| {
+            let mut labels = self.labels.values().flat_map(BTreeMap::keys);
+            labels.any(|label| motion.labels().contains(&label.as_str()))
+        };
+        let found: Vec<Motion> = Motion::ALL.into_iter().filter(has).collect();
+        if found.is_empty() {
+            vec![Motion::Torsion]
+        } else {
+            found
+        }
+    }
+
+    /// The labels of a method, each with its rows, in one list for each motion that
+    /// has any: every list adds up to the cases with an answer.
+    pub fn by_motion(&self, method: &str) -> Vec<(Motion, Vec<(&str, usize)>)> {
+        let list = |motion: Motion| -> Vec<(&str, usize)> {
+            let labels = self.labels.get(method).into_iter().flatten();
+            labels
+                .filter(|(label, _)| motion.labels().contains(&label.as_str()))
+                .map(|(label, count)| (label.as_str(), *count))
+                .collect()
+        };
+        let lists = Motion::ALL.into_iter().map(|motion| (motion, list(motion)));
+        lists.filter(|(_, list)| !list.is_empty()).collect()
+    }
 }
 
 /// Where the fields to count are in a row.

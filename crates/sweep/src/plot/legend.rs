@@ -2,9 +2,12 @@
 
 use super::canvas::{Canvas, Stroke};
 use super::geometry::Rect;
-use super::symbols::{Symbol, draw_cell, draw_marker, draw_rim, draw_symbol};
+use super::grounds::{Ground, draw_ground};
+use super::map::draw_hatching;
+use super::symbols::{Symbol, draw_marker, draw_rim, draw_symbol};
 use super::text::{Block, SMALL_SIZE};
 use anyhow::Result;
+use plotters::style::BLACK;
 use plotters::style::text_anchor::HPos;
 
 /// Width of the line or symbol before an entry's text.
@@ -20,7 +23,12 @@ const ENTRY_GAP: f64 = 6.0;
 /// What stands before an entry's text.
 pub(super) enum Key {
     Symbol(Symbol),
-    Cell(Symbol),
+    /// A ground, with the symbol it stands for where it has one.
+    Cell(Ground),
+    /// A hatched range.
+    Hatching,
+    /// A text alone.
+    Nothing,
     Line(Stroke),
     /// The marker of the kind with this index.
     Marker(usize),
@@ -37,18 +45,19 @@ impl Legend {
     /// A legend of the given keys and texts.
     pub fn new<'a>(entries: impl Iterator<Item = (Key, &'a str)>) -> Result<Legend> {
         let entries = entries
-            .map(|(key, text)| Ok((key, Block::new(text, SMALL_SIZE, TEXT_WIDTH)?)))
+            .map(|(key, text)| {
+                let width = TEXT_WIDTH + KEY_WIDTH + KEY_GAP - indent(&key);
+                Ok((key, Block::new(text, SMALL_SIZE, width)?))
+            })
             .collect::<Result<_>>()?;
         Ok(Legend { entries })
     }
 
     /// Width in pixels; zero for an empty legend.
     pub fn width(&self) -> f64 {
-        if self.entries.is_empty() {
-            return 0.0;
-        }
-        let widths = self.entries.iter().map(|(_, text)| text.width);
-        KEY_WIDTH + KEY_GAP + widths.fold(0.0, f64::max)
+        let entries = self.entries.iter();
+        let widths = entries.map(|(key, text)| indent(key) + text.width);
+        widths.fold(0.0, f64::max)
     }
 
     /// Height in pixels.
@@ -65,7 +74,7 @@ impl Legend {
         for (key, text) in &self.entries {
             let middle = top + text.line_height() / 2.0;
             draw_key(canvas, key, left, middle)?;
-            canvas.text(text, left + KEY_WIDTH + KEY_GAP, middle, HPos::Left)?;
+            canvas.text(text, left + indent(key), middle, HPos::Left)?;
             top += entry_height(text);
         }
         Ok(())
@@ -94,11 +103,19 @@ impl Legend {
                 let left = left + column as f64 * width / columns as f64;
                 let middle = top + text.line_height() / 2.0;
                 draw_key(canvas, key, left, middle)?;
-                canvas.text(text, left + KEY_WIDTH + KEY_GAP, middle, HPos::Left)?;
+                canvas.text(text, left + indent(key), middle, HPos::Left)?;
             }
             top += tallest(row);
         }
         Ok(())
+    }
+}
+
+/// Where an entry's text begins.
+fn indent(key: &Key) -> f64 {
+    match key {
+        Key::Nothing => 0.0,
+        _ => KEY_WIDTH + KEY_GAP,
     }
 }
 
@@ -117,16 +134,34 @@ fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) -> Result<()> {
         Key::Symbol(symbol) => {
             draw_symbol(canvas, *symbol, (left + KEY_WIDTH / 2.0, y), SYMBOL_RADIUS)
         }
-        Key::Cell(symbol) => {
-            let middle = (left + KEY_WIDTH / 2.0, y);
-            let area = Rect::centred(middle, 2.0 * CELL_HEIGHT, CELL_HEIGHT);
-            draw_cell(canvas, *symbol, area)?;
-            draw_symbol(canvas, *symbol, middle, SYMBOL_RADIUS)
+        Key::Cell(ground) => {
+            let area = cell(left, y);
+            draw_ground(canvas, *ground, area)?;
+            match ground {
+                Ground::Symbol(symbol) => {
+                    draw_symbol(canvas, *symbol, area.centre(), SYMBOL_RADIUS)
+                }
+                Ground::Part(_) | Ground::NoCase => draw_border(canvas, area),
+            }
         }
+        Key::Hatching => draw_hatching(canvas, cell(left, y), cell(left, y)),
+        Key::Nothing => Ok(()),
         Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY_WIDTH, y)], *stroke),
         Key::Marker(kind) => draw_marker(canvas, *kind, (left + KEY_WIDTH / 2.0, y), SYMBOL_RADIUS),
         Key::Rim => draw_rim(canvas, (left + KEY_WIDTH / 2.0, y), 1.5 * SYMBOL_RADIUS),
     }
+}
+
+/// Where a ground is shown.
+fn cell(left: f64, y: f64) -> Rect {
+    Rect::centred((left + KEY_WIDTH / 2.0, y), 2.0 * CELL_HEIGHT, CELL_HEIGHT)
+}
+
+/// A thin line around a ground that may be as light as the paper.
+fn draw_border(canvas: &mut Canvas, area: Rect) -> Result<()> {
+    let [first, second, third, fourth] = area.corners();
+    let closed = [first, second, third, fourth, first];
+    canvas.line(&closed, Stroke::solid(BLACK, 0.5))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! two never differ. The font is embedded, in the SVG too: no font or library of
 //! the machine is used, and the same data always gives the same bytes.
 //!
-//! [`regime_map`] draws regimes over two parameters, [`panels()`] draws stacked
+//! [`map_sheet`] draws regimes over two parameters, [`panels()`] draws stacked
 //! curves. Both take plain data and return a [`Picture`]; writing files is left
 //! to the caller.
 
@@ -12,6 +12,7 @@ mod canvas;
 mod cells;
 mod frame;
 mod geometry;
+mod grounds;
 mod legend;
 mod map;
 mod names;
@@ -31,7 +32,10 @@ use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
 
 pub use cells::{CellChart, CellPanel, ChartCell, Foretold, Seen, cell_chart};
-pub use map::{Line, MapCell, MapPoint, Mark, RegimeMap, regime_map};
+pub use grounds::{Ground, Part};
+pub use map::{
+    Band, Line, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_sheet,
+};
 pub use orbits::{Orbit, Orbits, orbits};
 pub use panels::{Panel, Panels, Series, panels};
 pub use references::Reference;

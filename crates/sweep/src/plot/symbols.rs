@@ -1,7 +1,7 @@
 //! The symbols of regime maps.
 
 use super::canvas::{Canvas, Stroke};
-use super::geometry::{Pixel, Rect};
+use super::geometry::Pixel;
 use super::panels::COLOURS;
 use anyhow::Result;
 use plotters::style::{BLACK, RGBColor, WHITE};
@@ -10,11 +10,6 @@ use plotters::style::{BLACK, RGBColor, WHITE};
 const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xB2);
 const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
 const ORANGE: RGBColor = RGBColor(0xE6, 0x9F, 0x00);
-
-// Grounds of cells: also told apart by how light they are.
-const BLUE_GROUND: RGBColor = RGBColor(0x9A, 0xCD, 0xEC);
-const GREY_GROUND: RGBColor = RGBColor(0xF3, 0xF3, 0xF3);
-const ORANGE_GROUND: RGBColor = RGBColor(0xB3, 0x50, 0x00);
 
 /// Distance of a mark's corners from its centre.
 pub(super) const MARK_RADIUS: f64 = 7.0;
@@ -96,16 +91,6 @@ pub(super) fn draw_marker(canvas: &mut Canvas, kind: usize, (x, y): Pixel, r: f6
 /// A ring around a point.
 pub(super) fn draw_rim(canvas: &Canvas, centre: Pixel, radius: f64) -> Result<()> {
     canvas.ring(centre, radius, Stroke::solid(BLACK, 1.4))
-}
-
-/// Fills a part of a map with the ground of a symbol.
-pub(super) fn draw_cell(canvas: &Canvas, symbol: Symbol, area: Rect) -> Result<()> {
-    let ground = match symbol {
-        Symbol::Circle => BLUE_GROUND,
-        Symbol::Cross => GREY_GROUND,
-        Symbol::Square => ORANGE_GROUND,
-    };
-    canvas.polygon(&area.corners(), ground)
 }
 
 /// A black triangle with a white halo.

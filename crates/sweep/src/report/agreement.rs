@@ -1,6 +1,6 @@
 //! Whether the methods say the same.
 
-use crate::output::CaseRows;
+use crate::output::{CaseRows, Motion};
 
 /// Cases on which methods differ that are kept to be listed.
 const MOST_LISTED: usize = 30;
@@ -10,14 +10,23 @@ const MOST_LISTED: usize = 30;
 pub struct Agreement {
     /// Every two methods.
     pub pairs: Vec<Pair>,
-    /// Cases drawn as circle, cross and square.
-    pub symbols: [usize; 3],
-    /// Cases not drawn: some method has no answer, or one that tells nothing.
-    pub untold: usize,
+    /// What the maps show of each motion.
+    pub shown: Vec<Shown>,
     /// Cases on which answers differ.
     pub differing: usize,
     /// The first of them.
     pub listed: Vec<CaseRows>,
+}
+
+/// The cases on the map of a motion.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Shown {
+    /// The motion.
+    pub motion: Motion,
+    /// Cases drawn as circle, cross and square.
+    pub symbols: [usize; 3],
+    /// Cases not drawn: some method has no answer, or one that tells nothing.
+    pub untold: usize,
 }
 
 /// Two methods.
@@ -32,8 +41,8 @@ pub struct Pair {
 }
 
 impl Agreement {
-    /// Of methods that have said nothing yet.
-    pub fn new(methods: &[&str]) -> Self {
+    /// Of methods that have said nothing yet of these motions.
+    pub fn new(methods: &[&str], motions: &[Motion]) -> Self {
         let pairs = methods.iter().enumerate().flat_map(|(index, one)| {
             methods[index + 1..].iter().map(move |other| Pair {
                 methods: [one, other].map(|name| (*name).to_owned()),
@@ -43,8 +52,13 @@ impl Agreement {
         });
         Self {
             pairs: pairs.collect(),
-            symbols: [0; 3],
-            untold: 0,
+            shown: (motions.iter())
+                .map(|&motion| Shown {
+                    motion,
+                    symbols: [0; 3],
+                    untold: 0,
+                })
+                .collect(),
             differing: 0,
             listed: Vec::new(),
         }
@@ -62,9 +76,11 @@ impl Agreement {
                 pair.same += usize::from(one.same_labels(other));
             }
         }
-        match case.symbol() {
-            Some(symbol) => self.symbols[symbol as usize] += 1,
-            None => self.untold += 1,
+        for shown in &mut self.shown {
+            match case.symbol(shown.motion) {
+                Some(symbol) => shown.symbols[symbol as usize] += 1,
+                None => shown.untold += 1,
+            }
         }
         if case.differs() {
             self.differing += 1;
@@ -100,7 +116,7 @@ mod tests {
 
     #[test]
     fn pairs_are_compared_where_both_answer() {
-        let mut agreement = Agreement::new(&["a", "b", "c"]);
+        let mut agreement = Agreement::new(&["a", "b", "c"], &[Motion::Torsion]);
         agreement.add(&case(["smooth", "smooth", "smooth"]));
         agreement.add(&case(["smooth", "stick_slip", ""]));
         agreement.add(&case(["stuck", "stick_slip", "stick_slip"]));
@@ -109,13 +125,14 @@ mod tests {
             .collect();
         let expected = [("ab", 1, 3), ("ac", 1, 2), ("bc", 2, 2)];
         assert_eq!(counts, expected.map(|(a, b, c)| (a.to_owned(), b, c)));
-        assert_eq!((agreement.symbols, agreement.untold), ([0, 1, 0], 2));
+        let shown = &agreement.shown[0];
+        assert_eq!((shown.symbols, shown.untold), ([0, 1, 0], 2));
         assert_eq!((agreement.differing, agreement.listed.len()), (2, 2));
     }
 
     #[test]
     fn the_list_of_differing_cases_does_not_grow_without_end() {
-        let mut agreement = Agreement::new(&["a", "b", "c"]);
+        let mut agreement = Agreement::new(&["a", "b", "c"], &[Motion::Torsion]);
         for _ in 0..1000 {
             agreement.add(&case(["smooth", "stick_slip", "smooth"]));
         }

@@ -1,12 +1,12 @@
 //! A regime map in characters.
 
 use super::document::short;
-use crate::output::{Cells, Extent};
+use crate::output::{Cells, Extent, Motion};
 use crate::plot::Symbol;
 use crate::spec::Axis;
 
 /// The map with its axes and what the characters mean.
-pub fn character_map(cells: &Cells, extent: &Extent, [x, y]: [Axis; 2]) -> String {
+pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Axis; 2]) -> String {
     let [columns, rows] = cells.size();
     let [bottom, top] = extent.y.map(short);
     let margin = bottom.len().max(top.len());
@@ -28,22 +28,31 @@ pub fn character_map(cells: &Cells, extent: &Extent, [x, y]: [Axis; 2]) -> Strin
     text += &format!("{indent} +{}\n", "-".repeat(columns));
     text += &format!("{indent}  {left}{}{right}\n", " ".repeat(room));
     text += &format!("{indent}  {}\n\n", x.title());
-    let regime = if extent.is_lateral {
-        "sustained whirl"
-    } else {
-        "stick-slip"
-    };
-    text += &format!(
-        "{} {regime} by all methods   {} by none   {} methods differ\n",
-        character(Symbol::Circle),
-        character(Symbol::Cross),
-        character(Symbol::Square)
-    );
+    text += &legend(cells, motion);
     let shared = extent.cases > columns * rows;
     if shared {
         text += "A character stands for most of the cases in its cell.\n";
     }
     text
+}
+
+/// What the characters on the map mean.
+fn legend(cells: &Cells, motion: Motion) -> String {
+    let runs = cells.runs();
+    let [regime, none] = motion.regimes();
+    let meanings = [
+        (Symbol::Circle, format!("{regime} by all methods")),
+        (Symbol::Cross, format!("{none} by all methods")),
+        (Symbol::Square, "methods differ".to_owned()),
+    ];
+    let keys: Vec<String> = (meanings.into_iter())
+        .filter(|(symbol, _)| runs.iter().any(|run| run.2 == *symbol))
+        .map(|(symbol, meaning)| format!("{} {meaning}", character(symbol)))
+        .collect();
+    if keys.is_empty() {
+        return "No case tells.\n".to_owned();
+    }
+    format!("{}\n", keys.join("   "))
 }
 
 /// As unlike each other as characters can be.
@@ -65,8 +74,10 @@ mod tests {
             x: [0.02, 0.6],
             y: [5.0, 100.0],
             cases: 3,
-            is_lateral: false,
-            distinct: [2, 2],
+            motions: vec![Motion::Torsion],
+            values: [vec![0.02, 0.6], vec![5.0, 100.0]],
+            others: Some(vec![Vec::new()]),
+            other_ranges: Vec::new(),
         };
         let mut cells = Cells::new(&extent, [64, 20]);
         cells.add([0.02, 100.0], Symbol::Circle);
@@ -75,6 +86,7 @@ mod tests {
         let text = character_map(
             &cells,
             &extent,
+            Motion::Torsion,
             [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn],
         );
         let lines: Vec<&str> = text.lines().take(4).collect();

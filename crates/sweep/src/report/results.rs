@@ -8,7 +8,7 @@ use super::agreement::Agreement;
 use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
-use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, read_boundary};
+use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, Motion, read_boundary};
 use crate::spec::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
@@ -44,7 +44,8 @@ impl Results {
         let methods: Vec<&str> = methods.collect();
         let boundary = read_boundary(&folder.join("boundary.csv"))?;
         let mut limits = Limits::new(&boundary, &manifest.axes, &methods);
-        let mut agreement = Agreement::new(&methods);
+        let motions = manifest.tally.motions();
+        let mut agreement = Agreement::new(&methods, &motions);
         let mut map = MapCells::new(&manifest, &labels)?;
         let mut rows = 0;
         for case in CaseReader::open(&labels, &manifest.axes)? {
@@ -75,7 +76,7 @@ impl Results {
             folder: folder.to_owned(),
             characters: map
                 .filter(|map| map.extent.cases > 0)
-                .map(|map| character_map(&map.cells, &map.extent, map.axes)),
+                .map(|map| map.characters()),
             agreement,
             limits,
             failures,
@@ -98,9 +99,9 @@ impl Results {
     }
 }
 
-/// The cells of a map, being counted.
+/// The cells of the maps of all motions, being counted.
 struct MapCells {
-    cells: Cells,
+    cells: Vec<(Motion, Cells)>,
     extent: Extent,
     axes: [Axis; 2],
     /// Places of the map's axes among the values of a case.
@@ -117,9 +118,12 @@ impl MapCells {
         let (Some(x), Some(y)) = (place(map.x), place(map.y)) else {
             bail!("the map of manifest.json has an axis that its cases do not have");
         };
-        let extent = Extent::of(labels, axes)?;
+        let extent = Extent::of(labels, axes, &[])?;
+        let motions = extent.motions.iter();
         Ok(Some(Self {
-            cells: Cells::new(&extent, CHARACTERS),
+            cells: motions
+                .map(|&motion| (motion, Cells::new(&extent, CHARACTERS)))
+                .collect(),
             extent,
             axes,
             places: [x, y],
@@ -127,9 +131,23 @@ impl MapCells {
     }
 
     fn add(&mut self, case: &CaseRows) {
-        if let Some(symbol) = case.symbol() {
-            self.cells
-                .add(self.places.map(|place| case.values[place]), symbol);
+        for (motion, cells) in &mut self.cells {
+            if let Some(symbol) = case.symbol(*motion) {
+                cells.add(self.places.map(|place| case.values[place]), symbol);
+            }
         }
+    }
+
+    /// One map below the other, each with its heading where there are two.
+    fn characters(&self) -> String {
+        let maps = self.cells.iter().map(|(motion, cells)| {
+            let map = character_map(cells, &self.extent, *motion, self.axes);
+            if self.cells.len() == 1 {
+                map
+            } else {
+                format!("{}\n\n{map}", motion.title())
+            }
+        });
+        maps.collect::<Vec<String>>().join("\n")
     }
 }

@@ -5,18 +5,8 @@ use super::document::{Block, Map, NOTHING, Section, Table, short};
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
+use crate::output::Motion;
 use crate::spec::Axis;
-
-/// Labels in the order of their columns.
-const LABELS: [&str; 7] = [
-    "stuck",
-    "smooth",
-    "stick_slip",
-    "no_contact",
-    "transient_contact",
-    "backward_whirl",
-    "forward_whirl",
-];
 
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.
@@ -24,7 +14,7 @@ pub fn sections(all: &[Results], comparisons: &[Comparison]) -> Vec<Section> {
     let mut sections = vec![
         section("What was run", overview(all)),
         section("Regime map", maps(all)),
-        section("Regimes", vec![regimes(all).into()]),
+        section("Regimes", regimes(all)),
         section("Agreement of the methods", agreement(all)),
         section("The analytic limit", limits(all)),
         section("Cases without an answer", failures(all)),
@@ -141,20 +131,43 @@ fn maps(all: &[Results]) -> Vec<Block> {
     blocks
 }
 
-fn regimes(all: &[Results]) -> Table {
+/// A table for each motion that any of the folders has labels of.
+fn regimes(all: &[Results]) -> Vec<Block> {
+    let motions = motions(all);
+    let tables = motions.iter().map(|&motion| {
+        let caption = match motions.len() {
+            1 => "Cases of each regime, by method".to_owned(),
+            _ => format!("Cases of each {} regime, by method", motion.adjective()),
+        };
+        regimes_of(all, motion, &caption).into()
+    });
+    tables.collect()
+}
+
+/// The motions that any of the folders has labels of.
+fn motions(all: &[Results]) -> Vec<Motion> {
+    let has = |motion: &Motion| {
+        let mut folders = all.iter();
+        folders.any(|results| results.manifest.tally.motions().contains(motion))
+    };
+    Motion::ALL.into_iter().filter(has).collect()
+}
+
+fn regimes_of(all: &[Results], motion: Motion, caption: &str) -> Table {
     let is_found = |label: &&str| {
         let mut methods = all
             .iter()
             .flat_map(|results| results.methods().map(move |method| (results, method)));
         methods.any(|(results, method)| results.count(method, label) > 0)
     };
-    let labels: Vec<&str> = LABELS.into_iter().filter(is_found).collect();
+    let labels = motion.labels().iter().copied();
+    let labels: Vec<&str> = labels.filter(is_found).collect();
     let header: Vec<&str> = ["method"]
         .into_iter()
         .chain(labels.clone())
         .chain(["no answer"])
         .collect();
-    let mut table = table_of(all, "Cases of each regime, by method", &header);
+    let mut table = table_of(all, caption, &header);
     for results in all {
         for method in results.methods() {
             let counts = labels.iter().map(|label| results.count(method, label));
@@ -171,7 +184,10 @@ fn agreement(all: &[Results]) -> Vec<Block> {
     let mut blocks = Vec::new();
     let header = ["methods", "same labels", "of cases", "part"];
     let mut pairs = table_of(all, "Cases on which two methods agree", &header);
+    let has_two = motions(all).len() > 1;
     let header = ["all sustained", "none", "methods differ", "not told"];
+    let motion = has_two.then_some("motion");
+    let header: Vec<&str> = motion.into_iter().chain(header).collect();
     let mut symbols = table_of(all, "Cases by what the map is about", &header);
     for results in all {
         let agreement = &results.agreement;
@@ -184,9 +200,13 @@ fn agreement(all: &[Results]) -> Vec<Block> {
             ];
             pairs.rows.push(row_of(all, results, cells));
         }
-        let counts = agreement.symbols.into_iter().chain([agreement.untold]);
-        let cells = counts.map(|count| count.to_string()).collect();
-        symbols.rows.push(row_of(all, results, cells));
+        for shown in &agreement.shown {
+            let motion = has_two.then(|| shown.motion.adjective().to_owned());
+            let counts = shown.symbols.into_iter().chain([shown.untold]);
+            let counts = counts.map(|count| count.to_string());
+            let cells = motion.into_iter().chain(counts).collect();
+            symbols.rows.push(row_of(all, results, cells));
+        }
     }
     if pairs.rows.is_empty() {
         blocks.push(Block::Text("There is only one method.".to_owned()));

@@ -457,6 +457,16 @@ pub struct AxisRange {
 }
 
 impl AxisRange {
+    /// Its least and its greatest value, where it has any.
+    pub fn ends(&self) -> Option<[f64; 2]> {
+        let values = self.values.iter().flatten().copied();
+        let all = values.chain(self.from).chain(self.to);
+        all.fold(None, |ends: Option<[f64; 2]>, value| {
+            let [low, high] = ends.unwrap_or([value; 2]);
+            Some([low.min(value), high.max(value)])
+        })
+    }
+
     /// Refuses ends in the wrong order, or at zero on a logarithmic axis.
     pub(crate) fn check_ends(
         &self,

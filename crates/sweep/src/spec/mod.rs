@@ -21,7 +21,7 @@ mod tests;
 pub use accuracy::{Accuracy, per_cent};
 pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
 pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};
-pub use resolve::{Bit, Conditions, MapSettings, Sweep, Time, to_rpm};
+pub use resolve::{Bit, Conditions, MapMark, MapSettings, Sweep, Time, to_rpm};
 pub(crate) use resolve::{check_axis_value, check_setting};
 pub use setting::Setting;
 pub use source::{Source, SpecError, TextOf, nearest};

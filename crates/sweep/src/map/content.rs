@@ -1,0 +1,210 @@
+//! What the cases of one map are drawn as: symbols, cells of what most of them are, or
+//! cells of how large a part has the regime.
+
+use anyhow::Result;
+
+use super::Map;
+use crate::output::{CaseReader, CaseRows, Cells, Extent, Fractions, Motion};
+use crate::plot::{Ground, MapCell, MapPoint, Part, Symbol};
+
+/// More cases than this on a map alone on its sheet are drawn by cells; on one of
+/// several, which are smaller, more than the other number.
+const MOST_SYMBOLS: usize = 4000;
+const MOST_SYMBOLS_OF_SEVERAL: usize = 1000;
+
+/// Cells to the right and upwards at most: more would make the picture too large
+/// a file where no two neighbours are alike.
+const MOST_CELLS: [usize; 2] = [104, 78];
+
+/// Random cases leave hardly a cell empty if it has so many on average.
+const CASES_PER_CELL: f64 = 5.0;
+
+/// Symbols drawn over cells, to the right and upwards.
+const SYMBOLS_ACROSS: usize = 12;
+
+/// The cases of one map.
+pub struct Content {
+    drawn: Drawn,
+    /// Cases drawn as circle, cross and square.
+    symbols: [usize; 3],
+    /// Cases that tell nothing of the motion.
+    pub untold: usize,
+    /// Cases.
+    pub cases: usize,
+}
+
+enum Drawn {
+    Each(Vec<MapPoint>),
+    Crowd(Cells),
+    Parts(Fractions),
+}
+
+impl Content {
+    /// The cases of all maps of a motion.
+    ///
+    /// # Errors
+    /// Where labels cannot be read.
+    pub fn read(map: &Map, motion: Motion) -> Result<Vec<Content>> {
+        let mut contents: Vec<Content> = match map.combinations() {
+            None => vec![Content::new(Drawn::Parts(Fractions::new(&map.extent)))],
+            Some(combinations) => {
+                let count = combinations.len().max(1);
+                let several = count * map.extent.motions.len() > 1;
+                let drawn = || Drawn::of_cases(&map.extent, count, several);
+                (0..count).map(|_| Content::new(drawn())).collect()
+            }
+        };
+        let mut axes = vec![map.settings.x, map.settings.y];
+        axes.extend(&map.others);
+        for case in CaseReader::open(&map.labels, &axes)? {
+            let case = case?;
+            let combinations = map.combinations();
+            let of_case = |combinations: &[Vec<f64>]| {
+                let values = &case.values[2..];
+                combinations.iter().position(|other| other == values)
+            };
+            let index = combinations.and_then(of_case).unwrap_or(0);
+            contents[index].add(&case, motion);
+        }
+        Ok(contents)
+    }
+
+    fn new(drawn: Drawn) -> Self {
+        Self {
+            drawn,
+            symbols: [0; 3],
+            untold: 0,
+            cases: 0,
+        }
+    }
+
+    fn add(&mut self, case: &CaseRows, motion: Motion) {
+        self.cases += 1;
+        let place = [case.values[0], case.values[1]];
+        let symbol = case.symbol(motion);
+        match symbol {
+            Some(symbol) => self.symbols[symbol as usize] += 1,
+            None => self.untold += 1,
+        }
+        match (&mut self.drawn, symbol) {
+            (Drawn::Each(points), Some(symbol)) => points.push(MapPoint {
+                x: place[0],
+                y: place[1],
+                symbol,
+            }),
+            (Drawn::Crowd(cells), Some(symbol)) => cells.add(place, symbol),
+            (Drawn::Each(_) | Drawn::Crowd(_), None) => {}
+            (Drawn::Parts(fractions), _) => {
+                let rows = case.rows.iter();
+                let told: Vec<bool> = rows.filter_map(|row| row.is_sustained(motion)).collect();
+                let sustained = told.iter().filter(|sustained| **sustained).count();
+                fractions.add(place, [sustained, told.len()]);
+            }
+        }
+    }
+
+    /// Whether a symbol stands anywhere on the map.
+    pub fn has(&self, symbol: Symbol) -> bool {
+        match &self.drawn {
+            Drawn::Each(_) => self.symbols[symbol as usize] > 0,
+            Drawn::Crowd(cells) => cells.runs().iter().any(|run| run.2 == symbol),
+            Drawn::Parts(_) => false,
+        }
+    }
+
+    /// Whether its cells show what most cases are.
+    pub fn is_crowd(&self) -> bool {
+        matches!(self.drawn, Drawn::Crowd(_))
+    }
+
+    /// Whether its cells show how large a part of the cases has the regime.
+    pub fn is_of_parts(&self) -> bool {
+        matches!(self.drawn, Drawn::Parts(_))
+    }
+
+    /// Its cells, neighbours that are alike as one.
+    pub fn cells(&self) -> Vec<MapCell> {
+        match &self.drawn {
+            Drawn::Each(_) => Vec::new(),
+            Drawn::Crowd(cells) => filled(cells),
+            Drawn::Parts(fractions) => {
+                let ground = |part: Option<f64>| {
+                    part.map_or(Ground::NoCase, |part| Ground::Part(Part::of(part)))
+                };
+                let runs = fractions.runs(ground).into_iter();
+                runs.map(|([x, y], ground)| MapCell { x, y, ground })
+                    .collect()
+            }
+        }
+    }
+
+    /// Its symbols.
+    pub fn points(&self) -> Vec<MapPoint> {
+        match &self.drawn {
+            Drawn::Each(points) => points.clone(),
+            Drawn::Crowd(cells) => sparse_symbols(cells),
+            Drawn::Parts(_) => Vec::new(),
+        }
+    }
+}
+
+impl Drawn {
+    /// Of the cases of one of `count` maps, before there are any.
+    fn of_cases(extent: &Extent, count: usize, several: bool) -> Self {
+        let most = if several {
+            MOST_SYMBOLS_OF_SEVERAL
+        } else {
+            MOST_SYMBOLS
+        };
+        let cases = extent.cases / count;
+        if cases > most {
+            Drawn::Crowd(Cells::new(extent, most_cells(extent, cases)))
+        } else {
+            Drawn::Each(Vec::new())
+        }
+    }
+}
+
+/// As many cells as have some cases each, in the shape of the picture; a grid has a
+/// cell for each of its values.
+fn most_cells(extent: &Extent, cases: usize) -> [usize; 2] {
+    if extent.is_grid() {
+        return MOST_CELLS;
+    }
+    let most = MOST_CELLS.map(|cells| cells as f64);
+    let cells = cases as f64 / CASES_PER_CELL;
+    let scale = (cells / (most[0] * most[1])).sqrt().min(1.0);
+    most.map(|most| (scale * most) as usize)
+}
+
+/// Neighbours that are alike as one.
+fn filled(cells: &Cells) -> Vec<MapCell> {
+    let runs = cells.runs().into_iter();
+    runs.map(|(row, [first, end], symbol)| {
+        let [left, bottom] = cells.place(first as f64, row as f64);
+        let [right, top] = cells.place(end as f64, row as f64 + 1.0);
+        MapCell {
+            x: [left, right],
+            y: [bottom, top],
+            ground: Ground::Symbol(symbol),
+        }
+    })
+    .collect()
+}
+
+/// A symbol here and there, for who cannot tell the colours.
+fn sparse_symbols(cells: &Cells) -> Vec<MapPoint> {
+    let [columns, rows] = cells.size();
+    let [step_x, step_y] = [columns, rows].map(|cells| cells.div_ceil(SYMBOLS_ACROSS).max(1));
+    let places = (step_x / 2..columns).step_by(step_x).flat_map(|column| {
+        let rows = (step_y / 2..rows).step_by(step_y);
+        rows.map(move |row| (column, row))
+    });
+    places
+        .filter_map(|(column, row)| {
+            let [x, y] = cells.place(column as f64 + 0.5, row as f64 + 0.5);
+            let symbol = cells.symbol(column, row)?;
+            Some(MapPoint { x, y, symbol })
+        })
+        .collect()
+}

@@ -1,0 +1,358 @@
+//! The limit on a map: its line where both of its quantities are axes of the map, a
+//! line or a range across the map where one is, and in words where it is out of view.
+
+use super::words::{ends, quantity};
+use crate::output::{Curve, Motion};
+use crate::plot::{Band, Line, is_within};
+use crate::spec::Axis;
+
+/// What a map shows.
+pub struct View {
+    /// Its axes, to the right and upwards.
+    pub axes: [Axis; 2],
+    /// Their ranges: those of the cases.
+    pub ranges: [[f64; 2]; 2],
+}
+
+/// The limit on a map.
+#[derive(Default)]
+pub struct Limits {
+    /// What is drawn as a line.
+    pub lines: Vec<Line>,
+    /// What is drawn as a range.
+    pub bands: Vec<Band>,
+    /// What is out of view.
+    pub notes: Vec<String>,
+}
+
+/// A limit out of view: how far, and what there is to say.
+struct Unseen {
+    margin: f64,
+    note: String,
+}
+
+/// Ranges narrower than this part of their value are lines.
+const NARROW: f64 = 1e-6;
+
+impl Limits {
+    /// The limits that `curves` are on a map, while quantities off the map are `held`
+    /// within the ranges of its cases. Every method has its own limit of stick-slip.
+    /// Whirl has only one, the least of all: of its curves the nearest alone is told,
+    /// and only if none can be seen.
+    pub fn of(curves: &[&Curve], view: &View, held: impl Fn(Axis) -> [f64; 2]) -> Limits {
+        let mut limits = Limits::default();
+        let mut unseen = Vec::new();
+        let least;
+        let curves = match Self::over_a_range(curves, view, &held) {
+            Some(curve) => {
+                least = curve;
+                &[&least]
+            }
+            None => curves,
+        };
+        for curve in curves {
+            unseen.extend(limits.add(curve, view, &held));
+        }
+        let is_whirl = curves.iter().any(|curve| curve.motion == Motion::Lateral);
+        if is_whirl {
+            let is_seen = !(limits.lines.is_empty() && limits.bands.is_empty());
+            let nearest = unseen
+                .into_iter()
+                .min_by(|one, other| one.margin.total_cmp(&other.margin));
+            unseen = nearest.filter(|_| !is_seen).into_iter().collect();
+        }
+        limits.notes = unseen.into_iter().map(|unseen| unseen.note).collect();
+        limits
+    }
+
+    /// Where a map puts cases together that differ in what the limit of whirl depends
+    /// on, the range of the least limit counts, not that of each branch.
+    fn over_a_range(
+        curves: &[&Curve],
+        view: &View,
+        held: impl Fn(Axis) -> [f64; 2],
+    ) -> Option<Curve> {
+        let first = curves.first()?;
+        let [low, high] = held(first.along);
+        let is_range = first.motion == Motion::Lateral
+            && view.axes.contains(&first.limited)
+            && !view.axes.contains(&first.along)
+            && low < high;
+        is_range.then(|| Curve::least_of(curves)).flatten()
+    }
+
+    /// Adds a curve to what is drawn, or says where it is.
+    fn add(
+        &mut self,
+        curve: &Curve,
+        view: &View,
+        held: impl Fn(Axis) -> [f64; 2],
+    ) -> Option<Unseen> {
+        let place = |axis| view.axes.iter().position(|&other| other == axis);
+        match (place(curve.along), place(curve.limited)) {
+            (Some(along), Some(limited)) => self.add_line(curve, view, [along, limited]),
+            (None, Some(on_map)) => self.add_across(curve, view, on_map, 1, held(curve.along)),
+            (Some(on_map), None) => self.add_across(curve, view, on_map, 0, held(curve.limited)),
+            (None, None) => {
+                let values = curve.ranges(1, held(curve.along));
+                let note = format!(
+                    "{}: {}, on neither axis of this map",
+                    curve.name,
+                    ends(curve.limited, span(&values)?)
+                );
+                let margin = f64::INFINITY;
+                Some(Unseen { margin, note })
+            }
+        }
+    }
+
+    /// Both quantities are axes of the map, at the given places.
+    fn add_line(&mut self, curve: &Curve, view: &View, places: [usize; 2]) -> Option<Unseen> {
+        let on_map = |point: &[f64; 2]| match places {
+            [0, _] => (point[0], point[1]),
+            _ => (point[1], point[0]),
+        };
+        let gap = (f64::NAN, f64::NAN);
+        let [x, y] = view.ranges;
+        let mut points = Vec::new();
+        let mut is_seen = false;
+        for piece in &curve.pieces {
+            let piece: Vec<_> = piece.iter().map(on_map).collect();
+            is_seen |= is_within(&piece, x, y);
+            points.extend(piece.into_iter().chain([gap]));
+        }
+        points.pop();
+        if is_seen {
+            let name = curve.name.clone();
+            self.lines.push(Line { name, points });
+            return None;
+        }
+        let range = view.ranges[places[1]];
+        let points = curve.pieces.iter().flatten();
+        let (margin, [along, limited]) = points
+            .map(|point| (margin(point[1], range), *point))
+            .min_by(|one, other| one.0.total_cmp(&other.0))?;
+        let note = format!(
+            "{}: limit {} at {}, {} this map; margin {}",
+            curve.name,
+            quantity(curve.limited, limited),
+            quantity(curve.along, along),
+            side(places[1], limited, range),
+            quantity(curve.limited, margin)
+        );
+        Some(Unseen { margin, note })
+    }
+
+    /// One quantity, 0 for what the limit depends on and 1 for what is limited, is the
+    /// axis at place `on_map`; the other one is held.
+    fn add_across(
+        &mut self,
+        curve: &Curve,
+        view: &View,
+        on_map: usize,
+        shown: usize,
+        held: [f64; 2],
+    ) -> Option<Unseen> {
+        let stretches = curve.ranges(shown, held);
+        let Some(whole) = span(&stretches) else {
+            return Some(beyond(curve, shown, held));
+        };
+        let range = view.ranges[on_map];
+        let is_seen = |[low, high]: &[f64; 2]| *low <= range[1] && *high >= range[0];
+        let seen: Vec<_> = stretches.into_iter().filter(is_seen).collect();
+        for [low, high] in &seen {
+            let across = view.ranges[1 - on_map];
+            if high - low <= NARROW * high.abs() {
+                let at = 0.5 * (low + high);
+                let points = across.map(|across| match on_map {
+                    0 => (at, across),
+                    _ => (across, at),
+                });
+                self.lines.push(Line {
+                    name: curve.name.clone(),
+                    points: points.to_vec(),
+                });
+            } else {
+                let mut ends = [across; 2];
+                ends[on_map] = [*low, *high];
+                self.bands.push(Band {
+                    name: format!("{}: its range over these cases", curve.name),
+                    x: ends[0],
+                    y: ends[1],
+                });
+            }
+        }
+        if !seen.is_empty() {
+            return None;
+        }
+        let [axis, other] = match shown {
+            0 => [curve.along, curve.limited],
+            _ => [curve.limited, curve.along],
+        };
+        let at = if held[0].is_finite() && held[1].is_finite() {
+            format!(" at {}", ends(other, held))
+        } else {
+            String::new()
+        };
+        let nearest = whole.map(|end| (margin(end, range), end));
+        let (margin, end) = if nearest[0].0 <= nearest[1].0 {
+            nearest[0]
+        } else {
+            nearest[1]
+        };
+        let note = format!(
+            "{}: limit {}{at}, {} this map; margin {}",
+            curve.name,
+            ends(axis, whole),
+            side(on_map, end, range),
+            quantity(axis, margin)
+        );
+        Some(Unseen { margin, note })
+    }
+}
+
+/// A curve that never reaches what is held: `shown` is the quantity on the map.
+fn beyond(curve: &Curve, shown: usize, held: [f64; 2]) -> Unseen {
+    let none = |at: String| Unseen {
+        margin: f64::INFINITY,
+        note: format!("{}: none at {at}", curve.name),
+    };
+    if shown == 1 {
+        return none(ends(curve.along, held));
+    }
+    let points = curve.pieces.iter().flatten();
+    let nearest = points
+        .map(|point| (margin(point[1], held), *point))
+        .min_by(|one, other| one.0.total_cmp(&other.0));
+    let Some((margin, [along, limited])) = nearest else {
+        return none(ends(curve.limited, held));
+    };
+    let side = if limited < held[0] { "below" } else { "above" };
+    let note = format!(
+        "{}: limit {} at {}, {side} the {} of this map; margin {}",
+        curve.name,
+        quantity(curve.limited, limited),
+        quantity(curve.along, along),
+        ends(curve.limited, held),
+        quantity(curve.limited, margin)
+    );
+    Unseen { margin, note }
+}
+
+/// From the least to the greatest of several ranges.
+fn span(ranges: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let ranges = ranges.iter().copied();
+    ranges.reduce(|one, other| [one[0].min(other[0]), one[1].max(other[1])])
+}
+
+/// How far a value is from a range.
+fn margin(value: f64, [low, high]: [f64; 2]) -> f64 {
+    (low - value).max(value - high).max(0.0)
+}
+
+/// On which side of a map a value is, along the axis at a place.
+fn side(place: usize, value: f64, [low, _]: [f64; 2]) -> &'static str {
+    match (place, value < low) {
+        (0, true) => "left of",
+        (0, false) => "right of",
+        (_, true) => "below",
+        (_, false) => "above",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn whirl(pieces: &[&[[f64; 2]]]) -> Curve {
+        Curve {
+            name: "bound".to_owned(),
+            motion: Motion::Lateral,
+            along: Axis::SurfaceSpeedRpm,
+            limited: Axis::Friction,
+            pieces: pieces.iter().map(|piece| piece.to_vec()).collect(),
+        }
+    }
+
+    fn view(x: (Axis, [f64; 2]), y: (Axis, [f64; 2])) -> View {
+        View {
+            axes: [x.0, y.0],
+            ranges: [x.1, y.1],
+        }
+    }
+
+    const IMPULSE: (Axis, [f64; 2]) = (Axis::ImpulseRatio, [1.0, 5.0]);
+    const FRICTION: (Axis, [f64; 2]) = (Axis::Friction, [0.5, 3.0]);
+    const SPEED: (Axis, [f64; 2]) = (Axis::SurfaceSpeedRpm, [0.0, 100.0]);
+
+    fn slope() -> Curve {
+        whirl(&[&[[0.0, 1.0], [100.0, 2.0]]])
+    }
+
+    #[test]
+    fn what_differs_from_case_to_case_makes_a_range_and_one_value_a_line() {
+        let map = view(IMPULSE, FRICTION);
+        let curve = slope();
+        let all = Limits::of(&[&curve], &map, |_| [20.0, 60.0]);
+        assert_eq!((all.lines.len(), all.bands.len()), (0, 1));
+        let [low, high] = all.bands[0].y;
+        assert!((low - 1.2).abs() < 1e-6 && (high - 1.6).abs() < 1e-6);
+        assert_eq!(all.bands[0].x, [1.0, 5.0]);
+        let one = Limits::of(&[&curve], &map, |_| [50.0; 2]);
+        assert_eq!((one.lines.len(), one.bands.len()), (1, 0));
+        assert!((one.lines[0].points[0].1 - 1.5).abs() < 1e-6);
+        assert!(all.notes.is_empty() && one.notes.is_empty());
+    }
+
+    #[test]
+    fn a_limit_is_a_line_over_its_own_axes_with_its_gaps() {
+        let curve = whirl(&[&[[0.0, 1.0], [40.0, 1.5]], &[[60.0, 1.0], [100.0, 1.5]]]);
+        let limits = Limits::of(&[&curve], &view(FRICTION, SPEED), |_| [0.0; 2]);
+        let points = &limits.lines[0].points;
+        assert_eq!((points[0], points[4]), ((1.0, 0.0), (1.5, 100.0)));
+        assert!(points[2].0.is_nan() && points.len() == 5);
+    }
+
+    #[test]
+    fn a_limit_out_of_view_is_told_with_its_margin() {
+        let high = view(
+            (Axis::SurfaceSpeedRpm, SPEED.1),
+            (Axis::Friction, [2.5, 3.0]),
+        );
+        let curve = slope();
+        let limits = Limits::of(&[&curve], &high, |_| [0.0; 2]);
+        let note = "bound: limit 2 at 100 rpm, below this map; margin 0.5";
+        assert_eq!(
+            (limits.lines.len(), limits.notes),
+            (0, vec![note.to_owned()])
+        );
+
+        let right = view((Axis::Friction, [0.1, 0.5]), IMPULSE);
+        let limits = Limits::of(&[&curve], &right, |_| [50.0; 2]);
+        let note = "bound: limit 1.5 at 50 rpm, right of this map; margin 1";
+        assert_eq!(
+            (limits.lines.len(), limits.notes),
+            (0, vec![note.to_owned()])
+        );
+
+        let limits = Limits::of(&[&curve], &view(SPEED, IMPULSE), |_| [0.4, 0.7]);
+        let note = "bound: limit 1 at 0 rpm, above the 0.4 to 0.7 of this map; margin 0.3";
+        assert_eq!(
+            (limits.lines.len(), limits.notes),
+            (0, vec![note.to_owned()])
+        );
+    }
+
+    #[test]
+    fn of_several_branches_of_whirl_only_the_nearest_is_told_and_none_if_one_is_seen() {
+        let map = view(IMPULSE, (Axis::Friction, [1.2, 3.0]));
+        let [low, lower] = [1.0, 0.5].map(|friction| whirl(&[&[[60.0, friction]]]));
+        let held = |_| [60.0; 2];
+        let limits = Limits::of(&[&lower, &low], &map, held);
+        assert_eq!(limits.notes.len(), 1);
+        assert!(limits.notes[0].contains("limit 1 at"), "{:?}", limits.notes);
+        let seen = whirl(&[&[[60.0, 1.5]]]);
+        let limits = Limits::of(&[&lower, &seen], &map, held);
+        assert_eq!((limits.lines.len(), limits.notes.len()), (1, 0));
+    }
+}

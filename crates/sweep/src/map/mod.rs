@@ -1,0 +1,182 @@
+//! From a results folder to its regime map: a map for each motion that has labels, and
+//! for each of a few values of a further axis; of many values, how large a part of the
+//! cases has the regime.
+
+mod content;
+mod limits;
+mod words;
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Result;
+
+use crate::output::{Curve, Extent, Manifest, Motion, read_boundary};
+use crate::plot::{Axis, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
+use crate::spec::{self, MapSettings};
+use content::Content;
+use limits::{Limits, View};
+
+/// Draws the map of a results folder; none where its design has no two axes.
+///
+/// # Errors
+/// Where a file cannot be read.
+pub fn picture(folder: &Path) -> Result<Option<Picture>> {
+    let manifest = Manifest::read(folder)?;
+    let Some(settings) = &manifest.map else {
+        return Ok(None);
+    };
+    let map = Map::read(folder, &manifest, settings)?;
+    let axis = |axis: spec::Axis| Axis {
+        label: axis.title(),
+        logarithmic: false,
+    };
+    let motions = map.extent.motions.iter();
+    let sheet = MapSheet {
+        title: manifest.title.clone(),
+        x: axis(settings.x),
+        y: axis(settings.y),
+        groups: motions
+            .map(|&motion| map.group(motion))
+            .collect::<Result<_>>()?,
+    };
+    map_sheet(&sheet).map(Some)
+}
+
+/// What a map is made from.
+struct Map<'a> {
+    manifest: &'a Manifest,
+    settings: &'a MapSettings,
+    labels: PathBuf,
+    /// The axes of the design that are not on the map.
+    others: Vec<spec::Axis>,
+    extent: Extent,
+    curves: Vec<Curve>,
+}
+
+impl<'a> Map<'a> {
+    fn read(folder: &Path, manifest: &'a Manifest, settings: &'a MapSettings) -> Result<Self> {
+        let labels = folder.join("labels.csv");
+        let on_map = [settings.x, settings.y];
+        let others = manifest.axes.iter().copied();
+        let others: Vec<_> = others.filter(|axis| !on_map.contains(axis)).collect();
+        let limit = read_boundary(&folder.join("boundary.csv"))?;
+        Ok(Self {
+            extent: Extent::of(&labels, on_map, &others)?,
+            curves: limit.curves(&manifest.axes),
+            manifest,
+            settings,
+            labels,
+            others,
+        })
+    }
+
+    /// The combinations of values of the other axes that have a map each; none of
+    /// many, whose cases are put together.
+    fn combinations(&self) -> Option<&[Vec<f64>]> {
+        self.extent.others.as_deref()
+    }
+
+    /// The maps of a motion.
+    fn group(&self, motion: Motion) -> Result<MapGroup> {
+        let contents = Content::read(self, motion)?;
+        let curves = self.curves.iter().filter(|curve| curve.motion == motion);
+        let curves: Vec<&Curve> = curves.collect();
+        let mut notes = Vec::new();
+        let mut panels = Vec::with_capacity(contents.len());
+        let (marks, left_out) = self.marks();
+        for (index, content) in contents.iter().enumerate() {
+            let title = self.panel_title(index);
+            let held = |axis| self.held(index, axis);
+            let limits = Limits::of(&curves, &self.view(), held);
+            notes.extend(limits.notes.into_iter().map(|note| (title.clone(), note)));
+            panels.push(MapPanel {
+                title,
+                cells: content.cells(),
+                points: content.points(),
+                lines: limits.lines,
+                bands: limits.bands,
+                marks: marks.iter().map(|mark| self.drawn(mark)).collect(),
+            });
+        }
+        let mut notes = words::once_if_the_same(notes, panels.len());
+        notes.extend(words::untold(&contents, motion));
+        notes.extend(left_out);
+        Ok(MapGroup {
+            heading: match self.extent.motions.len() {
+                1 => String::new(),
+                _ => motion.title().to_owned(),
+            },
+            scale: self.scale(motion, &contents),
+            symbols: words::symbols(&contents, self.manifest, motion),
+            grounds: words::grounds(&contents),
+            notes,
+            panels,
+        })
+    }
+
+    /// What the maps show along their axes.
+    fn view(&self) -> View {
+        View {
+            axes: [self.settings.x, self.settings.y],
+            ranges: [self.extent.x, self.extent.y],
+        }
+    }
+
+    /// The values of the other axes that a map is of.
+    fn panel_title(&self, index: usize) -> String {
+        let values = match self.combinations() {
+            Some(combinations) if combinations.len() > 1 => &combinations[index],
+            _ => return String::new(),
+        };
+        let axes = self.others.iter().zip(values);
+        let titles: Vec<String> = axes
+            .map(|(&axis, &value)| words::equation(axis, value))
+            .collect();
+        titles.join(", ")
+    }
+
+    /// The range of a quantity that is not on a map: of the cases that are.
+    fn held(&self, index: usize, axis: spec::Axis) -> [f64; 2] {
+        let of_sweep = self.manifest.sweep.surface_speed_rpm;
+        let fixed = of_sweep.filter(|_| axis == spec::Axis::SurfaceSpeedRpm);
+        let Some(place) = self.others.iter().position(|&other| other == axis) else {
+            return fixed.map_or([f64::NEG_INFINITY, f64::INFINITY], |speed| [speed; 2]);
+        };
+        match self.combinations() {
+            Some(combinations) => [combinations[index][place]; 2],
+            None => self.extent.other_ranges[place],
+        }
+    }
+
+    /// What the grounds of cells tell, where they tell of parts.
+    fn scale(&self, motion: Motion, contents: &[Content]) -> Option<String> {
+        let is_of_parts = contents.iter().any(Content::is_of_parts);
+        let ranges = self.others.iter().zip(&self.extent.other_ranges);
+        let over = ranges.map(|(&axis, &range)| words::range(axis, range));
+        is_of_parts.then(|| words::scale(motion, self.manifest, self.extent.cases, over))
+    }
+
+    /// The marks within the range of the design, and a note on those that are not,
+    /// such as a base's that were meant for other ranges.
+    fn marks(&self) -> (Vec<&spec::MapMark>, Option<String>) {
+        let ranges = [0, 1].map(|axis| {
+            let settings = [self.settings.x, self.settings.y];
+            let table = self.manifest.sweep.design.as_ref();
+            let range = table.and_then(|table| table.axes.get(&settings[axis])?.ends());
+            range.unwrap_or([self.extent.x, self.extent.y][axis])
+        });
+        let is_inside = |value: f64, [low, high]: [f64; 2]| low <= value && value <= high;
+        let (inside, outside): (Vec<_>, Vec<_>) = (self.settings.marks.iter())
+            .partition(|mark| is_inside(mark.x, ranges[0]) && is_inside(mark.y, ranges[1]));
+        let axes = [self.settings.x, self.settings.y];
+        (inside, words::left_out(&outside, axes))
+    }
+
+    fn drawn(&self, mark: &spec::MapMark) -> Mark {
+        Mark {
+            name: mark.name.clone(),
+            x: mark.x,
+            y: mark.y,
+        }
+    }
+}

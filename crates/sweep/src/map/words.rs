@@ -1,0 +1,181 @@
+//! The words of a map: its legend, which names only what is on it, and its notes.
+
+use super::content::Content;
+use crate::output::{Manifest, Motion};
+use crate::plot::{Ground, Part, Symbol};
+use crate::spec::{Axis, MapMark};
+
+/// A number in three digits.
+pub fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    rounded.to_string().replace('-', "−")
+}
+
+/// The name of an axis and its unit, which is empty where it has none.
+fn name_and_unit(axis: Axis) -> (String, String) {
+    let title = axis.title();
+    match title.split_once(" (") {
+        Some((name, unit)) => (name.to_owned(), unit.trim_end_matches(')').to_owned()),
+        None => (title, String::new()),
+    }
+}
+
+/// A value with its unit.
+pub fn quantity(axis: Axis, value: f64) -> String {
+    let (_, unit) = name_and_unit(axis);
+    format!("{} {unit}", short(value)).trim_end().to_owned()
+}
+
+/// A range with its unit, or the one value.
+pub fn ends(axis: Axis, [low, high]: [f64; 2]) -> String {
+    let [from, to] = [short(low), quantity(axis, high)];
+    if from == short(high) {
+        to
+    } else {
+        format!("{from} to {to}")
+    }
+}
+
+/// An axis with one of its values.
+pub fn equation(axis: Axis, value: f64) -> String {
+    let (name, unit) = name_and_unit(axis);
+    format!("{name} = {value} {unit}").trim_end().to_owned()
+}
+
+/// An axis with its range, within a sentence.
+pub fn range(axis: Axis, range: [f64; 2]) -> String {
+    let (name, _) = name_and_unit(axis);
+    let first = name.chars().take(1).flat_map(char::to_lowercase);
+    let name: String = first.chain(name.chars().skip(1)).collect();
+    format!("{name} from {}", ends(axis, range))
+}
+
+fn methods(manifest: &Manifest) -> Vec<&str> {
+    let methods = manifest.methods.iter();
+    methods.map(|method| method.method.as_str()).collect()
+}
+
+/// The symbols that are on any of the maps.
+pub fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Symbol, String)> {
+    let methods = methods(manifest);
+    let by_all = if methods.len() == 1 {
+        ""
+    } else {
+        " by all methods"
+    };
+    let [regime, none] = motion.regimes();
+    let all = [
+        (Symbol::Circle, format!("{regime}{by_all}")),
+        (Symbol::Cross, format!("{none}{by_all}")),
+        (Symbol::Square, "methods differ".to_owned()),
+    ];
+    let is_there = |symbol| contents.iter().any(|content| content.has(symbol));
+    let mut found: Vec<_> = (all.into_iter())
+        .filter(|(symbol, _)| is_there(*symbol))
+        .collect();
+    if let Some((_, first)) = found.first_mut() {
+        *first += &format!(" ({})", methods.join(", "));
+        if contents.iter().any(Content::is_crowd) {
+            let cases: usize = contents.iter().map(|content| content.cases).sum();
+            *first += &format!("; a cell shows what most of its cases are, {cases} in all");
+        }
+    }
+    found
+}
+
+/// The grounds of cells that are on any of the maps, from all to none of the cases.
+pub fn grounds(contents: &[Content]) -> Vec<(Ground, String)> {
+    let parts = contents.iter().filter(|content| content.is_of_parts());
+    let on_map: Vec<Ground> = parts
+        .flat_map(Content::cells)
+        .map(|cell| cell.ground)
+        .collect();
+    let classes = Part::EVERY.into_iter().rev();
+    let classes = classes.map(|part| (Ground::Part(part), part.text().to_owned()));
+    classes
+        .chain([(
+            Ground::NoCase,
+            "no case here, or none that tells".to_owned(),
+        )])
+        .filter(|(ground, _)| on_map.contains(ground))
+        .collect()
+}
+
+/// What the grounds of cells tell.
+pub fn scale(
+    motion: Motion,
+    manifest: &Manifest,
+    cases: usize,
+    over: impl Iterator<Item = String>,
+) -> String {
+    let [regime, _] = motion.regimes();
+    let methods = methods(manifest);
+    let mean = if methods.len() == 1 { "" } else { "mean of " };
+    format!(
+        "Cases with {regime} in each cell ({mean}{}), of {cases} cases over {}:",
+        methods.join(", "),
+        over.collect::<Vec<String>>().join(" and ")
+    )
+}
+
+/// How many cases a map does not show, and why.
+pub fn untold(contents: &[Content], motion: Motion) -> Option<String> {
+    let untold: usize = contents.iter().map(|content| content.untold).sum();
+    let cases: usize = contents.iter().map(|content| content.cases).sum();
+    let why = match motion {
+        Motion::Torsion => "no answer, or stuck to the end of a time too short to tell",
+        Motion::Lateral => "no answer",
+    };
+    (untold > 0).then(|| format!("without a symbol: {untold} of {cases} cases ({why})"))
+}
+
+/// The marks that are outside of the map.
+pub fn left_out(marks: &[&MapMark], [x, y]: [Axis; 2]) -> Option<String> {
+    let marks: Vec<String> = (marks.iter())
+        .map(|mark| {
+            let place = [quantity(x, mark.x), quantity(y, mark.y)].join(", ");
+            format!("{} ({place})", mark.name)
+        })
+        .collect();
+    (!marks.is_empty()).then(|| format!("marks outside this map: {}", marks.join("; ")))
+}
+
+/// Notes with the titles of their maps before them; without, where all of several
+/// maps have the same.
+pub fn once_if_the_same(notes: Vec<(String, String)>, maps: usize) -> Vec<String> {
+    let mut said: Vec<String> = Vec::new();
+    for (title, note) in &notes {
+        let same = notes.iter().filter(|(_, other)| other == note).count();
+        let text = if title.is_empty() || same == maps {
+            note.clone()
+        } else {
+            format!("{title}: {note}")
+        };
+        if !said.contains(&text) {
+            said.push(text);
+        }
+    }
+    said
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_carry_their_units() {
+        assert_eq!(quantity(Axis::WeightOnBitKn, 123.456), "123 kN");
+        assert_eq!(quantity(Axis::Friction, -0.054321), "−0.0543");
+        assert_eq!(ends(Axis::TorqueDynamicNm, [1.0, 2e3]), "1 to 2000 N m");
+        assert_eq!(ends(Axis::SurfaceSpeedRpm, [40.0; 2]), "40 rpm");
+        let equation = equation(Axis::SurfaceSpeedRpm, 62.5);
+        assert_eq!(equation, "Surface speed Ω = 62.5 rpm");
+    }
+
+    #[test]
+    fn a_note_of_every_map_is_made_once() {
+        let note = |map: &str, note: &str| (map.to_owned(), note.to_owned());
+        let notes = vec![note("a", "x"), note("a", "y"), note("b", "x")];
+        assert_eq!(once_if_the_same(notes, 2), ["x", "a: y"]);
+    }
+}

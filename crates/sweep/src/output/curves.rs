@@ -1,0 +1,191 @@
+//! The limit of `boundary.csv` as curves over the two quantities it relates, whatever
+//! a map shows of them.
+
+use super::boundary::{Boundary, StickSlipPoint};
+use super::motion::Motion;
+use crate::spec::Axis;
+
+/// What the limit of whirl is.
+const LEAST_FRICTION: &str = "least friction of steady whirl at one site";
+
+/// One limit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Its name in a legend.
+    pub name: String,
+    /// The motion that is limited.
+    pub motion: Motion,
+    /// The quantity that the limit depends on.
+    pub along: Axis,
+    /// The quantity that is limited.
+    pub limited: Axis,
+    /// Values of both, in the order in which they are joined; there is no limit
+    /// between the pieces.
+    pub pieces: Vec<Vec<[f64; 2]>>,
+}
+
+impl Boundary {
+    /// The curves of the limit, for cases that differ along `axes`.
+    pub fn curves(&self, axes: &[Axis]) -> Vec<Curve> {
+        match self {
+            Boundary::StickSlip(points) => stick_slip_curves(points, axes),
+            Boundary::Whirl(points) if points.is_empty() => Vec::new(),
+            Boundary::Whirl(points) => vec![Curve {
+                name: LEAST_FRICTION.to_owned(),
+                motion: Motion::Lateral,
+                along: Axis::SurfaceSpeedRpm,
+                limited: Axis::Friction,
+                pieces: vec![
+                    (points.iter())
+                        .map(|point| [point.surface_speed_rpm, point.friction])
+                        .collect(),
+                ],
+            }],
+        }
+    }
+}
+
+/// Eq. 74 for each method, over the weight on bit where the cases differ in it, else
+/// over the torque.
+fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
+    let along = if axes.contains(&Axis::WeightOnBitKn) {
+        Axis::WeightOnBitKn
+    } else {
+        Axis::TorqueDynamicNm
+    };
+    let place = |point: &StickSlipPoint| match along {
+        Axis::WeightOnBitKn => point.weight_on_bit_kn,
+        _ => Some(point.torque_dynamic_nm),
+    };
+    let methods = points.chunk_by(|one, next| one.method == next.method);
+    methods
+        .map(|points| Curve {
+            name: format!("Eq. 74, {}", points[0].method),
+            motion: Motion::Torsion,
+            along,
+            limited: Axis::SurfaceSpeedRpm,
+            pieces: vec![
+                (points.iter())
+                    .filter_map(|point| Some([place(point)?, point.surface_speed_rpm]))
+                    .collect(),
+            ],
+        })
+        .collect()
+}
+
+impl Curve {
+    /// The least of several limits of the same quantities, wherever they have values:
+    /// below it none of them is reached.
+    pub fn least_of(curves: &[&Curve]) -> Option<Curve> {
+        let first = *curves.first()?;
+        let mut points: Vec<[f64; 2]> = (curves.iter())
+            .flat_map(|curve| curve.pieces.iter().flatten().copied())
+            .collect();
+        points.sort_by(|one, other| {
+            let by_place = one[0].total_cmp(&other[0]);
+            by_place.then(one[1].total_cmp(&other[1]))
+        });
+        points.dedup_by_key(|point| point[0]);
+        Some(Curve {
+            name: match first.motion {
+                Motion::Torsion => first.name.clone(),
+                Motion::Lateral => LEAST_FRICTION.to_owned(),
+            },
+            pieces: vec![points],
+            ..first.clone()
+        })
+    }
+
+    /// The ranges of one of its two quantities, `shown`, while the other one is
+    /// within `held`: one for each stretch of the curve. The quantities are 0 for the
+    /// one that the limit depends on, 1 for the limited one.
+    pub fn ranges(&self, shown: usize, held: [f64; 2]) -> Vec<[f64; 2]> {
+        const ROUNDING: f64 = 1e-9;
+        let room = |end: f64| ROUNDING * if end.is_finite() { end.abs() } else { 0.0 };
+        let held = [held[0] - room(held[0]), held[1] + room(held[1])];
+        let pieces = self.pieces.iter();
+        pieces
+            .flat_map(|piece| piece_ranges(piece, shown, held))
+            .collect()
+    }
+}
+
+fn piece_ranges(piece: &[[f64; 2]], shown: usize, held: [f64; 2]) -> Vec<[f64; 2]> {
+    let other = 1 - shown;
+    if let [point] = piece {
+        let is_inside = (held[0]..=held[1]).contains(&point[other]);
+        return is_inside.then_some([point[shown]; 2]).into_iter().collect();
+    }
+    let mut ranges: Vec<[f64; 2]> = Vec::new();
+    let mut is_open = false;
+    for side in piece.windows(2) {
+        let [from, to] = [side[0], side[1]];
+        let Some([enters, leaves]) = inside(from[other], to[other], held) else {
+            is_open = false;
+            continue;
+        };
+        let at = |part: f64| from[shown] + part * (to[shown] - from[shown]);
+        let (one, two) = (at(enters), at(leaves));
+        match ranges.last_mut() {
+            Some([low, high]) if is_open => {
+                (*low, *high) = (low.min(one).min(two), high.max(one).max(two));
+            }
+            _ => ranges.push([one.min(two), one.max(two)]),
+        }
+        is_open = leaves >= 1.0;
+    }
+    ranges
+}
+
+/// The part of the way from one value to another that is within a range.
+fn inside(from: f64, to: f64, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
+    if from == to {
+        return (low..=high).contains(&from).then_some([0.0, 1.0]);
+    }
+    let [one, two] = [low, high].map(|end| (end - from) / (to - from));
+    let (enters, leaves) = (one.min(two).max(0.0), one.max(two).min(1.0));
+    (enters <= leaves).then_some([enters, leaves])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(pieces: &[&[[f64; 2]]]) -> Curve {
+        Curve {
+            name: "a".to_owned(),
+            motion: Motion::Lateral,
+            along: Axis::SurfaceSpeedRpm,
+            limited: Axis::Friction,
+            pieces: pieces.iter().map(|piece| piece.to_vec()).collect(),
+        }
+    }
+
+    #[test]
+    fn a_held_quantity_gives_the_other_one_stretch_by_stretch() {
+        let hill = curve(&[&[[0.0, 0.0], [2.0, 2.0], [4.0, 0.0]], &[[6.0, 1.0]]]);
+        assert_eq!(hill.ranges(1, [1.0, 1.0])[0].map(f64::round), [1.0, 1.0]);
+        assert_eq!(hill.ranges(1, [1.0, 3.0])[0].map(f64::round), [1.0, 2.0]);
+        let crossings: Vec<f64> = (hill.ranges(0, [1.0, 1.0]).iter())
+            .map(|range| (0.5 * (range[0] + range[1])).round())
+            .collect();
+        assert_eq!(crossings, [1.0, 3.0, 6.0]);
+        assert_eq!(hill.ranges(0, [5.0, 9.0]), Vec::<[f64; 2]>::new());
+        assert_eq!(hill.ranges(1, [4.5, 5.5]), Vec::<[f64; 2]>::new());
+        // All of it, and its very end.
+        let free = [f64::NEG_INFINITY, f64::INFINITY];
+        assert_eq!(hill.ranges(1, free), [[0.0, 2.0], [1.0, 1.0]]);
+        assert!(hill.ranges(1, [4.0; 2])[0][1].abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_least_of_several_limits_goes_from_one_to_another() {
+        let [one, other] = [
+            curve(&[&[[0.0, 1.0], [1.0, 3.0]]]),
+            curve(&[&[[1.0, 2.0], [2.0, 5.0]]]),
+        ];
+        let least = Curve::least_of(&[&one, &other]).expect("two curves");
+        assert_eq!(least.pieces, [[[0.0, 1.0], [1.0, 2.0], [2.0, 5.0]]]);
+        assert_eq!(Curve::least_of(&[]), None);
+    }
+}

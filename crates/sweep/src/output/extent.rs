@@ -1,0 +1,155 @@
+//! What the cases of a results folder span: the range of a map's axes, which motions
+//! have labels, and which values the axes take that are not on the map.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::cases::CaseReader;
+use super::motion::Motion;
+use crate::spec::Axis;
+
+/// Distinct values along an axis are kept up to this number.
+const MOST_DISTINCT: usize = 200;
+
+/// Combinations of the values of further axes are kept up to this number: as many
+/// maps as can be compared side by side.
+const MOST_COMBINATIONS: usize = 6;
+
+/// What a map spans.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Extent {
+    /// Least and greatest value to the right.
+    pub x: [f64; 2],
+    /// Least and greatest value upwards.
+    pub y: [f64; 2],
+    /// Cases.
+    pub cases: usize,
+    /// Motions that have labels; that of torsion where no case has any.
+    pub motions: Vec<Motion>,
+    /// Distinct values to the right and upwards, in ascending order; of more than
+    /// `MOST_DISTINCT` only as many.
+    pub values: [Vec<f64>; 2],
+    /// Distinct combinations of values along the further axes, in ascending order;
+    /// none where there are more than `MOST_COMBINATIONS`.
+    pub others: Option<Vec<Vec<f64>>>,
+    /// Least and greatest value along each further axis.
+    pub other_ranges: Vec<[f64; 2]>,
+}
+
+impl Extent {
+    /// Whether every value to the right comes with every value upwards.
+    pub fn is_grid(&self) -> bool {
+        let [x, y] = [&self.values[0], &self.values[1]].map(Vec::len);
+        x.max(y) < MOST_DISTINCT && x * y <= self.cases
+    }
+
+    /// Of a `labels.csv`: along the `axes` of a map, to the right and upwards, with
+    /// `others` beside them.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    pub fn of(labels: &Path, axes: [Axis; 2], others: &[Axis]) -> Result<Self> {
+        let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; axes.len() + others.len()];
+        let mut values = [BTreeSet::new(), BTreeSet::new()];
+        let mut combinations = BTreeSet::new();
+        let mut motions = BTreeSet::new();
+        let mut cases = 0;
+        let all: Vec<Axis> = axes.iter().chain(others).copied().collect();
+        for case in CaseReader::open(labels, &all)? {
+            let case = case?;
+            for (range, &value) in ranges.iter_mut().zip(&case.values) {
+                *range = [range[0].min(value), range[1].max(value)];
+            }
+            let (on_map, beside) = case.values.split_at(axes.len());
+            for (distinct, &value) in values.iter_mut().zip(on_map) {
+                if distinct.len() < MOST_DISTINCT {
+                    distinct.insert(Ordered(value));
+                }
+            }
+            // One more than can be shown tells that there are too many.
+            if combinations.len() <= MOST_COMBINATIONS {
+                let beside: Vec<_> = beside.iter().map(|&value| Ordered(value)).collect();
+                combinations.insert(beside);
+            }
+            cases += 1;
+            motions.extend(Motion::ALL.into_iter().filter(|&motion| case.has(motion)));
+        }
+        if motions.is_empty() {
+            motions.insert(Motion::Torsion);
+        }
+        let unwrapped = |values: Vec<Ordered>| values.into_iter().map(|value| value.0).collect();
+        Ok(Self {
+            x: ranges[0],
+            y: ranges[1],
+            cases,
+            motions: motions.into_iter().collect(),
+            values: values.map(|values| unwrapped(values.into_iter().collect())),
+            others: (combinations.len() <= MOST_COMBINATIONS)
+                .then(|| combinations.into_iter().map(unwrapped).collect()),
+            other_ranges: ranges.split_off(axes.len()),
+        })
+    }
+}
+
+/// A number in its total order.
+#[derive(Debug, Clone, Copy)]
+struct Ordered(f64);
+
+impl Ord for Ordered {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
+impl PartialOrd for Ordered {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Ordered {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Ordered {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn extent(rows: &str, others: &[Axis]) -> Extent {
+        let file = tempfile::NamedTempFile::new().expect("a file");
+        let header = "case,method,surface_speed_rpm,weight_on_bit_kn,friction,torsion,lateral";
+        std::fs::write(file.path(), format!("{header}\n{rows}")).expect("written");
+        let axes = [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn];
+        Extent::of(file.path(), axes, others).expect("a table")
+    }
+
+    #[test]
+    fn both_motions_are_found_wherever_a_case_has_a_label() {
+        let extent = extent(
+            "0,a,1,10,1,,\n1,a,2,20,1,smooth,\n2,a,1,20,1,,no_contact\n",
+            &[],
+        );
+        assert_eq!(extent.motions, Motion::ALL);
+        assert_eq!((extent.x, extent.y), ([1.0, 2.0], [10.0, 20.0]));
+        assert_eq!(extent.others, Some(vec![vec![]]));
+    }
+
+    #[test]
+    fn few_values_beside_the_map_are_listed_in_order_and_many_are_not() {
+        let rows = |count: i32| -> String {
+            let row = |case| format!("{case},a,1,10,{},smooth,\n", 9 - case % count);
+            (0..20).map(row).collect()
+        };
+        let of_three = extent(&rows(3), &[Axis::Friction]);
+        assert_eq!(of_three.others, Some(vec![vec![7.0], vec![8.0], vec![9.0]]));
+        assert_eq!(of_three.motions, [Motion::Torsion]);
+        assert_eq!(of_three.other_ranges, [[7.0, 9.0]]);
+        assert_eq!(extent(&rows(7), &[Axis::Friction]).others, None);
+    }
+}

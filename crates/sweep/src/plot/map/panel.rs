@@ -1,0 +1,203 @@
+//! One map of a sheet.
+
+use super::{Band, Line, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark};
+use crate::plot::canvas::{Canvas, DASHES, Stroke};
+use crate::plot::frame::Frame;
+use crate::plot::geometry::{Pixel, Rect};
+use crate::plot::grounds::draw_ground;
+use crate::plot::names::Names;
+use crate::plot::scale::{Scale, visible};
+use crate::plot::symbols::{HALO, MARK_RADIUS, draw_symbol, draw_triangle};
+use anyhow::Result;
+use plotters::style::{BLACK, WHITE};
+
+/// Widths of lines, one for each of [`DASHES`]: where lines coincide, wider
+/// dashes and dots still show on top of the thin solid line.
+const LINE_WIDTHS: [f64; 6] = [1.2, 2.2, 3.4, 1.8, 2.6, 2.2];
+
+/// Distance between the strokes of a hatching.
+const HATCH_STEP: f64 = 9.0;
+const HATCH_WIDTH: f64 = 0.7;
+/// Width of the white line below a black one, which shows on a dark ground.
+const RIM_WIDTH: f64 = 2.2;
+
+/// The look of the line with this index.
+pub(super) fn line_stroke(index: usize) -> Stroke {
+    let pattern = index % DASHES.len();
+    Stroke {
+        colour: BLACK,
+        width: LINE_WIDTHS[pattern],
+        dash: DASHES[pattern],
+    }
+}
+
+/// The scales that show all points, cells and marks of a sheet, or its lines where
+/// there are no points; the same for all maps, which are there to be compared.
+pub(super) fn scales(sheet: &MapSheet) -> (Scale, Scale) {
+    let panels = || sheet.groups.iter().flat_map(|group| &group.panels);
+    let points = panels().flat_map(|panel| &panel.points);
+    let mut places: Vec<_> = points.map(|point| (point.x, point.y)).collect();
+    let corners = |cell: &MapCell| [0, 1].map(|end| (cell.x[end], cell.y[end]));
+    places.extend(panels().flat_map(|panel| panel.cells.iter().flat_map(corners)));
+    if places.is_empty() {
+        let lines = panels().flat_map(|panel| &panel.lines);
+        places.extend(lines.flat_map(|line| &line.points));
+    }
+    let marks = panels().flat_map(|panel| &panel.marks);
+    places.extend(marks.map(|mark| (mark.x, mark.y)));
+    let places: Vec<_> = visible(&sheet.x, &sheet.y, places.into_iter()).collect();
+    (
+        Scale::new(sheet.x.logarithmic, places.iter().map(|place| place.0)),
+        Scale::new(sheet.y.logarithmic, places.iter().map(|place| place.1)),
+    )
+}
+
+/// Draws a map of a group into its frame.
+pub(super) fn draw_panel(
+    canvas: &mut Canvas,
+    frame: &Frame,
+    group: &MapGroup,
+    panel: &MapPanel,
+) -> Result<()> {
+    frame.draw(canvas)?;
+    draw_cells(canvas, frame, &panel.cells)?;
+    for band in &panel.bands {
+        draw_band(canvas, frame, band)?;
+    }
+    draw_points(canvas, frame, &panel.points)?;
+    draw_lines(canvas, frame, &group.line_names(), &panel.lines)?;
+    draw_marks(canvas, frame, panel)
+}
+
+/// Ends on whole pixels leave no seam between neighbours.
+fn draw_cells(canvas: &mut Canvas, frame: &Frame, cells: &[MapCell]) -> Result<()> {
+    for cell in cells {
+        if let Some(area) = area(frame, cell.x, cell.y) {
+            let area = Rect {
+                left: area.left.round(),
+                top: area.top.round(),
+                right: area.right.round(),
+                bottom: area.bottom.round(),
+            };
+            draw_ground(canvas, cell.ground, area)?;
+        }
+    }
+    Ok(())
+}
+
+/// The rectangle between two values to the right and two upwards.
+fn area(frame: &Frame, x: [f64; 2], y: [f64; 2]) -> Option<Rect> {
+    let (left, bottom) = frame.pixel((x[0], y[0]))?;
+    let (right, top) = frame.pixel((x[1], y[1]))?;
+    Some(Rect {
+        left,
+        top,
+        right,
+        bottom,
+    })
+}
+
+fn draw_band(canvas: &mut Canvas, frame: &Frame, band: &Band) -> Result<()> {
+    let Some(area) = area(frame, band.x, band.y) else {
+        return Ok(());
+    };
+    draw_hatching(canvas, area, frame.area)
+}
+
+/// Strokes across an area and a line around it, as far as they are `within`.
+pub(in crate::plot) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Rect) -> Result<()> {
+    let shown = Rect {
+        left: area.left.max(within.left),
+        top: area.top.max(within.top),
+        right: area.right.min(within.right),
+        bottom: area.bottom.min(within.bottom),
+    };
+    if shown.left >= shown.right || shown.top > shown.bottom {
+        return Ok(());
+    }
+    let strokes = (shown.width() + shown.height()) / HATCH_STEP;
+    for stroke in 1..=strokes as usize {
+        let along = shown.left + stroke as f64 * HATCH_STEP;
+        let across = [(along - shown.height(), shown.bottom), (along, shown.top)];
+        for part in shown.clip(&across) {
+            draw_rimmed(canvas, &part, HATCH_WIDTH)?;
+        }
+    }
+    let [first, second, third, fourth] = area.corners();
+    for part in within.clip(&[first, second, third, fourth, first]) {
+        draw_rimmed(canvas, &part, LINE_WIDTHS[0])?;
+    }
+    Ok(())
+}
+
+fn draw_rimmed(canvas: &mut Canvas, line: &[Pixel], width: f64) -> Result<()> {
+    canvas.line(line, Stroke::solid(WHITE, width + RIM_WIDTH - HATCH_WIDTH))?;
+    canvas.line(line, Stroke::solid(BLACK, width))
+}
+
+fn draw_points(canvas: &mut Canvas, frame: &Frame, points: &[MapPoint]) -> Result<()> {
+    let radius = symbol_radius(frame.area, points.len());
+    for point in points {
+        if let Some(centre) = frame.pixel((point.x, point.y)) {
+            draw_symbol(canvas, point.symbol, centre, radius)?;
+        }
+    }
+    Ok(())
+}
+
+/// Symbols as large as their mean distance allows, within legible limits.
+fn symbol_radius(area: Rect, count: usize) -> f64 {
+    let distance = (area.width() * area.height() / count.max(1) as f64).sqrt();
+    (0.28 * distance).clamp(2.0, 5.5)
+}
+
+fn draw_lines(canvas: &mut Canvas, frame: &Frame, names: &[&str], lines: &[Line]) -> Result<()> {
+    for line in lines {
+        let index = names.iter().position(|name| *name == line.name);
+        for piece in frame.curve(&line.points) {
+            for part in frame.area.clip(&piece) {
+                canvas.line(&part, line_stroke(index.unwrap_or(0)))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn draw_marks(canvas: &mut Canvas, frame: &Frame, panel: &MapPanel) -> Result<()> {
+    let place = |mark: &Mark| frame.pixel((mark.x, mark.y));
+    let places: Vec<_> = (panel.marks.iter())
+        .filter_map(|mark| Some((mark, place(mark)?)))
+        .collect();
+    let mut names = Names::new(frame.area, drawn_lines(frame, panel));
+    for &(_, centre) in &places {
+        draw_triangle(canvas, centre)?;
+        let size = 2.0 * MARK_RADIUS;
+        names.keep_off(Rect::centred(centre, size, size));
+    }
+    for (mark, (x, y)) in places {
+        let name = names.block(&mark.name)?;
+        let beside = MARK_RADIUS + HALO + 2.0 + name.width / 2.0;
+        let above = MARK_RADIUS + HALO + name.height() / 2.0;
+        let centres = [
+            (x + beside, y),
+            (x - beside, y),
+            (x, y - above),
+            (x, y + above),
+        ];
+        names.write(canvas, &name, &centres)?;
+    }
+    Ok(())
+}
+
+/// What the names of marks should not hide: the lines, and the symbols as
+/// short dashes.
+fn drawn_lines(frame: &Frame, panel: &MapPanel) -> Vec<Vec<Pixel>> {
+    let radius = symbol_radius(frame.area, panel.points.len());
+    let centres = panel.points.iter().filter_map(|p| frame.pixel((p.x, p.y)));
+    let symbols = centres.map(|(x, y)| vec![(x - radius, y), (x + radius, y)]);
+    let lines = panel
+        .lines
+        .iter()
+        .flat_map(|line| frame.curve(&line.points));
+    symbols.chain(lines).collect()
+}

@@ -1,0 +1,228 @@
+//! Where the maps of a sheet and their legends stand: one map alone has its legend at
+//! its side; of two motions the maps stand side by side, of several values of a
+//! further parameter in rows, each with the legend below.
+
+use super::panel::{draw_panel, line_stroke, scales};
+use super::{MapGroup, MapSheet};
+use crate::plot::Picture;
+use crate::plot::canvas::{Canvas, draw_picture};
+use crate::plot::frame::Frame;
+use crate::plot::geometry::Rect;
+use crate::plot::grounds::Ground;
+use crate::plot::legend::{Key, Legend};
+use crate::plot::scale::Scale;
+use crate::plot::text::{Block, LABEL_SIZE, SMALL_SIZE, TITLE_SIZE};
+use anyhow::Result;
+use plotters::style::text_anchor::HPos;
+
+const MARGIN: f64 = 14.0;
+
+/// Size of a sheet with one map.
+const WIDTH_ALONE: f64 = 900.0;
+const HEIGHT_ALONE: f64 = 620.0;
+/// Distance between the plotting area and the legend at its side.
+const LEGEND_GAP: f64 = 22.0;
+
+/// Width of a sheet with several maps.
+const WIDTH: f64 = 1180.0;
+/// Distance between maps.
+const GAP: f64 = 18.0;
+/// Space after a text below a map.
+const TEXT_GAP: f64 = 5.0;
+/// Height of a map, by how many stand in a row.
+const HEIGHTS: [f64; 3] = [430.0, 430.0, 320.0];
+
+/// Draws a sheet.
+///
+/// The axes span the cells, the points and the marks; a sheet without points spans
+/// its lines and marks, an empty one 0 to 1.
+pub fn map_sheet(sheet: &MapSheet) -> Result<Picture> {
+    match &sheet.groups[..] {
+        [group] if group.panels.len() == 1 => alone(sheet, group),
+        groups => arranged(sheet, groups),
+    }
+}
+
+/// The legend of a group. Where cells are drawn, keys show symbol and ground.
+fn keys(group: &MapGroup) -> Vec<(Key, &str)> {
+    let has_grounds = group.panels.iter().any(|panel| !panel.cells.is_empty());
+    let grounds = group.grounds.iter();
+    let mut keys: Vec<(Key, &str)> = grounds
+        .map(|(ground, text)| (Key::Cell(*ground), text.as_str()))
+        .collect();
+    keys.extend(group.symbols.iter().map(|(symbol, text)| {
+        let key = if has_grounds {
+            Key::Cell(Ground::Symbol(*symbol))
+        } else {
+            Key::Symbol(*symbol)
+        };
+        (key, text.as_str())
+    }));
+    let lines = group.line_names().into_iter().enumerate();
+    keys.extend(lines.map(|(index, name)| (Key::Line(line_stroke(index)), name)));
+    keys.extend(
+        group
+            .band_names()
+            .into_iter()
+            .map(|name| (Key::Hatching, name)),
+    );
+    keys
+}
+
+fn alone(sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
+    let title = Block::new(&sheet.title, TITLE_SIZE, WIDTH_ALONE - 2.0 * MARGIN)?;
+    let text = |text| (Key::Nothing, text);
+    let scale = group.scale.iter().map(String::as_str).map(text);
+    let notes = group.notes.iter().map(String::as_str).map(text);
+    let legend = Legend::new(scale.chain(keys(group)).chain(notes))?;
+    let top = 2.0 * MARGIN + title.height();
+    let height = HEIGHT_ALONE.max(top + legend.height() + MARGIN);
+    let legend_left = WIDTH_ALONE - MARGIN - legend.width();
+    let outer = Rect {
+        left: MARGIN,
+        top,
+        right: legend_left - LEGEND_GAP,
+        bottom: height - MARGIN,
+    };
+    let (x, y) = scales(sheet);
+    let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
+    draw_picture(WIDTH_ALONE, height, |canvas| {
+        let title_row = MARGIN + title.line_height() / 2.0;
+        canvas.text(&title, WIDTH_ALONE / 2.0, title_row, HPos::Center)?;
+        for panel in &group.panels {
+            draw_panel(canvas, &frame, group, panel)?;
+        }
+        legend.draw(canvas, legend_left, top)
+    })
+}
+
+fn arranged(sheet: &MapSheet, groups: &[MapGroup]) -> Result<Picture> {
+    let title = Block::new(&sheet.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
+    let all_alone = groups.iter().all(|group| group.panels.len() == 1);
+    let columns = if all_alone { groups.len().max(1) } else { 1 };
+    let gaps = (columns - 1) as f64 * GAP;
+    let width = (WIDTH - 2.0 * MARGIN - gaps) / columns as f64;
+    let scales = scales(sheet);
+    let (mut blocks, mut bottom) = (Vec::new(), 2.0 * MARGIN + title.height());
+    let (mut left, mut top) = (MARGIN, bottom);
+    for group in groups {
+        let block = GroupBlock::new(sheet, scales, group, [left, top, width])?;
+        bottom = bottom.max(block.bottom);
+        if columns > 1 {
+            left += width + GAP;
+        } else {
+            top = bottom;
+        }
+        blocks.push(block);
+    }
+    draw_picture(WIDTH, bottom + MARGIN, |canvas| {
+        let title_row = MARGIN + title.line_height() / 2.0;
+        canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
+        for block in &blocks {
+            block.draw(canvas)?;
+        }
+        Ok(())
+    })
+}
+
+/// The maps of a group in rows, its legend and its notes below.
+struct GroupBlock<'a> {
+    group: &'a MapGroup,
+    left: f64,
+    top: f64,
+    width: f64,
+    heading: Block,
+    frames: Vec<(Block, Frame)>,
+    scale: Option<Block>,
+    scale_top: f64,
+    legend: Legend,
+    notes: Vec<Block>,
+    bottom: f64,
+}
+
+impl<'a> GroupBlock<'a> {
+    fn new(
+        sheet: &MapSheet,
+        (x, y): (Scale, Scale),
+        group: &'a MapGroup,
+        [left, top, width]: [f64; 3],
+    ) -> Result<Self> {
+        let heading = Block::new(&group.heading, TITLE_SIZE, width)?;
+        let columns = match group.panels.len() {
+            0 | 1 => 1,
+            2 | 4 => 2,
+            _ => 3,
+        };
+        let cell_width = (width - (columns - 1) as f64 * GAP) / columns as f64;
+        let first_row = top + heading.height();
+        let mut frames = Vec::with_capacity(group.panels.len());
+        let mut row_top = first_row;
+        for row in group.panels.chunks(columns) {
+            let titles: Vec<Block> = (row.iter())
+                .map(|panel| Block::new(&panel.title, LABEL_SIZE, cell_width))
+                .collect::<Result<_>>()?;
+            let title_height = titles.iter().map(Block::height).fold(0.0, f64::max);
+            let bottom = row_top + title_height + HEIGHTS[columns - 1];
+            for (column, title) in titles.into_iter().enumerate() {
+                let left = left + column as f64 * (cell_width + GAP);
+                let outer = Rect {
+                    left,
+                    top: row_top + title_height + 0.3 * GAP,
+                    right: left + cell_width,
+                    bottom: bottom - 0.5 * GAP,
+                };
+                let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
+                frames.push((title, frame));
+            }
+            row_top = bottom;
+        }
+        let legend = Legend::new(keys(group).into_iter())?;
+        let notes: Vec<Block> = (group.notes.iter())
+            .map(|note| Block::new(note, SMALL_SIZE, width))
+            .collect::<Result<_>>()?;
+        let scale = group.scale.as_ref();
+        let scale = scale.map(|text| Block::new(text, SMALL_SIZE, width));
+        let scale = scale.transpose()?;
+        let texts = scale.iter().chain(&notes);
+        let texts: f64 = texts.map(|text| text.height() + TEXT_GAP).sum();
+        Ok(Self {
+            scale_top: row_top,
+            bottom: row_top + legend.row_height(width) + texts + 0.5 * GAP,
+            group,
+            left,
+            top,
+            width,
+            heading,
+            frames,
+            scale,
+            legend,
+            notes,
+        })
+    }
+
+    fn draw(&self, canvas: &mut Canvas) -> Result<()> {
+        let middle = self.left + 0.5 * self.width;
+        let heading_row = self.top + 0.5 * self.heading.line_height();
+        canvas.text(&self.heading, middle, heading_row, HPos::Center)?;
+        for ((title, frame), panel) in self.frames.iter().zip(&self.group.panels) {
+            let first_row = frame.area.top - 0.3 * GAP - title.height() + 0.5 * title.line_height();
+            canvas.text(title, frame.area.centre().0, first_row, HPos::Center)?;
+            draw_panel(canvas, frame, self.group, panel)?;
+        }
+        let mut row = self.scale_top;
+        let write = |canvas: &Canvas, text: &Block, row: &mut f64| {
+            let first_row = *row + 0.5 * text.line_height();
+            *row += text.height() + TEXT_GAP;
+            canvas.text(text, self.left, first_row, HPos::Left)
+        };
+        if let Some(text) = &self.scale {
+            write(canvas, text, &mut row)?;
+        }
+        self.legend.draw_row(canvas, self.left, row, self.width)?;
+        row += self.legend.row_height(self.width);
+        for text in &self.notes {
+            write(canvas, text, &mut row)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,212 @@
+use super::*;
+use crate::plot::Part;
+use crate::plot::canvas::tests::assert_text_inside;
+use crate::plot::scale::Scale;
+
+fn group(panels: Vec<MapPanel>) -> MapGroup {
+    let texts = ["all", "none", "some"].map(String::from);
+    MapGroup {
+        heading: String::new(),
+        scale: None,
+        symbols: [Symbol::Circle, Symbol::Cross, Symbol::Square]
+            .into_iter()
+            .zip(texts)
+            .collect(),
+        grounds: Vec::new(),
+        notes: Vec::new(),
+        panels,
+    }
+}
+
+fn sheet(groups: Vec<MapGroup>, logarithmic: bool) -> MapSheet {
+    let axis = |label: &str| Axis {
+        label: label.to_string(),
+        logarithmic,
+    };
+    MapSheet {
+        title: "Stick-slip regimes".to_string(),
+        x: axis("Weight on bit W (kN)"),
+        y: axis("Surface speed Ωₛ (rpm)"),
+        groups,
+    }
+}
+
+fn panel(places: &[(f64, f64)]) -> MapPanel {
+    MapPanel {
+        points: places
+            .iter()
+            .map(|&(x, y)| MapPoint {
+                x,
+                y,
+                symbol: Symbol::Circle,
+            })
+            .collect(),
+        ..MapPanel::default()
+    }
+}
+
+fn map(places: &[(f64, f64)], logarithmic: bool) -> MapSheet {
+    sheet(vec![group(vec![panel(places)])], logarithmic)
+}
+
+fn only_panel(sheet: &mut MapSheet) -> &mut MapPanel {
+    &mut sheet.groups[0].panels[0]
+}
+
+fn scale(sheet: &MapSheet) -> Scale {
+    panel::scales(sheet).0
+}
+
+/// Circles in the map without the one in the legend.
+fn circles(map: &MapSheet) -> usize {
+    let picture = map_sheet(map).expect("drawn");
+    picture.svg.matches("<circle").count() - 1
+}
+
+#[test]
+fn every_point_gets_a_symbol_unless_it_cannot_be_shown() {
+    let places = [
+        (1.0, 2.0),
+        (3.0, 4.0),
+        (0.0, 1.0),
+        (5.0, -1.0),
+        (f64::NAN, 1.0),
+    ];
+    assert_eq!(circles(&map(&places, false)), 4);
+    assert_eq!(circles(&map(&places, true)), 2);
+}
+
+#[test]
+fn maps_without_range_are_drawn() {
+    for places in [
+        &[][..],
+        &[(1.0, 1.0)],
+        &[(2.0, 1.0), (2.0, 5.0)],
+        &[(f64::INFINITY, 1.0)],
+    ] {
+        for logarithmic in [false, true] {
+            let picture = map_sheet(&map(places, logarithmic)).expect("drawn");
+            assert_text_inside(&picture);
+        }
+    }
+}
+
+#[test]
+fn lines_do_not_widen_the_axes() {
+    let mut map = map(&[(0.0, 0.0), (1.0, 1.0)], false);
+    let before = scale(&map).fraction(1.0);
+    only_panel(&mut map).lines.push(Line {
+        name: "far".to_string(),
+        points: vec![(-1e6, 0.5), (1e6, 0.5)],
+    });
+    assert_eq!(scale(&map).fraction(1.0), before);
+}
+
+#[test]
+fn cells_fill_the_map_and_its_legend() {
+    let mut map = map(&[], false);
+    only_panel(&mut map).cells = [Symbol::Circle, Symbol::Square]
+        .into_iter()
+        .enumerate()
+        .map(|(index, symbol)| MapCell {
+            x: [index as f64, index as f64 + 1.0],
+            y: [0.0, 1.0],
+            ground: Ground::Symbol(symbol),
+        })
+        .collect();
+    let picture = map_sheet(&map).expect("drawn");
+    // Both cells, and a key for each of the three symbols.
+    assert_eq!(picture.svg.matches("<polygon").count(), 5);
+    assert_text_inside(&picture);
+}
+
+/// A sheet with a text of every kind as long as it may be.
+fn crowded(panels: usize, groups: usize) -> MapSheet {
+    let long = "a rather long text that would not fit on a single line ".repeat(4);
+    let panel = || {
+        let mut panel = panel(&[(1e-7, 1e7), (5e-7, 1e9)]);
+        panel.title.clone_from(&long);
+        panel.lines.extend((0..30).map(|index| Line {
+            name: format!("{index} {long}"),
+            points: Vec::new(),
+        }));
+        panel.bands.push(Band {
+            name: long.clone(),
+            x: [1e-7, 5e-7],
+            y: [1e7, 2e7],
+        });
+        panel.marks.push(Mark {
+            name: long.clone(),
+            x: 5e-7,
+            y: 1e9,
+        });
+        panel
+    };
+    let group = || MapGroup {
+        heading: long.clone(),
+        scale: Some(long.clone()),
+        grounds: vec![(Ground::Part(Part::All), long.clone())],
+        notes: vec![long.clone(); 2],
+        ..group((0..panels).map(|_| panel()).collect())
+    };
+    let mut sheet = sheet((0..groups).map(|_| group()).collect(), true);
+    sheet.title.clone_from(&long);
+    sheet.x.label.clone_from(&long);
+    sheet.y.label.clone_from(&long);
+    sheet
+}
+
+#[test]
+fn long_texts_and_many_lines_stay_inside_however_many_maps_there_are() {
+    for (panels, groups) in [(1, 1), (1, 2), (4, 1), (6, 2)] {
+        assert_text_inside(&map_sheet(&crowded(panels, groups)).expect("drawn"));
+    }
+}
+
+#[test]
+fn maps_of_a_sheet_share_their_axes() {
+    let wide = [(0.0, 0.0), (10.0, 10.0)];
+    let narrow = [(4.0, 4.0), (6.0, 6.0)];
+    let both = sheet(vec![group(vec![panel(&wide), panel(&narrow)])], false);
+    let alone = map(&wide, false);
+    assert_eq!(scale(&both).fraction(5.0), scale(&alone).fraction(5.0));
+    // All points, and one key.
+    assert_eq!(circles(&both), 4);
+}
+
+#[test]
+fn lines_of_a_name_look_alike_in_every_map_and_have_one_key() {
+    let line = |name: &str| Line {
+        name: name.to_string(),
+        points: vec![(0.0, 0.5), (1.0, 0.5)],
+    };
+    let with = |lines: &[&str]| MapPanel {
+        lines: lines.iter().map(|name| line(name)).collect(),
+        ..panel(&[(0.0, 0.0), (1.0, 1.0)])
+    };
+    let panels = vec![with(&["one", "other"]), with(&["other"])];
+    let picture = map_sheet(&sheet(vec![group(panels)], false)).expect("drawn");
+    assert_eq!(picture.svg.matches(">\nother\n").count(), 1);
+    // The dashed line in both maps and its key.
+    assert_eq!(picture.svg.matches("dasharray").count(), 3);
+}
+
+#[test]
+fn a_range_is_cut_off_at_the_edge_of_the_map() {
+    let mut map = map(&[(0.0, 0.0), (1.0, 1.0)], false);
+    let hatched = |y: [f64; 2]| Band {
+        name: "range".to_string(),
+        x: [0.0, 1.0],
+        y,
+    };
+    only_panel(&mut map).bands.push(hatched([0.2, 0.4]));
+    let strokes = |map: &MapSheet| {
+        let picture = map_sheet(map).expect("drawn");
+        picture.svg.matches("<polyline").count()
+    };
+    let inside = strokes(&map);
+    only_panel(&mut map).bands[0] = hatched([5.0, 9.0]);
+    assert!(strokes(&map) < inside - 40);
+    only_panel(&mut map).bands[0] = hatched([-1e9, 1e9]);
+    assert!(strokes(&map) < 1000);
+}
