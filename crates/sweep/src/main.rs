@@ -29,6 +29,7 @@ mod commands;
 mod design;
 mod engine;
 mod lines;
+mod memory;
 mod output;
 mod plot;
 mod report;
