@@ -38,6 +38,7 @@
 //! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
 //! | Section 3: finite elements, Newmark | [`elements`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
+//! | memory, before it is taken | [`cost`] |
 //! | exact responses in time, to compare with | [`exact`] |
 //! | Eqs. 59–61: what a simulation needs | [`response`] |
 //!
@@ -61,6 +62,7 @@
 //! ```
 
 mod build;
+pub mod cost;
 mod derivative;
 pub mod drillstring;
 pub mod elements;

@@ -27,7 +27,7 @@ pub const STABLE_MARGIN: f64 = -1e-4;
 
 /// The transform is this many times longer than the taps, so that their
 /// spectrum is seen between its own samples too.
-const REFINEMENT: usize = 8;
+pub(crate) const REFINEMENT: usize = 8;
 
 /// Differences of the taps that rid the upper half of the band of the lower: a
 /// vibration at a twentieth of f_s is reduced 3 million times.

@@ -65,7 +65,8 @@ pub fn least_impulse(taps: &[f64], sampling_frequency: f64, duration: f64, clear
         duration,
         direction: 0.0,
     };
-    let steps = (duration * sampling_frequency).ceil() as usize;
+    // What follows the response moves nothing.
+    let steps = ((duration * sampling_frequency).ceil() as usize).min(taps.len());
     let pulse: Vec<f64> = (0..=steps)
         .map(|step| unit.force(step as f64 / sampling_frequency)[0])
         .collect();

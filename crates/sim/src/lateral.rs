@@ -3,7 +3,7 @@
 
 use linear::{BendingResponses, TorsionResponses};
 
-use crate::history::partitioned::FIRST_BLOCK;
+use crate::history::partition::FIRST_BLOCK;
 use crate::history::{History, Kernels};
 use crate::laws::bit::{BitMotion, BitTorque};
 use crate::laws::wall::{Approach, Contact, Touch};

@@ -32,6 +32,7 @@
 //! | Section 5.2.2: transient contact or whirl | [`whirl`], its bound in [`steady_whirl`] |
 //! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`duration`] |
+//! | memory, before it is taken | [`cost`] |
 //!
 //! ```
 //! use linear::{Drillstring, Material, Method, Section, Sites, TorsionRequest, Tube};
@@ -60,6 +61,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod cost;
 pub mod diagnosis;
 pub mod duration;
 pub mod excitation;

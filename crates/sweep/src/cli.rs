@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::engine::{Shard, Terms};
+use crate::memory::{Limit, Size};
 use crate::spec::{Axis, MethodName, nearest};
 use crate::study::stability::Family;
 use crate::study::tradeoff::{LADDER, Measure};
@@ -174,6 +175,23 @@ pub struct WorkArguments {
     /// Threads [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,
+    #[command(flatten)]
+    pub memory: MemoryArguments,
+}
+
+/// How much memory a command may take.
+#[derive(Debug, Args)]
+pub struct MemoryArguments {
+    /// Refuse what would take more memory, e.g. 8G [default: $SLURM_MEM_PER_NODE, half of all]
+    #[arg(long, value_name = "SIZE")]
+    memory: Option<Size>,
+}
+
+impl MemoryArguments {
+    /// The limit they set.
+    pub fn limit(&self) -> Limit {
+        Limit::of(self.memory)
+    }
 }
 
 /// Arguments of `check`.
@@ -186,6 +204,8 @@ pub struct CheckArguments {
     /// Threads [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,
+    #[command(flatten)]
+    pub memory: MemoryArguments,
 }
 
 /// Arguments of `simulate`.

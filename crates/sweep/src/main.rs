@@ -30,6 +30,7 @@ mod design;
 mod engine;
 mod hand_table;
 mod map;
+mod memory;
 mod output;
 mod plot;
 mod printable;

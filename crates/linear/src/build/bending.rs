@@ -4,14 +4,16 @@
 use faer::c64;
 use rayon::prelude::*;
 
-use super::{MOST_TAPS, all_finite, check_sampling, needed_taps, too_many, transform_length};
+use super::{
+    MOST_TAPS, all_finite, check_sampling, needed_taps, samples_of, too_many, transform_length,
+};
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::elements::newmark::Weights;
 use crate::elements::reduction::CondensedBeam;
 use crate::error::BuildError;
 use crate::filters::quadrature::Formula;
 use crate::filters::{direct, hilbert, quadrature};
-use crate::method::{FiniteElement, Method};
+use crate::method::{FiniteElement, Method, Transform};
 use crate::response::{BendingRequest, BendingResponses};
 use crate::waves::lateral::BendingNetwork;
 
@@ -57,8 +59,8 @@ pub fn bending_responses(
                     method: method.name(),
                 });
             }
-            let length =
-                transform_length(transform, 2.0 * needed as f64, request.sampling_frequency)?;
+            let samples = transform_samples(transform, request);
+            let length = transform_length(samples, request.sampling_frequency)?;
             let velocity = |s: c64, channels: &mut [c64]| {
                 if s.norm() == 0.0 {
                     fill_rigid(string, bending, request, channels);
@@ -82,6 +84,12 @@ pub fn bending_responses(
             .map(|_| channels.by_ref().take(sites).collect())
             .collect(),
     })
+}
+
+/// The transform behind a filter is twice as long as the simulation.
+pub(crate) fn transform_samples(transform: &Transform, request: &BendingRequest) -> f64 {
+    let needed = needed_taps(request.longest_time, request.sampling_frequency);
+    samples_of(transform, 2.0 * needed, request.sampling_frequency)
 }
 
 /// Writes `factor` times the receptances between all sites.
@@ -152,13 +160,13 @@ fn element_taps(
         weights,
     )?;
     let sites = request.sites.len();
-    let by_input: Vec<Vec<Vec<f64>>> = (0..sites)
+    let mut by_input: Vec<Vec<Vec<f64>>> = (0..sites)
         .into_par_iter()
         .map(|input| unit_run(&beam, input, sites, needed))
         .collect();
     let pairs = (0..sites).flat_map(|output| (0..sites).map(move |input| (input, output)));
     Ok(pairs
-        .map(|(input, output)| by_input[input][output].clone())
+        .map(|(input, output)| std::mem::take(&mut by_input[input][output]))
         .collect())
 }
 

@@ -1,8 +1,8 @@
 //! From a drillstring to its responses by any method, no longer than the
 //! response lasts or the simulation needs.
 
-mod bending;
-mod torsion;
+pub(crate) mod bending;
+pub(crate) mod torsion;
 
 pub use bending::bending_responses;
 pub use torsion::torsion_responses;
@@ -11,22 +11,20 @@ use crate::error::BuildError;
 use crate::method::Transform;
 
 /// The most taps kept per response: 16 million, 128 MB.
-const MOST_TAPS: usize = 1 << 24;
+pub(crate) const MOST_TAPS: usize = 1 << 24;
 
 /// Taps that a simulation of the given time can use.
-fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
+pub(crate) fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
     ((longest_time * sampling_frequency).ceil() + 1.0).max(2.0)
 }
 
-/// An even transform length in samples: as given, or by default.
-fn transform_length(
-    transform: &Transform,
-    default: f64,
-    sampling_frequency: f64,
-) -> Result<usize, BuildError> {
-    let samples = transform
-        .seconds
-        .map_or(default, |seconds| seconds * sampling_frequency);
+/// Samples of a transform as given, or by default.
+fn samples_of(transform: &Transform, default: f64, sampling_frequency: f64) -> f64 {
+    (transform.seconds).map_or(default, |seconds| seconds * sampling_frequency)
+}
+
+/// An even transform length of about so many samples.
+fn transform_length(samples: f64, sampling_frequency: f64) -> Result<usize, BuildError> {
     if samples > MOST_TAPS as f64 {
         return Err(too_many(samples));
     }

@@ -4,7 +4,9 @@
 use faer::c64;
 use rayon::prelude::*;
 
-use super::{MOST_TAPS, all_finite, check_sampling, needed_taps, too_many, transform_length};
+use super::{
+    MOST_TAPS, all_finite, check_sampling, needed_taps, samples_of, too_many, transform_length,
+};
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
 use crate::elements::reduction::{CondensedString, StringState};
@@ -50,7 +52,8 @@ pub fn torsion_responses(
         Method::Trapezoidal => quadrature_taps(Formula::Trapezoidal, string, request)?,
         Method::Hilbert(transform) => {
             needs_damping(method, string)?;
-            let length = transform_samples(string, transform, request)?;
+            let samples = transform_samples(string, transform, request);
+            let length = transform_length(samples, request.sampling_frequency)?;
             let response = wave_response(string, request);
             let taps = hilbert::taps(
                 request.sampling_frequency,
@@ -62,7 +65,8 @@ pub fn torsion_responses(
         }
         Method::DirectIdft(transform) => {
             needs_damping(method, string)?;
-            let length = transform_samples(string, transform, request)?;
+            let samples = transform_samples(string, transform, request);
+            let length = transform_length(samples, request.sampling_frequency)?;
             let response = wave_response(string, request);
             let taps = direct::taps(
                 request.sampling_frequency,
@@ -124,14 +128,15 @@ fn until_decayed(
 /// however short the simulation: what it cuts off is folded back (Section 2.4).
 /// The taps have an algebraic tail, so that watching them decay would not tell
 /// when to stop.
-fn transform_samples(
+pub(crate) fn transform_samples(
     string: &Drillstring,
     transform: &Transform,
     request: &TorsionRequest,
-) -> Result<usize, BuildError> {
-    let seeps = SEEPING_TIMES * torsional_settling_time(string) * request.sampling_frequency;
+) -> f64 {
+    let sampling_frequency = request.sampling_frequency;
+    let seeps = SEEPING_TIMES * torsional_settling_time(string) * sampling_frequency;
     let lasts = 2.0 * seeps.max(first_length(string, request) as f64);
-    transform_length(transform, lasts, request.sampling_frequency)
+    samples_of(transform, lasts, sampling_frequency)
 }
 
 /// Exact frequency responses of all channels.
@@ -231,9 +236,10 @@ fn cut_decayed_tail(channels: &mut [Vec<f64>]) -> bool {
         .unwrap_or(0);
     let decayed = (end as f64) <= (1.0 - QUIET_PART) * length as f64;
     if decayed {
-        channels
-            .iter_mut()
-            .for_each(|taps| taps.truncate(end.max(1)));
+        for taps in channels {
+            taps.truncate(end.max(1));
+            taps.shrink_to_fit();
+        }
     }
     decayed
 }
@@ -252,7 +258,7 @@ fn decayed_length(taps: &[f64]) -> usize {
 
 /// A guess of the taps a response lasts, from the decay rate of the whole
 /// string; a power of two for the transforms.
-fn first_length(string: &Drillstring, request: &TorsionRequest) -> usize {
+pub(crate) fn first_length(string: &Drillstring, request: &TorsionRequest) -> usize {
     let decay_time = -NEGLIGIBLE_TAIL.ln() / torsional_decay_rate(string) / (1.0 - QUIET_PART);
     let default_time = FIRST_ROUND_TRIPS * 2.0 * torsional_travel_time(string);
     let time = if decay_time.is_finite() {
@@ -261,7 +267,7 @@ fn first_length(string: &Drillstring, request: &TorsionRequest) -> usize {
         default_time
     };
     let taps = (time * request.sampling_frequency).ceil() as usize;
-    taps.next_power_of_two().min(MOST_TAPS)
+    taps.min(MOST_TAPS).next_power_of_two()
 }
 
 fn needs_damping(method: &Method, string: &Drillstring) -> Result<(), BuildError> {

@@ -20,7 +20,7 @@ impl Mesh {
     pub fn new(string: &Drillstring, sites: &Sites, elements_per_cell: usize) -> Self {
         let mut elements = Vec::new();
         let mut site_nodes = Vec::with_capacity(sites.len());
-        let longest = string.drillpipe().cell_length() / elements_per_cell as f64;
+        let longest = longest_element(string, elements_per_cell);
         for span in string.spans(sites) {
             for run in &span.runs {
                 for _ in 0..run.repeat {
@@ -54,9 +54,27 @@ impl Mesh {
     }
 }
 
+/// Elements of a mesh, at most: every site may cut one in two.
+pub(crate) fn most_elements(string: &Drillstring, sites: &Sites, elements_per_cell: usize) -> f64 {
+    let longest = longest_element(string, elements_per_cell);
+    let whole: f64 = string
+        .tubes()
+        .map(|(count, tube)| count * elements_of(tube, longest))
+        .sum();
+    whole + sites.len() as f64
+}
+
+fn longest_element(string: &Drillstring, elements_per_cell: usize) -> f64 {
+    string.drillpipe().cell_length() / elements_per_cell as f64
+}
+
+fn elements_of(tube: &Tube, longest: f64) -> f64 {
+    (tube.length / longest - 1e-6).ceil().max(1.0)
+}
+
 /// Equal elements no longer than `longest`, up to rounding.
 fn divide(tube: &Tube, longest: f64, elements: &mut Vec<Tube>) {
-    let count = (tube.length / longest - 1e-6).ceil().max(1.0);
+    let count = elements_of(tube, longest);
     let element = Tube {
         length: tube.length / count,
         ..*tube

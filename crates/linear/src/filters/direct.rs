@@ -15,9 +15,7 @@ pub fn taps(
     velocity_response: &(impl Fn(c64, &mut [c64]) + Sync),
 ) -> Vec<Vec<f64>> {
     let grid = frequency_grid(transform_length, sampling_frequency);
-    let spectra = sample(channels, transform_length / 2 + 1, grid, velocity_response);
-    spectra
-        .into_iter()
+    sample(channels, transform_length / 2 + 1, grid, velocity_response)
         .map(|mut spectrum| inverse_transform(&mut spectrum, transform_length))
         .collect()
 }

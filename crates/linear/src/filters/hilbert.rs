@@ -3,7 +3,7 @@
 
 use faer::c64;
 
-use super::{frequency_grid, inverse_transform, sample};
+use super::{frequency_grid, inverse_transform, keep, sample};
 
 /// Taps of every channel from a transform of `transform_length` samples
 /// (even): `transform_length / 2 + 1` taps each.
@@ -19,13 +19,11 @@ pub fn taps(
 ) -> Vec<Vec<f64>> {
     let half = transform_length / 2;
     let grid = frequency_grid(transform_length, sampling_frequency);
-    let spectra = sample(channels, half + 1, grid, velocity_response);
-    spectra
-        .into_iter()
+    sample(channels, half + 1, grid, velocity_response)
         .map(|mut spectrum| {
             spectrum.iter_mut().for_each(|value| value.im = 0.0);
-            let mut sequence = inverse_transform(&mut spectrum, transform_length);
-            sequence.truncate(half + 1);
+            let sequence = inverse_transform(&mut spectrum, transform_length);
+            let mut sequence = keep(sequence, half + 1);
             sequence[1..half].iter_mut().for_each(|tap| *tap *= 2.0);
             sequence
         })

@@ -13,29 +13,34 @@ use faer::c64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
-/// Evaluates every channel at `variable(0)`, …, `variable(count − 1)`;
-/// one spectrum a channel.
+/// Evaluates every channel at `variable(0)`, …, `variable(count − 1)`; gives one
+/// spectrum a channel, each made when it is asked for.
 fn sample(
     channels: usize,
     count: usize,
     variable: impl Fn(usize) -> c64 + Sync,
     response: &(impl Fn(c64, &mut [c64]) + Sync),
-) -> Vec<Vec<c64>> {
+) -> impl Iterator<Item = Vec<c64>> {
     let zero = c64::new(0.0, 0.0);
     let mut rows = vec![zero; count * channels];
     rows.par_chunks_mut(channels)
         .enumerate()
         .with_min_len(256)
         .for_each(|(index, row)| response(variable(index), row));
-    (0..channels)
-        .map(|channel| {
-            rows.iter()
-                .skip(channel)
-                .step_by(channels)
-                .copied()
-                .collect()
-        })
-        .collect()
+    (0..channels).map(move |channel| {
+        rows.iter()
+            .skip(channel)
+            .step_by(channels)
+            .copied()
+            .collect()
+    })
+}
+
+/// The first `count` taps, without the memory of the others.
+fn keep(mut taps: Vec<f64>, count: usize) -> Vec<f64> {
+    taps.truncate(count);
+    taps.shrink_to_fit();
+    taps
 }
 
 /// The real sequence of length `length` (even) whose discrete Fourier

@@ -8,11 +8,11 @@
 
 use faer::c64;
 
-use super::{inverse_transform, sample};
+use super::{inverse_transform, keep, sample};
 
 /// Samples on the circle per tap kept. Rounding grows as ρ^(−n); with four
 /// samples a tap it grows by no more than CIRCLE_DECAY^(−1/4).
-const SAMPLES_PER_TAP: usize = 4;
+pub(crate) const SAMPLES_PER_TAP: usize = 4;
 
 /// ρ^M for M samples on the circle of radius ρ: the part of tap n + M that is
 /// folded back onto tap n. Between this and rounding, ρ is a compromise.
@@ -44,8 +44,7 @@ impl Circle {
 
 /// The first `count` Taylor coefficients of what was sampled on a circle.
 pub(super) fn coefficients(mut spectrum: Vec<c64>, circle: &Circle, count: usize) -> Vec<f64> {
-    let mut taps = inverse_transform(&mut spectrum, circle.samples);
-    taps.truncate(count);
+    let mut taps = keep(inverse_transform(&mut spectrum, circle.samples), count);
     for (index, tap) in taps.iter_mut().enumerate() {
         *tap *= circle.radius.powf(-(index as f64));
     }
@@ -87,7 +86,6 @@ pub fn taps(
     let on_circle =
         |index: usize| formula.generating_function(circle.point(index)) * sampling_frequency;
     sample(channels, circle.samples / 2 + 1, on_circle, response)
-        .into_iter()
         .map(|spectrum| coefficients(spectrum, &circle, count))
         .collect()
 }

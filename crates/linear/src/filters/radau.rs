@@ -41,9 +41,7 @@ pub fn taps(
         channels.copy_from_slice(&[p + q * a, q * b, q * c, p + q * d]);
     };
     let spectra = sample(4, circle.samples / 2 + 1, on_circle, &between_stages);
-    let mut channels = spectra
-        .into_iter()
-        .map(|spectrum| coefficients(spectrum, &circle, count));
+    let mut channels = spectra.map(|spectrum| coefficients(spectrum, &circle, count));
     std::array::from_fn(|_| channels.next().unwrap_or_default())
 }
 

@@ -4,6 +4,7 @@
 //! written, the reference that the other is held to.
 
 pub mod direct;
+pub mod partition;
 pub mod partitioned;
 
 pub use direct::Kernel;

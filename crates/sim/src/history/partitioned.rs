@@ -21,14 +21,8 @@ use pulp::Arch;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
-/// Steps whose inputs are summed one by one.
-pub const FIRST_BLOCK: usize = 64;
+use super::partition::{FIRST_BLOCK, RATIO, partitions};
 
-/// Blocks of a level in one of the next.
-const RATIO: usize = 8;
-
-/// A level is worth its transforms if the kernel has this many of its blocks.
-const LEAST_BLOCKS: usize = 4;
 
 /// Responses between the sites prepared for summing, shared by all cases.
 #[derive(Debug, Clone)]
@@ -121,21 +115,9 @@ impl Kernels {
     pub fn new(taps: &[Vec<Vec<f64>>]) -> Self {
         let pairs: Vec<&[f64]> = taps.iter().flatten().map(Vec::as_slice).collect();
         let longest = pairs.iter().map(|taps| taps.len()).max().unwrap_or(0);
-        let mut levels = Vec::new();
-        let mut block = FIRST_BLOCK;
-        loop {
-            let is_last = RATIO * LEAST_BLOCKS * block > longest;
-            let partitions = if is_last {
-                longest.div_ceil(block).max(1)
-            } else {
-                RATIO - 1
-            };
-            levels.push(Level::new(&pairs, block, partitions));
-            if is_last {
-                break;
-            }
-            block *= RATIO;
-        }
+        let levels = partitions(longest)
+            .map(|(block, partitions)| Level::new(&pairs, block, partitions))
+            .collect();
         let tap = |taps: &[f64], lag: usize| taps.get(lag).copied().unwrap_or(0.0);
         Self {
             sites: taps.len(),

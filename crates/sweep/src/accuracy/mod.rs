@@ -29,6 +29,7 @@ use linear::estimates::sampling_frequency;
 use serde::{Deserialize, Serialize};
 use sim::Stopping;
 
+use crate::memory::Limit;
 use crate::spec::{Accuracy, Sweep, per_cent};
 use answer::{Answer, largest_error};
 use ladder::{FREQUENCIES, candidates};
@@ -110,8 +111,9 @@ impl std::fmt::Display for Choice {
 /// Where the sweep asks for an accuracy, chooses for it and puts the choice in.
 ///
 /// # Errors
-/// Where nothing delivers the accuracy, or the sweep's cases cannot be.
-pub fn choose(sweep: &mut Sweep, full: bool) -> Result<()> {
+/// Where nothing delivers the accuracy within the memory, or the sweep's cases cannot
+/// be.
+pub fn choose(sweep: &mut Sweep, full: bool, limit: &Limit) -> Result<()> {
     let Some(Accuracy(asked)) = sweep.content.accuracy else {
         return Ok(());
     };
@@ -121,7 +123,7 @@ pub fn choose(sweep: &mut Sweep, full: bool) -> Result<()> {
         Stopping::Early
     };
     let probes =
-        Probes::of(sweep, asked).map_err(|reason| sweep.source.error("accuracy", reason))?;
+        Probes::of(sweep, asked, limit).map_err(|reason| sweep.source.error("accuracy", reason))?;
     let (method, choice) = match search(&probes, asked, stopping) {
         Ok(found) => found,
         Err(reason) => bail!(sweep.source.error("accuracy", reason)),
@@ -138,6 +140,7 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
         let [below @ .., before, reference] = &rungs[..] else {
             return Err("the ladder of sampling frequencies is too short".to_owned());
         };
+        let held = memory_of(&rungs);
         let uncertainty = uncertainty_of(&rungs, asked)
             .map_err(|reason| format!("the reference: {reason}"))?
             .part;
@@ -146,6 +149,7 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
                 probes,
                 rung,
                 reference,
+                held,
                 asked - uncertainty,
                 stopping,
                 &mut tried,
@@ -167,7 +171,7 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
         next = rungs.len() - 1;
         // Finer than the reference has to be, but nothing coarser delivers.
         match FREQUENCIES.get(rungs.len()) {
-            Some(&frequency) => rungs.push(Rung::build(probes, frequency, rungs.last())),
+            Some(&frequency) => rungs.push(Rung::build(probes, frequency, &rungs)?),
             None => return Err(none_delivers(asked, &tried)),
         }
     }
@@ -178,12 +182,13 @@ fn try_rung(
     probes: &Probes,
     rung: &Rung,
     reference: &Rung,
+    held: f64,
     allowed: f64,
     stopping: Stopping,
     tried: &mut Vec<Tried>,
 ) -> Option<(Method, Candidate, f64)> {
     for method in candidates() {
-        let built = (method != rung.method).then(|| probes.systems(method, rung.frequency));
+        let built = (method != rung.method).then(|| probes.systems(method, rung.frequency, held));
         let systems = built.as_ref().unwrap_or(&rung.systems);
         let found = error_of(probes, systems, &reference.answers, allowed, stopping);
         let candidate = ladder::candidate(&method, rung.frequency);
@@ -222,24 +227,36 @@ struct Rung {
     method: Method,
     frequency: f64,
     systems: Result<Systems, String>,
+    /// Memory that the systems take, bytes.
+    kept: f64,
     answers: Vec<Answer>,
 }
 
+/// Memory that the systems of some frequencies take, bytes.
+fn memory_of(rungs: &[Rung]) -> f64 {
+    rungs.iter().map(|rung| rung.kept).sum()
+}
+
 impl Rung {
-    fn build(probes: &Probes, frequency: f64, before: Option<&Rung>) -> Self {
+    /// Finer frequencies only take more memory: an error ends the search.
+    fn build(probes: &Probes, frequency: f64, before: &[Rung]) -> Result<Self, String> {
         let method = probes.reference();
-        let systems = probes.systems(method, frequency);
-        let known = before.map_or(&[][..], |before| &before.answers);
+        let held = memory_of(before);
+        let kept = (probes.fits(method, frequency, held))
+            .map_err(|reason| format!("at {frequency} Hz the reference {reason}"))?;
+        let systems = probes.systems(method, frequency, held);
+        let known = before.last().map_or(&[][..], |before| &before.answers);
         let answers = match &systems {
             Ok(systems) => probes.answers(systems, Stopping::Full, known),
             Err(_) => Vec::new(),
         };
-        Self {
+        Ok(Self {
             method,
             frequency,
             systems,
+            kept,
             answers,
-        }
+        })
     }
 }
 
@@ -258,8 +275,13 @@ fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
     let mut rungs: Vec<Rung> = Vec::new();
     let mut best = "no two frequencies can be compared".to_owned();
     for frequency in FREQUENCIES {
-        let rung = Rung::build(probes, frequency, rungs.last());
-        rungs.push(rung);
+        match Rung::build(probes, frequency, &rungs) {
+            Ok(rung) => rungs.push(rung),
+            Err(reason) => {
+                best = reason;
+                break;
+            }
+        }
         match uncertainty_of(&rungs, asked) {
             Ok(error) if frequency >= least && error.part <= REFERENCE_PART * asked => {
                 return Ok(rungs);

@@ -2,13 +2,15 @@
 //! them.
 
 use linear::Method;
+use linear::cost::Memory;
 use linear::exact::{bending_error, torsion_error};
 use linear::method::Transform;
 use rayon::prelude::*;
 use sim::{Outcome, Stopping};
 
 use super::answer::{Answer, Error, is_inside, measures, regimes};
-use crate::engine::{Case, MethodSystem};
+use crate::engine::{Case, MethodSystem, StringMemory};
+use crate::memory::{Limit, Size};
 use crate::spec::{Axis, Setting, Sweep};
 
 /// Cases compared, evenly spread over the design.
@@ -44,6 +46,7 @@ pub struct Probes<'a> {
     strings: Vec<usize>,
     longest: f64,
     asked: f64,
+    limit: Limit,
 }
 
 impl<'a> Probes<'a> {
@@ -51,13 +54,14 @@ impl<'a> Probes<'a> {
     ///
     /// # Errors
     /// Where none of them can be; a sentence.
-    pub fn of(sweep: &'a Sweep, asked: f64) -> Result<Self, String> {
+    pub fn of(sweep: &'a Sweep, asked: f64, limit: &Limit) -> Result<Self, String> {
         let mut found = Self {
             sweep,
             probes: Vec::new(),
             strings: Vec::new(),
             longest: 0.0,
             asked,
+            limit: *limit,
         };
         let cases = sweep.design.cases();
         let count = cases.min(MOST_PROBES);
@@ -146,15 +150,49 @@ impl<'a> Probes<'a> {
         }
     }
 
-    /// A method's system of every string.
+    /// The setting of a string's case, sampled at another frequency.
+    fn setting(&self, case: usize, frequency: f64) -> Result<Setting, String> {
+        let values = self.sweep.design.values(case);
+        let setting = self.sweep.setting_sampled(&values, frequency);
+        setting.map_err(|error| error.message().to_owned())
+    }
+
+    /// The memory that a method's systems keep, bytes, where they can be built beside
+    /// others that keep `held`.
     ///
     /// # Errors
-    /// Where it cannot treat one, or a stuck site chatters; a sentence.
-    pub fn systems(&self, method: Method, frequency: f64) -> Result<Systems, String> {
+    /// Where building and stepping them would take more than the limit.
+    pub fn fits(&self, method: Method, frequency: f64, held: f64) -> Result<f64, String> {
+        let cuts = self.sweep.bit.is_some();
+        // A string that cannot be is told when it is to be built.
+        let settings = (self.strings.iter())
+            .filter_map(|&case| self.setting(case, frequency).ok());
+        let (mut systems, mut case) = (Memory::default(), 0.0f64);
+        for setting in settings {
+            let of_string = StringMemory::of(&setting, &[method], cuts, self.longest);
+            systems = systems.beside(of_string.systems);
+            case = case.max(of_string.case);
+        }
+        let stepped = Memory::lasting(rayon::current_num_threads() as f64 * case);
+        let bytes = held + systems.then(stepped).peak;
+        if bytes > self.limit.bytes {
+            let (bytes, limit) = (Size(bytes), &self.limit);
+            return Err(format!(
+                "is too large for the memory: {bytes}, more than {limit}; --memory changes that"
+            ));
+        }
+        Ok(systems.kept)
+    }
+
+    /// A method's system of every string, beside others that keep `held` bytes.
+    ///
+    /// # Errors
+    /// Where it would take too much memory, cannot treat one, or a stuck site chatters;
+    /// a sentence.
+    pub fn systems(&self, method: Method, frequency: f64, held: f64) -> Result<Systems, String> {
+        self.fits(method, frequency, held)?;
         let build = |&case: &usize| {
-            let values = self.sweep.design.values(case);
-            let setting = self.sweep.setting_sampled(&values, frequency);
-            let setting = setting.map_err(|error| error.message().to_owned())?;
+            let setting = self.setting(case, frequency)?;
             let cuts = self.sweep.bit.is_some();
             let system = MethodSystem::build(&setting, method, cuts, self.longest)
                 .map_err(|error| format!("{error:#}"))?;

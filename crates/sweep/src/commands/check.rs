@@ -16,6 +16,7 @@ use crate::accuracy::choose;
 use crate::cli::CheckArguments;
 use crate::design::{Design, List};
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Terms, Work};
+use crate::memory::{Purpose, admit};
 use crate::output::{LabelRow, read_labels, whirl_bound};
 use crate::spec::{Sweep, check_setting, nearest};
 
@@ -23,7 +24,8 @@ use crate::spec::{Sweep, check_setting, nearest};
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
     use_threads(arguments.jobs)?;
     let mut sweep = Sweep::read(&arguments.file)?;
-    choose(&mut sweep, false)?;
+    let limit = arguments.memory.limit();
+    choose(&mut sweep, false, &limit)?;
     let axes = sweep.design.axes().to_vec();
     let reference = read_labels(&arguments.reference, &axes)
         .map_err(|error| UsageError(format!("{error:#}")))?;
@@ -39,9 +41,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     sweep.design = Design::List(List::new(axes, cases.into_values().collect()));
     let survey = survey_cases(&arguments.reference, &sweep)?;
     let setting = sweep.setting.for_labels();
+    let memory = admit(&sweep, &setting, &survey, Purpose::Labels, &limit)?;
     let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     warn_of_unstable(&systems);
-    let found = run_all(&sweep, &systems, &numbers)?;
+    let found = run_all(&sweep, &systems, &numbers, memory.strings_at_once)?;
 
     let mut different = 0;
     let mut labels = 0;
@@ -83,6 +86,7 @@ fn run_all(
     sweep: &Sweep,
     systems: &[MethodSystem],
     numbers: &[usize],
+    strings_at_once: usize,
 ) -> Result<BTreeMap<(usize, &'static str), Row>> {
     let found = Mutex::new(BTreeMap::new());
     let progress = Progress::new(numbers.len() * systems.len(), 0, false);
@@ -93,6 +97,7 @@ fn run_all(
             full: false,
             allow_unstable: true,
         },
+        strings_at_once,
         is_open: &|_, _| true,
         stops: &|| false,
     };

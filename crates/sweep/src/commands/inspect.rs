@@ -3,6 +3,7 @@
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
+use std::time::Instant;
 
 use anyhow::Result;
 use linear::estimates::{
@@ -12,6 +13,7 @@ use linear::estimates::{
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 
+use super::cost::{Cost, of_built};
 use super::plot::{axis, save_picture};
 use super::{
     Status, build_systems, make_folder, read_sweep, results_folder, say, site_title, survey_cases,
@@ -20,6 +22,7 @@ use super::{
 use crate::accuracy::Choice;
 use crate::cli::InspectArguments;
 use crate::engine::{MethodSystem, Survey, is_unstable};
+use crate::memory::{Purpose, admit, estimate};
 use crate::plot::{Axis, Panel, Panels, Series, panels};
 use crate::spec::{LateralSettings, Sweep, Time, per_cent};
 
@@ -38,7 +41,17 @@ pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     let sweep = read_sweep(&arguments.file, &arguments.work, false)?;
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     let survey = survey_cases(&arguments.file, &sweep)?;
+    let limit = arguments.work.memory.limit();
+    admit(&sweep, &sweep.setting, &survey, Purpose::Look, &limit)?;
+    let start = Instant::now();
     let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
+    let built = start.elapsed().as_secs_f64();
+    let for_labels = sweep.setting.for_labels();
+    let cost = Cost {
+        memory: estimate(&sweep, &for_labels, &survey, Purpose::Labels, &limit)?,
+        limit,
+        time: of_built(&sweep, &survey, &systems, built),
+    };
     make_folder(&folder)?;
     let picture = panels(&Panels {
         title: format!("{}: linear responses", sweep.title),
@@ -49,6 +62,7 @@ pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
         describe_string(&sweep)?,
         describe_methods(&systems)?,
         describe_scene(&sweep, &survey, &systems)?,
+        cost.to_string(),
         format!("\npicture: {}\n", folder.join("inspect.png").display()),
     ]
     .concat())?;

@@ -2,6 +2,7 @@
 //! progress.
 
 pub mod check;
+mod cost;
 mod folder;
 pub mod inspect;
 pub mod merge;
@@ -116,7 +117,7 @@ fn read_sweep(file: &Path, work: &WorkArguments, full: bool) -> Result<Sweep> {
         let message = "asks for an accuracy, which chooses the method: leave out --methods";
         bail!(sweep.source.error("accuracy", message));
     }
-    choose(&mut sweep, full)?;
+    choose(&mut sweep, full, &work.memory.limit())?;
     if !work.methods.is_empty() {
         let mut names: Vec<MethodName> = Vec::new();
         for &name in &work.methods {

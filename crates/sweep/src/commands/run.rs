@@ -1,6 +1,8 @@
 //! `sweep run`: every case, every method, a results folder; from where the last
 //! run of the same sweep stopped.
 
+mod plan;
+
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -16,13 +18,15 @@ use super::{
 };
 use crate::cli::{LogFormat, RunArguments};
 use crate::engine::{
-    Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Survey, Work, pairs_of,
+    Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Work, pairs_of,
 };
+use crate::memory::{Purpose, admit};
 use crate::output::{
     Boundary, Manifest, Tally, boundary, labels_row, meaning, write_atomically, write_boundary,
     write_tables,
 };
 use crate::spec::Sweep;
+use plan::Plan;
 
 /// Runs a sweep.
 pub fn run(arguments: &RunArguments) -> Result<Status> {
@@ -45,13 +49,27 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         look(&folder, &header, &sweep)?
     };
     if arguments.dry_run {
-        say(&plan(&sweep, shard, &survey, &folder, &found)?)?;
+        let plan = Plan {
+            arguments,
+            sweep: &sweep,
+            shard,
+            survey: &survey,
+            folder: &folder,
+            found: &found,
+        };
+        let text = plan.describe(&|| stop.status().is_some())?;
+        if let Some(status) = stop.status() {
+            return Ok(status);
+        }
+        say(&text)?;
         return Ok(Status::Complete);
     }
     if let Found::Complete(manifest) = found {
         return show_again(*manifest, &sweep, &folder, arguments.quiet);
     }
     let setting = sweep.setting.for_labels();
+    let most = arguments.work.memory.limit();
+    let memory = admit(&sweep, &setting, &survey, Purpose::Labels, &most)?;
     let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     if !arguments.allow_unstable && !sweep.design.varies_string() {
         refuse_unstable(arguments, &sweep, &systems)?;
@@ -80,6 +98,7 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         sweep: &sweep,
         shard,
         systems: &systems,
+        strings_at_once: memory.strings_at_once,
         folder: &folder,
         start,
     };
@@ -149,6 +168,7 @@ struct Session<'a> {
     sweep: &'a Sweep,
     shard: Shard,
     systems: &'a [MethodSystem],
+    strings_at_once: usize,
     folder: &'a Path,
     start: Instant,
 }
@@ -192,6 +212,7 @@ impl Session<'_> {
             sweep,
             shard: self.shard,
             terms: arguments.terms(),
+            strings_at_once: self.strings_at_once,
             is_open: &|case, method| !is_done(case, method),
             stops: &|| stop.status().is_some(),
         };
@@ -252,67 +273,6 @@ fn status_of(manifest: &Manifest) -> Status {
     } else {
         Status::Complete
     }
-}
-
-fn plan(
-    sweep: &Sweep,
-    shard: Shard,
-    survey: &Survey,
-    folder: &Path,
-    found: &Found,
-) -> Result<String> {
-    let mut text = String::new();
-    let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
-    let total = pairs_of(sweep, shard);
-    let done = match found {
-        Found::Complete(_) => total,
-        Found::Unfinished { done } => *done,
-        Found::Nothing => 0,
-    };
-    writeln!(text, "{}: {}", sweep.name, sweep.title)?;
-    let part = if shard.is_whole() {
-        String::new()
-    } else {
-        format!(" (shard {shard}: {} cases)", total / methods.len())
-    };
-    writeln!(
-        text,
-        "would run {} cases by {} ({}){part}, into {}",
-        sweep.design.cases(),
-        methods.len(),
-        methods.join(", "),
-        folder.display()
-    )?;
-    let why = match found {
-        Found::Complete(_) => "complete already",
-        Found::Unfinished { .. } => "a stopped run goes on",
-        Found::Nothing => "from the beginning",
-    };
-    writeln!(
-        text,
-        "{} of {total} simulations left: {why}",
-        total - done.min(total)
-    )?;
-    if sweep.design.varies_string() {
-        let strings = sweep.design.strings();
-        writeln!(text, "{strings} distinct strings, each built once")?;
-        if survey.impossible_strings > 0 {
-            let impossible = survey.impossible_strings;
-            writeln!(
-                text,
-                "{impossible} of them cannot be: their cases will fail"
-            )?;
-        }
-    }
-    writeln!(
-        text,
-        "simulated time {:.1} s for each method, the longest case {:.1} s, at {} Hz",
-        survey.simulated, survey.longest, sweep.setting.sampling_frequency
-    )?;
-    if let Some(choice) = &sweep.choice {
-        writeln!(text, "{choice}")?;
-    }
-    Ok(text)
 }
 
 /// The labels of each method, in a line for each motion.

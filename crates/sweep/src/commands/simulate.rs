@@ -15,7 +15,8 @@ use super::{
     use_threads, warn_of_unstable,
 };
 use crate::cli::SimulateArguments;
-use crate::engine::Case;
+use crate::engine::{Case, Survey};
+use crate::memory::{Purpose, admit};
 use crate::output::write_atomically;
 use crate::plot::{orbits, panels};
 use crate::spec::{Axis, Conditions, Setting, Sweep, check_setting, to_rpm};
@@ -45,6 +46,13 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     let durations = cases.iter().map(|case| case.scene.timing.duration);
     let longest = durations.fold(0.0, f64::max);
+    let survey = Survey {
+        longest,
+        ..Survey::default()
+    };
+    let purpose = Purpose::Histories(cases.len());
+    let limit = arguments.work.memory.limit();
+    admit(&sweep, &sweep.setting, &survey, purpose, &limit)?;
     let systems = build_systems(&arguments.file, &sweep, &sweep.setting, longest)?;
     make_folder(&folder)?;
     warn_of_unstable(&systems);

@@ -3,6 +3,7 @@
 
 mod case;
 mod log;
+mod memory;
 mod shard;
 mod survey;
 mod systems;
@@ -10,8 +11,9 @@ mod terms;
 
 pub use case::{Case, Row, RowOutcome};
 pub use log::{Header, Log, Record, count_done, read_header};
+pub use memory::StringMemory;
 pub use shard::Shard;
-pub use survey::{Survey, survey};
+pub use survey::{Survey, setting_of, survey};
 pub use systems::{MethodSystem, is_unstable};
 pub use terms::Terms;
 
@@ -23,10 +25,6 @@ use rayon::prelude::*;
 use sim::Stopping;
 
 use crate::spec::Sweep;
-
-/// Strings that are built at once, for each thread. More would take memory, fewer
-/// would leave threads without work at the end of each batch.
-const STRINGS_PER_THREAD: usize = 4;
 
 /// One case in so many is followed to its end even if it settles, to count how
 /// often that was wrong.
@@ -40,6 +38,8 @@ pub struct Work<'a> {
     pub shard: Shard,
     /// On which terms.
     pub terms: Terms,
+    /// Distinct strings that are built at once.
+    pub strings_at_once: usize,
     /// Which pairs of case and method (by its place in the sweep's list) are
     /// not done yet.
     pub is_open: &'a (dyn Fn(usize, usize) -> bool + Sync),
@@ -82,7 +82,7 @@ impl Work<'_> {
             let systems = Ok(base);
             return self.run_batch(&[Built { string: 0, systems }], keep);
         }
-        let batch = STRINGS_PER_THREAD * rayon::current_num_threads();
+        let batch = self.strings_at_once;
         for first in (0..strings).step_by(batch) {
             let systems: Vec<_> = (first..strings.min(first + batch))
                 .into_par_iter()

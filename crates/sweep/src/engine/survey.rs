@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use rayon::prelude::*;
 
 use super::case::Case;
+use super::memory::StringMemory;
 use crate::design::Design;
 use crate::spec::{Setting, SpecError, Sweep};
 
@@ -19,17 +20,45 @@ pub struct Survey {
     pub simulated: f64,
     /// The longest that a case takes, s: of random cases, any within their ranges.
     pub longest: f64,
+    /// The first case that lasts as long; none of random cases, whose ranges allow more
+    /// than is drawn.
+    pub longest_case: Option<usize>,
     /// The case that ends first, and when, s; none where no string can be.
     pub first_end: Option<(usize, f64)>,
+    /// The string that takes most memory, where axes change the string.
+    pub heaviest: Option<Heaviest>,
     /// Strings that cannot be; their cases will fail.
     pub impossible_strings: usize,
 }
 
+/// The string that takes most memory.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Heaviest {
+    /// Its number.
+    pub string: usize,
+    /// The longest of its cases, s.
+    pub longest: f64,
+    /// What building its systems takes, bytes.
+    bytes: f64,
+}
+
 impl Survey {
+    /// Both parts of a sweep, the first being earlier.
     fn with(self, other: Survey) -> Survey {
+        let longer = if other.longest > self.longest {
+            other
+        } else {
+            self
+        };
+        let heaviest = match (self.heaviest, other.heaviest) {
+            (Some(one), Some(other)) if one.bytes >= other.bytes => Some(one),
+            (one, other) => other.or(one),
+        };
         Survey {
             simulated: self.simulated + other.simulated,
-            longest: self.longest.max(other.longest),
+            longest: longer.longest,
+            longest_case: longer.longest_case,
+            heaviest,
             first_end: match (self.first_end, other.first_end) {
                 (Some(one), Some(other)) if other.1 < one.1 => Some(other),
                 (one, other) => one.or(other),
@@ -51,7 +80,11 @@ pub fn survey(sweep: &Sweep) -> Result<Survey, String> {
             let conditions = sweep.conditions_at(&values);
             let case = Case::under(sweep, &sweep.setting, 0, values, &conditions)
                 .map_err(|reason| format!("at an end of the random ranges: {reason}"))?;
-            survey.longest = survey.longest.max(case.scene.timing.duration);
+            let duration = case.scene.timing.duration;
+            if duration > survey.longest {
+                survey.longest = duration;
+                survey.longest_case = None;
+            }
         }
     }
     Ok(survey)
@@ -60,7 +93,12 @@ pub fn survey(sweep: &Sweep) -> Result<Survey, String> {
 fn of_cases(sweep: &Sweep) -> Result<Survey, String> {
     first_error(sweep.design.strings(), |string| {
         match setting_of(sweep, string) {
-            Ok(setting) => of_string(sweep, &setting, string),
+            Ok(setting) => {
+                let mut found = of_string(sweep, &setting, string)?;
+                found.heaviest =
+                    (sweep.design.varies_string()).then(|| weight(sweep, &setting, string, &found));
+                Ok(found)
+            }
             Err(_) => Ok(Survey {
                 impossible_strings: 1,
                 ..Survey::default()
@@ -81,14 +119,29 @@ pub(super) fn of_string(sweep: &Sweep, setting: &Setting, string: usize) -> Resu
         Ok(Survey {
             simulated: duration,
             longest: duration,
+            longest_case: Some(case.index),
             first_end: Some((case.index, duration)),
-            impossible_strings: 0,
+            ..Survey::default()
         })
     })
 }
 
+fn weight(sweep: &Sweep, setting: &Setting, string: usize, found: &Survey) -> Heaviest {
+    let cuts = sweep.bit.is_some();
+    let setting = setting.for_labels();
+    let memory = StringMemory::of(&setting, &sweep.methods, cuts, found.longest);
+    Heaviest {
+        string,
+        longest: found.longest,
+        bytes: memory.systems.peak,
+    }
+}
+
 /// The setting of all cases of a string.
-pub(super) fn setting_of(sweep: &Sweep, string: usize) -> Result<Cow<'_, Setting>, SpecError> {
+///
+/// # Errors
+/// Where it makes no string.
+pub fn setting_of(sweep: &Sweep, string: usize) -> Result<Cow<'_, Setting>, SpecError> {
     let case = sweep.design.cases_of_string(string).get(0);
     sweep.setting_at(&sweep.design.values(case))
 }

@@ -79,19 +79,7 @@ impl MethodSystem {
     /// Where the method cannot treat the string.
     pub fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
         let start = Instant::now();
-        let sites = setting.sites.len();
-        let torque_inputs = match &setting.lateral {
-            // Friction turns the string wherever it touches the wall.
-            Some(_) => (0..sites).collect(),
-            None if cuts => vec![sites - 1],
-            None => Vec::new(),
-        };
-        let request = TorsionRequest {
-            sites: setting.sites.clone(),
-            torque_inputs,
-            sampling_frequency: setting.sampling_frequency,
-            longest_time,
-        };
+        let request = torsion_request(setting, cuts, longest_time);
         // Neither alone keeps all cores busy.
         let (responses, bending) = rayon::join(
             || torsion_responses(&setting.string, &method, &request),
@@ -249,18 +237,44 @@ pub fn is_unstable(margin: f64) -> bool {
     margin < STABLE_MARGIN
 }
 
+/// What a system needs in torsion; `cuts` says whether a torque acts on the bit.
+pub(super) fn torsion_request(setting: &Setting, cuts: bool, longest_time: f64) -> TorsionRequest {
+    let sites = setting.sites.len();
+    let torque_inputs = match &setting.lateral {
+        // Friction turns the string wherever it touches the wall.
+        Some(_) => (0..sites).collect(),
+        None if cuts => vec![sites - 1],
+        None => Vec::new(),
+    };
+    TorsionRequest {
+        sites: setting.sites.clone(),
+        torque_inputs,
+        sampling_frequency: setting.sampling_frequency,
+        longest_time,
+    }
+}
+
+/// What a system needs in bending.
+pub(super) fn bending_request(
+    setting: &Setting,
+    lateral: &LateralSettings,
+    longest_time: f64,
+) -> BendingRequest {
+    BendingRequest {
+        sites: setting.sites.clone(),
+        support: lateral.support,
+        sampling_frequency: setting.sampling_frequency,
+        longest_time,
+    }
+}
+
 fn build_bending(
     setting: &Setting,
     lateral: &LateralSettings,
     method: &Method,
     longest_time: f64,
 ) -> Result<BendingResponses> {
-    let request = BendingRequest {
-        sites: setting.sites.clone(),
-        support: lateral.support,
-        sampling_frequency: setting.sampling_frequency,
-        longest_time,
-    };
+    let request = bending_request(setting, lateral, longest_time);
     let responses = bending_responses(&setting.string, &lateral.bending, method, &request)?;
     Ok(responses)
 }

@@ -15,6 +15,9 @@ use crate::spec::Axis;
 /// More than any knock, N s: a site whose I₀ is larger cannot reach its wall.
 pub const LARGEST_IMPULSE: f64 = 1e9;
 
+/// What pushes the string for longer is no impulse, s.
+const LONGEST_IMPULSE: f64 = 100.0;
+
 /// The samples of a raised cosine have its area from two on.
 const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
 
@@ -316,6 +319,13 @@ impl Check<'_> {
         self.within(&key("start_s"), table.start_s, 0.0, 1e6, "s")?;
         if table.duration_s.is_nan() || table.duration_s <= 0.0 {
             let message = format!("{} s: the impulse ends before it starts", table.duration_s);
+            return Err(self.source.error(&key("duration_s"), message));
+        }
+        if table.duration_s > LONGEST_IMPULSE {
+            let message = format!(
+                "{} s: an impulse lasts {LONGEST_IMPULSE} s at most; is it in another unit?",
+                table.duration_s
+            );
             return Err(self.source.error(&key("duration_s"), message));
         }
         self.within(

@@ -1,0 +1,241 @@
+//! What building responses costs in memory, told before anything is built.
+//!
+//! Counts of what the builders hold at once, times bytes: taps, channels, nodes and
+//! elements, so that they grow as the real ones do. They are upper bounds, and as
+//! floating-point numbers do not overflow, whatever is asked for. The response of a
+//! damped string in torsion is as long as its slowest motion lasts, which is bounded
+//! from below by the damping of its heaviest tube and by how torque seeps along it.
+
+use rayon::current_num_threads;
+
+use crate::build::{MOST_TAPS, bending, needed_taps, torsion};
+use crate::drillstring::{Drillstring, Sites};
+use crate::elements::mesh::most_elements;
+use crate::estimates::torsional_settling_time;
+use crate::filters::quadrature::SAMPLES_PER_TAP;
+use crate::method::{FiniteElement, Method};
+use crate::passivity::REFINEMENT;
+use crate::response::{BendingRequest, TorsionRequest};
+
+/// Bytes of a real and of a complex number.
+const REAL: f64 = 8.0;
+const COMPLEX: f64 = 16.0;
+
+/// What a transform holds for each of its samples beside its input: its output, and
+/// for lengths with large prime factors another transform, longer, as a convolution.
+const TRANSFORM: f64 = 100.0;
+
+/// The same for a power of two.
+const EVEN_TRANSFORM: f64 = 40.0;
+
+/// What assembling and factorising holds for each element, in torsion and in bending.
+const ELEMENT: f64 = 1200.0;
+const BEAM_ELEMENT: f64 = 4000.0;
+
+/// Memory that a piece of work takes, bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Memory {
+    /// The most while it is done, what it leaves included.
+    pub peak: f64,
+    /// What it leaves.
+    pub kept: f64,
+}
+
+impl Memory {
+    /// What is taken and kept.
+    pub fn lasting(bytes: f64) -> Self {
+        Self {
+            peak: bytes,
+            kept: bytes,
+        }
+    }
+
+    /// Both pieces of work at the same time.
+    pub fn beside(self, other: Self) -> Self {
+        Self {
+            peak: self.peak + other.peak,
+            kept: self.kept + other.kept,
+        }
+    }
+
+    /// This, and then the other.
+    pub fn then(self, other: Self) -> Self {
+        Self {
+            peak: self.peak.max(self.kept + other.peak),
+            kept: self.kept + other.kept,
+        }
+    }
+}
+
+/// The length of a response and the memory to build it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ResponseCost {
+    /// Taps of each channel, at most.
+    pub taps: f64,
+    /// What building takes.
+    pub memory: Memory,
+    /// The length asked for, where it is longer than any builder gives
+    /// ([`crate::BuildError::TooManyTaps`]).
+    pub too_long: Option<f64>,
+}
+
+impl ResponseCost {
+    /// Of `asked` samples, of which `taps` are kept.
+    fn new(asked: f64, taps: f64, memory: Memory) -> Self {
+        Self {
+            taps,
+            memory,
+            too_long: Some(asked).filter(|asked| *asked > MOST_TAPS as f64),
+        }
+    }
+}
+
+/// What [`crate::torsion_responses`] takes on the threads of the present pool.
+pub fn torsion_responses(
+    string: &Drillstring,
+    method: &Method,
+    request: &TorsionRequest,
+) -> ResponseCost {
+    let channels = request.sites.len() as f64 * (1.0 + request.torque_inputs.len() as f64);
+    let nodes = request.sites.len() as f64 + 1.0;
+    // Stiffness and its factors, inputs, admittance.
+    let networks = current_num_threads() as f64 * 4.0 * COMPLEX * nodes * nodes;
+    let until_decayed = torsion_length(string, method, request);
+    match method {
+        Method::Quadrature | Method::Trapezoidal => {
+            let samples = SAMPLES_PER_TAP as f64 * until_decayed;
+            let memory = filter(channels, samples, until_decayed, networks);
+            ResponseCost::new(until_decayed, until_decayed, memory)
+        }
+        Method::Hilbert(transform) => {
+            let samples = torsion::transform_samples(string, transform, request);
+            let memory = filter(channels, samples, 0.5 * samples, networks);
+            ResponseCost::new(samples, 0.5 * samples, memory)
+        }
+        Method::DirectIdft(transform) => {
+            let samples = torsion::transform_samples(string, transform, request);
+            let memory = filter(channels, samples, samples, networks);
+            ResponseCost::new(samples, samples, memory)
+        }
+        Method::FiniteElement(parameters) => {
+            let runs = 1.0 + request.torque_inputs.len() as f64;
+            let elements = most_elements(string, &request.sites, parameters.elements_per_cell);
+            // The runs go on from length to length: their outputs are copied.
+            let kept = REAL * channels * until_decayed;
+            let freedoms = REAL * elements * (runs + 4.0 * runs);
+            let peak = ELEMENT * elements + freedoms + 2.0 * kept;
+            ResponseCost::new(until_decayed, until_decayed, Memory { peak, kept })
+        }
+    }
+}
+
+/// What [`crate::bending_responses`] takes on the threads of the present pool.
+pub fn bending_responses(
+    string: &Drillstring,
+    method: &Method,
+    request: &BendingRequest,
+) -> ResponseCost {
+    let sites = request.sites.len() as f64;
+    let channels = sites * sites;
+    let taps = needed_taps(request.longest_time, request.sampling_frequency);
+    let freedoms = 2.0 * (sites + 1.0);
+    // Stiffness and its factors, forces, receptances.
+    let numbers = 2.0 * freedoms * freedoms + freedoms * sites + channels;
+    let networks = current_num_threads() as f64 * COMPLEX * numbers;
+    match method {
+        Method::Quadrature | Method::Trapezoidal => {
+            let samples = SAMPLES_PER_TAP as f64 * taps;
+            ResponseCost::new(taps, taps, filter(channels, samples, taps, networks))
+        }
+        Method::Hilbert(transform) | Method::DirectIdft(transform) => {
+            let samples = bending::transform_samples(transform, request);
+            let filtered = match method {
+                Method::Hilbert(_) => filter(channels, samples, 0.5 * samples, networks),
+                _ => filter(channels, samples, samples, networks),
+            };
+            let kept = REAL * channels * taps;
+            let peak = filtered.peak.max(filtered.kept + kept);
+            ResponseCost::new(samples.max(taps), taps, Memory { peak, kept })
+        }
+        Method::FiniteElement(parameters) => {
+            let kept = REAL * channels * taps;
+            let peak = beam(string, &request.sites, parameters, sites) + kept;
+            ResponseCost::new(taps, taps, Memory { peak, kept })
+        }
+    }
+}
+
+/// What [`crate::elements::reconstruction::reconstruct`] takes.
+pub fn reconstruction(string: &Drillstring, sites: &Sites, parameters: &FiniteElement) -> f64 {
+    beam(string, sites, parameters, 2.0)
+}
+
+/// What the positive-real margin of so many driving points takes (see
+/// [`crate::passivity`]).
+pub fn margin(inputs: usize, taps: f64) -> f64 {
+    if inputs == 0 {
+        return 0.0;
+    }
+    let length = REFINEMENT as f64 * power_of_two_from(taps);
+    let pairs = (inputs as f64).powi(2);
+    pairs * 0.5 * COMPLEX * length + EVEN_TRANSFORM * length
+}
+
+/// The same of sites in bending, where it is that of their velocities.
+pub fn bending_margin(sites: usize, taps: f64) -> f64 {
+    margin(sites, taps) + REAL * (sites as f64).powi(2) * taps
+}
+
+/// A beam and so many motions of it: displacements, velocities, accelerations and
+/// forces, beside the accelerations from a load at each site.
+fn beam(string: &Drillstring, sites: &Sites, parameters: &FiniteElement, motions: f64) -> f64 {
+    let elements = most_elements(string, sites, parameters.elements_per_cell);
+    let series = sites.len() as f64 + 4.0 * motions;
+    elements * (BEAM_ELEMENT + 2.0 * REAL * series)
+}
+
+/// Channels sampled over half of a transform's frequencies, each then transformed.
+fn filter(channels: f64, samples: f64, taps: f64, networks: f64) -> Memory {
+    let points = 0.5 * samples + 1.0;
+    let sampled = COMPLEX * channels * points;
+    let one = COMPLEX * points + TRANSFORM * samples;
+    let kept = REAL * channels * taps;
+    Memory {
+        peak: sampled + networks.max(one + kept),
+        kept,
+    }
+}
+
+/// The length at which a response built longer and longer is left, at most.
+fn torsion_length(string: &Drillstring, method: &Method, request: &TorsionRequest) -> f64 {
+    let needed = needed_taps(request.longest_time, request.sampling_frequency);
+    // The trapezoidal rule rings for ever at the highest frequency.
+    let lasts = if matches!(method, Method::Trapezoidal) {
+        f64::INFINITY
+    } else {
+        DECAYED * request.sampling_frequency / slowest_rate(string)
+    };
+    let enough = needed.min(lasts);
+    let first = torsion::first_length(string, request) as f64;
+    let doublings = (enough / first).log2().ceil().max(0.0);
+    first * doublings.exp2()
+}
+
+/// Time constants until a response counts as decayed, and has been quiet for a
+/// quarter of its length.
+const DECAYED: f64 = 25.0;
+
+/// No motion in torsion dies away more slowly than this, 1/s: vibration loses at least
+/// what the damping takes of the heaviest tube, and what seeps has a time of its own.
+fn slowest_rate(string: &Drillstring) -> f64 {
+    let heaviest = string
+        .tubes()
+        .map(|(_, tube)| tube.polar_moment())
+        .fold(0.0, f64::max);
+    let vibrates = string.torsional_damping() / (2.0 * string.material().density * heaviest);
+    vibrates.min(1.0 / torsional_settling_time(string))
+}
+
+fn power_of_two_from(value: f64) -> f64 {
+    value.max(1.0).log2().ceil().exp2()
+}

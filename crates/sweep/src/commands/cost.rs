@@ -1,0 +1,227 @@
+//! What a sweep costs on this machine: memory by count, wall time by a short probe of
+//! the sweep's own cases.
+
+use std::fmt;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+use sim::{Scene, Stopping};
+
+use crate::engine::{Case, MethodSystem, StringMemory, Survey};
+use crate::memory::{Estimate, Limit, Size};
+use crate::spec::{Setting, Sweep};
+
+/// The probe builds and steps for no longer than this.
+const PROBE: Duration = Duration::from_secs(3);
+
+/// Cases are stepped for this part of it at most, after what was built.
+const STEPPING: Duration = Duration::from_secs(1);
+
+/// Steps of a case in the probe, at most.
+const STEPS: f64 = 10_000.0;
+
+/// Cases in the probe for each thread, evenly spread over the design.
+const CASES_PER_THREAD: usize = 32;
+
+/// A prime number, to take cases in an order that follows no axis.
+const SHUFFLE: usize = 7919;
+
+/// How often a wait looks whether it is to end.
+const GLANCE: Duration = Duration::from_millis(50);
+
+/// What a sweep costs.
+#[derive(Debug)]
+pub struct Cost {
+    /// Memory it takes at most.
+    pub memory: Estimate,
+    /// The limit on that.
+    pub limit: Limit,
+    /// Time it takes.
+    pub time: WallTime,
+}
+
+/// Wall time of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub enum WallTime {
+    /// About so many seconds.
+    About(f64),
+    /// Not known: the probe was not done in its time.
+    Unknown,
+    /// It would not come to an end; why.
+    Refused(String),
+}
+
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (bytes, limit) = (Size(self.memory.bytes), &self.limit);
+        writeln!(f, "memory: at most {bytes}; the limit is {limit}")?;
+        let threads = match rayon::current_num_threads() {
+            1 => "1 thread".to_owned(),
+            threads => format!("{threads} threads"),
+        };
+        match &self.time {
+            WallTime::About(seconds) => writeln!(
+                f,
+                "wall time: {} on {threads}, by a short probe",
+                in_words(*seconds)
+            ),
+            WallTime::Unknown => writeln!(
+                f,
+                "wall time: not known; a probe of {} s was too short",
+                PROBE.as_secs()
+            ),
+            WallTime::Refused(reason) => writeln!(f, "wall time: none, for {reason}"),
+        }
+    }
+}
+
+/// A time as a person would say it.
+fn in_words(seconds: f64) -> String {
+    const MINUTE: f64 = 60.0;
+    const HOUR: f64 = 60.0 * MINUTE;
+    const DAY: f64 = 24.0 * HOUR;
+    let units = [("s", 1.0), ("min", MINUTE), ("h", HOUR), ("days", DAY)];
+    if seconds < 1.0 {
+        return "less than a second".to_owned();
+    }
+    let (unit, length) = (units.into_iter().rev())
+        .find(|(_, length)| seconds >= 1.5 * length)
+        .unwrap_or(units[0]);
+    let count = seconds / length;
+    if count < 10.0 {
+        format!("about {count:.1} {unit}")
+    } else if count < 1e5 {
+        format!("about {count:.0} {unit}")
+    } else {
+        format!("about {count:.0e} {unit}")
+    }
+}
+
+/// What a case takes on one thread of this machine, as a mean over cases and methods.
+#[derive(Debug, Clone, Copy)]
+struct Pace {
+    /// Building the systems of a string, s.
+    building: f64,
+    /// Stepping one case by one method, s.
+    stepping: f64,
+}
+
+impl Pace {
+    /// Seconds for so many simulations.
+    fn seconds(&self, sweep: &Sweep, simulations: usize) -> f64 {
+        let all = (sweep.design.cases() * sweep.methods.len()).max(1);
+        let part = simulations as f64 / all as f64;
+        let strings = if sweep.design.varies_string() {
+            1.0 + part * sweep.design.strings() as f64
+        } else {
+            1.0
+        };
+        let stepped = simulations as f64 * self.stepping / rayon::current_num_threads() as f64;
+        strings * self.building + stepped
+    }
+}
+
+/// The time that so many simulations of a sweep take, by building its systems for short
+/// cases and stepping some, for a bounded time. `stops` ends it sooner.
+pub fn probe(
+    sweep: &Sweep,
+    survey: &Survey,
+    stopping: Stopping,
+    simulations: usize,
+    stops: &dyn Fn() -> bool,
+) -> WallTime {
+    let start = Instant::now();
+    let (send, receive) = channel();
+    let (owned, longest) = (sweep.clone(), survey.longest);
+    thread::spawn(move || {
+        let paced = build_and_step(&owned, longest, stopping);
+        // Nobody may wait any more.
+        let _ = send.send(paced);
+    });
+    loop {
+        match receive.recv_timeout(GLANCE) {
+            Ok(Ok(pace)) => return WallTime::About(pace.seconds(sweep, simulations)),
+            Ok(Err(reason)) => return WallTime::Refused(reason),
+            Err(RecvTimeoutError::Timeout) if start.elapsed() < PROBE && !stops() => {}
+            Err(_) => return WallTime::Unknown,
+        }
+    }
+}
+
+/// The time that all simulations of a sweep take, its systems being built.
+pub fn of_built(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem], built: f64) -> WallTime {
+    let stepping = step(sweep, systems, survey.longest, Stopping::Early);
+    let pace = Pace {
+        building: built,
+        stepping,
+    };
+    WallTime::About(pace.seconds(sweep, sweep.design.cases() * sweep.methods.len()))
+}
+
+fn build_and_step(sweep: &Sweep, longest: f64, stopping: Stopping) -> Result<Pace, String> {
+    let setting = sweep.setting.for_labels();
+    let prepared = longest.min(STEPS / setting.sampling_frequency);
+    let start = Instant::now();
+    let systems = MethodSystem::build_all(sweep, &setting, prepared)
+        .map_err(|error| format!("{error:#}"))?;
+    let built = start.elapsed().as_secs_f64();
+    Ok(Pace {
+        // What takes so much more memory takes as much more time.
+        building: built * systems_memory(sweep, &setting, longest)
+            / systems_memory(sweep, &setting, prepared),
+        stepping: step(sweep, &systems, prepared, stopping),
+    })
+}
+
+fn systems_memory(sweep: &Sweep, setting: &Setting, longest: f64) -> f64 {
+    let cuts = sweep.bit.is_some();
+    let memory = StringMemory::of(setting, &sweep.methods, cuts, longest);
+    memory.systems.kept
+}
+
+/// Mean time of a case by a method, s, from some of them, evenly spread and shortened
+/// to what systems are prepared for.
+fn step(
+    sweep: &Sweep,
+    systems: &[MethodSystem],
+    prepared: f64,
+    stopping: Stopping,
+) -> f64 {
+    let start = Instant::now();
+    let cases = sweep.design.cases();
+    let count = cases.min(CASES_PER_THREAD * rayon::current_num_threads());
+    let most = prepared.min(STEPS / sweep.setting.sampling_frequency);
+    let of_case = |index: usize| -> Option<f64> {
+        if start.elapsed() > STEPPING {
+            return None;
+        }
+        // In an order that follows no axis.
+        let place = index * SHUFFLE % count;
+        let case = (2 * place + 1) * cases / (2 * count);
+        let mut case = Case::of(sweep, &systems.first()?.setting, case).ok()?;
+        let part = shorten(&mut case.scene, most);
+        let begun = Instant::now();
+        for system in systems {
+            system.run(&case, stopping);
+        }
+        Some(begun.elapsed().as_secs_f64() / part)
+    };
+    let times: Vec<f64> = (0..count).into_par_iter().filter_map(of_case).collect();
+    times.iter().sum::<f64>() / (times.len() * systems.len()).max(1) as f64
+}
+
+/// Shortens a case to a duration (s), and gives the part of it that is left. Where only
+/// torsion is modelled, everything goes as much faster with a surface that turns so.
+fn shorten(scene: &mut Scene, most: f64) -> f64 {
+    let part = (most / scene.timing.duration).min(1.0);
+    if part < 1.0 {
+        scene.timing.duration = most;
+        scene.timing.closing_window *= part;
+        if scene.lateral.is_none() {
+            scene.surface_speed /= part;
+        }
+    }
+    part
+}

@@ -1,0 +1,111 @@
+//! `sweep run --dry-run`: what would run, why, and what it would cost.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use anyhow::Result;
+use sim::Stopping;
+
+use super::super::cost::{Cost, probe};
+use super::super::folder::Found;
+use crate::cli::RunArguments;
+use crate::engine::{Shard, Survey, pairs_of};
+use crate::memory::{Purpose, admit};
+use crate::spec::Sweep;
+
+/// A run that has not begun.
+pub struct Plan<'a> {
+    pub arguments: &'a RunArguments,
+    pub sweep: &'a Sweep,
+    pub shard: Shard,
+    pub survey: &'a Survey,
+    pub folder: &'a Path,
+    pub found: &'a Found,
+}
+
+impl Plan<'_> {
+    /// What would run. A probe of what it costs ends sooner where it `stops`.
+    ///
+    /// # Errors
+    /// Where it would take too much memory.
+    pub fn describe(&self, stops: &dyn Fn() -> bool) -> Result<String> {
+        let total = pairs_of(self.sweep, self.shard);
+        let done = match self.found {
+            Found::Complete(_) => total,
+            Found::Unfinished { done } => *done,
+            Found::Nothing => 0,
+        };
+        let left = total - done.min(total);
+        let mut text = self.words(total, left)?;
+        if left > 0 {
+            write!(text, "{}", self.cost(left, stops)?)?;
+        }
+        Ok(text)
+    }
+
+    fn cost(&self, simulations: usize, stops: &dyn Fn() -> bool) -> Result<Cost> {
+        let (sweep, survey) = (self.sweep, self.survey);
+        let limit = self.arguments.work.memory.limit();
+        let setting = sweep.setting.for_labels();
+        let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
+        let stopping = if self.arguments.full {
+            Stopping::Full
+        } else {
+            Stopping::Early
+        };
+        Ok(Cost {
+            memory,
+            limit,
+            time: probe(sweep, survey, stopping, simulations, stops),
+        })
+    }
+
+    fn words(&self, total: usize, left: usize) -> Result<String> {
+        let (sweep, shard, survey) = (self.sweep, self.shard, self.survey);
+        let mut text = String::new();
+        let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
+        writeln!(text, "{}: {}", sweep.name, sweep.title)?;
+        let part = if shard.is_whole() {
+            String::new()
+        } else {
+            format!(" (shard {shard}: {} cases)", total / methods.len())
+        };
+        writeln!(
+            text,
+            "would run {} cases by {} ({}){part}, into {}",
+            sweep.design.cases(),
+            methods.len(),
+            methods.join(", "),
+            self.folder.display()
+        )?;
+        let why = match self.found {
+            Found::Complete(_) => "complete already",
+            Found::Unfinished { .. } => "a stopped run goes on",
+            Found::Nothing => "from the beginning",
+        };
+        writeln!(
+            text,
+            "{left} of {total} simulations left: {why}"
+        )?;
+        if sweep.design.varies_string() {
+            let strings = sweep.design.strings();
+            writeln!(text, "{strings} distinct strings, each built once")?;
+            if survey.impossible_strings > 0 {
+                let impossible = survey.impossible_strings;
+                writeln!(
+                    text,
+                    "{impossible} of them cannot be: their cases will fail"
+                )?;
+            }
+        }
+        writeln!(
+            text,
+            "simulated time {:.1} s for each method, the longest case {:.1} s, at {} Hz",
+            survey.simulated, survey.longest, sweep.setting.sampling_frequency
+        )?;
+        if let Some(choice) = &sweep.choice {
+            writeln!(text, "{choice}")?;
+        }
+        Ok(text)
+    }
+}

@@ -1,0 +1,213 @@
+//! Which key of a sweep file makes a demand too large: the one that would make it
+//! smallest, had it a usual value.
+
+use anyhow::Error;
+use linear::method::{FiniteElement, Transform};
+use linear::{Drillstring, Method, Section, Sites};
+
+use super::demand::{Cost, Demand};
+use super::{Limit, Size};
+use crate::commands::UsageError;
+use crate::design::Design;
+use crate::engine::Survey;
+use crate::spec::{Axis, Setting, Sweep, Time};
+
+/// A usual time simulated, s.
+const TIME: f64 = 10.0;
+
+/// A usual damping, N m s/rad per metre.
+const DAMPING: f64 = 10.0;
+
+/// A key that changes less than this part of the whole is not to blame.
+const LEAST_PART: f64 = 0.1;
+
+/// One clear sentence about a demand that is too large.
+pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> Error {
+    let what = match cost.too_long {
+        Some(taps) => format!("asks for responses of {taps:.1e} taps, more than any method gives"),
+        None => format!(
+            "would take {} of memory, more than {limit}; --memory changes that",
+            Size(cost.bytes)
+        ),
+    };
+    let suspects = suspects(demand.sweep);
+    let changed = suspects.iter().map(|suspect| {
+        let cost = suspect.usual(demand).cost(1);
+        (cost.too_long.is_some(), cost.bytes, suspect)
+    });
+    let least = changed.min_by(|one, other| {
+        let by_length = one.0.cmp(&other.0);
+        by_length.then(one.1.total_cmp(&other.1))
+    });
+    let matters = |too_long: bool, bytes: f64| {
+        cost.too_long.is_some() != too_long || bytes < (1.0 - LEAST_PART) * cost.bytes
+    };
+    match least {
+        Some((too_long, bytes, suspect)) if matters(too_long, bytes) => {
+            let why = match suspect.change {
+                Change::Time => longest_case(demand.sweep, survey),
+                _ => String::new(),
+            };
+            let message = format!("{why}{what}");
+            demand.sweep.source.error(&suspect.key, message).into()
+        }
+        _ => UsageError(format!("{}: {what}", demand.sweep.name)).into(),
+    }
+}
+
+/// The case that lasts longest, in words, where the file does not give its time.
+fn longest_case(sweep: &Sweep, survey: &Survey) -> String {
+    if sweep.time != Time::Auto {
+        return String::new();
+    }
+    let case = survey.longest_case.map_or_else(
+        || "the longest case that the random ranges allow".to_owned(),
+        |case| {
+            let values = sweep.design.values(case);
+            let axes = sweep.design.axes().iter().zip(values);
+            let values: Vec<String> = axes
+                .map(|(axis, value)| format!("{} = {value}", axis.name()))
+                .collect();
+            format!("case {case} ({})", values.join(", "))
+        },
+    );
+    format!("{case} lasts {:.3e} s and ", survey.longest)
+}
+
+/// A key, and what it changes.
+struct Suspect {
+    key: String,
+    change: Change,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Change {
+    Time,
+    Sites,
+    SamplingFrequency,
+    Transforms,
+    Elements,
+    Damping,
+    Sections,
+}
+
+impl Suspect {
+    /// The demand with a usual value at the key.
+    fn usual<'a>(&self, demand: &Demand<'a>) -> Demand<'a> {
+        let mut usual = demand.clone();
+        for (setting, longest) in &mut usual.strings {
+            if self.change == Change::Time {
+                *longest = longest.min(TIME);
+            } else {
+                self.change.make_usual(setting);
+            }
+        }
+        for method in &mut usual.methods {
+            *method = match (self.change, *method) {
+                (Change::Transforms, Method::Hilbert(_)) => Method::Hilbert(Transform::default()),
+                (Change::Transforms, Method::DirectIdft(_)) => {
+                    Method::DirectIdft(Transform::default())
+                }
+                (Change::Elements, Method::FiniteElement(_)) => {
+                    Method::FiniteElement(FiniteElement::default())
+                }
+                (_, method) => method,
+            };
+        }
+        usual
+    }
+}
+
+impl Change {
+    fn make_usual(self, setting: &mut Setting) {
+        match self {
+            Change::Sites => setting.sites = Sites::bit(),
+            Change::SamplingFrequency => {
+                let usual = linear::estimates::sampling_frequency(&setting.string);
+                setting.sampling_frequency = setting.sampling_frequency.min(usual);
+            }
+            Change::Damping => change_string(setting, |sections| sections, DAMPING),
+            Change::Sections => {
+                let damping = setting.string.torsional_damping();
+                change_string(setting, one_cell, damping);
+            }
+            Change::Time | Change::Transforms | Change::Elements => {}
+        }
+    }
+}
+
+fn change_string(setting: &mut Setting, of: fn(Vec<Section>) -> Vec<Section>, damping: f64) {
+    let string = &setting.string;
+    let sections = of(string.sections().to_vec());
+    if let Ok(changed) = Drillstring::new(string.material(), sections, damping) {
+        setting.string = changed;
+    }
+}
+
+/// Of every section one cell.
+fn one_cell(mut sections: Vec<Section>) -> Vec<Section> {
+    for section in &mut sections {
+        section.repeat = 1;
+    }
+    sections
+}
+
+/// Every key that a demand may grow with; where two matter alike, the first is to
+/// blame.
+fn suspects(sweep: &Sweep) -> Vec<Suspect> {
+    let mut list = vec![(time_key(sweep), Change::Time)];
+    if sweep.setting.sites.len() > 1 {
+        list.push(("sites".to_owned(), Change::Sites));
+    }
+    let frequency = match sweep.choice {
+        Some(_) => "accuracy",
+        None => "sampling_frequency_hz",
+    };
+    list.push((frequency.to_owned(), Change::SamplingFrequency));
+    for method in &sweep.methods {
+        let key = |name: &str| format!("method.{}.{name}", method.name());
+        match method {
+            Method::Hilbert(_) | Method::DirectIdft(_) => {
+                list.push((key("transform_s"), Change::Transforms));
+            }
+            Method::FiniteElement(_) => list.push((key("elements_per_cell"), Change::Elements)),
+            Method::Quadrature | Method::Trapezoidal => {}
+        }
+    }
+    list.push((
+        key_of(
+            sweep,
+            "torsional_damping",
+            "string.torsional_damping_nms_rad_m",
+        ),
+        Change::Damping,
+    ));
+    list.push((
+        key_of(sweep, "section", "string.sections"),
+        Change::Sections,
+    ));
+    list.into_iter()
+        .map(|(key, change)| Suspect { key, change })
+        .collect()
+}
+
+/// What makes cases long: their time or, where that follows from them, their speed.
+fn time_key(sweep: &Sweep) -> String {
+    if sweep.time != Time::Auto {
+        return "time_s".to_owned();
+    }
+    key_of(sweep, &Axis::SurfaceSpeedRpm.name(), "surface_speed_rpm")
+}
+
+/// The key of a quantity: of the axis whose name begins so, if there is one, or else
+/// `fixed`.
+fn key_of(sweep: &Sweep, begins: &str, fixed: &str) -> String {
+    let names = sweep.design.axes().iter().map(|axis| axis.name());
+    let Some(axis) = names.into_iter().find(|name| name.starts_with(begins)) else {
+        return fixed.to_owned();
+    };
+    match sweep.design {
+        Design::List(_) => "design.file".to_owned(),
+        _ => format!("design.axes.{axis}"),
+    }
+}

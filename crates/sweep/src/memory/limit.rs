@@ -1,0 +1,187 @@
+//! How much memory a command may take: what is asked for by `--memory`, what Slurm
+//! allots, or half of what the machine has for this process.
+
+use std::fmt;
+use std::path::Path;
+use std::str::FromStr;
+
+/// Part of the machine's memory that is taken without being asked for.
+const PART: f64 = 0.5;
+
+/// The limit where the machine does not tell what it has, bytes.
+const UNKNOWN_MACHINE: f64 = 4.0 * GIB;
+
+const KIB: f64 = 1024.0;
+const GIB: f64 = KIB * KIB * KIB;
+
+/// An amount of memory, bytes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Size(pub f64);
+
+/// Units by their first letters, each 1024 times the one before.
+const UNITS: [char; 5] = ['B', 'K', 'M', 'G', 'T'];
+
+/// `8G`, `8GiB`, `1.5 G`, `512M` or plain bytes: powers of 1024, as Slurm counts.
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let meant = || format!("`{text}` is not an amount of memory such as 8G, 512M or bytes");
+        let unit_at = text.find(|c: char| c.is_ascii_alphabetic());
+        let (number, unit) = text.split_at(unit_at.unwrap_or(text.len()));
+        let mut letters = unit.chars().map(|letter| letter.to_ascii_uppercase());
+        let letter = letters.next().unwrap_or('B');
+        let power = UNITS.iter().position(|unit| *unit == letter);
+        let rest: String = letters.collect();
+        let known = matches!(rest.as_str(), "" | "IB") || (letter == 'B' && rest.is_empty());
+        let power = power.filter(|_| known).ok_or_else(meant)?;
+        let number: f64 = number.trim().parse().map_err(|_| meant())?;
+        let bytes = number * KIB.powi(power as i32);
+        if bytes.is_finite() && bytes >= 1.0 {
+            Ok(Self(bytes))
+        } else {
+            Err(meant())
+        }
+    }
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let gibibytes = self.0 / GIB;
+        if gibibytes >= 1e6 {
+            write!(f, "{gibibytes:.1e} GiB")
+        } else if gibibytes >= 0.9995 {
+            write!(f, "{gibibytes:.1} GiB")
+        } else {
+            write!(f, "{:.0} MiB", self.0 / (KIB * KIB))
+        }
+    }
+}
+
+/// The most a command may take, and who says so.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit {
+    /// Bytes.
+    pub bytes: f64,
+    source: Source,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Source {
+    CommandLine,
+    Slurm,
+    Machine,
+    Unknown,
+}
+
+impl Limit {
+    /// The limit given on the command line, or that of where this runs.
+    pub fn of(given: Option<Size>) -> Self {
+        let limit = |bytes, source| Self { bytes, source };
+        if let Some(Size(bytes)) = given {
+            return limit(bytes, Source::CommandLine);
+        }
+        if let Some(bytes) = allotted() {
+            return limit(bytes, Source::Slurm);
+        }
+        match available() {
+            Some(bytes) => limit(PART * bytes, Source::Machine),
+            None => limit(UNKNOWN_MACHINE, Source::Unknown),
+        }
+    }
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let whose = match self.source {
+            Source::CommandLine => "given by --memory",
+            Source::Slurm => "allotted by Slurm",
+            Source::Machine => "half of what this machine has",
+            Source::Unknown => "for this machine does not tell what it has",
+        };
+        write!(f, "{} {whose}", Size(self.bytes))
+    }
+}
+
+/// What Slurm allots to a job on this node, in MiB; 0 is all of it.
+fn allotted() -> Option<f64> {
+    let text = std::env::var("SLURM_MEM_PER_NODE").ok()?;
+    let mebibytes: f64 = text.trim().parse().ok()?;
+    (mebibytes >= 1.0).then_some(mebibytes * KIB * KIB)
+}
+
+/// What the machine has for this process: its memory, or less by a control group or a
+/// limit of address space.
+fn available() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let of_machine = KIB * number_after(&text, "MemTotal:")?;
+    let of_groups = control_groups();
+    let of_process = std::fs::read_to_string("/proc/self/limits").ok();
+    let of_process = of_process.and_then(|text| number_after(&text, "Max address space"));
+    Some(of_groups.chain(of_process).fold(of_machine, f64::min))
+}
+
+/// The number that follows a word at the start of a line.
+fn number_after(text: &str, word: &str) -> Option<f64> {
+    let mut lines = text.lines().filter_map(|line| line.strip_prefix(word));
+    lines.next()?.split_whitespace().next()?.parse().ok()
+}
+
+/// Limits of the control groups that hold this process, of the second version of that
+/// interface and of the first.
+fn control_groups() -> impl Iterator<Item = f64> {
+    let text = std::fs::read_to_string("/proc/self/cgroup").unwrap_or_default();
+    let paths: Vec<_> = text.lines().filter_map(group_of).collect();
+    paths.into_iter().flat_map(|(root, file, group)| {
+        let folders = Path::new(group.trim_start_matches('/')).ancestors();
+        let limits = folders.filter_map(|folder| {
+            let path = Path::new(root).join(folder).join(file);
+            std::fs::read_to_string(path).ok()?.trim().parse().ok()
+        });
+        limits.collect::<Vec<f64>>()
+    })
+}
+
+/// Root, file of the limit and path of a line `number:controllers:path`.
+fn group_of(line: &str) -> Option<(&'static str, &'static str, String)> {
+    let mut fields = line.splitn(3, ':').skip(1);
+    let (controllers, path) = (fields.next()?, fields.next()?);
+    let (root, file) = match controllers {
+        "" => ("/sys/fs/cgroup", "memory.max"),
+        _ if controllers.split(',').any(|name| name == "memory") => {
+            ("/sys/fs/cgroup/memory", "memory.limit_in_bytes")
+        }
+        _ => return None,
+    };
+    Some((root, file, path.to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn amounts_are_read_as_slurm_does() {
+        for (text, bytes) in [
+            ("8G", 8.0 * GIB),
+            ("8GiB", 8.0 * GIB),
+            ("1.5 g", 1.5 * GIB),
+            ("512M", 0.5 * GIB),
+            ("1000000", 1e6),
+            ("1000000B", 1e6),
+        ] {
+            assert_eq!(text.parse(), Ok(Size(bytes)), "{text}");
+        }
+        for text in ["", "G", "8X", "8 parsecs", "-1G", "nan", "infG", "0", "1e400", "8GB"] {
+            assert!(text.parse::<Size>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn amounts_are_told_in_the_units_they_are_given_in() {
+        let told = |text: &str| text.parse::<Size>().unwrap().to_string();
+        assert_eq!(told("1.5G"), "1.5 GiB");
+        assert_eq!(told("512M"), "512 MiB");
+        assert_eq!(Size(1e20).to_string(), "9.3e10 GiB");
+    }
+}
