@@ -160,7 +160,10 @@ fn a_scene_with_bit_and_wall_has_a_map_for_each_of_its_labels() {
     assert_eq!(words.matches("Eq. 74").count(), 1, "{words}");
     let before = run.place.files();
     run.place.sweep(&["plot", "results"]);
-    assert!(run.place.files() == before, "drawn again, it is another map");
+    assert!(
+        run.place.files() == before,
+        "drawn again, it is another map"
+    );
 }
 
 /// The numbers of a line.

@@ -25,8 +25,6 @@ const SYMBOLS_ACROSS: usize = 12;
 /// The cases of one map.
 pub struct Content {
     drawn: Drawn,
-    /// Cases drawn as circle, cross and square.
-    symbols: [usize; 3],
     /// Cases that tell nothing of the motion.
     pub untold: usize,
     /// Cases.
@@ -72,7 +70,6 @@ impl Content {
     fn new(drawn: Drawn) -> Self {
         Self {
             drawn,
-            symbols: [0; 3],
             untold: 0,
             cases: 0,
         }
@@ -82,31 +79,32 @@ impl Content {
         self.cases += 1;
         let place = [case.values[0], case.values[1]];
         let symbol = case.symbol(motion);
-        match symbol {
-            Some(symbol) => self.symbols[symbol as usize] += 1,
-            None => self.untold += 1,
-        }
-        match (&mut self.drawn, symbol) {
-            (Drawn::Each(points), Some(symbol)) => points.push(MapPoint {
-                x: place[0],
-                y: place[1],
-                symbol,
-            }),
-            (Drawn::Crowd(cells), Some(symbol)) => cells.add(place, symbol),
-            (Drawn::Each(_) | Drawn::Crowd(_), None) => {}
+        let is_told = match (&mut self.drawn, symbol) {
             (Drawn::Parts(fractions), _) => {
                 let rows = case.rows.iter();
                 let told: Vec<bool> = rows.filter_map(|row| row.is_sustained(motion)).collect();
                 let sustained = told.iter().filter(|sustained| **sustained).count();
                 fractions.add(place, [sustained, told.len()]);
+                !told.is_empty()
             }
-        }
+            (_, None) => false,
+            (Drawn::Each(points), Some(symbol)) => {
+                let [x, y] = place;
+                points.push(MapPoint { x, y, symbol });
+                true
+            }
+            (Drawn::Crowd(cells), Some(symbol)) => {
+                cells.add(place, symbol);
+                true
+            }
+        };
+        self.untold += usize::from(!is_told);
     }
 
     /// Whether a symbol stands anywhere on the map.
     pub fn has(&self, symbol: Symbol) -> bool {
         match &self.drawn {
-            Drawn::Each(_) => self.symbols[symbol as usize] > 0,
+            Drawn::Each(points) => points.iter().any(|point| point.symbol == symbol),
             Drawn::Crowd(cells) => cells.runs().iter().any(|run| run.2 == symbol),
             Drawn::Parts(_) => false,
         }

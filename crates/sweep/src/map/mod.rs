@@ -71,9 +71,10 @@ impl<'a> Map<'a> {
     }
 
     /// The combinations of values of the other axes that have a map each; none of
-    /// many, whose cases are put together.
+    /// many, or of such that hardly two cases share: their cases are put together.
     fn combinations(&self) -> Option<&[Vec<f64>]> {
-        self.extent.others.as_deref()
+        let few = self.extent.others.as_deref()?;
+        (few.len() <= 1 || 2 * few.len() <= self.extent.cases).then_some(few)
     }
 
     /// The maps of a motion.
@@ -95,10 +96,13 @@ impl<'a> Map<'a> {
                 points: content.points(),
                 lines: limits.lines,
                 bands: limits.bands,
-                marks: marks.iter().map(|mark| self.drawn(mark)).collect(),
+                marks: marks.iter().copied().map(drawn).collect(),
             });
         }
         let mut notes = words::once_if_the_same(notes, panels.len());
+        if curves.is_empty() && self.extent.motions.len() > 1 {
+            notes.push("boundary.csv has no limit of this motion".to_owned());
+        }
         notes.extend(words::untold(&contents, motion));
         notes.extend(left_out);
         Ok(MapGroup {
@@ -142,8 +146,9 @@ impl<'a> Map<'a> {
         let Some(place) = self.others.iter().position(|&other| other == axis) else {
             return fixed.map_or([f64::NEG_INFINITY, f64::INFINITY], |speed| [speed; 2]);
         };
-        match self.combinations() {
-            Some(combinations) => [combinations[index][place]; 2],
+        let combination = self.combinations().and_then(|all| all.get(index));
+        match combination {
+            Some(values) => [values[place]; 2],
             None => self.extent.other_ranges[place],
         }
     }
@@ -159,24 +164,25 @@ impl<'a> Map<'a> {
     /// The marks within the range of the design, and a note on those that are not,
     /// such as a base's that were meant for other ranges.
     fn marks(&self) -> (Vec<&spec::MapMark>, Option<String>) {
-        let ranges = [0, 1].map(|axis| {
-            let settings = [self.settings.x, self.settings.y];
-            let table = self.manifest.sweep.design.as_ref();
-            let range = table.and_then(|table| table.axes.get(&settings[axis])?.ends());
-            range.unwrap_or([self.extent.x, self.extent.y][axis])
-        });
-        let is_inside = |value: f64, [low, high]: [f64; 2]| low <= value && value <= high;
+        let View { axes, ranges } = self.view();
+        let table = self.manifest.sweep.design.as_ref();
+        let is_inside = |axis: usize, value: f64| {
+            let of_design = table.and_then(|table| table.axes.get(&axes[axis])?.ends());
+            let [low, high] = of_design.unwrap_or(ranges[axis]);
+            // A weight that was found from a torque is rounded.
+            let room = 1e-9 * low.abs().max(high.abs());
+            (low - room..=high + room).contains(&value)
+        };
         let (inside, outside): (Vec<_>, Vec<_>) = (self.settings.marks.iter())
-            .partition(|mark| is_inside(mark.x, ranges[0]) && is_inside(mark.y, ranges[1]));
-        let axes = [self.settings.x, self.settings.y];
+            .partition(|mark| is_inside(0, mark.x) && is_inside(1, mark.y));
         (inside, words::left_out(&outside, axes))
     }
+}
 
-    fn drawn(&self, mark: &spec::MapMark) -> Mark {
-        Mark {
-            name: mark.name.clone(),
-            x: mark.x,
-            y: mark.y,
-        }
+fn drawn(mark: &spec::MapMark) -> Mark {
+    Mark {
+        name: mark.name.clone(),
+        x: mark.x,
+        y: mark.y,
     }
 }

@@ -93,10 +93,7 @@ pub fn grounds(contents: &[Content]) -> Vec<(Ground, String)> {
     let classes = Part::EVERY.into_iter().rev();
     let classes = classes.map(|part| (Ground::Part(part), part.text().to_owned()));
     classes
-        .chain([(
-            Ground::NoCase,
-            "no case here, or none that tells".to_owned(),
-        )])
+        .chain([(Ground::NoCase, "no case, or undetermined".to_owned())])
         .filter(|(ground, _)| on_map.contains(ground))
         .collect()
 }
@@ -123,10 +120,10 @@ pub fn untold(contents: &[Content], motion: Motion) -> Option<String> {
     let untold: usize = contents.iter().map(|content| content.untold).sum();
     let cases: usize = contents.iter().map(|content| content.cases).sum();
     let why = match motion {
-        Motion::Torsion => "no answer, or stuck to the end of a time too short to tell",
+        Motion::Torsion => "no answer, or stuck to the end",
         Motion::Lateral => "no answer",
     };
-    (untold > 0).then(|| format!("without a symbol: {untold} of {cases} cases ({why})"))
+    (untold > 0).then(|| format!("not shown: {untold} of {cases} cases, undetermined ({why})"))
 }
 
 /// The marks that are outside of the map.

@@ -81,11 +81,11 @@ impl Part {
     fn colour(self) -> RGBColor {
         match self {
             Part::None => RGBColor(0xF3, 0xF3, 0xF3),
-            Part::FirstQuarter => RGBColor(0xCB, 0xE0, 0xF0),
-            Part::SecondQuarter => RGBColor(0x95, 0xC2, 0xE3),
-            Part::ThirdQuarter => RGBColor(0x56, 0x9B, 0xCC),
-            Part::LastQuarter => RGBColor(0x20, 0x66, 0xA5),
-            Part::All => RGBColor(0x08, 0x2C, 0x5E),
+            Part::FirstQuarter => RGBColor(0xBF, 0xDA, 0xEE),
+            Part::SecondQuarter => RGBColor(0x8A, 0xBB, 0xDF),
+            Part::ThirdQuarter => RGBColor(0x50, 0x97, 0xC8),
+            Part::LastQuarter => RGBColor(0x24, 0x6A, 0xA8),
+            Part::All => RGBColor(0x0B, 0x35, 0x6B),
         }
     }
 }
@@ -118,11 +118,11 @@ mod tests {
             let linear = |value: u8| (f64::from(value) / 255.0).powf(2.2);
             0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue)
         };
-        // Lightness of CIELAB: a difference of 10 is plain between neighbours.
+        // Lightness of CIELAB: a difference of 9 is plain between neighbours.
         let lightness = |part| 116.0 * f64::cbrt(luminance(part)) - 16.0;
         for pair in Part::EVERY.windows(2) {
             let step = lightness(pair[0]) - lightness(pair[1]);
-            assert!(step > 8.0, "{pair:?}: {step}");
+            assert!(step > 9.0, "{pair:?}: {step}");
         }
     }
 

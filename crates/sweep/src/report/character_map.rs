@@ -50,7 +50,7 @@ fn legend(cells: &Cells, motion: Motion) -> String {
         .map(|(symbol, meaning)| format!("{} {meaning}", character(symbol)))
         .collect();
     if keys.is_empty() {
-        return "No case tells.\n".to_owned();
+        return "No case has an answer.\n".to_owned();
     }
     format!("{}\n", keys.join("   "))
 }

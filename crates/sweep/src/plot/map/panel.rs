@@ -1,10 +1,10 @@
 //! One map of a sheet.
 
-use super::{Band, Line, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark};
+use super::{Band, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark};
 use crate::plot::canvas::{Canvas, DASHES, Stroke};
 use crate::plot::frame::Frame;
 use crate::plot::geometry::{Pixel, Rect};
-use crate::plot::grounds::draw_ground;
+use crate::plot::grounds::{Ground, draw_ground};
 use crate::plot::names::Names;
 use crate::plot::scale::{Scale, visible};
 use crate::plot::symbols::{HALO, MARK_RADIUS, draw_symbol, draw_triangle};
@@ -18,8 +18,8 @@ const LINE_WIDTHS: [f64; 6] = [1.2, 2.2, 3.4, 1.8, 2.6, 2.2];
 /// Distance between the strokes of a hatching.
 const HATCH_STEP: f64 = 9.0;
 const HATCH_WIDTH: f64 = 0.7;
-/// Width of the white line below a black one, which shows on a dark ground.
-const RIM_WIDTH: f64 = 2.2;
+/// How much wider the white line is below a black one that may be on a dark ground.
+const RIM: f64 = 1.5;
 
 /// The look of the line with this index.
 pub(super) fn line_stroke(index: usize) -> Stroke {
@@ -65,7 +65,7 @@ pub(super) fn draw_panel(
         draw_band(canvas, frame, band)?;
     }
     draw_points(canvas, frame, &panel.points)?;
-    draw_lines(canvas, frame, &group.line_names(), &panel.lines)?;
+    draw_lines(canvas, frame, &group.line_names(), panel)?;
     draw_marks(canvas, frame, panel)
 }
 
@@ -131,7 +131,7 @@ pub(in crate::plot) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Re
 }
 
 fn draw_rimmed(canvas: &mut Canvas, line: &[Pixel], width: f64) -> Result<()> {
-    canvas.line(line, Stroke::solid(WHITE, width + RIM_WIDTH - HATCH_WIDTH))?;
+    canvas.line(line, Stroke::solid(WHITE, width + RIM))?;
     canvas.line(line, Stroke::solid(BLACK, width))
 }
 
@@ -151,12 +151,19 @@ fn symbol_radius(area: Rect, count: usize) -> f64 {
     (0.28 * distance).clamp(2.0, 5.5)
 }
 
-fn draw_lines(canvas: &mut Canvas, frame: &Frame, names: &[&str], lines: &[Line]) -> Result<()> {
-    for line in lines {
+/// On grounds that may be dark, a white rim sets the lines off.
+fn draw_lines(canvas: &mut Canvas, frame: &Frame, names: &[&str], panel: &MapPanel) -> Result<()> {
+    let mut grounds = panel.cells.iter().map(|cell| cell.ground);
+    let may_be_dark = grounds.any(|ground| matches!(ground, Ground::Part(_)));
+    for line in &panel.lines {
         let index = names.iter().position(|name| *name == line.name);
+        let stroke = line_stroke(index.unwrap_or(0));
         for piece in frame.curve(&line.points) {
             for part in frame.area.clip(&piece) {
-                canvas.line(&part, line_stroke(index.unwrap_or(0)))?;
+                if may_be_dark {
+                    canvas.line(&part, Stroke::solid(WHITE, stroke.width + RIM))?;
+                }
+                canvas.line(&part, stroke)?;
             }
         }
     }

@@ -143,39 +143,13 @@ struct GroupBlock<'a> {
 impl<'a> GroupBlock<'a> {
     fn new(
         sheet: &MapSheet,
-        (x, y): (Scale, Scale),
+        scales: (Scale, Scale),
         group: &'a MapGroup,
         [left, top, width]: [f64; 3],
     ) -> Result<Self> {
         let heading = Block::new(&group.heading, TITLE_SIZE, width)?;
-        let columns = match group.panels.len() {
-            0 | 1 => 1,
-            2 | 4 => 2,
-            _ => 3,
-        };
-        let cell_width = (width - (columns - 1) as f64 * GAP) / columns as f64;
-        let first_row = top + heading.height();
-        let mut frames = Vec::with_capacity(group.panels.len());
-        let mut row_top = first_row;
-        for row in group.panels.chunks(columns) {
-            let titles: Vec<Block> = (row.iter())
-                .map(|panel| Block::new(&panel.title, LABEL_SIZE, cell_width))
-                .collect::<Result<_>>()?;
-            let title_height = titles.iter().map(Block::height).fold(0.0, f64::max);
-            let bottom = row_top + title_height + HEIGHTS[columns - 1];
-            for (column, title) in titles.into_iter().enumerate() {
-                let left = left + column as f64 * (cell_width + GAP);
-                let outer = Rect {
-                    left,
-                    top: row_top + title_height + 0.3 * GAP,
-                    right: left + cell_width,
-                    bottom: bottom - 0.5 * GAP,
-                };
-                let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
-                frames.push((title, frame));
-            }
-            row_top = bottom;
-        }
+        let maps_top = top + heading.height() + 0.3 * GAP;
+        let (frames, scale_top) = frames(sheet, scales, group, [left, maps_top, width])?;
         let legend = Legend::new(keys(group).into_iter())?;
         let notes: Vec<Block> = (group.notes.iter())
             .map(|note| Block::new(note, SMALL_SIZE, width))
@@ -186,8 +160,8 @@ impl<'a> GroupBlock<'a> {
         let texts = scale.iter().chain(&notes);
         let texts: f64 = texts.map(|text| text.height() + TEXT_GAP).sum();
         Ok(Self {
-            scale_top: row_top,
-            bottom: row_top + legend.row_height(width) + texts + 0.5 * GAP,
+            scale_top,
+            bottom: scale_top + legend.row_height(width) + texts + 0.5 * GAP,
             group,
             left,
             top,
@@ -206,7 +180,10 @@ impl<'a> GroupBlock<'a> {
         canvas.text(&self.heading, middle, heading_row, HPos::Center)?;
         for ((title, frame), panel) in self.frames.iter().zip(&self.group.panels) {
             let first_row = frame.area.top - 0.3 * GAP - title.height() + 0.5 * title.line_height();
-            canvas.text(title, frame.area.centre().0, first_row, HPos::Center)?;
+            // Above the plotting area, but not beyond its right end.
+            let furthest = frame.area.right - 0.5 * title.width;
+            let middle = frame.area.centre().0.min(furthest);
+            canvas.text(title, middle, first_row, HPos::Center)?;
             draw_panel(canvas, frame, self.group, panel)?;
         }
         let mut row = self.scale_top;
@@ -225,4 +202,41 @@ impl<'a> GroupBlock<'a> {
         }
         Ok(())
     }
+}
+
+/// The maps of a group in rows, each with its title above, and where the last row ends.
+fn frames(
+    sheet: &MapSheet,
+    (x, y): (Scale, Scale),
+    group: &MapGroup,
+    [left, top, width]: [f64; 3],
+) -> Result<(Vec<(Block, Frame)>, f64)> {
+    let columns = match group.panels.len() {
+        0 | 1 => 1,
+        2 | 4 => 2,
+        _ => 3,
+    };
+    let map_width = (width - (columns - 1) as f64 * GAP) / columns as f64;
+    let mut frames = Vec::with_capacity(group.panels.len());
+    let mut row_top = top;
+    for row in group.panels.chunks(columns) {
+        let titles: Vec<Block> = (row.iter())
+            .map(|panel| Block::new(&panel.title, LABEL_SIZE, map_width))
+            .collect::<Result<_>>()?;
+        let title_height = titles.iter().map(Block::height).fold(0.0, f64::max);
+        let bottom = row_top + title_height + HEIGHTS[columns - 1];
+        for (column, title) in titles.into_iter().enumerate() {
+            let left = left + column as f64 * (map_width + GAP);
+            let outer = Rect {
+                left,
+                top: row_top + title_height + 0.3 * GAP,
+                right: left + map_width,
+                bottom: bottom - 0.5 * GAP,
+            };
+            let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
+            frames.push((title, frame));
+        }
+        row_top = bottom;
+    }
+    Ok((frames, row_top))
 }
