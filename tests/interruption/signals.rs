@@ -7,9 +7,9 @@ use std::time::{Duration, Instant};
 use crate::support::Workplace;
 use crate::{finishes, logged, long, same_tables};
 
-const RUN: [&str; 6] = ["run", "small.toml", "--full", "--quiet", "--out", "stopped"];
+pub const RUN: [&str; 6] = ["run", "small.toml", "--full", "--quiet", "--out", "stopped"];
 
-fn start(place: &Workplace, arguments: &[&str]) -> Child {
+pub fn start(place: &Workplace, arguments: &[&str]) -> Child {
     place
         .command(arguments)
         .stdout(Stdio::null())
@@ -19,7 +19,7 @@ fn start(place: &Workplace, arguments: &[&str]) -> Child {
 }
 
 /// Waits until a run has done something.
-fn wait_for_rows(place: &Workplace, folder: &str, rows: usize) {
+pub fn wait_for_rows(place: &Workplace, folder: &str, rows: usize) {
     let start = Instant::now();
     while !place.path(&format!("{folder}/cases.log")).exists() || logged(place, folder) < rows {
         assert!(start.elapsed() < Duration::from_secs(60), "nothing is done");

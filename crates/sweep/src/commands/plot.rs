@@ -4,11 +4,10 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
+use super::folder::tables_of;
 use super::{Status, UsageError, say};
 use crate::cli::PlotArguments;
-use crate::output::{
-    Boundary, CaseReader, Cells, Extent, Manifest, read_boundary, write_atomically,
-};
+use crate::output::{Boundary, CaseReader, Cells, Extent, Manifest, Tables, write_atomically};
 use crate::plot::{Axis, Line, MapCell, MapPoint, Mark, Picture, RegimeMap, regime_map};
 use crate::spec::{self, MapSettings};
 
@@ -27,25 +26,29 @@ const SYMBOLS_ACROSS: usize = 12;
 
 /// Draws the map again.
 pub fn plot(arguments: &PlotArguments) -> Result<Status> {
-    if !draw_map(&arguments.folder)? {
+    let folder = arguments.folder.display();
+    let tables = tables_of(&arguments.folder)?;
+    if tables.manifest.tally.rows == 0 {
+        bail!(UsageError(format!("{folder} has no case to draw yet")));
+    }
+    if !draw_map(&tables, &arguments.folder)? {
         bail!(UsageError(format!(
-            "{} has no map: its sweep varies fewer than two quantities",
-            arguments.folder.display()
+            "{folder} has no map: its sweep varies fewer than two quantities"
         )));
     }
     say(&format!("{}\n", arguments.folder.join("map.png").display()))?;
     Ok(Status::Complete)
 }
 
-/// Draws `map.svg` and `map.png` from the files of a results folder; false
+/// Draws `map.svg` and `map.png` of a results folder's tables into a folder; false
 /// where its design has no two axes.
-pub fn draw_map(folder: &Path) -> Result<bool> {
-    let manifest = Manifest::read(folder)?;
+pub fn draw_map(tables: &Tables, folder: &Path) -> Result<bool> {
+    let manifest = &tables.manifest;
     let Some(settings) = &manifest.map else {
         return Ok(false);
     };
-    let labels = folder.join("labels.csv");
-    let limit = read_boundary(&folder.join("boundary.csv"))?;
+    let labels = tables.labels();
+    let limit = tables.boundary()?;
     let axes = [settings.x, settings.y];
     let extent = Extent::of(&labels, axes)?;
     let (cells, points) = if is_crowded(&extent) {
@@ -55,12 +58,15 @@ pub fn draw_map(folder: &Path) -> Result<bool> {
         (Vec::new(), symbols(&labels, axes)?)
     };
     let picture = regime_map(&RegimeMap {
-        title: manifest.title.clone(),
+        title: match tables.so_far {
+            None => manifest.title.clone(),
+            Some(so_far) => format!("{} ({so_far})", manifest.title),
+        },
         x: axis(&settings.x.title()),
         y: axis(&settings.y.title()),
         cells,
         points,
-        legend: legend(&manifest, &extent),
+        legend: legend(manifest, &extent),
         lines: lines(&limit, settings, &extent),
         marks: settings
             .marks
