@@ -256,3 +256,14 @@ fn results_that_are_not_what_was_written_are_not_raised() {
         assert!(place.files() == before);
     }
 }
+
+/// A number that is read back a digit off would make another sweep of it.
+#[test]
+fn numbers_are_compared_to_their_last_digit() {
+    let values = "values = [0.09321885624698875, 0.10893126209409987, 0.046814680009972444]";
+    let place = Workplace::with_small(&with(SMALL, "from = 0.02, to = 0.6, count = 3", values));
+    let run = || place.sweep(&["run", "small.toml", "--out", "results"]);
+    assert_eq!(run().code, 0);
+    let again = run();
+    assert!(again.output.starts_with("complete already"), "{again:?}");
+}

@@ -105,6 +105,9 @@ fn asked_to_stop_a_run_keeps_what_is_done_and_says_how_to_go_on() {
         assert!(errors.contains("the same command goes on"), "{errors}");
         let done = logged(&place, "stopped");
         assert!(errors.contains(&format!("{done} of 600")), "{errors}");
+        // What the run is shown by does not change, and is said once.
+        let log = std::fs::read_to_string(place.path("stopped/cases.log")).unwrap();
+        assert_eq!(log.matches("\tsweep-run\t").count(), 1);
         let dry = finishes(&place, &[&RUN[..], &["--dry-run"]].concat());
         let left = format!(
             "{} of 600 simulations left: a stopped run goes on",

@@ -7,7 +7,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use tempfile::TempDir;
 
 use super::about::About;
@@ -71,7 +71,7 @@ impl Tables {
         let mut about = About::parse(&text, log)?;
         let methods = about.manifest.methods.len();
         let view = LogView::open(log, about.manifest.cases, methods)?;
-        let temporary = tempfile::tempdir()?;
+        let temporary = tempfile::tempdir().context("a temporary folder cannot be made")?;
         let folder = temporary.path().to_owned();
         about.manifest.tally = write_so_far(&about, &view, &folder)?;
         Ok(Some(Self {
