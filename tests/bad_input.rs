@@ -532,8 +532,8 @@ fn control_characters_in_texts_are_refused() {
     // Letters of any script are no control characters.
     let text = with(
         SMALL,
-        "A small sweep",
-        "Μικρή δοκιμή, סדרה קטנה, 小さな掃引",
+        "\"A small sweep\"",
+        "\"Μικρή δοκιμή, סדרה קטנה, 小さな掃引\"",
     );
     let answer = Workplace::with_small(&text).sweep(&RUN);
     assert_eq!((answer.code, answer.errors.as_str()), (0, ""));

@@ -186,7 +186,7 @@ fn a_folder_without_results_is_refused_in_one_line() {
         ),
         (
             "stopped",
-            "stopped holds a stopped run (cases.log): the same `sweep run`",
+            "stopped holds a run that has only just begun (cases.log): the same `sweep run`",
         ),
     ] {
         for command in ["summary", "report"] {

@@ -135,11 +135,9 @@ fn plot_draws_the_same_map_again() {
 fn plot_of_what_is_no_results_folder_says_so() {
     let place = Workplace::with_small(SMALL);
     let answer = place.sweep(&["plot", "nowhere"]);
-    assert_ne!(answer.code, 0);
+    assert_eq!(answer.code, 2, "{answer:?}");
     assert!(
-        answer
-            .errors
-            .contains("nowhere/manifest.json cannot be read"),
+        answer.errors.contains("nowhere is not a folder"),
         "{answer:?}"
     );
     place.write("manifest.json", "{}");

@@ -132,6 +132,11 @@ fn nothing_of_a_foreign_folder_steers_the_terminal() {
         &format!("{evil}.toml"),
         with(SMALL, "kind = \"grid\"", "kind = \"x\""),
     );
+    let summary = succeeds(&place, &["summary", "results"]).output;
+    assert!(
+        summary.contains("\\u{1b}[2J\\u{9b}31m\\u{7}\\u{202e}gnp"),
+        "{summary}"
+    );
     let strange = format!("{evil}.toml");
     for arguments in [
         &["summary", "results"][..],
@@ -146,9 +151,4 @@ fn nothing_of_a_foreign_folder_steers_the_terminal() {
         let steers = |letter: char| (letter.is_control() && letter != '\n') || letter == '\u{202e}';
         assert!(!shown.contains(steers), "{arguments:?}: {shown:?}");
     }
-    let summary = succeeds(&place, &["summary", "results"]).output;
-    assert!(
-        summary.contains("\\u{1b}[2J\\u{9b}31m\\u{7}\\u{202e}gnp"),
-        "{summary}"
-    );
 }

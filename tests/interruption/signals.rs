@@ -7,9 +7,9 @@ use std::time::{Duration, Instant};
 use crate::support::Workplace;
 use crate::{finishes, logged, long, same_tables};
 
-const RUN: [&str; 6] = ["run", "small.toml", "--full", "--quiet", "--out", "stopped"];
+pub const RUN: [&str; 6] = ["run", "small.toml", "--full", "--quiet", "--out", "stopped"];
 
-fn start(place: &Workplace, arguments: &[&str]) -> Child {
+pub fn start(place: &Workplace, arguments: &[&str]) -> Child {
     place
         .command(arguments)
         .stdout(Stdio::null())
@@ -19,7 +19,7 @@ fn start(place: &Workplace, arguments: &[&str]) -> Child {
 }
 
 /// Waits until a run has done something.
-fn wait_for_rows(place: &Workplace, folder: &str, rows: usize) {
+pub fn wait_for_rows(place: &Workplace, folder: &str, rows: usize) {
     let start = Instant::now();
     while !place.path(&format!("{folder}/cases.log")).exists() || logged(place, folder) < rows {
         assert!(start.elapsed() < Duration::from_secs(60), "nothing is done");
@@ -105,6 +105,9 @@ fn asked_to_stop_a_run_keeps_what_is_done_and_says_how_to_go_on() {
         assert!(errors.contains("the same command goes on"), "{errors}");
         let done = logged(&place, "stopped");
         assert!(errors.contains(&format!("{done} of 600")), "{errors}");
+        // What the run is shown by does not change, and is said once.
+        let log = std::fs::read_to_string(place.path("stopped/cases.log")).unwrap();
+        assert_eq!(log.matches("\tsweep-run\t").count(), 1);
         let dry = finishes(&place, &[&RUN[..], &["--dry-run"]].concat());
         let left = format!(
             "{} of 600 simulations left: a stopped run goes on",

@@ -241,7 +241,7 @@ pub struct InspectArguments {
 /// Arguments of `plot`.
 #[derive(Debug, Args)]
 pub struct PlotArguments {
-    /// A results folder
+    /// A results folder, of an unfinished run too
     pub folder: PathBuf,
 }
 
@@ -303,7 +303,7 @@ fn parse_measure(name: &str) -> Result<Measure, String> {
 /// Arguments of `report`.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// Results folders
+    /// Results folders, of unfinished runs too
     #[arg(required = true)]
     pub folders: Vec<PathBuf>,
     /// The page [default: report.html, in the folder if there is one, else here]
@@ -314,7 +314,7 @@ pub struct ReportArguments {
 /// Arguments of `summary`.
 #[derive(Debug, Args)]
 pub struct SummaryArguments {
-    /// A results folder
+    /// A results folder, of an unfinished run too
     pub folder: PathBuf,
 }
 

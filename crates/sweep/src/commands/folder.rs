@@ -7,12 +7,16 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 
 use super::UsageError;
-use crate::engine::{Header, count_done, read_header};
-use crate::output::{Manifest, differences};
+use super::raise::with_our_number;
+use crate::engine::{Header, LogView, read_header};
+use crate::output::{Manifest, Tables, differences};
 use crate::spec::Sweep;
 
 /// The log of a run that is not finished.
 pub const LOG: &str = "cases.log";
+
+/// What `report` makes of one folder.
+pub const REPORT: &str = "report.html";
 
 /// What a run leaves when it is finished, and what was made of that.
 const RESULTS: [&str; 7] = [
@@ -22,7 +26,7 @@ const RESULTS: [&str; 7] = [
     "failures.csv",
     "map.svg",
     "map.png",
-    "report.html",
+    REPORT,
 ];
 
 /// Differences shown of two sweeps.
@@ -36,9 +40,13 @@ pub enum Found {
     Unfinished {
         /// Simulations done.
         done: usize,
+        /// Whether it had fewer random cases.
+        had_fewer: bool,
     },
     /// The results of the same sweep.
     Complete(Box<Manifest>),
+    /// The results of the same sweep with fewer random cases.
+    Fewer(Box<Manifest>),
 }
 
 /// Looks at a folder.
@@ -50,9 +58,14 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep) -> Result<Found> {
     let log = folder.join(LOG);
     if let Some(there) = read_header(&log)? {
         let what = format!("{} holds a stopped run of", folder.display());
+        let had = there.meaning.clone();
+        let there = with_our_number(&what, there, header)?;
         refuse_other(&what, &there, header)?;
-        let done = count_done(&log, sweep.design.cases(), sweep.methods.len())?;
-        return Ok(Found::Unfinished { done });
+        let view = LogView::open(&log, sweep.design.cases(), sweep.methods.len())?;
+        return Ok(Found::Unfinished {
+            done: view.count(),
+            had_fewer: had != header.meaning,
+        });
     }
     if !folder.join("manifest.json").exists() {
         return Ok(Found::Nothing);
@@ -61,8 +74,14 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep) -> Result<Found> {
     let program = manifest.program.clone();
     let there = Header::of(program, manifest.shard(), manifest.meaning()?);
     let what = format!("{} holds the results of", folder.display());
+    let had = there.meaning.clone();
+    let there = with_our_number(&what, there, header)?;
     refuse_other(&what, &there, header)?;
-    Ok(Found::Complete(Box::new(manifest)))
+    Ok(if had == header.meaning {
+        Found::Complete(Box::new(manifest))
+    } else {
+        Found::Fewer(Box::new(manifest))
+    })
 }
 
 fn refuse_other(what: &str, there: &Header, ours: &Header) -> Result<()> {
@@ -94,26 +113,31 @@ fn refuse_other(what: &str, there: &Header, ours: &Header) -> Result<()> {
     Ok(())
 }
 
-/// Refuses a folder that has no results, or not all of them yet.
+/// The tables of a folder: of a finished run, or of one that is not, as far as it is.
 ///
 /// # Errors
-/// What is missing.
-pub fn refuse_unfinished(folder: &Path) -> Result<()> {
+/// Where there are none.
+pub fn tables_of(folder: &Path) -> Result<Tables> {
     let folder_name = folder.display();
     if !folder.is_dir() {
         bail!(UsageError(format!("{folder_name} is not a folder")));
     }
-    if folder.join(LOG).exists() {
-        bail!(UsageError(format!(
-            "{folder_name} holds a stopped run ({LOG}): the same `sweep run` as before finishes it"
-        )));
+    let log = folder.join(LOG);
+    if log.exists() {
+        let Some(tables) = Tables::so_far(&log)? else {
+            bail!(UsageError(format!(
+                "{folder_name} holds a run that has only just begun ({LOG}): the same `sweep run` \
+                 as before goes on with it"
+            )));
+        };
+        return Ok(tables);
     }
     if !folder.join("manifest.json").exists() {
         bail!(UsageError(format!(
             "{folder_name} holds no results: there is no manifest.json in it"
         )));
     }
-    Ok(())
+    Tables::finished(folder)
 }
 
 /// Removes the results of an earlier run.
@@ -121,14 +145,23 @@ pub fn refuse_unfinished(folder: &Path) -> Result<()> {
 /// # Errors
 /// Where a file cannot be removed.
 pub fn clear(folder: &Path) -> Result<()> {
-    for name in RESULTS {
-        let path = folder.join(name);
-        match std::fs::remove_file(&path) {
-            Err(error) if error.kind() != ErrorKind::NotFound => {
-                return Err(error).with_context(|| format!("{} cannot be removed", path.display()));
-            }
-            _ => {}
+    RESULTS.iter().try_for_each(|name| remove(folder, name))
+}
+
+/// Removes a report, which is of an earlier state of the folder.
+///
+/// # Errors
+/// Where it cannot be removed.
+pub fn remove_report(folder: &Path) -> Result<()> {
+    remove(folder, REPORT)
+}
+
+fn remove(folder: &Path, name: &str) -> Result<()> {
+    let path = folder.join(name);
+    match std::fs::remove_file(&path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => {
+            Err(error).with_context(|| format!("{} cannot be removed", path.display()))
         }
+        _ => Ok(()),
     }
-    Ok(())
 }

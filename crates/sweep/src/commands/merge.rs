@@ -13,7 +13,7 @@ use super::{Status, UsageError, complain, make_folder, say};
 use crate::cli::MergeArguments;
 use crate::engine::{Header, read_header};
 use crate::output::{
-    AtomicFile, Counted, FAILURES_HEADER, Manifest, Tally, differences, write_atomically,
+    AtomicFile, Counted, FAILURES_HEADER, Manifest, Tables, Tally, differences, write_atomically,
 };
 
 /// A finished shard.
@@ -57,7 +57,7 @@ pub fn merge(arguments: &MergeArguments) -> Result<Status> {
     manifest.tally = tally;
     manifest.wall_seconds = parts.iter().map(|part| part.manifest.wall_seconds).sum();
     manifest.write(&arguments.out)?;
-    let drawn = super::plot::draw_map(&arguments.out)?;
+    let drawn = super::plot::draw_map(&Tables::finished(&arguments.out)?, &arguments.out)?;
     say(&summary(&manifest, &arguments.out, drawn)?)?;
     Ok(if manifest.tally.failed > 0 {
         Status::SomeFailed

@@ -10,6 +10,7 @@ mod motion;
 pub mod new;
 pub mod plot;
 mod progress;
+mod raise;
 pub mod report;
 pub mod run;
 pub mod shell;

@@ -4,28 +4,33 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
+use super::folder::tables_of;
 use super::{Status, UsageError, say};
 use crate::cli::PlotArguments;
 use crate::map;
-use crate::output::write_atomically;
+use crate::output::{Tables, write_atomically};
 use crate::plot::{Axis, Picture};
 
 /// Draws the map again.
 pub fn plot(arguments: &PlotArguments) -> Result<Status> {
-    if !draw_map(&arguments.folder)? {
+    let folder = arguments.folder.display();
+    let tables = tables_of(&arguments.folder)?;
+    if tables.manifest.tally.rows == 0 {
+        bail!(UsageError(format!("{folder} has no case to draw yet")));
+    }
+    if !draw_map(&tables, &arguments.folder)? {
         bail!(UsageError(format!(
-            "{} has no map: its sweep varies fewer than two quantities",
-            arguments.folder.display()
+            "{folder} has no map: its sweep varies fewer than two quantities"
         )));
     }
     say(&format!("{}\n", arguments.folder.join("map.png").display()))?;
     Ok(Status::Complete)
 }
 
-/// Draws `map.svg` and `map.png` from the files of a results folder; false
+/// Draws `map.svg` and `map.png` of a results folder's tables into a folder; false
 /// where its design has no two axes.
-pub fn draw_map(folder: &Path) -> Result<bool> {
-    let Some(picture) = map::picture(folder)? else {
+pub fn draw_map(tables: &Tables, folder: &Path) -> Result<bool> {
+    let Some(picture) = map::picture(tables)? else {
         return Ok(false);
     };
     save_picture(folder, "map", &picture)?;

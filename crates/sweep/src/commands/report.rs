@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
-use super::folder::refuse_unfinished;
+use super::folder::{REPORT, tables_of};
+use super::plot::draw_map;
 use super::{Status, say};
 use crate::cli::{ReportArguments, SummaryArguments};
 use crate::output::write_atomically;
@@ -37,22 +38,32 @@ pub fn report(arguments: &ReportArguments) -> Result<Status> {
 }
 
 fn read(folder: &Path) -> Result<Results> {
-    refuse_unfinished(folder)?;
-    Results::read(folder)
+    let tables = tables_of(folder)?;
+    let is_drawn = tables.manifest.shard().is_whole() && tables.manifest.tally.rows > 0;
+    if tables.so_far.is_some() && is_drawn {
+        draw_map(&tables, tables.pictures())?;
+    }
+    Results::read(folder, tables)
 }
 
 /// In the folder that a report is about; here, where there are several.
 fn place(folders: &[PathBuf]) -> PathBuf {
-    const NAME: &str = "report.html";
     match folders {
-        [folder] => folder.join(NAME),
-        _ => PathBuf::from(NAME),
+        [folder] => folder.join(REPORT),
+        _ => PathBuf::from(REPORT),
     }
 }
 
 fn title(all: &[Results]) -> String {
     match all {
-        [results] => format!("{}: {}", results.manifest.name, results.manifest.title),
+        [results] => {
+            let so_far = results.tables.so_far;
+            let so_far = so_far.map_or_else(String::new, |so_far| format!(" ({so_far})"));
+            format!(
+                "{}: {}{so_far}",
+                results.manifest.name, results.manifest.title
+            )
+        }
         _ => format!("{} results folders side by side", all.len()),
     }
 }

@@ -10,7 +10,9 @@ use std::time::Instant;
 use anyhow::{Context, Result, anyhow, bail};
 use linear::Method;
 
-use super::folder::{Found, LOG, look};
+use super::folder::{Found, LOG, look, remove_report};
+use super::plot::draw_map;
+use super::raise::{log_of_results, raise_log};
 use super::stop::Stop;
 use super::{
     Progress, Status, TELLS_JSON, UsageError, build_systems, complain, make_folder, read_sweep,
@@ -22,8 +24,8 @@ use crate::engine::{
 };
 use crate::memory::{Purpose, admit};
 use crate::output::{
-    Boundary, Manifest, Tally, boundary, labels_row, meaning, write_atomically, write_boundary,
-    write_tables,
+    About, Boundary, Manifest, Tables, Tally, boundary, labels_row, meaning, write_atomically,
+    write_boundary, write_tables,
 };
 use crate::spec::Sweep;
 use plan::Plan;
@@ -76,6 +78,13 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     }
     let limit = boundary(&sweep, &systems).map_err(UsageError)?;
     make_folder(&folder)?;
+    match &found {
+        Found::Unfinished {
+            had_fewer: true, ..
+        } => raise_log(&folder, &header, &sweep)?,
+        Found::Fewer(manifest) => log_of_results(&folder, manifest, &header, &sweep)?,
+        _ => {}
+    }
     let log = Log::open(
         &folder.join(LOG),
         &header,
@@ -86,6 +95,8 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     if arguments.fresh {
         super::folder::clear(&folder)?;
     }
+    let about = About::new(&sweep, &arguments.file, shard, arguments.terms(), &systems)?;
+    log.describe(about.text()?)?;
     tell_of_start(&log, &systems);
     let total = pairs_of(&sweep, shard);
     let progress = if tells_json {
@@ -236,7 +247,8 @@ impl Session<'_> {
             seconds,
         )?;
         manifest.write(folder)?;
-        let drawn = shard.is_whole() && super::plot::draw_map(folder)?;
+        remove_report(folder)?;
+        let drawn = shard.is_whole() && draw_map(&Tables::finished(folder)?, folder)?;
         let path = folder.join(LOG);
         std::fs::remove_file(&path)
             .with_context(|| format!("{} cannot be removed", path.display()))?;
@@ -257,7 +269,7 @@ fn show_again(mut manifest: Manifest, sweep: &Sweep, folder: &Path, quiet: bool)
         manifest.sweep = sweep.content.clone();
         manifest.write(folder)?;
         if manifest.shard().is_whole() {
-            super::plot::draw_map(folder)?;
+            draw_map(&Tables::finished(folder)?, folder)?;
         }
     }
     if !quiet {

@@ -10,7 +10,7 @@ mod systems;
 mod terms;
 
 pub use case::{Case, Row, RowOutcome};
-pub use log::{Header, Log, Record, count_done, read_header};
+pub use log::{Header, Log, LogView, Record, read_about, read_header};
 pub use memory::StringMemory;
 pub use shard::Shard;
 pub use survey::{Survey, setting_of, survey};
@@ -51,9 +51,9 @@ pub struct Work<'a> {
 pub fn pairs_of(sweep: &Sweep, shard: Shard) -> usize {
     let strings = sweep.design.strings();
     let cases = (0..strings).map(|string| {
-        let positions = 0..sweep.design.cases_of_string(string).len();
-        positions
-            .filter(|&position| shard.has(strings, string, position))
+        let cases = sweep.design.cases_of_string(string).len();
+        (0..cases)
+            .filter(|&position| shard.has(strings, string, cases, position))
             .count()
     });
     cases.sum::<usize>() * sweep.methods.len()
@@ -115,8 +115,9 @@ impl Work<'_> {
     }
 
     fn wants(&self, string: usize, position: usize, case: usize, method: usize) -> bool {
-        let strings = self.sweep.design.strings();
-        self.shard.has(strings, string, position) && (self.is_open)(case, method)
+        let design = &self.sweep.design;
+        let (strings, cases) = (design.strings(), design.cases_of_string(string).len());
+        self.shard.has(strings, string, cases, position) && (self.is_open)(case, method)
     }
 
     fn build(&self, string: usize) -> Result<Vec<MethodSystem>, String> {

@@ -18,12 +18,13 @@ impl Shard {
     /// The whole sweep.
     pub const WHOLE: Shard = Shard { index: 0, of: 1 };
 
-    /// Whether the case at a position among those of its string is of this
+    /// Whether the case at a position among the cases of its string is of this
     /// part. Where there are enough strings, they are dealt whole, so that each
     /// is built in one place; else the cases are dealt, neighbours apart, for
-    /// they take about the same time.
-    pub fn has(self, strings: usize, string: usize, position: usize) -> bool {
-        if strings >= self.of {
+    /// they take about the same time. A string of one case is always dealt whole, so
+    /// that the part of a random case does not depend on how many there are.
+    pub fn has(self, strings: usize, string: usize, cases: usize, position: usize) -> bool {
+        if strings >= self.of || cases == 1 {
             string % self.of == self.index
         } else {
             position % self.of == self.index
@@ -72,10 +73,33 @@ mod tests {
                 for string in 0..strings {
                     for position in 0..cases {
                         let shards = (0..of).map(|index| Shard { index, of });
-                        let holders = shards.filter(|shard| shard.has(strings, string, position));
+                        let holders =
+                            shards.filter(|shard| shard.has(strings, string, cases, position));
                         assert_eq!(holders.count(), 1);
                     }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn the_part_of_a_random_case_does_not_depend_on_their_number() {
+        for of in [1, 2, 7] {
+            let parts = |cases: usize, case: usize| {
+                // All of one string, or each of its own.
+                [(1, 0, cases, case), (cases, case, 1, 0)].map(
+                    |(strings, string, cases, position)| {
+                        let shards = (0..of).map(|index| Shard { index, of });
+                        let has = |shard: &Shard| shard.has(strings, string, cases, position);
+                        shards
+                            .filter(has)
+                            .map(|shard| shard.index)
+                            .collect::<Vec<_>>()
+                    },
+                )
+            };
+            for case in 0..3 {
+                assert_eq!(parts(3, case), parts(20, case), "{case} of {of}");
             }
         }
     }

@@ -73,24 +73,6 @@ impl Survey {
 /// # Errors
 /// Where a case has conditions that make no sense; a sentence that names it.
 pub fn survey(sweep: &Sweep) -> Result<Survey, String> {
-    let mut survey = of_cases(sweep)?;
-    if let (Design::MonteCarlo(random), false) = (&sweep.design, sweep.design.varies_string()) {
-        // What is prepared for all cases does not depend on how many are drawn.
-        for values in random.corners() {
-            let conditions = sweep.conditions_at(&values);
-            let case = Case::under(sweep, &sweep.setting, 0, values, &conditions)
-                .map_err(|reason| format!("at an end of the random ranges: {reason}"))?;
-            let duration = case.scene.timing.duration;
-            if duration > survey.longest {
-                survey.longest = duration;
-                survey.longest_case = None;
-            }
-        }
-    }
-    Ok(survey)
-}
-
-fn of_cases(sweep: &Sweep) -> Result<Survey, String> {
     first_error(sweep.design.strings(), |string| {
         match setting_of(sweep, string) {
             Ok(setting) => {
@@ -113,7 +95,7 @@ fn of_cases(sweep: &Sweep) -> Result<Survey, String> {
 /// As [`survey`].
 pub(super) fn of_string(sweep: &Sweep, setting: &Setting, string: usize) -> Result<Survey, String> {
     let cases = sweep.design.cases_of_string(string);
-    first_error(cases.len(), |position| {
+    let mut survey = first_error(cases.len(), |position| {
         let case = Case::of(sweep, setting, cases.get(position))?;
         let duration = case.scene.timing.duration;
         Ok(Survey {
@@ -123,7 +105,21 @@ pub(super) fn of_string(sweep: &Sweep, setting: &Setting, string: usize) -> Resu
             first_end: Some((case.index, duration)),
             ..Survey::default()
         })
-    })
+    })?;
+    if let (Design::MonteCarlo(random), false) = (&sweep.design, sweep.design.varies_string()) {
+        // The responses that all cases share do not depend on how many are drawn.
+        for corner in random.corners() {
+            let conditions = sweep.conditions_at(&corner);
+            let case = Case::under(sweep, setting, 0, corner, &conditions)
+                .map_err(|reason| format!("at an end of the random ranges: {reason}"))?;
+            let duration = case.scene.timing.duration;
+            if duration > survey.longest {
+                survey.longest = duration;
+                survey.longest_case = None;
+            }
+        }
+    }
+    Ok(survey)
 }
 
 fn weight(sweep: &Sweep, setting: &Setting, string: usize, found: &Survey) -> Heaviest {

@@ -6,33 +6,36 @@ mod content;
 mod limits;
 mod words;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::Result;
 
-use crate::output::{Curve, Extent, Manifest, Motion, read_boundary};
+use crate::output::{Curve, Extent, Manifest, Motion, Tables};
 use crate::plot::{Axis, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
 use crate::spec::{self, MapSettings};
 use content::Content;
 use limits::{Limits, View};
 
-/// Draws the map of a results folder; none where its design has no two axes.
+/// Draws the map of a results folder's tables; none where its design has no two axes.
 ///
 /// # Errors
 /// Where a file cannot be read.
-pub fn picture(folder: &Path) -> Result<Option<Picture>> {
-    let manifest = Manifest::read(folder)?;
+pub fn picture(tables: &Tables) -> Result<Option<Picture>> {
+    let manifest = &tables.manifest;
     let Some(settings) = &manifest.map else {
         return Ok(None);
     };
-    let map = Map::read(folder, &manifest, settings)?;
+    let map = Map::read(tables, settings)?;
     let axis = |axis: spec::Axis| Axis {
         label: axis.title(),
         logarithmic: false,
     };
     let motions = map.extent.motions.iter();
     let sheet = MapSheet {
-        title: manifest.title.clone(),
+        title: match tables.so_far {
+            None => manifest.title.clone(),
+            Some(so_far) => format!("{} ({so_far})", manifest.title),
+        },
         x: axis(settings.x),
         y: axis(settings.y),
         groups: motions
@@ -54,12 +57,13 @@ struct Map<'a> {
 }
 
 impl<'a> Map<'a> {
-    fn read(folder: &Path, manifest: &'a Manifest, settings: &'a MapSettings) -> Result<Self> {
-        let labels = folder.join("labels.csv");
+    fn read(tables: &'a Tables, settings: &'a MapSettings) -> Result<Self> {
+        let manifest = &tables.manifest;
+        let labels = tables.labels();
         let on_map = [settings.x, settings.y];
         let others = manifest.axes.iter().copied();
         let others: Vec<_> = others.filter(|axis| !on_map.contains(axis)).collect();
-        let limit = read_boundary(&folder.join("boundary.csv"))?;
+        let limit = tables.boundary()?;
         Ok(Self {
             extent: Extent::of(&labels, on_map, &others)?,
             curves: limit.curves(&manifest.axes),

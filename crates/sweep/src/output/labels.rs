@@ -48,12 +48,18 @@ pub fn labels_header(sweep: &Sweep) -> String {
 
 /// A row of `labels.csv`. No field of it needs quotes: they are names and numbers.
 pub fn labels_row(sweep: &Sweep, row: &Row) -> String {
-    let mut fields = vec![row.case.to_string(), row.method.to_owned()];
-    fields.extend(row.values.iter().map(f64::to_string));
+    let mut fields = vec![labels_start(row.case, row.method, &row.values)];
     if shows_torque(sweep) {
         fields.push(optional(row.torque_dynamic_nm));
     }
     fields.extend(result_fields(row));
+    fields.join(",")
+}
+
+/// The first fields of a row of `labels.csv`: case, method and values along the axes.
+pub fn labels_start(case: usize, method: &str, values: &[f64]) -> String {
+    let mut fields = vec![case.to_string(), method.to_owned()];
+    fields.extend(values.iter().map(f64::to_string));
     fields.join(",")
 }
 

@@ -81,8 +81,8 @@ pub struct MethodRecord {
     pub bending_margin: Option<f64>,
     /// I₀ of each impulse, N s.
     pub least_impulses_ns: Vec<f64>,
-    /// Time to build, s.
-    pub build_seconds: f64,
+    /// Time to build, s; not known of a run that is not finished.
+    pub build_seconds: Option<f64>,
 }
 
 impl MethodRecord {
@@ -93,7 +93,7 @@ impl MethodRecord {
             positive_real_margin: system.torsion_margin,
             bending_margin: system.bending_margin,
             least_impulses_ns: system.least_impulses.clone(),
-            build_seconds: system.build_seconds,
+            build_seconds: Some(system.build_seconds),
         }
     }
 }

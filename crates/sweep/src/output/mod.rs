@@ -1,5 +1,6 @@
 //! The files of a results folder.
 
+mod about;
 mod boundary;
 mod cases;
 mod cells;
@@ -11,17 +12,18 @@ mod labels;
 mod manifest;
 mod motion;
 mod results;
+mod tables;
 
-pub use boundary::{
-    Boundary, StickSlipPoint, boundary, read_boundary, whirl_bound, write_boundary,
-};
+pub use about::About;
+pub use boundary::{Boundary, StickSlipPoint, boundary, whirl_bound, write_boundary};
 pub use cases::{CaseReader, CaseRows};
 pub use cells::Cells;
 pub use curves::Curve;
 pub use extent::Extent;
 pub use files::{AtomicFile, write_atomically};
 pub use fractions::Fractions;
-pub use labels::{FAILURES_HEADER, LabelRow, labels_row, read_labels};
+pub use labels::{FAILURES_HEADER, LabelRow, labels_header, labels_row, labels_start, read_labels};
 pub use manifest::{Manifest, MethodRecord, differences, meaning};
 pub use motion::Motion;
 pub use results::{Counted, Tally, write_tables};
+pub use tables::Tables;

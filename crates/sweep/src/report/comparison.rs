@@ -48,8 +48,7 @@ impl Comparison {
             return Ok(Self::OtherCases("their axes are different".to_owned()));
         }
         let mut comparison = Counted::default();
-        let cases =
-            |of: &Results| CaseReader::open(&of.folder.join("labels.csv"), &one.manifest.axes);
+        let cases = |of: &Results| CaseReader::open(&of.tables.labels(), &one.manifest.axes);
         let mut others = cases(other)?;
         let mut theirs = others.next().transpose()?;
         for ours in cases(one)? {

@@ -22,11 +22,14 @@ pub fn time(all: &[Results]) -> Vec<Block> {
     let mut systems = table_of(all, "The linear system of each method", &header);
     for results in all {
         let manifest = &results.manifest;
-        let cells = vec![
-            manifest.tally.rows.to_string(),
-            manifest.threads.to_string(),
-            format!("{:.2} s", manifest.wall_seconds),
-        ];
+        let [threads, time] = match results.tables.so_far {
+            None => [
+                manifest.threads.to_string(),
+                format!("{:.2} s", manifest.wall_seconds),
+            ],
+            Some(_) => [NOTHING.to_owned(), NOTHING.to_owned()],
+        };
+        let cells = vec![manifest.tally.rows.to_string(), threads, time];
         runs.rows.push(row_of(all, results, cells));
         for method in &manifest.methods {
             systems.rows.push(row_of(all, results, system_row(method)));
@@ -56,7 +59,7 @@ fn system_row(method: &MethodRecord) -> Vec<String> {
         .collect();
     vec![
         method.method.clone(),
-        format!("{:.3} s", method.build_seconds),
+        (method.build_seconds).map_or_else(|| NOTHING.to_owned(), |time| format!("{time:.3} s")),
         method.taps.to_string(),
         margin(method.positive_real_margin),
         margin(method.bending_margin),

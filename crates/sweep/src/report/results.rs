@@ -1,6 +1,6 @@
 //! A results folder in numbers.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Result, bail};
 
@@ -8,7 +8,7 @@ use super::agreement::Agreement;
 use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
-use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, Motion, read_boundary};
+use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, Motion, Tables};
 use crate::spec::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
@@ -18,8 +18,8 @@ const CHARACTERS: [usize; 2] = [64, 25];
 pub struct Results {
     /// The folder, as it was given.
     pub name: String,
-    /// Where it is.
-    pub folder: PathBuf,
+    /// Its tables.
+    pub tables: Tables,
     /// What was run.
     pub manifest: Manifest,
     /// Whether the methods say the same.
@@ -33,16 +33,16 @@ pub struct Results {
 }
 
 impl Results {
-    /// Reads the folder of a finished run.
+    /// Reads the tables of a folder.
     ///
     /// # Errors
     /// Where a file cannot be read, or the files are not of one run.
-    pub fn read(folder: &Path) -> Result<Self> {
-        let manifest = Manifest::read(folder)?;
-        let labels = folder.join("labels.csv");
+    pub fn read(folder: &Path, tables: Tables) -> Result<Self> {
+        let manifest = tables.manifest.clone();
+        let labels = tables.labels();
         let methods = manifest.methods.iter().map(|method| method.method.as_str());
         let methods: Vec<&str> = methods.collect();
-        let boundary = read_boundary(&folder.join("boundary.csv"))?;
+        let boundary = tables.boundary()?;
         let mut limits = Limits::new(&boundary, &manifest.axes, &methods);
         let motions = manifest.tally.motions();
         let mut agreement = Agreement::new(&methods, &motions);
@@ -59,7 +59,7 @@ impl Results {
                 map.add(&case);
             }
         }
-        let failures = Failures::read(&folder.join("failures.csv"))?;
+        let failures = Failures::read(&tables.failures())?;
         let tally = &manifest.tally;
         if (rows, failures.count()) != (tally.rows, tally.failed) {
             bail!(
@@ -73,7 +73,7 @@ impl Results {
         }
         Ok(Self {
             name: folder.display().to_string(),
-            folder: folder.to_owned(),
+            tables,
             characters: map
                 .filter(|map| map.extent.cases > 0)
                 .map(|map| map.characters()),

@@ -69,6 +69,9 @@ fn overview(all: &[Results]) -> Vec<Block> {
         let part = manifest.shard.map_or_else(String::new, |shard| {
             format!(" This is shard {shard}, a part of it.")
         });
+        let so_far = results.tables.so_far.map_or_else(String::new, |so_far| {
+            format!(" It is {so_far} are done; cases that every method has answered are shown.")
+        });
         let failed = match tally.failed {
             0 => "Every one has an answer.".to_owned(),
             failed => format!("{failed} of them have no answer."),
@@ -82,7 +85,7 @@ fn overview(all: &[Results]) -> Vec<Block> {
             ),
         };
         Block::Text(format!(
-            "{}: {}. {} cases by {} ({}).{part} {} simulations. {failed}{settled}",
+            "{}: {}. {} cases by {} ({}).{part}{so_far} {} simulations. {failed}{settled}",
             results.name,
             manifest.title,
             manifest.cases,
@@ -109,7 +112,7 @@ fn maps(all: &[Results]) -> Vec<Block> {
             blocks.push(Block::Text(named(all, results, text)));
             continue;
         };
-        let svg = results.folder.join("map.svg");
+        let svg = results.tables.pictures().join("map.svg");
         let missing = if svg.exists() {
             None
         } else if results.manifest.shard.is_some() {
@@ -259,7 +262,10 @@ fn limits(all: &[Results]) -> Vec<Block> {
     let mut blocks = Vec::new();
     for results in all {
         let Some(limits) = &results.limits else {
-            let text = "No limit is known for these cases.";
+            let text = match results.tables.so_far {
+                None => "No limit is known for these cases.",
+                Some(_) => "The limit is told when the run is finished.",
+            };
             blocks.push(Block::Text(named(all, results, text)));
             continue;
         };

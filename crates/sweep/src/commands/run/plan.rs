@@ -32,7 +32,8 @@ impl Plan<'_> {
         let total = pairs_of(self.sweep, self.shard);
         let done = match self.found {
             Found::Complete(_) => total,
-            Found::Unfinished { done } => *done,
+            Found::Unfinished { done, .. } => *done,
+            Found::Fewer(manifest) => manifest.tally.rows,
             Found::Nothing => 0,
         };
         let left = total - done.min(total);
@@ -81,6 +82,7 @@ impl Plan<'_> {
         let why = match self.found {
             Found::Complete(_) => "complete already",
             Found::Unfinished { .. } => "a stopped run goes on",
+            Found::Fewer(_) => "the sweep has more cases than are there",
             Found::Nothing => "from the beginning",
         };
         writeln!(

@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::path::Path;
 
+use super::about::parse_about;
 use super::error::{LogError, file_error};
 use super::header::Header;
 use super::line::Scan;
@@ -23,6 +24,8 @@ pub(super) struct Content {
     count: usize,
     failed: usize,
     broken_lines: usize,
+    /// What the run is shown by, as the last line about it says.
+    about: Option<String>,
     /// For each block of cases, the bytes of the log between which its rows are.
     blocks: Vec<Option<(u64, u64)>>,
 }
@@ -42,6 +45,7 @@ impl Content {
             count: 0,
             failed: 0,
             broken_lines: 0,
+            about: None,
             blocks: vec![None; cases.div_ceil(CASES_PER_BLOCK)],
         };
         let mut scan = Scan::new(file).map_err(unreadable)?;
@@ -56,7 +60,10 @@ impl Content {
                 Some(record) if content.has_place_for(&record) => {
                     content.add(&record, line.from, line.to);
                 }
-                _ => content.broken_lines += 1,
+                _ => match parse_about(line.text) {
+                    Some(about) => content.set_about(about, line.to),
+                    None => content.broken_lines += 1,
+                },
             }
         }
         Ok(content)
@@ -83,6 +90,17 @@ impl Content {
     /// Counts a header, which ends at this byte of the log.
     pub fn add_header(&mut self, to: u64) {
         self.end = to;
+    }
+
+    /// Keeps what the run is shown by, whose line ends at this byte of the log.
+    pub fn set_about(&mut self, about: String, to: u64) {
+        self.end = to;
+        self.about = Some(about);
+    }
+
+    /// What the run is shown by.
+    pub fn about(&self) -> Option<&str> {
+        self.about.as_deref()
     }
 
     /// End of the last whole line, bytes.
@@ -138,15 +156,6 @@ impl Content {
         }
         Ok(())
     }
-}
-
-/// How many pairs of case and method a log has, another run writing it or not.
-///
-/// # Errors
-/// Where it cannot be read or is no log.
-pub fn count_done(path: &Path, cases: usize, methods: usize) -> Result<usize, LogError> {
-    let file = File::open(path).map_err(|error| file_error(path, "read", error))?;
-    Ok(Content::read(path, &file, cases, methods)?.count)
 }
 
 /// A set of numbers below a bound.

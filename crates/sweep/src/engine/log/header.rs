@@ -11,7 +11,7 @@ use super::line::{LONGEST_LINE, checked, parse_line};
 use crate::engine::Shard;
 
 /// Version of this format.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// First word of a header.
 const HEADER: &str = "sweep-log";
@@ -46,7 +46,10 @@ impl Header {
     }
 
     /// The first line of a log.
-    pub(super) fn line(&self) -> serde_json::Result<String> {
+    ///
+    /// # Errors
+    /// None that a sweep that was read could cause.
+    pub fn line(&self) -> serde_json::Result<String> {
         let json = serde_json::to_string(self)?;
         Ok(checked(&format!("{HEADER}\t{json}")))
     }

@@ -4,10 +4,12 @@
 //! Each line is `checksum TAB …`, the checksum (CRC-32, eight hexadecimal digits)
 //! being that of all that follows the first tab. The first line is the header; each
 //! other is `case TAB method TAB reason TAB row`, the reason empty but for a case
-//! without an answer, and the row as it will stand in `labels.csv`. A line that
-//! was not written whole, or not as it was meant, does not match its checksum
-//! and counts as not there.
+//! without an answer, and the row as it will stand in `labels.csv`; or says after
+//! `sweep-run TAB` what an unfinished run is shown by. A line that
+//! was not written whole, or not as it was meant, does not match its checksum and
+//! counts as not there.
 
+mod about;
 mod content;
 mod error;
 mod header;
@@ -15,11 +17,13 @@ mod line;
 mod record;
 #[cfg(test)]
 mod tests;
+mod view;
 
-pub use content::count_done;
+pub use about::read_about;
 pub use error::LogError;
 pub use header::{Header, read_header};
 pub use record::Record;
+pub use view::LogView;
 
 use std::fs::{File, TryLockError};
 use std::io::{self, Write};
@@ -27,6 +31,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+use about::about_line;
 use content::Content;
 use error::file_error;
 
@@ -128,6 +133,20 @@ impl Log {
     /// Lines that do not match their checksum: a torn last one, or damage.
     pub fn broken_lines(&self) -> usize {
         self.state().content.broken_lines()
+    }
+
+    /// Says, in a line of text, what the run is shown by as long as it is not finished,
+    /// where the log does not say so already.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn describe(&self, about: String) -> Result<(), LogError> {
+        let mut state = self.state();
+        if state.content.about() != Some(about.as_str()) {
+            let to = self.write(&mut state, &about_line(&about))?;
+            state.content.set_about(about, to);
+        }
+        Ok(())
     }
 
     /// Adds a record. When this returns, it outlives the program; within a

@@ -17,7 +17,7 @@ pub struct Record {
 
 impl Record {
     /// Its line of a log.
-    pub(super) fn line(&self) -> String {
+    pub fn line(&self) -> String {
         checked(&format!(
             "{}\t{}\t{}\t{}",
             self.case,

@@ -1,0 +1,142 @@
+//! More random cases than a folder holds: a point depends on seed and number alone,
+//! so that the cases that are done stay, and only the others are run.
+
+use std::collections::HashMap;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+use anyhow::{Context, Result, anyhow, bail};
+
+use super::UsageError;
+use super::folder::LOG;
+use crate::engine::{Header, Log, Record};
+use crate::output::{AtomicFile, Manifest, labels_header, labels_start};
+use crate::spec::Sweep;
+
+/// A header of the same sweep with more or fewer random cases, as if it had as many as
+/// ours; any other is returned as it is.
+///
+/// # Errors
+/// Where ours has fewer.
+pub fn with_our_number(what: &str, mut there: Header, ours: &Header) -> Result<Header> {
+    let (Some(before), Some(now)) = (random_cases(&there), random_cases(ours)) else {
+        return Ok(there);
+    };
+    let mut meaning = there.meaning.clone();
+    meaning["design"]["cases"] = now.into();
+    if meaning == ours.meaning {
+        if now < before {
+            bail!(UsageError(format!(
+                "{what} {before} cases of this sweep, and {now} are fewer: `design.cases` may be \
+                 raised, not lowered; choose another --out, or begin anew with --fresh"
+            )));
+        }
+        there.meaning = meaning;
+    }
+    Ok(there)
+}
+
+/// Number of cases of a sweep that draws them at random.
+fn random_cases(header: &Header) -> Option<u64> {
+    let design = &header.meaning["design"];
+    (design["kind"] == "monte-carlo").then(|| design["cases"].as_u64())?
+}
+
+/// Puts our header before the records of a stopped run that had fewer cases. The log
+/// is there as it was or as it is to be.
+///
+/// # Errors
+/// Where another run has the log, or it cannot be written.
+pub fn raise_log(folder: &Path, header: &Header, sweep: &Sweep) -> Result<()> {
+    let path = folder.join(LOG);
+    let (cases, methods) = (sweep.design.cases(), sweep.methods.len());
+    // Open, and so locked, until the other is in its place.
+    let log = Log::open(&path, header, cases, methods, false)?;
+    let mut raised = AtomicFile::create(&path)?;
+    raised.write(header.line()?.as_bytes())?;
+    log.in_order(|record| raised.write(record.line().as_bytes()))?;
+    raised.finish()
+}
+
+/// Makes the log of a stopped run of the results of one that had fewer cases. The
+/// results stay until the run is finished.
+///
+/// # Errors
+/// Where the results are not what such a run has written.
+pub fn log_of_results(
+    folder: &Path,
+    manifest: &Manifest,
+    header: &Header,
+    sweep: &Sweep,
+) -> Result<()> {
+    let mut log = AtomicFile::create(&folder.join(LOG))?;
+    log.write(header.line()?.as_bytes())?;
+    let rows = copy_rows(folder, sweep, &mut log)?;
+    if rows != manifest.tally.rows {
+        let path = folder.join("labels.csv");
+        let expected = manifest.tally.rows;
+        bail!(not_written(
+            &path,
+            &format!("it has {rows} rows, not {expected}")
+        ));
+    }
+    log.finish()
+}
+
+fn not_written(path: &Path, why: &str) -> anyhow::Error {
+    let path = path.display();
+    anyhow!("{path} is not what the run has written: {why}; begin anew with --fresh")
+}
+
+/// Copies every row of `labels.csv` into a log; how many there are.
+fn copy_rows(folder: &Path, sweep: &Sweep, log: &mut AtomicFile) -> Result<usize> {
+    let reasons = read_reasons(&folder.join("failures.csv"))?;
+    let path = folder.join("labels.csv");
+    let unreadable = || format!("{} cannot be read", path.display());
+    let file = std::fs::File::open(&path).with_context(unreadable)?;
+    let mut lines = BufReader::new(file).lines();
+    let header = lines.next().transpose().with_context(unreadable)?;
+    if header != Some(labels_header(sweep)) {
+        bail!(not_written(&path, "it has other columns"));
+    }
+    let mut rows = 0;
+    for line in lines {
+        let row = line.with_context(unreadable)?;
+        let line = rows + 2;
+        let record = record_of(sweep, &reasons, row)
+            .ok_or_else(|| not_written(&path, &format!("line {line} is of no case of it")))?;
+        log.write(record.line().as_bytes())?;
+        rows += 1;
+    }
+    Ok(rows)
+}
+
+/// The record that a row was written from: its case, method and values are those of
+/// the sweep.
+fn record_of(sweep: &Sweep, reasons: &Reasons, row: String) -> Option<Record> {
+    let mut fields = row.split(',');
+    let case: usize = fields.next()?.parse().ok()?;
+    let name = fields.next()?;
+    let method = (sweep.methods.iter()).position(|method| method.name() == name)?;
+    let start = |case| labels_start(case, name, &sweep.design.values(case)) + ",";
+    let is_ours = case < sweep.design.cases() && row.starts_with(&start(case));
+    is_ours.then(|| Record {
+        case,
+        method,
+        reason: reasons.get(&(case, name.to_owned())).cloned(),
+        row: row.clone(),
+    })
+}
+
+/// Why a case has no answer by a method.
+type Reasons = HashMap<(usize, String), String>;
+
+fn read_reasons(path: &Path) -> Result<Reasons> {
+    let read = || -> csv::Result<Reasons> {
+        let mut reader = csv::Reader::from_path(path)?;
+        let rows = reader.deserialize::<(usize, String, String, String)>();
+        rows.map(|row| row.map(|(case, method, reason, _)| ((case, method), reason)))
+            .collect()
+    };
+    read().with_context(|| format!("{} cannot be read", path.display()))
+}

@@ -1,0 +1,41 @@
+//! The line of a log that says what a run that is not finished is shown by, in words
+//! that mean nothing here. No run goes on from it; the last one counts.
+
+use std::fs::File;
+use std::path::Path;
+
+use super::error::{LogError, file_error};
+use super::line::{Scan, checked, parse_line};
+
+/// Its first word.
+const ABOUT: &str = "sweep-run";
+
+/// The line.
+pub(super) fn about_line(about: &str) -> String {
+    checked(&format!("{ABOUT}\t{about}"))
+}
+
+/// What a line says, if it is a whole one of this kind.
+pub(super) fn parse_about(line: &[u8]) -> Option<String> {
+    let about = parse_line(line)?.strip_prefix(ABOUT)?.strip_prefix('\t')?;
+    Some(about.to_owned())
+}
+
+/// Reads what the run of a log is shown by; nothing where there is no log, or the run
+/// has not come to say it.
+///
+/// # Errors
+/// Where the log cannot be read.
+pub fn read_about(path: &Path) -> Result<Option<String>, LogError> {
+    let unreadable = |error| file_error(path, "read", error);
+    let file = match File::open(path) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        file => file.map_err(unreadable)?,
+    };
+    let mut about = None;
+    let mut scan = Scan::new(&file).map_err(unreadable)?;
+    while let Some(line) = scan.next_line().map_err(unreadable)? {
+        about = parse_about(line.text).or(about);
+    }
+    Ok(about)
+}

@@ -1,0 +1,70 @@
+//! What a run that is not finished is shown by: the log keeps it, for whoever looks
+//! before there is a manifest.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
+
+use super::labels::labels_header;
+use super::manifest::Manifest;
+use super::results::Tally;
+use crate::engine::{MethodSystem, Shard, Terms, pairs_of};
+use crate::spec::Sweep;
+
+/// A run that is not finished.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct About {
+    /// What `manifest.json` will say, but for what comes out and how long it takes.
+    pub manifest: Manifest,
+    /// The first line of `labels.csv`.
+    pub columns: String,
+    /// The sweep file, as the command names it.
+    pub sweep_file: String,
+    /// Simulations in all.
+    pub simulations: usize,
+}
+
+impl About {
+    /// Of a run that begins or goes on.
+    ///
+    /// # Errors
+    /// None that a sweep that was read could cause.
+    pub fn new(
+        sweep: &Sweep,
+        sweep_file: &Path,
+        shard: Shard,
+        terms: Terms,
+        systems: &[MethodSystem],
+    ) -> Result<Self> {
+        let mut manifest = Manifest::new(sweep, shard, terms, systems, Tally::default(), 0.0)?;
+        // The same words however often the run is stopped.
+        manifest.threads = 0;
+        for method in &mut manifest.methods {
+            method.build_seconds = None;
+        }
+        Ok(Self {
+            manifest,
+            columns: labels_header(sweep),
+            sweep_file: sweep_file.display().to_string(),
+            simulations: pairs_of(sweep, shard),
+        })
+    }
+
+    /// As a line of text.
+    ///
+    /// # Errors
+    /// None that a sweep that was read could cause.
+    pub fn text(&self) -> Result<String> {
+        Ok(serde_json::to_string(self)?)
+    }
+
+    /// Reads it back from the log at `path`.
+    ///
+    /// # Errors
+    /// Where another version of the program wrote it.
+    pub fn parse(text: &str, path: &Path) -> Result<Self> {
+        serde_json::from_str(text)
+            .with_context(|| format!("{} is of another version of this program", path.display()))
+    }
+}

@@ -1,0 +1,144 @@
+//! The tables of a results folder, of a run that is finished or of one that is not.
+//!
+//! A run that is not finished has its rows in its log, as they came. They are put in
+//! order into tables of a temporary folder, so that the run's own folder stays as it
+//! is, and memory does not grow with them.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use tempfile::TempDir;
+
+use super::about::About;
+use super::boundary::{Boundary, read_boundary};
+use super::files::AtomicFile;
+use super::labels::{FAILURES_HEADER, failures_row};
+use super::manifest::Manifest;
+use super::results::{Counted, Tally};
+use crate::engine::{LogView, Record, read_about};
+
+/// A results folder, ready to be shown.
+pub struct Tables {
+    /// What was run.
+    pub manifest: Manifest,
+    /// How far it is, where it is not finished.
+    pub so_far: Option<SoFar>,
+    folder: PathBuf,
+    /// Holds the tables of a run that is not finished.
+    _temporary: Option<TempDir>,
+}
+
+/// How far a run is that is not finished.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SoFar {
+    /// Simulations done.
+    pub done: usize,
+    /// Simulations in all.
+    pub of: usize,
+}
+
+impl fmt::Display for SoFar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "unfinished: {} of {} simulations", self.done, self.of)
+    }
+}
+
+impl Tables {
+    /// Those of a finished run.
+    ///
+    /// # Errors
+    /// Where the manifest cannot be read.
+    pub fn finished(folder: &Path) -> Result<Self> {
+        Ok(Self {
+            manifest: Manifest::read(folder)?,
+            so_far: None,
+            folder: folder.to_owned(),
+            _temporary: None,
+        })
+    }
+
+    /// Those of a run that has the given log, as far as it is; nothing where there is
+    /// no such log, or the run has only just begun. Cases that some method has not
+    /// answered yet are left out.
+    ///
+    /// # Errors
+    /// Where the log cannot be read, or the temporary folder cannot be written.
+    pub fn so_far(log: &Path) -> Result<Option<Self>> {
+        let Some(text) = read_about(log)? else {
+            return Ok(None);
+        };
+        let mut about = About::parse(&text, log)?;
+        let methods = about.manifest.methods.len();
+        let view = LogView::open(log, about.manifest.cases, methods)?;
+        let temporary = tempfile::tempdir().context("a temporary folder cannot be made")?;
+        let folder = temporary.path().to_owned();
+        about.manifest.tally = write_so_far(&about, &view, &folder)?;
+        Ok(Some(Self {
+            so_far: Some(SoFar {
+                done: view.count(),
+                of: about.simulations,
+            }),
+            manifest: about.manifest,
+            folder,
+            _temporary: Some(temporary),
+        }))
+    }
+
+    /// `labels.csv`.
+    pub fn labels(&self) -> PathBuf {
+        self.folder.join("labels.csv")
+    }
+
+    /// `failures.csv`.
+    pub fn failures(&self) -> PathBuf {
+        self.folder.join("failures.csv")
+    }
+
+    /// The limit; it is written when a run is finished, and has no point before.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    pub fn boundary(&self) -> Result<Boundary> {
+        match self.so_far {
+            None => read_boundary(&self.folder.join("boundary.csv")),
+            Some(_) => Ok(Boundary::StickSlip(Vec::new())),
+        }
+    }
+
+    /// The folder of their pictures.
+    pub fn pictures(&self) -> &Path {
+        &self.folder
+    }
+}
+
+fn write_so_far(about: &About, view: &LogView, folder: &Path) -> Result<Tally> {
+    let counted = Counted::new(&about.columns)?;
+    let methods = &about.manifest.methods;
+    let mut tally = Tally::default();
+    let mut labels = AtomicFile::create(&folder.join("labels.csv"))?;
+    let mut failures = AtomicFile::create(&folder.join("failures.csv"))?;
+    labels.write(format!("{}\n", about.columns).as_bytes())?;
+    failures.write(format!("{FAILURES_HEADER}\n").as_bytes())?;
+    let mut write = |record: &Record| -> Result<()> {
+        counted.add(&record.row, &mut tally);
+        labels.write(format!("{}\n", record.row).as_bytes())?;
+        if let Some(reason) = &record.reason {
+            let (file, method) = (Path::new(&about.sweep_file), &methods[record.method].method);
+            failures.write(&failures_row(file, record.case, method, reason)?)?;
+        }
+        Ok(())
+    };
+    let mut case: Vec<Record> = Vec::new();
+    view.in_order(|record| {
+        case.retain(|other| other.case == record.case);
+        case.push(record.clone());
+        if case.len() == methods.len() {
+            case.drain(..).try_for_each(|record| write(&record))?;
+        }
+        Ok(())
+    })?;
+    labels.finish()?;
+    failures.finish()?;
+    Ok(tally)
+}
