@@ -4,7 +4,7 @@
 use faer::c64;
 use rayon::prelude::*;
 
-use super::{MOST_TAPS, all_finite, check_sampling, needed_taps, too_many, transform_length};
+use super::{MOST_TAPS, all_finite, check_request, needed_taps, too_many, transform_length};
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
 use crate::elements::reduction::{CondensedString, StringState};
@@ -44,14 +44,23 @@ pub fn torsion_responses(
     method: &Method,
     request: &TorsionRequest,
 ) -> Result<TorsionResponses, BuildError> {
-    check_sampling(request.sampling_frequency)?;
+    check_request(
+        string,
+        &request.sites,
+        request.sampling_frequency,
+        request.longest_time,
+    )?;
+    let sites = request.sites.len();
+    if let Some(&site) = request.torque_inputs.iter().find(|&&site| site >= sites) {
+        return Err(BuildError::NoSuchSite { site, sites });
+    }
     let (channels, ending) = match method {
         Method::Quadrature => quadrature_taps(Formula::BackwardDifferences, string, request)?,
         Method::Trapezoidal => quadrature_taps(Formula::Trapezoidal, string, request)?,
         Method::Hilbert(transform) => {
             needs_damping(method, string)?;
             let length = transform_samples(string, transform, request)?;
-            let response = wave_response(string, request);
+            let response = wave_response(string, request)?;
             let taps = hilbert::taps(
                 request.sampling_frequency,
                 length,
@@ -63,7 +72,7 @@ pub fn torsion_responses(
         Method::DirectIdft(transform) => {
             needs_damping(method, string)?;
             let length = transform_samples(string, transform, request)?;
-            let response = wave_response(string, request);
+            let response = wave_response(string, request)?;
             let taps = direct::taps(
                 request.sampling_frequency,
                 length,
@@ -83,7 +92,7 @@ fn quadrature_taps(
     string: &Drillstring,
     request: &TorsionRequest,
 ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-    let response = wave_response(string, request);
+    let response = wave_response(string, request)?;
     until_decayed(string, request, |length| {
         quadrature::taps(
             formula,
@@ -104,7 +113,7 @@ fn until_decayed(
     mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
 ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
-    let mut length = first_length(string, request);
+    let mut length = first_length(string, request)?;
     loop {
         let mut channels = build(length);
         if cut_decayed_tail(&mut channels) {
@@ -130,7 +139,7 @@ fn transform_samples(
     request: &TorsionRequest,
 ) -> Result<usize, BuildError> {
     let seeps = SEEPING_TIMES * torsional_settling_time(string) * request.sampling_frequency;
-    let lasts = 2.0 * seeps.max(first_length(string, request) as f64);
+    let lasts = 2.0 * seeps.max(first_length(string, request)? as f64);
     transform_length(transform, lasts, request.sampling_frequency)
 }
 
@@ -138,9 +147,9 @@ fn transform_samples(
 fn wave_response<'a>(
     string: &'a Drillstring,
     request: &'a TorsionRequest,
-) -> impl Fn(c64, &mut [c64]) + Sync + 'a {
-    let network = TorsionNetwork::new(string, &request.sites);
-    move |s, channels| {
+) -> Result<impl Fn(c64, &mut [c64]) + Sync + 'a, BuildError> {
+    let network = TorsionNetwork::new(string, &request.sites)?;
+    Ok(move |s: c64, channels: &mut [c64]| {
         let admittance = network.admittance(s);
         let sites = request.sites.len();
         channels[..sites].copy_from_slice(&admittance.from_surface);
@@ -151,7 +160,7 @@ fn wave_response<'a>(
         for (channel, value) in channels[sites..].iter_mut().zip(torques) {
             *channel = value;
         }
-    }
+    })
 }
 
 /// One unit input stepped in time, its effect at the sites written down.
@@ -252,7 +261,7 @@ fn decayed_length(taps: &[f64]) -> usize {
 
 /// A guess of the taps a response lasts, from the decay rate of the whole
 /// string; a power of two for the transforms.
-fn first_length(string: &Drillstring, request: &TorsionRequest) -> usize {
+fn first_length(string: &Drillstring, request: &TorsionRequest) -> Result<usize, BuildError> {
     let decay_time = -NEGLIGIBLE_TAIL.ln() / torsional_decay_rate(string) / (1.0 - QUIET_PART);
     let default_time = FIRST_ROUND_TRIPS * 2.0 * torsional_travel_time(string);
     let time = if decay_time.is_finite() {
@@ -260,8 +269,11 @@ fn first_length(string: &Drillstring, request: &TorsionRequest) -> usize {
     } else {
         default_time
     };
-    let taps = (time * request.sampling_frequency).ceil() as usize;
-    taps.next_power_of_two().min(MOST_TAPS)
+    let taps = (time * request.sampling_frequency).ceil();
+    if !taps.is_finite() {
+        return Err(too_many(taps));
+    }
+    Ok((taps.min(MOST_TAPS as f64) as usize).next_power_of_two())
 }
 
 fn needs_damping(method: &Method, string: &Drillstring) -> Result<(), BuildError> {
