@@ -54,7 +54,7 @@ fn hilbert(seconds: f64) -> Method {
 /// its place gains.
 fn held(method: &Method) -> (Sticking, f64, f64) {
     let responses = responses(method);
-    let system = System::new(&responses, HELD_FOR);
+    let system = System::new(&responses, HELD_FOR).unwrap();
     let found = sticking(
         system.held_torque().unwrap(),
         academic::SAMPLING_FREQUENCY,
@@ -146,7 +146,7 @@ fn products_of_transfer_matrices_overflow_and_joined_stiffnesses_do_not() {
     let rate = std::f64::consts::TAU * 100.0;
     assert!(!tip_receptance(&string, &BENDING, rate).is_finite());
     let bit = Sites::bit();
-    let network = BendingNetwork::new(&string, BENDING, SurfaceSupport::Free, &bit);
+    let network = BendingNetwork::new(&string, BENDING, SurfaceSupport::Free, &bit).unwrap();
     let joined = network.at_rate(rate)[(0, 0)];
     // Passive: the force does work.
     assert!(joined.is_finite() && joined.im < 0.0, "{joined}");
@@ -169,7 +169,7 @@ fn the_digital_filter_of_a_very_long_string_lasts_until_torque_has_seeped_along(
     };
     let method = Method::Hilbert(Transform::default());
     let responses = torsion_responses(&string, &method, &request).unwrap();
-    let system = System::new(&responses, 400.0);
+    let system = System::new(&responses, 400.0).unwrap();
     let found = sticking(
         system.held_torque().unwrap(),
         40.0,

@@ -117,7 +117,7 @@ fn the_undershoot_of_every_method_is_as_checked_by_an_independent_program() {
 fn figure_8a_slips_and_turns_smoothly() {
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
         let found = simulate(
-            &System::new(&responses(&method), LONGEST),
+            &System::new(&responses(&method), LONGEST).unwrap(),
             0.2,
             2000.0,
             Some(10.0),
@@ -132,7 +132,7 @@ fn figure_8a_slips_and_turns_smoothly() {
 fn figure_8b_sticks_and_slips() {
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
         let found = simulate(
-            &System::new(&responses(&method), LONGEST),
+            &System::new(&responses(&method), LONGEST).unwrap(),
             0.1,
             4000.0,
             Some(40.0),
@@ -144,7 +144,7 @@ fn figure_8b_sticks_and_slips() {
         assert_eq!(found.sticks, 7);
     }
     let found = simulate(
-        &System::new(&responses(&QUADRATURE), LONGEST),
+        &System::new(&responses(&QUADRATURE), LONGEST).unwrap(),
         0.1,
         4000.0,
         Some(40.0),
@@ -173,7 +173,7 @@ fn the_simulated_limit_lies_just_above_equation_74() {
         (elements(0.52), 0.0568, None),
     ] {
         let taps = responses(&method);
-        let found = simulated_limit(&System::new(&taps, LONGEST));
+        let found = simulated_limit(&System::new(&taps, LONGEST).unwrap());
         assert_close(found, limit, 0.01);
         let torques = bit(1000.0);
         let by_equation = stick_slip_speed_limit(
@@ -196,7 +196,7 @@ fn the_simulated_limit_lies_just_above_equation_74() {
 /// motion and leave the label alone. By a power of two, to the last bit.
 #[test]
 fn scaling_speed_and_torque_together_changes_no_label() {
-    let system = System::new(&responses(&QUADRATURE), LONGEST);
+    let system = System::new(&responses(&QUADRATURE), LONGEST).unwrap();
     let timed = |rpm: f64, torque: f64, timing: Timing| {
         let scene = Scene {
             surface_speed: rpm * RPM,
@@ -233,7 +233,7 @@ fn scaling_speed_and_torque_together_changes_no_label() {
 fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
     let string = academic::string();
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
-        let system = System::new(&responses(&method), LONGEST);
+        let system = System::new(&responses(&method), LONGEST).unwrap();
         let scene = Scene {
             surface_speed: 0.1,
             bit: Some(bit(1e9)),
@@ -334,7 +334,12 @@ fn the_cases_of_figure_8_lie_on_either_side_of_figure_9() {
 fn the_plain_inverse_transform_chatters() {
     let taps = responses(&Method::DirectIdft(Transform::default()));
     assert!(taps.margin().unwrap().unwrap() < -1.0);
-    let found = simulate(&System::new(&taps, LONGEST), 0.1, 4000.0, Some(40.0));
+    let found = simulate(
+        &System::new(&taps, LONGEST).unwrap(),
+        0.1,
+        4000.0,
+        Some(40.0),
+    );
     assert!(found.sticks > 100, "{found:?}");
 }
 
@@ -342,14 +347,19 @@ fn the_plain_inverse_transform_chatters() {
 fn a_digital_filter_cut_short_has_the_wrong_stiffness() {
     let taps = responses(&Method::Hilbert(Transform { seconds: Some(4.0) }));
     assert!(taps.margin().unwrap().unwrap() < STABLE_MARGIN);
-    let found = simulate(&System::new(&taps, LONGEST), 0.1, 4000.0, Some(40.0));
+    let found = simulate(
+        &System::new(&taps, LONGEST).unwrap(),
+        0.1,
+        4000.0,
+        Some(40.0),
+    );
     assert!(found.first_slip.unwrap() > 1.03 * 14.22, "{found:?}");
 }
 
 /// Mean second difference of the torque over the first wind-up, when it should
 /// be a straight line but for waves that die away.
 fn roughness_while_stuck(method: &Method) -> f64 {
-    let system = System::new(&responses(method), LONGEST);
+    let system = System::new(&responses(method), LONGEST).unwrap();
     let scene = Scene {
         surface_speed: 0.1 * RPM,
         bit: Some(bit(4000.0)),

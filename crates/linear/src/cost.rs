@@ -216,7 +216,7 @@ fn torsion_length(string: &Drillstring, method: &Method, request: &TorsionReques
         DECAYED * request.sampling_frequency / slowest_rate(string)
     };
     let enough = needed.min(lasts);
-    let first = torsion::first_length(string, request) as f64;
+    let first = torsion::first_length(string, request).map_or(f64::INFINITY, |taps| taps as f64);
     let doublings = (enough / first).log2().ceil().max(0.0);
     first * doublings.exp2()
 }

@@ -140,11 +140,11 @@ impl Drillstring {
     }
 
     /// External radius at a distance from the bit, m; at a joint between two
-    /// tubes, that of the lower.
+    /// tubes, that of the lower; beyond an end of the string, that of the end.
     pub fn outer_radius_at(&self, distance_from_bit: f64) -> f64 {
         let same_place = SAME_PLACE * self.length();
         let mut left = distance_from_bit + same_place;
-        let mut radius = 0.0;
+        let mut radius = self.sections[0].parts[0].outer_radius;
         for section in self.sections.iter().rev() {
             let cell = section.cell_length();
             if left > section.length() {
@@ -172,8 +172,10 @@ impl Drillstring {
     }
 
     /// The string cut at the sites: one span above each site, and one more
-    /// below the last where that is not the bit.
-    pub(crate) fn spans(&self, sites: &Sites) -> Vec<Span> {
+    /// below the last where that is not the bit. Sites of another string may not
+    /// be places of this one.
+    pub(crate) fn spans(&self, sites: &Sites) -> Result<Vec<Span>, DrillstringError> {
+        sites.check(self)?;
         let mut below: Vec<Section> = self.sections.iter().rev().cloned().collect();
         let mut depth = 0.0;
         let mut spans: Vec<Span> = Vec::with_capacity(sites.len() + 1);
@@ -185,14 +187,15 @@ impl Drillstring {
             ));
             depth = site;
         }
-        if sites.last_is_bit() {
+        if sites.bit_site().is_some() {
             // Rounding may have left a sliver; the bit ends the string.
-            debug_assert!(below.iter().map(Section::length).sum::<f64>() < 1e-6);
+            let left: f64 = below.iter().map(Section::length).sum();
+            debug_assert!(left <= sites.len() as f64 * SAME_PLACE * self.length());
         } else {
             below.reverse();
             spans.push(Span { runs: below });
         }
-        spans
+        Ok(spans)
     }
 }
 
@@ -243,6 +246,24 @@ pub struct Bending {
     pub compression: f64,
 }
 
+impl Bending {
+    /// Checks that a string can bend so.
+    pub(crate) fn check(&self) -> Result<(), DrillstringError> {
+        positive("Young's modulus", self.youngs_modulus)?;
+        if !(self.damping.is_finite() && self.damping >= 0.0) {
+            return Err(DrillstringError::NegativeLateralDamping {
+                value: self.damping,
+            });
+        }
+        if !self.compression.is_finite() {
+            return Err(DrillstringError::Compression {
+                value: self.compression,
+            });
+        }
+        Ok(())
+    }
+}
+
 /// How the surface holds the string laterally.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SurfaceSupport {
@@ -283,29 +304,38 @@ impl Sites {
     /// Where there is none, one is not between the bit and the surface, or
     /// two are at one place.
     pub fn new(string: &Drillstring, distances_from_bit: &[f64]) -> Result<Self, DrillstringError> {
+        let mut sorted = distances_from_bit.to_vec();
+        sorted.sort_by(|a, b| b.total_cmp(a));
+        let mut sites = Self {
+            distances_from_bit: sorted,
+        };
+        sites.check(string)?;
+        match sites.distances_from_bit.last_mut() {
+            None => return Err(DrillstringError::NoSites),
+            Some(last) if *last <= SAME_PLACE * string.length() => *last = 0.0,
+            Some(_) => {}
+        }
+        Ok(sites)
+    }
+
+    /// Checks that these are places of `string`, which may be another than that
+    /// they were made for.
+    ///
+    /// # Errors
+    /// Where one is not between the bit and the surface, or two are at one place.
+    pub fn check(&self, string: &Drillstring) -> Result<(), DrillstringError> {
         let length = string.length();
         let same_place = SAME_PLACE * length;
-        for &distance in distances_from_bit {
+        for &distance in &self.distances_from_bit {
             if !(distance >= 0.0 && distance < length - same_place) {
                 return Err(DrillstringError::SiteOffString { distance, length });
             }
         }
-        let mut sorted = distances_from_bit.to_vec();
-        sorted.sort_by(|a, b| b.total_cmp(a));
-        if let Some(pair) = sorted
-            .windows(2)
-            .find(|pair| pair[0] - pair[1] <= same_place)
-        {
-            return Err(DrillstringError::SitesCoincide { distance: pair[1] });
+        let mut pairs = self.distances_from_bit.windows(2);
+        match pairs.find(|pair| pair[0] - pair[1] <= same_place) {
+            Some(pair) => Err(DrillstringError::SitesCoincide { distance: pair[1] }),
+            None => Ok(()),
         }
-        match sorted.last_mut() {
-            None => return Err(DrillstringError::NoSites),
-            Some(last) if *last <= same_place => *last = 0.0,
-            Some(_) => {}
-        }
-        Ok(Self {
-            distances_from_bit: sorted,
-        })
     }
 
     /// The bit alone.
@@ -326,9 +356,10 @@ impl Sites {
         &self.distances_from_bit
     }
 
-    /// Whether the lowest site is the bit itself.
-    pub fn last_is_bit(&self) -> bool {
-        self.distances_from_bit.last() == Some(&0.0)
+    /// The number of the site that is the bit itself: the last, if any.
+    pub fn bit_site(&self) -> Option<usize> {
+        let last = self.len() - 1;
+        (self.distances_from_bit[last] == 0.0).then_some(last)
     }
 
     fn depths(&self, string: &Drillstring) -> impl Iterator<Item = f64> {
@@ -440,7 +471,7 @@ mod tests {
     fn spans_between_sites_have_the_distances_between_them() {
         let string = string();
         let sites = Sites::new(&string, &[0.0, 33.3, 70.0]).unwrap();
-        let spans = string.spans(&sites);
+        let spans = string.spans(&sites).unwrap();
         for (found, expected) in lengths(&spans).iter().zip([30.0, 36.7, 33.3]) {
             assert!((found - expected).abs() < 1e-9, "{found} {expected}");
         }
@@ -450,14 +481,14 @@ mod tests {
     fn what_hangs_below_the_last_site_is_a_span_of_its_own() {
         let string = string();
         let sites = Sites::new(&string, &[25.0]).unwrap();
-        assert_eq!(lengths(&string.spans(&sites)), [75.0, 25.0]);
+        assert_eq!(lengths(&string.spans(&sites).unwrap()), [75.0, 25.0]);
     }
 
     #[test]
     fn a_cut_at_a_joint_leaves_no_sliver() {
         let string = string();
         let sites = Sites::new(&string, &[10.0 + 0.5, 0.0]).unwrap();
-        let spans = string.spans(&sites);
+        let spans = string.spans(&sites).unwrap();
         let pieces = |span: &Span| {
             span.runs
                 .iter()
@@ -483,6 +514,8 @@ mod tests {
             (10.7, 0.125),
             (20.4, 0.15),
             (99.0, 0.125),
+            (-1.0, 0.125),
+            (101.0, 0.125),
         ] {
             assert_eq!(string.outer_radius_at(distance), radius, "{distance}");
         }

@@ -54,9 +54,21 @@ pub enum DrillstringError {
         value: f64,
     },
     /// Damping below zero would feed energy in.
-    #[error("the torsional damping {value} is below zero")]
+    #[error("the torsional damping {value} is not zero or a positive number")]
     NegativeDamping {
         /// The value found, N m s/rad per metre.
+        value: f64,
+    },
+    /// Lateral damping below zero would feed energy in.
+    #[error("the lateral damping {value} is not zero or a positive number")]
+    NegativeLateralDamping {
+        /// The value found, N s/m per metre.
+        value: f64,
+    },
+    /// The pre-compression is not a force.
+    #[error("the compression {value} N is not a finite number")]
+    Compression {
+        /// The value found, N.
         value: f64,
     },
     /// There is no site.
@@ -78,9 +90,71 @@ pub enum DrillstringError {
     },
 }
 
+/// Impulse responses that cannot be used, for they are not what a string gives:
+/// put together by hand, or cut up.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ResponseError {
+    /// There is no such sampling frequency.
+    #[error("the responses are sampled at {value} Hz, which is not a positive frequency")]
+    SamplingFrequency {
+        /// The value found, Hz.
+        value: f64,
+    },
+    /// Some response is missing, without taps, or shorter than the others.
+    #[error("the responses are not equally many taps from every input to every site")]
+    Shape,
+    /// A torque acts, or the bit is, at a site that there is not.
+    #[error("the responses name site {site}, but the {sites} sites are counted from 0")]
+    NoSuchSite {
+        /// The site named, from 0.
+        site: usize,
+        /// How many sites there are.
+        sites: usize,
+    },
+    /// A tap is not a number.
+    #[error("a tap of the responses is not finite")]
+    NotFinite,
+    /// A site does not give way to its own load: no contact law has an answer.
+    #[error("site {site} answers its own load by {value} within the step, which is not positive")]
+    Instant {
+        /// The site, from the surface, from 0.
+        site: usize,
+        /// A(0) of its driving point.
+        value: f64,
+    },
+}
+
 /// Impulse responses that cannot be built.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BuildError {
+    /// The sites are not places of this string.
+    #[error(transparent)]
+    Sites(#[from] DrillstringError),
+    /// A torque is to act at a site that there is not.
+    #[error("a torque is to act at site {site}, but the {sites} sites are counted from 0")]
+    NoSuchSite {
+        /// The site named, from 0.
+        site: usize,
+        /// How many sites there are.
+        sites: usize,
+    },
+    /// The responses given are not what a string gives.
+    #[error(transparent)]
+    Responses(#[from] ResponseError),
+    /// Recorded forces do not fit the sites.
+    #[error("the forces are not equally many steps at every site, along x and along y")]
+    Forces,
+    /// The string would have more elements than is reasonable.
+    #[error(
+        "{elements:.0} elements are more than the {most} that are made: \
+         take fewer in a cell, or a shorter string"
+    )]
+    TooManyElements {
+        /// Elements needed.
+        elements: f64,
+        /// The most that are made.
+        most: usize,
+    },
     /// A method's parameter is out of its range.
     #[error("{name} = {value} is out of range: {expected}")]
     Parameter {

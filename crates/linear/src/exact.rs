@@ -8,6 +8,7 @@
 use faer::c64;
 
 use crate::drillstring::{Bending, Drillstring, Sites, SurfaceSupport};
+use crate::error::{BuildError, ResponseError};
 use crate::estimates::torsional_travel_time;
 use crate::pulse::RaisedCosine;
 use crate::response::{BendingResponses, TorsionResponses};
@@ -33,11 +34,20 @@ const TIMES: usize = 128;
 
 /// Largest error of speeds in torsion, relative to the largest exact speed: of every
 /// site, from the surface and from every torque.
-pub fn torsion_error(string: &Drillstring, sites: &Sites, responses: &TorsionResponses) -> f64 {
+///
+/// # Errors
+/// Where the sites are not the string's, or the responses not those of the sites.
+pub fn torsion_error(
+    string: &Drillstring,
+    sites: &Sites,
+    responses: &TorsionResponses,
+) -> Result<f64, BuildError> {
+    responses.check()?;
+    check_sites(sites, responses.from_surface.len())?;
     let travel = torsional_travel_time(string);
     let times = Times::new(TRAVELS * travel, responses.sampling_frequency);
     let rise = (RISE * travel).max(3.0 * times.step);
-    let network = TorsionNetwork::new(string, sites);
+    let network = TorsionNetwork::new(string, sites)?;
     let rise = RaisedCosine { duration: rise };
     let input = |time: f64| rise.integral(time);
     let of_input = |s: c64| rise.transform(s) / s;
@@ -51,11 +61,14 @@ pub fn torsion_error(string: &Drillstring, sites: &Sites, responses: &TorsionRes
             worst = worst.max(times.error(&responses.from_torque[site][index], input, &exact));
         }
     }
-    worst
+    Ok(worst)
 }
 
 /// Largest error of displacements after a unit impulse of a given duration (s),
 /// relative to the largest exact one, at each site from each.
+///
+/// # Errors
+/// Where the sites are not the string's, or the responses not those of the sites.
 pub fn bending_error(
     string: &Drillstring,
     bending: &Bending,
@@ -63,18 +76,36 @@ pub fn bending_error(
     sites: &Sites,
     duration: f64,
     responses: &BendingResponses,
-) -> f64 {
+) -> Result<f64, BuildError> {
+    responses.check()?;
+    check_sites(sites, responses.from_force.len())?;
+    if !(duration.is_finite() && duration > 0.0) {
+        return Err(BuildError::Parameter {
+            name: "duration",
+            value: duration,
+            expected: "a positive number of seconds",
+        });
+    }
     let times = Times::new(DURATIONS * duration, responses.sampling_frequency);
-    let network = BendingNetwork::new(string, *bending, support, sites);
+    let network = BendingNetwork::new(string, *bending, support, sites)?;
     let pulse = RaisedCosine { duration };
     let input = |time: f64| pulse.at(time);
     let pairs = (0..sites.len()).flat_map(|site| (0..sites.len()).map(move |input| (site, input)));
-    pairs
+    let errors = pairs
         .map(|(site, force)| {
             let exact = times.exact(|s| network.receptance(s)[(site, force)] * pulse.transform(s));
             times.error(&responses.from_force[site][force], input, &exact)
         })
-        .fold(0.0, f64::max)
+        .fold(0.0, f64::max);
+    Ok(errors)
+}
+
+fn check_sites(sites: &Sites, found: usize) -> Result<(), BuildError> {
+    if sites.len() == found {
+        Ok(())
+    } else {
+        Err(ResponseError::Shape.into())
+    }
 }
 
 /// Times at which motions are compared: samples of the taps, evenly spread.

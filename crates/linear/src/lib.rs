@@ -78,7 +78,7 @@ pub mod waves;
 
 pub use build::{bending_responses, torsion_responses};
 pub use drillstring::{Bending, Drillstring, Material, Section, Sites, SurfaceSupport, Tube};
-pub use error::{BuildError, DrillstringError};
+pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
 pub use pulse::RaisedCosine;
 pub use response::{BendingRequest, BendingResponses, TorsionRequest, TorsionResponses};

@@ -19,7 +19,7 @@
 use faer::{Mat, Side, c64};
 use realfft::RealFftPlanner;
 
-use crate::error::BuildError;
+use crate::error::{BuildError, ResponseError};
 
 /// Below this margin a response is counted as unstable in sticking. Rounding
 /// and the cut tail of a response stay well within it.
@@ -80,7 +80,7 @@ impl Ending {
 /// `inputs` driving points.
 ///
 /// # Errors
-/// Where the taps are not finite.
+/// Where there are no taps, not equally many, or some that are not finite.
 pub fn positive_real_margin<'a>(
     inputs: usize,
     ending: Ending,
@@ -93,15 +93,24 @@ pub fn positive_real_margin<'a>(
 /// that draws energy from the string.
 ///
 /// # Errors
-/// Where the taps are not finite.
+/// Where there are no taps, not equally many, or some that are not finite.
 pub fn worst_point<'a>(
     inputs: usize,
     ending: Ending,
     taps: impl Fn(usize, usize) -> &'a [f64],
 ) -> Result<WorstPoint, BuildError> {
+    let count = if inputs > 0 { taps(0, 0).len() } else { 0 };
+    let mut pairs = (0..inputs * inputs).map(|pair| taps(pair / inputs, pair % inputs));
+    if count == 0 || pairs.any(|taps| taps.len() != count) {
+        return Err(ResponseError::Shape.into());
+    }
+    let mut pairs = (0..inputs * inputs).map(|pair| taps(pair / inputs, pair % inputs));
+    if pairs.any(|taps| !taps.iter().all(|tap| tap.is_finite())) {
+        return Err(ResponseError::NotFinite.into());
+    }
     let instant = (0..inputs).map(|input| taps(input, input)[0]);
     let scale = instant.fold(0.0, f64::max);
-    let length = REFINEMENT * taps(0, 0).len().next_power_of_two();
+    let length = REFINEMENT * count.next_power_of_two();
     let spectra: Vec<Vec<c64>> = (0..inputs * inputs)
         .map(|pair| spectrum(taps(pair / inputs, pair % inputs), ending, length))
         .collect();

@@ -4,7 +4,7 @@
 //! are kept apart, and where a scene needs no bending only one is built.
 
 use crate::drillstring::{Sites, SurfaceSupport};
-use crate::error::BuildError;
+use crate::error::{BuildError, ResponseError};
 use crate::method::Method;
 use crate::passivity::{Ending, positive_real_margin};
 
@@ -46,6 +46,8 @@ pub struct TorsionResponses {
     pub from_torque: Vec<Vec<Vec<f64>>>,
     /// The sites that torques act on, one for each input.
     pub torque_inputs: Vec<usize>,
+    /// The site that is the bit, where one is.
+    pub bit: Option<usize>,
     /// Whether the response ends with its taps, or only the simulation does.
     pub ending: Ending,
 }
@@ -56,12 +58,63 @@ impl TorsionResponses {
         self.from_surface.first().map_or(0, Vec::len)
     }
 
+    /// Taps from a torque at the bit to each site, where the bit is a site and a
+    /// torque acts there: this alone says which input is the bit's.
+    pub fn from_bit(&self) -> Option<Vec<&[f64]>> {
+        let bit = self.bit?;
+        let input = self.torque_inputs.iter().position(|&site| site == bit)?;
+        let from_inputs = self.from_torque.iter();
+        Some(from_inputs.map(|inputs| inputs[input].as_slice()).collect())
+    }
+
+    /// Taps from a torque at the bit to its own speed.
+    pub fn at_bit(&self) -> Option<&[f64]> {
+        Some(self.from_bit()?[self.bit?])
+    }
+
+    /// The longest time (s) that may be simulated with these taps: without end,
+    /// where the response ends with them.
+    pub fn longest_time(&self) -> f64 {
+        match self.ending {
+            Ending::Whole => f64::INFINITY,
+            Ending::Cut => time_of(self.taps(), self.sampling_frequency),
+        }
+    }
+
+    /// Checks that they are what a string gives, whoever made them.
+    ///
+    /// # Errors
+    /// Where they are not.
+    pub fn check(&self) -> Result<(), ResponseError> {
+        let sites = self.from_surface.len();
+        let mut named = self.torque_inputs.iter().chain(&self.bit);
+        if let Some(&site) = named.find(|&&site| site >= sites) {
+            return Err(ResponseError::NoSuchSite { site, sites });
+        }
+        let inputs = self.torque_inputs.len();
+        if sites == 0
+            || self.from_torque.len() != sites
+            || self.from_torque.iter().any(|row| row.len() != inputs)
+        {
+            return Err(ResponseError::Shape);
+        }
+        let all = self
+            .from_surface
+            .iter()
+            .chain(self.from_torque.iter().flatten());
+        check_taps(self.sampling_frequency, self.taps(), all)?;
+        let driving = (self.torque_inputs.iter().enumerate())
+            .map(|(input, &site)| (site, self.from_torque[site][input][0]));
+        check_instants(driving)
+    }
+
     /// Positive-real margin of the driving points (see
     /// [`crate::passivity`]); `None` where no torque acts.
     ///
     /// # Errors
-    /// Where the taps are not finite.
+    /// Where these are not the responses of a string.
     pub fn margin(&self) -> Result<Option<f64>, BuildError> {
+        self.check()?;
         if self.torque_inputs.is_empty() {
             return Ok(None);
         }
@@ -98,6 +151,7 @@ impl TorsionResponses {
                 .map(|_| from_torque.by_ref().take(torques).collect())
                 .collect(),
             torque_inputs: request.torque_inputs.clone(),
+            bit: request.sites.bit_site(),
             ending,
         }
     }
@@ -133,7 +187,27 @@ pub struct BendingResponses {
 impl BendingResponses {
     /// Number of taps of each response.
     pub fn taps(&self) -> usize {
-        self.from_force.first().map_or(0, |inputs| inputs[0].len())
+        let first = self.from_force.first().and_then(|inputs| inputs.first());
+        first.map_or(0, Vec::len)
+    }
+
+    /// The longest time (s) that may be simulated with these taps.
+    pub fn longest_time(&self) -> f64 {
+        time_of(self.taps(), self.sampling_frequency)
+    }
+
+    /// Checks that they are what a string gives, whoever made them.
+    ///
+    /// # Errors
+    /// Where they are not.
+    pub fn check(&self) -> Result<(), ResponseError> {
+        let sites = self.from_force.len();
+        if sites == 0 || self.from_force.iter().any(|row| row.len() != sites) {
+            return Err(ResponseError::Shape);
+        }
+        let all = self.from_force.iter().flatten();
+        check_taps(self.sampling_frequency, self.taps(), all)?;
+        check_instants((0..sites).map(|site| (site, self.from_force[site][site][0])))
     }
 
     /// Positive-real margin of the velocities at the sites (see
@@ -141,8 +215,9 @@ impl BendingResponses {
     /// differentiates in time.
     ///
     /// # Errors
-    /// Where the taps are not finite.
+    /// Where these are not the responses of a string.
     pub fn margin(&self, method: &Method) -> Result<f64, BuildError> {
+        self.check()?;
         let velocities = self.velocities(method);
         let ending = match method {
             // A filter is no longer than it is.
@@ -160,8 +235,9 @@ impl BendingResponses {
     /// [`Self::margin`] is not.
     ///
     /// # Errors
-    /// Where the taps are not finite.
+    /// Where these are not the responses of a string.
     pub fn margin_of_differences(&self) -> Result<f64, BuildError> {
+        self.check()?;
         let differences = |taps: &Vec<f64>| -> Vec<f64> {
             let before = std::iter::once(&0.0).chain(taps);
             taps.iter()
@@ -182,6 +258,41 @@ impl BendingResponses {
         (self.from_force.iter())
             .map(|inputs| inputs.iter().map(|taps| derivative.of(taps)).collect())
             .collect()
+    }
+}
+
+/// Time from the first tap to the last, s.
+fn time_of(taps: usize, sampling_frequency: f64) -> f64 {
+    taps.saturating_sub(1) as f64 / sampling_frequency
+}
+
+/// Responses of one sampling frequency, of `taps` finite taps each.
+fn check_taps<'a>(
+    sampling_frequency: f64,
+    taps: usize,
+    mut responses: impl Iterator<Item = &'a Vec<f64>>,
+) -> Result<(), ResponseError> {
+    if !(sampling_frequency.is_finite() && sampling_frequency > 0.0) {
+        return Err(ResponseError::SamplingFrequency {
+            value: sampling_frequency,
+        });
+    }
+    responses.try_for_each(|response| {
+        if taps == 0 || response.len() != taps {
+            return Err(ResponseError::Shape);
+        }
+        if !response.iter().all(|tap| tap.is_finite()) {
+            return Err(ResponseError::NotFinite);
+        }
+        Ok(())
+    })
+}
+
+/// A(0) of every driving point, with its site.
+fn check_instants(mut instants: impl Iterator<Item = (usize, f64)>) -> Result<(), ResponseError> {
+    match instants.find(|(_, value)| *value <= 0.0) {
+        Some((site, value)) => Err(ResponseError::Instant { site, value }),
+        None => Ok(()),
     }
 }
 

@@ -25,7 +25,7 @@ const LADDER: [f64; 4] = [160.0, 320.0, 640.0, 1280.0];
 /// Errors at each f_s of [`LADDER`], relative to the surface's final speed.
 fn errors(method: &Method) -> Vec<f64> {
     let string = academic::string();
-    let network = TorsionNetwork::new(&string, &Sites::bit());
+    let network = TorsionNetwork::new(&string, &Sites::bit()).unwrap();
     LADDER
         .iter()
         .map(|&sampling_frequency| {
@@ -97,7 +97,7 @@ fn quadrature_is_of_second_order_in_bending() {
         damping: 2000.0,
         compression: 0.0,
     };
-    let network = BendingNetwork::new(&string, bending, SurfaceSupport::Free, &sites);
+    let network = BendingNetwork::new(&string, bending, SurfaceSupport::Free, &sites).unwrap();
     let pulse = RaisedCosine { duration: 0.02 };
     let errors = [1280.0, 2560.0, 5120.0].map(|sampling_frequency| {
         let steps = (2.0 * sampling_frequency) as usize;
@@ -130,7 +130,7 @@ fn quadrature_is_of_second_order_in_bending() {
 #[test]
 fn radau_quadrature_is_of_third_order() {
     let string = academic::string();
-    let network = TorsionNetwork::new(&string, &Sites::bit());
+    let network = TorsionNetwork::new(&string, &Sites::bit()).unwrap();
     let ramp = RaisedCosine { duration: 0.1 };
     let speed = |s| network.admittance(s).from_surface[0];
     let errors = [2560.0, 5120.0, 10_240.0].map(|sampling_frequency: f64| {

@@ -335,12 +335,18 @@ fn a_site_in_the_middle_of_a_pipe_splits_nothing_but_the_arithmetic() {
     let string = academic::string();
     let with = |distances: &[f64]| Sites::new(&string, distances).unwrap();
     let s = c64::new(1.0, 300.0);
-    let whole = TorsionNetwork::new(&string, &with(&[0.0])).admittance(s);
-    let split = TorsionNetwork::new(&string, &with(&[0.0, 123.4, 804.7])).admittance(s);
+    let whole = TorsionNetwork::new(&string, &with(&[0.0]))
+        .unwrap()
+        .admittance(s);
+    let split = TorsionNetwork::new(&string, &with(&[0.0, 123.4, 804.7]))
+        .unwrap()
+        .admittance(s);
     let difference = |a: c64, b: c64| (a - b).norm() / b.norm();
     assert!(difference(split.from_surface[2], whole.from_surface[0]) < 1e-10);
     assert!(difference(split.from_torque[(2, 2)], whole.from_torque[(0, 0)]) < 1e-10);
-    let hanging = TorsionNetwork::new(&string, &with(&[123.4])).admittance(s);
+    let hanging = TorsionNetwork::new(&string, &with(&[123.4]))
+        .unwrap()
+        .admittance(s);
     assert!(difference(hanging.from_torque[(0, 0)], split.from_torque[(1, 1)]) < 1e-10);
 }
 
@@ -370,7 +376,7 @@ proptest! {
     ) {
         let distance = 0.99 * place * string.length();
         let sites = Sites::new(&string, &[distance]).unwrap();
-        let admittance = TorsionNetwork::new(&string, &sites).admittance(c64::new(real, omega));
+        let admittance = TorsionNetwork::new(&string, &sites).unwrap().admittance(c64::new(real, omega));
         let point = admittance.from_torque[(0, 0)];
         // An undamped string on the imaginary axis has a real part of zero.
         prop_assert!(point.re >= -1e-9 * point.norm(), "{}", point);

@@ -56,7 +56,8 @@ impl EccentricMass {
 }
 
 /// I₀: the least impulse (N s) of the given duration that brings a site from
-/// its response to a unit force in one step, `taps`, to its clearance.
+/// its response to a unit force in one step, `taps`, to its clearance. Infinite
+/// where none does; not a number where the taps or the impulse are none.
 pub fn least_impulse(taps: &[f64], sampling_frequency: f64, duration: f64, clearance: f64) -> f64 {
     let unit = Impulse {
         site: 0,

@@ -47,11 +47,6 @@ impl HeldTorque {
         }
     }
 
-    /// Steps it is known for.
-    pub(crate) fn steps(&self) -> usize {
-        self.torques.len()
-    }
-
     /// T₁ of all steps.
     pub(crate) fn torques(&self) -> &[f64] {
         &self.torques

@@ -3,14 +3,15 @@
 
 use linear::{BendingResponses, TorsionResponses};
 
+use crate::error::SimulationError;
 use crate::history::partition::FIRST_BLOCK;
 use crate::history::{History, Kernels};
 use crate::laws::bit::{BitMotion, BitTorque};
-use crate::laws::wall::{Approach, Contact, Touch};
+use crate::laws::wall::{Approach, Contact, ContactError, Touch};
 use crate::regime::BitWatch;
 use crate::scene::{Lateral, Scene};
 use crate::settling::{Ended, Settling, Stopping};
-use crate::stepper::{Outcome, SimulationError, steps_of, surface_steps};
+use crate::stepper::{Outcome, lasts_no_longer, steps_of, surface_steps};
 use crate::trajectory::Trajectory;
 use crate::whirl::WallWatch;
 
@@ -26,22 +27,28 @@ const MOST_TURNS: usize = 200;
 #[derive(Debug, Clone)]
 pub struct LateralSystem {
     sites: usize,
+    /// The site that is the bit, where one is.
+    bit: Option<usize>,
     step_length: f64,
+    /// The longest case, s.
+    longest_time: f64,
     surface_step: Vec<Vec<f64>>,
     from_torque: Kernels,
     from_force: Kernels,
 }
 
 impl LateralSystem {
-    /// Prepares responses for simulation.
+    /// Prepares responses for simulations as long as they are.
     ///
     /// # Errors
-    /// Where some site has no torque input, or the two parts have different
-    /// sites or sampling frequencies.
+    /// Where they are not those of a string, some site has no torque input, or the
+    /// two parts have different sites or sampling frequencies.
     pub fn new(
         torsion: &TorsionResponses,
         bending: &BendingResponses,
     ) -> Result<Self, SimulationError> {
+        torsion.check()?;
+        bending.check()?;
         let sites = torsion.from_surface.len();
         let all_inputs = torsion.torque_inputs.iter().copied().eq(0..sites);
         let alike = torsion.sampling_frequency == bending.sampling_frequency
@@ -51,7 +58,9 @@ impl LateralSystem {
         }
         Ok(Self {
             sites,
+            bit: torsion.bit,
             step_length: 1.0 / torsion.sampling_frequency,
+            longest_time: torsion.longest_time().min(bending.longest_time()),
             surface_step: surface_steps(torsion),
             from_torque: Kernels::new(&torsion.from_torque),
             from_force: Kernels::new(&bending.from_force),
@@ -86,6 +95,10 @@ struct Run<'a> {
     now: Step,
 }
 
+/// One step of one site: its contact, its speed (rad/s) and, if it is the bit, how
+/// that moves and the torque on it (N m).
+type MetSite = (Contact, f64, Option<(BitMotion, f64)>);
+
 /// One step of all sites.
 struct Step {
     contacts: Vec<Contact>,
@@ -97,7 +110,8 @@ struct Step {
 /// `record` where asked; nothing is left out of that.
 ///
 /// # Errors
-/// Where the motion is not finite or coupled sites do not settle.
+/// Where the scene is not one that can be, the system does not fit it, the motion is
+/// not finite or coupled sites do not settle.
 pub fn simulate_lateral(
     system: &LateralSystem,
     scene: &Scene,
@@ -111,6 +125,11 @@ pub fn simulate_lateral(
     if lateral.walls.len() != sites {
         return Err(SimulationError::UnlikeParts);
     }
+    if scene.bit.is_some() && system.bit.is_none() {
+        return Err(SimulationError::NoTorqueInput);
+    }
+    scene.check(sites)?;
+    lasts_no_longer(scene.timing.duration, system.longest_time)?;
     let stopping = if record.is_some() {
         Stopping::Full
     } else {
@@ -143,8 +162,8 @@ pub fn simulate_lateral(
         let now = run.step(step)?;
         step += 1;
         stepped = step;
-        if let Some((motion, _)) = now.bit {
-            bit_watch.see(motion, now.speeds[sites - 1]);
+        if let Some((bit, (motion, _))) = system.bit.zip(now.bit) {
+            bit_watch.see(motion, now.speeds[bit]);
         }
         wall_watch.see(&now.contacts);
         if let Some(record) = record.as_deref_mut() {
@@ -155,13 +174,14 @@ pub fn simulate_lateral(
         if may_settle && settling.see(&run.now.contacts, &lateral.walls) {
             let measures = settling.measures(&wall_watch);
             if stopping == Stopping::Early {
-                return Ok(Outcome {
+                return Outcome {
                     simulated: (step - 1) as f64 * system.step_length,
                     ended: Ended::Settled,
                     foretold: None,
                     torsion: None,
                     lateral: Some(measures),
-                });
+                }
+                .finite();
             }
             foretold = Some(measures.regime.name());
         }
@@ -172,7 +192,7 @@ pub fn simulate_lateral(
             (0..sites).map(forces).collect()
         });
     }
-    Ok(Outcome {
+    Outcome {
         simulated: stepped.saturating_sub(1) as f64 * system.step_length,
         ended: if stepped < steps {
             Ended::Certain
@@ -182,7 +202,8 @@ pub fn simulate_lateral(
         foretold,
         torsion: scene.bit.map(|_| bit_watch.measures()),
         lateral: Some(wall_watch.measures()),
-    })
+    }
+    .finite()
 }
 
 impl<'a> Run<'a> {
@@ -226,7 +247,7 @@ impl<'a> Run<'a> {
         for site in 0..sites {
             let contact = &self.now.contacts[site];
             let bit_torque = (self.now.bit)
-                .filter(|_| site == sites - 1)
+                .filter(|_| self.system.bit == Some(site))
                 .map_or(0.0, |bit| bit.1);
             self.step_torques[site] = contact.torque + bit_torque;
             for axis in 0..2 {
@@ -275,8 +296,12 @@ impl<'a> Run<'a> {
         let clearances = self.lateral.walls.iter().map(|wall| wall.clearance);
         let blocks = x.chunks_exact(FIRST_BLOCK).zip(y.chunks_exact(FIRST_BLOCK));
         let is_free = blocks.zip(clearances).all(|((x, y), clearance)| {
-            let furthest = (x.iter().zip(y)).map(|(x, y)| x * x + y * y);
-            furthest.fold(0.0, f64::max) <= clearance * clearance
+            // Counted, for the largest of some numbers ignores what is none.
+            let radii = (x.iter().zip(y)).map(|(x, y)| x * x + y * y);
+            radii
+                .filter(|square| *square <= clearance * clearance)
+                .count()
+                == FIRST_BLOCK
         });
         if !is_free {
             return 0;
@@ -335,9 +360,10 @@ impl<'a> Run<'a> {
         for _ in 0..MOST_TURNS {
             let mut largest: f64 = 0.0;
             for site in 0..sites {
-                let (contact, speed, torque) = self.meet_one(site);
-                if !(speed.is_finite() && contact.normal_force.is_finite()) {
-                    return Err(SimulationError::NotFinite { time });
+                let (contact, speed, torque) = (self.meet_one(site))
+                    .map_err(|error| SimulationError::of_contact(error, site, time))?;
+                if !speed.is_finite() {
+                    return Err(SimulationError::NotFinite { site, time });
                 }
                 let load = (
                     contact.force,
@@ -383,7 +409,7 @@ impl<'a> Run<'a> {
 
     /// One site, the loads of the others given: its contact, its speed, and
     /// what the bit does if it is the bit.
-    fn meet_one(&self, site: usize) -> (Contact, f64, Option<(BitMotion, f64)>) {
+    fn meet_one(&self, site: usize) -> Result<MetSite, ContactError> {
         let (system, sites) = (self.system, self.system.sites);
         let mut free_speed = self.free_speeds[site];
         let mut free_position = [0, 1].map(|axis| self.free_positions[axis * sites + site]);
@@ -396,8 +422,7 @@ impl<'a> Run<'a> {
             }
         }
         let torsional_compliance = system.from_torque.instant(site, site);
-        let is_bit = site + 1 == sites;
-        let law: Option<BitTorque> = self.scene.bit.filter(|_| is_bit);
+        let law: Option<BitTorque> = self.scene.bit.filter(|_| system.bit == Some(site));
         let contact = self.lateral.walls[site].meet(&Approach {
             free_position,
             previous_position: self.positions[site],
@@ -406,15 +431,15 @@ impl<'a> Run<'a> {
             torsional_compliance,
             sampling_frequency: 1.0 / system.step_length,
             bit: law.map(|law| (law, self.bit_motion)),
-        });
+        })?;
         let turned = free_speed + torsional_compliance * contact.torque;
-        match law {
+        Ok(match law {
             None => (contact, turned, None),
             Some(law) => {
                 let step = law.meet(self.bit_motion, turned, torsional_compliance);
                 (contact, step.speed, Some((step.motion, step.torque)))
             }
-        }
+        })
     }
 }
 

@@ -19,7 +19,9 @@
 //! ```
 //!
 //! This crate knows nothing of files, threads or methods. A contact law of one's own
-//! is a closure, given to [`bit_speeds`]: `examples/own_contact_law.rs`.
+//! is a closure, given to [`bit_speeds`]: `examples/own_contact_law.rs`. A scene that
+//! cannot be, one that does not fit its system, and a motion that leaves all numbers
+//! are each a [`SimulationError`].
 //!
 //! | paper | here |
 //! |---|---|
@@ -48,7 +50,7 @@
 //!     longest_time: 20.0,
 //! };
 //! let responses = linear::torsion_responses(&string, &Method::Quadrature, &request)?;
-//! let system = System::new(&responses, 20.0);
+//! let system = System::new(&responses, 20.0)?;
 //! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0 };
 //! let scene = Scene {
 //!     surface_speed: 0.5,
@@ -64,6 +66,7 @@
 pub mod cost;
 pub mod diagnosis;
 pub mod duration;
+mod error;
 pub mod excitation;
 mod future;
 mod held;
@@ -81,6 +84,7 @@ pub mod trajectory;
 pub mod whirl;
 
 pub use duration::{Timing, torsion_timing};
+pub use error::SimulationError;
 pub use excitation::{EccentricMass, Impulse};
 pub use lateral::{LateralSystem, simulate_lateral};
 pub use laws::bit::BitTorque;
@@ -88,9 +92,9 @@ pub use laws::rock::Rock;
 pub use laws::wall::Wall;
 pub use own_law::{LoadLine, bit_speeds};
 pub use regime::{TorsionMeasures, TorsionRegime};
-pub use scene::{Lateral, Scene};
+pub use scene::{Lateral, Scene, SceneError};
 pub use settling::{Ended, Stopping};
 pub use steady_whirl::{SteadyWhirl, steady_backward_whirl};
-pub use stepper::{Outcome, SimulationError, System, simulate};
+pub use stepper::{Outcome, System, simulate};
 pub use trajectory::Trajectory;
 pub use whirl::{LateralMeasures, LateralRegime};

@@ -3,8 +3,10 @@
 
 use linear::TorsionResponses;
 
+use crate::error::SimulationError;
 use crate::history::{History, Kernels};
-use crate::stepper::{SimulationError, steps_of, surface_steps};
+use crate::scene::{finite, not_negative};
+use crate::stepper::{lasts_no_longer, steps_of, surface_steps};
 
 /// What a step leaves open (Eq. 16): the bit's speed is
 /// `free_speed + compliance × torque`, and a law says which torque.
@@ -24,20 +26,25 @@ pub struct LoadLine {
 /// positive in the direction of rotation), and may keep a state of its own.
 ///
 /// # Errors
-/// Where the responses have no torque input or the motion is not finite.
+/// Where the responses have no torque input at the bit or end before the case, or
+/// the motion is not finite.
 pub fn bit_speeds(
     responses: &TorsionResponses,
     surface_speed: f64,
     duration: f64,
     mut law: impl FnMut(LoadLine) -> f64,
 ) -> Result<Vec<f64>, SimulationError> {
-    let Some(&bit) = responses.torque_inputs.first() else {
+    responses.check()?;
+    finite("surface speed in rad/s", surface_speed)?;
+    not_negative("time simulated in s", duration)?;
+    lasts_no_longer(duration, responses.longest_time())?;
+    let (Some(site), Some(taps)) = (responses.bit, responses.at_bit()) else {
         return Err(SimulationError::NoTorqueInput);
     };
     let step_length = 1.0 / responses.sampling_frequency;
     let steps = steps_of(duration, step_length);
-    let surface = &surface_steps(responses)[bit];
-    let kernels = Kernels::new(&[vec![responses.from_torque[bit][0].clone()]]);
+    let surface = &surface_steps(responses)[site];
+    let kernels = Kernels::new(&[vec![taps.to_vec()]]);
     let compliance = kernels.instant(0, 0);
     let mut history = History::new(&kernels, 1, steps);
     let mut speeds = Vec::with_capacity(steps);
@@ -51,11 +58,12 @@ pub fn bit_speeds(
             free_speed,
             compliance,
         });
-        if !torque.is_finite() {
-            return Err(SimulationError::NotFinite { time });
+        let speed = free_speed + compliance * torque;
+        if !(torque.is_finite() && speed.is_finite()) {
+            return Err(SimulationError::NotFinite { site, time });
         }
         history.push(&[torque]);
-        speeds.push(free_speed + compliance * torque);
+        speeds.push(speed);
     }
     Ok(speeds)
 }

@@ -55,6 +55,16 @@ pub struct TorsionMeasures {
     pub closing_speed: f64,
 }
 
+impl TorsionMeasures {
+    /// What may be no number, with its name.
+    pub(crate) fn numbers(&self) -> [(&'static str, f64); 2] {
+        [
+            ("highest speed", self.peak_speed),
+            ("mean speed in the closing window", self.closing_speed),
+        ]
+    }
+}
+
 /// From one slip to the next.
 #[derive(Debug, Clone, Copy, Default)]
 struct Cycle {
@@ -96,7 +106,8 @@ pub(crate) struct BitWatch {
 
 impl BitWatch {
     pub(crate) fn new(step_length: f64, steps: usize, closing_window: f64) -> Self {
-        let window = (closing_window / step_length).round() as usize;
+        // What is asked of more steps than there are is asked of all.
+        let window = ((closing_window / step_length).round() as usize).min(steps);
         Self {
             steps,
             longest_cycle: window + 1,

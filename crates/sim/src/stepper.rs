@@ -1,49 +1,24 @@
 //! Eq. 61, step by step: history, load line, law.
 
 use linear::TorsionResponses;
-use thiserror::Error;
 
+use crate::error::SimulationError;
 use crate::future::Future;
 use crate::held::HeldTorque;
 use crate::history::{History, Kernel, Kernels};
 use crate::laws::bit::{BitMotion, BitTorque};
 use crate::regime::{BitWatch, TorsionMeasures, TorsionRegime};
-use crate::scene::Scene;
+use crate::scene::{Scene, not_negative};
 use crate::settling::{Ended, Stopping};
 use crate::trajectory::Trajectory;
 use crate::whirl::LateralMeasures;
-
-/// A case that gives no answer.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum SimulationError {
-    /// The motion stopped being a number.
-    #[error("the motion is not finite from {time} s on")]
-    NotFinite {
-        /// Time of the first such step, s.
-        time: f64,
-    },
-    /// The scene has a torque at the bit, but the responses have no such
-    /// input.
-    #[error("the responses were built without a torque at the bit")]
-    NoTorqueInput,
-    /// Torsion, bending and scene do not have the same sites.
-    #[error("torsion, bending and the scene do not have the same sites")]
-    UnlikeParts,
-    /// The system was not prepared for so long a case.
-    #[error("the case lasts longer than its linear system was prepared for")]
-    LongerThanPrepared,
-    /// Sites that touch one another within a step did not settle.
-    #[error("coupled sites do not settle at {time} s; a higher sampling frequency parts them")]
-    NotSettled {
-        /// Time of the step, s.
-        time: f64,
-    },
-}
 
 /// The linear part as all cases share it: the responses ready for summing.
 #[derive(Debug, Clone)]
 pub struct System {
     step_length: f64,
+    /// The longest case, s.
+    longest_time: f64,
     /// Response of each site to a surface that starts to turn at 1 rad/s.
     surface_step: Vec<Vec<f64>>,
     /// Torque input and each site's response to it, where there is one.
@@ -63,29 +38,34 @@ impl System {
     /// Prepares responses for simulations of at most `longest_time` (s). What
     /// does not depend on the case is computed here once: the response to the
     /// surface's step, and the torque of a bit that never slips; a case only
-    /// scales them. A torque input, if there is one, is the bit.
-    pub fn new(responses: &TorsionResponses, longest_time: f64) -> Self {
+    /// scales them. Without a torque input at the bit it turns freely in every case.
+    ///
+    /// # Errors
+    /// Where the responses are not those of a string, or end before that time.
+    pub fn new(responses: &TorsionResponses, longest_time: f64) -> Result<Self, SimulationError> {
+        responses.check()?;
+        not_negative("longest time in s", longest_time)?;
+        lasts_no_longer(longest_time, responses.longest_time())?;
         let surface_step = surface_steps(responses);
         let step_length = 1.0 / responses.sampling_frequency;
-        let bit = responses.torque_inputs.first().map(|&site| {
-            let future = Future::new(&responses.from_torque[site][0]);
-            let to_itself = Kernels::new(&[vec![responses.from_torque[site][0].clone()]]);
+        let bit = responses.bit.zip(responses.from_bit()).map(|(site, taps)| {
+            let future = Future::new(taps[site]);
+            let to_itself = Kernels::new(&[vec![taps[site].to_vec()]]);
             let surface = |step: usize| settled(&surface_step[site], step);
             BitInput {
                 site,
                 held: HeldTorque::new(&to_itself, surface, steps_of(longest_time, step_length)),
                 to_itself,
                 future,
-                to_sites: (responses.from_torque.iter())
-                    .map(|from_inputs| Kernel::new(&from_inputs[0]))
-                    .collect(),
+                to_sites: taps.into_iter().map(Kernel::new).collect(),
             }
         });
-        Self {
+        Ok(Self {
             step_length,
+            longest_time,
             surface_step,
             bit,
-        }
+        })
     }
 
     /// The torque that holds the bit fast from the first step on, for as long as
@@ -104,6 +84,18 @@ impl System {
 /// A response at a step; it does not change after its last.
 fn settled(response: &[f64], step: usize) -> f64 {
     response[step.min(response.len() - 1)]
+}
+
+/// Times are equal to this part of themselves.
+const SAME_TIME: f64 = 1e-9;
+
+/// Refuses a case that lasts longer than what it is stepped against.
+pub(crate) fn lasts_no_longer(duration: f64, prepared: f64) -> Result<(), SimulationError> {
+    if duration <= prepared * (1.0 + SAME_TIME) {
+        Ok(())
+    } else {
+        Err(SimulationError::LongerThanPrepared { duration, prepared })
+    }
 }
 
 /// Steps of a case, that at its start included.
@@ -143,17 +135,34 @@ pub struct Outcome {
     pub lateral: Option<LateralMeasures>,
 }
 
+impl Outcome {
+    /// Itself, unless what was measured is no number: squares and sums of finite
+    /// motion may be none.
+    pub(crate) fn finite(self) -> Result<Self, SimulationError> {
+        let of_torsion = self.torsion.iter().flat_map(TorsionMeasures::numbers);
+        let of_bending = self.lateral.iter().flat_map(LateralMeasures::numbers);
+        let mut all = of_torsion.chain(of_bending);
+        match all.find(|(_, value)| !value.is_finite()) {
+            Some((measure, _)) => Err(SimulationError::NotMeasured { measure }),
+            None => Ok(self),
+        }
+    }
+}
+
 /// Simulates one case, writing its time history into `record` where asked;
 /// nothing is left out of that.
 ///
 /// # Errors
-/// Where the motion is not finite or the responses do not fit the scene.
+/// Where the scene is not one that can be, the responses do not fit it, or the
+/// motion is not finite.
 pub fn simulate(
     system: &System,
     scene: &Scene,
     stopping: Stopping,
     record: Option<&mut Trajectory>,
 ) -> Result<Outcome, SimulationError> {
+    scene.check(system.surface_step.len())?;
+    lasts_no_longer(scene.timing.duration, system.longest_time)?;
     let steps = steps_of(scene.timing.duration, system.step_length);
     match (scene.bit, &system.bit) {
         (None, _) => {
@@ -202,9 +211,6 @@ fn step_bit(
     } else {
         stopping
     };
-    if steps > input.held.steps() {
-        return Err(SimulationError::LongerThanPrepared);
-    }
     let speed = scene.surface_speed;
     let held = |step: usize| speed * input.held.at(step);
     let slip = input.held.first_slip(speed, law.torque_static).min(steps);
@@ -229,8 +235,9 @@ fn step_bit(
         let mut past = [0.0];
         beyond.past(&mut past);
         let now = law.meet(motion, past[0] - compliance * held(step), compliance);
-        if !now.torque.is_finite() {
+        if !(now.torque.is_finite() && now.speed.is_finite()) {
             return Err(SimulationError::NotFinite {
+                site: input.site,
                 time: step as f64 * system.step_length,
             });
         }
@@ -258,7 +265,7 @@ fn step_bit(
             }
             // The surface, too, has settled by then.
             let is_last = step + memory >= system.surface_step[input.site].len();
-            if is_last && speeds.iter().all(|next| next * now.speed > 0.0) {
+            if is_last && turns_on(&speeds, now.speed) {
                 watch.turn_on(motion, &speeds);
                 (ended, simulated) = (Ended::Certain, step);
                 break;
@@ -276,13 +283,20 @@ fn step_bit(
     if let Some(record) = record {
         add_torque_to_other_sites(input, record);
     }
-    Ok(Outcome {
+    Outcome {
         simulated: simulated as f64 * system.step_length,
         ended,
         foretold,
         torsion: Some(watch.measures()),
         lateral: None,
-    })
+    }
+    .finite()
+}
+
+/// Whether a bit at `speed` has the same direction at all `speeds` to come.
+fn turns_on(speeds: &[f64], speed: f64) -> bool {
+    let mut speeds = speeds.iter();
+    speeds.all(|next| next.is_finite() && next * speed > 0.0)
 }
 
 /// Sites that are only looked at follow from the recorded torque.

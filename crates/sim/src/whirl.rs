@@ -70,6 +70,21 @@ pub struct LateralMeasures {
     pub ambiguous_steps: usize,
 }
 
+impl LateralMeasures {
+    /// What may be no number, with its name.
+    pub(crate) fn numbers(&self) -> [(&'static str, f64); 4] {
+        [
+            ("largest radius", self.peak_radius),
+            ("mean radius in the closing window", self.mean_radius),
+            ("rate of precession", self.precession_rate),
+            (
+                "mean normal force in the closing window",
+                self.mean_normal_force,
+            ),
+        ]
+    }
+}
+
 /// What one site did over some steps.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct SiteSums {

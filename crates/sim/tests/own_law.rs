@@ -52,7 +52,7 @@ fn the_built_in_law_as_a_closure_gives_the_built_in_motion() {
             },
         };
         let mut record = Trajectory::default();
-        let system = System::new(&responses, DURATION);
+        let system = System::new(&responses, DURATION).unwrap();
         sim::simulate(&system, &scene, Stopping::Full, Some(&mut record)).unwrap();
         let expected = &record.speeds[0];
         assert_eq!(speeds.len(), expected.len());
@@ -76,5 +76,7 @@ fn what_cannot_be_stepped_is_an_error() {
     assert_eq!(found, Err(SimulationError::NoTorqueInput));
     let broken = |line: sim::LoadLine| if line.time > 0.5 { f64::NAN } else { 0.0 };
     let found = sim::bit_speeds(&responses(vec![0]), 1.0, 1.0, broken);
-    assert!(matches!(found, Err(SimulationError::NotFinite { time }) if (time - 0.5).abs() < 0.01));
+    assert!(
+        matches!(found, Err(SimulationError::NotFinite { site: 0, time }) if (time - 0.5).abs() < 0.01)
+    );
 }

@@ -276,7 +276,8 @@ fn steady_backward_whirl_balances_the_dynamic_stiffness() {
         BENDING,
         SurfaceSupport::Free,
         &Sites::bit(),
-    );
+    )
+    .unwrap();
     let dynamic_stiffness = |rate: f64| {
         let stiffness = network.at_rate(rate)[(0, 0)].inv();
         [stiffness.re, stiffness.im]
@@ -365,7 +366,8 @@ fn steady_forward_whirl_balances_the_eccentric_force() {
         BENDING,
         SurfaceSupport::Free,
         &Sites::bit(),
-    );
+    )
+    .unwrap();
     let stiffness = network.at_rate(found.precession_rate)[(0, 0)].inv();
     let real = stiffness.re * found.mean_radius + found.mean_normal_force;
     let imaginary = stiffness.im * found.mean_radius + friction * found.mean_normal_force;

@@ -5,7 +5,7 @@ use faer::c64;
 use rayon::prelude::*;
 
 use super::{
-    MOST_TAPS, all_finite, check_sampling, needed_taps, samples_of, too_many, transform_length,
+    MOST_TAPS, all_finite, check_request, needed_taps, samples_of, too_many, transform_length,
 };
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::elements::newmark::Weights;
@@ -28,13 +28,18 @@ pub fn bending_responses(
     method: &Method,
     request: &BendingRequest,
 ) -> Result<BendingResponses, BuildError> {
-    check_sampling(request.sampling_frequency)?;
+    check_request(
+        string,
+        &request.sites,
+        request.sampling_frequency,
+        request.longest_time,
+    )?;
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
     if needed > MOST_TAPS as f64 {
         return Err(too_many(needed));
     }
     let needed = needed as usize;
-    let network = BendingNetwork::new(string, *bending, request.support, &request.sites);
+    let network = BendingNetwork::new(string, *bending, request.support, &request.sites)?;
     let sites = request.sites.len();
     let displacement =
         |s: c64, channels: &mut [c64]| fill(&network, s, c64::new(1.0, 0.0), channels);

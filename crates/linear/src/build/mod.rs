@@ -7,11 +7,32 @@ pub(crate) mod torsion;
 pub use bending::bending_responses;
 pub use torsion::torsion_responses;
 
+use crate::drillstring::{Drillstring, Sites};
 use crate::error::BuildError;
 use crate::method::Transform;
 
 /// The most taps kept per response: 16 million, 128 MB.
 pub(crate) const MOST_TAPS: usize = 1 << 24;
+
+/// Checks what both kinds of request say of time, and that the sites are the
+/// string's.
+fn check_request(
+    string: &Drillstring,
+    sites: &Sites,
+    sampling_frequency: f64,
+    longest_time: f64,
+) -> Result<(), BuildError> {
+    sites.check(string)?;
+    check_sampling(sampling_frequency)?;
+    if longest_time.is_finite() && longest_time >= 0.0 {
+        return Ok(());
+    }
+    Err(BuildError::Parameter {
+        name: "longest_time",
+        value: longest_time,
+        expected: "zero or a positive number of seconds",
+    })
+}
 
 /// Taps that a simulation of the given time can use.
 pub(crate) fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
@@ -45,7 +66,7 @@ fn too_many(taps: f64) -> BuildError {
     }
 }
 
-fn check_sampling(value: f64) -> Result<(), BuildError> {
+pub(crate) fn check_sampling(value: f64) -> Result<(), BuildError> {
     if value.is_finite() && value > 0.0 {
         Ok(())
     } else {

@@ -5,7 +5,7 @@ use faer::c64;
 use rayon::prelude::*;
 
 use super::{
-    MOST_TAPS, all_finite, check_sampling, needed_taps, samples_of, too_many, transform_length,
+    MOST_TAPS, all_finite, check_request, needed_taps, samples_of, too_many, transform_length,
 };
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
@@ -46,7 +46,16 @@ pub fn torsion_responses(
     method: &Method,
     request: &TorsionRequest,
 ) -> Result<TorsionResponses, BuildError> {
-    check_sampling(request.sampling_frequency)?;
+    check_request(
+        string,
+        &request.sites,
+        request.sampling_frequency,
+        request.longest_time,
+    )?;
+    let sites = request.sites.len();
+    if let Some(&site) = request.torque_inputs.iter().find(|&&site| site >= sites) {
+        return Err(BuildError::NoSuchSite { site, sites });
+    }
     let (channels, ending) = match method {
         Method::Quadrature => quadrature_taps(Formula::BackwardDifferences, string, request)?,
         Method::Trapezoidal => quadrature_taps(Formula::Trapezoidal, string, request)?,
@@ -54,7 +63,7 @@ pub fn torsion_responses(
             needs_damping(method, string)?;
             let samples = transform_samples(string, transform, request);
             let length = transform_length(samples, request.sampling_frequency)?;
-            let response = wave_response(string, request);
+            let response = wave_response(string, request)?;
             let taps = hilbert::taps(
                 request.sampling_frequency,
                 length,
@@ -67,7 +76,7 @@ pub fn torsion_responses(
             needs_damping(method, string)?;
             let samples = transform_samples(string, transform, request);
             let length = transform_length(samples, request.sampling_frequency)?;
-            let response = wave_response(string, request);
+            let response = wave_response(string, request)?;
             let taps = direct::taps(
                 request.sampling_frequency,
                 length,
@@ -87,7 +96,7 @@ fn quadrature_taps(
     string: &Drillstring,
     request: &TorsionRequest,
 ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-    let response = wave_response(string, request);
+    let response = wave_response(string, request)?;
     until_decayed(string, request, |length| {
         quadrature::taps(
             formula,
@@ -108,7 +117,7 @@ fn until_decayed(
     mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
 ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
-    let mut length = first_length(string, request);
+    let mut length = first_length(string, request)?;
     loop {
         let mut channels = build(length);
         if cut_decayed_tail(&mut channels) {
@@ -135,17 +144,17 @@ pub(crate) fn transform_samples(
 ) -> f64 {
     let sampling_frequency = request.sampling_frequency;
     let seeps = SEEPING_TIMES * torsional_settling_time(string) * sampling_frequency;
-    let lasts = 2.0 * seeps.max(first_length(string, request) as f64);
-    samples_of(transform, lasts, sampling_frequency)
+    let first = first_length(string, request).map_or(f64::INFINITY, |taps| taps as f64);
+    samples_of(transform, 2.0 * seeps.max(first), sampling_frequency)
 }
 
 /// Exact frequency responses of all channels.
 fn wave_response<'a>(
     string: &'a Drillstring,
     request: &'a TorsionRequest,
-) -> impl Fn(c64, &mut [c64]) + Sync + 'a {
-    let network = TorsionNetwork::new(string, &request.sites);
-    move |s, channels| {
+) -> Result<impl Fn(c64, &mut [c64]) + Sync + 'a, BuildError> {
+    let network = TorsionNetwork::new(string, &request.sites)?;
+    Ok(move |s: c64, channels: &mut [c64]| {
         let admittance = network.admittance(s);
         let sites = request.sites.len();
         channels[..sites].copy_from_slice(&admittance.from_surface);
@@ -156,7 +165,7 @@ fn wave_response<'a>(
         for (channel, value) in channels[sites..].iter_mut().zip(torques) {
             *channel = value;
         }
-    }
+    })
 }
 
 /// One unit input stepped in time, its effect at the sites written down.
@@ -258,7 +267,13 @@ fn decayed_length(taps: &[f64]) -> usize {
 
 /// A guess of the taps a response lasts, from the decay rate of the whole
 /// string; a power of two for the transforms.
-pub(crate) fn first_length(string: &Drillstring, request: &TorsionRequest) -> usize {
+///
+/// # Errors
+/// Where it lasts no finite time.
+pub(crate) fn first_length(
+    string: &Drillstring,
+    request: &TorsionRequest,
+) -> Result<usize, BuildError> {
     let decay_time = -NEGLIGIBLE_TAIL.ln() / torsional_decay_rate(string) / (1.0 - QUIET_PART);
     let default_time = FIRST_ROUND_TRIPS * 2.0 * torsional_travel_time(string);
     let time = if decay_time.is_finite() {
@@ -266,8 +281,11 @@ pub(crate) fn first_length(string: &Drillstring, request: &TorsionRequest) -> us
     } else {
         default_time
     };
-    let taps = (time * request.sampling_frequency).ceil() as usize;
-    taps.min(MOST_TAPS).next_power_of_two()
+    let taps = (time * request.sampling_frequency).ceil();
+    if !taps.is_finite() {
+        return Err(too_many(taps));
+    }
+    Ok((taps.min(MOST_TAPS as f64) as usize).next_power_of_two())
 }
 
 fn needs_damping(method: &Method, string: &Drillstring) -> Result<(), BuildError> {

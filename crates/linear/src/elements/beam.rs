@@ -12,13 +12,14 @@ use crate::error::BuildError;
 /// the surface holds.
 ///
 /// # Errors
-/// Where the sparse matrices cannot be formed.
+/// Where no string bends as `bending` says, or the sparse matrices cannot be formed.
 pub fn assemble(
     string: &Drillstring,
     bending: &Bending,
     support: SurfaceSupport,
     mesh: &Mesh,
 ) -> Result<Matrices, BuildError> {
+    bending.check()?;
     let held = support.held();
     let size = 2 * mesh.nodes() - held;
     let mut mass = Vec::with_capacity(16 * mesh.elements.len());

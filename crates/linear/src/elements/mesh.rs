@@ -1,7 +1,11 @@
 //! The string divided into elements, with a node at every change of tube and
 //! at every site.
 
-use crate::drillstring::{Drillstring, Sites, Tube};
+use crate::drillstring::{Drillstring, Sites, Span, Tube};
+use crate::error::BuildError;
+
+/// The most elements: 16 million, some gigabytes with their matrices.
+const MOST_ELEMENTS: usize = 1 << 24;
 
 /// Elements from the surface down; node 0 is the surface, node i + 1 the
 /// bottom of element i.
@@ -17,11 +21,27 @@ impl Mesh {
     /// Divides the string into elements so short that one cell of the
     /// drillpipe (a pipe and its joint) has `elements_per_cell` of them; every
     /// tube has at least one.
-    pub fn new(string: &Drillstring, sites: &Sites, elements_per_cell: usize) -> Self {
+    ///
+    /// # Errors
+    /// Where the sites are not the string's, or the elements would be too many.
+    pub fn new(
+        string: &Drillstring,
+        sites: &Sites,
+        elements_per_cell: usize,
+    ) -> Result<Self, BuildError> {
+        if elements_per_cell == 0 {
+            return Err(BuildError::Parameter {
+                name: "elements_per_cell",
+                value: 0.0,
+                expected: "at least 1",
+            });
+        }
         let mut elements = Vec::new();
         let mut site_nodes = Vec::with_capacity(sites.len());
         let longest = longest_element(string, elements_per_cell);
-        for span in string.spans(sites) {
+        let spans = string.spans(sites)?;
+        check_number(&spans, longest)?;
+        for span in spans {
             for run in &span.runs {
                 for _ in 0..run.repeat {
                     for part in &run.parts {
@@ -33,10 +53,10 @@ impl Mesh {
                 site_nodes.push(elements.len());
             }
         }
-        Self {
+        Ok(Self {
             elements,
             site_nodes,
-        }
+        })
     }
 
     /// Depth of every node below the surface, m.
@@ -64,15 +84,33 @@ pub(crate) fn most_elements(string: &Drillstring, sites: &Sites, elements_per_ce
     whole + sites.len() as f64
 }
 
+/// Refuses more elements than are made; what is no number of them too.
+fn check_number(spans: &[Span], longest: f64) -> Result<(), BuildError> {
+    let runs = spans.iter().flat_map(|span| &span.runs);
+    let elements: f64 = runs
+        .map(|run| {
+            let of_cell: f64 = run.parts.iter().map(|part| elements_of(part, longest)).sum();
+            run.repeat as f64 * of_cell
+        })
+        .sum();
+    if elements <= MOST_ELEMENTS as f64 {
+        return Ok(());
+    }
+    Err(BuildError::TooManyElements {
+        elements,
+        most: MOST_ELEMENTS,
+    })
+}
+
 fn longest_element(string: &Drillstring, elements_per_cell: usize) -> f64 {
     string.drillpipe().cell_length() / elements_per_cell as f64
 }
 
+/// Equal elements of a tube, no longer than `longest`, up to rounding.
 fn elements_of(tube: &Tube, longest: f64) -> f64 {
     (tube.length / longest - 1e-6).ceil().max(1.0)
 }
 
-/// Equal elements no longer than `longest`, up to rounding.
 fn divide(tube: &Tube, longest: f64, elements: &mut Vec<Tube>) {
     let count = elements_of(tube, longest);
     let element = Tube {

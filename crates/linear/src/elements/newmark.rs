@@ -12,6 +12,7 @@ use faer::sparse::linalg::solvers::Llt;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Accum, MatMut, MatRef, Par, Side};
 
+use crate::build::check_sampling;
 use crate::error::BuildError;
 use crate::method::FiniteElement;
 
@@ -98,6 +99,7 @@ impl Weights {
     /// Where the parameters are out of range.
     pub fn new(parameters: &FiniteElement, sampling_frequency: f64) -> Result<Self, BuildError> {
         parameters.check()?;
+        check_sampling(sampling_frequency)?;
         Ok(Self {
             gamma: parameters.gamma,
             beta: parameters.beta(),

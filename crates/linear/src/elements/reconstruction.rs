@@ -23,7 +23,7 @@ pub struct Reconstruction {
 /// shapes are kept.
 ///
 /// # Errors
-/// Where the parameters are out of range or the matrix cannot be factorised.
+/// Where the forces do not fit the sites, the parameters are out of range or the matrix cannot be factorised.
 pub fn reconstruct(
     string: &Drillstring,
     bending: &Bending,
@@ -32,6 +32,14 @@ pub fn reconstruct(
     forces: &[Vec<Vec<f64>>; 2],
     snapshots: &[usize],
 ) -> Result<Reconstruction, BuildError> {
+    let sites = request.sites.len();
+    let steps = forces[0].first().map_or(0, Vec::len);
+    let fits = |axis: &Vec<Vec<f64>>| {
+        axis.len() == sites && axis.iter().all(|forces| forces.len() == steps)
+    };
+    if !forces.iter().all(fits) {
+        return Err(BuildError::Forces);
+    }
     let weights = Weights::new(parameters, request.sampling_frequency)?;
     let beam = CondensedBeam::new(
         string,
@@ -45,7 +53,6 @@ pub fn reconstruct(
     let mut peaks = vec![0.0; depths.len()];
     let mut shapes = Vec::with_capacity(snapshots.len());
     let mut motions = [beam.rest(), beam.rest()];
-    let steps = forces[0].first().map_or(0, Vec::len);
     for step in 0..steps {
         for (motion, forces) in motions.iter_mut().zip(forces) {
             beam.step_free(motion);

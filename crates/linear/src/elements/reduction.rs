@@ -82,14 +82,15 @@ impl CondensedString {
     /// Meshes, assembles and factorises the string.
     ///
     /// # Errors
-    /// Where the effective matrix cannot be factorised.
+    /// Where the sites are not the string's, the elements would be too many, or the
+    /// effective matrix cannot be factorised.
     pub fn new(
         string: &Drillstring,
         sites: &Sites,
         elements_per_cell: usize,
         weights: Weights,
     ) -> Result<Self, BuildError> {
-        let mesh = Mesh::new(string, sites, elements_per_cell);
+        let mesh = Mesh::new(string, sites, elements_per_cell)?;
         let TorsionMatrices {
             free,
             surface_mass,
@@ -156,7 +157,8 @@ impl CondensedBeam {
     /// Meshes, assembles and factorises the string.
     ///
     /// # Errors
-    /// Where the effective matrix cannot be factorised.
+    /// Where the sites are not the string's, the elements would be too many, or the
+    /// effective matrix cannot be factorised.
     pub fn new(
         string: &Drillstring,
         bending: &Bending,
@@ -165,7 +167,7 @@ impl CondensedBeam {
         elements_per_cell: usize,
         weights: Weights,
     ) -> Result<Self, BuildError> {
-        let mesh = Mesh::new(string, sites, elements_per_cell);
+        let mesh = Mesh::new(string, sites, elements_per_cell)?;
         let matrices = beam::assemble(string, bending, support, &mesh)?;
         let held = support.held();
         let sites = mesh.site_nodes.iter().map(|node| 2 * node - held).collect();

@@ -4,9 +4,9 @@
 //! complex s, into taps: `output(k) = Σ taps(k − n) input(n)`, so that a tap
 //! carries the paper's factor 1/f_s.
 
-pub mod direct;
-pub mod hilbert;
-pub mod quadrature;
+pub(crate) mod direct;
+pub(crate) mod hilbert;
+pub(crate) mod quadrature;
 pub mod radau;
 
 use faer::c64;

@@ -8,6 +8,7 @@ use super::bending::{BeamStiffness, uniform};
 use super::block::Block;
 use super::chain;
 use crate::drillstring::{Bending, Drillstring, Sites, Span, SurfaceSupport};
+use crate::error::DrillstringError;
 
 /// A string cut at its sites once, to be evaluated at many frequencies.
 #[derive(Debug, Clone)]
@@ -21,19 +22,24 @@ pub struct BendingNetwork<'a> {
 
 impl<'a> BendingNetwork<'a> {
     /// Cuts the string at the sites.
+    ///
+    /// # Errors
+    /// Where these are not places of this string, or it cannot bend as `bending`
+    /// says.
     pub fn new(
         string: &'a Drillstring,
         bending: Bending,
         support: SurfaceSupport,
         sites: &Sites,
-    ) -> Self {
-        Self {
+    ) -> Result<Self, DrillstringError> {
+        bending.check()?;
+        Ok(Self {
             string,
             bending,
             support,
-            spans: string.spans(sites),
+            spans: string.spans(sites)?,
             sites: sites.len(),
-        }
+        })
     }
 
     /// The receptance at an angular frequency (rad/s, not zero).

@@ -7,6 +7,7 @@ use faer::{Mat, c64};
 use super::chain;
 use super::torsion::uniform;
 use crate::drillstring::{Drillstring, Sites, Span};
+use crate::error::DrillstringError;
 
 /// The frequency response D of Eq. 48 between surface and sites, without its
 /// top row (the torque at the surface).
@@ -29,12 +30,15 @@ pub struct TorsionNetwork<'a> {
 
 impl<'a> TorsionNetwork<'a> {
     /// Cuts the string at the sites.
-    pub fn new(string: &'a Drillstring, sites: &Sites) -> Self {
-        Self {
+    ///
+    /// # Errors
+    /// Where these are not places of this string.
+    pub fn new(string: &'a Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
+        Ok(Self {
             string,
-            spans: string.spans(sites),
+            spans: string.spans(sites)?,
             sites: sites.len(),
-        }
+        })
     }
 
     /// The frequency response at `frequency` (Hz).

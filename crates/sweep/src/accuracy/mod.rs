@@ -312,7 +312,7 @@ fn error_of(
     stopping: Stopping,
 ) -> Result<answer::Error, String> {
     let systems = systems.as_ref().map_err(String::clone)?;
-    let linear = probes.linear_error(systems);
+    let linear = probes.linear_error(systems)?;
     if linear.part > allowed {
         return Ok(linear);
     }

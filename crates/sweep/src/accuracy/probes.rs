@@ -310,8 +310,9 @@ impl<'a> Probes<'a> {
         Some((from * to).sqrt())
     }
 
-    /// The error of the linear responses of all strings, on smooth motions.
-    pub fn linear_error(&self, systems: &Systems) -> Error {
+    /// The error of the linear responses of all strings, on smooth motions; a
+    /// sentence where they are none of these strings'.
+    pub fn linear_error(&self, systems: &Systems) -> Result<Error, String> {
         let mut worst = Error {
             part: 0.0,
             of: "the linear responses".to_owned(),
@@ -320,7 +321,7 @@ impl<'a> Probes<'a> {
             let setting = &system.setting;
             let torsion = torsion_error(&setting.string, &setting.sites, &system.responses);
             let bending = (setting.lateral.as_ref().zip(system.bending.as_ref())).map_or(
-                0.0,
+                Ok(0.0),
                 |(lateral, responses)| {
                     let durations = lateral.impulses.iter().map(|known| known.impulse.duration);
                     let shortest = durations.fold(f64::INFINITY, f64::min);
@@ -339,12 +340,13 @@ impl<'a> Probes<'a> {
                 },
             );
             for (part, of) in [(torsion, "torsion"), (bending, "bending")] {
+                let part = part.map_err(|error| error.to_string())?;
                 if part > worst.part {
                     worst.part = part;
                     worst.of = format!("the linear responses in {of}");
                 }
             }
         }
-        worst
+        Ok(worst)
     }
 }

@@ -55,7 +55,7 @@ pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     make_folder(&folder)?;
     let picture = panels(&Panels {
         title: format!("{}: linear responses", sweep.title),
-        panels: response_panels(&sweep, &systems),
+        panels: response_panels(&sweep, &systems)?,
     })?;
     save_picture(&folder, "inspect", &picture)?;
     say(&[
@@ -265,8 +265,8 @@ fn history_terms(sweep: &Sweep, survey: &Survey, system: &MethodSystem) -> f64 {
     }
 }
 
-fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
-    let mut list = vec![frequency_panel(sweep)];
+fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>> {
+    let mut list = vec![frequency_panel(sweep)?];
     let bit = sweep.setting.sites.len() - 1;
     let series = |points: &dyn Fn(&MethodSystem) -> Option<Curve>| -> Vec<Series> {
         (systems.iter())
@@ -300,7 +300,7 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
     }
     if let Some(lateral) = &sweep.setting.lateral {
         let site = site_title(sweep.setting.sites.distances_from_bit()[bit]);
-        list.push(receptance_panel(sweep, lateral, &site));
+        list.push(receptance_panel(sweep, lateral, &site)?);
         list.push(Panel {
             // Longer than the steps above, so with a range of its own.
             x: axis("Time after the impulse t (s)"),
@@ -323,13 +323,13 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Vec<Panel> {
             references: Vec::new(),
         });
     }
-    list
+    Ok(list)
 }
 
 /// Fig. 6(a): the exact response of the bit to the surface, up to half the
 /// sampling frequency.
-fn frequency_panel(sweep: &Sweep) -> Panel {
-    let network = TorsionNetwork::new(&sweep.setting.string, &sweep.setting.sites);
+fn frequency_panel(sweep: &Sweep) -> Result<Panel> {
+    let network = TorsionNetwork::new(&sweep.setting.string, &sweep.setting.sites)?;
     let bit = sweep.setting.sites.len() - 1;
     let highest = 0.5 * sweep.setting.sampling_frequency;
     let points = (1..=FREQUENCIES).map(|index| {
@@ -337,7 +337,7 @@ fn frequency_panel(sweep: &Sweep) -> Panel {
         let response = network.at_frequency(frequency);
         (frequency, response.from_surface[bit].norm())
     });
-    Panel {
+    Ok(Panel {
         x: axis("Frequency f (Hz)"),
         y: Axis {
             label: "|bit speed / surface speed|".to_owned(),
@@ -348,17 +348,17 @@ fn frequency_panel(sweep: &Sweep) -> Panel {
             points: points.collect(),
         }],
         references: Vec::new(),
-    }
+    })
 }
 
 /// Fig. 6(b): the exact displacement of the lowest site per lateral force there.
-fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Panel {
+fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Result<Panel> {
     let network = BendingNetwork::new(
         &sweep.setting.string,
         lateral.bending,
         lateral.support,
         &sweep.setting.sites,
-    );
+    )?;
     let lowest = sweep.setting.sites.len() - 1;
     let highest = 0.5 * sweep.setting.sampling_frequency;
     let points = (1..=FREQUENCIES).map(|index| {
@@ -366,7 +366,7 @@ fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Pan
         let receptance = network.at_rate(TAU * frequency);
         (frequency, receptance[(lowest, lowest)].norm())
     });
-    Panel {
+    Ok(Panel {
         x: axis("Frequency f (Hz)"),
         y: Axis {
             label: format!("|displacement / force| at {site} (m/N)"),
@@ -377,7 +377,7 @@ fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Pan
             points: points.collect(),
         }],
         references: Vec::new(),
-    }
+    })
 }
 
 /// The response to a unit step, times `factor`.

@@ -92,7 +92,7 @@ impl MethodSystem {
         );
         let (responses, bending) = (responses?, bending?);
         let stepped = match &bending {
-            None => Stepped::Torsion(System::new(&responses, longest_time)),
+            None => Stepped::Torsion(System::new(&responses, longest_time)?),
             Some(bending) => Stepped::Lateral(LateralSystem::new(&responses, bending)?),
         };
         let build_seconds = start.elapsed().as_secs_f64();
@@ -145,10 +145,9 @@ impl MethodSystem {
         }
     }
 
-    /// Taps of the lowest driving point in torsion, where a torque acts there.
+    /// Taps of the bit's speed from a torque on it, where one acts there.
     pub fn driving_point(&self) -> Option<&[f64]> {
-        let site = *self.responses.torque_inputs.last()?;
-        Some(self.responses.from_torque[site].last()?)
+        self.responses.at_bit()
     }
 
     /// Simulates one scene, writing its time history into `record` where asked;
@@ -191,7 +190,7 @@ impl MethodSystem {
         let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, stopping, None)));
         let outcome = match simulated {
             Ok(Ok(outcome)) => RowOutcome::Done(outcome),
-            Ok(Err(error)) => RowOutcome::Failed(error.to_string()),
+            Ok(Err(error)) => RowOutcome::Failed(self.in_words(&error)),
             Err(_) => RowOutcome::Failed("the simulation panicked".to_owned()),
         };
         let site_from_bit_m = match &outcome {
@@ -206,6 +205,22 @@ impl MethodSystem {
             torque_dynamic_nm: case.torque_dynamic_nm,
             site_from_bit_m,
             outcome,
+        }
+    }
+}
+
+impl MethodSystem {
+    /// Why a case has no answer, its site by its place on the string.
+    fn in_words(&self, error: &SimulationError) -> String {
+        let distances = self.setting.sites.distances_from_bit();
+        match error
+            .site()
+            .and_then(|site| Some((site, distances.get(site)?)))
+        {
+            None => error.to_string(),
+            Some((site, distance)) => {
+                format!("{error} (site {site} is {distance} m from the bit)")
+            }
         }
     }
 }

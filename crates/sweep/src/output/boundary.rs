@@ -165,7 +165,8 @@ fn whirl_at(
         lateral.bending,
         lateral.support,
         &sweep.setting.sites,
-    );
+    )
+    .ok()?;
     let dynamic_stiffness = |rate: f64| {
         let stiffness = network.at_rate(rate)[(site, site)].inv();
         [stiffness.re, stiffness.im]

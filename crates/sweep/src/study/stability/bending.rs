@@ -64,7 +64,8 @@ pub fn chain(scenes: &Scenes, cell: &Cell) -> Result<Findings> {
     let rate = TAU * CHAIN_FREQUENCY;
     let joined = |string: &Drillstring| {
         let bit = linear::Sites::bit();
-        BendingNetwork::new(string, lateral.bending, lateral.support, &bit).at_rate(rate)[(0, 0)]
+        BendingNetwork::new(string, lateral.bending, lateral.support, &bit)
+            .map(|network| network.at_rate(rate)[(0, 0)])
     };
     let other = if cell.approach == Approach::TransferProducts {
         tip_receptance(&string, &lateral.bending, rate)
@@ -73,9 +74,9 @@ pub fn chain(scenes: &Scenes, cell: &Cell) -> Result<Findings> {
             repeat: 1,
             ..pipe.clone()
         };
-        joined(&row(vec![one; count])?)
+        joined(&row(vec![one; count])?)?
     };
-    let error = (other / joined(&string) - 1.0).norm();
+    let error = (other / joined(&string)? - 1.0).norm();
     Ok(Findings {
         error: Some(error),
         no_answer: (!error.is_finite())

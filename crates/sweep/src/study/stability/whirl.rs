@@ -111,7 +111,8 @@ fn steady_whirl(sweep: &Sweep, setting: &Setting) -> Option<SteadyWhirl> {
         lateral.bending,
         lateral.support,
         &setting.sites,
-    );
+    )
+    .ok()?;
     steady_backward_whirl(wall, sweep.conditions.surface_speed()?, |rate| {
         let stiffness = network.at_rate(rate)[(0, 0)].inv();
         [stiffness.re, stiffness.im]

@@ -79,18 +79,24 @@ impl Lateral {
         configuration.sampling_frequency * self.pulse.duration >= LEAST_SAMPLES
     }
 
-    fn network(&self) -> BendingNetwork<'_> {
+    fn network(&self) -> Result<BendingNetwork<'_>> {
         let setting = &self.sweep.setting;
         let LateralSettings {
             bending, support, ..
         } = self.settings;
-        BendingNetwork::new(&setting.string, bending, support, &setting.sites)
+        let sites = &setting.sites;
+        Ok(BendingNetwork::new(
+            &setting.string,
+            bending,
+            support,
+            sites,
+        )?)
     }
 
     /// The exact waves give the impulse response and, by the balance of forces in
     /// steady whirl, all that Fig. 12 shows.
     fn add_closed_forms(&mut self, wanted: &[Measure], highest: f64) -> Result<()> {
-        let network = self.network();
+        let network = self.network()?;
         let exact = wanted.contains(&Measure::LateralImpulse).then(|| {
             Exact::new(highest, self.time, |s| {
                 network.receptance(s)[(0, 0)] * self.pulse.transform(s)
@@ -160,7 +166,7 @@ impl Lateral {
     /// Where its responses cannot be built.
     pub fn measure(&self, configuration: &Configuration, wanted: &[Measure]) -> Result<Measured> {
         if configuration.scheme == Scheme::Radau {
-            return Ok(self.measure_radau(configuration.sampling_frequency, wanted));
+            return self.measure_radau(configuration.sampling_frequency, wanted);
         }
         let system = build(&self.sweep, configuration, self.time)?;
         let case = self.case(&system, None)?;
@@ -222,8 +228,8 @@ impl Lateral {
             .map_err(anyhow::Error::msg)
     }
 
-    fn measure_radau(&self, frequency: f64, wanted: &[Measure]) -> Measured {
-        let network = self.network();
+    fn measure_radau(&self, frequency: f64, wanted: &[Measure]) -> Result<Measured> {
+        let network = self.network()?;
         let count = self.impulse_response.count(frequency);
         let start = Instant::now();
         let taps = radau::taps(frequency, count, &|s| network.receptance(s)[(0, 0)]);
@@ -241,7 +247,7 @@ impl Lateral {
         let exact = self.impulse_response.at(frequency, 1);
         let error = greatest_difference(&response, exact) / self.impulse_response.peak();
         let found = Found::history(Measure::LateralImpulse, error);
-        Measured::by_radau(build_seconds, wanted, found)
+        Ok(Measured::by_radau(build_seconds, wanted, found))
     }
 }
 

@@ -67,7 +67,7 @@ impl Torsion {
             references: References::new(),
             sweep,
         };
-        torsion.add_linear_references(wanted, highest);
+        torsion.add_linear_references(wanted, highest)?;
         let nonlinear = [Measure::FirstSlip, Measure::Period, Measure::StickSlipLimit];
         if nonlinear.iter().any(|measure| wanted.contains(measure)) {
             torsion.add_nonlinear_references(wanted, &nonlinear)?;
@@ -75,7 +75,7 @@ impl Torsion {
         Ok(torsion)
     }
 
-    fn add_linear_references(&mut self, wanted: &[Measure], highest: f64) {
+    fn add_linear_references(&mut self, wanted: &[Measure], highest: f64) -> Result<()> {
         let string = &self.sweep.setting.string;
         let closed_form = |value| Reference {
             value,
@@ -84,7 +84,7 @@ impl Torsion {
         for measure in wanted {
             let reference = match measure {
                 Measure::SurfaceStep => {
-                    let network = TorsionNetwork::new(string, &self.sweep.setting.sites);
+                    let network = TorsionNetwork::new(string, &self.sweep.setting.sites)?;
                     let window = RaisedCosine {
                         duration: STEP_WINDOW,
                     };
@@ -95,17 +95,18 @@ impl Torsion {
                 }
                 Measure::SteadySpeed => closed_form(1.0),
                 Measure::StaticStiffness => closed_form(torsional_stiffness(string)),
-                Measure::Undershoot => self.exact_undershoot(),
+                Measure::Undershoot => self.exact_undershoot()?,
                 _ => continue,
             };
             self.references.insert(*measure, reference);
         }
+        Ok(())
     }
 
     /// Δ of the exact response, through ever narrower windows.
-    fn exact_undershoot(&self) -> Reference {
+    fn exact_undershoot(&self) -> Result<Reference> {
         let string = &self.sweep.setting.string;
-        let network = TorsionNetwork::new(string, &self.sweep.setting.sites);
+        let network = TorsionNetwork::new(string, &self.sweep.setting.sites)?;
         let round_trips = 6.0 * torsional_travel_time(string);
         let through = |duration: f64| {
             let (window, step) = (RaisedCosine { duration }, duration / SAMPLES_PER_WINDOW);
@@ -118,10 +119,10 @@ impl Torsion {
             -speeds.into_iter().fold(f64::INFINITY, f64::min)
         };
         let (wide, narrow) = (through(2.0 * UNDERSHOOT_WINDOW), through(UNDERSHOOT_WINDOW));
-        Reference {
+        Ok(Reference {
             value: narrow,
             uncertainty: (narrow / wide - 1.0).abs(),
-        }
+        })
     }
 
     /// What two methods that share no discretisation agree on at a frequency far
@@ -173,7 +174,7 @@ impl Torsion {
     /// Where its responses cannot be built.
     pub fn measure(&self, configuration: &Configuration, wanted: &[Measure]) -> Result<Measured> {
         if configuration.scheme == Scheme::Radau {
-            return Ok(self.measure_radau(configuration.sampling_frequency, wanted));
+            return self.measure_radau(configuration.sampling_frequency, wanted);
         }
         let system = build(&self.sweep, configuration, self.longest)?;
         let case = self.case(&system, None)?;
@@ -256,8 +257,8 @@ impl Torsion {
         case(&self.sweep, &system.setting, ratio)
     }
 
-    fn measure_radau(&self, frequency: f64, wanted: &[Measure]) -> Measured {
-        let network = TorsionNetwork::new(&self.sweep.setting.string, &self.sweep.setting.sites);
+    fn measure_radau(&self, frequency: f64, wanted: &[Measure]) -> Result<Measured> {
+        let network = TorsionNetwork::new(&self.sweep.setting.string, &self.sweep.setting.sites)?;
         let count = self.surface_step.count(frequency);
         let start = Instant::now();
         let taps = radau::taps(frequency, count, &|s| network.admittance(s).from_surface[0]);
@@ -275,7 +276,7 @@ impl Torsion {
         }
         let error = greatest_difference(&speeds, self.surface_step.at(frequency, 1));
         let found = Found::history(Measure::SurfaceStep, error);
-        Measured::by_radau(build_seconds, wanted, found)
+        Ok(Measured::by_radau(build_seconds, wanted, found))
     }
 }
 

@@ -1,0 +1,315 @@
+//! What no string has, and no request may ask for, is refused by name: never a
+//! panic, never an answer without a word.
+
+use linear::elements::reconstruction::reconstruct;
+use linear::exact::{bending_error, torsion_error};
+use linear::method::{FiniteElement, Transform};
+use linear::passivity::{Ending, positive_real_margin};
+use linear::waves::lateral::BendingNetwork;
+use linear::waves::network::TorsionNetwork;
+use linear::{
+    Bending, BendingRequest, BuildError, Drillstring, DrillstringError, Material, Method,
+    ResponseError, Section, Sites, SurfaceSupport, TorsionRequest, TorsionResponses, Tube,
+    bending_responses, torsion_responses,
+};
+
+const STEEL: Material = Material {
+    shear_modulus: 80e9,
+    density: 7840.0,
+};
+
+const BENDING: Bending = Bending {
+    youngs_modulus: 210e9,
+    damping: 2000.0,
+    compression: 0.0,
+};
+
+fn pipe(length: f64) -> Tube {
+    Tube {
+        length,
+        inner_radius: 0.05,
+        outer_radius: 0.1,
+    }
+}
+
+/// A string of so many pipes of ten metres.
+fn string(pipes: usize) -> Drillstring {
+    let section = Section {
+        repeat: pipes,
+        parts: vec![pipe(10.0)],
+    };
+    Drillstring::new(STEEL, vec![section], 10.0).unwrap()
+}
+
+fn methods() -> [Method; 5] {
+    [
+        Method::Quadrature,
+        Method::Trapezoidal,
+        Method::Hilbert(Transform::default()),
+        Method::DirectIdft(Transform::default()),
+        Method::FiniteElement(FiniteElement::default()),
+    ]
+}
+
+fn torsion_request(sites: Sites) -> TorsionRequest {
+    TorsionRequest {
+        sites,
+        torque_inputs: vec![0],
+        sampling_frequency: 200.0,
+        longest_time: 1.0,
+    }
+}
+
+fn bending_request(sites: Sites) -> BendingRequest {
+    BendingRequest {
+        sites,
+        support: SurfaceSupport::Free,
+        sampling_frequency: 200.0,
+        longest_time: 1.0,
+    }
+}
+
+/// By every method, what changes a good request is refused, and names what is wrong.
+#[test]
+fn requests_out_of_range_are_refused_by_every_method() {
+    let string = string(3);
+    let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0];
+    for method in methods() {
+        for value in bad.into_iter().chain([0.0]) {
+            let torsion = TorsionRequest {
+                sampling_frequency: value,
+                ..torsion_request(Sites::bit())
+            };
+            let bending = BendingRequest {
+                sampling_frequency: value,
+                ..bending_request(Sites::bit())
+            };
+            assert_names(
+                torsion_responses(&string, &method, &torsion),
+                "sampling_frequency",
+            );
+            let found = bending_responses(&string, &BENDING, &method, &bending);
+            assert_names(found, "sampling_frequency");
+        }
+        for value in bad {
+            let torsion = TorsionRequest {
+                longest_time: value,
+                ..torsion_request(Sites::bit())
+            };
+            let bending = BendingRequest {
+                longest_time: value,
+                ..bending_request(Sites::bit())
+            };
+            assert_names(
+                torsion_responses(&string, &method, &torsion),
+                "longest_time",
+            );
+            let found = bending_responses(&string, &BENDING, &method, &bending);
+            assert_names(found, "longest_time");
+        }
+        let request = TorsionRequest {
+            torque_inputs: vec![0, 2],
+            ..torsion_request(Sites::bit())
+        };
+        let found = torsion_responses(&string, &method, &request);
+        assert_eq!(found, Err(BuildError::NoSuchSite { site: 2, sites: 1 }));
+    }
+}
+
+#[track_caller]
+fn assert_names<T>(found: Result<T, BuildError>, expected: &str) {
+    match found {
+        Err(BuildError::Parameter { name, .. }) => assert_eq!(name, expected),
+        Err(other) => panic!("another error: {other}"),
+        Ok(_) => panic!("{expected} is not refused"),
+    }
+}
+
+#[test]
+fn sites_of_a_longer_string_are_refused_on_a_shorter_one() {
+    let (long, short) = (string(10), string(3));
+    let sites = Sites::new(&long, &[0.0, 60.0]).unwrap();
+    let off = DrillstringError::SiteOffString {
+        distance: 60.0,
+        length: short.length(),
+    };
+    assert_eq!(sites.check(&short), Err(off.clone()));
+    for method in methods() {
+        let found = torsion_responses(&short, &method, &torsion_request(sites.clone()));
+        assert_eq!(found, Err(BuildError::Sites(off.clone())));
+        let found = bending_responses(&short, &BENDING, &method, &bending_request(sites.clone()));
+        assert_eq!(found, Err(BuildError::Sites(off.clone())));
+    }
+    let network = TorsionNetwork::new(&short, &sites);
+    assert_eq!(network.map(|_| ()), Err(off.clone()));
+    let network = BendingNetwork::new(&short, BENDING, SurfaceSupport::Free, &sites);
+    assert_eq!(network.map(|_| ()), Err(off.clone()));
+    let still = [vec![vec![0.0]; 2], vec![vec![0.0]; 2]];
+    let request = bending_request(sites.clone());
+    let elements = FiniteElement::default();
+    let found = reconstruct(&short, &BENDING, &request, &elements, &still, &[]);
+    assert_eq!(found, Err(BuildError::Sites(off)));
+}
+
+#[test]
+fn bending_that_no_string_has_is_refused_by_every_method() {
+    let string = string(3);
+    let changes: [fn(&mut Bending); 6] = [
+        |bending| bending.youngs_modulus = 0.0,
+        |bending| bending.youngs_modulus = -210e9,
+        |bending| bending.youngs_modulus = f64::NAN,
+        |bending| bending.damping = -1.0,
+        |bending| bending.damping = f64::INFINITY,
+        |bending| bending.compression = f64::NAN,
+    ];
+    for change in changes {
+        let mut bending = BENDING;
+        change(&mut bending);
+        for method in methods() {
+            let request = bending_request(Sites::bit());
+            let found = bending_responses(&string, &bending, &method, &request);
+            assert!(matches!(found, Err(BuildError::Sites(_))), "{bending:?}");
+        }
+    }
+}
+
+/// Numbers that each are positive, but no string: an error in the end, not a panic
+/// and not a search without end.
+#[test]
+fn a_string_beyond_all_numbers_has_no_responses() {
+    let far = |length: f64, shear_modulus: f64| {
+        let steel = Material {
+            shear_modulus,
+            density: 7840.0,
+        };
+        let parts = vec![pipe(length)];
+        Drillstring::new(steel, vec![Section { repeat: 1, parts }], 10.0).unwrap()
+    };
+    for (length, shear_modulus) in [
+        (1e308, 80e9),
+        (10.0, 1e-308),
+        (1e-308, 80e9),
+        (1e300, 1e300),
+    ] {
+        let string = far(length, shear_modulus);
+        for method in [Method::FiniteElement(FiniteElement::default())] {
+            let request = torsion_request(Sites::bit());
+            let found = torsion_responses(&string, &method, &request);
+            let finite = |responses: TorsionResponses| responses.check();
+            assert!(found.map_or(true, |found| finite(found).is_ok()));
+        }
+    }
+}
+
+/// A collar of a million kilometres beside a drillpipe of centimetres: 10¹² elements.
+#[test]
+fn more_elements_than_are_made_are_refused() {
+    let sections = vec![
+        Section {
+            repeat: 2,
+            parts: vec![pipe(0.01)],
+        },
+        Section {
+            repeat: 1,
+            parts: vec![pipe(1e9)],
+        },
+    ];
+    let string = Drillstring::new(STEEL, sections, 10.0).unwrap();
+    let method = Method::FiniteElement(FiniteElement::default());
+    let found = bending_responses(&string, &BENDING, &method, &bending_request(Sites::bit()));
+    assert!(matches!(found, Err(BuildError::TooManyElements { .. })));
+}
+
+#[test]
+fn forces_that_do_not_fit_the_sites_are_refused() {
+    let (string, elements) = (string(3), FiniteElement::default());
+    let request = bending_request(Sites::bit());
+    let row = |steps: usize| vec![0.0; steps];
+    for forces in [
+        [vec![row(3)], vec![]],
+        [vec![row(3)], vec![row(2)]],
+        [vec![row(3), row(3)], vec![row(3), row(3)]],
+    ] {
+        let found = reconstruct(&string, &BENDING, &request, &elements, &forces, &[0]);
+        assert_eq!(found, Err(BuildError::Forces));
+    }
+}
+
+#[test]
+fn responses_put_together_by_hand_are_checked() {
+    let string = string(3);
+    let sites = Sites::new(&string, &[0.0, 10.0]).unwrap();
+    let good = torsion_responses(
+        &string,
+        &Method::Quadrature,
+        &torsion_request(sites.clone()),
+    );
+    let good = good.unwrap();
+    assert_eq!((good.bit, good.check()), (Some(1), Ok(())));
+    let changes: [(fn(&mut TorsionResponses), ResponseError); 7] = [
+        (
+            |it| it.sampling_frequency = 0.0,
+            ResponseError::SamplingFrequency { value: 0.0 },
+        ),
+        (
+            |it| it.torque_inputs[0] = 2,
+            ResponseError::NoSuchSite { site: 2, sites: 2 },
+        ),
+        (
+            |it| it.bit = Some(3),
+            ResponseError::NoSuchSite { site: 3, sites: 2 },
+        ),
+        (|it| it.from_surface[1].clear(), ResponseError::Shape),
+        (|it| it.from_torque[1].clear(), ResponseError::Shape),
+        (
+            |it| it.from_torque[1][0][5] = f64::NAN,
+            ResponseError::NotFinite,
+        ),
+        (
+            |it| it.from_torque[0][0][0] = 0.0,
+            ResponseError::Instant {
+                site: 0,
+                value: 0.0,
+            },
+        ),
+    ];
+    for (change, expected) in changes {
+        let mut bad = good.clone();
+        change(&mut bad);
+        assert_eq!(bad.check(), Err(expected));
+        assert_eq!(bad.margin(), Err(expected.into()));
+        assert_eq!(torsion_error(&string, &sites, &bad), Err(expected.into()));
+    }
+    let other = torsion_error(&string, &Sites::bit(), &good);
+    assert_eq!(other, Err(ResponseError::Shape.into()));
+
+    let request = bending_request(Sites::bit());
+    let bending = bending_responses(&string, &BENDING, &Method::Quadrature, &request).unwrap();
+    let error = |duration: f64| {
+        let (bit, free) = (Sites::bit(), SurfaceSupport::Free);
+        bending_error(&string, &BENDING, free, &bit, duration, &bending)
+    };
+    assert!(error(0.1).is_ok());
+    for duration in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert_names(error(duration), "duration");
+    }
+}
+
+#[test]
+fn a_margin_of_nothing_is_refused() {
+    let margin = |inputs: usize, taps: [&[f64]; 4]| {
+        positive_real_margin(inputs, Ending::Whole, |output, input| {
+            taps[2 * output + input]
+        })
+    };
+    let one: &[f64] = &[1.0];
+    for (inputs, taps) in [
+        (0, [one; 4]),
+        (1, [&[]; 4]),
+        (2, [one, one, one, &[1.0, 0.5]]),
+    ] {
+        assert_eq!(margin(inputs, taps), Err(ResponseError::Shape.into()));
+    }
+    let none = [one, one, one, &[f64::NAN]];
+    assert_eq!(margin(2, none), Err(ResponseError::NotFinite.into()));
+}

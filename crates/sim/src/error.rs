@@ -1,0 +1,79 @@
+//! What keeps a case from having an answer.
+
+use linear::ResponseError;
+use thiserror::Error;
+
+use crate::laws::wall::ContactError;
+use crate::scene::SceneError;
+
+/// A case that gives no answer. Sites are counted from the surface down, from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum SimulationError {
+    /// The motion stopped being a number.
+    #[error("the motion of site {site} is not finite from {time:.6} s on")]
+    NotFinite {
+        /// The site.
+        site: usize,
+        /// Time of the first such step, s.
+        time: f64,
+    },
+    /// The law of the wall has no solution in finite numbers.
+    #[error("no force of the wall on site {site} solves the step at {time:.6} s")]
+    NoContactForce {
+        /// The site.
+        site: usize,
+        /// Time of the step, s.
+        time: f64,
+    },
+    /// What was measured over the case is no number, though every step was.
+    #[error("the {measure} of the motion is not finite")]
+    NotMeasured {
+        /// Which measure.
+        measure: &'static str,
+    },
+    /// Sites that touch one another within a step did not settle.
+    #[error("coupled sites do not settle at {time:.6} s; a higher sampling frequency parts them")]
+    NotSettled {
+        /// Time of the step, s.
+        time: f64,
+    },
+    /// The scene has a torque at the bit, but the responses have no such
+    /// input.
+    #[error("the responses were built without a torque at the bit")]
+    NoTorqueInput,
+    /// Torsion, bending and scene do not have the same sites.
+    #[error("torsion, bending and the scene do not have the same sites")]
+    UnlikeParts,
+    /// The responses, or the system made of them, end before the case.
+    #[error("the case lasts {duration} s, but its responses were built for {prepared} s")]
+    LongerThanPrepared {
+        /// Time of the case, s.
+        duration: f64,
+        /// Time that the responses are good for, s.
+        prepared: f64,
+    },
+    /// The scene is not one that can be.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The responses are not those of a string.
+    #[error(transparent)]
+    Responses(#[from] ResponseError),
+}
+
+impl SimulationError {
+    /// The site that it is about, where it is about one.
+    pub fn site(&self) -> Option<usize> {
+        match self {
+            Self::NotFinite { site, .. } | Self::NoContactForce { site, .. } => Some(*site),
+            _ => None,
+        }
+    }
+
+    /// A step of one site that has no answer.
+    pub(crate) fn of_contact(error: ContactError, site: usize, time: f64) -> Self {
+        match error {
+            ContactError::NotFinite => Self::NotFinite { site, time },
+            ContactError::Unsolved => Self::NoContactForce { site, time },
+        }
+    }
+}

@@ -1,0 +1,408 @@
+//! Systems and scenes that do not fit, and scenes that cannot be: each is refused by
+//! name, none gives an answer without a word.
+
+use linear::{
+    Bending, BendingRequest, BendingResponses, Drillstring, Material, Method, ResponseError,
+    Section, Sites, SurfaceSupport, TorsionRequest, TorsionResponses, Tube, bending_responses,
+    torsion_responses,
+};
+use proptest::prelude::*;
+use sim::excitation::least_impulse;
+use sim::oscillator::worst_load_gain;
+use sim::{
+    BitTorque, EccentricMass, Impulse, Lateral, LateralSystem, Outcome, Scene, SceneError,
+    SimulationError, Stopping, System, Timing, Wall, simulate, simulate_lateral,
+};
+
+const SAMPLING_FREQUENCY: f64 = 200.0;
+const LONGEST: f64 = 2.0;
+
+const BIT: BitTorque = BitTorque {
+    torque_static: 1200.0,
+    torque_dynamic: 1000.0,
+};
+
+const WALL: Wall = Wall {
+    clearance: 0.015,
+    stiffness: 1e9,
+    friction: 0.5,
+    radius: 0.1,
+};
+
+fn string() -> Drillstring {
+    let steel = Material {
+        shear_modulus: 80e9,
+        density: 7840.0,
+    };
+    let parts = vec![Tube {
+        length: 10.0,
+        inner_radius: 0.05,
+        outer_radius: 0.1,
+    }];
+    Drillstring::new(steel, vec![Section { repeat: 5, parts }], 10.0).unwrap()
+}
+
+fn torsion(distances: &[f64], torque_inputs: Vec<usize>, longest_time: f64) -> TorsionResponses {
+    let string = string();
+    let request = TorsionRequest {
+        sites: Sites::new(&string, distances).unwrap(),
+        torque_inputs,
+        sampling_frequency: SAMPLING_FREQUENCY,
+        longest_time,
+    };
+    torsion_responses(&string, &Method::Quadrature, &request).unwrap()
+}
+
+fn bending(distances: &[f64], longest_time: f64) -> BendingResponses {
+    let string = string();
+    let request = BendingRequest {
+        sites: Sites::new(&string, distances).unwrap(),
+        support: SurfaceSupport::Free,
+        sampling_frequency: SAMPLING_FREQUENCY,
+        longest_time,
+    };
+    let material = Bending {
+        youngs_modulus: 210e9,
+        damping: 2000.0,
+        compression: 0.0,
+    };
+    bending_responses(&string, &material, &Method::Quadrature, &request).unwrap()
+}
+
+fn lateral_system(distances: &[f64], longest_time: f64) -> LateralSystem {
+    let inputs = (0..distances.len()).collect();
+    let torsion = torsion(distances, inputs, longest_time);
+    LateralSystem::new(&torsion, &bending(distances, longest_time)).unwrap()
+}
+
+/// A bit alone.
+fn cutting() -> Scene {
+    Scene {
+        surface_speed: 0.5,
+        bit: Some(BIT),
+        lateral: None,
+        timing: Timing {
+            duration: LONGEST,
+            closing_window: 0.5,
+        },
+    }
+}
+
+/// A bit that is pushed, and unbalanced.
+fn touching() -> Scene {
+    let impulse = Impulse {
+        site: 0,
+        amount: 100.0,
+        start: 0.1,
+        duration: 0.05,
+        direction: 0.0,
+    };
+    let mass = EccentricMass {
+        site: 0,
+        mass: 10.0,
+        offset: 0.01,
+    };
+    Scene {
+        lateral: Some(Lateral {
+            walls: vec![WALL],
+            impulses: vec![impulse],
+            eccentric_masses: vec![mass],
+        }),
+        ..cutting()
+    }
+}
+
+fn run(system: &LateralSystem, scene: &Scene) -> Result<Outcome, SimulationError> {
+    simulate_lateral(system, scene, Stopping::Full, None)
+}
+
+/// Whichever other sites torques may act on, and in whichever order they are named.
+#[test]
+fn the_bit_is_the_site_at_the_bit() {
+    let at_bit = |torque_inputs: Vec<usize>| {
+        let system = System::new(&torsion(&[0.0, 20.0], torque_inputs, LONGEST), LONGEST);
+        simulate(&system.unwrap(), &cutting(), Stopping::Full, None)
+    };
+    let expected = at_bit(vec![1]);
+    assert!(expected.is_ok());
+    assert_eq!(at_bit(vec![0, 1]), expected);
+    assert_eq!(at_bit(vec![1, 0]), expected);
+    assert_eq!(at_bit(vec![0]), Err(SimulationError::NoTorqueInput));
+    assert_eq!(at_bit(vec![]), Err(SimulationError::NoTorqueInput));
+
+    let own_law = |torque_inputs: Vec<usize>| {
+        let responses = torsion(&[0.0, 20.0], torque_inputs, LONGEST);
+        sim::bit_speeds(&responses, 0.5, LONGEST, |_| -500.0)
+    };
+    assert_eq!(own_law(vec![0, 1]), own_law(vec![1]));
+    assert_eq!(own_law(vec![0]), Err(SimulationError::NoTorqueInput));
+}
+
+#[test]
+fn a_bit_cuts_at_no_site_above_it() {
+    let system = lateral_system(&[20.0], LONGEST);
+    assert_eq!(
+        run(&system, &touching()),
+        Err(SimulationError::NoTorqueInput)
+    );
+    let free = Scene {
+        bit: None,
+        ..touching()
+    };
+    assert!(run(&system, &free).is_ok());
+}
+
+#[test]
+fn a_case_longer_than_its_system_is_refused() {
+    let scene = |duration: f64| Scene {
+        timing: Timing {
+            duration,
+            closing_window: 0.5,
+        },
+        ..touching()
+    };
+    let system = lateral_system(&[0.0], LONGEST);
+    assert!(run(&system, &scene(LONGEST)).is_ok());
+    for duration in [LONGEST + 0.01, 1e300] {
+        let found = run(&system, &scene(duration));
+        let expected = SimulationError::LongerThanPrepared {
+            duration,
+            prepared: LONGEST,
+        };
+        assert_eq!(found, Err(expected));
+        let alone = System::new(&torsion(&[0.0], vec![0], LONGEST), LONGEST).unwrap();
+        for bit in [Some(BIT), None] {
+            let scene = Scene {
+                bit,
+                lateral: None,
+                ..scene(duration)
+            };
+            assert_eq!(
+                simulate(&alone, &scene, Stopping::Full, None),
+                Err(expected)
+            );
+        }
+    }
+    // Taps that are cut off are good for no longer than they are.
+    let mut cut = torsion(&[0.0], vec![0], LONGEST);
+    cut.ending = linear::passivity::Ending::Cut;
+    let lasts = cut.longest_time();
+    let expected = SimulationError::LongerThanPrepared {
+        duration: 2.0 * lasts,
+        prepared: lasts,
+    };
+    assert_eq!(System::new(&cut, 2.0 * lasts).map(|_| ()), Err(expected));
+    let found = sim::bit_speeds(&cut, 0.5, 2.0 * lasts, |_| 0.0);
+    assert_eq!(found, Err(expected));
+}
+
+type Change = fn(&mut Scene);
+
+fn lateral(scene: &mut Scene) -> &mut Lateral {
+    scene.lateral.as_mut().unwrap()
+}
+
+#[test]
+fn scenes_that_cannot_be_are_refused() {
+    let changes: [Change; 19] = [
+        |it| it.surface_speed = f64::NAN,
+        |it| it.surface_speed = f64::INFINITY,
+        |it| it.timing.duration = f64::NAN,
+        |it| it.timing.duration = f64::INFINITY,
+        |it| it.timing.duration = -1.0,
+        |it| it.timing.closing_window = f64::NAN,
+        |it| it.timing.closing_window = f64::INFINITY,
+        |it| {
+            it.bit = Some(BitTorque {
+                torque_static: f64::NAN,
+                ..BIT
+            })
+        },
+        |it| {
+            it.bit = Some(BitTorque {
+                torque_dynamic: -1.0,
+                ..BIT
+            })
+        },
+        |it| lateral(it).walls[0].clearance = 0.0,
+        |it| lateral(it).walls[0].stiffness = f64::NAN,
+        |it| lateral(it).walls[0].friction = -0.1,
+        |it| lateral(it).walls[0].radius = f64::NAN,
+        |it| lateral(it).impulses[0].amount = f64::NAN,
+        |it| lateral(it).impulses[0].start = f64::INFINITY,
+        |it| lateral(it).impulses[0].direction = f64::INFINITY,
+        |it| lateral(it).impulses[0].duration = 0.0,
+        |it| lateral(it).eccentric_masses[0].mass = -1.0,
+        |it| lateral(it).eccentric_masses[0].offset = f64::NAN,
+    ];
+    let system = lateral_system(&[0.0], LONGEST);
+    assert!(run(&system, &touching()).is_ok());
+    for (number, change) in changes.into_iter().enumerate() {
+        let mut scene = touching();
+        change(&mut scene);
+        let found = run(&system, &scene);
+        let is_refused = matches!(
+            found,
+            Err(SimulationError::Scene(SceneError::OutOfRange { .. }))
+        );
+        assert!(is_refused, "{number}: {found:?}");
+    }
+    let sites: [(Change, &str); 2] = [
+        (|it| lateral(it).impulses[0].site = 1, "an impulse"),
+        (
+            |it| lateral(it).eccentric_masses[0].site = 7,
+            "an eccentric mass",
+        ),
+    ];
+    for (change, expected) in sites {
+        let mut scene = touching();
+        change(&mut scene);
+        match run(&system, &scene) {
+            Err(SimulationError::Scene(SceneError::NoSuchSite { what, sites: 1, .. })) => {
+                assert_eq!(what, expected);
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn a_bit_that_holds_less_than_turns_it_is_refused() {
+    let slippery = BitTorque {
+        torque_static: 900.0,
+        ..BIT
+    };
+    let expected = SimulationError::Scene(SceneError::Torques {
+        torque_static: 900.0,
+        torque_dynamic: 1000.0,
+    });
+    let scene = Scene {
+        bit: Some(slippery),
+        ..cutting()
+    };
+    let system = System::new(&torsion(&[0.0], vec![0], LONGEST), LONGEST).unwrap();
+    let found = simulate(&system, &scene, Stopping::Full, None);
+    assert_eq!(found, Err(expected));
+    let scene = Scene {
+        bit: Some(slippery),
+        ..touching()
+    };
+    assert_eq!(run(&lateral_system(&[0.0], LONGEST), &scene), Err(expected));
+}
+
+#[test]
+fn responses_that_no_string_gives_are_refused() {
+    let good = torsion(&[0.0], vec![0], LONGEST);
+    let changes: [(fn(&mut TorsionResponses), ResponseError); 5] = [
+        (
+            |it| it.sampling_frequency = f64::NAN,
+            ResponseError::SamplingFrequency { value: f64::NAN },
+        ),
+        (|it| it.from_surface[0].clear(), ResponseError::Shape),
+        (|it| it.from_torque.clear(), ResponseError::Shape),
+        (
+            |it| it.torque_inputs[0] = 4,
+            ResponseError::NoSuchSite { site: 4, sites: 1 },
+        ),
+        (
+            |it| it.from_torque[0][0][0] = -1.0,
+            ResponseError::Instant {
+                site: 0,
+                value: -1.0,
+            },
+        ),
+    ];
+    for (change, expected) in changes {
+        let mut bad = good.clone();
+        change(&mut bad);
+        let expected = Err(expected.to_string());
+        let words = |found: Result<(), SimulationError>| found.map_err(|it| it.to_string());
+        assert_eq!(words(System::new(&bad, LONGEST).map(|_| ())), expected);
+        let bending = bending(&[0.0], LONGEST);
+        assert_eq!(
+            words(LateralSystem::new(&bad, &bending).map(|_| ())),
+            expected
+        );
+        let speeds = sim::bit_speeds(&bad, 0.5, LONGEST, |_| 0.0);
+        assert_eq!(words(speeds.map(|_| ())), expected);
+    }
+    for longest_time in [f64::NAN, f64::INFINITY, -1.0] {
+        let found = System::new(&good, longest_time);
+        assert!(
+            matches!(found, Err(SimulationError::Scene(_))),
+            "{longest_time}"
+        );
+    }
+    let other = LateralSystem::new(&good, &bending(&[0.0, 20.0], LONGEST));
+    assert_eq!(other.map(|_| ()), Err(SimulationError::UnlikeParts));
+    assert!(worst_load_gain(&[]).is_err());
+    assert!(worst_load_gain(&[vec![&[]]]).is_err());
+    assert!(worst_load_gain(&[vec![&[1.0, f64::NAN]]]).is_err());
+}
+
+/// An impulse that outlasts every response takes no more memory than one that is as
+/// long as they are.
+#[test]
+fn an_impulse_without_end_has_a_least_amount() {
+    let taps = [1.0, 0.5, 0.25];
+    let of = |duration: f64| least_impulse(&taps, SAMPLING_FREQUENCY, duration, 0.015);
+    assert!(of(0.01).is_finite());
+    for duration in [1e7, 1e308] {
+        assert!(of(duration) > of(1.0));
+    }
+    assert!(of(f64::NAN).is_nan() || of(f64::NAN) == f64::INFINITY);
+}
+
+fn decades(from: f64, to: f64) -> impl Strategy<Value = f64> {
+    prop_oneof![Just(0.0), (from..to).prop_map(|e| 10f64.powf(e))]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..Default::default() })]
+
+    /// Masses and pushes that throw the string about until numbers end: an outcome in
+    /// numbers, or an error that says when.
+    #[test]
+    fn an_extreme_scene_has_a_finite_outcome_or_an_error(
+        speed in decades(-3.0, 300.0),
+        torque in decades(-3.0, 300.0),
+        mass in decades(-3.0, 300.0),
+        amount in decades(-3.0, 300.0),
+        friction in decades(-3.0, 300.0),
+        stiffness in prop_oneof![Just(f64::INFINITY), (-300.0..300.0f64).prop_map(|e| 10f64.powf(e))],
+        cuts in any::<bool>(),
+    ) {
+        static SYSTEM: std::sync::LazyLock<LateralSystem> =
+            std::sync::LazyLock::new(|| lateral_system(&[0.0, 20.0], LONGEST));
+        let mut scene = touching();
+        scene.surface_speed = speed;
+        scene.bit = cuts.then_some(BitTorque {
+            torque_static: 1.2 * torque,
+            torque_dynamic: torque,
+        });
+        let lateral = lateral(&mut scene);
+        lateral.walls = vec![Wall { friction, stiffness, ..WALL }; 2];
+        lateral.impulses[0].amount = amount;
+        lateral.eccentric_masses[0].mass = mass;
+        for stopping in [Stopping::Full, Stopping::Early] {
+            match simulate_lateral(&SYSTEM, &scene, stopping, None) {
+                Ok(outcome) => {
+                    let lateral = outcome.lateral.unwrap();
+                    let torsion = outcome.torsion.map_or(0.0, |torsion| torsion.peak_speed);
+                    let numbers = [
+                        lateral.peak_radius,
+                        lateral.mean_radius,
+                        lateral.mean_normal_force,
+                        lateral.precession_rate,
+                        torsion,
+                    ];
+                    prop_assert!(numbers.iter().all(|number| number.is_finite()));
+                }
+                Err(error) => prop_assert!(!matches!(
+                    error,
+                    SimulationError::Scene(_) | SimulationError::LongerThanPrepared { .. }
+                )),
+            }
+        }
+    }
+}
