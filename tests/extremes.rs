@@ -42,7 +42,7 @@ fn end_of(number: u64) -> Result<&'static str, String> {
     let mut random = Random::of(number);
     let text = sweep_file(&mut random);
     let place = Workplace::with_small(&text);
-    let mut arguments = vec!["run", "small.toml", "--jobs", "1"];
+    let mut arguments = vec!["run", "small.toml", "--jobs", "1", "--memory", MEMORY];
     if random.happens(0.5) {
         arguments.push("--allow-unstable");
     }
