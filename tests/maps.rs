@@ -271,6 +271,31 @@ fn many_values_of_a_third_axis_are_shown_as_parts_and_their_limits_as_a_range() 
     assert!(level.len() < 20, "{} lines", level.len());
 }
 
+/// Made-up cases, of which no two neighbours are alike.
+#[test]
+fn a_sheet_of_twelve_maps_of_many_cases_stays_below_a_megabyte() {
+    let design = "[design]\nkind = \"grid\"\n[design.axes]\n\
+        surface_speed_rpm = { values = [40, 80] }\n\
+        weight_on_bit_kn = { values = [30, 70] }\n\
+        impulse_ratio = { values = [2, 4] }\n\
+        [map]\nx = \"impulse_ratio\"\ny = \"weight_on_bit_kn\"\n";
+    let run = Run::of(&with_bit_and_wall(design));
+    let axes = "surface_speed_rpm,weight_on_bit_kn,impulse_ratio";
+    let mut labels = format!("case,method,{axes},torsion,lateral\n");
+    let regimes = ["smooth,backward_whirl", "stick_slip,no_contact"];
+    for case in 0..6 * 60 * 60 {
+        let (speed, weight, impulse) = (case / 3600, case / 60 % 60, case % 60);
+        let regime = regimes[(weight + impulse) % 2];
+        labels += &format!("{case},quadrature,{speed},{weight},{impulse},{regime}\n");
+    }
+    run.place.write("results/labels.csv", labels);
+    let answer = run.place.sweep(&["plot", "results"]);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    let map = run.map();
+    assert_eq!(map.words().matches("Surface speed Ω = ").count(), 12);
+    assert!(map.0.len() < 1_000_000, "{}", map.0.len());
+}
+
 /// What follows `before` in `words`, as a number.
 #[track_caller]
 fn number_after(words: &str, before: &str) -> f64 {

@@ -7,13 +7,11 @@ use super::Map;
 use crate::output::{CaseReader, CaseRows, Cells, Extent, Fractions, Motion};
 use crate::plot::{Ground, MapCell, MapPoint, Part, Symbol};
 
-/// More cases than this on a map alone on its sheet are drawn by cells; on one of
-/// several, which are smaller, more than the other number.
+/// Where a sheet would have more symbols than this, cells are drawn.
 const MOST_SYMBOLS: usize = 4000;
-const MOST_SYMBOLS_OF_SEVERAL: usize = 1000;
 
-/// Cells to the right and upwards at most: more would make the picture too large
-/// a file where no two neighbours are alike.
+/// Cells to the right and upwards at most, on the one map of a sheet: more would make
+/// the picture too large a file where no two neighbours are alike.
 const MOST_CELLS: [usize; 2] = [104, 78];
 
 /// Random cases leave hardly a cell empty if it has so many on average.
@@ -47,8 +45,7 @@ impl Content {
             None => vec![Content::new(Drawn::Parts(Fractions::new(&map.extent)))],
             Some(combinations) => {
                 let count = combinations.len().max(1);
-                let several = count * map.extent.motions.len() > 1;
-                let drawn = || Drawn::of_cases(&map.extent, count, several);
+                let drawn = || Drawn::of_cases(&map.extent, count);
                 (0..count).map(|_| Content::new(drawn())).collect()
             }
         };
@@ -147,16 +144,11 @@ impl Content {
 }
 
 impl Drawn {
-    /// Of the cases of one of `count` maps, before there are any.
-    fn of_cases(extent: &Extent, count: usize, several: bool) -> Self {
-        let most = if several {
-            MOST_SYMBOLS_OF_SEVERAL
-        } else {
-            MOST_SYMBOLS
-        };
-        let cases = extent.cases / count;
-        if cases > most {
-            Drawn::Crowd(Cells::new(extent, most_cells(extent, cases)))
+    /// Of the cases of one of `count` maps of a motion, before there are any.
+    fn of_cases(extent: &Extent, count: usize) -> Self {
+        let motions = extent.motions.len();
+        if extent.cases * motions > MOST_SYMBOLS {
+            Drawn::Crowd(Cells::new(extent, most_cells(extent, count, motions)))
         } else {
             Drawn::Each(Vec::new())
         }
@@ -164,13 +156,14 @@ impl Drawn {
 }
 
 /// As many cells as have some cases each, in the shape of the picture; a grid has a
-/// cell for each of its values.
-fn most_cells(extent: &Extent, cases: usize) -> [usize; 2] {
+/// cell for each of its values. The maps of a sheet have no more than one alone.
+fn most_cells(extent: &Extent, count: usize, motions: usize) -> [usize; 2] {
+    let share = ((count * motions) as f64).sqrt();
+    let most = MOST_CELLS.map(|cells| cells as f64 / share);
     if extent.is_grid() {
-        return MOST_CELLS;
+        return most.map(|most| most as usize);
     }
-    let most = MOST_CELLS.map(|cells| cells as f64);
-    let cells = cases as f64 / CASES_PER_CELL;
+    let cells = (extent.cases / count) as f64 / CASES_PER_CELL;
     let scale = (cells / (most[0] * most[1])).sqrt().min(1.0);
     most.map(|most| (scale * most) as usize)
 }

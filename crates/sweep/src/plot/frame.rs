@@ -167,7 +167,9 @@ impl Frame {
         let (x, y) = self.area.centre();
         let below = self.area.bottom + MAJOR_TICK + SMALL_SIZE + 2.0 * GAP;
         let first_row = below + self.x_title.line_height() / 2.0;
-        canvas.text(&self.x_title, x, first_row, HPos::Center)?;
+        // Not beyond the right end, where a long title upwards leaves little width.
+        let middle = x.min(self.area.right - self.x_title.width / 2.0);
+        canvas.text(&self.x_title, middle, first_row, HPos::Center)?;
         let labels = MAJOR_TICK + 2.0 * GAP + widest_label(&self.y_ticks)?;
         let first_column =
             self.area.left - labels - self.y_title.height() + self.y_title.line_height() / 2.0;

@@ -45,14 +45,14 @@ fn legend(cells: &Cells, motion: Motion) -> String {
         (Symbol::Cross, format!("{none} by all methods")),
         (Symbol::Square, "methods differ".to_owned()),
     ];
-    let keys: Vec<String> = (meanings.into_iter())
+    let keys: String = (meanings.into_iter())
         .filter(|(symbol, _)| runs.iter().any(|run| run.2 == *symbol))
-        .map(|(symbol, meaning)| format!("{} {meaning}", character(symbol)))
+        .map(|(symbol, meaning)| format!("{} {meaning}\n", character(symbol)))
         .collect();
     if keys.is_empty() {
         return "No case has an answer.\n".to_owned();
     }
-    format!("{}\n", keys.join("   "))
+    keys
 }
 
 /// As unlike each other as characters can be.

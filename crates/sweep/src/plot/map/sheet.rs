@@ -29,6 +29,8 @@ const WIDTH: f64 = 1180.0;
 const GAP: f64 = 18.0;
 /// Space after a text below a map.
 const TEXT_GAP: f64 = 5.0;
+/// Room for the half of a number below the right end of a map.
+const LABEL_ROOM: f64 = 14.0;
 /// Height of a map, by how many stand in a row.
 const HEIGHTS: [f64; 3] = [430.0, 430.0, 320.0];
 
@@ -230,7 +232,7 @@ fn frames(
             let outer = Rect {
                 left,
                 top: row_top + title_height + 0.3 * GAP,
-                right: left + map_width,
+                right: left + map_width - LABEL_ROOM,
                 bottom: bottom - 0.5 * GAP,
             };
             let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
