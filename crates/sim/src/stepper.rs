@@ -48,7 +48,8 @@ impl System {
         lasts_no_longer(longest_time, responses.longest_time())?;
         let surface_step = surface_steps(responses);
         let step_length = 1.0 / responses.sampling_frequency;
-        let bit = responses.bit.zip(responses.from_bit()).map(|(site, taps)| {
+        let bit_site = responses.sites.bit_site();
+        let bit = bit_site.zip(responses.from_bit()).map(|(site, taps)| {
             let future = Future::new(taps[site]);
             let to_itself = Kernels::new(&[vec![taps[site].to_vec()]]);
             let surface = |step: usize| settled(&surface_step[site], step);

@@ -274,6 +274,7 @@ impl Press<'_> {
             (contact.position[axis] - pushed).abs() <= TOLERANCE * self.distance
         };
         (cos * cos + sin * sin - 1.0).abs() <= TOLERANCE
+            && self.distance.is_finite()
             && on_load_line(0)
             && on_load_line(1)
             && trial.normal_force >= 0.0
@@ -281,6 +282,37 @@ impl Press<'_> {
             && trial.ratio.abs() <= (1.0 + TOLERANCE) * self.wall.friction
             && trial.sliding_speed.is_finite()
             && contact.torque.is_finite()
+            && self.rubs_against(trial, contact)
+    }
+
+    /// Whether what rolls does not slide, and what slides does so against its friction:
+    /// but for a part of the speeds that meet, what all friction adds to them
+    /// included, and for what a bit jumps by where it slips, for there its speed takes
+    /// no value between.
+    fn rubs_against(&self, trial: &Trial, contact: &Contact) -> bool {
+        let (wall, approach) = (self.wall, self.approach);
+        let gives = approach.torsional_compliance;
+        let turned = approach.free_speed + gives * contact.torque;
+        let (spin, jump) = approach.bit.map_or((turned, 0.0), |(law, motion)| {
+            let jump = gives * (law.torque_static - law.torque_dynamic);
+            // A bit that holds any torque never slips.
+            let jump = if jump.is_finite() { jump } else { 0.0 };
+            (law.meet(motion, turned, gives).speed, jump)
+        });
+        let ([cos, sin], [px, py]) = (trial.direction, approach.previous_position);
+        let drift = (px * sin - py * cos) * approach.sampling_frequency;
+        let sliding_speed = wall.radius * spin + drift;
+        let by_friction = gives * wall.radius * wall.friction * trial.normal_force;
+        let turns = wall.radius * (approach.free_speed.abs() + by_friction);
+        let goes = (self.distance + px.abs() + py.abs()) * approach.sampling_frequency;
+        let speeds = turns.abs() + goes.abs();
+        let least = TOLERANCE * speeds + (1.0 + TOLERANCE) * (wall.radius * jump).abs();
+        let along_friction = match contact.touch {
+            Touch::Rolling => sliding_speed.abs(),
+            _ if trial.ratio == 0.0 => 0.0,
+            _ => sliding_speed * trial.ratio.signum(),
+        };
+        speeds.is_finite() && along_friction <= least + f64::MIN_POSITIVE
     }
 
     /// Why there is no answer.
