@@ -282,14 +282,23 @@ impl Press<'_> {
             && trial.ratio.abs() <= (1.0 + TOLERANCE) * self.wall.friction
             && trial.sliding_speed.is_finite()
             && contact.torque.is_finite()
-            && self.rubs_against(trial, contact)
+            && match contact.touch {
+                Touch::Rolling => self.rolls(trial, contact),
+                _ => self.turns_as_tried(trial, contact),
+            }
     }
 
-    /// Whether what rolls does not slide, and what slides does so against its friction:
-    /// but for a part of the speeds that meet, what all friction adds to them
-    /// included, and for what a bit jumps by where it slips, for there its speed takes
-    /// no value between.
-    fn rubs_against(&self, trial: &Trial, contact: &Contact) -> bool {
+    /// Whether friction turns the string as it did in the trial, which knows the way
+    /// of sliding: products of numbers far too small are not what they say.
+    fn turns_as_tried(&self, trial: &Trial, contact: &Contact) -> bool {
+        let tried = self.wall.radius * trial.ratio * trial.normal_force;
+        (tried - contact.torque).abs() <= TOLERANCE * contact.torque.abs()
+    }
+
+    /// Whether what rolls does not slide: by no more than a part of the speeds that
+    /// meet, what all friction adds to them included, or than what a bit jumps by
+    /// where it slips, for there its speed takes no value between.
+    fn rolls(&self, trial: &Trial, contact: &Contact) -> bool {
         let (wall, approach) = (self.wall, self.approach);
         let gives = approach.torsional_compliance;
         let turned = approach.free_speed + gives * contact.torque;
@@ -307,12 +316,7 @@ impl Press<'_> {
         let goes = (self.distance + px.abs() + py.abs()) * approach.sampling_frequency;
         let speeds = turns.abs() + goes.abs();
         let least = TOLERANCE * speeds + (1.0 + TOLERANCE) * (wall.radius * jump).abs();
-        let along_friction = match contact.touch {
-            Touch::Rolling => sliding_speed.abs(),
-            _ if trial.ratio == 0.0 => 0.0,
-            _ => sliding_speed * trial.ratio.signum(),
-        };
-        speeds.is_finite() && along_friction <= least + f64::MIN_POSITIVE
+        speeds.is_finite() && sliding_speed.abs() <= least + f64::MIN_POSITIVE
     }
 
     /// Why there is no answer.
