@@ -103,7 +103,7 @@ pub enum ResponseError {
     /// Some response is missing, without taps, or shorter than the others.
     #[error("the responses are not equally many taps from every input to every site")]
     Shape,
-    /// A torque acts, or the bit is, at a site that there is not.
+    /// A torque acts at a site that there is not.
     #[error("the responses name site {site}, but the {sites} sites are counted from 0")]
     NoSuchSite {
         /// The site named, from 0.

@@ -43,7 +43,7 @@ pub fn torsion_error(
     responses: &TorsionResponses,
 ) -> Result<f64, BuildError> {
     responses.check()?;
-    check_sites(sites, responses.from_surface.len())?;
+    check_sites(sites, &responses.sites)?;
     let travel = torsional_travel_time(string);
     let times = Times::new(TRAVELS * travel, responses.sampling_frequency);
     let rise = (RISE * travel).max(3.0 * times.step);
@@ -78,7 +78,7 @@ pub fn bending_error(
     responses: &BendingResponses,
 ) -> Result<f64, BuildError> {
     responses.check()?;
-    check_sites(sites, responses.from_force.len())?;
+    check_sites(sites, &responses.sites)?;
     if !(duration.is_finite() && duration > 0.0) {
         return Err(BuildError::Parameter {
             name: "duration",
@@ -100,8 +100,8 @@ pub fn bending_error(
     Ok(errors)
 }
 
-fn check_sites(sites: &Sites, found: usize) -> Result<(), BuildError> {
-    if sites.len() == found {
+fn check_sites(sites: &Sites, found: &Sites) -> Result<(), BuildError> {
+    if sites == found {
         Ok(())
     } else {
         Err(ResponseError::Shape.into())

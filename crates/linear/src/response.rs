@@ -37,6 +37,8 @@ impl TorsionRequest {
 /// includes the factor 1/f_s of Eq. 61. Past the last tap the response is zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TorsionResponses {
+    /// Where the speeds are; these alone say which of them is the bit's.
+    pub sites: Sites,
     /// Sampling frequency f_s, Hz.
     pub sampling_frequency: f64,
     /// To each site from the surface speed: dimensionless.
@@ -46,8 +48,6 @@ pub struct TorsionResponses {
     pub from_torque: Vec<Vec<Vec<f64>>>,
     /// The sites that torques act on, one for each input.
     pub torque_inputs: Vec<usize>,
-    /// The site that is the bit, where one is.
-    pub bit: Option<usize>,
     /// Whether the response ends with its taps, or only the simulation does.
     pub ending: Ending,
 }
@@ -59,9 +59,9 @@ impl TorsionResponses {
     }
 
     /// Taps from a torque at the bit to each site, where the bit is a site and a
-    /// torque acts there: this alone says which input is the bit's.
+    /// torque acts there.
     pub fn from_bit(&self) -> Option<Vec<&[f64]>> {
-        let bit = self.bit?;
+        let bit = self.sites.bit_site()?;
         let input = self.torque_inputs.iter().position(|&site| site == bit)?;
         let from_inputs = self.from_torque.iter();
         Some(from_inputs.map(|inputs| inputs[input].as_slice()).collect())
@@ -69,7 +69,7 @@ impl TorsionResponses {
 
     /// Taps from a torque at the bit to its own speed.
     pub fn at_bit(&self) -> Option<&[f64]> {
-        Some(self.from_bit()?[self.bit?])
+        Some(self.from_bit()?[self.sites.bit_site()?])
     }
 
     /// The longest time (s) that may be simulated with these taps: without end,
@@ -86,13 +86,12 @@ impl TorsionResponses {
     /// # Errors
     /// Where they are not.
     pub fn check(&self) -> Result<(), ResponseError> {
-        let sites = self.from_surface.len();
-        let mut named = self.torque_inputs.iter().chain(&self.bit);
-        if let Some(&site) = named.find(|&&site| site >= sites) {
+        let sites = self.sites.len();
+        if let Some(&site) = self.torque_inputs.iter().find(|&&site| site >= sites) {
             return Err(ResponseError::NoSuchSite { site, sites });
         }
         let inputs = self.torque_inputs.len();
-        if sites == 0
+        if self.from_surface.len() != sites
             || self.from_torque.len() != sites
             || self.from_torque.iter().any(|row| row.len() != inputs)
         {
@@ -145,13 +144,13 @@ impl TorsionResponses {
         let torques = request.torque_inputs.len();
         let mut from_torque = channels.split_off(request.sites.len()).into_iter();
         Self {
+            sites: request.sites.clone(),
             sampling_frequency: request.sampling_frequency,
             from_surface: channels,
             from_torque: (0..request.sites.len())
                 .map(|_| from_torque.by_ref().take(torques).collect())
                 .collect(),
             torque_inputs: request.torque_inputs.clone(),
-            bit: request.sites.bit_site(),
             ending,
         }
     }
@@ -178,6 +177,8 @@ pub struct BendingRequest {
 /// does not come back within any time of interest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BendingResponses {
+    /// Where the forces act and the displacements are.
+    pub sites: Sites,
     /// Sampling frequency f_s, Hz.
     pub sampling_frequency: f64,
     /// `from_force[site][input]`, m/N.
@@ -201,8 +202,8 @@ impl BendingResponses {
     /// # Errors
     /// Where they are not.
     pub fn check(&self) -> Result<(), ResponseError> {
-        let sites = self.from_force.len();
-        if sites == 0 || self.from_force.iter().any(|row| row.len() != sites) {
+        let sites = self.sites.len();
+        if self.from_force.len() != sites || self.from_force.iter().any(|row| row.len() != sites) {
             return Err(ResponseError::Shape);
         }
         let all = self.from_force.iter().flatten();

@@ -20,7 +20,8 @@ pub struct Sticking {
 /// Looks at the torque that holds a bit, N m per rad/s of a surface that turns
 /// from the first step on (see [`crate::System::held_torque`]), for a string of
 /// the given static stiffness k_eff (N m/rad) and response A(0) (rad/s per N m).
-/// Whatever of it is not finite makes numbers that are not.
+/// Whatever of it is not finite makes numbers that are not; so does a torque of fewer
+/// than four steps.
 pub fn sticking(
     held: &[f64],
     sampling_frequency: f64,
@@ -30,8 +31,11 @@ pub fn sticking(
     let quarter = held.len() / 4;
     let early = roughness(&held[quarter..2 * quarter]);
     let late = roughness(&held[3 * quarter..]);
-    let (half_way, last) = (2 * quarter, held.len() - 1);
-    let wound_up = (held[half_way] - held[last]).abs();
+    let (half_way, last) = (2 * quarter, held.len().saturating_sub(1));
+    let wound_up = match held {
+        [_, _, _, _, ..] => (held[half_way] - held[last]).abs(),
+        _ => f64::NAN,
+    };
     let truly = stiffness * (last - half_way) as f64 / sampling_frequency;
     Sticking {
         chatter: late * instant_response,

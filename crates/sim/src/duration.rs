@@ -29,7 +29,8 @@ pub struct Timing {
 ///
 /// The string winds up for τ₁, behind the surface by the travel time of a wave
 /// and by what distributed damping takes of the torque on the way, which is
-/// below c_t L / 4 per unit of surface speed.
+/// below c_t L / 4 per unit of surface speed. A surface at rest winds up nothing: the
+/// time is infinite, and no scene that lasts so long is simulated.
 pub fn torsion_timing(string: &Drillstring, surface_speed: f64, bit: &BitTorque) -> Timing {
     let times = stick_slip_times(string, surface_speed, bit.torque_static, bit.torque_dynamic);
     let damping_lag =

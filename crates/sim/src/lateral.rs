@@ -49,16 +49,16 @@ impl LateralSystem {
     ) -> Result<Self, SimulationError> {
         torsion.check()?;
         bending.check()?;
-        let sites = torsion.from_surface.len();
+        let sites = torsion.sites.len();
         let all_inputs = torsion.torque_inputs.iter().copied().eq(0..sites);
         let alike = torsion.sampling_frequency == bending.sampling_frequency
-            && bending.from_force.len() == sites;
+            && torsion.sites == bending.sites;
         if !all_inputs || !alike {
             return Err(SimulationError::UnlikeParts);
         }
         Ok(Self {
             sites,
-            bit: torsion.bit,
+            bit: torsion.sites.bit_site(),
             step_length: 1.0 / torsion.sampling_frequency,
             longest_time: torsion.longest_time().min(bending.longest_time()),
             surface_step: surface_steps(torsion),

@@ -7,8 +7,8 @@
 //! it shows in time what the positive-real margin ([`linear::passivity`]) says
 //! of all frequencies: not every scene finds that load, but some load there is.
 
-use linear::BuildError;
 use linear::passivity::{Ending, worst_point};
+use linear::{BuildError, ResponseError};
 
 use crate::history::{History, Kernels};
 
@@ -24,8 +24,11 @@ const MOST_STEPS: usize = 1 << 22;
 /// is its negative.
 ///
 /// # Errors
-/// Where the taps are not finite.
+/// Where there are not equally many finite taps from every site to every site.
 pub fn worst_load_gain(taps: &[Vec<&[f64]>]) -> Result<f64, BuildError> {
+    if taps.iter().any(|inputs| inputs.len() != taps.len()) {
+        return Err(ResponseError::Shape.into());
+    }
     let worst = worst_point(taps.len(), Ending::Whole, |output, input| {
         taps[output][input]
     })?;

@@ -38,7 +38,7 @@ pub fn bit_speeds(
     finite("surface speed in rad/s", surface_speed)?;
     not_negative("time simulated in s", duration)?;
     lasts_no_longer(duration, responses.longest_time())?;
-    let (Some(site), Some(taps)) = (responses.bit, responses.at_bit()) else {
+    let (Some(site), Some(taps)) = (responses.sites.bit_site(), responses.at_bit()) else {
         return Err(SimulationError::NoTorqueInput);
     };
     let step_length = 1.0 / responses.sampling_frequency;

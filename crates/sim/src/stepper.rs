@@ -48,7 +48,8 @@ impl System {
         lasts_no_longer(longest_time, responses.longest_time())?;
         let surface_step = surface_steps(responses);
         let step_length = 1.0 / responses.sampling_frequency;
-        let bit = responses.bit.zip(responses.from_bit()).map(|(site, taps)| {
+        let bit_site = responses.sites.bit_site();
+        let bit = bit_site.zip(responses.from_bit()).map(|(site, taps)| {
             let future = Future::new(taps[site]);
             let to_itself = Kernels::new(&[vec![taps[site].to_vec()]]);
             let surface = |step: usize| settled(&surface_step[site], step);
@@ -86,10 +87,10 @@ fn settled(response: &[f64], step: usize) -> f64 {
     response[step.min(response.len() - 1)]
 }
 
-/// Times are equal to this part of themselves.
+/// A number of taps is known as a time to this part of it.
 const SAME_TIME: f64 = 1e-9;
 
-/// Refuses a case that lasts longer than what it is stepped against.
+/// Refuses a case that lasts longer than the responses it is stepped against.
 pub(crate) fn lasts_no_longer(duration: f64, prepared: f64) -> Result<(), SimulationError> {
     if duration <= prepared * (1.0 + SAME_TIME) {
         Ok(())
@@ -162,7 +163,10 @@ pub fn simulate(
     record: Option<&mut Trajectory>,
 ) -> Result<Outcome, SimulationError> {
     scene.check(system.surface_step.len())?;
-    lasts_no_longer(scene.timing.duration, system.longest_time)?;
+    let (duration, prepared) = (scene.timing.duration, system.longest_time);
+    if duration > prepared {
+        return Err(SimulationError::LongerThanPrepared { duration, prepared });
+    }
     let steps = steps_of(scene.timing.duration, system.step_length);
     match (scene.bit, &system.bit) {
         (None, _) => {

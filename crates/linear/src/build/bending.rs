@@ -84,6 +84,7 @@ pub fn bending_responses(
     all_finite(&channels, method.name())?;
     let mut channels = channels.into_iter();
     Ok(BendingResponses {
+        sites: request.sites.clone(),
         sampling_frequency: request.sampling_frequency,
         from_force: (0..sites)
             .map(|_| channels.by_ref().take(sites).collect())

@@ -274,6 +274,7 @@ impl Press<'_> {
             (contact.position[axis] - pushed).abs() <= TOLERANCE * self.distance
         };
         (cos * cos + sin * sin - 1.0).abs() <= TOLERANCE
+            && self.distance.is_finite()
             && on_load_line(0)
             && on_load_line(1)
             && trial.normal_force >= 0.0
@@ -281,6 +282,41 @@ impl Press<'_> {
             && trial.ratio.abs() <= (1.0 + TOLERANCE) * self.wall.friction
             && trial.sliding_speed.is_finite()
             && contact.torque.is_finite()
+            && match contact.touch {
+                Touch::Rolling => self.rolls(trial, contact),
+                _ => self.turns_as_tried(trial, contact),
+            }
+    }
+
+    /// Whether friction turns the string as it did in the trial, which knows the way
+    /// of sliding: products of numbers far too small are not what they say.
+    fn turns_as_tried(&self, trial: &Trial, contact: &Contact) -> bool {
+        let tried = self.wall.radius * trial.ratio * trial.normal_force;
+        (tried - contact.torque).abs() <= TOLERANCE * contact.torque.abs()
+    }
+
+    /// Whether what rolls does not slide: by no more than a part of the speeds that
+    /// meet, what all friction adds to them included, or than what a bit jumps by
+    /// where it slips, for there its speed takes no value between.
+    fn rolls(&self, trial: &Trial, contact: &Contact) -> bool {
+        let (wall, approach) = (self.wall, self.approach);
+        let gives = approach.torsional_compliance;
+        let turned = approach.free_speed + gives * contact.torque;
+        let (spin, jump) = approach.bit.map_or((turned, 0.0), |(law, motion)| {
+            let jump = gives * (law.torque_static - law.torque_dynamic);
+            // A bit that holds any torque never slips.
+            let jump = if jump.is_finite() { jump } else { 0.0 };
+            (law.meet(motion, turned, gives).speed, jump)
+        });
+        let ([cos, sin], [px, py]) = (trial.direction, approach.previous_position);
+        let drift = (px * sin - py * cos) * approach.sampling_frequency;
+        let sliding_speed = wall.radius * spin + drift;
+        let by_friction = gives * wall.radius * wall.friction * trial.normal_force;
+        let turns = wall.radius * (approach.free_speed.abs() + by_friction);
+        let goes = (self.distance + px.abs() + py.abs()) * approach.sampling_frequency;
+        let speeds = turns.abs() + goes.abs();
+        let least = TOLERANCE * speeds + (1.0 + TOLERANCE) * (wall.radius * jump).abs();
+        speeds.is_finite() && sliding_speed.abs() <= least + f64::MIN_POSITIVE
     }
 
     /// Why there is no answer.

@@ -51,6 +51,9 @@ pub enum Rock {
 /// A weight or torque that a rock gives no answer for.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum RockError {
+    /// No straight lines join the table.
+    #[error("a rock's table needs two rows or more, and both columns must increase")]
+    NoTable,
     /// Outside the table.
     #[error("{value} {unit} is outside the rock's table, {from} to {to} {unit}")]
     OutsideTable {
@@ -98,11 +101,12 @@ impl Rock {
     /// Dynamic torque T_d (N m) at a weight on bit (N).
     ///
     /// # Errors
-    /// Outside a table.
+    /// Outside a table, or where its columns do not increase.
     pub fn torque_dynamic(&self, weight_on_bit: f64) -> Result<f64, RockError> {
         match self {
             Rock::Law(law) => Ok(along(&law.corners(), weight_on_bit)),
             Rock::Table(rows) => {
+                is_table(rows)?;
                 inside(rows, weight_on_bit, "N").map(|()| along(rows, weight_on_bit))
             }
         }
@@ -111,7 +115,7 @@ impl Rock {
     /// The weight on bit (N) at which the dynamic torque is `torque` (N m).
     ///
     /// # Errors
-    /// Outside a table.
+    /// Outside a table, or where its columns do not increase.
     pub fn weight_on_bit(&self, torque: f64) -> Result<f64, RockError> {
         let flipped = |corners: &[(f64, f64)]| -> Vec<(f64, f64)> {
             corners
@@ -122,6 +126,7 @@ impl Rock {
         match self {
             Rock::Law(law) => Ok(along(&flipped(&law.corners()), torque)),
             Rock::Table(rows) => {
+                is_table(rows)?;
                 let flipped = flipped(rows);
                 inside(&flipped, torque, "N m").map(|()| along(&flipped, torque))
             }
@@ -174,6 +179,15 @@ fn along(corners: &[(f64, f64)], x: f64) -> f64 {
     let piece = corners[1..corners.len() - 1].partition_point(|corner| corner.0 < x);
     let ((x0, y0), (x1, y1)) = (corners[piece], corners[piece + 1]);
     y0 + (x - x0) / (x1 - x0) * (y1 - y0)
+}
+
+fn is_table(rows: &[(f64, f64)]) -> Result<(), RockError> {
+    let mut pairs = rows.windows(2);
+    if rows.len() >= 2 && pairs.all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1) {
+        Ok(())
+    } else {
+        Err(RockError::NoTable)
+    }
 }
 
 fn inside(rows: &[(f64, f64)], value: f64, unit: &'static str) -> Result<(), RockError> {
@@ -244,5 +258,21 @@ mod tests {
         assert_eq!(rock.weight_on_bit(3.5), Ok(30.0));
         assert!(rock.torque_dynamic(9.9).is_err());
         assert!(rock.weight_on_bit(4.1).is_err());
+        assert!(rock.torque_dynamic(f64::NAN).is_err());
+    }
+
+    #[test]
+    fn what_is_no_table_gives_no_torque() {
+        for rows in [
+            vec![],
+            vec![(10.0, 1.0)],
+            vec![(10.0, 1.0), (10.0, 2.0)],
+            vec![(10.0, 2.0), (20.0, 1.0)],
+            vec![(10.0, 1.0), (f64::NAN, 2.0)],
+        ] {
+            let rock = Rock::Table(rows);
+            assert_eq!(rock.torque_dynamic(10.0), Err(RockError::NoTable));
+            assert_eq!(rock.weight_on_bit(1.0), Err(RockError::NoTable));
+        }
     }
 }

@@ -213,11 +213,10 @@ impl MethodSystem {
     /// Why a case has no answer, its site by its place on the string.
     fn in_words(&self, error: &SimulationError) -> String {
         let distances = self.setting.sites.distances_from_bit();
-        match error
-            .site()
-            .and_then(|site| Some((site, distances.get(site)?)))
-        {
+        let site = error.site();
+        match site.and_then(|site| Some((site, *distances.get(site)?))) {
             None => error.to_string(),
+            Some((site, 0.0)) => format!("{error} (site {site} is the bit)"),
             Some((site, distance)) => {
                 format!("{error} (site {site} is {distance} m from the bit)")
             }

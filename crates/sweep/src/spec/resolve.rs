@@ -167,7 +167,10 @@ impl Bit {
                 .map_err(|error| {
                     let RockError::OutsideTable {
                         value, from, to, ..
-                    } = error;
+                    } = error
+                    else {
+                        return error.to_string();
+                    };
                     let [value, from, to] = [value, from, to].map(|weight| weight / 1e3);
                     format!(
                         "{value} kN is outside the rock's table, {from} to {to} kN; \
