@@ -14,7 +14,7 @@ use crate::memory::{Estimate, Limit, Size};
 use crate::spec::{Setting, Sweep};
 
 /// The probe builds and steps for no longer than this.
-const PROBE: Duration = Duration::from_secs(3);
+const PROBE: Duration = Duration::from_secs(10);
 
 /// Cases are stepped for this part of it at most, after what was built.
 const STEPPING: Duration = Duration::from_secs(1);
@@ -56,7 +56,7 @@ pub enum WallTime {
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (bytes, limit) = (Size(self.memory.bytes), &self.limit);
-        writeln!(f, "memory: at most {bytes}; the limit is {limit}")?;
+        writeln!(f, "memory: at most {bytes}; limit: {limit}")?;
         let threads = match rayon::current_num_threads() {
             1 => "1 thread".to_owned(),
             threads => format!("{threads} threads"),
@@ -164,8 +164,8 @@ fn build_and_step(sweep: &Sweep, longest: f64, stopping: Stopping) -> Result<Pac
     let setting = sweep.setting.for_labels();
     let prepared = longest.min(STEPS / setting.sampling_frequency);
     let start = Instant::now();
-    let systems = MethodSystem::build_all(sweep, &setting, prepared)
-        .map_err(|error| format!("{error:#}"))?;
+    let systems =
+        MethodSystem::build_all(sweep, &setting, prepared).map_err(|error| format!("{error:#}"))?;
     let built = start.elapsed().as_secs_f64();
     Ok(Pace {
         // What takes so much more memory takes as much more time.
@@ -183,12 +183,7 @@ fn systems_memory(sweep: &Sweep, setting: &Setting, longest: f64) -> f64 {
 
 /// Mean time of a case by a method, s, from some of them, evenly spread and shortened
 /// to what systems are prepared for.
-fn step(
-    sweep: &Sweep,
-    systems: &[MethodSystem],
-    prepared: f64,
-    stopping: Stopping,
-) -> f64 {
+fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, stopping: Stopping) -> f64 {
     let start = Instant::now();
     let cases = sweep.design.cases();
     let count = cases.min(CASES_PER_THREAD * rayon::current_num_threads());

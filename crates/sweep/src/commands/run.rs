@@ -17,9 +17,7 @@ use super::{
     results_folder, say, survey_cases, use_threads, warn_of_unstable,
 };
 use crate::cli::{LogFormat, RunArguments};
-use crate::engine::{
-    Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Work, pairs_of,
-};
+use crate::engine::{Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Work, pairs_of};
 use crate::memory::{Purpose, admit};
 use crate::output::{
     Boundary, Manifest, boundary, labels_row, meaning, write_atomically, write_boundary,

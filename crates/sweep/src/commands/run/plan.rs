@@ -83,10 +83,7 @@ impl Plan<'_> {
             Found::Unfinished { .. } => "a stopped run goes on",
             Found::Nothing => "from the beginning",
         };
-        writeln!(
-            text,
-            "{left} of {total} simulations left: {why}"
-        )?;
+        writeln!(text, "{left} of {total} simulations left: {why}")?;
         if sweep.design.varies_string() {
             let strings = sweep.design.strings();
             writeln!(text, "{strings} distinct strings, each built once")?;
