@@ -207,15 +207,21 @@ fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, stopping: Stoppi
     times.iter().sum::<f64>() / (times.len() * systems.len()).max(1) as f64
 }
 
-/// Shortens a case to a duration (s), and gives the part of it that is left. Where only
-/// torsion is modelled, everything goes as much faster with a surface that turns so.
+/// Shortens a case to a duration (s), and gives the part of it that is left. Impulses
+/// come as much earlier; where only torsion is modelled, all goes as much faster with a
+/// surface that turns so.
 fn shorten(scene: &mut Scene, most: f64) -> f64 {
     let part = (most / scene.timing.duration).min(1.0);
     if part < 1.0 {
         scene.timing.duration = most;
         scene.timing.closing_window *= part;
-        if scene.lateral.is_none() {
-            scene.surface_speed /= part;
+        match &mut scene.lateral {
+            Some(lateral) => {
+                for impulse in &mut lateral.impulses {
+                    impulse.start *= part;
+                }
+            }
+            None => scene.surface_speed /= part,
         }
     }
     part
