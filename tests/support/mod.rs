@@ -86,14 +86,15 @@ impl Workplace {
         std::fs::write(self.path(name), content).unwrap();
     }
 
-    /// The binary, ready to start here, whatever the cluster says of threads.
+    /// The binary, ready to start here, whatever the cluster says of threads and memory.
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin!("sweep"));
         command
             .args(arguments)
             .current_dir(self.0.path())
             .env_remove("SLURM_CPUS_PER_TASK")
-            .env_remove("SLURM_CPUS_ON_NODE");
+            .env_remove("SLURM_CPUS_ON_NODE")
+            .env_remove("SLURM_MEM_PER_NODE");
         command
     }
 

@@ -21,16 +21,17 @@ use crate::response::{BendingRequest, TorsionRequest};
 const REAL: f64 = 8.0;
 const COMPLEX: f64 = 16.0;
 
-/// What a transform holds for each of its samples beside its input: its output, and
-/// for lengths with large prime factors another transform, longer, as a convolution.
-const TRANSFORM: f64 = 100.0;
+/// What a transform holds for each of its samples beside its input: its output, its
+/// plan and, for lengths with large prime factors, another, longer transform. Like the
+/// next numbers it is measured and rounded up.
+const TRANSFORM: f64 = 60.0;
 
-/// The same for a power of two.
-const EVEN_TRANSFORM: f64 = 40.0;
+/// The same of a margin, for powers of two.
+const MARGIN_TRANSFORM: f64 = 32.0;
 
 /// What assembling and factorising holds for each element, in torsion and in bending.
-const ELEMENT: f64 = 1200.0;
-const BEAM_ELEMENT: f64 = 4000.0;
+const ELEMENT: f64 = 600.0;
+const BEAM_ELEMENT: f64 = 2400.0;
 
 /// Memory that a piece of work takes, bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -47,6 +48,14 @@ impl Memory {
         Self {
             peak: bytes,
             kept: bytes,
+        }
+    }
+
+    /// So many such pieces of work at the same time.
+    pub fn times(self, count: usize) -> Self {
+        Self {
+            peak: count as f64 * self.peak,
+            kept: count as f64 * self.kept,
         }
     }
 
@@ -109,8 +118,9 @@ pub fn torsion_responses(
         }
         Method::Hilbert(transform) => {
             let samples = torsion::transform_samples(string, transform, request);
-            let memory = filter(channels, samples, 0.5 * samples, networks);
-            ResponseCost::new(samples, 0.5 * samples, memory)
+            let taps = 0.5 * samples + 2.0;
+            let memory = filter(channels, samples, taps, networks);
+            ResponseCost::new(samples, taps, memory)
         }
         Method::DirectIdft(transform) => {
             let samples = torsion::transform_samples(string, transform, request);
@@ -178,7 +188,7 @@ pub fn margin(inputs: usize, taps: f64) -> f64 {
     }
     let length = REFINEMENT as f64 * power_of_two_from(taps);
     let pairs = (inputs as f64).powi(2);
-    pairs * 0.5 * COMPLEX * length + EVEN_TRANSFORM * length
+    pairs * 0.5 * COMPLEX * length + MARGIN_TRANSFORM * length
 }
 
 /// The same of sites in bending, where it is that of their velocities.
@@ -209,16 +219,14 @@ fn filter(channels: f64, samples: f64, taps: f64, networks: f64) -> Memory {
 /// The length at which a response built longer and longer is left, at most.
 fn torsion_length(string: &Drillstring, method: &Method, request: &TorsionRequest) -> f64 {
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
-    // The trapezoidal rule rings for ever at the highest frequency.
-    let lasts = if matches!(method, Method::Trapezoidal) {
-        f64::INFINITY
-    } else {
-        DECAYED * request.sampling_frequency / slowest_rate(string)
-    };
-    let enough = needed.min(lasts);
     let first = torsion::first_length(string, request).map_or(f64::INFINITY, |taps| taps as f64);
-    let doublings = (enough / first).log2().ceil().max(0.0);
-    first * doublings.exp2()
+    let doubled_to = |length: f64| first * (length / first).log2().ceil().max(0.0).exp2();
+    // The trapezoidal rule rings for ever at the highest frequency.
+    if string.torsional_damping() == 0.0 || *method == Method::Trapezoidal {
+        return doubled_to(needed);
+    }
+    let lasts = DECAYED * request.sampling_frequency / slowest_rate(string);
+    doubled_to(needed.min(lasts)).min(MOST_TAPS as f64)
 }
 
 /// Time constants until a response counts as decayed, and has been quiet for a

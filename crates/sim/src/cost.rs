@@ -18,8 +18,8 @@ const LOOK: f64 = 8.0;
 /// Numbers for each step that a watch of the bit keeps: speeds of two cycles.
 const WATCH: f64 = 2.0;
 
-/// Numbers for each site and step of a time history: speed, position, wall force, all
-/// forces; and the torque on the bit for each step.
+/// Numbers for each site and step of a time history with lateral motion: speed,
+/// position, wall force, all forces.
 const RECORDED: f64 = 7.0;
 
 /// What [`crate::System::new`] takes: responses of so many taps to a torque at the bit,
@@ -60,9 +60,10 @@ pub fn lateral_case(sites: usize, torsion_taps: f64, bending_taps: f64, steps: f
         + REAL * WATCH * steps
 }
 
-/// What a [`crate::Trajectory`] of so many steps takes.
-pub fn trajectory(sites: usize, steps: f64) -> f64 {
-    REAL * steps * (1.0 + RECORDED * sites as f64)
+/// What a [`crate::Trajectory`] of so many steps takes, with lateral motion or not.
+pub fn trajectory(sites: usize, is_lateral: bool, steps: f64) -> f64 {
+    let recorded = if is_lateral { RECORDED } else { 1.0 };
+    REAL * steps * (1.0 + recorded * sites as f64)
 }
 
 /// Steps of a case of a given duration (s).

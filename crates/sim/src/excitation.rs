@@ -3,6 +3,9 @@
 
 use linear::RaisedCosine;
 
+use crate::history::partition::FIRST_BLOCK;
+use crate::history::{History, Kernels};
+
 /// A band-limited lateral impulse: a raised cosine of unit area times its
 /// amount, (1 − cos 2πt/τ)/τ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,12 +74,46 @@ pub fn least_impulse(taps: &[f64], sampling_frequency: f64, duration: f64, clear
     let pulse: Vec<f64> = (0..=steps)
         .map(|step| unit.force(step as f64 / sampling_frequency)[0])
         .collect();
-    let furthest = (0..taps.len())
-        .map(|step| {
+    clearance / furthest(&pulse, taps)
+}
+
+/// The largest magnitude of the response to a series of forces.
+fn furthest(pulse: &[f64], taps: &[f64]) -> f64 {
+    let largest = |responses: &mut dyn Iterator<Item = f64>| {
+        responses.fold(0.0, |most: f64, response| most.max(response.abs()))
+    };
+    if pulse.len() <= FIRST_BLOCK {
+        return largest(&mut (0..taps.len()).map(|step| {
             let reach = pulse.len().min(step + 1);
-            let sum: f64 = (0..reach).map(|lag| pulse[lag] * taps[step - lag]).sum();
-            sum.abs()
-        })
-        .fold(0.0, f64::max);
-    clearance / furthest
+            (0..reach).map(|lag| pulse[lag] * taps[step - lag]).sum()
+        }));
+    }
+    // The sum is the same the other way round, and by blocks it is short.
+    let kernels = Kernels::new(&[vec![pulse.to_vec()]]);
+    let mut history = History::new(&kernels, 1, taps.len());
+    largest(&mut taps.iter().map(|&tap| {
+        let mut past = [0.0];
+        history.past(&mut past);
+        history.push(&[tap]);
+        past[0] + kernels.instant(0, 0) * tap
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_pulse_goes_as_far_as_its_sum_over_all_steps() {
+        let taps: Vec<f64> = (0..900)
+            .map(|n| (f64::from(n) * 0.07).sin() / 900.0)
+            .collect();
+        let pulse: Vec<f64> = (0..300).map(|n| f64::from(n * n % 17)).collect();
+        let sums = (0..taps.len()).map(|step| -> f64 {
+            let lags = 0..pulse.len().min(step + 1);
+            lags.map(|lag| pulse[lag] * taps[step - lag]).sum()
+        });
+        let expected = sums.fold(0.0, |most: f64, sum| most.max(sum.abs()));
+        assert!((furthest(&pulse, &taps) / expected - 1.0).abs() < 1e-12);
+    }
 }

@@ -23,7 +23,6 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 use super::partition::{FIRST_BLOCK, RATIO, partitions};
 
-
 /// Responses between the sites prepared for summing, shared by all cases.
 #[derive(Debug, Clone)]
 pub struct Kernels {

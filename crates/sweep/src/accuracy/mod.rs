@@ -171,7 +171,11 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
         next = rungs.len() - 1;
         // Finer than the reference has to be, but nothing coarser delivers.
         match FREQUENCIES.get(rungs.len()) {
-            Some(&frequency) => rungs.push(Rung::build(probes, frequency, &rungs)?),
+            Some(&frequency) => {
+                let rung = Rung::build(probes, frequency, &rungs)
+                    .map_err(|reason| format!("{}; {reason}", none_delivers(asked, &tried)))?;
+                rungs.push(rung);
+            }
             None => return Err(none_delivers(asked, &tried)),
         }
     }

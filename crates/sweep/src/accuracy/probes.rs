@@ -165,8 +165,7 @@ impl<'a> Probes<'a> {
     pub fn fits(&self, method: Method, frequency: f64, held: f64) -> Result<f64, String> {
         let cuts = self.sweep.bit.is_some();
         // A string that cannot be is told when it is to be built.
-        let settings = (self.strings.iter())
-            .filter_map(|&case| self.setting(case, frequency).ok());
+        let settings = (self.strings.iter()).filter_map(|&case| self.setting(case, frequency).ok());
         let (mut systems, mut case) = (Memory::default(), 0.0f64);
         for setting in settings {
             let of_string = StringMemory::of(&setting, &[method], cuts, self.longest);

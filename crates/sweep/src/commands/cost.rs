@@ -14,7 +14,7 @@ use crate::memory::{Estimate, Limit, Size};
 use crate::spec::{Setting, Sweep};
 
 /// The probe builds and steps for no longer than this.
-const PROBE: Duration = Duration::from_secs(3);
+const PROBE: Duration = Duration::from_secs(10);
 
 /// Cases are stepped for this part of it at most, after what was built.
 const STEPPING: Duration = Duration::from_secs(1);
@@ -56,7 +56,7 @@ pub enum WallTime {
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (bytes, limit) = (Size(self.memory.bytes), &self.limit);
-        writeln!(f, "memory: at most {bytes}; the limit is {limit}")?;
+        writeln!(f, "memory: at most {bytes}; limit: {limit}")?;
         let threads = match rayon::current_num_threads() {
             1 => "1 thread".to_owned(),
             threads => format!("{threads} threads"),
@@ -164,8 +164,8 @@ fn build_and_step(sweep: &Sweep, longest: f64, stopping: Stopping) -> Result<Pac
     let setting = sweep.setting.for_labels();
     let prepared = longest.min(STEPS / setting.sampling_frequency);
     let start = Instant::now();
-    let systems = MethodSystem::build_all(sweep, &setting, prepared)
-        .map_err(|error| format!("{error:#}"))?;
+    let systems =
+        MethodSystem::build_all(sweep, &setting, prepared).map_err(|error| format!("{error:#}"))?;
     let built = start.elapsed().as_secs_f64();
     Ok(Pace {
         // What takes so much more memory takes as much more time.
@@ -183,12 +183,7 @@ fn systems_memory(sweep: &Sweep, setting: &Setting, longest: f64) -> f64 {
 
 /// Mean time of a case by a method, s, from some of them, evenly spread and shortened
 /// to what systems are prepared for.
-fn step(
-    sweep: &Sweep,
-    systems: &[MethodSystem],
-    prepared: f64,
-    stopping: Stopping,
-) -> f64 {
+fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, stopping: Stopping) -> f64 {
     let start = Instant::now();
     let cases = sweep.design.cases();
     let count = cases.min(CASES_PER_THREAD * rayon::current_num_threads());
@@ -212,15 +207,21 @@ fn step(
     times.iter().sum::<f64>() / (times.len() * systems.len()).max(1) as f64
 }
 
-/// Shortens a case to a duration (s), and gives the part of it that is left. Where only
-/// torsion is modelled, everything goes as much faster with a surface that turns so.
+/// Shortens a case to a duration (s), and gives the part of it that is left. Impulses
+/// come as much earlier; where only torsion is modelled, all goes as much faster with a
+/// surface that turns so.
 fn shorten(scene: &mut Scene, most: f64) -> f64 {
     let part = (most / scene.timing.duration).min(1.0);
     if part < 1.0 {
         scene.timing.duration = most;
         scene.timing.closing_window *= part;
-        if scene.lateral.is_none() {
-            scene.surface_speed /= part;
+        match &mut scene.lateral {
+            Some(lateral) => {
+                for impulse in &mut lateral.impulses {
+                    impulse.start *= part;
+                }
+            }
+            None => scene.surface_speed /= part,
         }
     }
     part

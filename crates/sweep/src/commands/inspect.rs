@@ -62,7 +62,7 @@ pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
         describe_string(&sweep)?,
         describe_methods(&systems)?,
         describe_scene(&sweep, &survey, &systems)?,
-        cost.to_string(),
+        (cost.to_string().lines().map(|line| format!("  {line}\n"))).collect(),
         format!("\npicture: {}\n", folder.join("inspect.png").display()),
     ]
     .concat())?;

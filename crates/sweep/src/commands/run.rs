@@ -19,9 +19,7 @@ use super::{
     results_folder, say, survey_cases, use_threads, warn_of_unstable,
 };
 use crate::cli::{LogFormat, RunArguments};
-use crate::engine::{
-    Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Work, pairs_of,
-};
+use crate::engine::{Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Work, pairs_of};
 use crate::memory::{Purpose, admit};
 use crate::output::{
     About, Boundary, Manifest, Tables, Tally, boundary, labels_row, meaning, write_atomically,

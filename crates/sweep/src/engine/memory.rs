@@ -1,8 +1,8 @@
 //! What the linear systems of a string take in memory, and a case stepped against
 //! them: told before anything is built.
 
-use linear::cost::{self, Memory};
 use linear::Method;
+use linear::cost::{self, Memory};
 
 use super::systems::{bending_request, torsion_request};
 use crate::spec::Setting;

@@ -18,6 +18,9 @@ const TIME: f64 = 10.0;
 /// A usual damping, N m s/rad per metre.
 const DAMPING: f64 = 10.0;
 
+/// Usual cells of a section.
+const CELLS: usize = 100;
+
 /// A key that changes less than this part of the whole is not to blame.
 const LEAST_PART: f64 = 0.1;
 
@@ -60,18 +63,19 @@ fn longest_case(sweep: &Sweep, survey: &Survey) -> String {
     if sweep.time != Time::Auto {
         return String::new();
     }
-    let case = survey.longest_case.map_or_else(
-        || "the longest case that the random ranges allow".to_owned(),
-        |case| {
-            let values = sweep.design.values(case);
-            let axes = sweep.design.axes().iter().zip(values);
-            let values: Vec<String> = axes
-                .map(|(axis, value)| format!("{} = {value}", axis.name()))
-                .collect();
-            format!("case {case} ({})", values.join(", "))
-        },
-    );
-    format!("{case} lasts {:.3e} s and ", survey.longest)
+    let Some(case) = survey.longest_case else {
+        let lasts = survey.longest;
+        return format!("the longest case that the random ranges allow lasts {lasts:.3e} s and ");
+    };
+    let axes = sweep.design.axes().iter().zip(sweep.design.values(case));
+    let values: Vec<String> = axes
+        .map(|(axis, value)| format!("{} = {value}", axis.name()))
+        .collect();
+    let values = match values.len() {
+        0 => String::new(),
+        _ => format!(" ({})", values.join(", ")),
+    };
+    format!("case {case}{values} lasts {:.3e} s and ", survey.longest)
 }
 
 /// A key, and what it changes.
@@ -129,7 +133,7 @@ impl Change {
             Change::Damping => change_string(setting, |sections| sections, DAMPING),
             Change::Sections => {
                 let damping = setting.string.torsional_damping();
-                change_string(setting, one_cell, damping);
+                change_string(setting, short, damping);
             }
             Change::Time | Change::Transforms | Change::Elements => {}
         }
@@ -144,10 +148,9 @@ fn change_string(setting: &mut Setting, of: fn(Vec<Section>) -> Vec<Section>, da
     }
 }
 
-/// Of every section one cell.
-fn one_cell(mut sections: Vec<Section>) -> Vec<Section> {
+fn short(mut sections: Vec<Section>) -> Vec<Section> {
     for section in &mut sections {
-        section.repeat = 1;
+        section.repeat = section.repeat.min(CELLS);
     }
     sections
 }

@@ -13,10 +13,13 @@ use crate::spec::{Setting, Sweep};
 /// Bytes of a mebibyte.
 const MIB: f64 = 1024.0 * 1024.0;
 
-/// What the program takes for itself: its code, fonts and pictures, tables being
-/// written, bytes; and for each of its threads.
-const PROGRAM: f64 = 64.0 * MIB;
+/// What the program takes for itself, bytes; for each of its threads; and to draw.
+const PROGRAM: f64 = 16.0 * MIB;
 const THREAD: f64 = 2.0 * MIB;
+const PICTURE: f64 = 48.0 * MIB;
+
+/// What the allocator takes for every byte, some of it freed and not yet given back.
+const ALLOCATOR: f64 = 1.1;
 
 /// For each case and method what is noted of it, and for each case in a list its
 /// values.
@@ -24,9 +27,10 @@ const NOTED: f64 = 0.5;
 const LISTED: f64 = 96.0;
 
 /// For each step of a history that is kept its line of a table and the points of its
-/// curves, and the same for each site.
-const LINE: f64 = 128.0;
-const LINE_OF_SITE: f64 = 256.0;
+/// curves: of the case, of each site, and of each site that moves laterally too.
+const LINE: f64 = 96.0;
+const SPEED: f64 = 48.0;
+const MOTION: f64 = 192.0;
 
 /// Distinct strings that are built at once, for each thread, where memory allows. Fewer
 /// would leave threads without work at the end of each batch.
@@ -70,7 +74,7 @@ impl<'a> Demand<'a> {
     /// Of a command that builds `setting`.
     ///
     /// # Errors
-    /// Never but where a string that was surveyed cannot be.
+    /// Where the string that takes most cannot be.
     pub fn of(
         sweep: &'a Sweep,
         setting: &Setting,
@@ -98,13 +102,11 @@ impl<'a> Demand<'a> {
         for (index, (setting, longest)) in self.strings.iter().enumerate() {
             let string = self.memory_of(setting, *longest);
             let count = if index == 0 { 1 } else { strings_at_once };
-            for _ in 0..count {
-                systems = systems.beside(string.systems);
-            }
+            systems = systems.then(string.systems.times(count));
             case = case.max(string.case);
             too_long = too_long.or(string.too_long);
         }
-        let bytes = self.own() + systems.then(self.use_of(case)).peak;
+        let bytes = self.own() + ALLOCATOR * systems.then(self.use_of(case)).peak;
         Cost { bytes, too_long }
     }
 
@@ -115,12 +117,18 @@ impl<'a> Demand<'a> {
     /// What the program holds whatever it builds.
     fn own(&self) -> f64 {
         let cases = self.sweep.design.cases() as f64;
-        let noted = NOTED * cases * self.methods.len() as f64;
+        let noted = NOTED * self.simulations();
+        let draws = self.purpose != Purpose::Labels || self.sweep.map.is_some();
+        let picture = if draws { PICTURE } else { 0.0 };
         let listed = match self.sweep.design {
             Design::List(_) => LISTED * cases,
             _ => 0.0,
         };
-        PROGRAM + THREAD * current_num_threads() as f64 + noted + listed
+        PROGRAM + THREAD * current_num_threads() as f64 + picture + noted + listed
+    }
+
+    fn simulations(&self) -> f64 {
+        (self.sweep.design.cases() * self.methods.len()) as f64
     }
 
     /// What is done with the systems, when a case takes `case` bytes.
@@ -129,14 +137,22 @@ impl<'a> Demand<'a> {
         let steps = sim::cost::steps(*longest, setting.sampling_frequency);
         let sites = setting.sites.len();
         let methods = self.methods.len() as f64;
-        let line = LINE + LINE_OF_SITE * sites as f64;
+        let of_site = match setting.lateral {
+            Some(_) => SPEED + MOTION,
+            None => SPEED,
+        };
+        let line = LINE + of_site * sites as f64;
         match self.purpose {
-            Purpose::Labels => Memory::lasting(current_num_threads() as f64 * case),
+            Purpose::Labels => {
+                let at_once = self.simulations().min(current_num_threads() as f64);
+                Memory::lasting(at_once * case)
+            }
             Purpose::Histories(cases) => {
-                let kept = sim::cost::trajectory(sites, steps) + line * steps;
+                let is_lateral = setting.lateral.is_some();
+                let kept = sim::cost::trajectory(sites, is_lateral, steps) + line * steps;
                 let parameters = &self.sweep.content.method.finite_element;
                 let whole = cost::reconstruction(&setting.string, &setting.sites, parameters);
-                let whole = if setting.lateral.is_some() { whole } else { 0.0 };
+                let whole = if is_lateral { whole } else { 0.0 };
                 Memory::lasting(methods * cases as f64 * kept + case.max(whole))
             }
             Purpose::Look => Memory::lasting(methods * line * steps),

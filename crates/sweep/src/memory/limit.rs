@@ -33,8 +33,8 @@ impl FromStr for Size {
         let letter = letters.next().unwrap_or('B');
         let power = UNITS.iter().position(|unit| *unit == letter);
         let rest: String = letters.collect();
-        let known = matches!(rest.as_str(), "" | "IB") || (letter == 'B' && rest.is_empty());
-        let power = power.filter(|_| known).ok_or_else(meant)?;
+        let is_known = matches!(rest.as_str(), "" | "IB");
+        let power = power.filter(|_| is_known).ok_or_else(meant)?;
         let number: f64 = number.trim().parse().map_err(|_| meant())?;
         let bytes = number * KIB.powi(power as i32);
         if bytes.is_finite() && bytes >= 1.0 {
@@ -96,10 +96,10 @@ impl fmt::Display for Limit {
         let whose = match self.source {
             Source::CommandLine => "given by --memory",
             Source::Slurm => "allotted by Slurm",
-            Source::Machine => "half of what this machine has",
+            Source::Machine => "half of what this machine gives",
             Source::Unknown => "for this machine does not tell what it has",
         };
-        write!(f, "{} {whose}", Size(self.bytes))
+        write!(f, "{}, {whose}", Size(self.bytes))
     }
 }
 
@@ -172,7 +172,18 @@ mod tests {
         ] {
             assert_eq!(text.parse(), Ok(Size(bytes)), "{text}");
         }
-        for text in ["", "G", "8X", "8 parsecs", "-1G", "nan", "infG", "0", "1e400", "8GB"] {
+        for text in [
+            "",
+            "G",
+            "8X",
+            "8 parsecs",
+            "-1G",
+            "nan",
+            "infG",
+            "0",
+            "1e400",
+            "8GB",
+        ] {
             assert!(text.parse::<Size>().is_err(), "{text}");
         }
     }

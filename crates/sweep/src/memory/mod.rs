@@ -29,7 +29,7 @@ pub struct Estimate {
 /// Estimates what a command takes that builds `setting` for the cases surveyed.
 ///
 /// # Errors
-/// Where a string that was surveyed cannot be.
+/// Where the string that takes most cannot be.
 pub fn estimate(
     sweep: &Sweep,
     setting: &Setting,

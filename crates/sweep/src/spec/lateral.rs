@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use sim::{EccentricMass, Wall};
 
 use super::file::{FileContent, SiteTable};
-use super::resolve::{Check, Conditions, Sweep};
+use super::resolve::{Check, Conditions, Sweep, in_digits};
 use super::source::SpecError;
 use super::string_axis::StringAxis;
 use crate::design::Design;
@@ -322,9 +322,9 @@ impl Check<'_> {
             return Err(self.source.error(&key("duration_s"), message));
         }
         if table.duration_s > LONGEST_IMPULSE {
+            let duration = in_digits(table.duration_s);
             let message = format!(
-                "{} s: an impulse lasts {LONGEST_IMPULSE} s at most; is it in another unit?",
-                table.duration_s
+                "{duration} s: an impulse lasts {LONGEST_IMPULSE} s at most; is it in another unit?"
             );
             return Err(self.source.error(&key("duration_s"), message));
         }

@@ -511,9 +511,19 @@ fn within(value: f64, least: f64, most: f64, unit: &str) -> Result<(), String> {
     } else {
         ""
     };
+    let value = in_digits(value);
     Err(format!(
         "{value}{space}{unit} is not between {least} and {most}{space}{unit}{hint}"
     ))
+}
+
+/// A number as it would be typed, and not in hundreds of digits.
+pub(super) fn in_digits(value: f64) -> String {
+    if value == 0.0 || (1e-9..1e15).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
 }
 
 impl FileContent {

@@ -85,10 +85,7 @@ impl Plan<'_> {
             Found::Fewer(_) => "the sweep has more cases than are there",
             Found::Nothing => "from the beginning",
         };
-        writeln!(
-            text,
-            "{left} of {total} simulations left: {why}"
-        )?;
+        writeln!(text, "{left} of {total} simulations left: {why}")?;
         if sweep.design.varies_string() {
             let strings = sweep.design.strings();
             writeln!(text, "{strings} distinct strings, each built once")?;
