@@ -242,7 +242,7 @@ fn results_that_are_not_what_was_written_are_not_raised() {
         (labels[..cut].to_owned(), "it has 79 rows, not 80"),
         (
             with(&labels, row, &row.replacen("2,", "3,", 1)),
-            "line 6 is of no case of it",
+            "line 6 is no row of it",
         ),
         (labels.replace(",status", ",state"), "it has other columns"),
     ] {
@@ -255,6 +255,12 @@ fn results_that_are_not_what_was_written_are_not_raised() {
         assert!(answer.errors.contains(&meant), "{answer:?}");
         assert!(place.files() == before);
     }
+    // A reason that is gone.
+    place.write("results/labels.csv", labels);
+    place.write("results/failures.csv", "case,method,reason,repeat_with\n");
+    let answer = place.sweep(&["run", "small.toml", "--quiet", "--out", "results"]);
+    assert_eq!(answer.code, 1, "{answer:?}");
+    assert!(answer.errors.contains("is no row of it"), "{answer:?}");
 }
 
 /// A number that is read back a digit off would make another sweep of it.

@@ -9,6 +9,7 @@ use anyhow::{Context, Result, anyhow, bail};
 
 use super::UsageError;
 use super::folder::LOG;
+use super::run::warn_of_broken_lines;
 use crate::engine::{Header, Log, Record};
 use crate::output::{AtomicFile, Manifest, labels_header, labels_start};
 use crate::spec::Sweep;
@@ -54,6 +55,7 @@ pub fn raise_log(folder: &Path, header: &Header, sweep: &Sweep) -> Result<()> {
     let log = Log::open(&path, header, cases, methods, false)?;
     let mut raised = AtomicFile::create(&path)?;
     raised.write(header.line()?.as_bytes())?;
+    warn_of_broken_lines(&log);
     log.in_order(|record| raised.write(record.line().as_bytes()))?;
     raised.finish()
 }
@@ -104,7 +106,7 @@ fn copy_rows(folder: &Path, sweep: &Sweep, log: &mut AtomicFile) -> Result<usize
         let row = line.with_context(unreadable)?;
         let line = rows + 2;
         let record = record_of(sweep, &reasons, row)
-            .ok_or_else(|| not_written(&path, &format!("line {line} is of no case of it")))?;
+            .ok_or_else(|| not_written(&path, &format!("line {line} is no row of it")))?;
         log.write(record.line().as_bytes())?;
         rows += 1;
     }
@@ -112,7 +114,7 @@ fn copy_rows(folder: &Path, sweep: &Sweep, log: &mut AtomicFile) -> Result<usize
 }
 
 /// The record that a row was written from: its case, method and values are those of
-/// the sweep.
+/// the sweep, and a case without an answer has a reason.
 fn record_of(sweep: &Sweep, reasons: &Reasons, row: String) -> Option<Record> {
     let mut fields = row.split(',');
     let case: usize = fields.next()?.parse().ok()?;
@@ -120,10 +122,12 @@ fn record_of(sweep: &Sweep, reasons: &Reasons, row: String) -> Option<Record> {
     let method = (sweep.methods.iter()).position(|method| method.name() == name)?;
     let start = |case| labels_start(case, name, &sweep.design.values(case)) + ",";
     let is_ours = case < sweep.design.cases() && row.starts_with(&start(case));
-    is_ours.then(|| Record {
+    let reason = reasons.get(&(case, name.to_owned())).cloned();
+    let is_whole = is_ours && reason.is_some() == row.ends_with(",failed");
+    is_whole.then(|| Record {
         case,
         method,
-        reason: reasons.get(&(case, name.to_owned())).cloned(),
+        reason,
         row: row.clone(),
     })
 }

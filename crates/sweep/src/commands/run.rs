@@ -146,6 +146,11 @@ fn refuse_unstable(
 /// Says what is worth knowing before the work.
 fn tell_of_start(log: &Log, systems: &[MethodSystem]) {
     warn_of_unstable(systems);
+    warn_of_broken_lines(log);
+}
+
+/// Says what of a log is lost.
+pub fn warn_of_broken_lines(log: &Log) {
     if log.broken_lines() > 0 {
         complain(&format!(
             "warning: {} lines of the log were not whole; their cases are run again",
