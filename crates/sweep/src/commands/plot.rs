@@ -4,10 +4,11 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
+use super::folder::{hold, refuse_damaged};
 use super::{Status, UsageError, say};
 use crate::cli::PlotArguments;
 use crate::output::{
-    Boundary, CaseReader, Cells, Extent, Manifest, read_boundary, write_atomically,
+    Boundary, CaseReader, Cells, Extent, Manifest, PICTURES, read_boundary, write_atomically,
 };
 use crate::plot::{Axis, Line, MapCell, MapPoint, Mark, Picture, RegimeMap, regime_map};
 use crate::spec::{self, MapSettings};
@@ -27,14 +28,29 @@ const SYMBOLS_ACROSS: usize = 12;
 
 /// Draws the map again.
 pub fn plot(arguments: &PlotArguments) -> Result<Status> {
-    if !draw_map(&arguments.folder)? {
+    let folder = &arguments.folder;
+    Manifest::read(folder)?;
+    let _lock = hold(folder, "map.svg")?;
+    let mut manifest = Manifest::read(folder)?;
+    refuse_damaged(&manifest, folder)?;
+    if !draw_and_note(folder, &mut manifest)? {
         bail!(UsageError(format!(
             "{} has no map: its sweep varies fewer than two quantities",
-            arguments.folder.display()
+            folder.display()
         )));
     }
-    say(&format!("{}\n", arguments.folder.join("map.png").display()))?;
+    say(&format!("{}\n", folder.join("map.png").display()))?;
     Ok(Status::Complete)
+}
+
+/// Draws the map of a folder that is held, and notes its checksums.
+pub fn draw_and_note(folder: &Path, manifest: &mut Manifest) -> Result<bool> {
+    let drawn = draw_map(folder)?;
+    if drawn && manifest.has_checksums() {
+        manifest.note(folder, &PICTURES)?;
+        manifest.write(folder)?;
+    }
+    Ok(drawn)
 }
 
 /// Draws `map.svg` and `map.png` from the files of a results folder; false

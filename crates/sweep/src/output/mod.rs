@@ -3,17 +3,18 @@
 mod boundary;
 mod cases;
 mod cells;
-mod files;
+mod integrity;
 mod labels;
 mod manifest;
 mod results;
 
+pub use crate::files::write_atomically;
 pub use boundary::{
     Boundary, StickSlipPoint, boundary, read_boundary, whirl_bound, write_boundary,
 };
 pub use cases::{CaseReader, CaseRows};
 pub use cells::{Cells, Extent};
-pub use files::{AtomicFile, write_atomically};
+pub use integrity::{Damage, PICTURES, TABLES};
 pub use labels::{FAILURES_HEADER, LabelRow, labels_row, read_labels};
 pub use manifest::{Manifest, MethodRecord, differences, meaning};
 pub use results::{Counted, Tally, write_tables};

@@ -1,67 +1,83 @@
 //! What a results folder holds before a run, and whether the run may go on
 //! from it.
 
-use std::io::ErrorKind;
+mod damage;
+mod hold;
+mod ours;
+
+pub use damage::{in_words, refuse_damaged, tell_if_unverified};
+pub use hold::hold;
+pub use ours::{Ours, written_by};
+
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 
 use super::UsageError;
-use crate::engine::{Header, count_done, read_header};
+use crate::engine::{Header, LogError, Place};
 use crate::output::{Manifest, differences};
 use crate::spec::Sweep;
 
 /// The log of a run that is not finished.
 pub const LOG: &str = "cases.log";
 
-/// What a run leaves when it is finished, and what was made of that.
-const RESULTS: [&str; 7] = [
-    "manifest.json",
-    "labels.csv",
-    "boundary.csv",
-    "failures.csv",
-    "map.svg",
-    "map.png",
-    "report.html",
-];
+/// What a run that is finished says of itself.
+pub const MANIFEST: &str = "manifest.json";
+
+/// The page about a folder.
+pub const REPORT: &str = "report.html";
 
 /// Differences shown of two sweeps.
 const MOST_DIFFERENCES: usize = 8;
 
 /// What is in a folder.
 pub enum Found {
-    /// Nothing of a run.
-    Nothing,
+    /// Nothing that is in the way of a run, or only what it replaces.
+    Nothing(Ours),
     /// A stopped run of the same sweep.
-    Unfinished {
-        /// Simulations done.
-        done: usize,
-    },
+    Unfinished,
     /// The results of the same sweep.
     Complete(Box<Manifest>),
 }
 
-/// Looks at a folder.
+/// Looks at a folder in which a run is to write; a `fresh` one goes on from nothing.
 ///
 /// # Errors
 /// Where it holds the results, or a part of them, of another sweep, shard or
-/// program.
-pub fn look(folder: &Path, header: &Header, sweep: &Sweep) -> Result<Found> {
-    let log = folder.join(LOG);
-    if let Some(there) = read_header(&log)? {
-        let what = format!("{} holds a stopped run of", folder.display());
-        refuse_other(&what, &there, header)?;
-        let done = count_done(&log, sweep.design.cases(), sweep.methods.len())?;
-        return Ok(Found::Unfinished { done });
+/// program; where its results are damaged; where it holds files of others that the
+/// run would replace.
+pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Result<Found> {
+    let ours = Ours::find(folder, header)?;
+    if !fresh {
+        let log = folder.join(LOG);
+        match &ours.log {
+            Place::Log(there) => {
+                let what = format!("{} holds a stopped run of", folder.display());
+                refuse_other(&what, there, header)?;
+                return Ok(Found::Unfinished);
+            }
+            Place::OtherFormat(format) => {
+                bail!(UsageError(
+                    LogError::other_format(&log, *format).to_string()
+                ))
+            }
+            Place::Free | Place::Torn => {}
+        }
+        if folder.join(MANIFEST).exists() {
+            return complete(folder, header);
+        }
     }
-    if !folder.join("manifest.json").exists() {
-        return Ok(Found::Nothing);
-    }
+    ours.refuse_foreign(folder, &written_by(sweep, header.shard))?;
+    Ok(Found::Nothing(ours))
+}
+
+fn complete(folder: &Path, header: &Header) -> Result<Found> {
     let manifest = Manifest::read(folder)?;
     let program = manifest.program.clone();
     let there = Header::of(program, manifest.shard(), manifest.meaning()?);
     let what = format!("{} holds the results of", folder.display());
     refuse_other(&what, &there, header)?;
+    damage::refuse_lost(&manifest, folder)?;
     Ok(Found::Complete(Box::new(manifest)))
 }
 
@@ -108,27 +124,10 @@ pub fn refuse_unfinished(folder: &Path) -> Result<()> {
             "{folder_name} holds a stopped run ({LOG}): the same `sweep run` as before finishes it"
         )));
     }
-    if !folder.join("manifest.json").exists() {
+    if !folder.join(MANIFEST).exists() {
         bail!(UsageError(format!(
             "{folder_name} holds no results: there is no manifest.json in it"
         )));
-    }
-    Ok(())
-}
-
-/// Removes the results of an earlier run.
-///
-/// # Errors
-/// Where a file cannot be removed.
-pub fn clear(folder: &Path) -> Result<()> {
-    for name in RESULTS {
-        let path = folder.join(name);
-        match std::fs::remove_file(&path) {
-            Err(error) if error.kind() != ErrorKind::NotFound => {
-                return Err(error).with_context(|| format!("{} cannot be removed", path.display()));
-            }
-            _ => {}
-        }
     }
     Ok(())
 }
