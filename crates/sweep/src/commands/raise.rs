@@ -11,7 +11,8 @@ use super::UsageError;
 use super::folder::LOG;
 use super::run::warn_of_broken_lines;
 use crate::engine::{Header, Log, Record};
-use crate::output::{AtomicFile, Manifest, labels_header, labels_start};
+use crate::files::AtomicFile;
+use crate::output::{Manifest, labels_header, labels_start};
 use crate::spec::Sweep;
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
@@ -19,7 +20,8 @@ use crate::spec::Sweep;
 ///
 /// # Errors
 /// Where ours has fewer.
-pub fn with_our_number(what: &str, mut there: Header, ours: &Header) -> Result<Header> {
+pub fn with_our_number(what: &str, there: &Header, ours: &Header) -> Result<Header> {
+    let mut there = there.clone();
     let (Some(before), Some(now)) = (random_cases(&there), random_cases(ours)) else {
         return Ok(there);
     };
@@ -47,17 +49,15 @@ fn random_cases(header: &Header) -> Option<u64> {
 /// is there as it was or as it is to be.
 ///
 /// # Errors
-/// Where another run has the log, or it cannot be written.
-pub fn raise_log(folder: &Path, header: &Header, sweep: &Sweep) -> Result<()> {
-    let path = folder.join(LOG);
-    let (cases, methods) = (sweep.design.cases(), sweep.methods.len());
-    // Open, and so locked, until the other is in its place.
-    let log = Log::open(&path, header, cases, methods, false)?;
-    let mut raised = AtomicFile::create(&path)?;
+/// Where it cannot be read or written.
+pub fn raise_log(path: &Path, header: &Header, sweep: &Sweep) -> Result<()> {
+    let log = Log::open(path, sweep.design.cases(), sweep.methods.len())?;
+    let mut raised = AtomicFile::create(path)?;
     raised.write(header.line()?.as_bytes())?;
     warn_of_broken_lines(&log);
     log.in_order(|record| raised.write(record.line().as_bytes()))?;
-    raised.finish()
+    raised.finish()?;
+    Ok(())
 }
 
 /// Makes the log of a stopped run of the results of one that had fewer cases. The
@@ -82,7 +82,8 @@ pub fn log_of_results(
             &format!("it has {rows} rows, not {expected}")
         ));
     }
-    log.finish()
+    log.finish()?;
+    Ok(())
 }
 
 fn not_written(path: &Path, why: &str) -> anyhow::Error {
