@@ -1,6 +1,8 @@
 //! Runs that are stopped, however they are, and go on: what was finished is kept,
 //! and the end is the same to the byte.
 
+#[path = "support/crc32.rs"]
+mod crc32;
 #[cfg(unix)]
 #[path = "interruption/disk.rs"]
 mod disk;

@@ -1,6 +1,8 @@
 //! `--shard` and `merge`: parts of a sweep on several machines, joined to the
 //! bytes of one.
 
+#[path = "support/crc32.rs"]
+mod crc32;
 // Each of the tests uses a part of it.
 #[allow(dead_code)]
 mod support;
@@ -173,6 +175,64 @@ fn shards_of_something_else_are_refused() {
     let answer = merge(&place, &mine, "taken");
     assert_eq!(answer.code, 2, "{answer:?}");
     assert!(answer.errors.contains("holds other results"), "{answer:?}");
+}
+
+#[test]
+fn a_shard_with_a_damaged_number_is_refused() {
+    let place = Workplace::with_small(SMALL);
+    let folders = shards(&place, 3);
+    let mut damaged = 0;
+    for (shard, folder) in folders.iter().enumerate() {
+        for table in ["labels.csv", "boundary.csv", "failures.csv"] {
+            let path = format!("{folder}/{table}");
+            let whole = std::fs::read(place.path(&path)).unwrap();
+            // Places all over the table.
+            for at in (0..whole.len()).step_by(1 + whole.len() / 8) {
+                let mut content = whole.clone();
+                content[at] ^= 1;
+                place.write(&path, content);
+                let answer = merge(&place, &folders, "merged");
+                assert_eq!(answer.code, 1, "{path}, byte {at}: {answer:?}");
+                let again = format!("run these shards again with --fresh: {shard}\n");
+                for words in [&format!("{path} is damaged"), &again] {
+                    assert!(answer.errors.contains(words), "{answer:?}");
+                }
+                damaged += 1;
+            }
+            std::fs::remove_file(place.path(&path)).unwrap();
+            let answer = merge(&place, &folders, "merged");
+            assert_eq!(answer.code, 1, "{answer:?}");
+            let missing = format!("{path} is missing");
+            assert!(answer.errors.contains(&missing), "{answer:?}");
+            place.write(&path, whole);
+        }
+    }
+    assert!(damaged >= 24 && !place.path("merged").exists());
+    assert_eq!(merge(&place, &folders, "merged").code, 0);
+}
+
+#[test]
+fn a_stopped_run_is_not_merged_over() {
+    let place = Workplace::with_small(SMALL);
+    let folders = shards(&place, 2);
+    let manifest = std::fs::read(place.path(&format!("{}/manifest.json", folders[0]))).unwrap();
+    let manifest: serde_json::Value = serde_json::from_slice(&manifest).unwrap();
+    let header = serde_json::json!({
+        "format": 1,
+        "program": manifest["program"],
+        "shard": { "index": 0, "of": 1 },
+        "meaning": { "time_s": 1.0 },
+    });
+    let header = format!("sweep-log\t{header}");
+    let log = format!("{:08x}\t{header}\n", crc32::crc32(header.as_bytes()));
+    std::fs::create_dir(place.path("out")).unwrap();
+    place.write("out/cases.log", log);
+    let before = place.files();
+    let answer = merge(&place, &folders, "out");
+    assert_eq!(answer.code, 2, "{answer:?}");
+    let words = "out holds a stopped run (cases.log)";
+    assert!(answer.errors.contains(words), "{answer:?}");
+    assert!(place.files() == before);
 }
 
 #[test]

@@ -94,6 +94,20 @@ fn a_sweep_of_another_meaning_has_another_hash() {
     }
 }
 
+/// Seventeen digits, as programs write them, which some readers round.
+#[test]
+fn a_sweep_of_numbers_with_all_their_digits_is_known_again() {
+    let values = "[9.043936266016381, 9.386864817836715, 42.211277889141556, 99.25434867419433]";
+    let place = Workplace::with_small(&with(SMALL, "[30, 70]", values));
+    let run = ["run", "small.toml", "--out", "results"];
+    succeeds(&place, &run);
+    let before = place.files();
+    let again = succeeds(&place, &run);
+    assert!(again.output.starts_with("complete already"), "{again:?}");
+    succeeds(&place, &["plot", "results"]);
+    assert!(place.files() == before);
+}
+
 #[test]
 fn another_sweep_is_refused_in_the_same_folder_and_fresh_replaces_it() {
     let place = Workplace::with_small(SMALL);

@@ -1,5 +1,6 @@
 //! Logs that are torn, damaged, or of something else.
 
+use crate::crc32::crc32;
 use crate::support::{Workplace, with};
 use crate::{finishes, long, same_tables};
 
@@ -105,6 +106,16 @@ fn a_log_of_another_program_is_refused() {
             "\"time_s\":100.0",
             "another sweep (time_s: 100.0 → 1000.0)",
         ),
+        (
+            "\"format\":1",
+            "\"format\":2",
+            "results/cases.log is a log of format 2",
+        ),
+        (
+            "\"format\":1",
+            "\"format\":0",
+            "results/cases.log is a log of format 0",
+        ),
     ] {
         let other = with(text, piece, instead);
         let line = format!("{:08x}\t{other}\n", crc32(other.as_bytes()));
@@ -121,15 +132,6 @@ fn a_log_of_another_program_is_refused() {
     let answer = place.sweep(&[&RUN[..], &["--fresh"]].concat());
     assert_eq!(answer.code, 3, "{answer:?}");
     same_tables(&place, "whole", "results");
-}
-
-/// The checksum as its definition says, bit by bit.
-fn crc32(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0u32, |crc, &byte| {
-        (0..8).fold(crc ^ u32::from(byte), |crc, _| {
-            (crc >> 1) ^ (0xEDB8_8320 & 0u32.wrapping_sub(crc & 1))
-        })
-    })
 }
 
 #[test]

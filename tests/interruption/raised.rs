@@ -37,7 +37,7 @@ fn done_before(answer: &Answer) -> u64 {
 fn a_complete_folder_is_raised_to_the_bytes_of_a_fresh_run() {
     let place = Workplace::new();
     run(&place, 40, "raised", &[]);
-    std::fs::write(place.path("raised/report.html"), "of 40 cases").unwrap();
+    assert_eq!(place.sweep(&["report", "raised"]).code, 0);
     place.write("small.toml", random(90));
     let dry = place.sweep(&["run", "small.toml", "--out", "raised", "--dry-run"]);
     let left = "100 of 180 simulations left: the sweep has more cases than are there";
@@ -235,6 +235,11 @@ fn fewer_cases_or_other_ones_are_refused() {
 fn results_that_are_not_what_was_written_are_not_raised() {
     let place = Workplace::new();
     run(&place, 40, "results", &[]);
+    // Without checksums, as version 0.1.0 kept none.
+    let manifest = std::fs::read(place.path("results/manifest.json")).unwrap();
+    let mut manifest: serde_json::Value = serde_json::from_slice(&manifest).unwrap();
+    manifest.as_object_mut().unwrap().remove("files").unwrap();
+    place.write("results/manifest.json", manifest.to_string());
     let labels = std::fs::read_to_string(place.path("results/labels.csv")).unwrap();
     let row = labels.lines().nth(5).unwrap();
     let cut = labels.trim_end().rfind('\n').unwrap() + 1;
@@ -242,7 +247,7 @@ fn results_that_are_not_what_was_written_are_not_raised() {
         (labels[..cut].to_owned(), "it has 79 rows, not 80"),
         (
             with(&labels, row, &row.replacen("2,", "3,", 1)),
-            "line 6 is of no case of it",
+            "line 6 is no row of it",
         ),
         (labels.replace(",status", ",state"), "it has other columns"),
     ] {
@@ -255,6 +260,12 @@ fn results_that_are_not_what_was_written_are_not_raised() {
         assert!(answer.errors.contains(&meant), "{answer:?}");
         assert!(place.files() == before);
     }
+    // A reason that is gone.
+    place.write("results/labels.csv", labels);
+    place.write("results/failures.csv", "case,method,reason,repeat_with\n");
+    let answer = place.sweep(&["run", "small.toml", "--quiet", "--out", "results"]);
+    assert_eq!(answer.code, 1, "{answer:?}");
+    assert!(answer.errors.contains("is no row of it"), "{answer:?}");
 }
 
 /// A number that is read back a digit off would make another sweep of it.

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::support::Workplace;
-use crate::{succeeds, text, with_results};
+use crate::{succeeds, text, with_results, write_table};
 
 /// The largest picture that is still easy to mail and to show.
 const MEGABYTE: u64 = 1_000_000;
@@ -19,7 +19,7 @@ fn with_cases(cases: impl Iterator<Item = ([f64; 2], [&'static str; 2])>) -> Wor
             writeln!(labels, "{case},{method},{speed},{weight},{regime},").unwrap();
         }
     }
-    place.write("results/labels.csv", labels);
+    write_table(&place, "results", "labels.csv", labels);
     place
 }
 

@@ -4,7 +4,7 @@
 use std::process::Command;
 
 use crate::support::{SMALL, Workplace, with};
-use crate::{report, succeeds, text, with_results};
+use crate::{report, succeeds, text, with_results, write_table};
 
 /// What stands between `<` and `>`, comments left out; the style holds none.
 fn tags(html: &str) -> Vec<&str> {
@@ -124,9 +124,11 @@ fn a_failed_case_is_there_with_its_reason_and_its_command() {
     // The case, the method and the axes, and no answer.
     let start: Vec<&str> = row.split(',').take(5).collect();
     let failed = format!("{}{}failed", start.join(","), ",".repeat(fields - 5));
-    place.write("results/labels.csv", with(&labels, row, &failed));
-    place.write(
-        "results/failures.csv",
+    write_table(&place, "results", "labels.csv", with(&labels, row, &failed));
+    write_table(
+        &place,
+        "results",
+        "failures.csv",
         "case,method,reason,repeat_with\n\
          0,quadrature,\"the speed is <inf>, at once\",sweep simulate small.toml --case 0\n",
     );

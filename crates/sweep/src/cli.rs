@@ -124,7 +124,7 @@ pub struct RunArguments {
     /// Run only part I (from 0) of N [default folder: results/NAME/shard-I-of-N]
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
-    /// Begin anew, whatever is in the folder
+    /// Begin anew, over the results of an earlier run or a part of it
     #[arg(long)]
     pub fresh: bool,
     /// Go on where a case gives no answer, and list it in failures.csv (the default)

@@ -14,7 +14,8 @@
 //!
 //! There is no equation here: the string is the business of `linear`, its
 //! motion that of `sim`. `accuracy` chooses a method where a sweep asks for an
-//! accuracy, a `study` looks at the methods themselves. `commands` has one file for each thing a user can ask,
+//! accuracy, a `study` looks at the methods themselves. `files` writes whole files or none, in
+//! folders that are locked meanwhile. `commands` has one file for each thing a user can ask,
 //! and `cli` their arguments. To see it at work:
 //!
 //! ```sh
@@ -28,6 +29,7 @@ mod cli;
 mod commands;
 mod design;
 mod engine;
+mod files;
 mod hand_table;
 mod map;
 mod memory;

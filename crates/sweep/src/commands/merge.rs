@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-use super::folder::LOG;
-use super::run::summary;
+use super::folder::{LOG, MANIFEST, Ours, hold, in_words, tell_if_unverified};
+use super::plot::draw_and_note;
+use super::run::{status_of, summary};
 use super::{Status, UsageError, complain, make_folder, say};
 use crate::cli::MergeArguments;
-use crate::engine::{Header, read_header};
-use crate::output::{
-    AtomicFile, Counted, FAILURES_HEADER, Manifest, Tables, Tally, differences, write_atomically,
-};
+use crate::engine::{Header, Place, Shard, read_header};
+use crate::files::{AtomicFile, SealedFile};
+use crate::output::{Counted, FAILURES_HEADER, Manifest, PICTURES, TABLES, Tally, differences};
 
 /// A finished shard.
 struct Part {
@@ -47,23 +47,52 @@ pub fn merge(arguments: &MergeArguments) -> Result<Status> {
         return Ok(Status::Incomplete);
     }
     let parts: Vec<Part> = parts.into_values().collect();
-    make_folder(&arguments.out)?;
-    refuse_unrelated(&arguments.out, &parts)?;
-    let tally = join_labels(&parts, &arguments.out)?;
-    join_failures(&parts, &arguments.out)?;
-    copy_boundary(&parts, &arguments.out)?;
+    refuse_damaged_parts(&parts)?;
+    let out = &arguments.out;
+    make_folder(out)?;
+    let _lock = hold(out, "labels.csv")?;
+    refuse_unrelated(out, &parts)?;
+    let (labels, tally) = join_labels(&parts, out)?;
+    let tables = [
+        ("labels.csv", labels),
+        ("failures.csv", join_failures(&parts, out)?),
+        ("boundary.csv", copy_boundary(&parts, out)?),
+    ];
     let mut manifest = parts[0].manifest.clone();
     manifest.shard = None;
     manifest.tally = tally;
     manifest.wall_seconds = parts.iter().map(|part| part.manifest.wall_seconds).sum();
-    manifest.write(&arguments.out)?;
-    let drawn = super::plot::draw_map(&Tables::finished(&arguments.out)?, &arguments.out)?;
-    say(&summary(&manifest, &arguments.out, drawn)?)?;
-    Ok(if manifest.tally.failed > 0 {
-        Status::SomeFailed
-    } else {
-        Status::Complete
-    })
+    let sums = (tables.iter()).map(|(name, table)| ((*name).to_owned(), table.checksum().clone()));
+    manifest.files = sums.collect();
+    // Before the tables: from here on, they are known to be of a merge, should it be
+    // killed.
+    manifest.write(out)?;
+    for (_, table) in tables {
+        table.publish()?;
+    }
+    let drawn = draw_and_note(out, &mut manifest)?;
+    say(&summary(&manifest, out, drawn)?)?;
+    Ok(status_of(&manifest))
+}
+
+/// Refuses shards of which a table is not the one that was written.
+fn refuse_damaged_parts(parts: &[Part]) -> Result<()> {
+    let mut damage = Vec::new();
+    let mut shards = Vec::new();
+    for Part { folder, manifest } in parts {
+        tell_if_unverified(manifest, folder);
+        let found = manifest.damage(folder, &TABLES)?;
+        shards.extend((!found.is_empty()).then(|| manifest.shard().index.to_string()));
+        damage.extend(found);
+    }
+    if damage.is_empty() {
+        return Ok(());
+    }
+    bail!(
+        "{}: put back copies, or run these shards again with --fresh: {}",
+        in_words(&damage),
+        shards.join(",")
+    )
 }
 
 /// The finished shards by number, and what is known of unfinished ones; all of
@@ -136,19 +165,33 @@ fn refuse_unlike(one: &Path, expected: &Header, other: &Path, found: &Header) ->
     Ok(())
 }
 
-/// The results of something else are not replaced.
+/// The results of something else are not replaced, nor is a run that goes on.
 fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
-    if !out.join("manifest.json").exists() {
-        return Ok(());
-    }
-    let there = Manifest::read(out)?;
-    if there.meaning()? != parts[0].manifest.meaning()? || !there.shard().is_whole() {
+    let merged = &parts[0].manifest;
+    let header = Header::of(merged.program.clone(), Shard::WHOLE, merged.meaning()?);
+    let ours = Ours::find(out, &header)?;
+    if ours.log != Place::Free {
         bail!(UsageError(format!(
-            "{} holds other results: choose another --out",
+            "{} holds a stopped run ({LOG}): finish it by the same `sweep run` as before, or choose \
+             another --out",
             out.display()
         )));
     }
-    Ok(())
+    if out.join(MANIFEST).exists() {
+        let there = Manifest::read(out)?;
+        if there.meaning()? != header.meaning || !there.shard().is_whole() {
+            bail!(UsageError(format!(
+                "{} holds other results: choose another --out",
+                out.display()
+            )));
+        }
+    }
+    let pictures = if merged.map.is_some() {
+        &PICTURES[..]
+    } else {
+        &[]
+    };
+    ours.refuse_foreign(out, &[&TABLES, pictures].concat())
 }
 
 /// Lines of a table, the header taken off, with the case of the next one.
@@ -195,7 +238,7 @@ impl Table {
 
 /// The rows of all shards in the order of their cases; each case is in one
 /// shard, which has its rows in order.
-fn join_labels(parts: &[Part], out: &Path) -> Result<Tally> {
+fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
     let mut file = AtomicFile::create(&out.join("labels.csv"))?;
     let mut tally = Tally::default();
     let opened = parts
@@ -224,12 +267,11 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<Tally> {
             tally.rows
         );
     }
-    file.finish()?;
-    Ok(tally)
+    Ok((file.seal()?, tally))
 }
 
 /// Failures are few: all at once.
-fn join_failures(parts: &[Part], out: &Path) -> Result<()> {
+fn join_failures(parts: &[Part], out: &Path) -> Result<SealedFile> {
     let mut records: Vec<csv::StringRecord> = Vec::new();
     for part in parts {
         let path = part.folder.join("failures.csv");
@@ -246,13 +288,19 @@ fn join_failures(parts: &[Part], out: &Path) -> Result<()> {
     for record in &records {
         writer.write_record(record)?;
     }
-    write_atomically(&out.join("failures.csv"), &writer.into_inner()?)
+    seal(&out.join("failures.csv"), &writer.into_inner()?)
 }
 
 /// Every shard has the limit of the whole sweep.
-fn copy_boundary(parts: &[Part], out: &Path) -> Result<()> {
+fn copy_boundary(parts: &[Part], out: &Path) -> Result<SealedFile> {
     let path = parts[0].folder.join("boundary.csv");
     let content =
         std::fs::read(&path).with_context(|| format!("{} cannot be read", path.display()))?;
-    write_atomically(&out.join("boundary.csv"), &content)
+    seal(&out.join("boundary.csv"), &content)
+}
+
+fn seal(path: &Path, content: &[u8]) -> Result<SealedFile> {
+    let mut file = AtomicFile::create(path)?;
+    file.write(content)?;
+    file.seal()
 }

@@ -2,6 +2,7 @@
 //! progress.
 
 pub mod check;
+mod complete;
 mod cost;
 mod folder;
 pub mod inspect;

@@ -4,32 +4,52 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
-use super::folder::tables_of;
+use super::folder::{hold, refuse_empty, tables_of};
 use super::{Status, UsageError, say};
 use crate::cli::PlotArguments;
 use crate::map;
-use crate::output::{Tables, write_atomically};
+use crate::output::{Manifest, PICTURES, ResultTables, write_atomically};
 use crate::plot::{Axis, Picture};
 
 /// Draws the map again.
 pub fn plot(arguments: &PlotArguments) -> Result<Status> {
-    let folder = arguments.folder.display();
-    let tables = tables_of(&arguments.folder)?;
+    let folder = &arguments.folder;
+    refuse_empty(folder)?;
+    let _lock = hold(folder, "map.svg")?;
+    let mut tables = tables_of(folder)?;
     if tables.manifest.tally.rows == 0 {
-        bail!(UsageError(format!("{folder} has no case to draw yet")));
-    }
-    if !draw_map(&tables, &arguments.folder)? {
         bail!(UsageError(format!(
-            "{folder} has no map: its sweep varies fewer than two quantities"
+            "{} has no case to draw yet",
+            folder.display()
         )));
     }
-    say(&format!("{}\n", arguments.folder.join("map.png").display()))?;
+    let drawn = match tables.so_far {
+        None => draw_and_note(folder, &mut tables.manifest)?,
+        Some(_) => draw_map(&tables, folder)?,
+    };
+    if !drawn {
+        bail!(UsageError(format!(
+            "{} has no map: its sweep varies fewer than two quantities",
+            folder.display()
+        )));
+    }
+    say(&format!("{}\n", folder.join("map.png").display()))?;
     Ok(Status::Complete)
+}
+
+/// Draws the map of a finished run in a folder that is held, and notes its checksums.
+pub fn draw_and_note(folder: &Path, manifest: &mut Manifest) -> Result<bool> {
+    let drawn = draw_map(&ResultTables::finished(folder)?, folder)?;
+    if drawn && manifest.has_checksums() {
+        manifest.note(folder, &PICTURES)?;
+        manifest.write(folder)?;
+    }
+    Ok(drawn)
 }
 
 /// Draws `map.svg` and `map.png` of a results folder's tables into a folder; false
 /// where its design has no two axes.
-pub fn draw_map(tables: &Tables, folder: &Path) -> Result<bool> {
+pub fn draw_map(tables: &ResultTables, folder: &Path) -> Result<bool> {
     let Some(picture) = map::picture(tables)? else {
         return Ok(false);
     };

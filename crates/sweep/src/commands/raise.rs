@@ -9,8 +9,10 @@ use anyhow::{Context, Result, anyhow, bail};
 
 use super::UsageError;
 use super::folder::LOG;
+use super::run::warn_of_broken_lines;
 use crate::engine::{Header, Log, Record};
-use crate::output::{AtomicFile, Manifest, labels_header, labels_start};
+use crate::files::AtomicFile;
+use crate::output::{Manifest, labels_header, labels_start};
 use crate::spec::Sweep;
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
@@ -18,7 +20,8 @@ use crate::spec::Sweep;
 ///
 /// # Errors
 /// Where ours has fewer.
-pub fn with_our_number(what: &str, mut there: Header, ours: &Header) -> Result<Header> {
+pub fn with_our_number(what: &str, there: &Header, ours: &Header) -> Result<Header> {
+    let mut there = there.clone();
     let (Some(before), Some(now)) = (random_cases(&there), random_cases(ours)) else {
         return Ok(there);
     };
@@ -46,16 +49,15 @@ fn random_cases(header: &Header) -> Option<u64> {
 /// is there as it was or as it is to be.
 ///
 /// # Errors
-/// Where another run has the log, or it cannot be written.
-pub fn raise_log(folder: &Path, header: &Header, sweep: &Sweep) -> Result<()> {
-    let path = folder.join(LOG);
-    let (cases, methods) = (sweep.design.cases(), sweep.methods.len());
-    // Open, and so locked, until the other is in its place.
-    let log = Log::open(&path, header, cases, methods, false)?;
-    let mut raised = AtomicFile::create(&path)?;
+/// Where it cannot be read or written.
+pub fn raise_log(path: &Path, header: &Header, sweep: &Sweep) -> Result<()> {
+    let log = Log::open(path, sweep.design.cases(), sweep.methods.len())?;
+    let mut raised = AtomicFile::create(path)?;
     raised.write(header.line()?.as_bytes())?;
+    warn_of_broken_lines(&log);
     log.in_order(|record| raised.write(record.line().as_bytes()))?;
-    raised.finish()
+    raised.finish()?;
+    Ok(())
 }
 
 /// Makes the log of a stopped run of the results of one that had fewer cases. The
@@ -80,7 +82,8 @@ pub fn log_of_results(
             &format!("it has {rows} rows, not {expected}")
         ));
     }
-    log.finish()
+    log.finish()?;
+    Ok(())
 }
 
 fn not_written(path: &Path, why: &str) -> anyhow::Error {
@@ -104,7 +107,7 @@ fn copy_rows(folder: &Path, sweep: &Sweep, log: &mut AtomicFile) -> Result<usize
         let row = line.with_context(unreadable)?;
         let line = rows + 2;
         let record = record_of(sweep, &reasons, row)
-            .ok_or_else(|| not_written(&path, &format!("line {line} is of no case of it")))?;
+            .ok_or_else(|| not_written(&path, &format!("line {line} is no row of it")))?;
         log.write(record.line().as_bytes())?;
         rows += 1;
     }
@@ -112,7 +115,7 @@ fn copy_rows(folder: &Path, sweep: &Sweep, log: &mut AtomicFile) -> Result<usize
 }
 
 /// The record that a row was written from: its case, method and values are those of
-/// the sweep.
+/// the sweep, and a case without an answer has a reason.
 fn record_of(sweep: &Sweep, reasons: &Reasons, row: String) -> Option<Record> {
     let mut fields = row.split(',');
     let case: usize = fields.next()?.parse().ok()?;
@@ -120,10 +123,12 @@ fn record_of(sweep: &Sweep, reasons: &Reasons, row: String) -> Option<Record> {
     let method = (sweep.methods.iter()).position(|method| method.name() == name)?;
     let start = |case| labels_start(case, name, &sweep.design.values(case)) + ",";
     let is_ours = case < sweep.design.cases() && row.starts_with(&start(case));
-    is_ours.then(|| Record {
+    let reason = reasons.get(&(case, name.to_owned())).cloned();
+    let is_whole = is_ours && reason.is_some() == row.ends_with(",failed");
+    is_whole.then(|| Record {
         case,
         method,
-        reason: reasons.get(&(case, name.to_owned())).cloned(),
+        reason,
         row: row.clone(),
     })
 }

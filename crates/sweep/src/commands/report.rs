@@ -3,14 +3,14 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Context, Result, bail};
 
-use super::folder::{REPORT, tables_of};
+use super::folder::{REPORT, hold, tables_of};
 use super::plot::draw_map;
-use super::{Status, say};
+use super::{Status, UsageError, say};
 use crate::cli::{ReportArguments, SummaryArguments};
-use crate::output::write_atomically;
-use crate::report::{Comparison, Results, page, sections, text};
+use crate::files::{folder_of, write_atomically};
+use crate::report::{Comparison, Results, is_page, page, sections, text};
 
 /// Says in the terminal what a folder holds.
 pub fn summary(arguments: &SummaryArguments) -> Result<Status> {
@@ -28,11 +28,15 @@ pub fn report(arguments: &ReportArguments) -> Result<Status> {
         .map(|other| Comparison::of(&all[0], other))
         .collect::<Result<Vec<_>>>()?;
     let html = page(&title(&all), &sections(&all, &comparisons))?;
-    let path = arguments
-        .out
-        .clone()
-        .unwrap_or_else(|| place(&arguments.folders));
-    write_atomically(&path, html.as_bytes())?;
+    let path = match (&arguments.out, &arguments.folders[..]) {
+        (Some(path), _) => {
+            write_atomically(path, html.as_bytes())?;
+            path.clone()
+        }
+        // In the folder that it is about; here, where there are several.
+        (None, [folder]) => write_page(folder.join(REPORT), &html)?,
+        (None, _) => write_page(PathBuf::from(REPORT), &html)?,
+    };
     say(&format!("{}\n", path.display()))?;
     Ok(Status::Complete)
 }
@@ -46,12 +50,18 @@ fn read(folder: &Path) -> Result<Results> {
     Results::read(folder, tables)
 }
 
-/// In the folder that a report is about; here, where there are several.
-fn place(folders: &[PathBuf]) -> PathBuf {
-    match folders {
-        [folder] => folder.join(REPORT),
-        _ => PathBuf::from(REPORT),
+/// Writes a page under its usual name, where nothing else has it.
+fn write_page(path: PathBuf, html: &str) -> Result<PathBuf> {
+    let _lock = hold(folder_of(&path), REPORT)?;
+    let is_ours = is_page(&path).with_context(|| format!("{} cannot be read", path.display()))?;
+    if path.exists() && !is_ours {
+        bail!(UsageError(format!(
+            "{} is no page of this program: write another with --out, or move it away",
+            path.display()
+        )));
     }
+    write_atomically(&path, html.as_bytes())?;
+    Ok(path)
 }
 
 fn title(all: &[Results]) -> String {

@@ -10,8 +10,9 @@ use std::time::Instant;
 use anyhow::{Context, Result, anyhow, bail};
 use linear::Method;
 
-use super::folder::{Found, LOG, look, remove_report};
-use super::plot::draw_map;
+use super::complete::Again;
+use super::folder::{Found, LOG, hold, look, remove_page};
+use super::plot::draw_and_note;
 use super::raise::{log_of_results, raise_log};
 use super::stop::Stop;
 use super::{
@@ -20,10 +21,10 @@ use super::{
 };
 use crate::cli::{LogFormat, RunArguments};
 use crate::engine::{Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Work, pairs_of};
+use crate::files::write_with_checksum;
 use crate::memory::{Purpose, admit};
 use crate::output::{
-    About, Boundary, Manifest, Tables, Tally, boundary, labels_row, meaning, write_atomically,
-    write_boundary, write_tables,
+    About, Boundary, Manifest, Tally, boundary, labels_row, meaning, write_boundary, write_tables,
 };
 use crate::spec::Sweep;
 use plan::Plan;
@@ -43,18 +44,18 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         folder.push(format!("shard-{}-of-{}", shard.index, shard.of));
     }
     let header = Header::new(shard, meaning(&sweep, arguments.terms())?);
-    let found = if arguments.fresh {
-        Found::Nothing
-    } else {
-        look(&folder, &header, &sweep)?
+    let again = Again {
+        arguments,
+        sweep: &sweep,
+        survey: &survey,
+        header: &header,
+        folder: &folder,
     };
+    let found = look(&folder, &header, &sweep, arguments.fresh)?;
     if arguments.dry_run {
         let plan = Plan {
-            arguments,
-            sweep: &sweep,
+            again: &again,
             shard,
-            survey: &survey,
-            folder: &folder,
             found: &found,
         };
         let text = plan.describe(&|| stop.status().is_some())?;
@@ -65,7 +66,7 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         return Ok(Status::Complete);
     }
     if let Found::Complete(manifest) = found {
-        return show_again(*manifest, &sweep, &folder, arguments.quiet);
+        return again.show(*manifest);
     }
     let setting = sweep.setting.for_labels();
     let most = arguments.work.memory.limit();
@@ -76,23 +77,23 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     }
     let limit = boundary(&sweep, &systems).map_err(UsageError)?;
     make_folder(&folder)?;
-    match &found {
-        Found::Unfinished {
-            had_fewer: true, ..
-        } => raise_log(&folder, &header, &sweep)?,
-        Found::Fewer(manifest) => log_of_results(&folder, manifest, &header, &sweep)?,
-        _ => {}
+    let lock = hold(&folder, LOG)?;
+    let log = folder.join(LOG);
+    // Another run may have been there meanwhile.
+    match look(&folder, &header, &sweep, arguments.fresh)? {
+        Found::Nothing(ours) => {
+            Log::begin(&log, &header)?;
+            ours.remove_results(&folder)?;
+        }
+        Found::Unfinished { had_fewer: false } => {}
+        Found::Unfinished { had_fewer: true } => raise_log(&log, &header, &sweep)?,
+        Found::Fewer(manifest) => log_of_results(&folder, &manifest, &header, &sweep)?,
+        Found::Complete(manifest) => {
+            drop(lock);
+            return again.show(*manifest);
+        }
     }
-    let log = Log::open(
-        &folder.join(LOG),
-        &header,
-        sweep.design.cases(),
-        sweep.methods.len(),
-        arguments.fresh,
-    )?;
-    if arguments.fresh {
-        super::folder::clear(&folder)?;
-    }
+    let log = Log::open(&log, sweep.design.cases(), sweep.methods.len())?;
     let about = About::new(&sweep, &arguments.file, shard, arguments.terms(), &systems)?;
     log.describe(about.text()?)?;
     tell_of_start(&log, &systems);
@@ -163,6 +164,11 @@ fn refuse_unstable(
 /// Says what is worth knowing before the work.
 fn tell_of_start(log: &Log, systems: &[MethodSystem]) {
     warn_of_unstable(systems);
+    warn_of_broken_lines(log);
+}
+
+/// Says what of a log is lost.
+pub fn warn_of_broken_lines(log: &Log) {
     if log.broken_lines() > 0 {
         complain(&format!(
             "warning: {} lines of the log were not whole; their cases are run again",
@@ -233,20 +239,22 @@ impl Session<'_> {
     fn finish(&self, limit: &Boundary, log: &Log) -> Result<Status> {
         let (arguments, sweep, shard, folder) =
             (self.arguments, self.sweep, self.shard, self.folder);
-        let tally = write_tables(sweep, &arguments.file, log, folder)?;
-        write_atomically(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
+        let tables = write_tables(sweep, &arguments.file, log, folder)?;
+        let limit = write_with_checksum(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
         let seconds = self.start.elapsed().as_secs_f64();
-        let manifest = Manifest::new(
+        let mut manifest = Manifest::new(
             sweep,
             shard,
             arguments.terms(),
             self.systems,
-            tally,
+            tables.tally,
             seconds,
         )?;
+        manifest.files = tables.files;
+        manifest.files.insert("boundary.csv".to_owned(), limit);
         manifest.write(folder)?;
-        remove_report(folder)?;
-        let drawn = shard.is_whole() && draw_map(&Tables::finished(folder)?, folder)?;
+        remove_page(folder)?;
+        let drawn = shard.is_whole() && draw_and_note(folder, &mut manifest)?;
         let path = folder.join(LOG);
         std::fs::remove_file(&path)
             .with_context(|| format!("{} cannot be removed", path.display()))?;
@@ -257,27 +265,8 @@ impl Session<'_> {
     }
 }
 
-/// A folder that is complete: nothing to run, but a title or a map may have
-/// changed.
-fn show_again(mut manifest: Manifest, sweep: &Sweep, folder: &Path, quiet: bool) -> Result<Status> {
-    let shown = (&manifest.title, &manifest.map, &manifest.sweep);
-    if shown != (&sweep.title, &sweep.map, &sweep.content) {
-        manifest.title.clone_from(&sweep.title);
-        manifest.map.clone_from(&sweep.map);
-        manifest.sweep = sweep.content.clone();
-        manifest.write(folder)?;
-        if manifest.shard().is_whole() {
-            draw_map(&Tables::finished(folder)?, folder)?;
-        }
-    }
-    if !quiet {
-        let text = summary(&manifest, folder, manifest.map.is_some())?;
-        say(&format!("complete already, nothing to run\n{text}"))?;
-    }
-    Ok(status_of(&manifest))
-}
-
-fn status_of(manifest: &Manifest) -> Status {
+/// How a run that has these results ends.
+pub fn status_of(manifest: &Manifest) -> Status {
     if manifest.tally.failed > 0 {
         Status::SomeFailed
     } else {

@@ -10,7 +10,7 @@ mod systems;
 mod terms;
 
 pub use case::{Case, Row, RowOutcome};
-pub use log::{Header, Log, LogView, Record, read_about, read_header};
+pub use log::{Header, Log, LogError, LogView, Place, Record, log_place, read_about, read_header};
 pub use memory::StringMemory;
 pub use shard::Shard;
 pub use survey::{Survey, setting_of, survey};

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 
-use crate::output::{Curve, Extent, Manifest, Motion, Tables};
+use crate::output::{Curve, Extent, Manifest, Motion, ResultTables};
 use crate::plot::{Axis, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
 use crate::spec::{self, MapSettings};
 use content::Content;
@@ -20,7 +20,7 @@ use limits::{Limits, View};
 ///
 /// # Errors
 /// Where a file cannot be read.
-pub fn picture(tables: &Tables) -> Result<Option<Picture>> {
+pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
     let manifest = &tables.manifest;
     let Some(settings) = &manifest.map else {
         return Ok(None);
@@ -57,7 +57,7 @@ struct Map<'a> {
 }
 
 impl<'a> Map<'a> {
-    fn read(tables: &'a Tables, settings: &'a MapSettings) -> Result<Self> {
+    fn read(tables: &'a ResultTables, settings: &'a MapSettings) -> Result<Self> {
         let manifest = &tables.manifest;
         let labels = tables.labels();
         let on_map = [settings.x, settings.y];

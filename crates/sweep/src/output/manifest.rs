@@ -1,17 +1,17 @@
 //! `manifest.json`: what was run, with what, and what came of it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::files::write_atomically;
 use super::results::Tally;
 use crate::accuracy::Choice;
 use crate::design::Design;
 use crate::engine::{MethodSystem, Shard, Terms};
+use crate::files::{Checksum, hexadecimal, write_atomically};
 use crate::spec::{Axis, FileContent, MapSettings, Sweep};
 
 /// What was run.
@@ -58,6 +58,9 @@ pub struct Manifest {
     /// What came out.
     #[serde(flatten)]
     pub tally: Tally,
+    /// The tables and pictures beside it; none in a folder of version 0.1.0.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub files: BTreeMap<String, Checksum>,
     /// Threads used.
     pub threads: usize,
     /// Time from start to end, s; of the last part, where it was stopped.
@@ -130,6 +133,7 @@ impl Manifest {
             terms,
             methods: systems.iter().map(MethodRecord::of).collect(),
             tally,
+            files: BTreeMap::new(),
             threads: rayon::current_num_threads(),
             wall_seconds,
             map: sweep.map.clone(),
@@ -143,6 +147,11 @@ impl Manifest {
     /// None that a manifest that was read could cause.
     pub fn meaning(&self) -> Result<serde_json::Value> {
         meaning_of(&self.sweep, self.cases_sha256.as_deref(), self.terms)
+    }
+
+    /// Whether there is a map of it: none of a part, nor of fewer than two axes.
+    pub fn draws(&self) -> bool {
+        self.shard().is_whole() && self.map.is_some()
     }
 
     /// The part of the sweep it records.
@@ -222,11 +231,6 @@ fn meaning_hash(meaning: &serde_json::Value) -> Result<String> {
     let mut hash = Sha256::new();
     hash.update(serde_json::to_vec(meaning)?);
     Ok(hexadecimal(hash))
-}
-
-fn hexadecimal(hash: Sha256) -> String {
-    let bytes = hash.finalize();
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Where two meanings differ, each as `key: before → now`.

@@ -7,10 +7,10 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
-use super::files::AtomicFile;
 use super::labels::{FAILURES_HEADER, failures_row, labels_header};
 use super::motion::Motion;
 use crate::engine::Log;
+use crate::files::{AtomicFile, Checksum};
 use crate::spec::Sweep;
 
 /// What came out, counted.
@@ -106,12 +106,20 @@ impl Counted {
     }
 }
 
+/// The tables of a run, as they were written.
+pub struct Tables {
+    /// What came out, counted.
+    pub tally: Tally,
+    /// Checksums by name.
+    pub files: BTreeMap<String, Checksum>,
+}
+
 /// Writes `labels.csv` and `failures.csv`, in the order of cases and methods
 /// however they were done.
 ///
 /// # Errors
 /// Where the log cannot be read or the tables cannot be written.
-pub fn write_tables(sweep: &Sweep, sweep_file: &Path, log: &Log, folder: &Path) -> Result<Tally> {
+pub fn write_tables(sweep: &Sweep, sweep_file: &Path, log: &Log, folder: &Path) -> Result<Tables> {
     let header = labels_header(sweep);
     let counted = Counted::new(&header)?;
     let mut tally = Tally::default();
@@ -128,7 +136,12 @@ pub fn write_tables(sweep: &Sweep, sweep_file: &Path, log: &Log, folder: &Path) 
         }
         Ok(())
     })?;
-    labels.finish()?;
-    failures.finish()?;
-    Ok(tally)
+    let files = [
+        ("labels.csv", labels.finish()?),
+        ("failures.csv", failures.finish()?),
+    ];
+    Ok(Tables {
+        tally,
+        files: files.map(|(name, sum)| (name.to_owned(), sum)).into(),
+    })
 }

@@ -12,14 +12,14 @@ use tempfile::TempDir;
 
 use super::about::About;
 use super::boundary::{Boundary, read_boundary};
-use super::files::AtomicFile;
 use super::labels::{FAILURES_HEADER, failures_row};
 use super::manifest::Manifest;
 use super::results::{Counted, Tally};
 use crate::engine::{LogView, Record, read_about};
+use crate::files::AtomicFile;
 
 /// A results folder, ready to be shown.
-pub struct Tables {
+pub struct ResultTables {
     /// What was run.
     pub manifest: Manifest,
     /// How far it is, where it is not finished.
@@ -44,7 +44,7 @@ impl fmt::Display for SoFar {
     }
 }
 
-impl Tables {
+impl ResultTables {
     /// Those of a finished run.
     ///
     /// # Errors

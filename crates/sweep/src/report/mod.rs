@@ -19,7 +19,7 @@ mod sections;
 mod text;
 
 pub use comparison::Comparison;
-pub use page::page;
+pub use page::{is_page, page};
 pub use results::Results;
 pub use sections::sections;
 pub use text::text;

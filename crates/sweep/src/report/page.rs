@@ -1,12 +1,21 @@
 //! Sections as one HTML page that needs nothing else: no script, no file, no
 //! network; light or dark as the reader's machine is, on a phone and in print.
 
+use std::path::Path;
+
 use anyhow::{Context, Result};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::document::{Block, Map, Section};
 use super::html::{element, escaped, table};
+use crate::files::is_absent;
+
+/// By which a page is known to be made here.
+const MADE_BY: &str = "<footer><p>Made by ";
+
+/// The mark is among the last bytes of a page, this many at most.
+const FOOTER: usize = 400;
 
 /// The page's looks.
 const STYLE: &str = include_str!("page.css");
@@ -39,8 +48,22 @@ pub fn page(title: &str, sections: &[Section]) -> Result<String> {
         html += "</section>\n";
     }
     let program = escaped(crate::PROGRAM);
-    html += &format!("</main>\n<footer><p>Made by {program}.</p></footer>\n</body>\n</html>\n");
+    html += &format!("</main>\n{MADE_BY}{program}.</p></footer>\n</body>\n</html>\n");
     Ok(html)
+}
+
+/// Whether a file is a page of this program, of any version.
+///
+/// # Errors
+/// Where it is there and cannot be read.
+pub fn is_page(path: &Path) -> std::io::Result<bool> {
+    let content = match std::fs::read(path) {
+        Err(error) if is_absent(&error) => return Ok(false),
+        content => content?,
+    };
+    let mark = format!("{MADE_BY}sweep ");
+    let end = &content[content.len().saturating_sub(FOOTER)..];
+    Ok((end.windows(mark.len())).any(|window| window == mark.as_bytes()))
 }
 
 /// Maps that follow each other stand side by side where there is room.

@@ -8,7 +8,7 @@ use super::agreement::Agreement;
 use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
-use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, Motion, Tables};
+use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, Motion, ResultTables};
 use crate::spec::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
@@ -19,7 +19,7 @@ pub struct Results {
     /// The folder, as it was given.
     pub name: String,
     /// Its tables.
-    pub tables: Tables,
+    pub tables: ResultTables,
     /// What was run.
     pub manifest: Manifest,
     /// Whether the methods say the same.
@@ -37,7 +37,7 @@ impl Results {
     ///
     /// # Errors
     /// Where a file cannot be read, or the files are not of one run.
-    pub fn read(folder: &Path, tables: Tables) -> Result<Self> {
+    pub fn read(folder: &Path, tables: ResultTables) -> Result<Self> {
         let manifest = tables.manifest.clone();
         let labels = tables.labels();
         let methods = manifest.methods.iter().map(|method| method.method.as_str());

@@ -1,25 +1,23 @@
 //! `sweep run --dry-run`: what would run, why, and what it would cost.
 
 use std::fmt::Write;
-use std::path::Path;
 
 use anyhow::Result;
 use sim::Stopping;
 
+use super::super::complete::Again;
 use super::super::cost::{Cost, probe};
-use super::super::folder::Found;
-use crate::cli::RunArguments;
-use crate::engine::{Shard, Survey, pairs_of};
+use super::super::folder::{Found, LOG, in_words};
+use crate::engine::{LogView, Shard, pairs_of};
 use crate::memory::{Purpose, admit};
-use crate::spec::Sweep;
 
 /// A run that has not begun.
 pub struct Plan<'a> {
-    pub arguments: &'a RunArguments,
-    pub sweep: &'a Sweep,
+    /// What was asked for.
+    pub again: &'a Again<'a>,
+    /// The part of it.
     pub shard: Shard,
-    pub survey: &'a Survey,
-    pub folder: &'a Path,
+    /// What is there.
     pub found: &'a Found,
 }
 
@@ -29,12 +27,16 @@ impl Plan<'_> {
     /// # Errors
     /// Where it would take too much memory.
     pub fn describe(&self, stops: &dyn Fn() -> bool) -> Result<String> {
-        let total = pairs_of(self.sweep, self.shard);
+        let sweep = self.again.sweep;
+        let total = pairs_of(sweep, self.shard);
         let done = match self.found {
             Found::Complete(_) => total,
-            Found::Unfinished { done, .. } => *done,
+            Found::Unfinished { .. } => {
+                let log = self.again.folder.join(LOG);
+                LogView::open(&log, sweep.design.cases(), sweep.methods.len())?.count()
+            }
             Found::Fewer(manifest) => manifest.tally.rows,
-            Found::Nothing => 0,
+            Found::Nothing(_) => 0,
         };
         let left = total - done.min(total);
         let mut text = self.words(total, left)?;
@@ -45,11 +47,12 @@ impl Plan<'_> {
     }
 
     fn cost(&self, simulations: usize, stops: &dyn Fn() -> bool) -> Result<Cost> {
-        let (sweep, survey) = (self.sweep, self.survey);
-        let limit = self.arguments.work.memory.limit();
+        let (sweep, survey, arguments) =
+            (self.again.sweep, self.again.survey, self.again.arguments);
+        let limit = arguments.work.memory.limit();
         let setting = sweep.setting.for_labels();
         let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
-        let stopping = if self.arguments.full {
+        let stopping = if arguments.full {
             Stopping::Full
         } else {
             Stopping::Early
@@ -62,7 +65,7 @@ impl Plan<'_> {
     }
 
     fn words(&self, total: usize, left: usize) -> Result<String> {
-        let (sweep, shard, survey) = (self.sweep, self.shard, self.survey);
+        let (sweep, shard, survey) = (self.again.sweep, self.shard, self.again.survey);
         let mut text = String::new();
         let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
         writeln!(text, "{}: {}", sweep.name, sweep.title)?;
@@ -77,15 +80,21 @@ impl Plan<'_> {
             sweep.design.cases(),
             methods.len(),
             methods.join(", "),
-            self.folder.display()
+            self.again.folder.display()
         )?;
         let why = match self.found {
             Found::Complete(_) => "complete already",
             Found::Unfinished { .. } => "a stopped run goes on",
             Found::Fewer(_) => "the sweep has more cases than are there",
-            Found::Nothing => "from the beginning",
+            Found::Nothing(_) => "from the beginning",
         };
         writeln!(text, "{left} of {total} simulations left: {why}")?;
+        if let Found::Complete(manifest) = self.found {
+            let damage = self.again.damage(manifest)?;
+            if !damage.is_empty() {
+                writeln!(text, "would be made again: {}", in_words(&damage))?;
+            }
+        }
         if sweep.design.varies_string() {
             let strings = sweep.design.strings();
             writeln!(text, "{strings} distinct strings, each built once")?;

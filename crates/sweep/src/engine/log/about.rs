@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::error::{LogError, file_error};
 use super::line::{Scan, checked, parse_line};
+use crate::files::{is_absent, refuse_irregular};
 
 /// Its first word.
 const ABOUT: &str = "sweep-run";
@@ -28,8 +29,9 @@ pub(super) fn parse_about(line: &[u8]) -> Option<String> {
 /// Where the log cannot be read.
 pub fn read_about(path: &Path) -> Result<Option<String>, LogError> {
     let unreadable = |error| file_error(path, "read", error);
+    refuse_irregular(path).map_err(unreadable)?;
     let file = match File::open(path) {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        Err(error) if is_absent(&error) => return Ok(None),
         file => file.map_err(unreadable)?,
     };
     let mut about = None;

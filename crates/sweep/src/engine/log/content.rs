@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::about::parse_about;
 use super::error::{LogError, file_error};
-use super::header::Header;
+use super::header::{FirstLine, Header};
 use super::line::Scan;
 use super::record::Record;
 
@@ -50,10 +50,10 @@ impl Content {
         };
         let mut scan = Scan::new(file).map_err(unreadable)?;
         match scan.next_line().map_err(unreadable)? {
-            Some(line) if Header::parse(line.text).is_some() => content.end = line.to,
-            // A header that was not written whole has nothing after it.
-            Some(line) if !line.is_last => return Err(LogError::NotALog(path.to_owned())),
-            _ => return Ok(content),
+            Some(line) if matches!(Header::parse(line.text), FirstLine::Header(_)) => {
+                content.end = line.to;
+            }
+            _ => return Err(LogError::NotALog(path.to_owned())),
         }
         while let Some(line) = scan.next_line().map_err(unreadable)? {
             match Record::parse(line.text) {
@@ -85,11 +85,6 @@ impl Content {
         let block = &mut self.blocks[record.case / CASES_PER_BLOCK];
         let (start, end) = block.unwrap_or((from, to));
         *block = Some((start.min(from), end.max(to)));
-    }
-
-    /// Counts a header, which ends at this byte of the log.
-    pub fn add_header(&mut self, to: u64) {
-        self.end = to;
     }
 
     /// Keeps what the run is shown by, whose line ends at this byte of the log.

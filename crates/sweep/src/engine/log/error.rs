@@ -5,15 +5,31 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use super::header::FORMAT;
+
 /// A log that cannot be used.
 #[derive(Debug, Error)]
 pub enum LogError {
-    /// Another run writes it.
-    #[error("another run is writing {0}; wait for it, or choose another --out")]
-    Locked(PathBuf),
     /// It has no header of this program.
-    #[error("{0} is not a log of this program; replace it with --fresh")]
+    #[error(
+        "{0} is not a log of this program, or its first line is damaged: move it away, or choose \
+         another --out"
+    )]
     NotALog(PathBuf),
+    /// It is written in another way.
+    #[error(
+        "{path} is a log of format {format}, by another version of this program, and this one \
+         reads format {ours}: go on with that version, choose another --out, or begin anew with \
+         --fresh"
+    )]
+    OtherFormat {
+        /// The log.
+        path: PathBuf,
+        /// Its format.
+        format: u64,
+        /// The format of this program.
+        ours: u64,
+    },
     /// It cannot be read or written.
     #[error("{path} cannot be {what}: {error}")]
     File {
@@ -24,6 +40,17 @@ pub enum LogError {
         /// What the system says.
         error: io::Error,
     },
+}
+
+impl LogError {
+    /// A log of another version of the format.
+    pub fn other_format(path: &Path, format: u64) -> Self {
+        Self::OtherFormat {
+            path: path.to_owned(),
+            format,
+            ours: FORMAT,
+        }
+    }
 }
 
 pub(super) fn file_error(path: &Path, what: &'static str, error: io::Error) -> LogError {

@@ -9,9 +9,10 @@ use serde::{Deserialize, Serialize};
 use super::error::{LogError, file_error};
 use super::line::{LONGEST_LINE, checked, parse_line};
 use crate::engine::Shard;
+use crate::files::{is_absent, refuse_irregular};
 
 /// Version of this format.
-const FORMAT: u32 = 2;
+pub(super) const FORMAT: u64 = 2;
 
 /// First word of a header.
 const HEADER: &str = "sweep-log";
@@ -20,7 +21,7 @@ const HEADER: &str = "sweep-log";
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Header {
     /// Version of the format.
-    format: u32,
+    format: u64,
     /// The program with its version.
     pub program: String,
     /// Which part of the sweep.
@@ -54,34 +55,93 @@ impl Header {
         Ok(checked(&format!("{HEADER}\t{json}")))
     }
 
-    /// What a line says, if it is a whole header.
-    pub(super) fn parse(line: &[u8]) -> Option<Self> {
-        let json = parse_line(line)?.strip_prefix(HEADER)?.strip_prefix('\t')?;
-        serde_json::from_str(json).ok()
+    /// What the first line of a log says.
+    pub(super) fn parse(line: &[u8]) -> FirstLine {
+        let json = parse_line(line)
+            .and_then(|text| text.strip_prefix(HEADER)?.strip_prefix('\t'))
+            .and_then(|json| serde_json::from_str::<serde_json::Value>(json).ok());
+        let format = json.as_ref().and_then(|json| json["format"].as_u64());
+        match (json, format) {
+            (Some(json), Some(FORMAT)) => serde_json::from_value(json)
+                .map_or(FirstLine::Other, |header| {
+                    FirstLine::Header(Box::new(header))
+                }),
+            (_, Some(format)) => FirstLine::OtherFormat(format),
+            _ => FirstLine::Other,
+        }
+    }
+}
+
+/// What the first line of a log says.
+pub(super) enum FirstLine {
+    /// What the log belongs to.
+    Header(Box<Header>),
+    /// That it is of another version of the format.
+    OtherFormat(u64),
+    /// Nothing that a whole header says.
+    Other,
+}
+
+/// What is in the place of a log that is to be written.
+#[derive(Debug, PartialEq)]
+pub enum Place {
+    /// Nothing.
+    Free,
+    /// The beginning of the very header that is to be written there.
+    Torn,
+    /// A log.
+    Log(Box<Header>),
+    /// A log of another version of the format.
+    OtherFormat(u64),
+}
+
+/// Looks at what is in the place of a log that is to begin with `ours`.
+///
+/// # Errors
+/// Where that is not a log, or cannot be read.
+pub fn log_place(path: &Path, ours: &Header) -> Result<Place, LogError> {
+    let unreadable = |error| file_error(path, "read", error);
+    refuse_irregular(path).map_err(unreadable)?;
+    let Some(line) = first_line(path).map_err(unreadable)? else {
+        return Ok(Place::Free);
+    };
+    match Header::parse(&line) {
+        FirstLine::Header(header) => Ok(Place::Log(header)),
+        FirstLine::OtherFormat(format) => Ok(Place::OtherFormat(format)),
+        FirstLine::Other => {
+            let header = ours.line().map_err(|error| unreadable(error.into()))?;
+            if header.as_bytes().starts_with(&line) {
+                Ok(Place::Torn)
+            } else {
+                Err(LogError::NotALog(path.to_owned()))
+            }
+        }
     }
 }
 
 /// Reads the header of a log, if there is a whole one.
 ///
 /// # Errors
-/// Where the file cannot be read.
+/// Where the file cannot be read, or is of another version of the format.
 pub fn read_header(path: &Path) -> Result<Option<Header>, LogError> {
-    let read = || -> io::Result<Option<Header>> {
-        let mut line = Vec::new();
-        let mut reader = BufReader::new(File::open(path)?).take(LONGEST_LINE);
-        reader.read_until(b'\n', &mut line)?;
-        Ok(Header::parse(&line))
-    };
-    match read() {
-        // A folder that is none is found when it is to be made.
-        Err(error)
-            if matches!(
-                error.kind(),
-                io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
-            ) =>
-        {
-            Ok(None)
-        }
-        result => result.map_err(|error| file_error(path, "read", error)),
+    let unreadable = |error| file_error(path, "read", error);
+    refuse_irregular(path).map_err(unreadable)?;
+    let line = first_line(path).map_err(unreadable)?;
+    match line.map(|line| Header::parse(&line)) {
+        Some(FirstLine::Header(header)) => Ok(Some(*header)),
+        Some(FirstLine::OtherFormat(format)) => Err(LogError::other_format(path, format)),
+        Some(FirstLine::Other) | None => Ok(None),
     }
+}
+
+/// The first line of a file, if it is there.
+fn first_line(path: &Path) -> io::Result<Option<Vec<u8>>> {
+    let file = match File::open(path) {
+        // A folder that is none is found when it is to be made.
+        Err(error) if is_absent(&error) => return Ok(None),
+        file => file?,
+    };
+    let mut line = Vec::new();
+    (BufReader::new(file).take(LONGEST_LINE)).read_until(b'\n', &mut line)?;
+    Ok(Some(line))
 }

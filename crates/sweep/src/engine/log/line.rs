@@ -34,7 +34,6 @@ pub(super) struct Line<'a> {
     pub text: &'a [u8],
     pub from: u64,
     pub to: u64,
-    pub is_last: bool,
 }
 
 impl<'a> Scan<'a> {
@@ -68,7 +67,6 @@ impl<'a> Scan<'a> {
             text: &self.line,
             from,
             to: self.at,
-            is_last: self.reader.limit() == 0,
         }))
     }
 }

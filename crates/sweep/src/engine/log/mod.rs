@@ -5,9 +5,10 @@
 //! being that of all that follows the first tab. The first line is the header; each
 //! other is `case TAB method TAB reason TAB row`, the reason empty but for a case
 //! without an answer, and the row as it will stand in `labels.csv`; or says after
-//! `sweep-run TAB` what an unfinished run is shown by. A line that
-//! was not written whole, or not as it was meant, does not match its checksum and
-//! counts as not there.
+//! `sweep-run TAB` what an unfinished run is shown by. A line that was not written
+//! whole, or not as it was meant, does not match its checksum and counts as not
+//! there. The file itself appears with its whole header: one without is none of this
+//! program's, and is left alone.
 
 mod about;
 mod content;
@@ -21,12 +22,12 @@ mod view;
 
 pub use about::read_about;
 pub use error::LogError;
-pub use header::{Header, read_header};
+pub use header::{Header, Place, log_place, read_header};
 pub use record::Record;
 pub use view::LogView;
 
-use std::fs::{File, TryLockError};
-use std::io::{self, Write};
+use std::fs::File;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -35,11 +36,13 @@ use about::about_line;
 use content::Content;
 use error::file_error;
 
+use crate::files::{refuse_irregular, write_atomically};
+
 /// What is written reaches the disk at least this often. Less than this is lost
 /// when the power goes; nothing when only the program goes.
 const BETWEEN_SYNCS: Duration = Duration::from_secs(1);
 
-/// An open log, locked for this run.
+/// An open log. The folder is locked for whoever writes it.
 #[derive(Debug)]
 pub struct Log {
     path: PathBuf,
@@ -54,56 +57,35 @@ struct State {
 }
 
 impl Log {
-    /// Opens a log, or begins one where there is none, or none whole, or it is to
-    /// be `fresh`. The caller has compared headers; this is for a sweep of so many
-    /// cases and methods.
+    /// Begins a log, in place of what is there. A log is there with its whole header
+    /// or not at all, so that one without is none of this program.
     ///
     /// # Errors
-    /// Where another run has it, it is no log, or it cannot be written.
-    pub fn open(
-        path: &Path,
-        header: &Header,
-        cases: usize,
-        methods: usize,
-        fresh: bool,
-    ) -> Result<Self, LogError> {
+    /// Where it cannot be written.
+    pub fn begin(path: &Path, header: &Header) -> anyhow::Result<()> {
+        write_atomically(path, header.line()?.as_bytes())
+    }
+
+    /// Opens a log to go on with it. The caller has compared headers; this is for a
+    /// sweep of so many cases and methods.
+    ///
+    /// # Errors
+    /// Where it is no log, or cannot be written.
+    pub fn open(path: &Path, cases: usize, methods: usize) -> Result<Self, LogError> {
         let unwritable = |error| file_error(path, "written", error);
-        let file = File::options()
-            .read(true)
-            .append(true)
-            .create(true)
-            .open(path)
-            .map_err(unwritable)?;
-        match file.try_lock() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(LogError::Locked(path.to_owned())),
-            // A file system without locks: nothing can be promised there.
-            Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {}
-            Err(TryLockError::Error(error)) => return Err(unwritable(error)),
-        }
-        if fresh {
-            file.set_len(0).map_err(unwritable)?;
-        }
+        refuse_irregular(path).map_err(unwritable)?;
+        let file = (File::options().read(true).append(true).open(path)).map_err(unwritable)?;
         let content = Content::read(path, &file, cases, methods)?;
         // What follows the last whole line is the rest of a torn one.
         file.set_len(content.end()).map_err(unwritable)?;
-        let log = Self {
+        Ok(Self {
             path: path.to_owned(),
             state: Mutex::new(State {
                 file,
                 synced: Instant::now(),
                 content,
             }),
-        };
-        let mut state = log.state();
-        if state.content.end() == 0 {
-            let line = (header.line()).map_err(|error| unwritable(error.into()))?;
-            let end = log.write(&mut state, &line)?;
-            state.content.add_header(end);
-            state.file.sync_all().map_err(unwritable)?;
-        }
-        drop(state);
-        Ok(log)
+        })
     }
 
     fn state(&self) -> std::sync::MutexGuard<'_, State> {

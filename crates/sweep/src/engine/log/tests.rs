@@ -24,7 +24,8 @@ fn header() -> Header {
 /// A log with records in an order of its own, and its bytes.
 fn written(folder: &Path) -> (PathBuf, Vec<u8>) {
     let path = folder.join("log");
-    let log = Log::open(&path, &header(), CASES, METHODS, false).unwrap();
+    Log::begin(&path, &header()).unwrap();
+    let log = Log::open(&path, CASES, METHODS).unwrap();
     for index in 0..CASES * METHODS {
         log.append(&record(index * 37 % (CASES * METHODS))).unwrap();
     }
@@ -38,7 +39,7 @@ fn what_was_appended_is_read_in_the_order_of_cases() {
     let folder = tempfile::tempdir().unwrap();
     let (path, _) = written(folder.path());
     assert_eq!(read_header(&path).unwrap(), Some(header()));
-    let log = Log::open(&path, &header(), CASES, METHODS, false).unwrap();
+    let log = Log::open(&path, CASES, METHODS).unwrap();
     assert_eq!(log.count(), CASES * METHODS);
     assert_eq!(log.failed(), (CASES * METHODS).div_ceil(7));
     let mut pair = 0;
@@ -56,13 +57,31 @@ fn what_was_appended_is_read_in_the_order_of_cases() {
 }
 
 #[test]
-fn only_one_has_a_log_open() {
+fn only_a_log_or_the_beginning_of_its_own_header_may_be_in_its_place() {
     let folder = tempfile::tempdir().unwrap();
-    let (path, _) = written(folder.path());
-    let _first = Log::open(&path, &header(), CASES, METHODS, false).unwrap();
-    for fresh in [false, true] {
-        let second = Log::open(&path, &header(), CASES, METHODS, fresh);
-        assert!(matches!(second, Err(LogError::Locked(_))));
+    let path = folder.path().join("log");
+    let place = || log_place(&path, &header());
+    assert_eq!(place().unwrap(), Place::Free);
+    Log::begin(&path, &header()).unwrap();
+    let whole = std::fs::read(&path).unwrap();
+    assert_eq!(place().unwrap(), Place::Log(Box::new(header())));
+    for cut in [0, 1, 8, 9, 20, whole.len() - 1] {
+        std::fs::write(&path, &whole[..cut]).unwrap();
+        assert_eq!(place().unwrap(), Place::Torn, "{cut}");
+    }
+    let of_others = [
+        &b"mine"[..],
+        b"mine\n",
+        b"\n",
+        &[0; 700],
+        b"0badc0de\tsweep-log\t{\"format\":1",
+    ];
+    for content in of_others {
+        std::fs::write(&path, content).unwrap();
+        assert!(matches!(place(), Err(LogError::NotALog(_))), "{content:?}");
+        let opened = Log::open(&path, CASES, METHODS);
+        assert!(matches!(opened, Err(LogError::NotALog(_))), "{content:?}");
+        assert_eq!(std::fs::read(&path).unwrap(), content);
     }
 }
 

@@ -1,0 +1,110 @@
+//! Which files of a folder a run of this program left there, by what its log and
+//! its manifest say. No other is replaced or removed.
+
+use std::collections::BTreeSet;
+use std::io::ErrorKind;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
+
+use super::super::UsageError;
+use super::{LOG, MANIFEST, REPORT};
+use crate::engine::{Header, Place, Shard, log_place};
+use crate::output::{Manifest, PICTURES, TABLES};
+use crate::report::is_page;
+use crate::spec::Sweep;
+
+/// What tells of an earlier run in a folder.
+pub struct Ours {
+    /// Its log.
+    pub log: Place,
+    /// What its manifest speaks of.
+    of_manifest: BTreeSet<String>,
+}
+
+impl Ours {
+    /// Looks for a log, which would begin with `header`, and a manifest.
+    ///
+    /// # Errors
+    /// Where there is something else in the place of the log.
+    pub fn find(folder: &Path, header: &Header) -> Result<Self> {
+        Ok(Self {
+            log: log_place(&folder.join(LOG), header)?,
+            // What is no manifest tells nothing, and is not ours itself.
+            of_manifest: Manifest::read(folder).map_or_else(|_| BTreeSet::new(), names_of),
+        })
+    }
+
+    /// Refuses to write files where others have files of these names.
+    ///
+    /// # Errors
+    /// Which they are.
+    pub fn refuse_foreign(&self, folder: &Path, names: &[&str]) -> Result<()> {
+        let foreign: Vec<&str> = (names.iter().copied())
+            .filter(|name| folder.join(name).symlink_metadata().is_ok())
+            .filter(|name| self.log == Place::Free && !self.of_manifest.contains(*name))
+            .collect();
+        if foreign.is_empty() {
+            return Ok(());
+        }
+        bail!(UsageError(format!(
+            "{} holds {}, and nothing there says that a run of this program wrote that: choose \
+             another --out, or move it away",
+            folder.display(),
+            foreign.join(", ")
+        )))
+    }
+
+    /// Removes the results of an earlier run, and the page about them.
+    ///
+    /// # Errors
+    /// Where a file cannot be removed.
+    pub fn remove_results(&self, folder: &Path) -> Result<()> {
+        // A run that was killed while it finished has left some of its tables.
+        let may_be_half = matches!(self.log, Place::Log(_) | Place::OtherFormat(_));
+        for name in [MANIFEST].into_iter().chain(TABLES).chain(PICTURES) {
+            if self.of_manifest.contains(name) || may_be_half && !PICTURES.contains(&name) {
+                remove(&folder.join(name))?;
+            }
+        }
+        remove_page(folder)
+    }
+}
+
+/// Removes the page about a folder, which is of an earlier state of it.
+///
+/// # Errors
+/// Where it cannot be removed.
+pub fn remove_page(folder: &Path) -> Result<()> {
+    let page = folder.join(REPORT);
+    let is_ours = is_page(&page);
+    if is_ours.with_context(|| format!("{} cannot be read", page.display()))? {
+        remove(&page)?;
+    }
+    Ok(())
+}
+
+/// The files of a folder with this manifest, itself among them.
+fn names_of(manifest: Manifest) -> BTreeSet<String> {
+    let promised = promised(manifest.draws()).map(str::to_owned);
+    promised.chain(manifest.files.into_keys()).collect()
+}
+
+/// The files that a run leaves in its folder.
+pub fn written_by(sweep: &Sweep, shard: Shard) -> Vec<&'static str> {
+    promised(shard.is_whole() && sweep.map.is_some()).collect()
+}
+
+fn promised(with_map: bool) -> impl Iterator<Item = &'static str> {
+    let pictures = PICTURES.into_iter().filter(move |_| with_map);
+    [MANIFEST].into_iter().chain(TABLES).chain(pictures)
+}
+
+fn remove(path: &Path) -> Result<()> {
+    match std::fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => {
+            Err(error).with_context(|| format!("{} cannot be removed", path.display()))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,113 @@
+//! Whether the files of a results folder are those that its manifest speaks of.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+
+use super::manifest::Manifest;
+use crate::files::{Checksum, is_absent};
+
+/// The tables of a results folder.
+pub const TABLES: [&str; 3] = ["labels.csv", "failures.csv", "boundary.csv"];
+
+/// Its map.
+pub const PICTURES: [&str; 2] = ["map.svg", "map.png"];
+
+/// A file that is not the one that was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Damage {
+    /// The file's name.
+    pub name: String,
+    path: PathBuf,
+    how: How,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum How {
+    Missing,
+    OtherLength { bytes: u64, expected: u64 },
+    OtherContent,
+}
+
+impl fmt::Display for Damage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let path = self.path.display();
+        match self.how {
+            How::Missing => write!(f, "{path} is missing"),
+            How::OtherLength { bytes, expected } => write!(
+                f,
+                "{path} is damaged: it has {bytes} bytes, and the one that was written {expected}"
+            ),
+            How::OtherContent => write!(
+                f,
+                "{path} is damaged: its SHA-256 is not that of the one that was written"
+            ),
+        }
+    }
+}
+
+impl Manifest {
+    /// Whether there are checksums, as version 0.1.0 kept none.
+    pub fn has_checksums(&self) -> bool {
+        !self.files.is_empty()
+    }
+
+    /// Which of these files of its folder are missing or damaged. Without checksums
+    /// only what is missing is found.
+    ///
+    /// # Errors
+    /// Where a file cannot be read.
+    pub fn damage(&self, folder: &Path, names: &[&str]) -> Result<Vec<Damage>> {
+        let mut found = Vec::new();
+        for &name in names {
+            let path = folder.join(name);
+            let how = damage_of(&path, self.files.get(name), self.has_checksums());
+            let how = how.with_context(|| format!("{} cannot be read", path.display()))?;
+            found.extend(how.map(|how| Damage {
+                name: name.to_owned(),
+                path,
+                how,
+            }));
+        }
+        Ok(found)
+    }
+
+    /// Notes the checksums of files that were just written.
+    ///
+    /// # Errors
+    /// Where one cannot be read back.
+    pub fn note(&mut self, folder: &Path, names: &[&str]) -> Result<()> {
+        for &name in names {
+            let path = folder.join(name);
+            let checksum = Checksum::of_file(&path)
+                .with_context(|| format!("{} cannot be read", path.display()))?;
+            self.files.insert(name.to_owned(), checksum);
+        }
+        Ok(())
+    }
+}
+
+/// How a file differs from what was noted of it. Where others were noted and it
+/// was not, it was never finished.
+fn damage_of(
+    path: &Path,
+    expected: Option<&Checksum>,
+    has_checksums: bool,
+) -> std::io::Result<Option<How>> {
+    let length = match std::fs::metadata(path) {
+        Err(error) if is_absent(&error) => return Ok(Some(How::Missing)),
+        found => found?.len(),
+    };
+    let Some(expected) = expected else {
+        return Ok(has_checksums.then_some(How::Missing));
+    };
+    if length != expected.bytes {
+        return Ok(Some(How::OtherLength {
+            bytes: length,
+            expected: expected.bytes,
+        }));
+    }
+    let is_same = Checksum::of_file(path)? == *expected;
+    Ok((!is_same).then_some(How::OtherContent))
+}
