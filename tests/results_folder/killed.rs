@@ -123,4 +123,8 @@ fn a_killed_plot_or_report_leaves_nothing_after_any_other() {
             std::fs::remove_dir_all(place.path("kept")).unwrap();
         }
     }
+    // Killed before it began a file.
+    place.write("results/.sweep-lock", "");
+    succeeds(&place, &RUN);
+    assert_eq!(left(&place, "results"), [""; 0]);
 }

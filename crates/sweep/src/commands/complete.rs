@@ -5,12 +5,12 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
-use super::folder::{Found, MANIFEST, hold, in_words, look, tell_if_unverified};
+use super::folder::{Found, MANIFEST, hold, in_words, look, tell_if_unverified, tidy};
 use super::run::{status_of, summary};
 use super::{Status, UsageError, build_systems, complain, say};
 use crate::cli::RunArguments;
 use crate::engine::{Header, Survey};
-use crate::files::{temporaries, write_with_checksum};
+use crate::files::write_with_checksum;
 use crate::output::{
     Damage, FAILURES_HEADER, Manifest, PICTURES, TABLES, boundary, write_boundary,
 };
@@ -34,10 +34,9 @@ impl Again<'_> {
     /// Shows the results again, in order.
     pub fn show(&self, manifest: Manifest) -> Result<Status> {
         tell_if_unverified(&manifest, self.folder);
-        let is_in_order = !self.looks_different(&manifest)
-            && self.damage(&manifest)?.is_empty()
-            && temporaries(self.folder)?.is_empty();
+        let is_in_order = !self.looks_different(&manifest) && self.damage(&manifest)?.is_empty();
         let manifest = if is_in_order {
+            tidy(self.folder);
             manifest
         } else {
             self.put_in_order()?

@@ -10,7 +10,7 @@ use super::refuse_irregular;
 
 /// The file that is locked, there as long as a command writes; a command that is
 /// killed leaves it behind, without the lock.
-const NAME: &str = ".sweep-lock";
+pub(super) const NAME: &str = ".sweep-lock";
 
 /// A folder that is kept from other commands.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ mod temporary;
 
 pub use checksum::{Checksum, Summing, hexadecimal};
 pub use lock::{FolderLock, LockError};
-pub use temporary::{remove_left, temporaries};
+pub use temporary::{has_left, remove_left};
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};

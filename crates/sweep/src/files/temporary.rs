@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
+use super::lock;
+
 /// How names of files that are being written begin.
 const PREFIX: &str = ".tmp-sweep-";
 
@@ -26,12 +28,17 @@ pub(super) fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     }
 }
 
-/// Files in a folder that this program began, and has not finished yet or never
-/// will.
+/// Whether commands are at work in a folder, or were killed there.
 ///
 /// # Errors
 /// Where the folder cannot be read.
-pub fn temporaries(folder: &Path) -> io::Result<Vec<PathBuf>> {
+pub fn has_left(folder: &Path) -> io::Result<bool> {
+    Ok(folder.join(lock::NAME).exists() || !temporaries(folder)?.is_empty())
+}
+
+/// Files in a folder that this program began, and has not finished yet or never
+/// will.
+fn temporaries(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder)? {
         let entry = entry?;

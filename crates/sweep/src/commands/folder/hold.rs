@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 
 use super::super::complain;
 use super::LOG;
-use crate::files::{FolderLock, LockError, remove_left};
+use crate::files::{FolderLock, LockError, has_left, remove_left};
 
 /// Keeps other commands from writing into a folder, as long as the lock is held, and
 /// removes what killed ones left half written. An error names the file that is to
@@ -35,4 +35,14 @@ pub fn hold(folder: &Path, file: &str) -> Result<FolderLock> {
     }
     remove_left(folder).with_context(|| format!("{} cannot be read", folder.display()))?;
     Ok(lock)
+}
+
+/// Removes what killed commands left in a folder that is only read, if nobody writes
+/// there and it can be written; it is in no one's way.
+pub fn tidy(folder: &Path) {
+    if has_left(folder).is_ok_and(|has_left| has_left)
+        && let Ok(_lock) = FolderLock::take(folder)
+    {
+        let _ = remove_left(folder);
+    }
 }

@@ -6,7 +6,7 @@ mod hold;
 mod ours;
 
 pub use damage::{in_words, refuse_damaged, tell_if_unverified};
-pub use hold::hold;
+pub use hold::{hold, tidy};
 pub use ours::{Ours, remove_page, written_by};
 
 use std::path::Path;
