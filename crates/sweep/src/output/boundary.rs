@@ -1,15 +1,14 @@
 //! `boundary.csv`: the analytic limit of a map. For stick-slip that is Eq. 74 for
-//! every method, along the torque axis of the design; for whirl the friction
-//! below which none is steady.
+//! every method, along the torque axis of the design; for whirl the friction that
+//! sustains it steadily at each site.
 
 use std::path::Path;
 
 use anyhow::{Context, Result};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
-use linear::waves::lateral::BendingNetwork;
 use serde::{Deserialize, Serialize};
-use sim::steady_backward_whirl;
 
+use super::whirl_limit::{Motion, WhirlPoint, curves, whirl_limit};
 use crate::engine::MethodSystem;
 use crate::spec::{Axis, Bit, LateralSettings, Sweep, to_rpm};
 
@@ -38,26 +37,9 @@ pub struct StickSlipPoint {
     pub method: String,
 }
 
-/// One point of the limit of backward whirl: steady rolling at one site alone.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct WhirlPoint {
-    /// Surface speed, rpm.
-    pub surface_speed_rpm: f64,
-    /// The least friction that sustains it.
-    pub friction: f64,
-    /// The site, m from the bit.
-    pub site_from_bit_m: f64,
-    /// Radius of the centre, mm.
-    pub radius_mm: f64,
-    /// Rate of precession, against the rotation.
-    pub precession_turns_per_s: f64,
-    /// Normal force, kN.
-    pub normal_force_kn: f64,
-}
-
 impl Boundary {
     /// A line for each name; a coordinate that the limit does not depend on is
-    /// left open.
+    /// left open, and where neither is finite the line has a gap.
     pub fn lines(&self, x: Axis, y: Axis) -> Vec<(String, OpenPoint)> {
         match self {
             Boundary::StickSlip(points) => (points.iter())
@@ -66,14 +48,30 @@ impl Boundary {
                     (name, (point.value(x), point.value(y)))
                 })
                 .collect(),
-            Boundary::Whirl(points) => (points.iter())
-                .map(|point| {
-                    let name = "least friction of steady whirl at one site".to_owned();
-                    (name, (point.value(x), point.value(y)))
-                })
+            Boundary::Whirl(points) => curves(points)
+                .flat_map(|curve| whirl_line(curve, x, y))
                 .collect(),
         }
     }
+}
+
+/// A curve, and after it a gap: the next may have its name.
+fn whirl_line(
+    curve: &[WhirlPoint],
+    x: Axis,
+    y: Axis,
+) -> impl Iterator<Item = (String, OpenPoint)> + use<'_> {
+    let name = match curve[0].motion {
+        Motion::Rolling => "steady rolling whirl at one site, each branch",
+        Motion::RollingOrSliding => {
+            "least friction of steady whirl at one site, rolling or sliding"
+        }
+    };
+    let points = (curve.iter()).map(move |point| (point.value(x), point.value(y)));
+    let gap = (Some(f64::NAN), Some(f64::NAN));
+    points
+        .chain([gap])
+        .map(move |point| (name.to_owned(), point))
 }
 
 /// A point of a map, a coordinate open where the limit holds for all its
@@ -105,7 +103,7 @@ impl WhirlPoint {
 /// one of them, else of stick-slip; without points where neither applies.
 ///
 /// # Errors
-/// Where a rock's table does not reach.
+/// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, String> {
     // Every string has limits of its own.
     if sweep.design.varies_string() {
@@ -115,7 +113,7 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Str
         &sweep.setting.lateral,
         position(sweep, |axis| axis == Axis::Friction),
     ) {
-        return Ok(Boundary::Whirl(whirl_limit(sweep, lateral)));
+        return whirl_points(sweep, lateral).map(Boundary::Whirl);
     }
     let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     match (&sweep.bit, position(sweep, is_torque)) {
@@ -130,13 +128,17 @@ fn position(sweep: &Sweep, is_wanted: impl Fn(Axis) -> bool) -> Option<usize> {
     sweep.design.axes().iter().position(|&axis| is_wanted(axis))
 }
 
+/// The least and the greatest value of an axis.
+fn range_of_axis(sweep: &Sweep, position: usize) -> [f64; 2] {
+    let values = (0..sweep.design.cases()).map(|case| sweep.design.values(case)[position]);
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], value| {
+        [from.min(value), to.max(value)]
+    })
+}
+
 /// Values from the least to the greatest of an axis.
 fn along_axis(sweep: &Sweep, position: usize) -> impl Iterator<Item = f64> + use<> {
-    let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
-    for case in 0..sweep.design.cases() {
-        let value = sweep.design.values(case)[position];
-        (from, to) = (from.min(value), to.max(value));
-    }
+    let [from, to] = range_of_axis(sweep, position);
     (0..=POINTS).map(move |step| from + (to - from) * step as f64 / POINTS as f64)
 }
 
@@ -172,60 +174,16 @@ fn stick_slip_limit(
     Ok(points)
 }
 
-/// The limit by the exact waves, at every surface speed of the design.
-fn whirl_limit(sweep: &Sweep, lateral: &LateralSettings) -> Vec<WhirlPoint> {
-    let speeds: Vec<f64> = match position(sweep, |axis| axis == Axis::SurfaceSpeedRpm) {
-        Some(position) => along_axis(sweep, position).collect(),
-        None => sweep.conditions.surface_speed_rpm.into_iter().collect(),
+/// The limit of whirl over all surface speeds of the design.
+fn whirl_points(sweep: &Sweep, lateral: &LateralSettings) -> Result<Vec<WhirlPoint>, String> {
+    let range = match position(sweep, |axis| axis == Axis::SurfaceSpeedRpm) {
+        Some(position) => Some(range_of_axis(sweep, position)),
+        None => sweep.conditions.surface_speed_rpm.map(|speed| [speed; 2]),
     };
-    let limits = speeds.into_iter();
-    limits
-        .filter_map(|speed| whirl_bound(sweep, lateral, speed))
-        .collect()
-}
-
-/// The least friction of steady whirl at a surface speed, at the site where it is
-/// least.
-pub fn whirl_bound(
-    sweep: &Sweep,
-    lateral: &LateralSettings,
-    surface_speed_rpm: f64,
-) -> Option<WhirlPoint> {
-    let sites = 0..sweep.setting.sites.len();
-    let of_sites = sites.filter_map(|site| whirl_at(sweep, lateral, surface_speed_rpm, site));
-    of_sites.min_by(|one, other| one.friction.total_cmp(&other.friction))
-}
-
-/// The limit of whirl at one site, the others free.
-fn whirl_at(
-    sweep: &Sweep,
-    lateral: &LateralSettings,
-    surface_speed_rpm: f64,
-    site: usize,
-) -> Option<WhirlPoint> {
-    let conditions = sweep
-        .conditions
-        .with(Axis::SurfaceSpeedRpm, surface_speed_rpm);
-    let network = BendingNetwork::new(
-        &sweep.setting.string,
-        lateral.bending,
-        lateral.support,
-        &sweep.setting.sites,
-    );
-    let dynamic_stiffness = |rate: f64| {
-        let stiffness = network.at_rate(rate)[(site, site)].inv();
-        [stiffness.re, stiffness.im]
+    let Some(range) = range else {
+        return Ok(Vec::new());
     };
-    let speed = conditions.surface_speed()?;
-    let whirl = steady_backward_whirl(&lateral.walls[site], speed, dynamic_stiffness)?;
-    Some(WhirlPoint {
-        surface_speed_rpm,
-        friction: whirl.least_friction,
-        site_from_bit_m: sweep.setting.sites.distances_from_bit()[site],
-        radius_mm: 1e3 * whirl.radius,
-        precession_turns_per_s: whirl.rate / std::f64::consts::TAU,
-        normal_force_kn: 1e-3 * whirl.normal_force,
-    })
+    whirl_limit(&sweep.setting, lateral, range).map_err(|error| error.to_string())
 }
 
 /// The whole of `boundary.csv`; numbers spelt as in `labels.csv`.
@@ -259,6 +217,9 @@ pub fn write_boundary(boundary: &Boundary) -> Result<Vec<u8>> {
                 "radius_mm",
                 "precession_turns_per_s",
                 "normal_force_kn",
+                "branch",
+                "motion",
+                "least",
             ])?;
             for point in points {
                 let numbers = [
@@ -269,7 +230,14 @@ pub fn write_boundary(boundary: &Boundary) -> Result<Vec<u8>> {
                     point.precession_turns_per_s,
                     point.normal_force_kn,
                 ];
-                writer.write_record(numbers.map(|number| number.to_string()))?;
+                let branch = point.branch.map(|branch| branch.to_string());
+                let rest = [
+                    branch.unwrap_or_default(),
+                    point.motion.name().to_owned(),
+                    point.least.to_string(),
+                ];
+                writer
+                    .write_record(numbers.map(|number| number.to_string()).iter().chain(&rest))?;
             }
         }
     }
