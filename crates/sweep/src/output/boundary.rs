@@ -260,3 +260,48 @@ pub fn read_boundary(path: &Path) -> Result<Boundary> {
     };
     read().with_context(|| format!("{} cannot be read", path.display()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(table: &str) -> Boundary {
+        let file = tempfile::NamedTempFile::new().expect("a file");
+        std::fs::write(file.path(), table).expect("written");
+        read_boundary(file.path()).expect("a boundary")
+    }
+
+    #[test]
+    fn branches_are_drawn_with_gaps_between_them() {
+        let boundary = read(
+            "surface_speed_rpm,friction,site_from_bit_m,radius_mm,precession_turns_per_s,\
+             normal_force_kn,branch,motion,least\n\
+             60,1.5,0,16,9,34,0,rolling,true\n\
+             70,1.4,0,16,9,34,0,rolling,true\n\
+             60,1.6,0,16,9,34,1,rolling,false\n\
+             60,1.2,0,16,9,34,,rolling_or_sliding,true\n",
+        );
+        let lines = boundary.lines(Axis::SurfaceSpeedRpm, Axis::Friction);
+        let mut names: Vec<&String> = lines.iter().map(|(name, _)| name).collect();
+        names.dedup();
+        assert_eq!(names.len(), 2);
+        let finite: Vec<bool> = (lines.iter())
+            .map(|(_, (x, y))| x.is_some_and(f64::is_finite) && y.is_some_and(f64::is_finite))
+            .collect();
+        assert_eq!(finite, [true, true, false, true, false, true, false]);
+        let written = write_boundary(&boundary).expect("written");
+        assert_eq!(read(&String::from_utf8(written).expect("text")), boundary);
+    }
+
+    #[test]
+    fn a_table_without_branches_is_one_line() {
+        let boundary = read(
+            "surface_speed_rpm,friction,site_from_bit_m,radius_mm,precession_turns_per_s,\
+             normal_force_kn\n60,1.14,0,16,9,34\n",
+        );
+        let Boundary::Whirl(points) = &boundary else {
+            panic!("{boundary:?}");
+        };
+        assert_eq!((points[0].motion, points[0].least), (Motion::Rolling, true));
+    }
+}
