@@ -8,6 +8,7 @@
 
 #[path = "extremes/files.rs"]
 mod files;
+#[allow(dead_code)] // Other tests use more of it.
 mod support;
 
 use std::collections::BTreeMap;

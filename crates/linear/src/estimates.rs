@@ -2,7 +2,7 @@
 //! travel times, the paper's sampling frequency, and the characteristic times
 //! and stability limit of stick-slip (Eqs. 72–75).
 
-use crate::drillstring::{Drillstring, Tube};
+use crate::drillstring::{Bending, Drillstring, Tube};
 
 /// Static torsional stiffness k_eff between surface and bit, N m/rad.
 pub fn torsional_stiffness(string: &Drillstring) -> f64 {
@@ -42,6 +42,15 @@ pub fn torsional_decay_rate(string: &Drillstring) -> f64 {
         .sum::<f64>()
         * string.material().density;
     string.torsional_damping() * string.length() / (2.0 * inertia)
+}
+
+/// The least rate, 1/s, at which oscillations of the string in bending decay, whatever
+/// its modes and supports: the damping over twice the mass where the string is heaviest.
+pub fn bending_decay_rate(string: &Drillstring, bending: &Bending) -> f64 {
+    let density = string.material().density;
+    let heaviest =
+        (string.tubes()).fold(0.0, |mass: f64, (_, tube)| mass.max(density * tube.area()));
+    bending.damping / (2.0 * heaviest)
 }
 
 /// Time constant, s, in which torque that distributed damping holds back seeps

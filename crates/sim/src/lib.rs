@@ -94,7 +94,7 @@ pub use own_law::{LoadLine, bit_speeds};
 pub use regime::{TorsionMeasures, TorsionRegime};
 pub use scene::{Lateral, Scene, SceneError};
 pub use settling::{Ended, Stopping};
-pub use steady_whirl::{SteadyWhirl, steady_backward_whirl};
+pub use steady_whirl::{SteadyWhirl, WhirlingSite};
 pub use stepper::{Outcome, System, simulate};
 pub use trajectory::Trajectory;
 pub use whirl::{LateralMeasures, LateralRegime};

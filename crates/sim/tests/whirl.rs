@@ -278,10 +278,7 @@ fn steady_backward_whirl_balances_the_dynamic_stiffness() {
         &Sites::bit(),
     )
     .unwrap();
-    let dynamic_stiffness = |rate: f64| {
-        let stiffness = network.at_rate(rate)[(0, 0)].inv();
-        [stiffness.re, stiffness.im]
-    };
+    let dynamic_stiffness = |rate| network.dynamic_stiffness(0, rate);
     let [real, imaginary] = dynamic_stiffness(found.precession_rate.abs());
     let last = trajectory.positions[0].len() - 1;
     let ([x, y], [fx, fy]) = (
@@ -294,7 +291,14 @@ fn steady_backward_whirl_balances_the_dynamic_stiffness() {
     assert_close(normal, -real * radius, 0.01);
     assert_close(friction.abs(), imaginary.abs() * radius, 0.01);
     // The same from the balance alone, nothing simulated.
-    let steady = sim::steady_backward_whirl(&wall(2.0), SPEED, dynamic_stiffness).unwrap();
+    let site = sim::WhirlingSite {
+        wall: wall(2.0),
+        dynamic_stiffness,
+        decay_rate: linear::estimates::bending_decay_rate(&string, &BENDING),
+    };
+    let [steady] = site.rolling_at(SPEED)[..] else {
+        panic!("one steady whirl");
+    };
     assert_close(radius, steady.radius, 0.01);
     assert_close(found.precession_rate, -steady.rate, 0.01);
     assert_close(found.mean_normal_force, steady.normal_force, 0.01);

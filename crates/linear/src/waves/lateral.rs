@@ -47,6 +47,13 @@ impl<'a> BendingNetwork<'a> {
         self.receptance(c64::new(0.0, rate))
     }
 
+    /// Dynamic stiffness at one site, the others free, at an angular frequency (rad/s,
+    /// not zero): real and imaginary part of the force per displacement there, N/m.
+    pub fn dynamic_stiffness(&self, site: usize, rate: f64) -> [f64; 2] {
+        let stiffness = self.at_rate(rate)[(site, site)].inv();
+        [stiffness.re, stiffness.im]
+    }
+
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance(&self, s: c64) -> Mat<c64> {

@@ -17,7 +17,7 @@ use crate::cli::CheckArguments;
 use crate::design::{Design, List};
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Terms, Work};
 use crate::memory::{Purpose, admit};
-use crate::output::{LabelRow, read_labels, whirl_bound};
+use crate::output::{LabelRow, read_labels, rolling_bound};
 use crate::spec::{Sweep, check_setting, nearest};
 
 /// Reruns the cases of a reference file and compares their labels.
@@ -228,10 +228,13 @@ fn distance_to_limit(
 ) -> Option<String> {
     let conditions = sweep.conditions_at(&expected.values);
     if let (Some(lateral), Some(friction)) = (&sweep.setting.lateral, conditions.friction) {
-        let bound = whirl_bound(sweep, lateral, conditions.surface_speed_rpm?)?;
-        let ratio = friction / bound.friction;
+        let speed = conditions.surface_speed_rpm?;
+        let bound = rolling_bound(&sweep.setting, lateral, speed)
+            .ok()
+            .flatten()?;
+        let ratio = friction / bound;
         return Some(format!(
-            ", at {ratio:.3} times the least friction of steady whirl"
+            ", at {ratio:.3} times the least friction of steady rolling whirl"
         ));
     }
     let system = (systems.iter()).find(|system| system.method.name() == row.method)?;

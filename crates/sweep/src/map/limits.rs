@@ -42,12 +42,8 @@ impl Limits {
     pub fn of(curves: &[&Curve], view: &View, held: impl Fn(Axis) -> [f64; 2]) -> Limits {
         let mut limits = Limits::default();
         let mut unseen = Vec::new();
-        let least;
-        let curves = match Self::over_a_range(curves, view, &held) {
-            Some(curve) => {
-                least = curve;
-                &[&least]
-            }
+        let curves = match Self::least_over_a_range(curves, view, &held) {
+            Some(least) => &[least][..],
             None => curves,
         };
         for curve in curves {
@@ -67,18 +63,18 @@ impl Limits {
 
     /// Where a map puts cases together that differ in what the limit of whirl depends
     /// on, the range of the least limit counts, not that of each branch.
-    fn over_a_range(
-        curves: &[&Curve],
+    fn least_over_a_range<'a>(
+        curves: &[&'a Curve],
         view: &View,
         held: impl Fn(Axis) -> [f64; 2],
-    ) -> Option<Curve> {
-        let first = curves.first()?;
-        let [low, high] = held(first.along);
-        let is_range = first.motion == Motion::Lateral
-            && view.axes.contains(&first.limited)
-            && !view.axes.contains(&first.along)
+    ) -> Option<&'a Curve> {
+        let least = *curves.last()?;
+        let [low, high] = held(least.along);
+        let is_range = least.motion == Motion::Lateral
+            && view.axes.contains(&least.limited)
+            && !view.axes.contains(&least.along)
             && low < high;
-        is_range.then(|| Curve::least_of(curves)).flatten()
+        is_range.then_some(least)
     }
 
     /// Adds a curve to what is drawn, or says where it is.

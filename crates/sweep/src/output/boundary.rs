@@ -1,15 +1,14 @@
 //! `boundary.csv`: the analytic limit of a map. For stick-slip that is Eq. 74 for
-//! every method, along the torque axis of the design; for whirl the friction
-//! below which none is steady.
+//! every method, along the torque axis of the design; for whirl the friction that
+//! sustains it steadily at each site.
 
 use std::path::Path;
 
 use anyhow::{Context, Result};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
-use linear::waves::lateral::BendingNetwork;
 use serde::{Deserialize, Serialize};
-use sim::steady_backward_whirl;
 
+use super::whirl_limit::{WhirlPoint, whirl_limit};
 use crate::engine::MethodSystem;
 use crate::spec::{Axis, Bit, LateralSettings, Sweep, to_rpm};
 
@@ -38,28 +37,11 @@ pub struct StickSlipPoint {
     pub method: String,
 }
 
-/// One point of the limit of backward whirl: steady rolling at one site alone.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct WhirlPoint {
-    /// Surface speed, rpm.
-    pub surface_speed_rpm: f64,
-    /// The least friction that sustains it.
-    pub friction: f64,
-    /// The site, m from the bit.
-    pub site_from_bit_m: f64,
-    /// Radius of the centre, mm.
-    pub radius_mm: f64,
-    /// Rate of precession, against the rotation.
-    pub precession_turns_per_s: f64,
-    /// Normal force, kN.
-    pub normal_force_kn: f64,
-}
-
 /// The limit over the range of the design's axes: of whirl where friction is
 /// one of them, else of stick-slip; without points where neither applies.
 ///
 /// # Errors
-/// Where a rock's table does not reach.
+/// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, String> {
     // Every string has limits of its own.
     if sweep.design.varies_string() {
@@ -69,7 +51,7 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Str
         &sweep.setting.lateral,
         position(sweep, |axis| axis == Axis::Friction),
     ) {
-        return Ok(Boundary::Whirl(whirl_limit(sweep, lateral)));
+        return whirl_points(sweep, lateral).map(Boundary::Whirl);
     }
     let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     match (&sweep.bit, position(sweep, is_torque)) {
@@ -84,13 +66,17 @@ fn position(sweep: &Sweep, is_wanted: impl Fn(Axis) -> bool) -> Option<usize> {
     sweep.design.axes().iter().position(|&axis| is_wanted(axis))
 }
 
+/// The least and the greatest value of an axis.
+fn range_of_axis(sweep: &Sweep, position: usize) -> [f64; 2] {
+    let values = (0..sweep.design.cases()).map(|case| sweep.design.values(case)[position]);
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], value| {
+        [from.min(value), to.max(value)]
+    })
+}
+
 /// Values from the least to the greatest of an axis.
 fn along_axis(sweep: &Sweep, position: usize) -> impl Iterator<Item = f64> + use<> {
-    let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
-    for case in 0..sweep.design.cases() {
-        let value = sweep.design.values(case)[position];
-        (from, to) = (from.min(value), to.max(value));
-    }
+    let [from, to] = range_of_axis(sweep, position);
     (0..=POINTS).map(move |step| from + (to - from) * step as f64 / POINTS as f64)
 }
 
@@ -126,61 +112,16 @@ fn stick_slip_limit(
     Ok(points)
 }
 
-/// The limit by the exact waves, at every surface speed of the design.
-fn whirl_limit(sweep: &Sweep, lateral: &LateralSettings) -> Vec<WhirlPoint> {
-    let speeds: Vec<f64> = match position(sweep, |axis| axis == Axis::SurfaceSpeedRpm) {
-        Some(position) => along_axis(sweep, position).collect(),
-        None => sweep.conditions.surface_speed_rpm.into_iter().collect(),
+/// The limit of whirl over all surface speeds of the design.
+fn whirl_points(sweep: &Sweep, lateral: &LateralSettings) -> Result<Vec<WhirlPoint>, String> {
+    let range = match position(sweep, |axis| axis == Axis::SurfaceSpeedRpm) {
+        Some(position) => Some(range_of_axis(sweep, position)),
+        None => sweep.conditions.surface_speed_rpm.map(|speed| [speed; 2]),
     };
-    let limits = speeds.into_iter();
-    limits
-        .filter_map(|speed| whirl_bound(sweep, lateral, speed))
-        .collect()
-}
-
-/// The least friction of steady whirl at a surface speed, at the site where it is
-/// least.
-pub fn whirl_bound(
-    sweep: &Sweep,
-    lateral: &LateralSettings,
-    surface_speed_rpm: f64,
-) -> Option<WhirlPoint> {
-    let sites = 0..sweep.setting.sites.len();
-    let of_sites = sites.filter_map(|site| whirl_at(sweep, lateral, surface_speed_rpm, site));
-    of_sites.min_by(|one, other| one.friction.total_cmp(&other.friction))
-}
-
-/// The limit of whirl at one site, the others free.
-fn whirl_at(
-    sweep: &Sweep,
-    lateral: &LateralSettings,
-    surface_speed_rpm: f64,
-    site: usize,
-) -> Option<WhirlPoint> {
-    let conditions = sweep
-        .conditions
-        .with(Axis::SurfaceSpeedRpm, surface_speed_rpm);
-    let network = BendingNetwork::new(
-        &sweep.setting.string,
-        lateral.bending,
-        lateral.support,
-        &sweep.setting.sites,
-    )
-    .ok()?;
-    let dynamic_stiffness = |rate: f64| {
-        let stiffness = network.at_rate(rate)[(site, site)].inv();
-        [stiffness.re, stiffness.im]
+    let Some(range) = range else {
+        return Ok(Vec::new());
     };
-    let speed = conditions.surface_speed()?;
-    let whirl = steady_backward_whirl(&lateral.walls[site], speed, dynamic_stiffness)?;
-    Some(WhirlPoint {
-        surface_speed_rpm,
-        friction: whirl.least_friction,
-        site_from_bit_m: sweep.setting.sites.distances_from_bit()[site],
-        radius_mm: 1e3 * whirl.radius,
-        precession_turns_per_s: whirl.rate / std::f64::consts::TAU,
-        normal_force_kn: 1e-3 * whirl.normal_force,
-    })
+    whirl_limit(&sweep.setting, lateral, range).map_err(|error| error.to_string())
 }
 
 /// The whole of `boundary.csv`; numbers spelt as in `labels.csv`.
@@ -214,6 +155,9 @@ pub fn write_boundary(boundary: &Boundary) -> Result<Vec<u8>> {
                 "radius_mm",
                 "precession_turns_per_s",
                 "normal_force_kn",
+                "branch",
+                "motion",
+                "least",
             ])?;
             for point in points {
                 let numbers = [
@@ -224,7 +168,14 @@ pub fn write_boundary(boundary: &Boundary) -> Result<Vec<u8>> {
                     point.precession_turns_per_s,
                     point.normal_force_kn,
                 ];
-                writer.write_record(numbers.map(|number| number.to_string()))?;
+                let branch = point.branch.map(|branch| branch.to_string());
+                let rest = [
+                    branch.unwrap_or_default(),
+                    point.motion.name().to_owned(),
+                    point.least.to_string(),
+                ];
+                writer
+                    .write_record(numbers.map(|number| number.to_string()).iter().chain(&rest))?;
             }
         }
     }
@@ -246,4 +197,40 @@ pub fn read_boundary(path: &Path) -> Result<Boundary> {
         })
     };
     read().with_context(|| format!("{} cannot be read", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::whirl_limit::WhirlMotion;
+    use super::*;
+
+    fn read(table: &str) -> Boundary {
+        let file = tempfile::NamedTempFile::new().expect("a file");
+        std::fs::write(file.path(), table).expect("written");
+        read_boundary(file.path()).expect("a boundary")
+    }
+
+    #[test]
+    fn a_table_is_read_back_as_it_was_written() {
+        let boundary = read(
+            "surface_speed_rpm,friction,site_from_bit_m,radius_mm,precession_turns_per_s,\
+             normal_force_kn,branch,motion,least\n\
+             60,1.5,0,16,9,34,0,rolling,true\n\
+             60,1.2,0,16,9,34,,rolling_or_sliding,true\n",
+        );
+        let written = write_boundary(&boundary).expect("written");
+        assert_eq!(read(&String::from_utf8(written).expect("text")), boundary);
+    }
+
+    #[test]
+    fn a_table_without_branches_is_one_line() {
+        let boundary = read(
+            "surface_speed_rpm,friction,site_from_bit_m,radius_mm,precession_turns_per_s,\
+             normal_force_kn\n60,1.14,0,16,9,34\n",
+        );
+        let Boundary::Whirl(points) = &boundary else {
+            panic!("{boundary:?}");
+        };
+        assert_eq!((points[0].motion, points[0].least), (WhirlMotion::Rolling, true));
+    }
 }

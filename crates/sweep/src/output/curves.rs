@@ -3,10 +3,11 @@
 
 use super::boundary::{Boundary, StickSlipPoint};
 use super::motion::Motion;
+use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, rolling_envelope};
 use crate::spec::Axis;
 
-/// What the limit of whirl is.
-const LEAST_FRICTION: &str = "least friction of steady whirl at one site";
+/// Frictions that differ by a smaller part of them are one line on a map.
+const SAME: f64 = 1e-6;
 
 /// One limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,22 +26,12 @@ pub struct Curve {
 }
 
 impl Boundary {
-    /// The curves of the limit, for cases that differ along `axes`.
+    /// The curves of the limit, for cases that differ along `axes`; of whirl the last
+    /// is the least of all.
     pub fn curves(&self, axes: &[Axis]) -> Vec<Curve> {
         match self {
             Boundary::StickSlip(points) => stick_slip_curves(points, axes),
-            Boundary::Whirl(points) if points.is_empty() => Vec::new(),
-            Boundary::Whirl(points) => vec![Curve {
-                name: LEAST_FRICTION.to_owned(),
-                motion: Motion::Lateral,
-                along: Axis::SurfaceSpeedRpm,
-                limited: Axis::Friction,
-                pieces: vec![
-                    (points.iter())
-                        .map(|point| [point.surface_speed_rpm, point.friction])
-                        .collect(),
-                ],
-            }],
+            Boundary::Whirl(points) => whirl_curves(points),
         }
     }
 }
@@ -73,29 +64,51 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
         .collect()
 }
 
-impl Curve {
-    /// The least of several limits of the same quantities, wherever they have values:
-    /// below it none of them is reached.
-    pub fn least_of(curves: &[&Curve]) -> Option<Curve> {
-        let first = *curves.first()?;
-        let mut points: Vec<[f64; 2]> = (curves.iter())
-            .flat_map(|curve| curve.pieces.iter().flatten().copied())
-            .collect();
-        points.sort_by(|one, other| {
-            let by_place = one[0].total_cmp(&other[0]);
-            by_place.then(one[1].total_cmp(&other[1]))
-        });
-        points.dedup_by_key(|point| point[0]);
-        Some(Curve {
-            name: match first.motion {
-                Motion::Torsion => first.name.clone(),
-                Motion::Lateral => LEAST_FRICTION.to_owned(),
-            },
-            pieces: vec![points],
-            ..first.clone()
+/// Rolling whirl, a piece for each of its branches, and any whirl where that needs less
+/// friction.
+fn whirl_curves(points: &[WhirlPoint]) -> Vec<Curve> {
+    let rolling = rolling_envelope(points);
+    let is_lower = |point: &WhirlPoint| {
+        let least = rolling.at(point.surface_speed_rpm);
+        least.is_none_or(|least| point.friction < (1.0 - SAME) * least)
+    };
+    [
+        (
+            WhirlMotion::Rolling,
+            "steady rolling whirl at one site, each branch",
+        ),
+        (
+            WhirlMotion::RollingOrSliding,
+            "least friction of steady whirl at one site, rolling or sliding",
+        ),
+    ]
+    .into_iter()
+    .filter_map(|(motion, name)| {
+        let own = || points.iter().filter(|point| point.motion == motion);
+        let is_drawn = match motion {
+            WhirlMotion::Rolling => own().next().is_some(),
+            WhirlMotion::RollingOrSliding => own().any(is_lower),
+        };
+        let of_motion = branches(points).filter(|branch| branch[0].motion == motion);
+        is_drawn.then(|| Curve {
+            name: name.to_owned(),
+            motion: Motion::Lateral,
+            along: Axis::SurfaceSpeedRpm,
+            limited: Axis::Friction,
+            pieces: of_motion.map(piece).collect(),
         })
-    }
+    })
+    .collect()
+}
 
+fn piece(branch: &[WhirlPoint]) -> Vec<[f64; 2]> {
+    let points = branch.iter();
+    points
+        .map(|point| [point.surface_speed_rpm, point.friction])
+        .collect()
+}
+
+impl Curve {
     /// The ranges of one of its two quantities, `shown`, while the other one is
     /// within `held`: one for each stretch of the curve. The quantities are 0 for the
     /// one that the limit depends on, 1 for the limited one.
@@ -178,14 +191,37 @@ mod tests {
         assert!(hill.ranges(1, [4.0; 2])[0][1].abs() < 1e-6);
     }
 
+    fn point(speed: f64, friction: f64, branch: Option<usize>) -> WhirlPoint {
+        WhirlPoint {
+            surface_speed_rpm: speed,
+            friction,
+            site_from_bit_m: 0.0,
+            radius_mm: 16.0,
+            precession_turns_per_s: 9.0,
+            normal_force_kn: 34.0,
+            branch,
+            motion: match branch {
+                Some(_) => WhirlMotion::Rolling,
+                None => WhirlMotion::RollingOrSliding,
+            },
+            least: true,
+        }
+    }
+
     #[test]
-    fn the_least_of_several_limits_goes_from_one_to_another() {
-        let [one, other] = [
-            curve(&[&[[0.0, 1.0], [1.0, 3.0]]]),
-            curve(&[&[[1.0, 2.0], [2.0, 5.0]]]),
+    fn branches_of_whirl_are_pieces_and_whirl_that_slides_is_drawn_where_it_needs_less() {
+        let mut points = vec![
+            point(60.0, 1.5, Some(0)),
+            point(70.0, 1.4, Some(0)),
+            point(60.0, 1.6, Some(1)),
+            point(60.0, 1.2, None),
         ];
-        let least = Curve::least_of(&[&one, &other]).expect("two curves");
-        assert_eq!(least.pieces, [[[0.0, 1.0], [1.0, 2.0], [2.0, 5.0]]]);
-        assert_eq!(Curve::least_of(&[]), None);
+        let curves = Boundary::Whirl(points.clone()).curves(&[]);
+        let pieces: Vec<_> = curves.iter().map(|curve| &curve.pieces[..]).collect();
+        let rolling = [vec![[60.0, 1.5], [70.0, 1.4]], vec![[60.0, 1.6]]];
+        assert_eq!(pieces, [&rolling[..], &[vec![[60.0, 1.2]]]]);
+        points[3].friction = 1.5;
+        assert_eq!(Boundary::Whirl(points).curves(&[]).len(), 1);
+        assert_eq!(Boundary::Whirl(Vec::new()).curves(&[]), []);
     }
 }

@@ -1,11 +1,11 @@
 //! Where the simulated boundary lies against the analytic limit.
 
-use crate::output::{Boundary, CaseRows, LabelRow, StickSlipPoint};
+use crate::output::{Boundary, CaseRows, Envelope, LabelRow, StickSlipPoint, rolling_envelope};
 use crate::spec::Axis;
 
 /// How one method's labels lie about its limit. A case's place is its value in
 /// multiples of the limit: the surface speed for stick-slip, which Eq. 74 allows
-/// below one; the friction for backward whirl, which is steady only above one.
+/// below one; the friction for backward whirl, which rolls steadily only above one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitCheck {
     /// The method.
@@ -25,12 +25,9 @@ pub struct LimitCheck {
 pub enum Limited {
     /// The surface speed at which stick-slip can sustain itself.
     StickSlip,
-    /// The friction at which backward whirl is steady.
+    /// The friction at which backward whirl rolls steadily.
     Whirl,
 }
-
-/// A line by points in ascending order.
-type Curve = Vec<(f64, f64)>;
 
 /// The limit, and what lies on its two sides.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +37,7 @@ pub struct Limits {
     /// A check for every method.
     pub checks: Vec<LimitCheck>,
     /// The limit for every method, over the value that it depends on.
-    lines: Vec<Curve>,
+    lines: Vec<Envelope>,
     /// Places among the values of a case: of what is limited, and of what that
     /// depends on.
     value: usize,
@@ -62,8 +59,7 @@ impl Limits {
                 (Limited::StickSlip, speed, place(torque), lines)
             }
             Boundary::Whirl(points) if !points.is_empty() => {
-                let line = points.iter().map(|p| (p.surface_speed_rpm, p.friction));
-                let lines = vec![line.collect(); methods.len()];
+                let lines = vec![rolling_envelope(points); methods.len()];
                 let along = place(Axis::SurfaceSpeedRpm);
                 (Limited::Whirl, place(Axis::Friction)?, along, lines)
             }
@@ -88,8 +84,8 @@ impl Limits {
                 continue;
             };
             let limit = match self.along {
-                Some(along) => interpolated(line, case.values[along]),
-                None => line.first().map(|point| point.1),
+                Some(along) => line.at(case.values[along]),
+                None => line.least(),
             };
             if let (Some(vibrates), Some(limit)) = (self.limited.vibrates(row), limit) {
                 let place = case.values[self.value] / limit;
@@ -112,16 +108,16 @@ impl Limited {
 }
 
 /// The limiting speed of one method over the torque or the weight on bit.
-fn stick_slip_curve(points: &[StickSlipPoint], method: &str, torque: Axis) -> Curve {
+fn stick_slip_curve(points: &[StickSlipPoint], method: &str, torque: Axis) -> Envelope {
     let own = points.iter().filter(|point| point.method == method);
-    own.filter_map(|point| {
+    let line = own.filter_map(|point| {
         let along = match torque {
             Axis::WeightOnBitKn => point.weight_on_bit_kn?,
             _ => point.torque_dynamic_nm,
         };
         Some((along, point.surface_speed_rpm))
-    })
-    .collect()
+    });
+    Envelope::new(&[line.collect()])
 }
 
 impl LimitCheck {
@@ -152,32 +148,9 @@ impl LimitCheck {
     }
 }
 
-/// The value of a line at a place on it. Its ends are those of the cases' axis, up
-/// to rounding.
-fn interpolated(line: &[(f64, f64)], at: f64) -> Option<f64> {
-    let last = line.len().checked_sub(1)?;
-    let next = line.partition_point(|point| point.0 < at).min(last);
-    let (place, value) = line[next];
-    if next == 0 || at >= place {
-        return Some(value);
-    }
-    let (from, start) = line[next - 1];
-    Some(start + (value - start) * (at - from) / (place - from))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_line_is_read_between_its_points() {
-        let line = [(1.0, 10.0), (2.0, 20.0), (4.0, 0.0)];
-        let at = |place| interpolated(&line, place);
-        let values = [at(1.0), at(1.5), at(2.0), at(3.0), at(4.0)];
-        assert_eq!(values, [10.0, 15.0, 20.0, 10.0, 0.0].map(Some));
-        assert_eq!([at(1.0 - 1e-15), at(4.0 + 1e-15)], [Some(10.0), Some(0.0)]);
-        assert_eq!(interpolated(&[], 1.0), None);
-    }
 
     #[test]
     fn cases_are_counted_on_the_sides_of_the_limit() {

@@ -276,8 +276,8 @@ fn limits(all: &[Results]) -> Vec<Block> {
                 ["highest stick-slip", "lowest smooth"],
             ),
             Limited::Whirl => (
-                "Friction in multiples of the least that sustains steady backward whirl at one \
-                 site; cases as backward whirl / none",
+                "Friction in multiples of the least at which backward whirl rolls steadily at \
+                 one site; cases as backward whirl / none",
                 ["lowest whirl", "highest without"],
             ),
         };

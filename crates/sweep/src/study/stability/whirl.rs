@@ -3,16 +3,16 @@
 
 use anyhow::{Result, anyhow};
 use linear::Method;
-use linear::waves::lateral::BendingNetwork;
 use sim::diagnosis::roughness;
 use sim::oscillator::worst_load_gain;
-use sim::{LateralRegime, Outcome, SteadyWhirl, Stopping, Trajectory, Wall, steady_backward_whirl};
+use sim::{LateralRegime, Outcome, SteadyWhirl, Stopping, Trajectory};
 
 use super::families::Cell;
 use super::scenes::Scenes;
 use super::verdict::Findings;
 use crate::engine::{Case, MethodSystem};
-use crate::spec::{Axis, LateralSettings, Setting, Sweep};
+use crate::output::rolling_whirls;
+use crate::spec::{Axis, Setting, Sweep};
 
 /// Cells that differ in their wall alone.
 pub fn examine(scenes: &Scenes, group: &[Cell], method: Method) -> Result<Vec<Findings>> {
@@ -43,8 +43,8 @@ pub fn examine(scenes: &Scenes, group: &[Cell], method: Method) -> Result<Vec<Fi
             match system.simulate(&case, Stopping::Full, Some(&mut record)) {
                 Err(error) => findings.no_answer = Some(error.to_string()),
                 Ok(outcome) => {
-                    let steady = steady_whirl(sweep, &setting);
-                    watch(&case, cell, &outcome, &record, steady, &mut findings);
+                    let steady = steady_whirls(sweep, &setting)?;
+                    watch(&case, cell, &outcome, &record, &steady, &mut findings);
                 }
             }
             Ok(findings)
@@ -83,7 +83,7 @@ fn watch(
     cell: &Cell,
     outcome: &Outcome,
     record: &Trajectory,
-    steady: Option<SteadyWhirl>,
+    steady: &[SteadyWhirl],
     findings: &mut Findings,
 ) {
     let whirl = (outcome.lateral).filter(|it| it.regime == LateralRegime::BackwardWhirl);
@@ -97,24 +97,17 @@ fn watch(
     let mean = late.iter().sum::<f64>() / late.len() as f64;
     findings.chatter = Some(roughness(late) / mean);
     findings.growth = Some(roughness(late) / roughness(earlier));
-    findings.drift = steady.map(|steady| whirl.mean_radius / steady.radius - 1.0);
+    let drifts = (steady.iter()).map(|steady| whirl.mean_radius / steady.radius - 1.0);
+    findings.drift = drifts.min_by(|one, other| one.abs().total_cmp(&other.abs()));
 }
 
-/// Where contact at one site is steady, by the balance of forces.
-fn steady_whirl(sweep: &Sweep, setting: &Setting) -> Option<SteadyWhirl> {
-    let lateral: &LateralSettings = setting.lateral.as_ref()?;
-    let [wall]: &[Wall] = lateral.walls.as_slice() else {
-        return None;
+/// Where rolling contact at one site is steady, by the balance of forces.
+fn steady_whirls(sweep: &Sweep, setting: &Setting) -> Result<Vec<SteadyWhirl>> {
+    let (Some(lateral), Some(speed)) = (&setting.lateral, sweep.conditions.surface_speed()) else {
+        return Ok(Vec::new());
     };
-    let network = BendingNetwork::new(
-        &setting.string,
-        lateral.bending,
-        lateral.support,
-        &setting.sites,
-    )
-    .ok()?;
-    steady_backward_whirl(wall, sweep.conditions.surface_speed()?, |rate| {
-        let stiffness = network.at_rate(rate)[(0, 0)].inv();
-        [stiffness.re, stiffness.im]
-    })
+    if lateral.walls.len() > 1 {
+        return Ok(Vec::new());
+    }
+    Ok(rolling_whirls(setting, lateral, 0, speed)?)
 }

@@ -8,7 +8,7 @@ use linear::filters::radau;
 use linear::method::FiniteElement;
 use linear::waves::lateral::BendingNetwork;
 use linear::{Method, RaisedCosine};
-use sim::{LateralMeasures, LateralRegime, Stopping, steady_backward_whirl};
+use sim::{LateralMeasures, LateralRegime, Stopping};
 
 use super::configuration::{Configuration, Scheme};
 use super::history::{Exact, greatest_difference, short_response};
@@ -16,6 +16,7 @@ use super::limit::{extrapolated, limit_between};
 use super::measure::{Found, Measure, Reference};
 use super::{Measured, References, build, seconds_per_second};
 use crate::engine::{Case, MethodSystem};
+use crate::output::rolling_whirls;
 use crate::spec::{Axis, LateralSettings, Sweep, Time};
 use crate::study::scenes::shipped;
 
@@ -104,11 +105,8 @@ impl Lateral {
         });
         let surface_speed = self.sweep.conditions.surface_speed();
         let surface_speed = surface_speed.context("fig12 has a surface speed")?;
-        let whirl = steady_backward_whirl(&self.settings.walls[0], surface_speed, |rate| {
-            let stiffness = network.at_rate(rate)[(0, 0)].inv();
-            [stiffness.re, stiffness.im]
-        });
-        let whirl = whirl.context("there is no steady whirl")?;
+        let whirls = rolling_whirls(&self.sweep.setting, &self.settings, 0, surface_speed)?;
+        let whirl = whirls.first().context("there is no steady whirl")?;
         let values = [
             (Measure::LateralImpulse, 1.0),
             (Measure::WhirlRadius, whirl.radius),

@@ -1,0 +1,125 @@
+//! Steady backward whirl as a balance of forces: what the wall must supply is
+//! the dynamic stiffness of the string at the rate of whirl.
+//!
+//! Where the centre goes around at a rate ω against the rotation, at a radius r,
+//! the wall must push inward with F_N = −Re K(iω) r and pull along with
+//! |Im K(iω)| r, where K is the string's dynamic stiffness at the site. So no
+//! friction below |Im K / Re K| sustains it (the receptance condition of H. F.
+//! Black, *Journal of Mechanical Engineering Science*, 1968). A wall that yields
+//! by F_N = k_c (r − c)^(3/2) meets that force at one radius r(ω) ≥ c, wherever
+//! the string presses outwards (Re K < 0). A string of radius R₀ rolls there if it
+//! turns at Ω = ωr/R₀; if it turns faster it slides, with its friction fully used.
+//!
+//! So over the rate of whirl the steady whirls of a site are curves, one for each
+//! range of rates at which the string presses: [`WhirlingSite::branches`]. Near
+//! resonances one surface speed has several: [`WhirlingSite::rolling_at`]. Whirl that
+//! slides may need less friction than any that rolls:
+//! [`WhirlingSite::least_friction`].
+
+mod balance;
+mod branches;
+mod rolling;
+mod variation;
+
+use crate::laws::wall::Wall;
+use balance::Balance;
+pub use branches::MOST_FRICTION;
+use variation::{Sample, Variation};
+
+/// Whirl is looked for up to a radius of so many clearances.
+const MOST_CLEARANCES: f64 = 1e3;
+
+/// A string whose oscillations decay by a smaller part than this in the time of one
+/// radian of whirl counts as undamped: the bounds would be worth nothing, and no
+/// string rings so long.
+const LEAST_DECAY: f64 = 1e-6;
+
+/// A place where the string touches the wall, and touches it there alone.
+#[derive(Debug, Clone, Copy)]
+pub struct WhirlingSite<K> {
+    /// The wall; its friction plays no part.
+    pub wall: Wall,
+    /// The real and the imaginary part of the string's dynamic stiffness K (N/m) at
+    /// a rate (rad/s).
+    pub dynamic_stiffness: K,
+    /// σ, 1/s: everywhere along the string the damping is at least 2σ times the
+    /// mass, so that all oscillations decay at least as fast as exp(−σt). Where it is
+    /// less than a millionth of the fastest rate no whirl is told: a string without
+    /// damping needs no friction to whirl.
+    pub decay_rate: f64,
+}
+
+/// Steady backward whirl at one site.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SteadyWhirl {
+    /// Surface speed at which the string rolls along the wall, rad/s; at a higher
+    /// one it slides.
+    pub surface_speed: f64,
+    /// Radius r of the centre, m.
+    pub radius: f64,
+    /// Rate of precession ω, against the rotation, rad/s.
+    pub rate: f64,
+    /// Normal force F_N, N.
+    pub normal_force: f64,
+    /// The least coefficient of friction that sustains it.
+    pub least_friction: f64,
+}
+
+impl<K: Fn(f64) -> [f64; 2]> WhirlingSite<K> {
+    /// The slowest and the fastest rate of whirl that are looked for where the string
+    /// turns at a speed (rad/s); none where it stands still or is not damped.
+    fn rates(&self, surface_speed: f64) -> Option<[f64; 2]> {
+        let fastest = surface_speed * self.wall.radius / self.wall.clearance;
+        let is_damped = self.decay_rate > LEAST_DECAY * fastest;
+        (is_damped && fastest > 0.0).then_some([fastest / MOST_CLEARANCES, fastest])
+    }
+
+    fn variation(&self) -> Variation {
+        Variation {
+            decay_rate: self.decay_rate,
+        }
+    }
+
+    fn sample(&self, rate: f64) -> Sample {
+        let [real, imaginary] = (self.dynamic_stiffness)(rate);
+        Sample {
+            rate,
+            real,
+            imaginary,
+        }
+    }
+
+    /// The whirl at a rate, where the string presses.
+    fn whirl(&self, sample: &Sample) -> SteadyWhirl {
+        let radius = radius(&self.wall, -sample.real);
+        SteadyWhirl {
+            surface_speed: sample.rate * radius / self.wall.radius,
+            radius,
+            rate: sample.rate,
+            normal_force: -sample.real * radius,
+            least_friction: (sample.imaginary / sample.real).abs(),
+        }
+    }
+}
+
+/// The radius at which the wall answers a force of `outward` > 0 (N/m) times that
+/// radius: the one root of k_c u³ = outward (c + u²), u = √(r − c).
+fn radius(wall: &Wall, outward: f64) -> f64 {
+    let depth = outward / wall.stiffness;
+    if depth == 0.0 {
+        return wall.clearance;
+    }
+    // Above the root, from where Newton's method descends to it.
+    let mut root = depth + (depth * wall.clearance).cbrt();
+    loop {
+        let value = root * root * (root - depth) - depth * wall.clearance;
+        let next = root - value / (root * (3.0 * root - 2.0 * depth));
+        if next >= root || next.is_nan() {
+            return wall.clearance + root * root;
+        }
+        root = next;
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,263 @@
+use super::*;
+use proptest::prelude::*;
+
+/// Masses in a row, each held by a spring and a damper of its own and joined to the
+/// next; the wall touches the first.
+#[derive(Debug, Clone)]
+struct Masses {
+    masses: Vec<f64>,
+    grounds: Vec<f64>,
+    joints: Vec<f64>,
+    decay_rate: f64,
+}
+
+impl Masses {
+    /// The dynamic stiffness of the first mass by eliminating the others from the last
+    /// on.
+    fn stiffness(&self, rate: f64) -> [f64; 2] {
+        let mut below = [0.0, 0.0];
+        for index in (0..self.masses.len()).rev() {
+            let mass = self.masses[index];
+            let own = self.grounds[index] - mass * rate * rate;
+            let [real, imaginary] = [
+                own + below[0],
+                2.0 * self.decay_rate * mass * rate + below[1],
+            ];
+            if index == 0 {
+                return [real, imaginary];
+            }
+            // A joint k in series with z: kz/(k + z) = k − k²/(k + z).
+            let joint = self.joints[index - 1];
+            let (sum, size) = (joint + real, (joint + real).powi(2) + imaginary.powi(2));
+            below = [
+                joint - joint * joint * sum / size,
+                joint * joint * imaginary / size,
+            ];
+        }
+        below
+    }
+
+    fn on(&self, wall: Wall) -> WhirlingSite<impl Fn(f64) -> [f64; 2]> {
+        WhirlingSite {
+            wall,
+            dynamic_stiffness: |rate| self.stiffness(rate),
+            decay_rate: self.decay_rate,
+        }
+    }
+}
+
+fn wall(stiffness: f64) -> Wall {
+    Wall {
+        clearance: 0.01,
+        stiffness,
+        friction: 0.0,
+        radius: 0.1,
+    }
+}
+
+/// The surface speed at which the fastest whirl has a rate.
+fn speed_of(rate: f64) -> f64 {
+    rate * 0.01 / 0.1
+}
+
+/// A Jeffcott rotor has μ* = 2ζs/(s² − 1) at s = ω/ω_n > 1, and no whirl
+/// below its resonance.
+#[test]
+fn a_jeffcott_rotor_follows_its_closed_form() {
+    let (mass, stiffness, ratio) = (50.0, 2e5, 0.1);
+    let natural = f64::sqrt(stiffness / mass);
+    let rotor = Masses {
+        masses: vec![mass],
+        grounds: vec![stiffness],
+        joints: vec![],
+        decay_rate: ratio * natural,
+    };
+    for s in [1.5, 2.0, 5.0] {
+        let speed = speed_of(s * natural);
+        let [found] = rotor.on(wall(f64::INFINITY)).rolling_at(speed)[..] else {
+            panic!("one whirl");
+        };
+        assert!((found.rate - s * natural).abs() < 1e-9 * natural);
+        assert!((found.surface_speed - speed).abs() < 1e-9 * speed);
+        let expected = 2.0 * ratio * s / (s * s - 1.0);
+        assert!((found.least_friction - expected).abs() < 1e-9);
+        // A softer wall gives way: the radius grows, the rate falls.
+        let [soft] = rotor.on(wall(1e7)).rolling_at(speed)[..] else {
+            panic!("one whirl");
+        };
+        assert!(soft.radius > found.radius && soft.rate < found.rate);
+        assert!((soft.surface_speed / speed - 1.0).abs() < 1e-9);
+        let depth: f64 = soft.radius - 0.01;
+        assert!((1e7 * depth.powf(1.5) / soft.normal_force - 1.0).abs() < 1e-6);
+    }
+    let slow = speed_of(0.5 * natural);
+    assert_eq!(rotor.on(wall(1e7)).rolling_at(slow), []);
+    assert_eq!(rotor.on(wall(1e7)).rolling_at(0.0), []);
+}
+
+/// Without damping the stiffness falls from +∞ to −∞ between neighbouring
+/// antiresonances (Foster's theorem), and the wall's answer falls with the rate: so
+/// one whirl between each pair, and one below the first. Light damping moves them
+/// little, and adds some in the antiresonances themselves, which need much friction.
+#[test]
+fn there_is_one_whirl_between_neighbouring_antiresonances() {
+    let (mass, stiffness) = (10.0, 1e5);
+    for others in 1..=6 {
+        let masses = Masses {
+            masses: vec![mass; others + 1],
+            grounds: vec![0.0; others + 1],
+            joints: vec![stiffness; others],
+            decay_rate: 1e-3,
+        };
+        // The others with the first held still: a row of springs and masses, held at
+        // one end and free at the other.
+        let antiresonances: Vec<f64> = (1..=others)
+            .map(|n| {
+                let angle = std::f64::consts::PI * (2.0 * n as f64 - 1.0);
+                2.0 * (stiffness / mass).sqrt() * (angle / (4.0 * others as f64 + 2.0)).sin()
+            })
+            .collect();
+        let speed = speed_of(400.0);
+        let mut found = masses.on(wall(1e8)).rolling_at(speed);
+        found.retain(|whirl| whirl.least_friction < 1.0);
+        assert_eq!(found.len(), others + 1, "{found:?}");
+        for (index, limit) in antiresonances.iter().enumerate() {
+            assert!(found[index].rate < *limit && found[index + 1].rate > *limit);
+        }
+    }
+}
+
+/// What the rates between two samples bring stays within the bounds.
+#[test]
+fn nothing_varies_faster_than_its_bound() {
+    let strategy = (some_masses(), 1.0..400.0f64, 1.0..400.0f64);
+    proptest!(ProptestConfig::with_cases(300), |((masses, one, other) in strategy)| {
+        let site = masses.on(wall(1e8));
+        let variation = Variation { decay_rate: masses.decay_rate };
+        let (low, high) = (site.sample(one.min(other)), site.sample(one.max(other)));
+        let [least, greatest] = variation.real_range([&low, &high]);
+        let [lax, hard] = variation.pressing_range([&low, &high]);
+        let curvature = variation.curvature([&low, &high]);
+        let (width, slack) = (high.rate - low.rate, 1e-7 * low.real.hypot(high.real));
+        for step in 0..=64 {
+            let sample = site.sample(low.rate + width * f64::from(step) / 64.0);
+            prop_assert!((least - slack..=greatest + slack).contains(&sample.real));
+            let apart = variation.distance(low.rate, sample.rate);
+            let moved = sample.pressing() - low.pressing();
+            prop_assert!(moved.abs() <= apart + 1e-7);
+            prop_assert!((lax - 1e-7..=hard + 1e-7).contains(&sample.pressing()));
+            let h = 1e-3 * sample.rate.min(masses.decay_rate);
+            let [before, after] = [-h, h].map(|h| site.sample(sample.rate + h).real);
+            let second = (before + after - 2.0 * sample.real) / (h * h);
+            let noise = 1e-9 * sample.real.abs() / (h * h);
+            prop_assert!(second.abs() <= 1.01 * curvature + noise);
+        }
+    });
+}
+
+/// One to five masses of any proportions.
+fn some_masses() -> impl Strategy<Value = Masses> {
+    (1..=5usize, -1.0..2.0f64).prop_flat_map(|(count, decay)| {
+        let some = |range: std::ops::Range<f64>| {
+            prop::collection::vec(range.prop_map(|exponent| 10f64.powf(exponent)), count)
+        };
+        (some(0.0..2.5), some(2.0..6.0), some(3.0..6.0)).prop_map(
+            move |(masses, grounds, joints)| Masses {
+                masses,
+                grounds,
+                joints,
+                decay_rate: 10f64.powf(decay),
+            },
+        )
+    })
+}
+
+/// A dense scan of the radius, which knows nothing of bounds, finds no whirl that the
+/// search has not.
+#[test]
+fn no_whirl_of_a_dense_scan_is_missed() {
+    let strategy = (some_masses(), 20.0..400.0f64, 6.0..10.0f64);
+    proptest!(ProptestConfig::with_cases(200), |((masses, fastest, stiffness) in strategy)| {
+        let site = masses.on(wall(10f64.powf(stiffness)));
+        let speed = speed_of(fastest);
+        let found = site.rolling_at(speed);
+        let scanned = scan(&site, speed);
+        prop_assert_eq!(found.len(), scanned.len(), "{:?} {:?}", found, scanned);
+        for (whirl, [near, far]) in found.iter().rev().zip(scanned) {
+            prop_assert!((near..=far).contains(&whirl.radius));
+        }
+    });
+}
+
+/// Brackets of the radii at which the wall's answer changes sides, from the clearance
+/// outwards.
+fn scan(site: &WhirlingSite<impl Fn(f64) -> [f64; 2]>, speed: f64) -> Vec<[f64; 2]> {
+    let wall = &site.wall;
+    let excess = |radius: f64| {
+        let outward = -(site.dynamic_stiffness)(speed * wall.radius / radius)[0] * radius;
+        outward - wall.stiffness * (radius - wall.clearance).powf(1.5)
+    };
+    let radius = |step: u32| wall.clearance * 1e3f64.powf(f64::from(step) / 40_000.0);
+    let mut found = Vec::new();
+    let mut last = excess(radius(0));
+    for step in 1..=40_000 {
+        let next = excess(radius(step));
+        if (last > 0.0) != (next > 0.0) {
+            found.push([radius(step - 1), radius(step)]);
+        }
+        last = next;
+    }
+    found
+}
+
+/// Every whirl at a speed lies on a branch.
+#[test]
+fn branches_pass_through_the_whirls_of_each_speed() {
+    let strategy = (some_masses(), 0.05..1.0f64);
+    proptest!(ProptestConfig::with_cases(100), |((masses, part) in strategy)| {
+        let site = masses.on(wall(1e8));
+        let speed = speed_of(400.0);
+        let branches = site.branches([0.05 * speed, speed]);
+        for whirl in site.rolling_at(part * speed) {
+            // Where friction is near its most a branch may have ended.
+            if whirl.least_friction > 0.5 * MOST_FRICTION {
+                continue;
+            }
+            let on = branches.iter().flat_map(|branch| branch.windows(2)).any(|ends| {
+                let part = (whirl.rate - ends[0].rate) / (ends[1].rate - ends[0].rate);
+                let between = |of: fn(&SteadyWhirl) -> f64| {
+                    of(&ends[0]) + part * (of(&ends[1]) - of(&ends[0]))
+                };
+                let pressing = |it: &SteadyWhirl| it.least_friction.recip().asinh();
+                (0.0..=1.0).contains(&part)
+                    && (between(|it| it.surface_speed) / whirl.surface_speed - 1.0).abs() < 0.02
+                    && (between(pressing) - pressing(&whirl)).abs() < 0.02
+            });
+            prop_assert!(on, "{:?}", whirl);
+        }
+    });
+}
+
+/// The least friction of all whirls, rolling or sliding, against a dense scan of the
+/// rate.
+#[test]
+fn no_whirl_needs_less_friction_than_the_least() {
+    let strategy = (some_masses(), 20.0..400.0f64);
+    proptest!(ProptestConfig::with_cases(100), |((masses, fastest) in strategy)| {
+        let site = masses.on(wall(1e8));
+        let speed = speed_of(fastest);
+        let found = site.least_friction(speed).map_or(MOST_FRICTION, |whirl| whirl.least_friction);
+        let mut scanned = MOST_FRICTION;
+        for step in 40..=40_000 {
+            let rate = fastest * f64::from(step) / 40_000.0;
+            let [real, imaginary] = (site.dynamic_stiffness)(rate);
+            // Pressed further in than where it rolls, the wall pushes too hard.
+            let rolling = speed * site.wall.radius / rate;
+            let depth = rolling - site.wall.clearance;
+            if real < 0.0 && site.wall.stiffness * depth.powf(1.5) >= -real * rolling {
+                scanned = scanned.min(-imaginary / real);
+            }
+        }
+        prop_assert!(found <= 1.02 * scanned, "{found} {scanned}");
+    });
+}

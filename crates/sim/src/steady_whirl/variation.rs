@@ -1,0 +1,96 @@
+//! How fast the dynamic stiffness of a damped string can vary with the rate.
+//!
+//! Let M, C and S be the mass, damping and stiffness of a string, with C ≥ 2σM,
+//! and x its shape when the site is displaced by one at the Laplace variable s.
+//! Then K(s) = x*(s²M + sC + S)x, and
+//!
+//! Im K(s) = Im s · x*(2 Re s M + C)x > 0 where Re s > −σ and Im s > 0.
+//!
+//! So K maps this quarter of the plane into the upper half plane. By the lemma of
+//! Schwarz and Pick such a map lengthens no hyperbolic distance: two stiffnesses
+//! are never further apart than their rates. This holds for every string, whatever
+//! its tubes, its support or its compression, and bounds all that is asked of K
+//! between two rates by its values there.
+
+/// Rounding hides a smaller part of a stiffness than this.
+const LEAST_LOSS: f64 = 1e-9;
+
+/// The dynamic stiffness at a rate.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sample {
+    /// rad/s.
+    pub rate: f64,
+    /// N/m; negative where the string presses outwards.
+    pub real: f64,
+    /// N/m, positive.
+    pub imaginary: f64,
+}
+
+impl Sample {
+    /// asinh(−Re K / Im K): positive where the string presses, and then the smaller
+    /// the more friction that needs. As the distance of K from the imaginary axis
+    /// it varies no faster than K does.
+    pub fn pressing(&self) -> f64 {
+        let imaginary = self.imaginary.max(LEAST_LOSS * self.real.abs());
+        (-self.real / imaginary).asinh()
+    }
+}
+
+/// The bound on the variation of a stiffness.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Variation {
+    /// σ, 1/s.
+    pub decay_rate: f64,
+}
+
+impl Variation {
+    /// The hyperbolic distance of two rates. The quarter plane becomes the upper half
+    /// plane by (σ + s)².
+    pub fn distance(&self, one: f64, other: f64) -> f64 {
+        let (width, sum) = ((one - other).abs(), one + other);
+        let moved = width * (2.0 * self.decay_rate).hypot(sum);
+        2.0 * (moved / (4.0 * self.decay_rate * (one * other).sqrt())).asinh()
+    }
+
+    /// The least and the greatest that [`Sample::pressing`] can be between two samples.
+    /// The imaginary axis is no shortest path, so that distances along it do not add
+    /// up: each half is as near to its own sample as the middle is.
+    pub fn pressing_range(&self, [a, b]: [&Sample; 2]) -> [f64; 2] {
+        let middle = 0.5 * (a.rate + b.rate);
+        let halves = [a, b].map(|sample| (sample.pressing(), self.distance(sample.rate, middle)));
+        let whole = self.distance(a.rate, b.rate);
+        let [(p, reach_p), (q, reach_q)] = halves;
+        [
+            (p - reach_p).min(q - reach_q).max(p.max(q) - whole),
+            (p + reach_p).max(q + reach_q).min(p.min(q) + whole),
+        ]
+    }
+
+    /// The least and the greatest that Re K can be between two samples: within the
+    /// hyperbolic discs around both.
+    pub fn real_range(&self, [a, b]: [&Sample; 2]) -> [f64; 2] {
+        let reach = self.distance(a.rate, b.rate).sinh();
+        let [about_a, about_b] = [a, b].map(|sample| {
+            let radius = sample.imaginary.abs() * reach;
+            [sample.real - radius, sample.real + radius]
+        });
+        [about_a[0].max(about_b[0]), about_a[1].min(about_b[1])]
+    }
+
+    /// The greatest that |d² Re K / dω²| can be between two samples; infinite where
+    /// they are too far apart to tell. In a disc of radius ρ around a sample the nth
+    /// coefficient of the power series of K is at most 2 Im K / ρⁿ.
+    pub fn curvature(&self, samples: [&Sample; 2]) -> f64 {
+        let width = (samples[0].rate - samples[1].rate).abs();
+        let bounds = samples.map(|sample| {
+            let radius = self.decay_rate.min(sample.rate);
+            let left = 1.0 - width / radius;
+            if left > 0.0 {
+                4.0 * sample.imaginary.abs() / (radius * radius * left.powi(3))
+            } else {
+                f64::INFINITY
+            }
+        });
+        bounds[0].min(bounds[1])
+    }
+}

@@ -1,0 +1,375 @@
+//! The limit of backward whirl, from the exact waves. At each site: the curves of
+//! steady rolling whirl over surface speed, of which several may cross one speed.
+//! Over all sites: the least friction of any steady whirl, which slides where the
+//! string turns faster than it would roll.
+
+use std::iter;
+
+use linear::estimates::bending_decay_rate;
+use linear::waves::lateral::BendingNetwork;
+use linear::{DrillstringError, Sites};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use sim::steady_whirl::MOST_FRICTION;
+use sim::{SteadyWhirl, WhirlingSite};
+
+use super::envelope::Envelope;
+use crate::spec::{LateralSettings, Setting, to_rpm};
+
+/// How the surfaces meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum WhirlMotion {
+    /// The string rolls along the wall.
+    #[default]
+    Rolling,
+    /// It rolls or slides, whichever needs less friction.
+    RollingOrSliding,
+}
+
+impl WhirlMotion {
+    /// The name in `boundary.csv`.
+    pub fn name(self) -> &'static str {
+        match self {
+            WhirlMotion::Rolling => "rolling",
+            WhirlMotion::RollingOrSliding => "rolling_or_sliding",
+        }
+    }
+}
+
+/// One point of the limit of backward whirl: steady whirl at one site alone.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WhirlPoint {
+    /// Surface speed, rpm.
+    pub surface_speed_rpm: f64,
+    /// The least friction that sustains it.
+    pub friction: f64,
+    /// The site, m from the bit.
+    pub site_from_bit_m: f64,
+    /// Radius of the centre, mm.
+    pub radius_mm: f64,
+    /// Rate of precession, against the rotation.
+    pub precession_turns_per_s: f64,
+    /// Normal force, kN.
+    pub normal_force_kn: f64,
+    /// Of rolling whirl, the curve that the point lies on, counted from 0 at each
+    /// site; its rows follow one another.
+    #[serde(default)]
+    pub branch: Option<usize>,
+    /// How the surfaces meet.
+    #[serde(default)]
+    pub motion: WhirlMotion,
+    /// Whether no other whirl of this motion needs less friction at this speed.
+    #[serde(default = "yes")]
+    pub least: bool,
+}
+
+/// A table without that column has one point for a speed.
+fn yes() -> bool {
+    true
+}
+
+/// Parts of a number that rounding may hide.
+const ROUNDING: f64 = 1e-9;
+
+/// A curve of whirls, each of which follows from the one before without a jump.
+type Curve = Vec<SteadyWhirl>;
+
+/// The steady whirls of one site, the others free.
+struct SiteWhirls {
+    distance_from_bit: f64,
+    /// Of all that roll at the slowest surface speed or a slower one, that which needs
+    /// the least friction.
+    slower: Option<SteadyWhirl>,
+    /// All that roll within the range of surface speeds.
+    rolling: Vec<Curve>,
+}
+
+/// The limit between two surface speeds (rpm), which may be the same: of rolling
+/// whirl by site, from the bit up, and by branch; then of any whirl.
+///
+/// # Errors
+/// Where a site is not on the string.
+pub fn whirl_limit(
+    setting: &Setting,
+    lateral: &LateralSettings,
+    range_rpm: [f64; 2],
+) -> Result<Vec<WhirlPoint>, DrillstringError> {
+    let range = range_rpm.map(|speed| speed / to_rpm(1.0));
+    let sites = (0..setting.sites.len()).into_par_iter().rev();
+    let whirls = sites
+        .map(|site| of_site(setting, lateral, site, range))
+        .collect::<Result<Vec<_>, _>>()?;
+    let mut points: Vec<WhirlPoint> = whirls.iter().flat_map(rolling_points).collect();
+    points.extend(of_any_motion(&whirls, range));
+    for point in &mut points {
+        snap(&mut point.surface_speed_rpm, range_rpm);
+    }
+    mark_least(&mut points);
+    Ok(points)
+}
+
+/// Ends of the range that the units have moved by rounding.
+fn snap(speed: &mut f64, range: [f64; 2]) {
+    for end in range {
+        if (*speed - end).abs() <= ROUNDING * end {
+            *speed = end;
+        }
+    }
+}
+
+/// The least friction of steady rolling whirl at a surface speed (rpm), at any site.
+///
+/// # Errors
+/// As [`whirl_limit`].
+pub fn rolling_bound(
+    setting: &Setting,
+    lateral: &LateralSettings,
+    surface_speed_rpm: f64,
+) -> Result<Option<f64>, DrillstringError> {
+    let points = whirl_limit(setting, lateral, [surface_speed_rpm; 2])?;
+    Ok(rolling_envelope(&points).least())
+}
+
+/// The least friction of steady rolling whirl over surface speed (rpm).
+pub fn rolling_envelope(points: &[WhirlPoint]) -> Envelope {
+    let curves: Vec<Vec<(f64, f64)>> = branches(points)
+        .filter(|curve| curve[0].motion == WhirlMotion::Rolling)
+        .map(|curve| {
+            (curve
+                .iter()
+                .map(|point| (point.surface_speed_rpm, point.friction)))
+            .collect()
+        })
+        .collect();
+    Envelope::new(&curves)
+}
+
+/// The points by curve.
+pub fn branches(points: &[WhirlPoint]) -> impl Iterator<Item = &[WhirlPoint]> {
+    let curve = |point: &WhirlPoint| (point.motion, point.site_from_bit_m, point.branch);
+    points.chunk_by(move |one, other| curve(one) == curve(other))
+}
+
+fn mark_least(points: &mut [WhirlPoint]) {
+    let envelope = rolling_envelope(points);
+    let rolling = points
+        .iter_mut()
+        .filter(|point| point.motion == WhirlMotion::Rolling);
+    for point in rolling {
+        let least = envelope.at(point.surface_speed_rpm);
+        point.least = least.is_none_or(|least| point.friction <= least * (1.0 + ROUNDING));
+    }
+}
+
+fn of_site(
+    setting: &Setting,
+    lateral: &LateralSettings,
+    site: usize,
+    [slowest, fastest]: [f64; 2],
+) -> Result<SiteWhirls, DrillstringError> {
+    let alone = alone(setting, site)?;
+    let network = network(setting, lateral, &alone)?;
+    let whirling = whirling(setting, lateral, site, &network);
+    let rolling = if slowest < fastest {
+        let branches = whirling.branches([slowest, fastest]);
+        let parts = branches
+            .iter()
+            .map(|branch| part_within(branch, [slowest, fastest]));
+        parts.flatten().collect()
+    } else {
+        let whirls = whirling.rolling_at(fastest).into_iter();
+        let sustained = whirls.filter(|whirl| whirl.least_friction <= MOST_FRICTION);
+        sustained.map(|whirl| vec![whirl]).collect()
+    };
+    Ok(SiteWhirls {
+        distance_from_bit: setting.sites.distances_from_bit()[site],
+        slower: whirling.least_friction(slowest),
+        rolling,
+    })
+}
+
+/// All steady rolling whirls at a surface speed (rad/s) at one site, the others free.
+///
+/// # Errors
+/// Where the site is not on the string.
+pub fn rolling_whirls(
+    setting: &Setting,
+    lateral: &LateralSettings,
+    site: usize,
+    surface_speed: f64,
+) -> Result<Vec<SteadyWhirl>, DrillstringError> {
+    let alone = alone(setting, site)?;
+    let network = network(setting, lateral, &alone)?;
+    Ok(whirling(setting, lateral, site, &network).rolling_at(surface_speed))
+}
+
+/// A site as the only one: others that are free change nothing.
+fn alone(setting: &Setting, site: usize) -> Result<Sites, DrillstringError> {
+    let distance = setting.sites.distances_from_bit()[site];
+    Sites::new(&setting.string, &[distance])
+}
+
+fn network<'a>(
+    setting: &'a Setting,
+    lateral: &LateralSettings,
+    site: &Sites,
+) -> Result<BendingNetwork<'a>, DrillstringError> {
+    BendingNetwork::new(&setting.string, lateral.bending, lateral.support, site)
+}
+
+fn whirling(
+    setting: &Setting,
+    lateral: &LateralSettings,
+    site: usize,
+    network: &BendingNetwork<'_>,
+) -> WhirlingSite<impl Fn(f64) -> [f64; 2]> {
+    WhirlingSite {
+        wall: lateral.walls[site],
+        dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
+        decay_rate: bending_decay_rate(&setting.string, &lateral.bending),
+    }
+}
+
+/// The parts of a curve within a range of surface speeds.
+fn part_within(curve: &[SteadyWhirl], [slowest, fastest]: [f64; 2]) -> Vec<Curve> {
+    let mut parts: Vec<Curve> = Vec::new();
+    for ends in curve.windows(2) {
+        let [start, end] = [ends[0].surface_speed, ends[1].surface_speed];
+        let place = |speed: f64| (speed - start) / (end - start);
+        let (enter, leave) = if start < end {
+            (place(slowest), place(fastest))
+        } else if start > end {
+            (place(fastest), place(slowest))
+        } else if (slowest..=fastest).contains(&start) {
+            (0.0, 1.0)
+        } else {
+            continue;
+        };
+        let (enter, leave) = (enter.max(0.0), leave.min(1.0));
+        if enter >= leave {
+            continue;
+        }
+        let first = between(ends, enter);
+        match parts.last_mut() {
+            Some(part) if part.last() == Some(&first) => {}
+            _ => parts.push(vec![first]),
+        }
+        if let Some(part) = parts.last_mut() {
+            part.push(between(ends, leave));
+        }
+    }
+    parts
+}
+
+/// A point of the chord between two.
+fn between(ends: &[SteadyWhirl], place: f64) -> SteadyWhirl {
+    if place == 0.0 {
+        return ends[0];
+    }
+    if place == 1.0 {
+        return ends[1];
+    }
+    let mean = |of: fn(&SteadyWhirl) -> f64| of(&ends[0]) + place * (of(&ends[1]) - of(&ends[0]));
+    SteadyWhirl {
+        surface_speed: mean(|whirl| whirl.surface_speed),
+        radius: mean(|whirl| whirl.radius),
+        rate: mean(|whirl| whirl.rate),
+        normal_force: mean(|whirl| whirl.normal_force),
+        least_friction: mean(|whirl| whirl.least_friction),
+    }
+}
+
+fn rolling_points(site: &SiteWhirls) -> impl Iterator<Item = WhirlPoint> {
+    (site.rolling.iter().enumerate()).flat_map(move |(branch, curve)| {
+        curve.iter().map(move |whirl| WhirlPoint {
+            branch: Some(branch),
+            ..point(whirl, whirl.surface_speed, site.distance_from_bit)
+        })
+    })
+}
+
+/// A whirl at the speed at which the string rolls, or a higher one.
+fn point(whirl: &SteadyWhirl, surface_speed: f64, site_from_bit_m: f64) -> WhirlPoint {
+    WhirlPoint {
+        surface_speed_rpm: to_rpm(surface_speed),
+        friction: whirl.least_friction,
+        site_from_bit_m,
+        radius_mm: 1e3 * whirl.radius,
+        precession_turns_per_s: whirl.rate / std::f64::consts::TAU,
+        normal_force_kn: 1e-3 * whirl.normal_force,
+        branch: None,
+        motion: WhirlMotion::Rolling,
+        least: true,
+    }
+}
+
+/// The least friction of any steady whirl over surface speed. A string that turns
+/// faster than one that rolls can whirl like it and slide: so the least over all
+/// speeds up to this one.
+fn of_any_motion(sites: &[SiteWhirls], [slowest, fastest]: [f64; 2]) -> Vec<WhirlPoint> {
+    let mut whirls: Vec<Candidate> = Vec::new();
+    for site in sites {
+        let rolling = site.rolling.iter().map(Vec::as_slice);
+        for curve in iter::once(site.slower.as_slice()).chain(rolling) {
+            whirls.extend((0..curve.len()).map(|place| Candidate { site, curve, place }));
+        }
+    }
+    whirls.sort_by(|one, other| one.speed().total_cmp(&other.speed()));
+    let mut least: Option<Candidate> = None;
+    let mut points = Vec::new();
+    for candidate in whirls {
+        if least.is_some_and(|least| least.friction() <= candidate.friction()) {
+            continue;
+        }
+        let speed = candidate.speed();
+        if speed > slowest && slowest < fastest {
+            if let Some(least) = least {
+                if points.is_empty() {
+                    points.push(least.at(slowest));
+                }
+                if !least.is_beside(&candidate) {
+                    points.push(least.at(speed));
+                }
+            }
+            points.push(candidate.at(speed));
+        }
+        least = Some(candidate);
+    }
+    points.extend(least.map(|least| least.at(fastest)));
+    points
+}
+
+/// A whirl on a curve.
+#[derive(Clone, Copy)]
+struct Candidate<'a> {
+    site: &'a SiteWhirls,
+    curve: &'a [SteadyWhirl],
+    place: usize,
+}
+
+impl Candidate<'_> {
+    fn speed(&self) -> f64 {
+        self.curve[self.place].surface_speed
+    }
+
+    fn friction(&self) -> f64 {
+        self.curve[self.place].least_friction
+    }
+
+    /// Whether the curve leads from one to the other.
+    fn is_beside(&self, other: &Self) -> bool {
+        std::ptr::eq(self.curve, other.curve) && self.place.abs_diff(other.place) == 1
+    }
+
+    fn at(&self, surface_speed: f64) -> WhirlPoint {
+        WhirlPoint {
+            motion: WhirlMotion::RollingOrSliding,
+            ..point(
+                &self.curve[self.place],
+                surface_speed,
+                self.site.distance_from_bit,
+            )
+        }
+    }
+}
