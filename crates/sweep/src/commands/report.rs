@@ -10,7 +10,6 @@ use super::plot::draw_map;
 use super::{Status, UsageError, say};
 use crate::cli::{ReportArguments, SummaryArguments};
 use crate::files::{folder_of, write_atomically};
-use crate::output::Manifest;
 use crate::report::{Comparison, Results, is_page, page, sections, text};
 
 /// Says in the terminal what a folder holds.
