@@ -292,7 +292,7 @@ fn a_sheet_of_twelve_maps_of_many_cases_stays_below_a_megabyte() {
     let answer = run.place.sweep(&["plot", "results"]);
     assert_eq!(answer.code, 0, "{answer:?}");
     let map = run.map();
-    assert_eq!(map.words().matches("Surface speed Ω = ").count(), 12);
+    assert_eq!(map.words().matches("Weight on bit W (kN)").count(), 12);
     assert!(map.0.len() < 1_000_000, "{}", map.0.len());
 }
 
