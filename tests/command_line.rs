@@ -7,6 +7,8 @@ mod check;
 mod designs;
 #[path = "command_line/manifest.rs"]
 mod manifest;
+#[path = "command_line/methods.rs"]
+mod methods;
 #[path = "command_line/new.rs"]
 mod new;
 #[path = "support/refusals.rs"]

@@ -108,24 +108,16 @@ fn tell(event: &serde_json::Value) {
 /// Reads a sweep file and puts the methods asked for in place of its own; or chooses
 /// one, where it asks for an accuracy.
 fn read_sweep(file: &Path, work: &WorkArguments, full: bool) -> Result<Sweep> {
-    let mut sweep = Sweep::read(file)?;
-    if sweep.content.accuracy.is_some() && !work.methods.is_empty() {
-        let message = "asks for an accuracy, which chooses the method: leave out --methods";
-        bail!(sweep.source.error("accuracy", message));
-    }
-    choose(&mut sweep, full)?;
-    if !work.methods.is_empty() {
-        let mut names: Vec<MethodName> = Vec::new();
-        for &name in &work.methods {
-            if !names.contains(&name) {
-                names.push(name);
-            }
+    let mut methods: Vec<MethodName> = Vec::new();
+    for &name in &work.methods {
+        if !methods.contains(&name) {
+            methods.push(name);
         }
-        sweep.methods = (names.iter().map(|&name| sweep.content.method(name))).collect();
-        sweep.content.methods = names;
     }
     Ok(sweep)
 }
+    let mut sweep = Sweep::read_with_methods(file, &methods)?;
+    choose(&mut sweep, full)?;
 
 /// Uses as many threads as asked for, or as the cluster allots.
 fn use_threads(jobs: Option<usize>) -> Result<()> {
