@@ -16,6 +16,8 @@ mod new;
 mod refusals;
 #[path = "command_line/run.rs"]
 mod run;
+#[path = "command_line/same_case.rs"]
+mod same_case;
 #[path = "command_line/single_case.rs"]
 mod single_case;
 #[path = "command_line/stability.rs"]

@@ -55,7 +55,9 @@ pub enum Command {
     #[command(after_help = "Examples:\n  sweep simulate sweeps/fig08b.toml\n  \
         sweep simulate sweeps/fig09.toml --case 17\n  \
         sweep simulate sweeps/fig13.toml --case 0,1\n  \
-        sweep simulate sweeps/fig09.toml --set weight_on_bit_kn=60")]
+        sweep simulate sweeps/fig09.toml --set weight_on_bit_kn=60\n\n\
+        A case of the sweep is the case that `run` runs: case.csv has its rows of\n\
+        labels.csv. Exit code 3 where it has no answer, as in failures.csv.")]
     Simulate(SimulateArguments),
     /// Show the linear system: stiffness, times, taps, stability, cost
     #[command(after_help = "Example:\n  sweep inspect sweeps/fig09.toml")]
@@ -204,6 +206,12 @@ pub struct SimulateArguments {
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub work: WorkArguments,
+    /// The case of a run with --full: its numbers are those at its end
+    #[arg(long)]
+    pub full: bool,
+    /// The case of a run with --allow-unstable, where axes change the string
+    #[arg(long)]
+    pub allow_unstable: bool,
 }
 
 /// Arguments of `inspect`.

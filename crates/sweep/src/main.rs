@@ -14,8 +14,9 @@
 //!
 //! There is no equation here: the string is the business of `linear`, its
 //! motion that of `sim`. `accuracy` chooses a method where a sweep asks for an
-//! accuracy, a `study` looks at the methods themselves. `commands` has one file for each thing a user can ask,
-//! and `cli` their arguments. To see it at work:
+//! accuracy, a `study` looks at the methods themselves. `commands` has one file for
+//! each thing a user can ask, and `cli` their arguments; `words` are for people. To see
+//! it at work:
 //!
 //! ```sh
 //! sweep new my-sweep.toml        # a commented sweep file
@@ -34,6 +35,7 @@ mod plot;
 mod report;
 mod spec;
 mod study;
+mod words;
 
 use std::process::ExitCode;
 

@@ -96,7 +96,7 @@ fn run_all(
         is_open: &|_, _| true,
         stops: &|| false,
     };
-    let keep = |row: Row| {
+    let keep = |_, row: Row| {
         if let Ok(mut found) = found.lock() {
             found.insert((numbers[row.case], row.method), row);
         }

@@ -1,8 +1,10 @@
 //! One file for each command, and what they share: exit codes, threads,
 //! progress.
 
+mod case_lines;
 pub mod check;
 mod folder;
+mod history;
 pub mod inspect;
 pub mod merge;
 mod motion;
@@ -114,10 +116,10 @@ fn read_sweep(file: &Path, work: &WorkArguments, full: bool) -> Result<Sweep> {
             methods.push(name);
         }
     }
-    Ok(sweep)
-}
     let mut sweep = Sweep::read_with_methods(file, &methods)?;
     choose(&mut sweep, full)?;
+    Ok(sweep)
+}
 
 /// Uses as many threads as asked for, or as the cluster allots.
 fn use_threads(jobs: Option<usize>) -> Result<()> {
@@ -180,8 +182,8 @@ fn build_systems(
 }
 
 /// Warns of methods that chatter where a site sticks.
-fn warn_of_unstable(systems: &[MethodSystem]) {
-    for instability in systems.iter().filter_map(MethodSystem::instability) {
+fn warn_of_unstable<'a>(systems: impl IntoIterator<Item = &'a MethodSystem>) {
+    for instability in systems.into_iter().filter_map(MethodSystem::instability) {
         complain(&format!("warning: {instability}"));
     }
 }

@@ -163,18 +163,14 @@ impl Session<'_> {
             );
         }
         let is_done = log.done();
-        let places: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
-        let keep = |row: Row| -> Result<()> {
+        let keep = |method: usize, row: Row| -> Result<()> {
             let reason = match &row.outcome {
                 RowOutcome::Done(_) => None,
                 RowOutcome::Failed(reason) => Some(reason.clone()),
             };
             log.append(&Record {
                 case: row.case,
-                method: places
-                    .iter()
-                    .position(|name| *name == row.method)
-                    .unwrap_or(0),
+                method,
                 row: labels_row(sweep, &row),
                 reason: reason.clone(),
             })?;
@@ -203,7 +199,7 @@ impl Session<'_> {
     fn finish(&self, limit: &Boundary, log: &Log) -> Result<Status> {
         let (arguments, sweep, shard, folder) =
             (self.arguments, self.sweep, self.shard, self.folder);
-        let tally = write_tables(sweep, &arguments.file, log, folder)?;
+        let tally = write_tables(sweep, &arguments.file, arguments.terms(), log, folder)?;
         write_atomically(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
         let seconds = self.start.elapsed().as_secs_f64();
         let manifest = Manifest::new(

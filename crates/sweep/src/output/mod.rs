@@ -3,6 +3,7 @@
 mod boundary;
 mod cases;
 mod cells;
+mod failures;
 mod files;
 mod labels;
 mod manifest;
@@ -13,7 +14,8 @@ pub use boundary::{
 };
 pub use cases::{CaseReader, CaseRows};
 pub use cells::{Cells, Extent};
+pub use failures::FAILURES_HEADER;
 pub use files::{AtomicFile, write_atomically};
-pub use labels::{FAILURES_HEADER, LabelRow, labels_row, read_labels};
+pub use labels::{LabelRow, labels_header, labels_row, read_labels};
 pub use manifest::{Manifest, MethodRecord, differences, meaning};
 pub use results::{Counted, Tally, write_tables};

@@ -7,9 +7,10 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
+use super::failures::{FAILURES_HEADER, failures_row, repeat_with};
 use super::files::AtomicFile;
-use super::labels::{FAILURES_HEADER, failures_row, labels_header};
-use crate::engine::Log;
+use super::labels::labels_header;
+use crate::engine::{Log, Terms};
 use crate::spec::Sweep;
 
 /// What came out, counted.
@@ -79,7 +80,13 @@ impl Counted {
 ///
 /// # Errors
 /// Where the log cannot be read or the tables cannot be written.
-pub fn write_tables(sweep: &Sweep, sweep_file: &Path, log: &Log, folder: &Path) -> Result<Tally> {
+pub fn write_tables(
+    sweep: &Sweep,
+    sweep_file: &Path,
+    terms: Terms,
+    log: &Log,
+    folder: &Path,
+) -> Result<Tally> {
     let header = labels_header(sweep);
     let counted = Counted::new(&header)?;
     let mut tally = Tally::default();
@@ -92,7 +99,8 @@ pub fn write_tables(sweep: &Sweep, sweep_file: &Path, log: &Log, folder: &Path) 
         labels.write(format!("{}\n", record.row).as_bytes())?;
         if let Some(reason) = &record.reason {
             let method = sweep.methods[record.method].name();
-            failures.write(&failures_row(sweep_file, record.case, method, reason)?)?;
+            let repeat = repeat_with(sweep, sweep_file, terms, record.case, method);
+            failures.write(&failures_row(record.case, method, reason, &repeat)?)?;
         }
         Ok(())
     })?;

@@ -1,0 +1,59 @@
+//! `failures.csv`: the cases without an answer, each with its reason and the command
+//! that repeats it.
+
+use std::path::Path;
+
+use anyhow::Result;
+
+use crate::engine::Terms;
+use crate::spec::Sweep;
+
+/// The first line of `failures.csv`.
+pub const FAILURES_HEADER: &str = "case,method,reason,repeat_with";
+
+/// A row of `failures.csv`.
+///
+/// # Errors
+/// None that a string could cause.
+pub fn failures_row(case: usize, method: &str, reason: &str, repeat_with: &str) -> Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([&case.to_string(), method, reason, repeat_with])?;
+    Ok(writer.into_inner()?)
+}
+
+/// The command that comes to the same row as a run of a sweep file on these terms, as
+/// a POSIX shell takes it.
+pub fn repeat_with(
+    sweep: &Sweep,
+    sweep_file: &Path,
+    terms: Terms,
+    case: usize,
+    method: &str,
+) -> String {
+    let file = shell_word(sweep_file);
+    let mut command = format!("sweep simulate {file} --case {case}");
+    // An accuracy chooses the method, the same again.
+    if sweep.choice.is_none() {
+        command += &format!(" --methods {method}");
+    }
+    for (given, option) in [
+        (terms.full, " --full"),
+        (terms.allow_unstable, " --allow-unstable"),
+    ] {
+        command += if given { option } else { "" };
+    }
+    command
+}
+
+/// A path as a shell takes it, and then a command: one that begins with a dash is no
+/// option.
+fn shell_word(path: &Path) -> String {
+    let path = path.display().to_string();
+    let dash = if path.starts_with('-') { "./" } else { "" };
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "/._-".contains(letter);
+    if path.chars().all(is_plain) {
+        format!("{dash}{path}")
+    } else {
+        format!("'{dash}{}'", path.replace('\'', r"'\''"))
+    }
+}
