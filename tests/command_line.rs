@@ -27,6 +27,8 @@ mod support;
 mod terminal;
 #[path = "command_line/unstable.rs"]
 mod unstable;
+#[path = "command_line/words.rs"]
+mod words;
 
 use std::collections::BTreeSet;
 

@@ -14,7 +14,7 @@ use crate::study::tradeoff::{LADDER, Measure};
 #[derive(Debug, Parser)]
 #[command(
     version = env!("SWEEP_VERSION"),
-    max_term_width = 100,
+    max_term_width = 80,
     after_help = "Examples: a map of your own in two commands\n  \
         sweep new my-sweep.toml\n  sweep run my-sweep.toml\n\n\
         `sweep help COMMAND` tells all options of a command, with examples.\n\

@@ -18,6 +18,7 @@ use crate::design::{Design, List};
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Terms, Work};
 use crate::output::{LabelRow, read_labels, whirl_bound};
 use crate::spec::{Sweep, check_setting};
+use crate::words::counted;
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
@@ -66,9 +67,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     }
     writeln!(
         text,
-        "{}: {} of {labels} labels as expected",
+        "{}: {} of {} as expected",
         arguments.reference.display(),
         labels - different,
+        counted(labels, "label")
     )?;
     say(&text)?;
     Ok(if different == 0 {

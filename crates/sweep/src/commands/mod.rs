@@ -181,6 +181,13 @@ fn build_systems(
     })
 }
 
+/// Warns of parts of the string such as none are made.
+fn warn_of_string(sweep: &Sweep) {
+    for doubt in sweep.doubts_about_string() {
+        complain(&format!("warning: {doubt}"));
+    }
+}
+
 /// Warns of methods that chatter where a site sticks.
 fn warn_of_unstable<'a>(systems: impl IntoIterator<Item = &'a MethodSystem>) {
     for instability in systems.into_iter().filter_map(MethodSystem::instability) {

@@ -12,7 +12,7 @@ use super::folder::{Found, LOG, look};
 use super::stop::Stop;
 use super::{
     Progress, Status, TELLS_JSON, UsageError, build_systems, complain, make_folder, read_sweep,
-    results_folder, say, survey_cases, use_threads, warn_of_unstable,
+    results_folder, say, survey_cases, use_threads, warn_of_string, warn_of_unstable,
 };
 use crate::cli::{LogFormat, RunArguments};
 use crate::engine::{
@@ -23,6 +23,7 @@ use crate::output::{
     write_tables,
 };
 use crate::spec::Sweep;
+use crate::words::{counted, short, together, wrapped};
 
 /// Runs a sweep.
 pub fn run(arguments: &RunArguments) -> Result<Status> {
@@ -32,6 +33,9 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     let stop = Stop::listen()?;
     use_threads(arguments.work.jobs)?;
     let sweep = read_sweep(&arguments.file, &arguments.work, arguments.full)?;
+    if !arguments.quiet {
+        warn_of_string(&sweep);
+    }
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let survey = survey_cases(&arguments.file, &sweep)?;
     let mut folder = results_folder(arguments.out.as_ref(), &sweep);
@@ -137,8 +141,8 @@ fn tell_of_start(log: &Log, systems: &[MethodSystem]) {
     warn_of_unstable(systems);
     if log.broken_lines() > 0 {
         complain(&format!(
-            "warning: {} lines of the log were not whole; their cases are run again",
-            log.broken_lines()
+            "warning: {} of the log not whole; those cases are run again",
+            counted(log.broken_lines(), "line")
         ));
     }
 }
@@ -158,8 +162,8 @@ impl Session<'_> {
         let (arguments, sweep) = (self.arguments, self.sweep);
         if arguments.fail_fast && log.failed() > 0 {
             bail!(
-                "{} cases have no answer already (--fail-fast)",
-                log.failed()
+                "{} without an answer already (--fail-fast)",
+                counted(log.failed(), "case")
             );
         }
         let is_done = log.done();
@@ -265,20 +269,21 @@ fn plan(
         Found::Unfinished { done } => *done,
         Found::Nothing => 0,
     };
-    writeln!(text, "{}: {}", sweep.name, sweep.title)?;
+    text += &wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
     let part = if shard.is_whole() {
         String::new()
     } else {
-        format!(" (shard {shard}: {} cases)", total / methods.len())
+        let cases = counted(total / methods.len(), "case");
+        format!(" (shard {shard}: {cases})")
     };
-    writeln!(
-        text,
-        "would run {} cases by {} ({}){part}, into {}",
-        sweep.design.cases(),
-        methods.len(),
-        methods.join(", "),
-        folder.display()
-    )?;
+    let cases = counted(sweep.design.cases(), "case");
+    let methods = format!("{} ({})", methods.len(), methods.join(", "));
+    let would = format!("would run {cases} by {methods}{part}, into");
+    text += &wrapped(
+        &format!("{would} {}", together(&folder.display().to_string())),
+        0,
+        2,
+    );
     let why = match found {
         Found::Complete(_) => "complete already",
         Found::Unfinished { .. } => "a stopped run goes on",
@@ -286,12 +291,14 @@ fn plan(
     };
     writeln!(
         text,
-        "{} of {total} simulations left: {why}",
-        total - done.min(total)
+        "{} of {} left: {why}",
+        total - done.min(total),
+        counted(total, "simulation")
     )?;
     if sweep.design.varies_string() {
         let strings = sweep.design.strings();
-        writeln!(text, "{strings} distinct strings, each built once")?;
+        let strings = counted(strings, "distinct string");
+        writeln!(text, "{strings}, each built once")?;
         if survey.impossible_strings > 0 {
             let impossible = survey.impossible_strings;
             writeln!(
@@ -302,11 +309,13 @@ fn plan(
     }
     writeln!(
         text,
-        "simulated time {:.1} s for each method, the longest case {:.1} s, at {} Hz",
-        survey.simulated, survey.longest, sweep.setting.sampling_frequency
+        "simulated time {} s for each method, the longest case {} s, at {} Hz",
+        short(survey.simulated),
+        short(survey.longest),
+        short(sweep.setting.sampling_frequency)
     )?;
     if let Some(choice) = &sweep.choice {
-        writeln!(text, "{choice}")?;
+        text += &choice.lines(0);
     }
     Ok(text)
 }
@@ -317,33 +326,33 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     let rows = manifest.tally.rows;
     writeln!(
         text,
-        "{}: {} cases by {} methods in {:.2} s",
+        "{}: {} by {} in {:.2} s",
         manifest.name,
-        rows / manifest.methods.len().max(1),
-        manifest.methods.len(),
+        counted(rows / manifest.methods.len().max(1), "case"),
+        counted(manifest.methods.len(), "method"),
         manifest.wall_seconds
     )?;
     if let Some(choice) = &manifest.accuracy {
-        writeln!(text, "  {choice}")?;
+        text += &choice.lines(2);
     }
     for (method, labels) in &manifest.tally.labels {
         let counts: Vec<String> = labels
             .iter()
-            .map(|(label, count)| format!("{count} {label}"))
+            .map(|(label, count)| together(&format!("{count} {label}")))
             .collect();
-        writeln!(text, "  {method}: {}", counts.join(", "))?;
+        text += &wrapped(&format!("{method}: {}", counts.join(", ")), 2, 4);
     }
     if manifest.tally.failed > 0 {
         let failed = manifest.tally.failed;
-        writeln!(text, "  {failed} of {rows} rows failed: see failures.csv")?;
+        let rows = counted(rows, "row");
+        writeln!(text, "  {failed} of {rows} failed: see failures.csv")?;
     }
     if manifest.tally.settled_wrong > 0 {
         let (wrong, checked) = (manifest.tally.settled_wrong, manifest.tally.settled_checked);
-        writeln!(
-            text,
-            "  {wrong} of {checked} settled cases that were followed to the end changed their \
-             label: use --full"
-        )?;
+        let checked = counted(checked, "settled case");
+        let words =
+            format!("{wrong} of {checked} followed to the end changed the label: use --full");
+        text += &wrapped(&words, 2, 4);
     }
     let map = if drawn { "map.svg, map.png, " } else { "" };
     writeln!(text, "{map}labels.csv and more are in {}", folder.display())?;

@@ -14,7 +14,7 @@ use super::motion::{along_string, history_panels, site_orbits};
 use super::plot::save_picture;
 use super::{
     Status, UsageError, build_systems, complain, make_folder, read_sweep, results_folder, say,
-    use_threads, warn_of_unstable,
+    use_threads, warn_of_string, warn_of_unstable,
 };
 use crate::cli::SimulateArguments;
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, Terms, longest_beside};
@@ -45,6 +45,7 @@ pub struct Simulation {
 pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
     let mut sweep = read_sweep(&arguments.file, &arguments.work, arguments.full)?;
+    warn_of_string(&sweep);
     let choices = (unique(&arguments.case).into_iter())
         .map(|index| Choice::new(&sweep, arguments, index))
         .collect::<Result<Vec<_>>>()?;
