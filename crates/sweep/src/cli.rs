@@ -37,7 +37,7 @@ pub enum Command {
         rock and cases are in it, and a borehole wall, impulses and more to switch on."
     )]
     New(NewArguments),
-    /// Run every case of a sweep with every method it names; write a results folder
+    /// Run every case of a sweep by every method, into a results folder
     #[command(
         after_help = "Examples:\n  sweep run sweeps/fig09.toml --out /tmp/fig09\n  \
         sweep run sweeps/fig09.toml --shard 0/4\n\n\
@@ -71,16 +71,16 @@ pub enum Command {
         Exit code 4 where a shard is missing or not finished; its number is printed."
     )]
     Merge(MergeArguments),
-    /// Chart accuracy against speed, for all methods, on the paper's string
+    /// Chart accuracy against speed, all methods, on the paper's string
     #[command(after_help = "Examples:\n  sweep tradeoff\n  \
         sweep tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
         The whole study takes five minutes on two cores; a part of it, seconds.")]
     Tradeoff(TradeoffArguments),
-    /// Where methods fail, and whether their margins foretell it: CSV and chart
+    /// Chart where methods fail, and whether their margins foretell it
     #[command(after_help = "Examples:\n  sweep stability\n  \
         sweep stability --family newmark --out /tmp/newmark")]
     Stability(StabilityArguments),
-    /// Write a page about a results folder, or about several side by side
+    /// Write a page about a results folder, or several side by side
     #[command(after_help = "Examples:\n  sweep report results/fig09\n  \
         sweep report results/fig14 results/fig17 --out whirl.html\n\n\
         The page is one file, and needs neither network nor scripts.")]

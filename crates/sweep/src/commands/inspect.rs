@@ -98,7 +98,7 @@ fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
         100.0 * torsional_wave_left(string)
     )?;
     let why = if sweep.setting.sampling_by_rule {
-        "four times the first torsional mode of one cell of drillpipe"
+        "four times the first mode of one cell"
     } else {
         "given in the sweep file"
     };

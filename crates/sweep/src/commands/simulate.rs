@@ -5,7 +5,7 @@
 
 use std::path::Path;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use sim::{Outcome, Stopping, Trajectory};
 
 use super::case_lines::case_lines;
@@ -170,9 +170,11 @@ impl MethodSystems {
     /// The motion of a case to the end of its time.
     fn follow(&self, case: &Case) -> Result<(Trajectory, Outcome)> {
         let mut motion = Trajectory::default();
-        let outcome = self
-            .case
-            .simulate(case, Stopping::Full, Some(&mut motion))?;
+        let simulated = self.case.simulate(case, Stopping::Full, Some(&mut motion));
+        let outcome = simulated.with_context(|| {
+            let method = self.case.method.name();
+            format!("case {} by {method}, followed to its end", case.index)
+        })?;
         if let Some(watched) = &self.watched
             && let Some(mut speeds) = watched.driven_speeds(case, &motion)
         {
