@@ -7,6 +7,8 @@ mod check;
 mod designs;
 #[path = "command_line/manifest.rs"]
 mod manifest;
+#[path = "command_line/methods.rs"]
+mod methods;
 #[path = "command_line/new.rs"]
 mod new;
 #[path = "support/refusals.rs"]
@@ -14,6 +16,8 @@ mod new;
 mod refusals;
 #[path = "command_line/run.rs"]
 mod run;
+#[path = "command_line/same_case.rs"]
+mod same_case;
 #[path = "command_line/single_case.rs"]
 mod single_case;
 #[path = "command_line/stability.rs"]
@@ -23,6 +27,8 @@ mod support;
 mod terminal;
 #[path = "command_line/unstable.rs"]
 mod unstable;
+#[path = "command_line/words.rs"]
+mod words;
 
 use std::collections::BTreeSet;
 

@@ -50,6 +50,8 @@ fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
     ] {
         assert!(answer.output.contains(said), "{answer:?}");
     }
+    let is_narrow = |line: &str| line.chars().count() <= 80;
+    assert!(answer.output.lines().all(is_narrow), "{answer:?}");
     let rows = rows(&place);
     let of = |measure, method, frequency| {
         let gamma = if method == "finite-element" {

@@ -129,7 +129,7 @@ fn a_list_is_looked_for_beside_the_file_that_names_it() {
     );
     place.write("child.toml", "base = \"bases/small.toml\"\n");
     let answer = succeeds(&place, &["run", "child.toml", "--dry-run"]);
-    assert!(answer.output.contains("would run 1 cases"), "{answer:?}");
+    assert!(answer.output.contains("would run 1 case by"), "{answer:?}");
 }
 
 /// Axes of the string: each case is what a file with its values would give.

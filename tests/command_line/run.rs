@@ -12,7 +12,10 @@ fn run_writes_the_promised_files_and_no_other() {
     let place = Workplace::with_small(SMALL);
     let answer = run(&place, "small.toml", "deep/results");
     assert_eq!(names_in(&place, "deep/results"), names(RESULTS));
-    assert!(answer.output.contains("6 cases by 1 methods"), "{answer:?}");
+    assert!(
+        answer.output.contains("6 cases by 1 method in "),
+        "{answer:?}"
+    );
     assert!(answer.output.contains("deep/results"), "{answer:?}");
     let picture = std::fs::read(place.path("deep/results/map.png")).unwrap();
     assert!(picture.starts_with(PNG_SIGNATURE));

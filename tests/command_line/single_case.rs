@@ -11,7 +11,7 @@ fn simulate_writes_the_history_of_one_case() {
     assert!(answer.output.contains("Ω = 0.0200 rpm"), "{answer:?}");
     assert_eq!(
         names_in(&place, "case"),
-        names(["history.csv", "history.png", "history.svg"])
+        names(["case.csv", "history.csv", "history.png", "history.svg"])
     );
     assert!(
         std::fs::read(place.path("case/history.png"))

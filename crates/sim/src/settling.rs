@@ -106,8 +106,8 @@ impl Settling {
             let [x, y] = contact.position;
             let before = std::mem::replace(&mut self.positions[site], contact.position);
             let now = &mut self.now[site];
-            now.sums.see(contact, before);
             now.largest_radius = now.largest_radius.max((x * x + y * y).sqrt());
+            now.sums.see(contact, before, now.largest_radius);
             now.largest_ratio = now.largest_ratio.max(contact.friction_ratio.abs());
         }
         self.step += 1;

@@ -76,6 +76,35 @@ impl System {
         self.bit.as_ref().map(|bit| bit.held.torques())
     }
 
+    /// Speeds of all sites, rad/s, in so many steps: what a surface that turns at
+    /// `surface_speed` (rad/s) from the first of them on makes of them, and, but for
+    /// the bit itself, the torques on the bit (N m, positive with the rotation). Sites
+    /// that are only looked at follow from these: whoever has simulated a bit without
+    /// them has their motion here.
+    pub fn driven_speeds(
+        &self,
+        surface_speed: f64,
+        bit_torque: &[f64],
+        steps: usize,
+    ) -> Vec<Vec<f64>> {
+        let mut speeds = self.free_speeds(surface_speed, steps);
+        if let Some(input) = &self.bit {
+            input.drive_other_sites(&mut speeds, bit_torque);
+        }
+        speeds
+    }
+
+    /// Speeds of all sites with nothing but the surface turning them.
+    fn free_speeds(&self, surface_speed: f64, steps: usize) -> Vec<Vec<f64>> {
+        (0..self.surface_step.len())
+            .map(|site| {
+                (0..steps)
+                    .map(|step| surface_speed * self.surface_response(site, step))
+                    .collect()
+            })
+            .collect()
+    }
+
     /// Speed of a site in a step, per unit surface speed, no torque acting.
     fn surface_response(&self, site: usize, step: usize) -> f64 {
         settled(&self.surface_step[site], step)
@@ -171,7 +200,7 @@ pub fn simulate(
     match (scene.bit, &system.bit) {
         (None, _) => {
             if let Some(record) = record {
-                record.speeds = free_speeds(system, scene, steps);
+                record.speeds = system.free_speeds(scene.surface_speed, steps);
             }
             Ok(Outcome {
                 simulated: (steps - 1) as f64 * system.step_length,
@@ -184,17 +213,6 @@ pub fn simulate(
         (Some(_), None) => Err(SimulationError::NoTorqueInput),
         (Some(law), Some(input)) => step_bit(system, input, scene, law, steps, stopping, record),
     }
-}
-
-/// Speeds of all sites with nothing but the surface turning them.
-fn free_speeds(system: &System, scene: &Scene, steps: usize) -> Vec<Vec<f64>> {
-    (0..system.surface_step.len())
-        .map(|site| {
-            (0..steps)
-                .map(|step| scene.surface_speed * system.surface_response(site, step))
-                .collect()
-        })
-        .collect()
 }
 
 /// A bit that turns for this part of what it remembers, in per cent, may turn for
@@ -220,7 +238,7 @@ fn step_bit(
     let slip = input.held.first_slip(speed, law.torque_static).min(steps);
     if let Some(record) = record.as_deref_mut() {
         *record = Trajectory {
-            speeds: free_speeds(system, scene, steps),
+            speeds: system.free_speeds(scene.surface_speed, steps),
             bit_torque: (0..slip).map(held).collect(),
             ..Trajectory::default()
         };
@@ -285,7 +303,7 @@ fn step_bit(
         }
     }
     if let Some(record) = record {
-        add_torque_to_other_sites(input, record);
+        input.drive_other_sites(&mut record.speeds, &record.bit_torque);
     }
     Outcome {
         simulated: simulated as f64 * system.step_length,
@@ -303,15 +321,16 @@ fn turns_on(speeds: &[f64], speed: f64) -> bool {
     speeds.all(|next| next.is_finite() && next * speed > 0.0)
 }
 
-/// Sites that are only looked at follow from the recorded torque.
-fn add_torque_to_other_sites(input: &BitInput, record: &mut Trajectory) {
-    for (site, kernel) in input.to_sites.iter().enumerate() {
-        if site == input.site {
-            continue;
-        }
-        for (step, speed) in record.speeds[site].iter_mut().enumerate() {
-            let (past, now) = (&record.bit_torque[..step], record.bit_torque[step]);
-            *speed += kernel.past_sum(past) + kernel.instant() * now;
+impl BitInput {
+    /// Adds what the torques on the bit make of the speeds of the other sites.
+    fn drive_other_sites(&self, speeds: &mut [Vec<f64>], bit_torque: &[f64]) {
+        for (site, (kernel, speeds)) in self.to_sites.iter().zip(speeds).enumerate() {
+            if site == self.site {
+                continue;
+            }
+            for (step, (speed, torque)) in speeds.iter_mut().zip(bit_torque).enumerate() {
+                *speed += kernel.past_sum(&bit_torque[..step]) + kernel.instant() * torque;
+            }
         }
     }
 }

@@ -60,7 +60,7 @@ pub struct LateralMeasures {
     /// Part of that contact in rolling.
     pub rolling_fraction: f64,
     /// Mean rate at which the centre goes round in the closing window, rad/s;
-    /// positive with the rotation.
+    /// positive with the rotation; zero for motion in a plane.
     pub precession_rate: f64,
     /// Mean radial displacement in the closing window, m.
     pub mean_radius: f64,
@@ -85,6 +85,23 @@ impl LateralMeasures {
     }
 }
 
+/// A centre that passes the middle this near, in parts of the largest radius, goes
+/// through it: far less than any wall is round to, and far more than rounding.
+const THROUGH_THE_MIDDLE: f64 = 1e-9;
+
+/// The angle by which a centre goes round from one position to the next, rad, its
+/// largest radius so far given. On a line through the middle, as in motion in a plane,
+/// it goes round neither way, though its direction turns by half a turn in the middle.
+fn turned([px, py]: [f64; 2], [x, y]: [f64; 2], largest_radius: f64) -> f64 {
+    let across = px * y - py * x;
+    let step = ((x - px).powi(2) + (y - py).powi(2)).sqrt();
+    if across.abs() <= THROUGH_THE_MIDDLE * largest_radius * step {
+        0.0
+    } else {
+        across.atan2(px * x + py * y)
+    }
+}
+
 /// What one site did over some steps.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct SiteSums {
@@ -101,12 +118,12 @@ pub(crate) struct SiteSums {
 }
 
 impl SiteSums {
-    /// One more step, from a position.
-    pub(crate) fn see(&mut self, contact: &Contact, [px, py]: [f64; 2]) {
+    /// One more step, from a position; the largest radius so far, m.
+    pub(crate) fn see(&mut self, contact: &Contact, before: [f64; 2], largest_radius: f64) {
         let [x, y] = contact.position;
         self.contact += usize::from(touches(contact));
         self.rolling += usize::from(contact.touch == Touch::Rolling);
-        self.angle += (px * y - py * x).atan2(px * x + py * y);
+        self.angle += turned(before, contact.position, largest_radius);
         self.radius += (x * x + y * y).sqrt();
         self.normal_force += contact.normal_force;
     }
@@ -157,7 +174,7 @@ impl WallWatch {
         self.furthest[site] = self.furthest[site].max(x * x + y * y);
         let before = std::mem::replace(&mut self.positions[site], contact.position);
         if self.step >= self.closing_from {
-            self.closing[site].see(contact, before);
+            self.closing[site].see(contact, before, self.furthest[site].sqrt());
         }
     }
 

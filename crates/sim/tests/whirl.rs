@@ -439,3 +439,97 @@ fn the_reconstructed_string_passes_through_its_site() {
     assert!((shape_x[bit] - x).hypot(shape_y[bit] - y) < 1e-9 * CLEARANCE);
     assert!(whole.peaks.iter().all(|peak| *peak <= whole.peaks[bit]));
 }
+
+/// A site on a spring, alone: what its centre does is known in closed form.
+mod oscillator {
+    use linear::{BendingResponses, TorsionResponses};
+    use std::f64::consts::TAU;
+
+    use super::*;
+    use linear::passivity::Ending;
+
+    const SAMPLING_FREQUENCY: f64 = 640.0;
+    /// Oscillations a second, and their decay, 1/s.
+    const FREQUENCY: f64 = 4.0;
+    const DECAY: f64 = 0.05;
+
+    /// Impulses (N s) with their starts (s) and directions (rad); the precession rate,
+    /// turns/s.
+    fn precession(impulses: &[(f64, f64, f64)]) -> f64 {
+        let steps = (DURATION * SAMPLING_FREQUENCY) as usize + 2;
+        let displacement = |step: usize| {
+            let time = step as f64 / SAMPLING_FREQUENCY;
+            let rate = TAU * FREQUENCY;
+            (-DECAY * time).exp() * (rate * time).sin() / rate / SAMPLING_FREQUENCY
+        };
+        let bending = BendingResponses {
+            sampling_frequency: SAMPLING_FREQUENCY,
+            // The first may not be zero.
+            from_force: vec![vec![
+                (0..steps)
+                    .map(|step| displacement(step).max(if step == 0 { 1e-9 } else { -1.0 }))
+                    .collect(),
+            ]],
+        };
+        let torsion = TorsionResponses {
+            sampling_frequency: SAMPLING_FREQUENCY,
+            from_surface: vec![vec![1.0]],
+            from_torque: vec![vec![vec![1e-5]]],
+            torque_inputs: vec![0],
+            ending: Ending::Whole,
+        };
+        let impulse = |&(amount, start, direction): &(f64, f64, f64)| Impulse {
+            site: 0,
+            amount,
+            start,
+            duration: PULSE,
+            direction,
+        };
+        let scene = Scene {
+            surface_speed: SPEED,
+            bit: None,
+            lateral: Some(Lateral {
+                walls: vec![wall(0.5)],
+                impulses: impulses.iter().map(impulse).collect(),
+                eccentric_masses: vec![],
+            }),
+            timing: Timing {
+                duration: DURATION,
+                closing_window: 2.0,
+            },
+        };
+        let system = LateralSystem::new(&torsion, &bending).unwrap();
+        let outcome = simulate_lateral(&system, &scene, Stopping::Full, None).unwrap();
+        let lateral = outcome.lateral.unwrap();
+        assert_eq!(lateral.regime, LateralRegime::NoContact);
+        assert!(lateral.peak_radius > 0.1 * CLEARANCE);
+        lateral.precession_rate / TAU
+    }
+
+    #[test]
+    fn motion_in_a_plane_goes_round_neither_way() {
+        for degrees in [0.0, 30.0, 77.0, 90.0, 200.0, 315.0_f64] {
+            for start in [1.0, 1.1, 6.3] {
+                let rate = precession(&[(0.1, start, degrees.to_radians())]);
+                assert_eq!(rate, 0.0, "{degrees}° at {start} s");
+            }
+        }
+    }
+
+    /// Two impulses across each other, a quarter of an oscillation apart, make an
+    /// ellipse, however flat: it goes round once an oscillation, with the second of
+    /// them.
+    #[test]
+    fn an_ellipse_goes_round_once_an_oscillation() {
+        let quarter = 0.25 / FREQUENCY;
+        for flatness in [1.0, 0.1, 1e-3, 1e-6] {
+            for sign in [1.0, -1.0] {
+                let across = sign * TAU / 4.0;
+                let first = (0.1, 1.0, 0.4);
+                let second = (0.1 * flatness, 1.0 + quarter, 0.4 + across);
+                let rate = precession(&[first, second]);
+                assert_close(rate, sign * FREQUENCY, 0.03);
+            }
+        }
+    }
+}

@@ -15,7 +15,7 @@ use crate::study::tradeoff::{LADDER, Measure};
 #[derive(Debug, Parser)]
 #[command(
     version = env!("SWEEP_VERSION"),
-    max_term_width = 100,
+    max_term_width = 80,
     after_help = "Examples: a map of your own in two commands\n  \
         sweep new my-sweep.toml\n  sweep run my-sweep.toml\n\n\
         `sweep help COMMAND` tells all options of a command, with examples.\n\
@@ -38,7 +38,7 @@ pub enum Command {
         rock and cases are in it, and a borehole wall, impulses and more to switch on."
     )]
     New(NewArguments),
-    /// Run every case of a sweep with every method it names; write a results folder
+    /// Run every case of a sweep by every method, into a results folder
     #[command(
         after_help = "Examples:\n  sweep run sweeps/fig09.toml --out /tmp/fig09\n  \
         sweep run sweeps/fig09.toml --shard 0/4\n\n\
@@ -56,7 +56,9 @@ pub enum Command {
     #[command(after_help = "Examples:\n  sweep simulate sweeps/fig08b.toml\n  \
         sweep simulate sweeps/fig09.toml --case 17\n  \
         sweep simulate sweeps/fig13.toml --case 0,1\n  \
-        sweep simulate sweeps/fig09.toml --set weight_on_bit_kn=60")]
+        sweep simulate sweeps/fig09.toml --set weight_on_bit_kn=60\n\n\
+        A case of the sweep is the case that `run` runs: case.csv has its rows of\n\
+        labels.csv. Exit code 3 where it has no answer, as in failures.csv.")]
     Simulate(SimulateArguments),
     /// Show the linear system: stiffness, times, taps, stability, cost
     #[command(after_help = "Example:\n  sweep inspect sweeps/fig09.toml")]
@@ -70,16 +72,16 @@ pub enum Command {
         Exit code 4 where a shard is missing or not finished; its number is printed."
     )]
     Merge(MergeArguments),
-    /// Chart accuracy against speed, for all methods, on the paper's string
+    /// Chart accuracy against speed, all methods, on the paper's string
     #[command(after_help = "Examples:\n  sweep tradeoff\n  \
         sweep tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
         The whole study takes five minutes on two cores; a part of it, seconds.")]
     Tradeoff(TradeoffArguments),
-    /// Where methods fail, and whether their margins foretell it: CSV and chart
+    /// Chart where methods fail, and whether their margins foretell it
     #[command(after_help = "Examples:\n  sweep stability\n  \
         sweep stability --family newmark --out /tmp/newmark")]
     Stability(StabilityArguments),
-    /// Write a page about a results folder, or about several side by side
+    /// Write a page about a results folder, or several side by side
     #[command(after_help = "Examples:\n  sweep report results/fig09\n  \
         sweep report results/fig14 results/fig17 --out whirl.html\n\n\
         The page is one file, and needs neither network nor scripts.")]
@@ -224,6 +226,12 @@ pub struct SimulateArguments {
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub work: WorkArguments,
+    /// The case of a run with --full: its numbers are those at its end
+    #[arg(long)]
+    pub full: bool,
+    /// The case of a run with --allow-unstable, where axes change the string
+    #[arg(long)]
+    pub allow_unstable: bool,
 }
 
 /// Arguments of `inspect`.

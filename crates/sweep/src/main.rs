@@ -16,7 +16,7 @@
 //! motion that of `sim`. `accuracy` chooses a method where a sweep asks for an
 //! accuracy, a `study` looks at the methods themselves. `files` writes whole files or none, in
 //! folders that are locked meanwhile. `commands` has one file for each thing a user can ask,
-//! and `cli` their arguments. To see it at work:
+//! and `cli` their arguments; `words` are for people. To see it at work:
 //!
 //! ```sh
 //! sweep new my-sweep.toml        # a commented sweep file
@@ -40,6 +40,7 @@ mod report;
 mod spec;
 mod study;
 mod text_file;
+mod words;
 
 use std::process::ExitCode;
 

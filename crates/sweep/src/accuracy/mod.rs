@@ -31,6 +31,7 @@ use sim::Stopping;
 
 use crate::memory::Limit;
 use crate::spec::{Accuracy, Sweep, per_cent};
+use crate::words::{short, wrapped};
 use answer::{Answer, largest_error};
 use ladder::{FREQUENCIES, candidates};
 use probes::{Probes, Systems};
@@ -88,23 +89,27 @@ impl std::fmt::Display for Candidate {
         if let Some(elements) = self.elements_per_cell {
             write!(f, " ({elements} elements a cell)")?;
         }
-        write!(f, " at {} Hz", self.sampling_frequency_hz)
+        write!(f, " at {} Hz", short(self.sampling_frequency_hz))
     }
 }
 
-impl std::fmt::Display for Choice {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "accuracy {} %: {}, estimated error {} % (reference: {} at {} Hz, \
-             uncertain by {} %)",
+impl Choice {
+    /// What was chosen and by which reference, in lines for people.
+    pub fn lines(&self, indent: usize) -> String {
+        let chosen = format!(
+            "accuracy {} %: {}, estimated error {} %",
             per_cent(self.asked),
             self.chosen,
-            per_cent(self.delivered),
+            per_cent(self.delivered)
+        );
+        let reference = format!(
+            "(reference: {} at {} Hz, uncertain by {} %)",
             self.reference_method,
-            self.reference_hz,
+            short(self.reference_hz),
             per_cent(self.reference_uncertainty)
-        )
+        );
+        let later = indent + 2;
+        wrapped(&chosen, indent, later) + &wrapped(&reference, later, later)
     }
 }
 

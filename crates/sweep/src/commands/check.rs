@@ -19,6 +19,7 @@ use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Terms, Work};
 use crate::memory::{Purpose, admit};
 use crate::output::{LabelRow, read_labels, rolling_bound};
 use crate::spec::{Sweep, check_setting, nearest};
+use crate::words::counted;
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
@@ -69,9 +70,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     }
     writeln!(
         text,
-        "{}: {} of {labels} labels as expected",
+        "{}: {} of {} as expected",
         arguments.reference.display(),
         labels - different,
+        counted(labels, "label")
     )?;
     say(&text)?;
     Ok(if different == 0 {
@@ -101,7 +103,7 @@ fn run_all(
         is_open: &|_, _| true,
         stops: &|| false,
     };
-    let keep = |row: Row| {
+    let keep = |_, row: Row| {
         if let Ok(mut found) = found.lock() {
             found.insert((numbers[row.case], row.method), row);
         }

@@ -17,14 +17,15 @@ use super::cost::{Cost, of_built};
 use super::plot::{axis, save_picture};
 use super::{
     Status, build_systems, make_folder, read_sweep, results_folder, say, site_title, survey_cases,
-    use_threads,
+    use_threads, warn_of_string,
 };
 use crate::accuracy::Choice;
 use crate::cli::InspectArguments;
 use crate::engine::{MethodSystem, Survey, is_unstable};
 use crate::memory::{Purpose, admit, estimate};
 use crate::plot::{Axis, Panel, Panels, Series, panels};
-use crate::spec::{LateralSettings, Sweep, Time, per_cent};
+use crate::spec::{INCH, LateralSettings, POUND_PER_FOOT, Sweep, Time, per_cent};
+use crate::words::{counted, short, wrapped};
 
 /// Points of the frequency response drawn.
 const FREQUENCIES: usize = 4000;
@@ -39,16 +40,18 @@ type Curve = Vec<(f64, f64)>;
 pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
     let sweep = read_sweep(&arguments.file, &arguments.work, false)?;
+    warn_of_string(&sweep);
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     let survey = survey_cases(&arguments.file, &sweep)?;
+    // Those that a run builds.
+    let setting = sweep.setting.for_labels();
     let limit = arguments.work.memory.limit();
-    admit(&sweep, &sweep.setting, &survey, Purpose::Look, &limit)?;
+    admit(&sweep, &setting, &survey, Purpose::Look, &limit)?;
     let start = Instant::now();
-    let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;
+    let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     let built = start.elapsed().as_secs_f64();
-    let for_labels = sweep.setting.for_labels();
     let cost = Cost {
-        memory: estimate(&sweep, &for_labels, &survey, Purpose::Labels, &limit)?,
+        memory: estimate(&sweep, &setting, &survey, Purpose::Labels, &limit)?,
         limit,
         time: of_built(&sweep, &survey, &systems, built),
     };
@@ -73,27 +76,15 @@ fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     let string = &sweep.setting.string;
     let travel = torsional_travel_time(string);
-    writeln!(text, "{}: {}\n", sweep.name, sweep.title)?;
+    text += &wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
+    text.push('\n');
     writeln!(text, "string")?;
     writeln!(
         text,
         "  length                     {:.3} m",
         string.length()
     )?;
-    for section in string.sections() {
-        writeln!(
-            text,
-            "    {} × {:.3} m, outer radii {}",
-            section.repeat,
-            section.cell_length(),
-            section
-                .parts
-                .iter()
-                .map(|part| format!("{} m", part.outer_radius))
-                .collect::<Vec<_>>()
-                .join(" and ")
-        )?;
-    }
+    text += &part_lines(sweep)?;
     writeln!(
         text,
         "  torsional stiffness k_eff  {:.1} N m/rad",
@@ -120,7 +111,7 @@ fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
         100.0 * torsional_wave_left(string)
     )?;
     let why = if sweep.setting.sampling_by_rule {
-        "four times the first torsional mode of one cell of drillpipe"
+        "four times the first mode of one cell"
     } else {
         "given in the sweep file"
     };
@@ -134,22 +125,48 @@ fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
         sweep.setting.sampling_frequency
     )?;
     if let Some(choice) = &sweep.choice {
-        text += &describe_choice(choice)?;
+        text += &describe_choice(choice);
+    }
+    Ok(text)
+}
+
+/// The parts of the string from the surface down, as on a BHA sheet.
+fn part_lines(sweep: &Sweep) -> Result<String, std::fmt::Error> {
+    let mut text = String::from(
+        "    outer diameter      inner diameter      mass               length\n    \
+         mm         in       mm         in       kg/m      lb/ft    m\n",
+    );
+    let sections = sweep.setting.string.sections().iter();
+    for (section, table) in sections.zip(&sweep.content.string.sections) {
+        let mut title = format!("{} × {:.3} m", section.repeat, section.cell_length());
+        if let Some(name) = &table.name {
+            title += &format!(", {}", name.replace(char::is_control, " "));
+        }
+        text += &wrapped(&title, 2, 4);
+        for part in &section.parts {
+            text += "  ";
+            for diameter in [2.0 * part.outer_radius, 2.0 * part.inner_radius] {
+                write!(text, "  {:<9.1}{:<9.3}", 1e3 * diameter, diameter / INCH)?;
+            }
+            let mass = sweep.mass_per_length(part);
+            let pounds = mass / POUND_PER_FOOT;
+            writeln!(text, "  {mass:<8.1}  {pounds:<7.1}  {:.3}", part.length)?;
+        }
     }
     Ok(text)
 }
 
 /// What was chosen for an accuracy, and what else was tried.
-fn describe_choice(choice: &Choice) -> Result<String, std::fmt::Error> {
-    let mut text = format!("\n{choice}\n");
+fn describe_choice(choice: &Choice) -> String {
+    let mut text = format!("\n{}", choice.lines(0));
     for tried in &choice.tried {
         let error = (tried.error).map_or_else(
             || "refused".to_owned(),
             |error| format!("{} %", per_cent(error)),
         );
-        writeln!(text, "  {}: {error}, {}", tried.candidate, tried.of)?;
+        text += &wrapped(&format!("{}: {error}, {}", tried.candidate, tried.of), 2, 4);
     }
-    Ok(text)
+    text
 }
 
 fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error> {
@@ -158,9 +175,9 @@ fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error>
     for system in systems {
         writeln!(
             text,
-            "  {}: {} taps ({:.2} s), built in {:.3} s",
+            "  {}: {} ({:.2} s), built in {:.3} s",
             system.method.name(),
-            system.responses.taps(),
+            counted(system.responses.taps(), "tap"),
             system.responses.taps() as f64 / system.responses.sampling_frequency,
             system.build_seconds,
         )?;
@@ -191,7 +208,8 @@ fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error>
                 };
                 writeln!(
                     text,
-                    "    positive-real margin     {margin:.2e} in {what}: {verdict}"
+                    "    positive-real margin     {} in {what}: {verdict}",
+                    short(margin)
                 )?;
             }
         }
@@ -229,10 +247,10 @@ fn describe_scene(
     writeln!(text, "\ncost")?;
     writeln!(
         text,
-        "  {} cases by {} methods, the longest {:.1} s ({rule})",
-        sweep.design.cases(),
-        systems.len(),
-        survey.longest
+        "  {} by {}, the longest {} s ({rule})",
+        counted(sweep.design.cases(), "case"),
+        counted(systems.len(), "method"),
+        short(survey.longest)
     )?;
     let terms: f64 = (systems.iter())
         .map(|system| history_terms(sweep, survey, system))
@@ -283,7 +301,7 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>
         y: axis("Bit speed / surface speed"),
         series: series(&|system| {
             Some(step_response(
-                &system.responses.from_surface[bit],
+                system.responses.from_surface.last()?,
                 1.0,
                 sweep,
             ))

@@ -1,10 +1,12 @@
 //! One file for each command, and what they share: exit codes, threads,
 //! progress.
 
+mod case_lines;
 pub mod check;
 mod complete;
 mod cost;
 mod folder;
+mod history;
 pub mod inspect;
 pub mod merge;
 mod motion;
@@ -114,22 +116,14 @@ fn tell(event: &serde_json::Value) {
 /// Reads a sweep file and puts the methods asked for in place of its own; or chooses
 /// one, where it asks for an accuracy.
 fn read_sweep(file: &Path, work: &WorkArguments, full: bool) -> Result<Sweep> {
-    let mut sweep = Sweep::read(file)?;
-    if sweep.content.accuracy.is_some() && !work.methods.is_empty() {
-        let message = "asks for an accuracy, which chooses the method: leave out --methods";
-        bail!(sweep.source.error("accuracy", message));
-    }
-    choose(&mut sweep, full, &work.memory.limit())?;
-    if !work.methods.is_empty() {
-        let mut names: Vec<MethodName> = Vec::new();
-        for &name in &work.methods {
-            if !names.contains(&name) {
-                names.push(name);
-            }
+    let mut methods: Vec<MethodName> = Vec::new();
+    for &name in &work.methods {
+        if !methods.contains(&name) {
+            methods.push(name);
         }
-        sweep.methods = (names.iter().map(|&name| sweep.content.method(name))).collect();
-        sweep.content.methods = names;
     }
+    let mut sweep = Sweep::read_with_methods(file, &methods)?;
+    choose(&mut sweep, full, &work.memory.limit())?;
     Ok(sweep)
 }
 
@@ -198,9 +192,16 @@ fn build_systems(
     })
 }
 
+/// Warns of parts of the string such as none are made.
+fn warn_of_string(sweep: &Sweep) {
+    for doubt in sweep.doubts_about_string() {
+        complain(&format!("warning: {doubt}"));
+    }
+}
+
 /// Warns of methods that chatter where a site sticks.
-fn warn_of_unstable(systems: &[MethodSystem]) {
-    for instability in systems.iter().filter_map(MethodSystem::instability) {
+fn warn_of_unstable<'a>(systems: impl IntoIterator<Item = &'a MethodSystem>) {
+    for instability in systems.into_iter().filter_map(MethodSystem::instability) {
         complain(&format!("warning: {instability}"));
     }
 }

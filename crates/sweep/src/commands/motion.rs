@@ -6,8 +6,9 @@ use linear::elements::reconstruction::reconstruct;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
+use super::history::has_torque;
 use super::plot::axis;
-use super::simulate::{Simulation, has_torque};
+use super::simulate::Simulation;
 use super::site_title;
 use crate::engine::Case;
 use crate::plot::{Orbit, Orbits, Panel, Panels, Reference, Series};

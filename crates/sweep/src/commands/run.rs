@@ -17,16 +17,18 @@ use super::raise::{log_of_results, raise_log};
 use super::stop::Stop;
 use super::{
     Progress, Status, TELLS_JSON, UsageError, build_systems, complain, make_folder, read_sweep,
-    results_folder, say, survey_cases, use_threads, warn_of_unstable,
+    results_folder, say, survey_cases, use_threads, warn_of_string, warn_of_unstable,
 };
 use crate::cli::{LogFormat, RunArguments};
 use crate::engine::{Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Work, pairs_of};
 use crate::files::write_with_checksum;
 use crate::memory::{Purpose, admit};
 use crate::output::{
-    About, Boundary, Manifest, Tally, boundary, labels_row, meaning, write_boundary, write_tables,
+    About, Boundary, Manifest, Repeat, Tally, boundary, labels_row, meaning, write_boundary,
+    write_tables,
 };
 use crate::spec::Sweep;
+use crate::words::{counted, together, wrapped};
 use plan::Plan;
 
 /// Runs a sweep.
@@ -37,6 +39,9 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     let stop = Stop::listen()?;
     use_threads(arguments.work.jobs)?;
     let sweep = read_sweep(&arguments.file, &arguments.work, arguments.full)?;
+    if !arguments.quiet {
+        warn_of_string(&sweep);
+    }
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let survey = survey_cases(&arguments.file, &sweep)?;
     let mut folder = results_folder(arguments.out.as_ref(), &sweep);
@@ -171,8 +176,8 @@ fn tell_of_start(log: &Log, systems: &[MethodSystem]) {
 pub fn warn_of_broken_lines(log: &Log) {
     if log.broken_lines() > 0 {
         complain(&format!(
-            "warning: {} lines of the log were not whole; their cases are run again",
-            log.broken_lines()
+            "warning: {} of the log not whole; those cases are run again",
+            counted(log.broken_lines(), "line")
         ));
     }
 }
@@ -193,23 +198,19 @@ impl Session<'_> {
         let (arguments, sweep) = (self.arguments, self.sweep);
         if arguments.fail_fast && log.failed() > 0 {
             bail!(
-                "{} cases have no answer already (--fail-fast)",
-                log.failed()
+                "{} without an answer already (--fail-fast)",
+                counted(log.failed(), "case")
             );
         }
         let is_done = log.done();
-        let places: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
-        let keep = |row: Row| -> Result<()> {
+        let keep = |method: usize, row: Row| -> Result<()> {
             let reason = match &row.outcome {
                 RowOutcome::Done(_) => None,
                 RowOutcome::Failed(reason) => Some(reason.clone()),
             };
             log.append(&Record {
                 case: row.case,
-                method: places
-                    .iter()
-                    .position(|name| *name == row.method)
-                    .unwrap_or(0),
+                method,
                 row: labels_row(sweep, &row),
                 reason: reason.clone(),
             })?;
@@ -239,7 +240,12 @@ impl Session<'_> {
     fn finish(&self, limit: &Boundary, log: &Log) -> Result<Status> {
         let (arguments, sweep, shard, folder) =
             (self.arguments, self.sweep, self.shard, self.folder);
-        let tables = write_tables(sweep, &arguments.file, log, folder)?;
+        let repeat = Repeat {
+            sweep_file: &arguments.file,
+            chooses_method: sweep.choice.is_some(),
+            terms: arguments.terms(),
+        };
+        let tables = write_tables(sweep, &repeat, log, folder)?;
         let limit = write_with_checksum(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
         let seconds = self.start.elapsed().as_secs_f64();
         let mut manifest = Manifest::new(
@@ -274,26 +280,26 @@ pub fn status_of(manifest: &Manifest) -> Status {
     }
 }
 
-/// The labels of each method, in a line for each motion.
-fn label_counts(tally: &Tally) -> Vec<String> {
-    let mut lines = Vec::new();
+/// The labels of each method, in a paragraph for each motion.
+fn label_counts(tally: &Tally) -> String {
+    let mut text = String::new();
     for method in tally.labels.keys() {
         let lists = tally.by_motion(method);
         let has_two = lists.len() > 1;
         for (motion, labels) in lists {
             let counts = labels
                 .iter()
-                .map(|(label, count)| format!("{count} {label}"));
+                .map(|(label, count)| together(&format!("{count} {label}")));
             let counts: Vec<String> = counts.collect();
             let of = if has_two {
                 format!(", {}", motion.adjective())
             } else {
                 String::new()
             };
-            lines.push(format!("{method}{of}: {}", counts.join(", ")));
+            text += &wrapped(&format!("{method}{of}: {}", counts.join(", ")), 2, 4);
         }
     }
-    lines
+    text
 }
 
 /// What came out, in a few lines.
@@ -302,29 +308,27 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     let rows = manifest.tally.rows;
     writeln!(
         text,
-        "{}: {} cases by {} methods in {:.2} s",
+        "{}: {} by {} in {:.2} s",
         manifest.name,
-        rows / manifest.methods.len().max(1),
-        manifest.methods.len(),
+        counted(rows / manifest.methods.len().max(1), "case"),
+        counted(manifest.methods.len(), "method"),
         manifest.wall_seconds
     )?;
     if let Some(choice) = &manifest.accuracy {
-        writeln!(text, "  {choice}")?;
+        text += &choice.lines(2);
     }
-    for line in label_counts(&manifest.tally) {
-        writeln!(text, "  {line}")?;
-    }
+    text += &label_counts(&manifest.tally);
     if manifest.tally.failed > 0 {
         let failed = manifest.tally.failed;
-        writeln!(text, "  {failed} of {rows} rows failed: see failures.csv")?;
+        let rows = counted(rows, "row");
+        writeln!(text, "  {failed} of {rows} failed: see failures.csv")?;
     }
     if manifest.tally.settled_wrong > 0 {
         let (wrong, checked) = (manifest.tally.settled_wrong, manifest.tally.settled_checked);
-        writeln!(
-            text,
-            "  {wrong} of {checked} settled cases that were followed to the end changed their \
-             label: use --full"
-        )?;
+        let checked = counted(checked, "settled case");
+        let words =
+            format!("{wrong} of {checked} followed to the end changed the label: use --full");
+        text += &wrapped(&words, 2, 4);
     }
     let map = if drawn { "map.svg, map.png, " } else { "" };
     writeln!(text, "{map}labels.csv and more are in {}", folder.display())?;

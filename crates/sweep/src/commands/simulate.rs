@@ -1,51 +1,63 @@
 //! `sweep simulate`: a case in full (Figs. 7, 8, 10–13, 15 and 16), or a few
-//! beside each other.
+//! beside each other. A case of the sweep is the case that `run` runs: the same
+//! linear systems, built for as long, and the same row; its history is followed to the
+//! end of its time.
 
-use std::fmt::Write;
 use std::path::Path;
 
-use anyhow::{Result, bail};
-use linear::Sites;
+use anyhow::{Context, Result, bail};
 use sim::{Outcome, Stopping, Trajectory};
 
+use super::case_lines::case_lines;
+use super::history::history_csv;
 use super::motion::{along_string, history_panels, site_orbits};
 use super::plot::save_picture;
 use super::{
-    Status, UsageError, build_systems, make_folder, read_sweep, results_folder, say, site_title,
-    use_threads, warn_of_unstable,
+    Status, UsageError, build_systems, complain, make_folder, read_sweep, results_folder, say,
+    use_threads, warn_of_string, warn_of_unstable,
 };
 use crate::cli::SimulateArguments;
-use crate::engine::{Case, Survey};
+use crate::engine::{Case, MethodSystem, Row, RowOutcome, Survey, Terms, longest_beside};
 use crate::memory::{Purpose, admit};
-use crate::output::write_atomically;
+use crate::output::{labels_header, labels_row, write_atomically};
 use crate::plot::{orbits, panels};
-use crate::spec::{Axis, Conditions, Setting, Sweep, check_setting, to_rpm};
+use crate::spec::{Axis, Conditions, Setting, Sweep, check_setting};
+use crate::words::short;
 
 /// One method's answer to one case.
 pub struct Simulation {
-    case: usize,
-    method: &'static str,
+    /// Number of the case.
+    pub case: usize,
+    /// Name of the method.
+    pub method: &'static str,
     /// What it is called in pictures.
     pub name: String,
     /// Its time history.
     pub trajectory: Trajectory,
-    outcome: Outcome,
+    /// What a run answers.
+    pub answer: Outcome,
+    /// The site that decides the lateral label of that, m from the bit.
+    pub site_from_bit_m: Option<f64>,
+    /// What came out, followed to the end of the time.
+    pub followed: Outcome,
 }
 
 /// Simulates the chosen cases with every method and keeps their time histories.
 pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
-    let mut sweep = read_sweep(&arguments.file, &arguments.work, false)?;
+    let mut sweep = read_sweep(&arguments.file, &arguments.work, arguments.full)?;
+    warn_of_string(&sweep);
     let choices = (unique(&arguments.case).into_iter())
         .map(|index| Choice::new(&sweep, arguments, index))
         .collect::<Result<Vec<_>>>()?;
-    sweep.setting = common_setting(&sweep, &choices)?;
+    sweep.setting = match common_setting(&sweep, &choices)? {
+        Ok(setting) => setting,
+        Err(reason) => return tell_of_failures(&failed_rows(&sweep, &choices, &reason)),
+    };
     let cases = (choices.into_iter())
-        .map(|choice| choice.case(&sweep))
+        .map(|choice| choice.case(&sweep, &arguments.file))
         .collect::<Result<Vec<_>>>()?;
-    let folder = results_folder(arguments.out.as_ref(), &sweep);
-    let durations = cases.iter().map(|case| case.scene.timing.duration);
-    let longest = durations.fold(0.0, f64::max);
+    let longest = cases.iter().map(|chosen| chosen.longest).fold(0.0, f64::max);
     let survey = Survey {
         longest,
         ..Survey::default()
@@ -53,40 +65,190 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     let purpose = Purpose::Histories(cases.len());
     let limit = arguments.work.memory.limit();
     admit(&sweep, &sweep.setting, &survey, purpose, &limit)?;
-    let systems = build_systems(&arguments.file, &sweep, &sweep.setting, longest)?;
-    make_folder(&folder)?;
-    warn_of_unstable(&systems);
-    let pairs = cases
-        .iter()
-        .flat_map(|case| systems.iter().map(move |system| (case, system)));
-    let simulations = pairs
-        .map(|(case, system)| {
-            let mut trajectory = Trajectory::default();
-            let outcome = system.simulate(case, Stopping::Full, Some(&mut trajectory))?;
-            Ok(Simulation {
-                case: case.index,
-                method: system.method.name(),
-                name: name(&sweep, case, system.method.name(), cases.len()),
-                trajectory,
-                outcome,
-            })
-        })
-        .collect::<Result<Vec<_>>>()?;
-    let step = 1.0 / sweep.setting.sampling_frequency;
-    write_atomically(
-        &folder.join("history.csv"),
-        &history_csv(&simulations, &sweep.setting.sites, step)?,
-    )?;
-    let picture = panels(&history_panels(&sweep, &cases, &simulations, step))?;
-    save_picture(&folder, "history", &picture)?;
-    if let Some(lateral) = &sweep.setting.lateral {
-        let orbits = orbits(&site_orbits(&sweep, &simulations))?;
-        save_picture(&folder, "orbit", &orbits)?;
-        let along = along_string(&sweep, lateral, &simulations)?;
-        save_picture(&folder, "string", &panels(&along)?)?;
+    let (rows, simulations) = simulate_all(&sweep, arguments, &cases)?;
+    let cases: Vec<Case> = cases.into_iter().map(|chosen| chosen.case).collect();
+    if !simulations.is_empty() {
+        let folder = results_folder(arguments.out.as_ref(), &sweep);
+        make_folder(&folder)?;
+        write_files(&sweep, &cases, &rows, &simulations, &folder)?;
+        say(&case_lines(&sweep, &cases, &simulations, &folder)?)?;
     }
-    say(&summary(&sweep, &cases, &simulations, &folder)?)?;
-    Ok(Status::Complete)
+    tell_of_failures(&rows)
+}
+
+/// The row of every case and method, as a run has it, and the motion of each that has
+/// an answer.
+fn simulate_all(
+    sweep: &Sweep,
+    arguments: &SimulateArguments,
+    cases: &[ChosenCase],
+) -> Result<(Vec<Row>, Vec<Simulation>)> {
+    let terms = Terms {
+        full: arguments.full,
+        // Where all cases share a string, a run refuses the method before any row:
+        // what it would do can be looked at here.
+        allow_unstable: arguments.allow_unstable || !sweep.design.varies_string(),
+    };
+    let mut built: Vec<Systems> = Vec::new();
+    let (mut rows, mut simulations) = (Vec::new(), Vec::new());
+    for ChosenCase { case, longest } in cases {
+        let known = built.iter().position(|systems| systems.longest == *longest);
+        let place = match known {
+            Some(place) => place,
+            None => {
+                built.push(Systems::build(&arguments.file, sweep, terms, *longest)?);
+                built.len() - 1
+            }
+        };
+        for (system, method) in built[place].methods.iter().zip(&sweep.methods) {
+            let row = match system {
+                Ok(systems) => systems.case.answer(case, terms),
+                Err(reason) => {
+                    let values = case.values.clone();
+                    Row::failed(case.index, method.name(), values, reason.clone())
+                }
+            };
+            if let (Ok(systems), RowOutcome::Done(answer)) = (system, &row.outcome) {
+                let (trajectory, followed) = systems.follow(case)?;
+                simulations.push(Simulation {
+                    case: case.index,
+                    method: row.method,
+                    name: name(sweep, case, row.method, cases.len()),
+                    trajectory,
+                    answer: *answer,
+                    site_from_bit_m: row.site_from_bit_m,
+                    followed,
+                });
+            }
+            rows.push(row);
+        }
+    }
+    Ok((rows, simulations))
+}
+
+/// The linear systems of the chosen string, or why a method has none.
+struct Systems {
+    /// What they are built for, s.
+    longest: f64,
+    methods: Vec<Result<MethodSystems, String>>,
+}
+
+/// The linear systems of one method.
+struct MethodSystems {
+    /// What a run steps a case against.
+    case: MethodSystem,
+    /// The same with the places that are just looked at: they would change the mesh
+    /// of finite elements, and so the case.
+    watched: Option<MethodSystem>,
+}
+
+impl Systems {
+    fn build(file: &Path, sweep: &Sweep, terms: Terms, longest: f64) -> Result<Self> {
+        let setting = sweep.setting.for_labels();
+        let systems: Vec<Result<MethodSystem>> = if sweep.design.varies_string() {
+            MethodSystem::build_each(sweep, &setting, longest)
+        } else {
+            // A run would not begin.
+            let systems = build_systems(file, sweep, &setting, longest)?;
+            systems.into_iter().map(Ok).collect()
+        };
+        if terms.allow_unstable {
+            warn_of_unstable(systems.iter().flatten());
+        }
+        let is_watched = sweep.setting.sites.len() > setting.sites.len();
+        let watched = |method| {
+            is_watched
+                .then(|| MethodSystem::build(&sweep.setting, method, sweep.bit.is_some(), longest))
+                .transpose()
+        };
+        let methods = systems
+            .into_iter()
+            .map(|system| match system {
+                Ok(case) => Ok(Ok(MethodSystems {
+                    watched: watched(case.method)?,
+                    case,
+                })),
+                Err(error) => Ok(Err(format!("{error:#}"))),
+            })
+            .collect::<Result<_>>()?;
+        Ok(Self { longest, methods })
+    }
+}
+
+impl MethodSystems {
+    /// The motion of a case to the end of its time.
+    fn follow(&self, case: &Case) -> Result<(Trajectory, Outcome)> {
+        let mut motion = Trajectory::default();
+        let simulated = self.case.simulate(case, Stopping::Full, Some(&mut motion));
+        let outcome = simulated.with_context(|| {
+            let method = self.case.method.name();
+            format!("case {} by {method}, followed to its end", case.index)
+        })?;
+        if let Some(watched) = &self.watched
+            && let Some(mut speeds) = watched.driven_speeds(case, &motion)
+        {
+            // The bit, which is the last, has been simulated.
+            speeds.pop();
+            speeds.append(&mut motion.speeds);
+            motion.speeds = speeds;
+        }
+        Ok((motion, outcome))
+    }
+}
+
+/// `history.csv`, `case.csv` and the pictures.
+fn write_files(
+    sweep: &Sweep,
+    cases: &[Case],
+    rows: &[Row],
+    simulations: &[Simulation],
+    folder: &Path,
+) -> Result<()> {
+    let step = 1.0 / sweep.setting.sampling_frequency;
+    let history = history_csv(simulations, &sweep.setting.sites, step)?;
+    write_atomically(&folder.join("history.csv"), &history)?;
+    write_atomically(&folder.join("case.csv"), case_csv(sweep, rows).as_bytes())?;
+    let picture = panels(&history_panels(sweep, cases, simulations, step))?;
+    save_picture(folder, "history", &picture)?;
+    if let Some(lateral) = &sweep.setting.lateral {
+        let orbits = orbits(&site_orbits(sweep, simulations))?;
+        save_picture(folder, "orbit", &orbits)?;
+        let along = along_string(sweep, lateral, simulations)?;
+        save_picture(folder, "string", &panels(&along)?)?;
+    }
+    Ok(())
+}
+
+/// `case.csv`: the rows that `labels.csv` has of these cases.
+fn case_csv(sweep: &Sweep, rows: &[Row]) -> String {
+    let rows = rows.iter().map(|row| labels_row(sweep, row));
+    let lines = std::iter::once(labels_header(sweep)).chain(rows);
+    lines.map(|line| line + "\n").collect()
+}
+
+/// Rows of cases whose string cannot be.
+fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &str) -> Vec<Row> {
+    let of_choice = |choice: &Choice| -> Vec<Row> {
+        let row = |name| Row::failed(choice.index, name, choice.values.clone(), reason.to_owned());
+        let methods = sweep.methods.iter();
+        methods.map(|method| row(method.name())).collect()
+    };
+    choices.iter().flat_map(of_choice).collect()
+}
+
+/// Says which cases have no answer, and why.
+fn tell_of_failures(rows: &[Row]) -> Result<Status> {
+    let mut status = Status::Complete;
+    for row in rows {
+        if let RowOutcome::Failed(reason) = &row.outcome {
+            let (case, method) = (row.case, row.method);
+            complain(&format!(
+                "error: case {case} by {method} has no answer: {reason}"
+            ));
+            status = Status::SomeFailed;
+        }
+    }
+    Ok(status)
 }
 
 /// The method, and what sets the case apart where there are several.
@@ -95,13 +257,8 @@ fn name(sweep: &Sweep, case: &Case, method: &str, cases: usize) -> String {
         return method.to_owned();
     }
     let axes = sweep.design.axes().iter().zip(&case.values);
-    let values = axes.map(|(axis, value)| format!("{} = {}", axis.symbol(), shortened(*value)));
+    let values = axes.map(|(axis, value)| format!("{} = {}", axis.symbol(), short(*value)));
     format!("{}, {method}", values.collect::<Vec<_>>().join(", "))
-}
-
-/// A number in four digits.
-fn shortened(value: f64) -> f64 {
-    format!("{value:.3e}").parse().unwrap_or(value)
 }
 
 fn unique(indices: &[usize]) -> Vec<usize> {
@@ -114,6 +271,12 @@ fn unique(indices: &[usize]) -> Vec<usize> {
     unique
 }
 
+/// A case, and for how long its linear systems are built, s.
+struct ChosenCase {
+    case: Case,
+    longest: f64,
+}
+
 /// A case with what the command line changes of it.
 struct Choice {
     index: usize,
@@ -121,6 +284,8 @@ struct Choice {
     conditions: Conditions,
     /// Quantities of the string, by axes and by `--set`.
     string: Vec<(Axis, f64)>,
+    /// Whether `--set` gives one of them: no run has this string.
+    sets_string: bool,
 }
 
 impl Choice {
@@ -139,12 +304,7 @@ impl Choice {
         for &(axis, value) in &arguments.set {
             check_setting(axis, value)
                 .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
-            if matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm) && sweep.bit.is_none() {
-                bail!(UsageError(format!(
-                    "--set {}: the bit is free in this sweep",
-                    axis.name()
-                )));
-            }
+            refuse_idle(sweep, axis)?;
             conditions = conditions.with(axis, value);
             for (own, slot) in axes.iter().zip(&mut values) {
                 if *own == axis {
@@ -155,16 +315,23 @@ impl Choice {
         refuse_weight_without_rock(sweep, &conditions)?;
         let of_axes = axes.iter().copied().zip(values.iter().copied());
         let all = of_axes.chain(arguments.set.iter().copied());
-        let string = all.filter(|(axis, _)| matches!(axis, Axis::String(_)));
+        let is_of_string = |(axis, _): &(Axis, f64)| matches!(axis, Axis::String(_));
         Ok(Self {
             index,
-            string: string.collect(),
+            string: all.filter(is_of_string).collect(),
+            sets_string: arguments.set.iter().any(is_of_string),
             values,
             conditions,
         })
     }
 
-    fn case(self, sweep: &Sweep) -> Result<Case> {
+    fn case(self, sweep: &Sweep, file: &Path) -> Result<ChosenCase> {
+        let beside = if self.sets_string {
+            0.0
+        } else {
+            longest_beside(sweep, &sweep.setting, self.index)
+                .map_err(|reason| UsageError(format!("{}: {reason}", file.display())))?
+        };
         let case = Case::under(
             sweep,
             &sweep.setting,
@@ -174,19 +341,43 @@ impl Choice {
         )
         .map_err(UsageError)?;
         sweep.impulses_are_felt(case.index, case.scene.timing.duration)?;
-        Ok(case)
+        Ok(ChosenCase {
+            longest: beside.max(case.scene.timing.duration),
+            case,
+        })
     }
 }
 
-/// The string of all chosen cases, which are drawn in one picture.
-fn common_setting(sweep: &Sweep, choices: &[Choice]) -> Result<Setting> {
+/// Refuses to set what nothing in the sweep depends on.
+fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
+    let lateral = sweep.setting.lateral.as_ref();
+    let has_ratio =
+        lateral.is_some_and(|lateral| lateral.impulses.iter().any(|impulse| impulse.relative));
+    let why = match axis {
+        Axis::WeightOnBitKn | Axis::TorqueDynamicNm if sweep.bit.is_none() => {
+            "the bit is free in this sweep"
+        }
+        Axis::Friction if lateral.is_none() => "there is no wall in this sweep",
+        Axis::ImpulseRatio if !has_ratio => "no impulse of this sweep is in multiples of I₀",
+        _ => return Ok(()),
+    };
+    bail!(UsageError(format!("--set {}: {why}", axis.name())))
+}
+
+/// The string of all chosen cases, which are drawn in one picture, or why they have
+/// none.
+fn common_setting(sweep: &Sweep, choices: &[Choice]) -> Result<Result<Setting, String>> {
     let string = choices.first().map_or(&[][..], |choice| &choice.string);
     if choices.iter().any(|choice| choice.string != string) {
         bail!(UsageError(
             "--case: cases of different strings cannot be drawn beside each other".to_owned()
         ));
     }
-    Ok(sweep.setting_with(string.iter().copied())?.into_owned())
+    match sweep.setting_with(string.iter().copied()) {
+        Ok(setting) => Ok(Ok(setting.into_owned())),
+        Err(error) if choices.iter().any(|choice| choice.sets_string) => Err(error.into()),
+        Err(error) => Ok(Err(error.to_string())),
+    }
 }
 
 fn refuse_weight_without_rock(sweep: &Sweep, conditions: &Conditions) -> Result<()> {
@@ -195,141 +386,6 @@ fn refuse_weight_without_rock(sweep: &Sweep, conditions: &Conditions) -> Result<
         bail!(UsageError(
             "a weight on bit needs a rock to give a torque".to_owned()
         ));
-    }
-    Ok(())
-}
-
-fn site_name(distance: f64) -> String {
-    if distance == 0.0 {
-        "bit".to_owned()
-    } else {
-        format!("{distance}m_above_bit")
-    }
-}
-
-/// `history.csv`: a row a step, method and case. The torque on bit is counted
-/// positive against the rotation, as drillers do.
-fn history_csv(simulations: &[Simulation], sites: &Sites, step: f64) -> Result<Vec<u8>> {
-    let with_torque = has_torque(simulations);
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let mut header = ["case", "method", "time_s"].map(str::to_owned).to_vec();
-    let distances = sites.distances_from_bit().iter();
-    header.extend(distances.map(|&distance| format!("{}_speed_rpm", site_name(distance))));
-    header.extend(with_torque.then(|| "torque_on_bit_nm".to_owned()));
-    let with_positions = has_positions(simulations);
-    if with_positions {
-        for &distance in sites.distances_from_bit() {
-            let site = site_name(distance);
-            let columns = ["x_mm", "y_mm", "wall_force_x_n", "wall_force_y_n"];
-            header.extend(columns.map(|column| format!("{site}_{column}")));
-        }
-    }
-    writer.write_record(&header)?;
-    for simulation in simulations {
-        let trajectory = &simulation.trajectory;
-        for index in 0..trajectory.speeds[0].len() {
-            let mut fields = vec![
-                simulation.case.to_string(),
-                simulation.method.to_owned(),
-                (index as f64 * step).to_string(),
-            ];
-            let speeds = trajectory.speeds.iter();
-            fields.extend(speeds.map(|speeds| to_rpm(speeds[index]).to_string()));
-            if with_torque {
-                fields.push((-trajectory.bit_torque[index]).to_string());
-            }
-            if with_positions {
-                for (positions, forces) in trajectory.positions.iter().zip(&trajectory.wall_forces)
-                {
-                    fields.extend(positions[index].map(|value| (1e3 * value).to_string()));
-                    fields.extend(forces[index].map(|value| value.to_string()));
-                }
-            }
-            writer.write_record(&fields)?;
-        }
-    }
-    Ok(writer.into_inner()?)
-}
-
-/// Whether there is a torque at the bit.
-pub fn has_torque(simulations: &[Simulation]) -> bool {
-    simulations
-        .iter()
-        .any(|simulation| !simulation.trajectory.bit_torque.is_empty())
-}
-
-fn has_positions(simulations: &[Simulation]) -> bool {
-    simulations
-        .iter()
-        .any(|simulation| !simulation.trajectory.positions.is_empty())
-}
-
-fn summary(
-    sweep: &Sweep,
-    cases: &[Case],
-    simulations: &[Simulation],
-    folder: &Path,
-) -> Result<String> {
-    let mut text = String::new();
-    for case in cases {
-        let rpm = to_rpm(case.scene.surface_speed);
-        let torque = case
-            .torque_dynamic_nm
-            .map_or_else(String::new, |torque| format!(", T_d = {torque:.1} N m"));
-        writeln!(text, "Ω = {rpm:.4} rpm{torque}")?;
-        let own = simulations
-            .iter()
-            .filter(|simulation| simulation.case == case.index);
-        for simulation in own {
-            write_outcome(&mut text, sweep, simulation)?;
-        }
-    }
-    writeln!(
-        text,
-        "history.svg, history.png and history.csv are in {}",
-        folder.display()
-    )?;
-    Ok(text)
-}
-
-/// What came out, in bending and in torsion.
-fn write_outcome(
-    text: &mut String,
-    sweep: &Sweep,
-    simulation: &Simulation,
-) -> Result<(), std::fmt::Error> {
-    if let Some(lateral) = simulation.outcome.lateral {
-        let distance = sweep.setting.sites.distances_from_bit()[lateral.site];
-        writeln!(
-            text,
-            "  {}: {}, at {} in contact {:.0} % of the closing window, r = {:.2} mm, \
-             {:.2} turns/s, F_N = {:.2} kN",
-            simulation.name,
-            lateral.regime.name(),
-            site_title(distance),
-            100.0 * lateral.contact_fraction,
-            1e3 * lateral.mean_radius,
-            lateral.precession_rate / std::f64::consts::TAU,
-            1e-3 * lateral.mean_normal_force,
-        )?;
-    }
-    if let Some(torsion) = simulation.outcome.torsion {
-        let seconds = |value: Option<f64>| {
-            value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3} s"))
-        };
-        writeln!(
-            text,
-            "  {}: {}, first slip {}, period {}, slipping {}, {} sticks, peak {:.4} rpm",
-            simulation.name,
-            torsion.regime.name(),
-            seconds(torsion.first_slip),
-            seconds(torsion.period),
-            seconds(torsion.slip_time),
-            torsion.sticks,
-            to_rpm(torsion.peak_speed),
-        )?;
-    } else if simulation.outcome.lateral.is_none() {
-        writeln!(text, "  {}: the bit is free", simulation.name)?;
     }
     Ok(())
 }

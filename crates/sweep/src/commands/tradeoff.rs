@@ -15,6 +15,7 @@ use crate::study::tradeoff::{
     CASE_SECONDS, CASES, Cheapest, Measure, PaperRatio, PaperSteps, Row, cheapest, configurations,
     front, orders, study,
 };
+use crate::words::wrapped;
 
 /// Accuracies that the printed table answers for.
 const ACCURACIES: [f64; 3] = [0.1, 0.01, 0.001];
@@ -189,14 +190,15 @@ fn describe_orders(rows: &[Row]) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     writeln!(text, "observed orders of convergence in 1/f_s")?;
     for measure in measures(rows) {
-        for order in orders(rows, measure) {
+        let orders = orders(rows, measure);
+        if !orders.is_empty() {
+            writeln!(text, "  {}", measure.name())?;
+        }
+        for order in orders {
             writeln!(
                 text,
-                "  {:25}{:42}{:5.2} up to {} Hz",
-                measure.name(),
-                order.title,
-                order.order,
-                order.highest
+                "    {:42}{:5.2} up to {} Hz",
+                order.title, order.order, order.highest
             )?;
         }
     }
@@ -206,12 +208,12 @@ fn describe_orders(rows: &[Row]) -> Result<String, std::fmt::Error> {
 fn describe_cheapest(rows: &[Row], steps: &PaperSteps) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     for accuracy in ACCURACIES {
-        writeln!(
-            text,
-            "\ncheapest within {} %: time for {CASES} cases of {CASE_SECONDS} s, and how many times \
+        let heading = format!(
+            "cheapest within {} %: time for {CASES} cases of {CASE_SECONDS} s, and how many times \
              dearer the paper's filters and elements are",
             100.0 * accuracy
-        )?;
+        );
+        text += &format!("\n{}", wrapped(&heading, 0, 2));
         let answers: Vec<Cheapest> = (measures(rows).into_iter())
             .map(|measure| cheapest(rows, steps, measure, accuracy))
             .collect();
@@ -223,21 +225,21 @@ fn describe_cheapest(rows: &[Row], steps: &PaperSteps) -> Result<String, std::fm
                 let ratios = answers.iter().filter_map(|answer| answer.paper[index]);
                 ratios.filter(|paper| ratio(*paper) >= 10.0).count()
             };
-            writeln!(
-                text,
-                "  ten times cheaper than the paper's {paper} at 640 Hz: {} of {} stepped as \
+            let words = format!(
+                "ten times cheaper than the paper's {paper} at 640 Hz: {} of {} stepped as \
                  here, {} in the paper's own way",
                 tenfold(|paper| paper.stepped_here),
                 answers.len(),
                 tenfold(|paper| paper.own_way)
-            )?;
+            );
+            text += &wrapped(&words, 2, 4);
         }
     }
     Ok(text)
 }
 
-/// One measure: configuration, cost, and how many times dearer the paper's filters
-/// and its elements are, stepped as here.
+/// One measure: cost, how many times dearer the paper's filters and its elements are,
+/// stepped as here, and below them the configuration.
 fn line(answer: &Cheapest) -> String {
     let Some(row) = answer.row else {
         return format!("  {:25}none", answer.measure.name());
@@ -249,15 +251,12 @@ fn line(answer: &Cheapest) -> String {
     let [filter, elements] = answer.paper;
     let configuration = &row.configuration;
     format!(
-        "  {:25}{:45}{:>8.3} s   {:>6} {:>6}",
+        "  {:25}{:>8.3} s   {:>6} {:>6}\n    {} at {} Hz",
         answer.measure.name(),
-        format!(
-            "{} at {} Hz",
-            configuration.title(),
-            configuration.sampling_frequency
-        ),
         row.cost(),
         ratio(filter),
-        ratio(elements)
+        ratio(elements),
+        configuration.title(),
+        configuration.sampling_frequency
     )
 }

@@ -15,6 +15,8 @@ pub struct List {
     /// The numbers of the cases of each string, in the order in which the
     /// strings first appear.
     strings: Vec<Vec<usize>>,
+    /// The string of each case.
+    string_of: Vec<usize>,
 }
 
 impl List {
@@ -57,10 +59,15 @@ impl List {
         &self.strings[string]
     }
 
+    pub(super) fn string_of(&self, index: usize) -> usize {
+        self.string_of[index]
+    }
+
     /// Cases with given values along given axes, which are in order.
     pub fn new(axes: Vec<Axis>, cases: Vec<Vec<f64>>) -> Self {
         let of_string = count_string_axes(&axes);
         let mut strings: Vec<Vec<usize>> = Vec::new();
+        let mut string_of = Vec::with_capacity(cases.len());
         let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
         for (index, values) in cases.iter().enumerate() {
             let key = values[..of_string].iter().map(|value| value.to_bits());
@@ -69,11 +76,13 @@ impl List {
                 strings.push(Vec::new());
             }
             strings[string].push(index);
+            string_of.push(string);
         }
         Self {
             axes,
             cases,
             strings,
+            string_of,
         }
     }
 }

@@ -169,6 +169,21 @@ impl Design {
     }
 }
 
+impl Design {
+    /// Which of the strings case `index` has.
+    pub fn string_of(&self, index: usize) -> usize {
+        if !self.varies_string() {
+            return 0;
+        }
+        match self {
+            Design::Single => 0,
+            Design::Grid(grid) => index / grid.cases_per_string(),
+            Design::MonteCarlo(_) => index,
+            Design::List(list) => list.string_of(index),
+        }
+    }
+}
+
 /// A key that belongs to another kind of design would be ignored: refuse it.
 fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), SpecError> {
     let given = [

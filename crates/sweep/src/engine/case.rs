@@ -128,6 +128,20 @@ pub struct Row {
     pub outcome: RowOutcome,
 }
 
+impl Row {
+    /// The row of a case that could not be begun.
+    pub fn failed(case: usize, method: &'static str, values: Vec<f64>, reason: String) -> Self {
+        Self {
+            case,
+            method,
+            values,
+            torque_dynamic_nm: None,
+            site_from_bit_m: None,
+            outcome: RowOutcome::Failed(reason),
+        }
+    }
+}
+
 /// A case's outcome, or why it has none.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RowOutcome {

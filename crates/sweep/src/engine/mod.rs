@@ -13,7 +13,7 @@ pub use case::{Case, Row, RowOutcome};
 pub use log::{Header, Log, LogError, LogView, Place, Record, log_place, read_about, read_header};
 pub use memory::StringMemory;
 pub use shard::Shard;
-pub use survey::{Survey, setting_of, survey};
+pub use survey::{Survey, longest_beside, setting_of, survey};
 pub use systems::{MethodSystem, is_unstable};
 pub use terms::Terms;
 
@@ -22,13 +22,11 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use anyhow::Result;
 use rayon::prelude::*;
-use sim::Stopping;
 
 use crate::spec::Sweep;
 
-/// One case in so many is followed to its end even if it settles, to count how
-/// often that was wrong.
-const CHECKED_PART: usize = 16;
+/// What becomes of a row, by the method with a place in the sweep's list.
+pub type Keep<'a> = &'a (dyn Fn(usize, Row) -> Result<()> + Sync);
 
 /// The part of a sweep that is to be run.
 pub struct Work<'a> {
@@ -59,27 +57,24 @@ pub fn pairs_of(sweep: &Sweep, shard: Shard) -> usize {
     cases.sum::<usize>() * sweep.methods.len()
 }
 
-/// The linear systems of one string, or why it has none.
+/// The linear system of each method for one string, or why it has none.
 struct Built<'a> {
     string: usize,
-    systems: Result<&'a [MethodSystem], &'a str>,
+    systems: Vec<Result<&'a MethodSystem, &'a str>>,
 }
 
 impl Work<'_> {
     /// Runs every open pair of case and method, in about the order of the cases,
-    /// and hands each row to `keep`; its first error ends the work. `base` is
-    /// the system of the string as the sweep file says it.
+    /// and hands the method's place in the sweep's list and the row to `keep`; its
+    /// first error ends the work. `base` is the system of the string as the sweep
+    /// file says it.
     ///
     /// # Errors
     /// What `keep` returned.
-    pub fn run(
-        &self,
-        base: &[MethodSystem],
-        keep: &(dyn Fn(Row) -> Result<()> + Sync),
-    ) -> Result<()> {
+    pub fn run(&self, base: &[MethodSystem], keep: Keep) -> Result<()> {
         let strings = self.sweep.design.strings();
         if !self.sweep.design.varies_string() {
-            let systems = Ok(base);
+            let systems = base.iter().map(Ok).collect();
             return self.run_batch(&[Built { string: 0, systems }], keep);
         }
         let batch = self.strings_at_once;
@@ -92,7 +87,9 @@ impl Work<'_> {
             let built: Vec<Built> = (systems.iter())
                 .map(|(string, systems)| Built {
                     string: *string,
-                    systems: systems.as_deref().map_err(String::as_str),
+                    systems: (systems.iter())
+                        .map(|system| system.as_ref().map_err(String::as_str))
+                        .collect(),
                 })
                 .collect();
             self.run_batch(&built, keep)?;
@@ -120,16 +117,31 @@ impl Work<'_> {
         self.shard.has(strings, string, cases, position) && (self.is_open)(case, method)
     }
 
-    fn build(&self, string: usize) -> Result<Vec<MethodSystem>, String> {
-        let setting = survey::setting_of(self.sweep, string).map_err(|error| error.to_string())?;
-        let longest = survey::of_string(self.sweep, &setting, string)?.longest;
-        MethodSystem::build_all(self.sweep, &setting.for_labels(), longest)
-            .map_err(|error| format!("{error:#}"))
+    fn build(&self, string: usize) -> Vec<Result<MethodSystem, String>> {
+        let build = || -> Result<_, String> {
+            let setting = survey::setting_of(self.sweep, string);
+            let setting = setting.map_err(|error| error.to_string())?;
+            let longest = survey::of_string(self.sweep, &setting, string)?.longest;
+            Ok(MethodSystem::build_each(
+                self.sweep,
+                &setting.for_labels(),
+                longest,
+            ))
+        };
+        match build() {
+            Ok(systems) => (systems.into_iter())
+                .map(|system| system.map_err(|error| format!("{error:#}")))
+                .collect(),
+            Err(reason) => {
+                let methods = self.sweep.methods.iter();
+                methods.map(|_| Err(reason.clone())).collect()
+            }
+        }
     }
 
     /// Threads take the next pair each until none is left, so that no thread is
     /// idle while another has a queue.
-    fn run_batch(&self, built: &[Built], keep: &(dyn Fn(Row) -> Result<()> + Sync)) -> Result<()> {
+    fn run_batch(&self, built: &[Built], keep: Keep) -> Result<()> {
         let methods = self.sweep.methods.len();
         let mut ends = Vec::with_capacity(built.len());
         let mut total = 0;
@@ -163,25 +175,7 @@ impl Work<'_> {
         }
     }
 
-    /// Of the cases that may stop when they have settled, some are followed to
-    /// the end.
-    fn stopping(&self, case: usize) -> Stopping {
-        if self.terms.full {
-            Stopping::Full
-        } else if case.is_multiple_of(CHECKED_PART) {
-            Stopping::Checked
-        } else {
-            Stopping::Early
-        }
-    }
-
-    fn run_pair(
-        &self,
-        built: &Built,
-        position: usize,
-        method: usize,
-        keep: &(dyn Fn(Row) -> Result<()> + Sync),
-    ) -> Result<()> {
+    fn run_pair(&self, built: &Built, position: usize, method: usize, keep: Keep) -> Result<()> {
         let index = self
             .sweep
             .design
@@ -190,27 +184,15 @@ impl Work<'_> {
         if !self.wants(built.string, position, index, method) {
             return Ok(());
         }
-        let row = built
-            .systems
-            .map_err(str::to_owned)
-            .and_then(|systems| {
-                let system = &systems[method];
-                if let (Some(instability), false) =
-                    (system.instability(), self.terms.allow_unstable)
-                {
-                    return Err(format!("{instability} (--allow-unstable simulates it)"));
-                }
-                let case = Case::of(self.sweep, &system.setting, index)?;
-                Ok(system.run(&case, self.stopping(index)))
-            })
-            .unwrap_or_else(|reason| Row {
-                case: index,
-                method: self.sweep.methods[method].name(),
-                values: self.sweep.design.values(index),
-                torque_dynamic_nm: None,
-                site_from_bit_m: None,
-                outcome: RowOutcome::Failed(reason),
-            });
-        keep(row)
+        let row = match built.systems[method] {
+            Ok(system) => Case::of(self.sweep, &system.setting, index)
+                .map(|case| system.answer(&case, self.terms)),
+            Err(reason) => Err(reason.to_owned()),
+        };
+        let row = row.unwrap_or_else(|reason| {
+            let name = self.sweep.methods[method].name();
+            Row::failed(index, name, self.sweep.design.values(index), reason)
+        });
+        keep(method, row)
     }
 }

@@ -89,6 +89,15 @@ pub fn survey(sweep: &Sweep) -> Result<Survey, String> {
     })
 }
 
+/// The longest of the cases that share a string with case `index`, s: the time for
+/// which a run builds the linear systems of that string.
+///
+/// # Errors
+/// As [`survey`].
+pub fn longest_beside(sweep: &Sweep, setting: &Setting, index: usize) -> Result<f64, String> {
+    Ok(of_string(sweep, setting, sweep.design.string_of(index))?.longest)
+}
+
 /// Looks at the cases of one string.
 ///
 /// # Errors

@@ -15,6 +15,7 @@ use sim::excitation::least_impulse;
 use sim::{LateralSystem, Outcome, Scene, SimulationError, Stopping, System, Trajectory};
 
 use super::case::{Case, Row, RowOutcome};
+use super::terms::Terms;
 use crate::spec::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings, Setting, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
@@ -55,21 +56,27 @@ impl MethodSystem {
     /// Where a method cannot treat the string, or an impulse is given in
     /// multiples of an I₀ that does not exist.
     pub fn build_all(sweep: &Sweep, setting: &Setting, longest_time: f64) -> Result<Vec<Self>> {
-        let systems = (sweep.methods.par_iter())
-            .map(|method| {
-                Self::build(setting, *method, sweep.bit.is_some(), longest_time)
-                    .with_context(|| format!("the responses by {} cannot be built", method.name()))
-            })
-            .collect::<Vec<_>>();
         // The first method's error, whichever was found first.
-        let systems = systems.into_iter().collect::<Result<Vec<Self>>>()?;
-        if let Some(index) = systems.iter().find_map(Self::unreachable_impulse) {
-            let message = "there is no I₀, for no impulse brings this site to the wall; \
-                           give `amount_ns`";
-            let key = format!("impulses[{index}].ratio");
-            bail!(sweep.source.error(&key, message));
-        }
-        Ok(systems)
+        Self::build_each(sweep, setting, longest_time)
+            .into_iter()
+            .collect()
+    }
+
+    /// As [`MethodSystem::build_all`], with an answer for each method: what one cannot
+    /// treat, another may.
+    pub fn build_each(sweep: &Sweep, setting: &Setting, longest_time: f64) -> Vec<Result<Self>> {
+        let build = |method: &Method| {
+            let system = Self::build(setting, *method, sweep.bit.is_some(), longest_time)
+                .with_context(|| format!("the responses by {} cannot be built", method.name()))?;
+            if let Some(index) = system.unreachable_impulse() {
+                let message = "there is no I₀, for no impulse brings this site to the wall; \
+                               give `amount_ns`";
+                let key = format!("impulses[{index}].ratio");
+                bail!(sweep.source.error(&key, message));
+            }
+            Ok(system)
+        };
+        sweep.methods.par_iter().map(build).collect()
     }
 
     /// Builds the system of one method; `cuts` says whether a torque acts on the
@@ -169,6 +176,19 @@ impl MethodSystem {
         }
     }
 
+    /// Speeds of all sites, rad/s, in a motion of which the torque on the bit is known;
+    /// where lateral motion is modelled, every site has been simulated, and `None`.
+    pub fn driven_speeds(&self, case: &Case, motion: &Trajectory) -> Option<Vec<Vec<f64>>> {
+        match &self.stepped {
+            Stepped::Torsion(system) => {
+                let steps = motion.speeds.first().map_or(0, Vec::len);
+                let surface_speed = case.scene.surface_speed;
+                Some(system.driven_speeds(surface_speed, &motion.bit_torque, steps))
+            }
+            Stepped::Lateral(_) => None,
+        }
+    }
+
     /// The scene with its relative impulses in N s.
     fn with_amounts(&self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
@@ -184,9 +204,15 @@ impl MethodSystem {
         scene
     }
 
-    /// Simulates one case. A case that panics is one without an answer, and not
-    /// the end of the sweep.
-    pub fn run(&self, case: &Case, stopping: Stopping) -> Row {
+    /// The row that a run on these terms writes of a case. A case that panics is one
+    /// without an answer, and not the end of the sweep.
+    pub fn answer(&self, case: &Case, terms: Terms) -> Row {
+        if let (Some(instability), false) = (self.instability(), terms.allow_unstable) {
+            let reason = format!("{instability} (--allow-unstable simulates it)");
+            let method = self.method.name();
+            return Row::failed(case.index, method, case.values.clone(), reason);
+        }
+        let stopping = terms.stopping(case.index);
         let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, stopping, None)));
         let outcome = match simulated {
             Ok(Ok(outcome)) => RowOutcome::Done(outcome),

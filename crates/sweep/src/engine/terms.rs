@@ -1,6 +1,11 @@
 //! On which terms a sweep is run.
 
 use serde::{Deserialize, Serialize};
+use sim::Stopping;
+
+/// One case in so many is followed to its end even if it settles, to count how
+/// often that was wrong.
+const CHECKED_PART: usize = 16;
 
 /// What the command line asks of a run and its results depend on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -10,4 +15,18 @@ pub struct Terms {
     /// Simulate by methods too whose margin says that a stuck site chatters.
     #[serde(default)]
     pub allow_unstable: bool,
+}
+
+impl Terms {
+    /// Of the cases that may stop when they have settled, some are followed to
+    /// the end.
+    pub fn stopping(self, case: usize) -> Stopping {
+        if self.full {
+            Stopping::Full
+        } else if case.is_multiple_of(CHECKED_PART) {
+            Stopping::Checked
+        } else {
+            Stopping::Early
+        }
+    }
 }

@@ -1,5 +1,4 @@
-//! `labels.csv`: one row per case and method, tidy; `failures.csv`: the cases
-//! without an answer.
+//! `labels.csv`: one row per case and method, tidy.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -122,31 +121,6 @@ fn lateral_fields(site_from_bit_m: Option<f64>, lateral: &LateralMeasures) -> Ve
         (1e-3 * lateral.mean_normal_force).to_string(),
         lateral.ambiguous_steps.to_string(),
     ]
-}
-
-/// The first line of `failures.csv`.
-pub const FAILURES_HEADER: &str = "case,method,reason,repeat_with";
-
-/// A row of `failures.csv`.
-///
-/// # Errors
-/// None that a string could cause.
-pub fn failures_row(sweep_file: &Path, case: usize, method: &str, reason: &str) -> Result<Vec<u8>> {
-    let file = shell_quoted(&sweep_file.display().to_string());
-    let repeat = format!("sweep simulate {file} --case {case} --methods {method}");
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([&case.to_string(), method, reason, &repeat])?;
-    Ok(writer.into_inner()?)
-}
-
-/// A path as a shell takes it.
-fn shell_quoted(path: &str) -> String {
-    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "/._-".contains(letter);
-    if path.chars().all(is_plain) {
-        path.to_owned()
-    } else {
-        format!("'{}'", path.replace('\'', r"'\''"))
-    }
 }
 
 /// What is read back of a row: enough to draw it or to run it again.

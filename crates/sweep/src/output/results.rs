@@ -7,7 +7,8 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
-use super::labels::{FAILURES_HEADER, failures_row, labels_header};
+use super::failures::{FAILURES_HEADER, Repeat, failures_row};
+use super::labels::labels_header;
 use super::motion::Motion;
 use crate::engine::Log;
 use crate::files::{AtomicFile, Checksum};
@@ -119,7 +120,7 @@ pub struct Tables {
 ///
 /// # Errors
 /// Where the log cannot be read or the tables cannot be written.
-pub fn write_tables(sweep: &Sweep, sweep_file: &Path, log: &Log, folder: &Path) -> Result<Tables> {
+pub fn write_tables(sweep: &Sweep, repeat: &Repeat, log: &Log, folder: &Path) -> Result<Tables> {
     let header = labels_header(sweep);
     let counted = Counted::new(&header)?;
     let mut tally = Tally::default();
@@ -132,7 +133,8 @@ pub fn write_tables(sweep: &Sweep, sweep_file: &Path, log: &Log, folder: &Path) 
         labels.write(format!("{}\n", record.row).as_bytes())?;
         if let Some(reason) = &record.reason {
             let method = sweep.methods[record.method].name();
-            failures.write(&failures_row(sweep_file, record.case, method, reason)?)?;
+            let command = repeat.command(record.case, method);
+            failures.write(&failures_row(record.case, method, reason, &command)?)?;
         }
         Ok(())
     })?;

@@ -12,7 +12,7 @@ use tempfile::TempDir;
 
 use super::about::About;
 use super::boundary::{Boundary, read_boundary};
-use super::labels::{FAILURES_HEADER, failures_row};
+use super::failures::{FAILURES_HEADER, Repeat, failures_row};
 use super::manifest::Manifest;
 use super::results::{Counted, Tally};
 use crate::engine::{LogView, Record, read_about};
@@ -115,6 +115,11 @@ impl ResultTables {
 fn write_so_far(about: &About, view: &LogView, folder: &Path) -> Result<Tally> {
     let counted = Counted::new(&about.columns)?;
     let methods = &about.manifest.methods;
+    let repeat = Repeat {
+        sweep_file: Path::new(&about.sweep_file),
+        chooses_method: about.manifest.accuracy.is_some(),
+        terms: about.manifest.terms,
+    };
     let mut tally = Tally::default();
     let mut labels = AtomicFile::create(&folder.join("labels.csv"))?;
     let mut failures = AtomicFile::create(&folder.join("failures.csv"))?;
@@ -124,8 +129,9 @@ fn write_so_far(about: &About, view: &LogView, folder: &Path) -> Result<Tally> {
         counted.add(&record.row, &mut tally);
         labels.write(format!("{}\n", record.row).as_bytes())?;
         if let Some(reason) = &record.reason {
-            let (file, method) = (Path::new(&about.sweep_file), &methods[record.method].method);
-            failures.write(&failures_row(file, record.case, method, reason)?)?;
+            let method = &methods[record.method].method;
+            let command = repeat.command(record.case, method);
+            failures.write(&failures_row(record.case, method, reason, &command)?)?;
         }
         Ok(())
     };

@@ -1,9 +1,9 @@
 //! A regime map in characters.
 
-use super::document::short;
 use crate::output::{Cells, Extent, Motion};
 use crate::plot::Symbol;
 use crate::spec::Axis;
+use crate::words::short;
 
 /// The map with its axes and what the characters mean.
 pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Axis; 2]) -> String {

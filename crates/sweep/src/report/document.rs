@@ -89,8 +89,3 @@ impl From<Table> for Block {
         Block::Table(table)
     }
 }
-
-/// A number in four digits.
-pub fn short(value: f64) -> String {
-    format!("{value:.3e}").parse().unwrap_or(value).to_string()
-}

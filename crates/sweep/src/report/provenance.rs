@@ -1,10 +1,11 @@
 //! Results folders in words and tables: with what, and how long it took.
 
-use super::document::{Block, NOTHING, Table, short};
+use super::document::{Block, NOTHING, Table};
 use super::results::Results;
 use super::sections::{row_of, table_of};
 use crate::engine::is_unstable;
 use crate::output::MethodRecord;
+use crate::words::short;
 
 /// How long it took.
 pub fn time(all: &[Results]) -> Vec<Block> {
@@ -50,8 +51,8 @@ pub fn time(all: &[Results]) -> Vec<Block> {
 fn system_row(method: &MethodRecord) -> Vec<String> {
     let margin = |margin: Option<f64>| match margin {
         None => NOTHING.to_owned(),
-        Some(margin) if is_unstable(margin) => format!("{margin:.1e}: chatters"),
-        Some(margin) => format!("{margin:.1e}"),
+        Some(margin) if is_unstable(margin) => format!("{}: chatters", short(margin)),
+        Some(margin) => short(margin),
     };
     let impulses = method.least_impulses_ns.iter();
     let impulses: Vec<String> = impulses

@@ -1,12 +1,13 @@
 //! Results folders in words and tables: what came out.
 
 use super::comparison::Comparison;
-use super::document::{Block, Map, NOTHING, Section, Table, short};
+use super::document::{Block, Map, NOTHING, Section, Table};
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
 use crate::output::Motion;
 use crate::spec::Axis;
+use crate::words::{counted, short};
 
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.
@@ -79,22 +80,23 @@ fn overview(all: &[Results]) -> Vec<Block> {
         let settled = match tally.settled_checked {
             0 => String::new(),
             checked => format!(
-                " Of {checked} simulations that settled and were followed to their end all the \
-                 same, {} changed their label.",
+                " Settled, and followed to the end all the same: {}, of which {} with another \
+                 label in the end.",
+                counted(checked, "simulation"),
                 tally.settled_wrong
             ),
         };
         Block::Text(format!(
-            "{}: {}. {} cases by {} ({}).{part}{so_far} {} simulations. {failed}{settled}",
+            "{}: {}. {} by {} ({}).{part}{so_far} {}. {failed}{settled}",
             results.name,
             manifest.title,
-            manifest.cases,
+            counted(manifest.cases, "case"),
             match methods.len() {
                 1 => "one method".to_owned(),
                 count => format!("{count} methods"),
             },
             methods.join(", "),
-            tally.rows,
+            counted(tally.rows, "simulation"),
         ))
     });
     paragraphs.collect()

@@ -1,24 +1,24 @@
 //! Sections for a terminal, a pipe or a file.
 
 use super::document::{Block, Section, Table};
-
-/// Lines are broken here; a command to copy is not.
-const WIDTH: usize = 96;
+use crate::words::{WIDTH, wrapped};
 
 /// Space between columns.
 const GAP: usize = 2;
 
 /// The sections as text.
 pub fn text(title: &str, sections: &[Section]) -> String {
-    let mut text = wrapped(title, 0);
+    let mut text = wrapped(title, 0, 0);
     for section in sections {
         let rule = "─".repeat(section.title.chars().count());
         text += &format!("\n{}\n{rule}\n", section.title);
         for block in &section.blocks {
             match block {
-                Block::Text(paragraph) => text += &wrapped(paragraph, 0),
+                Block::Text(paragraph) => text += &wrapped(paragraph, 0, 0),
                 Block::Table(table) => text += &table_text(table),
-                Block::Map(map) => text += &format!("{}\n\n{}", map.caption, map.characters),
+                Block::Map(map) => {
+                    text += &format!("{}\n{}", wrapped(&map.caption, 0, 0), map.characters);
+                }
                 Block::Folded { .. } => {}
             }
         }
@@ -34,7 +34,7 @@ fn table_text(table: &Table) -> String {
         all.map(|cell| cell.chars().count()).max().unwrap_or(0)
     };
     let widths: Vec<usize> = (0..table.header.len()).map(width).collect();
-    let mut text = wrapped(&format!("{}:", table.caption), 0);
+    let mut text = wrapped(&format!("{}:", table.caption), 0, 0);
     if widths.iter().map(|width| width + GAP).sum::<usize>() > WIDTH {
         for row in &table.rows {
             text += &record(&table.header, row);
@@ -61,33 +61,27 @@ fn table_text(table: &Table) -> String {
     text
 }
 
-/// A row of a table that is too wide: a line for each of its cells.
+/// A row of a table that is too wide: a line for each of its cells, or one line where
+/// there are but a name and what it is.
 fn record(header: &[String], row: &[String]) -> String {
+    if let [name, value] = row {
+        return line_of(&format!("  {name}: "), value);
+    }
     let mut text = String::new();
     for (index, (name, cell)) in header.iter().zip(row).enumerate() {
         let bullet = if index == 0 { "- " } else { "  " };
-        text += &format!("{bullet}{name}: {cell}\n");
+        text += &line_of(&format!("{bullet}{name}: "), cell);
     }
     text
 }
 
-/// A paragraph in lines of limited width, the later ones indented.
-fn wrapped(paragraph: &str, indent: usize) -> String {
-    let mut text = String::new();
-    let mut column = 0;
-    for word in paragraph.split_whitespace() {
-        let length = word.chars().count();
-        if column > indent && column + 1 + length > WIDTH {
-            text += &format!("\n{}", " ".repeat(indent));
-            column = indent;
-        } else if column > 0 {
-            text.push(' ');
-            column += 1;
-        }
-        text += word;
-        column += length;
+/// A name and a value, broken into lines; but a command is to be copied whole.
+fn line_of(name: &str, value: &str) -> String {
+    if value.starts_with("sweep ") {
+        return format!("{name}{value}\n");
     }
-    text + "\n"
+    let indent = name.len() - name.trim_start().len();
+    wrapped(&format!("{name}{value}"), indent, 4)
 }
 
 #[cfg(test)]
@@ -113,13 +107,21 @@ mod tests {
     fn a_table_too_wide_becomes_a_list_and_keeps_its_commands_whole() {
         let command = "sweep simulate ".repeat(8);
         let text = table_text(&table([["a", &command], ["b", "2"]]));
-        assert!(text.contains(&format!("- name: a\n  number: {command}\n- name: b\n")));
-    }
-
-    #[test]
-    fn paragraphs_are_no_wider_than_a_terminal() {
-        let text = wrapped(&"a word or two ".repeat(40), 0);
-        assert!(text.lines().count() > 4);
-        assert!(text.lines().all(|line| line.chars().count() <= WIDTH));
+        assert!(
+            text.contains(&format!("  a: {command}\n  b: 2\n")),
+            "{text}"
+        );
+        let header = ["case", "why", "repeat_with"].map(str::to_owned);
+        let row = ["1".to_owned(), "for a reason ".repeat(8), command.clone()];
+        let text = record(&header, &row);
+        assert!(
+            text.starts_with("- case: 1\n  why: for a reason for"),
+            "{text}"
+        );
+        assert!(
+            text.ends_with(&format!("\n  repeat_with: {command}\n")),
+            "{text}"
+        );
+        assert_eq!(text.lines().count(), 4, "{text}");
     }
 }

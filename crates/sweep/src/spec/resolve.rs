@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use linear::method::Method;
+use linear::method::{FiniteElement, Method};
 use linear::{BuildError, Drillstring, Sites};
 use serde::{Deserialize, Serialize};
 use sim::laws::rock::RockError;
@@ -204,12 +204,37 @@ impl Sweep {
     /// # Errors
     /// Where the file, a base or a list of cases does not make sense.
     pub fn read(path: &Path) -> Result<Self, SpecError> {
-        Self::read_from(path, &read_text)
+        Self::read_with_methods(path, &[])
+    }
+
+    /// As [`Sweep::read`], with these methods, if there are any, in place of the
+    /// file's, whatever those are.
+    ///
+    /// # Errors
+    /// As [`Sweep::read`], and where the file asks for an accuracy, which chooses the
+    /// method.
+    pub fn read_with_methods(path: &Path, methods: &[MethodName]) -> Result<Self, SpecError> {
+        Self::resolve(path, methods, &read_text)
     }
 
     /// As [`Sweep::read`], from any source of texts.
+    ///
+    /// # Errors
+    /// As [`Sweep::read`].
     pub fn read_from(path: &Path, text_of: TextOf) -> Result<Self, SpecError> {
-        let source = Source::read(path, text_of)?;
+        Self::resolve(path, &[], text_of)
+    }
+
+    fn resolve(path: &Path, methods: &[MethodName], text_of: TextOf) -> Result<Self, SpecError> {
+        let mut source = Source::read(path, text_of)?;
+        if !methods.is_empty() {
+            if source.gives("accuracy") {
+                let message = "asks for an accuracy, which chooses the method: leave out --methods";
+                return Err(source.error("accuracy", message));
+            }
+            let names = methods.iter().map(|method| method.name().into());
+            source.put("methods", toml::Value::Array(names.collect()));
+        }
         let content: FileContent = source.parse()?;
         let check = Check { source: &source };
         check.texts(&content)?;
@@ -233,7 +258,7 @@ impl Sweep {
         if let Some(accuracy) = content.accuracy {
             check.accuracy(accuracy)?;
         }
-        let methods = check.methods(&content)?;
+        let methods = check.methods(&content, methods.is_empty())?;
         let map = check.map(&content, &design, bit.as_ref())?;
         Ok(Self {
             title: content.title.clone().unwrap_or_else(|| name.clone()),
@@ -331,29 +356,22 @@ impl Check<'_> {
             .map_err(|error| self.source.error("sites", error.to_string()))
     }
 
-    fn methods(&self, content: &FileContent) -> Result<Vec<Method>, SpecError> {
+    /// The methods. Parameters of the others are looked at too where the file names
+    /// its methods itself.
+    fn methods(&self, content: &FileContent, by_file: bool) -> Result<Vec<Method>, SpecError> {
         if content.methods.is_empty() {
             return Err(self.source.error("methods", "names no method"));
         }
-        let tables = &content.method;
-        tables.finite_element.check().map_err(|error| {
-            let key = match &error {
-                BuildError::Parameter { name, .. } => format!("method.finite-element.{name}"),
-                _ => "method.finite-element".to_owned(),
-            };
-            self.source.error(&key, error.to_string())
-        })?;
-        let elements = tables.finite_element.elements_per_cell;
-        if elements > MOST_ELEMENTS_PER_CELL {
-            let message = format!("{elements} are more than {MOST_ELEMENTS_PER_CELL}");
-            let key = "method.finite-element.elements_per_cell";
-            return Err(self.source.error(key, message));
+        let counts = |name: MethodName| by_file || content.methods.contains(&name);
+        if counts(MethodName::FiniteElement) {
+            self.finite_element(&content.method.finite_element)?;
         }
-        for (key, transform) in [
-            ("hilbert", tables.hilbert),
-            ("direct-idft", tables.direct_idft),
+        for (name, transform) in [
+            (MethodName::Hilbert, content.method.hilbert),
+            (MethodName::DirectIdft, content.method.direct_idft),
         ] {
-            if let Some(seconds) = transform.seconds {
+            if let Some(seconds) = transform.seconds.filter(|_| counts(name)) {
+                let key = name.name();
                 self.within(
                     &format!("method.{key}.transform_s"),
                     seconds,
@@ -383,6 +401,23 @@ impl Check<'_> {
             .iter()
             .map(|&name| content.method(name))
             .collect())
+    }
+
+    fn finite_element(&self, parameters: &FiniteElement) -> Result<(), SpecError> {
+        parameters.check().map_err(|error| {
+            let key = match &error {
+                BuildError::Parameter { name, .. } => format!("method.finite-element.{name}"),
+                _ => "method.finite-element".to_owned(),
+            };
+            self.source.error(&key, error.to_string())
+        })?;
+        let elements = parameters.elements_per_cell;
+        if elements > MOST_ELEMENTS_PER_CELL {
+            let message = format!("{elements} are more than {MOST_ELEMENTS_PER_CELL}");
+            let key = "method.finite-element.elements_per_cell";
+            return Err(self.source.error(key, message));
+        }
+        Ok(())
     }
 
     /// An axis of the string must have something to change.

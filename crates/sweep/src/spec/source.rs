@@ -87,6 +87,17 @@ impl Source {
         Ok(source)
     }
 
+    /// Puts a value in place of what the files say at a key of their top level.
+    pub fn put(&mut self, key: &str, value: toml::Value) {
+        self.replace(key);
+        self.table.insert(key.to_owned(), value);
+    }
+
+    /// Whether the files give a key of their top level.
+    pub fn gives(&self, key: &str) -> bool {
+        self.table.contains_key(key)
+    }
+
     /// The folder of the file that gives `key`, where files it names are.
     pub fn folder_of(&self, key: &str) -> &Path {
         let file = self.places.get(key).map_or(0, |place| place.file);

@@ -3,13 +3,13 @@
 use std::fmt::Write;
 
 use anyhow::Result;
-use sim::Stopping;
 
 use super::super::complete::Again;
 use super::super::cost::{Cost, probe};
 use super::super::folder::{Found, LOG, in_words};
 use crate::engine::{LogView, Shard, pairs_of};
 use crate::memory::{Purpose, admit};
+use crate::words::{counted, short, together, wrapped};
 
 /// A run that has not begun.
 pub struct Plan<'a> {
@@ -52,15 +52,10 @@ impl Plan<'_> {
         let limit = arguments.work.memory.limit();
         let setting = sweep.setting.for_labels();
         let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
-        let stopping = if arguments.full {
-            Stopping::Full
-        } else {
-            Stopping::Early
-        };
         Ok(Cost {
             memory,
             limit,
-            time: probe(sweep, survey, stopping, simulations, stops),
+            time: probe(sweep, survey, arguments.terms(), simulations, stops),
         })
     }
 
@@ -68,27 +63,26 @@ impl Plan<'_> {
         let (sweep, shard, survey) = (self.again.sweep, self.shard, self.again.survey);
         let mut text = String::new();
         let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
-        writeln!(text, "{}: {}", sweep.name, sweep.title)?;
+        text += &wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
         let part = if shard.is_whole() {
             String::new()
         } else {
-            format!(" (shard {shard}: {} cases)", total / methods.len())
+            let cases = counted(total / methods.len(), "case");
+            format!(" (shard {shard}: {cases})")
         };
-        writeln!(
-            text,
-            "would run {} cases by {} ({}){part}, into {}",
-            sweep.design.cases(),
-            methods.len(),
-            methods.join(", "),
-            self.again.folder.display()
-        )?;
+        let cases = counted(sweep.design.cases(), "case");
+        let methods = format!("{} ({})", methods.len(), methods.join(", "));
+        let folder = together(&self.again.folder.display().to_string());
+        let would = format!("would run {cases} by {methods}{part}, into {folder}");
+        text += &wrapped(&would, 0, 2);
         let why = match self.found {
             Found::Complete(_) => "complete already",
             Found::Unfinished { .. } => "a stopped run goes on",
             Found::Fewer(_) => "the sweep has more cases than are there",
             Found::Nothing(_) => "from the beginning",
         };
-        writeln!(text, "{left} of {total} simulations left: {why}")?;
+        let total = counted(total, "simulation");
+        writeln!(text, "{left} of {total} left: {why}")?;
         if let Found::Complete(manifest) = self.found {
             let damage = self.again.damage(manifest)?;
             if !damage.is_empty() {
@@ -96,8 +90,8 @@ impl Plan<'_> {
             }
         }
         if sweep.design.varies_string() {
-            let strings = sweep.design.strings();
-            writeln!(text, "{strings} distinct strings, each built once")?;
+            let strings = counted(sweep.design.strings(), "distinct string");
+            writeln!(text, "{strings}, each built once")?;
             if survey.impossible_strings > 0 {
                 let impossible = survey.impossible_strings;
                 writeln!(
@@ -108,11 +102,13 @@ impl Plan<'_> {
         }
         writeln!(
             text,
-            "simulated time {:.1} s for each method, the longest case {:.1} s, at {} Hz",
-            survey.simulated, survey.longest, sweep.setting.sampling_frequency
+            "simulated time {} s for each method, the longest case {} s, at {} Hz",
+            short(survey.simulated),
+            short(survey.longest),
+            short(sweep.setting.sampling_frequency)
         )?;
         if let Some(choice) = &sweep.choice {
-            writeln!(text, "{choice}")?;
+            text += &choice.lines(0);
         }
         Ok(text)
     }

@@ -7,6 +7,7 @@ use linear::Method;
 
 use super::families::{Approach, Cell, Family};
 use super::verdict::{Findings, explanation};
+use crate::words::wrapped;
 
 /// A cell and what it shows.
 #[derive(Debug, Clone, PartialEq)]
@@ -195,15 +196,13 @@ pub fn summary(entries: &[Entry]) -> String {
         if entry.findings.is_right() == Some(false) {
             let why = explanation(&entry.cell, &entry.findings);
             let why = why.unwrap_or_else(|| "not explained".to_owned());
-            text.push_str(&format!(
-                "\nnot as foretold: {}: {}: {why}\n",
-                entry.place(),
-                if entry.symptoms().is_empty() {
-                    "no symptom".to_owned()
-                } else {
-                    entry.symptoms()
-                }
-            ));
+            let symptoms = if entry.symptoms().is_empty() {
+                "no symptom".to_owned()
+            } else {
+                entry.symptoms()
+            };
+            let words = format!("not as foretold: {}: {symptoms}: {why}", entry.place());
+            text += &format!("\n{}", wrapped(&words, 0, 2));
         }
     }
     text

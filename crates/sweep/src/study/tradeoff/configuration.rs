@@ -3,6 +3,8 @@
 use linear::Method;
 use linear::method::{FiniteElement, Transform};
 
+use crate::words::counted;
+
 /// Transforms behind the digital filter, s. The paper's filters last 10 s, from
 /// transforms of 20.
 const TRANSFORMS: [f64; 4] = [8.0, 20.0, 40.0, 160.0];
@@ -108,7 +110,8 @@ impl Configuration {
     pub fn title(&self) -> String {
         match self.parameters() {
             (Some(gamma), Some(elements), _) => {
-                format!("finite-element, γ = {gamma}, {elements} elements")
+                let elements = counted(elements, "element");
+                format!("finite-element, γ = {gamma}, {elements}")
             }
             (_, _, Some(seconds)) => format!("{} of {seconds} s", self.family()),
             _ => self.family().to_owned(),

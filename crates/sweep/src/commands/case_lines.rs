@@ -1,0 +1,112 @@
+//! What `simulate` says of its cases, in a few lines each.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use anyhow::Result;
+use sim::{Ended, Outcome};
+
+use super::simulate::Simulation;
+use super::site_title;
+use crate::engine::Case;
+use crate::spec::{Sweep, to_rpm};
+use crate::words::{counted, decimals, short, together, wrapped};
+
+/// Every case with what a run answers to it by each method, and what came out later
+/// where that differs.
+pub fn case_lines(
+    sweep: &Sweep,
+    cases: &[Case],
+    simulations: &[Simulation],
+    folder: &Path,
+) -> Result<String> {
+    let mut text = String::new();
+    for case in cases {
+        let rpm = to_rpm(case.scene.surface_speed);
+        let torque = case
+            .torque_dynamic_nm
+            .map_or_else(String::new, |torque| format!(", T_d = {torque:.1} N m"));
+        writeln!(text, "Ω = {rpm:.4} rpm{torque}")?;
+        let own = simulations
+            .iter()
+            .filter(|simulation| simulation.case == case.index);
+        for simulation in own {
+            text += &answer_lines(sweep, simulation);
+        }
+    }
+    writeln!(
+        text,
+        "history.svg, history.png, history.csv and case.csv are in {}",
+        folder.display()
+    )?;
+    Ok(text)
+}
+
+fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
+    let answers = measures(&simulation.answer, simulation.site_from_bit_m);
+    let name = &simulation.name;
+    let mut text: String = (answers.iter())
+        .map(|answer| wrapped(&format!("{name}: {answer}"), 2, 4))
+        .collect();
+    let followed = &simulation.followed;
+    let distances = sweep.setting.sites.distances_from_bit();
+    let site = followed.lateral.map(|lateral| distances[lateral.site]);
+    let to_end = measures(followed, site);
+    if to_end != answers {
+        let why = match simulation.answer.ended {
+            Ended::Settled => "settled",
+            Ended::Certain => "certain",
+            Ended::End => "at its end",
+        };
+        let (early, late) = (simulation.answer.simulated, followed.simulated);
+        for measures in to_end {
+            let words = format!(
+                "a run stops at {} s as {why}; followed to {} s: {measures}",
+                short(early),
+                short(late)
+            );
+            text += &wrapped(&words, 4, 6);
+        }
+    }
+    text
+}
+
+/// What came out, in bending and in torsion.
+fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut add = |measures: &[String]| {
+        let measures: Vec<String> = measures.iter().map(|words| together(words)).collect();
+        found.push(measures.join(", "));
+    };
+    if let (Some(lateral), Some(distance)) = (outcome.lateral, site_from_bit_m) {
+        let turns = lateral.precession_rate / std::f64::consts::TAU;
+        add(&[
+            lateral.regime.name().to_owned(),
+            format!(
+                "at {} in contact {:.0} % of the closing window",
+                site_title(distance),
+                100.0 * lateral.contact_fraction
+            ),
+            format!("r = {} mm", decimals(1e3 * lateral.mean_radius, 2)),
+            format!("{} turns/s", decimals(turns, 2)),
+            format!("F_N = {} kN", decimals(1e-3 * lateral.mean_normal_force, 2)),
+        ]);
+    }
+    if let Some(torsion) = outcome.torsion {
+        let seconds = |value: Option<f64>| {
+            value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3} s"))
+        };
+        add(&[
+            torsion.regime.name().to_owned(),
+            format!("first slip {}", seconds(torsion.first_slip)),
+            format!("period {}", seconds(torsion.period)),
+            format!("slipping {}", seconds(torsion.slip_time)),
+            counted(torsion.sticks, "stick"),
+            format!("peak {} rpm", short(to_rpm(torsion.peak_speed))),
+        ]);
+    }
+    if found.is_empty() {
+        found.push("the bit is free".to_owned());
+    }
+    found
+}

@@ -1,0 +1,55 @@
+//! `--methods` stands in place of what the file says of methods.
+
+use crate::refusals::refused;
+use crate::support::{SMALL, Workplace, with};
+use crate::{columns, succeeds, table, text};
+
+const OWN: &str = "methods = [\"quadrature\"]";
+
+fn undamped(text: &str) -> String {
+    with(text, "rad_m = 10\n", "rad_m = 0\n")
+}
+
+#[test]
+fn whatever_methods_the_file_has_others_run() {
+    let unknown = with(SMALL, OWN, "methods = [\"quadratur\"]");
+    let none = with(SMALL, OWN, "methods = []");
+    let no_list = with(SMALL, OWN, "methods = \"quadrature\"");
+    let impossible = undamped(&with(SMALL, OWN, "methods = [\"hilbert\"]"));
+    let parameters = "[method.finite-element]\nelements_per_cell = 0\n[method.hilbert]\n\
+                      transform_s = -1\n[design]\n";
+    let without_parameters = with(SMALL, "[design]\n", parameters);
+    for file in [unknown, none, no_list, impossible, without_parameters] {
+        let place = Workplace::with_small(&file);
+        refused(&place, &["run", "small.toml"], &["small.toml:", "`: "]);
+        for command in ["run", "simulate", "inspect"] {
+            let arguments = [command, "small.toml", "--methods", "quadrature"];
+            succeeds(&place, &arguments);
+        }
+        let labels = table(&text(&place, "results/small/labels.csv"));
+        let methods = columns(&labels, ["method"]).concat();
+        assert_eq!(methods, ["quadrature"; 6]);
+    }
+}
+
+#[test]
+fn the_methods_asked_for_are_looked_at_as_the_file_s_are() {
+    let place = Workplace::with_small(&undamped(SMALL));
+    for command in ["run", "simulate", "inspect"] {
+        refused(
+            &place,
+            &[command, "small.toml", "--methods", "hilbert"],
+            &[
+                "small.toml:11: `string.torsional_damping_nms_rad_m`: ",
+                "hilbert",
+            ],
+        );
+    }
+    let parameters = "[method.finite-element]\nelements_per_cell = 0\n[design]\n";
+    let place = Workplace::with_small(&with(SMALL, "[design]\n", parameters));
+    refused(
+        &place,
+        &["run", "small.toml", "--methods", "finite-element"],
+        &["`method.finite-element.elements_per_cell`: "],
+    );
+}
