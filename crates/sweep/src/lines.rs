@@ -7,12 +7,37 @@ pub const COMMENT: u8 = b'#';
 /// The line (from 1) of the first record at or after a byte, where the record
 /// before it ended.
 pub fn line_from(text: &str, byte: usize) -> usize {
-    let before = text[..byte].matches('\n').count();
-    let passed_over = text[byte..]
-        .lines()
-        .take_while(|line| line.is_empty() || line.as_bytes()[0] == COMMENT)
-        .count();
-    before + passed_over + 1
+    RecordLines::of(text).line_from(byte)
+}
+
+/// Lines of many records, asked for in their order.
+pub struct RecordLines<'a> {
+    text: &'a str,
+    /// Line breaks are counted up to here.
+    byte: usize,
+    breaks: usize,
+}
+
+impl<'a> RecordLines<'a> {
+    /// Of a whole file.
+    pub fn of(text: &'a str) -> Self {
+        Self {
+            text,
+            byte: 0,
+            breaks: 0,
+        }
+    }
+
+    /// As [`line_from`], of a byte at or after the one before.
+    pub fn line_from(&mut self, byte: usize) -> usize {
+        self.breaks += self.text[self.byte..byte].matches('\n').count();
+        self.byte = byte;
+        let passed_over = self.text[byte..]
+            .lines()
+            .take_while(|line| line.is_empty() || line.as_bytes()[0] == COMMENT)
+            .count();
+        self.breaks + passed_over + 1
+    }
 }
 
 #[cfg(test)]
@@ -25,9 +50,12 @@ mod tests {
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(COMMENT))
             .from_reader(text.as_bytes());
+        let mut record_lines = RecordLines::of(text);
         let lines = reader.records().map(|record| {
             let byte = record.unwrap().position().unwrap().byte();
-            line_from(text, byte as usize)
+            let line = record_lines.line_from(byte as usize);
+            assert_eq!(line, line_from(text, byte as usize));
+            line
         });
         assert_eq!(lines.collect::<Vec<_>>(), [6, 8]);
         assert_eq!(line_from(text, 0), 3);

@@ -34,6 +34,7 @@ mod plot;
 mod report;
 mod spec;
 mod study;
+mod text_file;
 
 use std::process::ExitCode;
 

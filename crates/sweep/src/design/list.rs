@@ -6,6 +6,7 @@ use std::path::Path;
 use super::count_string_axes;
 use crate::lines::{COMMENT, line_from};
 use crate::spec::{Axis, DesignTable, Source, SpecError, TextOf, check_axis_value};
+use crate::text_file::LARGEST_TABLE;
 
 /// Listed cases.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,7 +81,7 @@ impl List {
 
 /// Reads a list; an error starts where the file's name ends.
 fn read(source: &Source, path: &Path, text_of: TextOf) -> Result<List, String> {
-    let text = text_of(path).map_err(|error| format!(" cannot be read: {error}"))?;
+    let text = text_of(path, LARGEST_TABLE).map_err(|error| format!(" cannot be read: {error}"))?;
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .comment(Some(COMMENT))
@@ -118,21 +119,26 @@ fn read(source: &Source, path: &Path, text_of: TextOf) -> Result<List, String> {
     let mut cases = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|error| format!(": {error}"))?;
-        let line = line_from(
-            &text,
-            record.position().map_or(0, csv::Position::byte) as usize,
-        );
+        // Counted where there is something to say of it.
+        let line = || {
+            let byte = record.position().map_or(0, csv::Position::byte);
+            line_from(&text, byte as usize)
+        };
         if record.len() != columns.len() {
             let (found, expected) = (record.len(), columns.len());
-            return Err(format!(":{line}: {found} values, but {expected} columns"));
+            return Err(format!(
+                ":{}: {found} values, but {expected} columns",
+                line()
+            ));
         }
         let value = |&column: &usize| {
             let (axis, text) = (columns[column], &record[column]);
+            let at = |what: &str| format!(":{}: {}: {what}", line(), axis.name());
             let value = text
                 .parse()
-                .map_err(|_| format!(":{line}: {}: `{text}` is not a number", axis.name()))?;
+                .map_err(|_| at(&format!("`{text}` is not a number")))?;
             check_axis_value(source, &axis.name(), axis, value)
-                .map_err(|error| format!(":{line}: {}: {}", axis.name(), error.message()))?;
+                .map_err(|error| at(error.message()))?;
             Ok(value)
         };
         cases.push(order.iter().map(value).collect::<Result<_, String>>()?);

@@ -8,8 +8,9 @@ use anyhow::{Context, Result, anyhow};
 use sim::{LateralMeasures, TorsionMeasures};
 
 use crate::engine::{Row, RowOutcome};
-use crate::lines::{COMMENT, line_from};
+use crate::lines::{COMMENT, RecordLines, line_from};
 use crate::spec::{Axis, Sweep, to_rpm};
+use crate::text_file::{LARGEST_TABLE, read_text};
 
 /// Columns that follow the axes.
 const RESULT_COLUMNS: [&str; 21] = [
@@ -216,7 +217,7 @@ impl Columns {
 /// # Errors
 /// Where they cannot be read; the message names file and line.
 pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
-    let text = std::fs::read_to_string(path)
+    let text = read_text(path, LARGEST_TABLE)
         .with_context(|| format!("{} cannot be read", path.display()))?;
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(COMMENT))
@@ -224,12 +225,13 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
     let at = |line: usize, reason: String| anyhow!("{}:{line}: {reason}", path.display());
     let header = reader.headers()?.clone();
     let columns = Columns::find(&header, axes).map_err(|reason| at(line_from(&text, 0), reason))?;
+    let mut lines = RecordLines::of(&text);
     reader
         .records()
         .map(|record| {
             let record = record.with_context(|| format!("{} is not a table", path.display()))?;
             let byte = record.position().map_or(0, csv::Position::byte) as usize;
-            let line = line_from(&text, byte);
+            let line = lines.line_from(byte);
             columns
                 .row(&record, line)
                 .map_err(|reason| at(line, reason))

@@ -14,6 +14,7 @@ use super::setting::Setting;
 use super::source::{Source, SpecError, TextOf};
 use crate::accuracy::Choice;
 use crate::design::Design;
+use crate::text_file::read_text;
 
 /// More elements in a cell resolve no more than rounding leaves.
 const MOST_ELEMENTS_PER_CELL: usize = 10_000;
@@ -199,7 +200,7 @@ impl Sweep {
     /// # Errors
     /// Where the file, a base or a list of cases does not make sense.
     pub fn read(path: &Path) -> Result<Self, SpecError> {
-        Self::read_from(path, &|path| std::fs::read_to_string(path))
+        Self::read_from(path, &read_text)
     }
 
     /// As [`Sweep::read`], from any source of texts.
@@ -284,17 +285,22 @@ impl Check<'_> {
                 return Err(self.source.error(key, message));
             }
         }
-        for (index, site) in content.sites.iter().enumerate() {
+        // How many distances there are with each site.
+        let mut counts = Vec::with_capacity(content.sites.len());
+        for site in &content.sites {
             if content.wall.is_some() || site.distance_from_bit_m != 0.0 {
                 distances.push(site.distance_from_bit_m);
             }
-            Sites::new(string, &distances).map_err(|error| {
-                let key = format!("sites[{index}].distance_from_bit_m");
-                self.source.error(&key, error.to_string())
-            })?;
+            counts.push(distances.len());
         }
-        Sites::new(string, &distances)
-            .map_err(|error| self.source.error("sites", error.to_string()))
+        Sites::new(string, &distances).map_err(|error| {
+            // The first site with which there is an error is to blame.
+            let error_with = |count: usize| Sites::new(string, &distances[..count]).err();
+            let index = counts.partition_point(|&count| error_with(count).is_none());
+            let blamed = counts.get(index).and_then(|&count| error_with(count));
+            let key = format!("sites[{index}].distance_from_bit_m");
+            self.source.error(&key, blamed.unwrap_or(error).to_string())
+        })
     }
 
     fn methods(&self, content: &FileContent) -> Result<Vec<Method>, SpecError> {
