@@ -15,6 +15,7 @@ pub mod shell;
 pub mod simulate;
 pub mod stability;
 mod stop;
+mod threads;
 pub mod tradeoff;
 
 use std::io::{ErrorKind, Write};
@@ -30,6 +31,7 @@ use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
 use crate::spec::{MethodName, Setting, SpecError, Sweep};
 use progress::Progress;
+use threads::use_threads;
 
 /// How the program ended; the numbers are its exit codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -125,23 +127,6 @@ fn read_sweep(file: &Path, work: &WorkArguments, full: bool) -> Result<Sweep> {
         sweep.content.methods = names;
     }
     Ok(sweep)
-}
-
-/// Uses as many threads as asked for, or as the cluster allots.
-fn use_threads(jobs: Option<usize>) -> Result<()> {
-    let allotted = |name: &str| std::env::var(name).ok()?.trim().parse().ok();
-    let threads = jobs
-        .or_else(|| allotted("SLURM_CPUS_PER_TASK"))
-        .or_else(|| allotted("SLURM_CPUS_ON_NODE"));
-    if threads == Some(0) {
-        bail!(UsageError(
-            "--jobs 0: at least one thread is needed".to_owned()
-        ));
-    }
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.unwrap_or(0))
-        .build_global()
-        .context("the threads cannot be started")
 }
 
 /// The folder for a sweep's results.
