@@ -2,6 +2,9 @@
 //! and the end is the same to the byte.
 
 #[cfg(unix)]
+#[path = "interruption/anywhere.rs"]
+mod anywhere;
+#[cfg(unix)]
 #[path = "interruption/disk.rs"]
 mod disk;
 #[path = "interruption/failures.rs"]
@@ -11,6 +14,9 @@ mod log;
 #[cfg(unix)]
 #[path = "interruption/signals.rs"]
 mod signals;
+#[cfg(unix)]
+#[path = "support/soon.rs"]
+mod soon;
 // Each of the tests uses a part of it.
 #[allow(dead_code)]
 mod support;

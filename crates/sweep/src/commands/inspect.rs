@@ -35,7 +35,7 @@ type Curve = Vec<(f64, f64)>;
 /// Shows the linear system.
 pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
-    let sweep = read_sweep(&arguments.file, &arguments.work, false)?;
+    let sweep = read_sweep(&arguments.file, &arguments.work, false, false)?;
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     let survey = survey_cases(&arguments.file, &sweep)?;
     let systems = build_systems(&arguments.file, &sweep, &sweep.setting, survey.longest)?;

@@ -2,6 +2,7 @@
 //! progress.
 
 pub mod check;
+mod choosing;
 mod folder;
 pub mod inspect;
 pub mod merge;
@@ -14,7 +15,7 @@ pub mod run;
 pub mod shell;
 pub mod simulate;
 pub mod stability;
-mod stop;
+pub mod stop;
 mod threads;
 pub mod tradeoff;
 
@@ -26,10 +27,10 @@ use anyhow::{Context, Result, bail};
 use linear::BuildError;
 use serde_json::json;
 
-use crate::accuracy::choose;
 use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
 use crate::spec::{MethodName, Setting, SpecError, Sweep};
+use choosing::choose;
 use progress::Progress;
 use threads::use_threads;
 
@@ -108,14 +109,14 @@ fn tell(event: &serde_json::Value) {
 }
 
 /// Reads a sweep file and puts the methods asked for in place of its own; or chooses
-/// one, where it asks for an accuracy.
-fn read_sweep(file: &Path, work: &WorkArguments, full: bool) -> Result<Sweep> {
+/// one, where it asks for an accuracy, telling what it tries unless `quiet`.
+fn read_sweep(file: &Path, work: &WorkArguments, full: bool, quiet: bool) -> Result<Sweep> {
     let mut sweep = Sweep::read(file)?;
     if sweep.content.accuracy.is_some() && !work.methods.is_empty() {
         let message = "asks for an accuracy, which chooses the method: leave out --methods";
         bail!(sweep.source.error("accuracy", message));
     }
-    choose(&mut sweep, full)?;
+    choose(&mut sweep, full, quiet)?;
     if !work.methods.is_empty() {
         let mut names: Vec<MethodName> = Vec::new();
         for &name in &work.methods {

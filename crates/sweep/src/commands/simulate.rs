@@ -34,7 +34,7 @@ pub struct Simulation {
 /// Simulates the chosen cases with every method and keeps their time histories.
 pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
-    let mut sweep = read_sweep(&arguments.file, &arguments.work, false)?;
+    let mut sweep = read_sweep(&arguments.file, &arguments.work, false, false)?;
     let choices = (unique(&arguments.case).into_iter())
         .map(|index| Choice::new(&sweep, arguments, index))
         .collect::<Result<Vec<_>>>()?;
