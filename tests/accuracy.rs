@@ -230,10 +230,13 @@ fn what_was_chosen_is_told() {
             "{answer:?}"
         );
     }
-    // The other commands use it too.
-    assert_eq!(
-        place.sweep(&["simulate", "small.toml", "--case", "1"]).code,
-        0
+    // The other commands use it too, and say on the error stream what it took.
+    let simulated = place.sweep(&["simulate", "small.toml", "--case", "1"]);
+    assert_eq!(simulated.code, 0);
+    let told = simulated.errors.lines().last().unwrap_or_default();
+    assert!(
+        told.starts_with("accuracy: ") && told.contains(" Hz, chosen in "),
+        "{simulated:?}"
     );
 }
 

@@ -3,12 +3,16 @@
 
 #[path = "bad_input/arguments.rs"]
 mod arguments;
+#[path = "bad_input/large_files.rs"]
+mod large_files;
 #[path = "bad_input/lateral.rs"]
 mod lateral;
 #[path = "bad_input/other_files.rs"]
 mod other_files;
 #[path = "support/refusals.rs"]
 mod refusals;
+#[path = "support/soon.rs"]
+mod soon;
 #[path = "bad_input/spreadsheets.rs"]
 mod spreadsheets;
 mod support;

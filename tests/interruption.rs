@@ -4,6 +4,9 @@
 #[path = "support/crc32.rs"]
 mod crc32;
 #[cfg(unix)]
+#[path = "interruption/anywhere.rs"]
+mod anywhere;
+#[cfg(unix)]
 #[path = "interruption/disk.rs"]
 mod disk;
 #[path = "interruption/failures.rs"]
@@ -18,6 +21,9 @@ mod shown;
 #[cfg(unix)]
 #[path = "interruption/signals.rs"]
 mod signals;
+#[cfg(unix)]
+#[path = "support/soon.rs"]
+mod soon;
 // Each of the tests uses a part of it.
 #[allow(dead_code)]
 mod support;

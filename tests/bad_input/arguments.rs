@@ -12,6 +12,11 @@ fn a_command_line_that_makes_no_sense_is_refused() {
             &["--jobs 0", "at least one"][..],
         ),
         (
+            &["run", "small.toml", "--jobs", "100000"],
+            &["--jobs 100000: more than", "8 for each of"],
+        ),
+        (&["tradeoff", "--jobs", "100000"], &["--jobs 100000"]),
+        (
             &["simulate", "small.toml", "--case", "6"],
             &["--case 6", "cases 0 to 5"],
         ),
@@ -26,6 +31,28 @@ fn a_command_line_that_makes_no_sense_is_refused() {
     ] {
         refused(&place, arguments, words);
     }
+}
+
+#[test]
+fn a_number_of_cores_that_a_cluster_cannot_mean_is_told_and_passed_over() {
+    let place = Workplace::with_small(SMALL);
+    for (name, value) in [
+        ("SLURM_CPUS_PER_TASK", "many"),
+        ("SLURM_CPUS_PER_TASK", "0"),
+        ("SLURM_CPUS_ON_NODE", "-1"),
+        ("SLURM_CPUS_ON_NODE", "100000"),
+    ] {
+        let mut command = place.command(&["run", "small.toml", "--dry-run"]);
+        let output = command.env(name, value).output().unwrap();
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(0), "{errors}");
+        let meant = format!("warning: {name}=\"{value}\" is passed over: ");
+        assert!(errors.starts_with(&meant), "{errors}");
+    }
+    // As many as asked for leave no question to the cluster.
+    let mut command = place.command(&["run", "small.toml", "--dry-run", "--jobs", "1"]);
+    let output = command.env("SLURM_CPUS_PER_TASK", "many").output().unwrap();
+    assert_eq!(output.stderr, b"");
 }
 
 /// What the parser of the command line finds; it adds a hint of its own.

@@ -27,7 +27,7 @@ pub fn wait_for_rows(place: &Workplace, folder: &str, rows: usize) {
     }
 }
 
-fn signal(child: &Child, name: &str) {
+pub fn signal(child: &Child, name: &str) {
     let status = std::process::Command::new("kill")
         .args([&format!("-{name}"), &child.id().to_string()])
         .status()

@@ -174,7 +174,7 @@ pub struct WorkArguments {
     /// Methods to use instead of those the file names
     #[arg(long, value_delimiter = ',')]
     pub methods: Vec<MethodName>,
-    /// Threads [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,
     #[command(flatten)]
@@ -203,7 +203,7 @@ pub struct CheckArguments {
     pub file: PathBuf,
     /// Reference labels: columns case, method, the axes, torsion
     pub reference: PathBuf,
-    /// Threads [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,
     #[command(flatten)]
@@ -276,7 +276,7 @@ pub struct TradeoffArguments {
     /// Results folder
     #[arg(long, default_value = "results/tradeoff")]
     pub out: PathBuf,
-    /// Threads for building [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    /// Threads for building, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,
     /// Print nothing but errors
@@ -293,7 +293,7 @@ pub struct StabilityArguments {
     /// Only these parts of the atlas; may be repeated
     #[arg(long, value_name = "FAMILY", value_delimiter = ',')]
     pub family: Vec<Family>,
-    /// Threads [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,
     /// Print nothing but errors

@@ -53,7 +53,8 @@ use commands::Status;
 const PROGRAM: &str = concat!("sweep ", env!("SWEEP_VERSION"));
 
 fn main() -> ExitCode {
-    let result = match Cli::parse().command {
+    let arguments = Cli::parse();
+    let result = commands::stop::listen().and_then(|()| match arguments.command {
         Command::New(arguments) => commands::new::new(&arguments),
         Command::Run(arguments) => commands::run::run(&arguments),
         Command::Check(arguments) => commands::check::check(&arguments),
@@ -67,7 +68,7 @@ fn main() -> ExitCode {
         Command::Summary(arguments) => commands::report::summary(&arguments),
         Command::Completions(arguments) => commands::shell::completions(&arguments),
         Command::Man(arguments) => commands::shell::man(&arguments),
-    };
+    });
     result
         .unwrap_or_else(|error| commands::report(&error))
         .into()

@@ -1,20 +1,45 @@
-//! Text files that people write: UTF-8, or refused with what they are instead.
+//! Text files that a user names, read whole: UTF-8, or refused with what they are
+//! instead. A pipe is refused, for one that nobody writes to would be waited for, and so
+//! is what is too large to be meant.
 
-use std::io;
+use std::fs::File;
+use std::io::{Error, ErrorKind, Read, Result};
 use std::path::Path;
+
+/// Most bytes of a sweep file together with its bases. Every case by hand would be
+/// in a list.
+pub const LARGEST_SWEEP_FILE: u64 = 16 << 20;
+
+/// Most bytes of a table: a hundred for each of as many cases as there can be.
+pub const LARGEST_TABLE: u64 = 1 << 30;
 
 /// How a file that starts with it says that it is UTF-16.
 const UTF_16_MARKS: [[u8; 2]; 2] = [[0xff, 0xfe], [0xfe, 0xff]];
 
-/// The whole text of a file.
+/// Reads a file of at most so many bytes.
 ///
 /// # Errors
-/// Where it cannot be read or is not UTF-8.
-pub fn read_text(path: &Path) -> io::Result<String> {
-    text_of(std::fs::read(path)?)
+/// Where it cannot be read, is none, is larger, or is not UTF-8.
+pub fn read_text(path: &Path, most: u64) -> Result<String> {
+    // Before it is opened: that alone waits for the other end of a pipe.
+    let metadata = std::fs::metadata(path)?;
+    let refuse = |reason: String| Err(Error::new(ErrorKind::InvalidInput, reason));
+    if metadata.is_dir() {
+        return refuse("it is a folder".to_owned());
+    }
+    if !metadata.is_file() {
+        return refuse("it is a pipe or a device, not a file".to_owned());
+    }
+    let mut bytes = Vec::new();
+    // What the system says of the size need not be true.
+    let mut file = File::open(path)?.take(most + 1);
+    if metadata.len() > most || file.read_to_end(&mut bytes)? as u64 > most {
+        return refuse(format!("it is larger than {} MiB", most >> 20));
+    }
+    text_of(bytes)
 }
 
-fn text_of(bytes: Vec<u8>) -> io::Result<String> {
+fn text_of(bytes: Vec<u8>) -> Result<String> {
     String::from_utf8(bytes).map_err(|error| {
         let bytes = error.as_bytes();
         let message = if UTF_16_MARKS.iter().any(|mark| bytes.starts_with(mark)) {
@@ -28,6 +53,6 @@ fn text_of(bytes: Vec<u8>) -> io::Result<String> {
                 bytes[place]
             )
         };
-        io::Error::new(io::ErrorKind::InvalidData, message)
+        Error::new(ErrorKind::InvalidData, message)
     })
 }

@@ -113,12 +113,27 @@ impl Choice {
     }
 }
 
+/// What is about to be built and simulated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attempt {
+    /// Method and sampling frequency.
+    pub candidate: Candidate,
+    /// Whether it is to be the reference of the others.
+    pub is_reference: bool,
+}
+
 /// Where the sweep asks for an accuracy, chooses for it and puts the choice in.
+/// `tell` hears of each attempt before it is made, which may take minutes.
 ///
 /// # Errors
 /// Where nothing delivers the accuracy within the memory, or the sweep's cases cannot
 /// be.
-pub fn choose(sweep: &mut Sweep, full: bool, limit: &Limit) -> Result<()> {
+pub fn choose(
+    sweep: &mut Sweep,
+    full: bool,
+    limit: &Limit,
+    tell: &dyn Fn(Attempt),
+) -> Result<()> {
     let Some(Accuracy(asked)) = sweep.content.accuracy else {
         return Ok(());
     };
@@ -129,7 +144,13 @@ pub fn choose(sweep: &mut Sweep, full: bool, limit: &Limit) -> Result<()> {
     };
     let probes =
         Probes::of(sweep, asked, limit).map_err(|reason| sweep.source.error("accuracy", reason))?;
-    let (method, choice) = match search(&probes, asked, stopping) {
+    let search = Search {
+        probes: &probes,
+        asked,
+        stopping,
+        tell,
+    };
+    let (method, choice) = match search.run() {
         Ok(found) => found,
         Err(reason) => bail!(sweep.source.error("accuracy", reason)),
     };
@@ -137,85 +158,155 @@ pub fn choose(sweep: &mut Sweep, full: bool, limit: &Limit) -> Result<()> {
     Ok(())
 }
 
-fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Choice), String> {
-    let mut rungs = up_to_reference(probes, asked)?;
-    let mut tried: Vec<Tried> = Vec::new();
-    let mut next = 0;
-    loop {
-        let [below @ .., before, reference] = &rungs[..] else {
-            return Err("the ladder of sampling frequencies is too short".to_owned());
-        };
-        let held = memory_of(&rungs);
-        let uncertainty = uncertainty_of(&rungs, asked)
-            .map_err(|reason| format!("the reference: {reason}"))?
-            .part;
-        for rung in below.iter().chain([before]).skip(next) {
-            let found = try_rung(
-                probes,
-                rung,
-                reference,
-                held,
-                asked - uncertainty,
-                stopping,
-                &mut tried,
-            );
-            if let Some((method, chosen, error)) = found {
-                let choice = Choice {
-                    asked,
-                    delivered: error + uncertainty,
-                    chosen,
-                    reference_method: reference.method.name().to_owned(),
-                    reference_hz: reference.frequency,
-                    reference_uncertainty: uncertainty,
-                    probes: probes.cases(),
-                    tried,
-                };
-                return Ok((method, choice));
-            }
-        }
-        next = rungs.len() - 1;
-        // Finer than the reference has to be, but nothing coarser delivers.
-        match FREQUENCIES.get(rungs.len()) {
-            Some(&frequency) => {
-                let rung = Rung::build(probes, frequency, &rungs)
-                    .map_err(|reason| format!("{}; {reason}", none_delivers(asked, &tried)))?;
-                rungs.push(rung);
-            }
-            None => return Err(none_delivers(asked, &tried)),
-        }
-    }
+/// A search for the cheapest candidate.
+struct Search<'a> {
+    probes: &'a Probes<'a>,
+    asked: f64,
+    /// When the cases of candidates end.
+    stopping: Stopping,
+    tell: &'a dyn Fn(Attempt),
 }
 
-/// The first candidate at one frequency whose error is within `allowed`, with that.
-fn try_rung(
-    probes: &Probes,
-    rung: &Rung,
-    reference: &Rung,
-    held: f64,
-    allowed: f64,
-    stopping: Stopping,
-    tried: &mut Vec<Tried>,
-) -> Option<(Method, Candidate, f64)> {
-    for method in candidates() {
-        let built = (method != rung.method).then(|| probes.systems(method, rung.frequency, held));
-        let systems = built.as_ref().unwrap_or(&rung.systems);
-        let found = error_of(probes, systems, &reference.answers, allowed, stopping);
-        let candidate = ladder::candidate(&method, rung.frequency);
-        let error = found.as_ref().ok().map(|error| error.part);
-        tried.push(Tried {
-            candidate: candidate.clone(),
-            error,
-            of: found.map_or_else(|reason| reason, |error| error.of),
-        });
-        if let Some(error) = error.filter(|error| *error <= allowed) {
-            return Some((method, candidate, error));
-        }
-        // What the quadrature cannot treat, no other method can.
-        if method == Method::Quadrature && built.as_ref().unwrap_or(&rung.systems).is_err() {
-            break;
+impl Search<'_> {
+    fn run(&self) -> Result<(Method, Choice), String> {
+        let asked = self.asked;
+        let mut rungs = self.up_to_reference()?;
+        let mut tried: Vec<Tried> = Vec::new();
+        let mut next = 0;
+        loop {
+            let [below @ .., before, reference] = &rungs[..] else {
+                return Err("the ladder of sampling frequencies is too short".to_owned());
+            };
+            let held = memory_of(&rungs);
+            let uncertainty = uncertainty_of(&rungs, asked)
+                .map_err(|reason| format!("the reference: {reason}"))?
+                .part;
+            for rung in below.iter().chain([before]).skip(next) {
+                let found = self.try_rung(rung, reference, held, asked - uncertainty, &mut tried);
+                if let Some((method, chosen, error)) = found {
+                    let choice = Choice {
+                        asked,
+                        delivered: error + uncertainty,
+                        chosen,
+                        reference_method: reference.method.name().to_owned(),
+                        reference_hz: reference.frequency,
+                        reference_uncertainty: uncertainty,
+                        probes: self.probes.cases(),
+                        tried,
+                    };
+                    return Ok((method, choice));
+                }
+            }
+            next = rungs.len() - 1;
+            // Finer than the reference has to be, but nothing coarser delivers.
+            match FREQUENCIES.get(rungs.len()) {
+                Some(&frequency) => {
+                    let rung = self
+                        .build_rung(frequency, &rungs)
+                        .map_err(|reason| format!("{}; {reason}", none_delivers(asked, &tried)))?;
+                    rungs.push(rung);
+                }
+                None => return Err(none_delivers(asked, &tried)),
+            }
         }
     }
-    None
+
+    /// The first candidate at one frequency whose error is within `allowed`, with that.
+    fn try_rung(
+        &self,
+        rung: &Rung,
+        reference: &Rung,
+        held: f64,
+        allowed: f64,
+        tried: &mut Vec<Tried>,
+    ) -> Option<(Method, Candidate, f64)> {
+        let probes = self.probes;
+        for method in candidates() {
+            let candidate = ladder::candidate(&method, rung.frequency);
+            (self.tell)(Attempt {
+                candidate: candidate.clone(),
+                is_reference: false,
+            });
+            let built = (method != rung.method).then(|| probes.systems(method, rung.frequency, held));
+            let systems = built.as_ref().unwrap_or(&rung.systems);
+            let found = error_of(probes, systems, &reference.answers, allowed, self.stopping);
+            let error = found.as_ref().ok().map(|error| error.part);
+            tried.push(Tried {
+                candidate: candidate.clone(),
+                error,
+                of: found.map_or_else(|reason| reason, |error| error.of),
+            });
+            if let Some(error) = error.filter(|error| *error <= allowed) {
+                return Some((method, candidate, error));
+            }
+            // What the quadrature cannot treat, no other method can.
+            if method == Method::Quadrature && systems.is_err() {
+                break;
+            }
+        }
+        None
+    }
+
+    /// The reference's method at every frequency up to the first that can be the
+    /// reference.
+    fn up_to_reference(&self) -> Result<Vec<Rung>, String> {
+        let asked = self.asked;
+        let least = sampling_frequency(&self.probes.sweep.setting.string);
+        let mut rungs: Vec<Rung> = Vec::new();
+        let mut best = "no two frequencies can be compared".to_owned();
+        for frequency in FREQUENCIES {
+            match self.build_rung(frequency, &rungs) {
+                Ok(rung) => rungs.push(rung),
+                Err(reason) => {
+                    best = reason;
+                    break;
+                }
+            }
+            match uncertainty_of(&rungs, asked) {
+                Ok(error) if frequency >= least && error.part <= REFERENCE_PART * asked => {
+                    return Ok(rungs);
+                }
+                Ok(error) => {
+                    let percent = per_cent(error.part);
+                    best = format!(
+                        "from a quarter of {frequency} Hz to that, {} changes by {percent} %",
+                        error.of
+                    );
+                }
+                Err(reason) => best = format!("from a quarter of {frequency} Hz to that, {reason}"),
+            }
+        }
+        let (asked, part) = (per_cent(asked), per_cent(REFERENCE_PART * asked));
+        Err(format!(
+            "{asked} % cannot be told: the reference is to be certain to {part} %, but {best}"
+        ))
+    }
+
+    /// Finer frequencies only take more memory: an error ends the search.
+    fn build_rung(&self, frequency: f64, before: &[Rung]) -> Result<Rung, String> {
+        let probes = self.probes;
+        let method = probes.reference();
+        let held = memory_of(before);
+        let kept = (probes.fits(method, frequency, held))
+            .map_err(|reason| format!("at {frequency} Hz the reference {reason}"))?;
+        (self.tell)(Attempt {
+            candidate: ladder::candidate(&method, frequency),
+            is_reference: true,
+        });
+        let systems = probes.systems(method, frequency, held);
+        let known = before.last().map_or(&[][..], |before| &before.answers);
+        let answers = match &systems {
+            Ok(systems) => probes.answers(systems, Stopping::Full, known),
+            Err(_) => Vec::new(),
+        };
+        Ok(Rung {
+            method,
+            frequency,
+            systems,
+            kept,
+            answers,
+        })
+    }
 }
 
 fn none_delivers(asked: f64, tried: &[Tried]) -> String {
@@ -246,29 +337,6 @@ fn memory_of(rungs: &[Rung]) -> f64 {
     rungs.iter().map(|rung| rung.kept).sum()
 }
 
-impl Rung {
-    /// Finer frequencies only take more memory: an error ends the search.
-    fn build(probes: &Probes, frequency: f64, before: &[Rung]) -> Result<Self, String> {
-        let method = probes.reference();
-        let held = memory_of(before);
-        let kept = (probes.fits(method, frequency, held))
-            .map_err(|reason| format!("at {frequency} Hz the reference {reason}"))?;
-        let systems = probes.systems(method, frequency, held);
-        let known = before.last().map_or(&[][..], |before| &before.answers);
-        let answers = match &systems {
-            Ok(systems) => probes.answers(systems, Stopping::Full, known),
-            Err(_) => Vec::new(),
-        };
-        Ok(Self {
-            method,
-            frequency,
-            systems,
-            kept,
-            answers,
-        })
-    }
-}
-
 /// By how much the last answers may be wrong: by what they changed over two doublings,
 /// for over one they may agree by chance.
 fn uncertainty_of(rungs: &[Rung], asked: f64) -> Result<answer::Error, String> {
@@ -276,39 +344,6 @@ fn uncertainty_of(rungs: &[Rung], asked: f64) -> Result<answer::Error, String> {
         [.., quarter, _, whole] => largest_error(&quarter.answers, &whole.answers, asked),
         _ => Err("there are not three frequencies to compare".to_owned()),
     }
-}
-
-/// The reference's method at every frequency up to the first that can be the reference.
-fn up_to_reference(probes: &Probes, asked: f64) -> Result<Vec<Rung>, String> {
-    let least = sampling_frequency(&probes.sweep.setting.string);
-    let mut rungs: Vec<Rung> = Vec::new();
-    let mut best = "no two frequencies can be compared".to_owned();
-    for frequency in FREQUENCIES {
-        match Rung::build(probes, frequency, &rungs) {
-            Ok(rung) => rungs.push(rung),
-            Err(reason) => {
-                best = reason;
-                break;
-            }
-        }
-        match uncertainty_of(&rungs, asked) {
-            Ok(error) if frequency >= least && error.part <= REFERENCE_PART * asked => {
-                return Ok(rungs);
-            }
-            Ok(error) => {
-                let percent = per_cent(error.part);
-                best = format!(
-                    "from a quarter of {frequency} Hz to that, {} changes by {percent} %",
-                    error.of
-                );
-            }
-            Err(reason) => best = format!("from a quarter of {frequency} Hz to that, {reason}"),
-        }
-    }
-    let (asked, part) = (per_cent(asked), per_cent(REFERENCE_PART * asked));
-    Err(format!(
-        "{asked} % cannot be told: the reference is to be certain to {part} %, but {best}"
-    ))
 }
 
 /// The error of a candidate, of its linear responses alone if that is more than

@@ -10,9 +10,9 @@ use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use sim::{LateralRegime, Outcome, TorsionRegime};
 
 use super::{
-    Progress, Status, UsageError, build_systems, say, survey_cases, use_threads, warn_of_unstable,
+    Progress, Status, UsageError, build_systems, choose, say, survey_cases, use_threads,
+    warn_of_unstable,
 };
-use crate::accuracy::choose;
 use crate::cli::CheckArguments;
 use crate::design::{Design, List};
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Terms, Work};
@@ -26,7 +26,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     use_threads(arguments.jobs)?;
     let mut sweep = Sweep::read(&arguments.file)?;
     let limit = arguments.memory.limit();
-    choose(&mut sweep, false, &limit)?;
+    choose(&mut sweep, false, &limit, false)?;
     let axes = sweep.design.axes().to_vec();
     let reference = read_labels(&arguments.reference, &axes)
         .map_err(|error| UsageError(format!("{error:#}")))?;

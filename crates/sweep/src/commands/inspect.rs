@@ -39,7 +39,7 @@ type Curve = Vec<(f64, f64)>;
 /// Shows the linear system.
 pub fn inspect(arguments: &InspectArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
-    let sweep = read_sweep(&arguments.file, &arguments.work, false)?;
+    let sweep = read_sweep(&arguments.file, &arguments.work, false, false)?;
     warn_of_string(&sweep);
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     let survey = survey_cases(&arguments.file, &sweep)?;

@@ -3,6 +3,7 @@
 
 mod case_lines;
 pub mod check;
+mod choosing;
 mod complete;
 mod cost;
 mod folder;
@@ -19,23 +20,25 @@ pub mod run;
 pub mod shell;
 pub mod simulate;
 pub mod stability;
-mod stop;
+pub mod stop;
+mod threads;
 pub mod tradeoff;
 
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use linear::BuildError;
 use serde_json::json;
 
-use crate::accuracy::choose;
 use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
 use crate::printable::{printable, printable_json};
 use crate::spec::{MethodName, Setting, SpecError, Sweep};
+use choosing::choose;
 use progress::Progress;
+use threads::use_threads;
 
 /// How the program ended; the numbers are its exit codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -114,8 +117,8 @@ fn tell(event: &serde_json::Value) {
 }
 
 /// Reads a sweep file and puts the methods asked for in place of its own; or chooses
-/// one, where it asks for an accuracy.
-fn read_sweep(file: &Path, work: &WorkArguments, full: bool) -> Result<Sweep> {
+/// one, where it asks for an accuracy, telling what it tries unless `quiet`.
+fn read_sweep(file: &Path, work: &WorkArguments, full: bool, quiet: bool) -> Result<Sweep> {
     let mut methods: Vec<MethodName> = Vec::new();
     for &name in &work.methods {
         if !methods.contains(&name) {
@@ -123,25 +126,8 @@ fn read_sweep(file: &Path, work: &WorkArguments, full: bool) -> Result<Sweep> {
         }
     }
     let mut sweep = Sweep::read_with_methods(file, &methods)?;
-    choose(&mut sweep, full, &work.memory.limit())?;
+    choose(&mut sweep, full, &work.memory.limit(), quiet)?;
     Ok(sweep)
-}
-
-/// Uses as many threads as asked for, or as the cluster allots.
-fn use_threads(jobs: Option<usize>) -> Result<()> {
-    let allotted = |name: &str| std::env::var(name).ok()?.trim().parse().ok();
-    let threads = jobs
-        .or_else(|| allotted("SLURM_CPUS_PER_TASK"))
-        .or_else(|| allotted("SLURM_CPUS_ON_NODE"));
-    if threads == Some(0) {
-        bail!(UsageError(
-            "--jobs 0: at least one thread is needed".to_owned()
-        ));
-    }
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.unwrap_or(0))
-        .build_global()
-        .context("the threads cannot be started")
 }
 
 /// The folder for a sweep's results.

@@ -2,18 +2,23 @@
 //! events for programs. The time left counts only what this run does.
 
 use std::io::IsTerminal;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
+use super::stop;
+
 /// Time between lines where there is no terminal.
-const BETWEEN_LINES: Duration = Duration::from_secs(10);
+pub const BETWEEN_LINES: Duration = Duration::from_secs(10);
 
 /// Time between events.
-const BETWEEN_EVENTS: Duration = Duration::from_secs(1);
+pub const BETWEEN_EVENTS: Duration = Duration::from_secs(1);
+
+/// Time between pictures of a bar.
+pub const BETWEEN_TICKS: Duration = Duration::from_millis(200);
 
 /// Counts what is done and shows it on the error stream.
 pub struct Progress {
@@ -23,6 +28,7 @@ pub struct Progress {
     done: AtomicUsize,
     start: Instant,
     shown: Mutex<Instant>,
+    is_over: AtomicBool,
     display: Display,
 }
 
@@ -35,8 +41,8 @@ enum Display {
 }
 
 impl Progress {
-    /// Progress for people.
-    pub fn new(total: usize, before: usize, quiet: bool) -> Self {
+    /// Progress for people. A signal ends it.
+    pub fn new(total: usize, before: usize, quiet: bool) -> Arc<Self> {
         let display = if quiet {
             Display::Nothing
         } else if std::io::stderr().is_terminal() {
@@ -47,22 +53,29 @@ impl Progress {
         Self::shown_by(display, total, before)
     }
 
-    /// Progress for programs.
-    pub fn events(total: usize, before: usize) -> Self {
+    /// Progress for programs. A signal ends it.
+    pub fn events(total: usize, before: usize) -> Arc<Self> {
         super::tell(&json!({ "event": "start", "total": total, "done": before }));
         Self::shown_by(Display::Events, total, before)
     }
 
-    fn shown_by(display: Display, total: usize, before: usize) -> Self {
+    fn shown_by(display: Display, total: usize, before: usize) -> Arc<Self> {
         let now = Instant::now();
-        Self {
+        let progress = Arc::new(Self {
             total,
             before,
             done: AtomicUsize::new(0),
             start: now,
             shown: Mutex::new(now),
+            is_over: AtomicBool::new(false),
             display,
-        }
+        });
+        let shown = Arc::clone(&progress);
+        stop::before_end(move || {
+            shown.finish();
+            stop::tell_unfinished();
+        });
+        progress
     }
 
     /// One more is done.
@@ -105,6 +118,9 @@ impl Progress {
 
     /// The run is over: the bar goes.
     pub fn finish(&self) {
+        if self.is_over.swap(true, Ordering::Relaxed) {
+            return;
+        }
         match &self.display {
             Display::Bar(bar) => bar.finish_and_clear(),
             Display::Events => super::tell(&json!({
@@ -126,6 +142,6 @@ fn bar(total: usize, before: usize) -> ProgressBar {
     }
     bar.set_position(before as u64);
     bar.reset_eta();
-    bar.enable_steady_tick(Duration::from_millis(200));
+    bar.enable_steady_tick(BETWEEN_TICKS);
     bar
 }

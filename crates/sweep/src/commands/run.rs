@@ -5,6 +5,7 @@ mod plan;
 
 use std::fmt::Write;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow, bail};
@@ -14,10 +15,9 @@ use super::complete::Again;
 use super::folder::{Found, LOG, hold, look, remove_page};
 use super::plot::draw_and_note;
 use super::raise::{log_of_results, raise_log};
-use super::stop::Stop;
 use super::{
     Progress, Status, TELLS_JSON, UsageError, build_systems, complain, make_folder, read_sweep,
-    results_folder, say, survey_cases, use_threads, warn_of_string, warn_of_unstable,
+    results_folder, say, stop, survey_cases, use_threads, warn_of_string, warn_of_unstable,
 };
 use crate::cli::{LogFormat, RunArguments};
 use crate::engine::{Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Work, pairs_of};
@@ -36,9 +36,13 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     let start = Instant::now();
     let tells_json = arguments.log == LogFormat::Json;
     TELLS_JSON.store(tells_json, std::sync::atomic::Ordering::Relaxed);
-    let stop = Stop::listen()?;
     use_threads(arguments.work.jobs)?;
-    let sweep = read_sweep(&arguments.file, &arguments.work, arguments.full)?;
+    let sweep = read_sweep(
+        &arguments.file,
+        &arguments.work,
+        arguments.full,
+        arguments.quiet,
+    )?;
     if !arguments.quiet {
         warn_of_string(&sweep);
     }
@@ -63,8 +67,8 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
             shard,
             found: &found,
         };
-        let text = plan.describe(&|| stop.status().is_some())?;
-        if let Some(status) = stop.status() {
+        let text = plan.describe(&|| stop::asked().is_some())?;
+        if let Some(status) = stop::asked() {
             return Ok(status);
         }
         say(&text)?;
@@ -98,7 +102,7 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
             return again.show(*manifest);
         }
     }
-    let log = Log::open(&log, sweep.design.cases(), sweep.methods.len())?;
+    let log = Arc::new(Log::open(&log, sweep.design.cases(), sweep.methods.len())?);
     let about = About::new(&sweep, &arguments.file, shard, arguments.terms(), &systems)?;
     log.describe(about.text()?)?;
     tell_of_start(&log, &systems);
@@ -117,25 +121,34 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         folder: &folder,
         start,
     };
-    let worked = session.simulate_open_cases(&log, &stop, &progress);
-    progress.finish();
-    let kept = log.sync();
-    let so_far = || {
+    let place = folder.display().to_string();
+    let so_far = move |done: usize| {
         format!(
-            "{} of {total} simulations are done and kept in {}: the same command goes on",
-            log.count(),
-            folder.display()
+            "{done} of {total} simulations are done and kept in {place}: the same command goes on"
         )
     };
-    let with_so_far = |error: anyhow::Error| anyhow!("{error:#}; {}", so_far());
+    stop::before_end({
+        let (log, progress, so_far) = (Arc::clone(&log), Arc::clone(&progress), so_far.clone());
+        move || {
+            progress.finish();
+            log.close(|done| complain(&format!("stopped: {}", so_far(done))));
+        }
+    });
+    let worked = session.simulate_open_cases(&log, &progress);
+    progress.finish();
+    let kept = log.sync();
+    let with_so_far = |error: anyhow::Error| anyhow!("{error:#}; {}", so_far(log.count()));
     worked.map_err(with_so_far)?;
     kept.map_err(|error| with_so_far(error.into()))?;
     if log.count() < total
-        && let Some(status) = stop.status()
+        && let Some(status) = stop::asked()
     {
-        complain(&format!("stopped: {}", so_far()));
-        return Ok(status);
+        stop::end(status);
     }
+    stop::before_end({
+        let so_far = so_far(total);
+        move || complain(&format!("stopped: {so_far}"))
+    });
     session.finish(&limit, &log).map_err(with_so_far)
 }
 
@@ -194,7 +207,7 @@ struct Session<'a> {
 }
 
 impl Session<'_> {
-    fn simulate_open_cases(&self, log: &Log, stop: &Stop, progress: &Progress) -> Result<()> {
+    fn simulate_open_cases(&self, log: &Log, progress: &Progress) -> Result<()> {
         let (arguments, sweep) = (self.arguments, self.sweep);
         if arguments.fail_fast && log.failed() > 0 {
             bail!(
@@ -230,7 +243,7 @@ impl Session<'_> {
             terms: arguments.terms(),
             strings_at_once: self.strings_at_once,
             is_open: &|case, method| !is_done(case, method),
-            stops: &|| stop.status().is_some(),
+            stops: &|| stop::asked().is_some(),
         };
         work.run(self.systems, &keep)
     }

@@ -45,7 +45,7 @@ pub struct Simulation {
 /// Simulates the chosen cases with every method and keeps their time histories.
 pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
-    let mut sweep = read_sweep(&arguments.file, &arguments.work, arguments.full)?;
+    let mut sweep = read_sweep(&arguments.file, &arguments.work, arguments.full, false)?;
     warn_of_string(&sweep);
     let choices = (unique(&arguments.case).into_iter())
         .map(|index| Choice::new(&sweep, arguments, index))

@@ -1,49 +1,110 @@
-//! Ctrl-C and SIGTERM: no further case is begun, what is done is kept. A second
-//! one ends the program at once.
+//! Ctrl-C and SIGTERM: every command ends within a second, whatever it is at.
+//!
+//! What is under way has a moment to come to its end by itself: a run begins no
+//! further case, and a file that is being written is finished. Then the program
+//! ends. Nothing is lost by that, for a file is there whole or not at all, and a
+//! case that is done is in the log. A second signal ends the program at once.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::process::exit;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, OnceLock};
+use std::thread::{self, sleep};
+use std::time::Duration;
 
 use anyhow::{Context, Result};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
-use super::Status;
+use super::{Status, complain};
 
-/// Whether the program was asked to stop.
-pub struct Stop {
-    interrupted: Arc<AtomicBool>,
-    terminated: Arc<AtomicBool>,
+/// How often it is looked whether a signal has come.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
+
+/// Signals within this time of the first count as the same: `timeout`, for one,
+/// sends them to the process and to its group.
+const SAME_SIGNAL: Duration = Duration::from_millis(100);
+
+/// What is under way may go on for this long.
+const GRACE: Duration = Duration::from_millis(300);
+
+/// What is left to do and to say may take this long. It takes longer only where
+/// nobody reads it, or a disk does not answer.
+const FAREWELL: Duration = Duration::from_millis(400);
+
+/// The exit code that a signal asked for; 0 before.
+static ASKED: OnceLock<Arc<AtomicUsize>> = OnceLock::new();
+
+/// What is done before the program ends.
+type Farewell = Box<dyn Fn() + Send>;
+
+static BEFORE_END: Mutex<Option<Farewell>> = Mutex::new(None);
+
+/// Listens to signals from now on.
+///
+/// # Errors
+/// Where the system does not let it.
+pub fn listen() -> Result<()> {
+    let asked = ASKED.get_or_init(Arc::default);
+    let is_second = Arc::new(AtomicBool::new(false));
+    let listen = || -> std::io::Result<()> {
+        for (signal, status) in [(SIGINT, Status::Interrupted), (SIGTERM, Status::Terminated)] {
+            flag::register_conditional_shutdown(signal, status as i32, Arc::clone(&is_second))?;
+            flag::register_usize(signal, Arc::clone(asked), status as usize)?;
+        }
+        thread::Builder::new().spawn(move || {
+            let status = wait();
+            sleep(SAME_SIGNAL);
+            is_second.store(true, Ordering::Relaxed);
+            sleep(GRACE);
+            end(status);
+        })?;
+        Ok(())
+    };
+    listen().context("signals cannot be listened to")
 }
 
-impl Stop {
-    /// Listens from now on.
-    ///
-    /// # Errors
-    /// Where the system does not let it.
-    pub fn listen() -> Result<Self> {
-        let listen = |signal, status: Status| -> std::io::Result<Arc<AtomicBool>> {
-            let asked = Arc::new(AtomicBool::new(false));
-            // In this order: the first signal finds the flag still down.
-            flag::register_conditional_shutdown(signal, status as i32, Arc::clone(&asked))?;
-            flag::register(signal, Arc::clone(&asked))?;
-            Ok(asked)
-        };
-        let failed = "signals cannot be listened to";
-        Ok(Self {
-            interrupted: listen(SIGINT, Status::Interrupted).context(failed)?,
-            terminated: listen(SIGTERM, Status::Terminated).context(failed)?,
-        })
-    }
-
-    /// How the program is to end, once it was asked to.
-    pub fn status(&self) -> Option<Status> {
-        if self.terminated.load(Ordering::Relaxed) {
-            Some(Status::Terminated)
-        } else if self.interrupted.load(Ordering::Relaxed) {
-            Some(Status::Interrupted)
-        } else {
-            None
+fn wait() -> Status {
+    loop {
+        if let Some(status) = asked() {
+            break status;
         }
+        sleep(BETWEEN_LOOKS);
     }
+}
+
+/// How the program is to end, once it was asked to.
+pub fn asked() -> Option<Status> {
+    let code = ASKED.get()?.load(Ordering::Relaxed);
+    [Status::Interrupted, Status::Terminated]
+        .into_iter()
+        .find(|status| *status as usize == code)
+}
+
+/// From now on, this is done before a signal ends the program: it tells what is
+/// kept, or that nothing is ([`tell_unfinished`]).
+pub fn before_end(farewell: impl Fn() + Send + 'static) {
+    if let Ok(mut before_end) = BEFORE_END.lock() {
+        *before_end = Some(Box::new(farewell));
+    }
+}
+
+/// Says of a command that keeps nothing that it was stopped.
+pub fn tell_unfinished() {
+    complain("stopped: not finished; give the same command again");
+}
+
+/// Ends the program as a signal asked for. The farewell is said once, whoever comes
+/// first.
+pub fn end(status: Status) -> ! {
+    // A thread of its own, for it may never end.
+    let _ = thread::Builder::new().spawn(move || {
+        let before_end = BEFORE_END.lock();
+        match before_end.as_deref() {
+            Ok(Some(farewell)) => farewell(),
+            _ => tell_unfinished(),
+        }
+        exit(status as i32);
+    });
+    sleep(FAREWELL);
+    exit(status as i32)
 }

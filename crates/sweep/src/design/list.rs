@@ -6,6 +6,7 @@ use std::path::Path;
 use super::count_string_axes;
 use crate::hand_table::{HandTable, Mistake, number};
 use crate::spec::{Axis, DesignTable, Source, SpecError, TextOf, check_axis_value};
+use crate::text_file::LARGEST_TABLE;
 
 /// Listed cases.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,7 +90,7 @@ impl List {
 
 /// Reads a list; an error starts where the file's name ends.
 fn read(source: &Source, path: &Path, text_of: TextOf) -> Result<List, String> {
-    let text = text_of(path).map_err(|error| format!(" cannot be read: {error}"))?;
+    let text = text_of(path, LARGEST_TABLE).map_err(|error| format!(" cannot be read: {error}"))?;
     let parsed = HandTable::new(&text).and_then(|table| cases_of(source, &table));
     parsed.map_err(|mistake| format!(":{mistake}"))
 }

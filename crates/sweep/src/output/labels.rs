@@ -9,7 +9,7 @@ use sim::{LateralMeasures, TorsionMeasures};
 use crate::engine::{Row, RowOutcome};
 use crate::hand_table::{HandTable, Mistake, number};
 use crate::spec::{Axis, Sweep, to_rpm};
-use crate::text_file::read_text;
+use crate::text_file::{LARGEST_TABLE, read_text};
 
 /// Columns that follow the axes.
 const RESULT_COLUMNS: [&str; 21] = [
@@ -194,7 +194,8 @@ impl Columns {
 /// # Errors
 /// Where they cannot be read; the message names file and line.
 pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
-    let text = read_text(path).with_context(|| format!("{} cannot be read", path.display()))?;
+    let text = read_text(path, LARGEST_TABLE)
+        .with_context(|| format!("{} cannot be read", path.display()))?;
     let parsed = HandTable::new(&text).and_then(|table| rows_of(&table, axes));
     parsed.map_err(|mistake| anyhow!("{}:{mistake}", path.display()))
 }

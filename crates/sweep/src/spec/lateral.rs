@@ -5,7 +5,7 @@ use linear::{Bending, Drillstring, Sites, SurfaceSupport};
 use serde::{Deserialize, Serialize};
 use sim::{EccentricMass, Wall};
 
-use super::file::{FileContent, SiteTable};
+use super::file::FileContent;
 use super::resolve::{Check, Conditions, Sweep, in_digits};
 use super::source::SpecError;
 use super::string_axis::StringAxis;
@@ -170,8 +170,15 @@ impl Check<'_> {
         };
         let (bending, support) = self.bending(table)?;
         let has = |axis| conditions.value(axis).is_some() || design.axes().contains(&axis);
-        let walls = (sites.distances_from_bit().iter())
-            .map(|&distance| self.wall(content, string, distance, has(Axis::Friction)))
+        // As the sites are: from the surface down.
+        let mut order: Vec<usize> = (0..content.sites.len()).collect();
+        let distance = |index: &usize| content.sites[*index].distance_from_bit_m;
+        order.sort_by(|one, other| distance(other).total_cmp(&distance(one)));
+        let walls = (sites.distances_from_bit().iter().zip(order))
+            .map(|(&distance, index)| {
+                let radius = string.outer_radius_at(distance);
+                self.wall(content, index, radius, has(Axis::Friction))
+            })
             .collect::<Result<_, _>>()?;
         let impulses = (content.impulses.iter().enumerate())
             .map(|(index, table)| self.impulse(index, table, sites, has(Axis::ImpulseRatio)))
@@ -233,44 +240,36 @@ impl Check<'_> {
         Ok((bending, support))
     }
 
+    /// The wall at a site of the file, where the string has an outer radius (m).
     fn wall(
         &self,
         content: &FileContent,
-        string: &Drillstring,
-        distance: f64,
+        index: usize,
+        radius: f64,
         friction_by_axis: bool,
     ) -> Result<Wall, SpecError> {
         let common = content.wall.unwrap_or_default();
-        let own = |site: &&(usize, &SiteTable)| site.1.distance_from_bit_m == distance;
-        let sites: Vec<(usize, &SiteTable)> = content.sites.iter().enumerate().collect();
-        let site = sites.iter().find(own);
-        let chosen = |own: Option<f64>, common: Option<f64>, name: &str| match (own, site) {
-            (Some(value), Some((index, _))) => (Some(value), format!("sites[{index}].{name}")),
-            _ => (common, format!("wall.{name}")),
+        let site = &content.sites[index];
+        let chosen = |own: Option<f64>, common: Option<f64>, name: &str| match own {
+            Some(value) => (Some(value), format!("sites[{index}].{name}")),
+            None => (common, format!("wall.{name}")),
         };
-        let (clearance, key) = chosen(
-            site.and_then(|(_, site)| site.clearance_mm),
-            common.clearance_mm,
-            "clearance_mm",
-        );
+        let (clearance, key) = chosen(site.clearance_mm, common.clearance_mm, "clearance_mm");
         let Some(clearance) = clearance else {
+            let distance = site.distance_from_bit_m;
             let message = format!("the site {distance} m from the bit has no clearance");
             return Err(self.source.error("wall", message));
         };
         self.within(&key, clearance, 1e-3, 1e3, "mm")?;
         let (stiffness, key) = chosen(
-            site.and_then(|(_, site)| site.stiffness_gn_m15),
+            site.stiffness_gn_m15,
             common.stiffness_gn_m15,
             "stiffness_gn_m15",
         );
         if let Some(stiffness) = stiffness {
             self.within(&key, stiffness, 1e-6, 1e6, "GN/m^1.5")?;
         }
-        let (friction, key) = chosen(
-            site.and_then(|(_, site)| site.friction),
-            common.friction,
-            "friction",
-        );
+        let (friction, key) = chosen(site.friction, common.friction, "friction");
         if let Some(friction) = friction {
             self.within(&key, friction, 0.0, 50.0, "")?;
         }
@@ -282,16 +281,16 @@ impl Check<'_> {
             clearance: 1e-3 * clearance,
             stiffness: stiffness.map_or(f64::INFINITY, |stiffness| 1e9 * stiffness),
             friction,
-            radius: string.outer_radius_at(distance),
+            radius,
         })
     }
 
     fn site_of(&self, key: &str, distance: f64, sites: &Sites) -> Result<usize, SpecError> {
-        let found = sites
-            .distances_from_bit()
-            .iter()
-            .position(|site| *site == distance);
-        found.ok_or_else(|| {
+        // They are in order, and may be many.
+        let distances = sites.distances_from_bit();
+        let index = distances.partition_point(|site| *site > distance);
+        let found = distances.get(index).filter(|site| **site == distance);
+        found.map(|_| index).ok_or_else(|| {
             let known: Vec<String> = (sites.distances_from_bit().iter())
                 .map(|site| format!("{site}"))
                 .collect();

@@ -10,6 +10,7 @@ mod fuzz;
 mod guide;
 mod lateral;
 mod map;
+mod placed;
 mod resolve;
 mod setting;
 mod sheet;

@@ -343,17 +343,22 @@ impl Check<'_> {
                 return Err(self.source.error(key, message));
             }
         }
-        for (index, site) in content.sites.iter().enumerate() {
+        // How many distances there are with each site.
+        let mut counts = Vec::with_capacity(content.sites.len());
+        for site in &content.sites {
             if content.wall.is_some() || site.distance_from_bit_m != 0.0 {
                 distances.push(site.distance_from_bit_m);
             }
-            Sites::new(string, &distances).map_err(|error| {
-                let key = format!("sites[{index}].distance_from_bit_m");
-                self.source.error(&key, error.to_string())
-            })?;
+            counts.push(distances.len());
         }
-        Sites::new(string, &distances)
-            .map_err(|error| self.source.error("sites", error.to_string()))
+        Sites::new(string, &distances).map_err(|error| {
+            // The first site with which there is an error is to blame.
+            let error_with = |count: usize| Sites::new(string, &distances[..count]).err();
+            let index = counts.partition_point(|&count| error_with(count).is_none());
+            let blamed = counts.get(index).and_then(|&count| error_with(count));
+            let key = format!("sites[{index}].distance_from_bit_m");
+            self.source.error(&key, blamed.unwrap_or(error).to_string())
+        })
     }
 
     /// The methods. Parameters of the others are looked at too where the file names

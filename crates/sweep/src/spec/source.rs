@@ -1,18 +1,19 @@
 //! A sweep file and its bases as one table that still knows on which line of
 //! which file each value stands.
 
-use std::collections::HashMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
-use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::placed::{LineNumbers, Placed};
 use crate::printable::steers;
+use crate::text_file::LARGEST_SWEEP_FILE;
 
-/// A base of a base of a base is deep enough; more is a circle.
-const DEEPEST_BASE: usize = 8;
+/// More files than this, each the base of the one before, are a mistake of whoever
+/// writes them.
+const MOST_FILES: usize = 64;
 
 /// Keys that say the same in another way: a file gives one of each pair, and it
 /// replaces the other of its base.
@@ -22,8 +23,9 @@ const RIVALS: [(&str, &str); 3] = [
     ("accuracy", "sampling_frequency_hz"),
 ];
 
-/// Gives the text of a file: from the disk or, in tests, from memory.
-pub type TextOf<'a> = &'a dyn Fn(&Path) -> std::io::Result<String>;
+/// Gives the text of a file that has at most so many bytes: from the disk or, in
+/// tests, from memory.
+pub type TextOf<'a> = &'a dyn Fn(&Path, u64) -> std::io::Result<String>;
 
 /// One clear sentence about a sweep file that cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,20 +58,13 @@ impl fmt::Display for SpecError {
 
 impl std::error::Error for SpecError {}
 
-/// Where a value stands.
-#[derive(Debug, Clone, Copy)]
-struct Place {
-    file: usize,
-    line: usize,
-}
-
 /// The merged table of a sweep file and its bases.
 #[derive(Debug, Clone)]
 pub struct Source {
-    table: toml::Table,
+    merged: Placed,
     files: Vec<PathBuf>,
-    /// Key path (`string.sections[0].repeat`) to place.
-    places: HashMap<String, Place>,
+    /// Their bytes.
+    size: u64,
 }
 
 impl Source {
@@ -79,9 +74,9 @@ impl Source {
     /// Where a file cannot be read or is not TOML, or the bases go in a circle.
     pub fn read(path: &Path, text_of: TextOf) -> Result<Self, SpecError> {
         let mut source = Self {
-            table: toml::Table::new(),
+            merged: Placed::default(),
             files: Vec::new(),
-            places: HashMap::new(),
+            size: 0,
         };
         source.add_file(path, text_of)?;
         Ok(source)
@@ -89,18 +84,18 @@ impl Source {
 
     /// Puts a value in place of what the files say at a key of their top level.
     pub fn put(&mut self, key: &str, value: toml::Value) {
-        self.replace(key);
-        self.table.insert(key.to_owned(), value);
+        self.merged.remove(key);
+        self.merged.table.insert(key.to_owned(), value);
     }
 
     /// Whether the files give a key of their top level.
     pub fn gives(&self, key: &str) -> bool {
-        self.table.contains_key(key)
+        self.merged.table.contains_key(key)
     }
 
     /// The folder of the file that gives `key`, where files it names are.
     pub fn folder_of(&self, key: &str) -> &Path {
-        let file = self.places.get(key).map_or(0, |place| place.file);
+        let file = self.merged.find(key).map_or(0, |place| place.file);
         self.files[file].parent().unwrap_or(Path::new(""))
     }
 
@@ -109,7 +104,7 @@ impl Source {
     /// # Errors
     /// Where a key is unknown or missing or a value has another type.
     pub fn parse<T: DeserializeOwned>(&self) -> Result<T, SpecError> {
-        serde_path_to_error::deserialize(self.table.clone()).map_err(|error| {
+        serde_path_to_error::deserialize(self.merged.table.clone()).map_err(|error| {
             let path = error.path().to_string();
             let message = error.into_inner().message().trim().to_owned();
             self.type_error(&path, &message, &keys_of::<T>())
@@ -119,14 +114,7 @@ impl Source {
     /// An error about the value at `key`; where it is not given, about the
     /// table around it.
     pub fn error(&self, key: &str, message: impl Into<String>) -> SpecError {
-        let mut known = key;
-        let place = loop {
-            match (self.places.get(known), known.rfind(['.', '['])) {
-                (Some(place), _) => break Some(*place),
-                (None, Some(end)) => known = &known[..end],
-                (None, None) => break None,
-            }
-        };
+        let place = self.merged.find(key);
         SpecError {
             file: self.files[place.map_or(0, |place| place.file)].clone(),
             line: place.map(|place| place.line),
@@ -184,8 +172,14 @@ impl Source {
             key: key.map(str::to_owned),
             message,
         };
-        let text = text_of(path)
+        let text = text_of(path, LARGEST_SWEEP_FILE)
             .map_err(|error| unusable(None, None, format!("cannot be read: {error}")))?;
+        self.size += text.len() as u64;
+        if self.size > LARGEST_SWEEP_FILE {
+            let most = LARGEST_SWEEP_FILE >> 20;
+            let message = format!("this and what it is a base of are larger than {most} MiB");
+            return Err(unusable(None, None, message));
+        }
         let lines = LineNumbers::new(&text);
         let table = DeTable::parse(&text).map_err(|error| {
             let line = error.span().map(|span| lines.of(span.start));
@@ -201,11 +195,9 @@ impl Source {
                 let message = "names a file, so it is a string".to_owned();
                 return Err(unusable(Some(line), Some("base"), message));
             };
-            if self.files.len() > DEEPEST_BASE {
-                let message = "the bases go in a circle".to_owned();
-                return Err(unusable(Some(line), Some("base"), message));
-            }
             let base = path.parent().unwrap_or(Path::new("")).join(base.as_ref());
+            self.refuse_circle(&base)
+                .map_err(|message| unusable(Some(line), Some("base"), message))?;
             self.add_file(&base, text_of)
                 .map_err(|error| match error.line {
                     None => unusable(Some(line), Some("base"), error.to_string()),
@@ -220,87 +212,31 @@ impl Source {
                     let message = format!("is given instead of `{other}`, not beside it");
                     return Err(unusable(Some(line), Some(one), message));
                 }
-                (Some(_), false) => self.replace(other),
-                (None, true) => self.replace(one),
+                (Some(_), false) => self.merged.remove(other),
+                (None, true) => self.merged.remove(one),
                 (None, false) => {}
             }
         }
-        let merged = std::mem::take(&mut self.table);
-        self.table = self.merge(file, &lines, merged, table.get_ref(), "");
+        self.merged.lay_over(given, file, &lines);
         Ok(())
     }
 
-    /// Lays `over` on `under`: tables key by key, anything else as a whole, and
-    /// a `[design]` as a whole too.
-    fn merge(
-        &mut self,
-        file: usize,
-        lines: &LineNumbers,
-        mut under: toml::Table,
-        over: &DeTable,
-        path: &str,
-    ) -> toml::Table {
-        for (key, value) in over {
-            let key_path = join(path, key.get_ref());
-            if key_path == "base" {
-                continue;
-            }
-            let line = lines.of(key.span().start);
-            let below = match (value.get_ref(), under.remove(key.get_ref().as_ref())) {
-                (DeValue::Table(_), Some(toml::Value::Table(below))) if key_path != "design" => {
-                    Some(below)
-                }
-                (_, Some(_)) => {
-                    self.forget(&key_path);
-                    None
-                }
-                (_, None) => None,
-            };
-            self.places.insert(key_path.clone(), Place { file, line });
-            let merged = self.value(file, lines, below, value, &key_path);
-            under.insert(key.get_ref().to_string(), merged);
+    /// A file that is read already is no base of the last one.
+    fn refuse_circle(&self, base: &Path) -> Result<(), String> {
+        let same = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let file = same(base);
+        if self.files.iter().any(|known| same(known) == file) {
+            let base = base.display();
+            return Err(format!(
+                "the bases go in a circle: {base} would be its own base"
+            ));
         }
-        under
-    }
-
-    fn value(
-        &mut self,
-        file: usize,
-        lines: &LineNumbers,
-        below: Option<toml::Table>,
-        value: &Spanned<DeValue>,
-        path: &str,
-    ) -> toml::Value {
-        match value.get_ref() {
-            DeValue::Table(table) => {
-                toml::Value::Table(self.merge(file, lines, below.unwrap_or_default(), table, path))
-            }
-            DeValue::Array(items) => {
-                let items = items.iter().enumerate().map(|(index, item)| {
-                    let path = format!("{path}[{index}]");
-                    let line = lines.of(item.span().start);
-                    self.places.insert(path.clone(), Place { file, line });
-                    self.value(file, lines, None, item, &path)
-                });
-                toml::Value::Array(items.collect())
-            }
-            scalar => plain(scalar),
+        if self.files.len() >= MOST_FILES {
+            return Err(format!(
+                "there are more than {MOST_FILES} files, each the base of the one before"
+            ));
         }
-    }
-
-    /// Takes out what a base gave at a key that another replaces.
-    fn replace(&mut self, key: &str) {
-        self.table.remove(key);
-        self.forget(key);
-    }
-
-    /// Forgets the places of a value that is replaced as a whole.
-    fn forget(&mut self, key: &str) {
-        self.places.retain(|path, _| {
-            !path
-                .strip_prefix(key)
-                .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-        });
+        Ok(())
     }
 }
 
@@ -351,43 +287,5 @@ fn in_words(kind: &str) -> &str {
         "unit variant" => "another kind of value",
         _ if kind.starts_with("struct ") => "a table",
         _ => kind,
-    }
-}
-
-/// A scalar without its place. A whole number too large for its type becomes
-/// the nearest other one, which is refused at its place unless it makes sense.
-fn plain(value: &DeValue) -> toml::Value {
-    match value {
-        DeValue::String(text) => toml::Value::String(text.to_string()),
-        DeValue::Boolean(choice) => toml::Value::Boolean(*choice),
-        DeValue::Datetime(time) => toml::Value::Datetime(*time),
-        DeValue::Integer(number) => i64::from_str_radix(number.as_str(), number.radix())
-            .map_or_else(
-                |_| toml::Value::Float(number.as_str().parse().unwrap_or(f64::INFINITY)),
-                toml::Value::Integer,
-            ),
-        DeValue::Float(number) => number.as_str().parse().map_or_else(
-            |_| toml::Value::String(number.to_string()),
-            toml::Value::Float,
-        ),
-        DeValue::Array(_) | DeValue::Table(_) => toml::Value::Table(toml::Table::new()),
-    }
-}
-
-/// Byte offsets to line numbers.
-struct LineNumbers {
-    starts: Vec<usize>,
-}
-
-impl LineNumbers {
-    fn new(text: &str) -> Self {
-        let after_breaks = text.match_indices('\n').map(|(at, _)| at + 1);
-        Self {
-            starts: std::iter::once(0).chain(after_breaks).collect(),
-        }
-    }
-
-    fn of(&self, offset: usize) -> usize {
-        self.starts.partition_point(|&start| start <= offset)
     }
 }

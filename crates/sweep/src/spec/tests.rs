@@ -8,7 +8,7 @@ use super::{SpecError, Sweep};
 /// Reads a file on top of the paper's drillstring.
 fn read(text: &str) -> Result<Sweep, SpecError> {
     let text = format!("base = \"academic.toml\"\n{text}");
-    Sweep::read_from(Path::new("sweep.toml"), &|path| {
+    Sweep::read_from(Path::new("sweep.toml"), &|path, _| {
         Ok(match path.to_str() {
             Some("sweep.toml") => text.clone(),
             _ => include_str!("../../../../sweeps/academic.toml").to_owned(),

@@ -155,6 +155,16 @@ impl Log {
         self.sync_state(&mut self.state())
     }
 
+    /// For the end of the program while cases are under way: nothing is added any
+    /// more, `tell` hears how many pairs are done, and they are put on the disk.
+    pub fn close(&self, tell: impl FnOnce(usize)) {
+        let mut state = self.state();
+        tell(state.content.count());
+        // The program ends whether this succeeds or not.
+        let _ = self.sync_state(&mut state);
+        std::mem::forget(state);
+    }
+
     fn sync_state(&self, state: &mut State) -> Result<(), LogError> {
         state.synced = Instant::now();
         (state.file.sync_data()).map_err(|error| file_error(&self.path, "written", error))

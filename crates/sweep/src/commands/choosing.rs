@@ -1,0 +1,188 @@
+//! Choosing for an accuracy, which may take minutes: what is tried is told
+//! meanwhile, and at the end what it took.
+
+use std::io::IsTerminal;
+use std::sync::Mutex;
+use std::sync::atomic::Ordering;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use anyhow::Result;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+
+use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, BETWEEN_TICKS};
+use super::{TELLS_JSON, complain, stop, tell};
+use crate::accuracy::{self, Attempt, Candidate};
+use crate::memory::Limit;
+use crate::spec::Sweep;
+
+/// Where the sweep asks for an accuracy, chooses for it; tells of that unless
+/// `quiet`.
+///
+/// # Errors
+/// As [`accuracy::choose`].
+pub fn choose(sweep: &mut Sweep, full: bool, limit: &Limit, quiet: bool) -> Result<()> {
+    if sweep.content.accuracy.is_none() {
+        return Ok(());
+    }
+    let choosing = Choosing::new(quiet);
+    let (under_way, over) = channel::<()>();
+    let result = thread::scope(|scope| {
+        let shown = &choosing;
+        scope.spawn(move || {
+            while over.recv_timeout(shown.pause()) == Err(RecvTimeoutError::Timeout) {
+                shown.tell();
+            }
+        });
+        let result = accuracy::choose(sweep, full, limit, &|attempt| choosing.begin(attempt));
+        drop(under_way);
+        result
+    });
+    choosing.finish(sweep.choice.as_ref().map(|choice| &choice.chosen));
+    result
+}
+
+/// A choice under way.
+struct Choosing {
+    start: Instant,
+    attempt: Mutex<Option<Attempt>>,
+    display: Display,
+}
+
+/// How it is shown.
+enum Display {
+    Nothing,
+    Spinner(ProgressBar),
+    Lines,
+    Events,
+}
+
+impl Choosing {
+    fn new(quiet: bool) -> Self {
+        let display = if TELLS_JSON.load(Ordering::Relaxed) {
+            Display::Events
+        } else if quiet {
+            Display::Nothing
+        } else if std::io::stderr().is_terminal() {
+            Display::Spinner(spinner())
+        } else {
+            Display::Lines
+        };
+        Self {
+            start: Instant::now(),
+            attempt: Mutex::new(None),
+            display,
+        }
+    }
+
+    fn begin(&self, attempt: Attempt) {
+        if let Ok(mut current) = self.attempt.lock() {
+            *current = Some(attempt);
+        }
+        if let Display::Spinner(_) = self.display {
+            self.tell();
+        }
+    }
+
+    /// Time between two words.
+    fn pause(&self) -> Duration {
+        match self.display {
+            Display::Events | Display::Spinner(_) => BETWEEN_EVENTS,
+            Display::Lines | Display::Nothing => BETWEEN_LINES,
+        }
+    }
+
+    /// Says what is being tried, and what it took so far.
+    fn tell(&self) {
+        let attempt = self.attempt.lock().ok().and_then(|current| current.clone());
+        let Some(attempt) = attempt else {
+            return;
+        };
+        let line = || {
+            let by = if attempt.is_reference {
+                "reference by "
+            } else {
+                ""
+            };
+            format!(
+                "accuracy: {} so far; {by}{}",
+                self.cost(", "),
+                attempt.candidate
+            )
+        };
+        match &self.display {
+            Display::Nothing => {}
+            Display::Spinner(spinner) => spinner.set_message(line()),
+            Display::Lines => complain(&line()),
+            Display::Events => tell(&json!({
+                "event": "choosing",
+                "candidate": attempt.candidate,
+                "is_reference": attempt.is_reference,
+                "seconds": self.start.elapsed().as_secs_f64(),
+                "memory_bytes": peak_memory(),
+            })),
+        }
+    }
+
+    /// The choice is made, or there is none.
+    fn finish(&self, chosen: Option<&Candidate>) {
+        if let Display::Spinner(spinner) = &self.display {
+            spinner.finish_and_clear();
+        }
+        let Some(chosen) = chosen else {
+            return;
+        };
+        match self.display {
+            Display::Nothing => {}
+            Display::Spinner(_) | Display::Lines => complain(&format!(
+                "accuracy: {chosen}, chosen in {}",
+                self.cost(" with ")
+            )),
+            Display::Events => tell(&json!({
+                "event": "chosen",
+                "candidate": chosen,
+                "seconds": self.start.elapsed().as_secs_f64(),
+                "memory_bytes": peak_memory(),
+            })),
+        }
+    }
+
+    /// What it took so far.
+    fn cost(&self, and: &str) -> String {
+        let seconds = self.start.elapsed().as_secs_f64();
+        let memory = peak_memory().map_or_else(String::new, |bytes| {
+            let megabytes = bytes as f64 / 1e6;
+            if megabytes < 1e3 {
+                format!("{and}{megabytes:.0} MB")
+            } else {
+                format!("{and}{:.1} GB", megabytes / 1e3)
+            }
+        });
+        format!("{seconds:.1} s{memory}")
+    }
+}
+
+fn spinner() -> ProgressBar {
+    let spinner = ProgressBar::new_spinner();
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {wide_msg}") {
+        spinner.set_style(style);
+    }
+    spinner.enable_steady_tick(BETWEEN_TICKS);
+    let shown = spinner.clone();
+    stop::before_end(move || {
+        shown.finish_and_clear();
+        stop::tell_unfinished();
+    });
+    spinner
+}
+
+/// The most memory that this program has had so far, in bytes, where the system
+/// says it.
+fn peak_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = (status.lines()).find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kilobytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(1024 * kilobytes)
+}
