@@ -11,9 +11,7 @@ use super::{Status, UsageError, build_systems, complain, say};
 use crate::cli::RunArguments;
 use crate::engine::{Header, Survey};
 use crate::files::write_with_checksum;
-use crate::output::{
-    Damage, FAILURES_HEADER, Manifest, PICTURES, TABLES, boundary, write_boundary,
-};
+use crate::output::{Damage, FAILURES_HEADER, Manifest, PICTURES, boundary, write_boundary};
 use crate::spec::Sweep;
 
 /// A run that finds its results there.
@@ -48,10 +46,10 @@ impl Again<'_> {
         Ok(status_of(&manifest))
     }
 
-    /// What is missing or damaged of it. Of what is lost for good, the folder was
-    /// refused.
+    /// What is missing or damaged and can be made again; a folder of which more is
+    /// lost was refused.
     pub fn damage(&self, manifest: &Manifest) -> Result<Vec<Damage>> {
-        let mut damage = manifest.damage(self.folder, &TABLES)?;
+        let mut damage = manifest.damage(self.folder, &["boundary.csv", "failures.csv"])?;
         if manifest.draws() {
             damage.extend(manifest.damage(self.folder, &PICTURES)?);
         }

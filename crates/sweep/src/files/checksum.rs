@@ -29,9 +29,12 @@ impl Checksum {
         let mut sum = Summing::default();
         let mut piece = vec![0; PIECE];
         loop {
-            match file.read(&mut piece)? {
-                0 => return Ok(sum.finish()),
-                read => sum.add(&piece[..read]),
+            match file.read(&mut piece) {
+                Ok(0) => return Ok(sum.finish()),
+                Ok(read) => sum.add(&piece[..read]),
+                // By a signal; there is more to read.
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
             }
         }
     }
