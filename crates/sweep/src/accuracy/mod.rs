@@ -4,7 +4,8 @@
 //! What a case costs grows with f_s and hardly depends on the method, for all are
 //! stepped alike; so the ladder goes up in f_s, and at each of its frequencies from
 //! the method that is built the fastest to the slowest. Nothing is timed: the same
-//! sweep chooses the same on any machine.
+//! sweep chooses the same on any machine, or is refused where that has too little memory
+//! for what is to be tried.
 //!
 //! The reference is one method ([`Probes::reference`]) at a frequency where the last
 //! two doublings changed the answers by no more than a part of the accuracy; that
@@ -153,7 +154,7 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
                 asked - uncertainty,
                 stopping,
                 &mut tried,
-            );
+            )?;
             if let Some((method, chosen, error)) = found {
                 let choice = Choice {
                     asked,
@@ -181,7 +182,11 @@ fn search(probes: &Probes, asked: f64, stopping: Stopping) -> Result<(Method, Ch
     }
 }
 
-/// The first candidate at one frequency whose error is within `allowed`, with that.
+/// The first candidate at one frequency whose error is within `allowed`, with that;
+/// `held` bytes are taken already.
+///
+/// # Errors
+/// Where a candidate takes too much memory to be tried; a sentence.
 fn try_rung(
     probes: &Probes,
     rung: &Rung,
@@ -190,9 +195,15 @@ fn try_rung(
     allowed: f64,
     stopping: Stopping,
     tried: &mut Vec<Tried>,
-) -> Option<(Method, Candidate, f64)> {
+) -> Result<Option<(Method, Candidate, f64)>, String> {
     for method in candidates() {
-        let built = (method != rung.method).then(|| probes.systems(method, rung.frequency, held));
+        let is_built = method == rung.method;
+        if !is_built {
+            let candidate = ladder::candidate(&method, rung.frequency);
+            (probes.fits(method, rung.frequency, held))
+                .map_err(|reason| format!("{candidate} {reason}"))?;
+        }
+        let built = (!is_built).then(|| probes.systems(method, rung.frequency));
         let systems = built.as_ref().unwrap_or(&rung.systems);
         let found = error_of(probes, systems, &reference.answers, allowed, stopping);
         let candidate = ladder::candidate(&method, rung.frequency);
@@ -203,14 +214,14 @@ fn try_rung(
             of: found.map_or_else(|reason| reason, |error| error.of),
         });
         if let Some(error) = error.filter(|error| *error <= allowed) {
-            return Some((method, candidate, error));
+            return Ok(Some((method, candidate, error)));
         }
         // What the quadrature cannot treat, no other method can.
         if method == Method::Quadrature && built.as_ref().unwrap_or(&rung.systems).is_err() {
             break;
         }
     }
-    None
+    Ok(None)
 }
 
 fn none_delivers(asked: f64, tried: &[Tried]) -> String {
@@ -248,7 +259,7 @@ impl Rung {
         let held = memory_of(before);
         let kept = (probes.fits(method, frequency, held))
             .map_err(|reason| format!("at {frequency} Hz the reference {reason}"))?;
-        let systems = probes.systems(method, frequency, held);
+        let systems = probes.systems(method, frequency);
         let known = before.last().map_or(&[][..], |before| &before.answers);
         let answers = match &systems {
             Ok(systems) => probes.answers(systems, Stopping::Full, known),
