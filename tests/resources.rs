@@ -174,8 +174,7 @@ fn the_limit_is_what_the_command_line_or_slurm_says() {
     let slurm = |mebibytes: &str, arguments: &[&str]| {
         let mut command = place.command(arguments);
         let output = command.env("SLURM_MEM_PER_NODE", mebibytes).output();
-        let errors = String::from_utf8(output.unwrap().stderr).unwrap();
-        errors
+        String::from_utf8(output.unwrap().stderr).unwrap()
     };
     let dry = [&RUN[..], &["--dry-run"]].concat();
     let refusal = slurm("100", &dry);

@@ -4,7 +4,8 @@
 //! What a case costs grows with f_s and hardly depends on the method, for all are
 //! stepped alike; so the ladder goes up in f_s, and at each of its frequencies from
 //! the method that is built the fastest to the slowest. Nothing is timed: the same
-//! sweep chooses the same on any machine.
+//! sweep chooses the same on any machine, or is refused where that has too little memory
+//! for what is to be tried.
 //!
 //! The reference is one method ([`Probes::reference`]) at a frequency where the last
 //! two doublings changed the answers by no more than a part of the accuracy; that
@@ -182,7 +183,7 @@ impl Search<'_> {
                 .map_err(|reason| format!("the reference: {reason}"))?
                 .part;
             for rung in below.iter().chain([before]).skip(next) {
-                let found = self.try_rung(rung, reference, held, asked - uncertainty, &mut tried);
+                let found = self.try_rung(rung, reference, held, asked - uncertainty, &mut tried)?;
                 if let Some((method, chosen, error)) = found {
                     let choice = Choice {
                         asked,
@@ -211,7 +212,11 @@ impl Search<'_> {
         }
     }
 
-    /// The first candidate at one frequency whose error is within `allowed`, with that.
+    /// The first candidate at one frequency whose error is within `allowed`, with that;
+    /// `held` bytes are taken already.
+    ///
+    /// # Errors
+    /// Where a candidate takes too much memory to be tried; a sentence.
     fn try_rung(
         &self,
         rung: &Rung,
@@ -219,7 +224,7 @@ impl Search<'_> {
         held: f64,
         allowed: f64,
         tried: &mut Vec<Tried>,
-    ) -> Option<(Method, Candidate, f64)> {
+    ) -> Result<Option<(Method, Candidate, f64)>, String> {
         let probes = self.probes;
         for method in candidates() {
             let candidate = ladder::candidate(&method, rung.frequency);
@@ -227,7 +232,12 @@ impl Search<'_> {
                 candidate: candidate.clone(),
                 is_reference: false,
             });
-            let built = (method != rung.method).then(|| probes.systems(method, rung.frequency, held));
+            let is_built = method == rung.method;
+            if !is_built {
+                (probes.fits(method, rung.frequency, held))
+                    .map_err(|reason| format!("{candidate} {reason}"))?;
+            }
+            let built = (!is_built).then(|| probes.systems(method, rung.frequency));
             let systems = built.as_ref().unwrap_or(&rung.systems);
             let found = error_of(probes, systems, &reference.answers, allowed, self.stopping);
             let error = found.as_ref().ok().map(|error| error.part);
@@ -237,14 +247,14 @@ impl Search<'_> {
                 of: found.map_or_else(|reason| reason, |error| error.of),
             });
             if let Some(error) = error.filter(|error| *error <= allowed) {
-                return Some((method, candidate, error));
+                return Ok(Some((method, candidate, error)));
             }
             // What the quadrature cannot treat, no other method can.
             if method == Method::Quadrature && systems.is_err() {
                 break;
             }
         }
-        None
+        Ok(None)
     }
 
     /// The reference's method at every frequency up to the first that can be the
@@ -293,7 +303,7 @@ impl Search<'_> {
             candidate: ladder::candidate(&method, frequency),
             is_reference: true,
         });
-        let systems = probes.systems(method, frequency, held);
+        let systems = probes.systems(method, frequency);
         let known = before.last().map_or(&[][..], |before| &before.answers);
         let answers = match &systems {
             Ok(systems) => probes.answers(systems, Stopping::Full, known),

@@ -169,6 +169,10 @@ impl<'a> Probes<'a> {
         let (mut systems, mut case) = (Memory::default(), 0.0f64);
         for setting in settings {
             let of_string = StringMemory::of(&setting, &[method], cuts, self.longest);
+            // What no method builds takes nothing.
+            if of_string.too_long.is_some() {
+                continue;
+            }
             systems = systems.beside(of_string.systems);
             case = case.max(of_string.case);
         }
@@ -183,13 +187,11 @@ impl<'a> Probes<'a> {
         Ok(systems.kept)
     }
 
-    /// A method's system of every string, beside others that keep `held` bytes.
+    /// A method's system of every string.
     ///
     /// # Errors
-    /// Where it would take too much memory, cannot treat one, or a stuck site chatters;
-    /// a sentence.
-    pub fn systems(&self, method: Method, frequency: f64, held: f64) -> Result<Systems, String> {
-        self.fits(method, frequency, held)?;
+    /// Where it cannot treat one, or a stuck site chatters; a sentence.
+    pub fn systems(&self, method: Method, frequency: f64) -> Result<Systems, String> {
         let build = |&case: &usize| {
             let setting = self.setting(case, frequency)?;
             let cuts = self.sweep.bit.is_some();
