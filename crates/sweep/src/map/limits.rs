@@ -1,6 +1,8 @@
 //! The limit on a map: its line where both of its quantities are axes of the map, a
 //! line or a range across the map where one is, and in words where it is out of view.
 
+use std::collections::BTreeMap;
+
 use super::words::{ends, quantity};
 use crate::output::{Curve, Motion};
 use crate::plot::{Band, Line, is_within};
@@ -26,6 +28,7 @@ pub struct Limits {
 }
 
 /// A limit out of view: how far, and what there is to say.
+#[derive(Clone)]
 struct Unseen {
     margin: f64,
     note: String,
@@ -36,28 +39,27 @@ const NARROW: f64 = 1e-6;
 
 impl Limits {
     /// The limits that `curves` are on a map, while quantities off the map are `held`
-    /// within the ranges of its cases. Every method has its own limit of stick-slip.
-    /// Whirl has only one, the least of all: of its curves the nearest alone is told,
-    /// and only if none can be seen.
+    /// within the ranges of its cases. Of the curves of one name, such as the branches
+    /// of a motion, the nearest is told, and only if none can be seen.
     pub fn of(curves: &[&Curve], view: &View, held: impl Fn(Axis) -> [f64; 2]) -> Limits {
         let mut limits = Limits::default();
-        let mut unseen = Vec::new();
         let curves = match Self::least_over_a_range(curves, view, &held) {
             Some(least) => &[least][..],
             None => curves,
         };
+        let mut nearest: BTreeMap<&str, Option<Unseen>> = BTreeMap::new();
         for curve in curves {
-            unseen.extend(limits.add(curve, view, &held));
+            let unseen = limits.add(curve, view, &held);
+            let nearest = nearest.entry(&curve.name).or_insert_with(|| unseen.clone());
+            *nearest = match (nearest.take(), unseen) {
+                (Some(one), Some(other)) if other.margin < one.margin => Some(other),
+                (Some(one), Some(_)) => Some(one),
+                // A curve that is drawn says enough of its name.
+                (None, _) | (_, None) => None,
+            };
         }
-        let is_whirl = curves.iter().any(|curve| curve.motion == Motion::Lateral);
-        if is_whirl {
-            let is_seen = !(limits.lines.is_empty() && limits.bands.is_empty());
-            let nearest = unseen
-                .into_iter()
-                .min_by(|one, other| one.margin.total_cmp(&other.margin));
-            unseen = nearest.filter(|_| !is_seen).into_iter().collect();
-        }
-        limits.notes = unseen.into_iter().map(|unseen| unseen.note).collect();
+        let told = nearest.into_values().flatten();
+        limits.notes = told.map(|unseen| unseen.note).collect();
         limits
     }
 
@@ -340,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn of_several_branches_of_whirl_only_the_nearest_is_told_and_none_if_one_is_seen() {
+    fn of_the_curves_of_a_name_only_the_nearest_is_told_and_none_if_one_is_seen() {
         let map = view(IMPULSE, (Axis::Friction, [1.2, 3.0]));
         let [low, lower] = [1.0, 0.5].map(|friction| whirl(&[&[[60.0, friction]]]));
         let held = |_| [60.0; 2];
@@ -350,5 +352,11 @@ mod tests {
         let seen = whirl(&[&[[60.0, 1.5]]]);
         let limits = Limits::of(&[&lower, &seen], &map, held);
         assert_eq!((limits.lines.len(), limits.notes.len()), (1, 0));
+        let other = Curve {
+            name: "another".to_owned(),
+            ..low
+        };
+        let limits = Limits::of(&[&lower, &seen, &other], &map, held);
+        assert_eq!((limits.lines.len(), limits.notes.len()), (1, 1));
     }
 }
