@@ -23,6 +23,10 @@ const QUADRATURE: Method = Method::Quadrature;
 /// No case here lasts longer, s.
 const LONGEST: f64 = 400.0;
 
+/// Responses are built for this long, s: those that have decayed by then are good for
+/// any time.
+const BUILT_FOR: f64 = 60.0;
+
 fn hilbert() -> Method {
     Method::Hilbert(Transform::default())
 }
@@ -35,7 +39,12 @@ fn elements(gamma: f64) -> Method {
 }
 
 fn responses(method: &Method) -> TorsionResponses {
-    torsion_responses(&academic::string(), method, &academic::bit_request(60.0)).unwrap()
+    torsion_responses(
+        &academic::string(),
+        method,
+        &academic::bit_request(BUILT_FOR),
+    )
+    .unwrap()
 }
 
 fn bit(torque_dynamic: f64) -> BitTorque {
@@ -359,7 +368,7 @@ fn a_digital_filter_cut_short_has_the_wrong_stiffness() {
 /// Mean second difference of the torque over the first wind-up, when it should
 /// be a straight line but for waves that die away.
 fn roughness_while_stuck(method: &Method) -> f64 {
-    let system = System::new(&responses(method), LONGEST).unwrap();
+    let system = System::new(&responses(method), BUILT_FOR).unwrap();
     let scene = Scene {
         surface_speed: 0.1 * RPM,
         bit: Some(bit(4000.0)),
