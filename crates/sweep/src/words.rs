@@ -108,7 +108,7 @@ mod tests {
 
     #[test]
     fn what_belongs_together_is_not_parted() {
-        let text = wrapped(&format!("{} {}", "a ".repeat(38), together("50 %")), 0, 2);
+        let text = wrapped(&format!("{} {}", "a ".repeat(39), together("50 %")), 0, 2);
         assert!(text.ends_with("\n  50 %\n"), "{text}");
     }
 
