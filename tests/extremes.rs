@@ -127,7 +127,11 @@ fn extreme_sweeps_are_answered_or_refused() {
                     }
                     let t0 = Instant::now();
                     let end = end_of(number);
-                    println!("{number} {:?} {:.1}", end.as_ref().ok(), t0.elapsed().as_secs_f64());
+                    println!(
+                        "{number} {:?} {:.1}",
+                        end.as_ref().ok(),
+                        t0.elapsed().as_secs_f64()
+                    );
                     let mut found = found.lock().unwrap();
                     match end {
                         Ok(word) => *found.0.entry(word).or_default() += 1,
@@ -139,7 +143,12 @@ fn extreme_sweeps_are_answered_or_refused() {
     });
     let (ends, wrong) = found.into_inner().unwrap();
     println!("{ends:?}");
-    assert!(wrong.is_empty(), "{} of {files}:\n{}", wrong.len(), wrong.join("\n\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} of {files}:\n{}",
+        wrong.len(),
+        wrong.join("\n\n")
+    );
     // Were most refused at once, this would see little more than the reader.
     let simulated = ["answered", "cases kept aside"].map(|word| ends.get(word).unwrap_or(&0));
     assert!(
@@ -175,6 +184,9 @@ fn a_mass_that_throws_the_string_beyond_all_numbers_is_a_failure_with_its_place_
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 1);
     let reason = &rows[0][reason];
-    assert!(reason.starts_with("the motion of site 0 is not finite from "), "{reason}");
+    assert!(
+        reason.starts_with("the motion of site 0 is not finite from "),
+        "{reason}"
+    );
     assert!(reason.ends_with(" s on (site 0 is the bit)"), "{reason}");
 }

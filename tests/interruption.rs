@@ -1,11 +1,11 @@
 //! Runs that are stopped, however they are, and go on: what was finished is kept,
 //! and the end is the same to the byte.
 
-#[path = "support/crc32.rs"]
-mod crc32;
 #[cfg(unix)]
 #[path = "interruption/anywhere.rs"]
 mod anywhere;
+#[path = "support/crc32.rs"]
+mod crc32;
 #[cfg(unix)]
 #[path = "interruption/disk.rs"]
 mod disk;

@@ -99,7 +99,13 @@ fn head(random: &mut Random) -> String {
         let accuracy = random.number(1e-4, 0.5);
         writeln!(text, "accuracy = {accuracy:e}").unwrap();
     } else {
-        let all = ["quadrature", "hilbert", "finite-element", "trapezoidal", "direct-idft"];
+        let all = [
+            "quadrature",
+            "hilbert",
+            "finite-element",
+            "trapezoidal",
+            "direct-idft",
+        ];
         let first = random.pick(&all);
         let second = random.pick(&all);
         if first == second || random.happens(0.6) {
@@ -111,7 +117,11 @@ fn head(random: &mut Random) -> String {
     let frequency = random.number(1.0, 1e6);
     if random.happens(0.7) {
         writeln!(text, "sampling_frequency_hz = {frequency:e}").unwrap();
-        let longest = if random.happens(0.1) { 1e6 } else { MOST_STEPS / frequency };
+        let longest = if random.happens(0.1) {
+            1e6
+        } else {
+            MOST_STEPS / frequency
+        };
         let time = random.number(1e-3, 1e6).min(longest).max(1e-3);
         writeln!(text, "time_s = {time:e}").unwrap();
     } else if random.happens(0.5) {
@@ -138,7 +148,11 @@ fn sections(random: &mut Random) -> (String, f64, f64) {
         }
         cells += repeat;
         let parts = parts.join(", ");
-        writeln!(text, "[[string.sections]]\nrepeat = {repeat}\nparts = [{parts}]").unwrap();
+        writeln!(
+            text,
+            "[[string.sections]]\nrepeat = {repeat}\nparts = [{parts}]"
+        )
+        .unwrap();
     }
     (text, length, cells)
 }
@@ -158,7 +172,11 @@ fn string(random: &mut Random, bends: bool, sections: &str) -> String {
              compression_kn = {:e}\nsurface = \"{}\"\n",
             random.number(0.1, 1e3),
             random.number(0.0, 1e7),
-            if random.happens(0.5) { 0.0 } else { random.number(-1e5, 1e5) },
+            if random.happens(0.5) {
+                0.0
+            } else {
+                random.number(-1e5, 1e5)
+            },
             random.pick(&["free", "pinned", "clamped"]),
         )
         .unwrap();
@@ -225,7 +243,11 @@ fn wall(random: &mut Random, drawn: &Drawn) -> String {
     }
     for _ in 0..random.below(3) {
         let site = drawn.sites[random.below(drawn.sites.len())];
-        let (key, most) = if drawn.relative { ("ratio", 1e9) } else { ("amount_ns", 1e9) };
+        let (key, most) = if drawn.relative {
+            ("ratio", 1e9)
+        } else {
+            ("amount_ns", 1e9)
+        };
         let latest = if random.happens(0.1) { 1e6 } else { 0.1 };
         let longest = if random.happens(0.1) { 1e308 } else { 1.0 };
         write!(
@@ -261,8 +283,15 @@ fn methods(random: &mut Random, cells: f64) -> String {
             writeln!(text, "[method.{method}]\ntransform_s = {transform:e}").unwrap();
         }
     }
-    let elements = random.count(1.0, 1e4).min((MOST_ELEMENTS / cells).floor()).max(1.0);
-    writeln!(text, "[method.finite-element]\nelements_per_cell = {elements}").unwrap();
+    let elements = random
+        .count(1.0, 1e4)
+        .min((MOST_ELEMENTS / cells).floor())
+        .max(1.0);
+    writeln!(
+        text,
+        "[method.finite-element]\nelements_per_cell = {elements}"
+    )
+    .unwrap();
     if random.happens(0.3) {
         let gamma = random.number(0.5, 1.0);
         writeln!(text, "gamma = {gamma:e}").unwrap();

@@ -89,7 +89,11 @@ fn check_number(spans: &[Span], longest: f64) -> Result<(), BuildError> {
     let runs = spans.iter().flat_map(|span| &span.runs);
     let elements: f64 = runs
         .map(|run| {
-            let of_cell: f64 = run.parts.iter().map(|part| elements_of(part, longest)).sum();
+            let of_cell: f64 = run
+                .parts
+                .iter()
+                .map(|part| elements_of(part, longest))
+                .sum();
             run.repeat as f64 * of_cell
         })
         .sum();

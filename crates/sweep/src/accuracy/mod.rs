@@ -129,12 +129,7 @@ pub struct Attempt {
 /// # Errors
 /// Where nothing delivers the accuracy within the memory, or the sweep's cases cannot
 /// be.
-pub fn choose(
-    sweep: &mut Sweep,
-    full: bool,
-    limit: &Limit,
-    tell: &dyn Fn(Attempt),
-) -> Result<()> {
+pub fn choose(sweep: &mut Sweep, full: bool, limit: &Limit, tell: &dyn Fn(Attempt)) -> Result<()> {
     let Some(Accuracy(asked)) = sweep.content.accuracy else {
         return Ok(());
     };
@@ -183,7 +178,8 @@ impl Search<'_> {
                 .map_err(|reason| format!("the reference: {reason}"))?
                 .part;
             for rung in below.iter().chain([before]).skip(next) {
-                let found = self.try_rung(rung, reference, held, asked - uncertainty, &mut tried)?;
+                let found =
+                    self.try_rung(rung, reference, held, asked - uncertainty, &mut tried)?;
                 if let Some((method, chosen, error)) = found {
                     let choice = Choice {
                         asked,

@@ -57,7 +57,10 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     let cases = (choices.into_iter())
         .map(|choice| choice.case(&sweep, &arguments.file))
         .collect::<Result<Vec<_>>>()?;
-    let longest = cases.iter().map(|chosen| chosen.longest).fold(0.0, f64::max);
+    let longest = cases
+        .iter()
+        .map(|chosen| chosen.longest)
+        .fold(0.0, f64::max);
     let survey = Survey {
         longest,
         ..Survey::default()

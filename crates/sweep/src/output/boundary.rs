@@ -231,6 +231,9 @@ mod tests {
         let Boundary::Whirl(points) = &boundary else {
             panic!("{boundary:?}");
         };
-        assert_eq!((points[0].motion, points[0].least), (WhirlMotion::Rolling, true));
+        assert_eq!(
+            (points[0].motion, points[0].least),
+            (WhirlMotion::Rolling, true)
+        );
     }
 }
