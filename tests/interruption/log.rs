@@ -107,14 +107,14 @@ fn a_log_of_another_program_is_refused() {
             "another sweep (time_s: 100.0 → 1000.0)",
         ),
         (
-            "\"format\":1",
             "\"format\":2",
-            "results/cases.log is a log of format 2",
+            "\"format\":3",
+            "results/cases.log is a log of format 3",
         ),
         (
+            "\"format\":2",
             "\"format\":1",
-            "\"format\":0",
-            "results/cases.log is a log of format 0",
+            "results/cases.log is a log of format 1",
         ),
     ] {
         let other = with(text, piece, instead);
