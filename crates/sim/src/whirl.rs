@@ -15,7 +15,8 @@ const MOSTLY: f64 = 0.5;
 pub enum LateralRegime {
     /// No site ever touched the wall.
     NoContact,
-    /// Some site touched the wall; none whirls in the closing window.
+    /// Some site touched the wall; none whirls in the closing window: none is in
+    /// contact for most of it and goes round.
     TransientContact,
     /// Some site whirls against the rotation.
     BackwardWhirl,
@@ -215,7 +216,9 @@ impl WallWatch {
         let in_contact = (sums.contact as f64).max(1.0);
         let regime = match self.first_contact {
             None => LateralRegime::NoContact,
-            Some(_) if contact_fraction <= MOSTLY => LateralRegime::TransientContact,
+            Some(_) if contact_fraction <= MOSTLY || sums.angle == 0.0 => {
+                LateralRegime::TransientContact
+            }
             Some(_) if sums.angle < 0.0 => LateralRegime::BackwardWhirl,
             Some(_) => LateralRegime::ForwardWhirl,
         };

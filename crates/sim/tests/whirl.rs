@@ -456,6 +456,20 @@ mod oscillator {
     /// Impulses (N s) with their starts (s) and directions (rad); the precession rate,
     /// turns/s.
     fn precession(impulses: &[(f64, f64, f64)]) -> f64 {
+        let impulse = |&(amount, start, direction): &(f64, f64, f64)| Impulse {
+            site: 0,
+            amount,
+            start,
+            duration: PULSE,
+            direction,
+        };
+        let lateral = measures(0.5, impulses.iter().map(impulse).collect());
+        assert_eq!(lateral.regime, LateralRegime::NoContact);
+        assert!(lateral.peak_radius > 0.1 * CLEARANCE);
+        lateral.precession_rate / TAU
+    }
+
+    fn measures(friction: f64, impulses: Vec<Impulse>) -> LateralMeasures {
         let steps = (DURATION * SAMPLING_FREQUENCY) as usize + 2;
         let displacement = |step: usize| {
             let time = step as f64 / SAMPLING_FREQUENCY;
@@ -463,6 +477,7 @@ mod oscillator {
             (-DECAY * time).exp() * (rate * time).sin() / rate / SAMPLING_FREQUENCY
         };
         let bending = BendingResponses {
+            sites: Sites::bit(),
             sampling_frequency: SAMPLING_FREQUENCY,
             // The first may not be zero.
             from_force: vec![vec![
@@ -472,25 +487,19 @@ mod oscillator {
             ]],
         };
         let torsion = TorsionResponses {
+            sites: Sites::bit(),
             sampling_frequency: SAMPLING_FREQUENCY,
             from_surface: vec![vec![1.0]],
             from_torque: vec![vec![vec![1e-5]]],
             torque_inputs: vec![0],
             ending: Ending::Whole,
         };
-        let impulse = |&(amount, start, direction): &(f64, f64, f64)| Impulse {
-            site: 0,
-            amount,
-            start,
-            duration: PULSE,
-            direction,
-        };
         let scene = Scene {
             surface_speed: SPEED,
             bit: None,
             lateral: Some(Lateral {
-                walls: vec![wall(0.5)],
-                impulses: impulses.iter().map(impulse).collect(),
+                walls: vec![wall(friction)],
+                impulses,
                 eccentric_masses: vec![],
             }),
             timing: Timing {
@@ -500,10 +509,23 @@ mod oscillator {
         };
         let system = LateralSystem::new(&torsion, &bending).unwrap();
         let outcome = simulate_lateral(&system, &scene, Stopping::Full, None).unwrap();
-        let lateral = outcome.lateral.unwrap();
-        assert_eq!(lateral.regime, LateralRegime::NoContact);
-        assert!(lateral.peak_radius > 0.1 * CLEARANCE);
-        lateral.precession_rate / TAU
+        outcome.lateral.unwrap()
+    }
+
+    /// A smooth wall, against which a force presses for nearly all of the time.
+    #[test]
+    fn a_site_that_leans_on_the_wall_does_not_whirl() {
+        let force = Impulse {
+            site: 0,
+            amount: 200.0,
+            start: 0.5,
+            duration: 1.8 * DURATION,
+            direction: 0.0,
+        };
+        let lateral = measures(0.0, vec![force]);
+        assert!(lateral.contact_fraction > 0.9, "{lateral:?}");
+        assert_eq!(lateral.precession_rate, 0.0);
+        assert_eq!(lateral.regime, LateralRegime::TransientContact);
     }
 
     #[test]
