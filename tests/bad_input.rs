@@ -322,7 +322,8 @@ fn a_method_that_needs_damping_says_so() {
             &Workplace::with_small(&text),
             &["run", "small.toml", "--out", "results", "--methods", method],
             &[
-                "small.toml: ",
+                "small.toml:",
+                "string.torsional_damping_nms_rad_m",
                 method,
                 "needs a string with torsional damping",
             ],

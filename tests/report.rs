@@ -6,9 +6,11 @@ mod large;
 #[path = "report/page.rs"]
 mod page;
 mod support;
+#[path = "support/tables.rs"]
+mod tables;
 
-use sha2::{Digest, Sha256};
 use support::{Answer, SMALL, Workplace, small_with_design, with};
+use tables::write_table;
 
 /// A workplace with a small sweep by two methods, run into `results`.
 fn with_results() -> Workplace {
@@ -39,19 +41,6 @@ fn copy_with_labels(place: &Workplace, folder: &str, change: impl Fn(String) -> 
     }
     let labels = change(text(place, "results/labels.csv"));
     write_table(place, folder, "labels.csv", labels);
-}
-
-/// Puts a table into a results folder as if the run had written it.
-fn write_table(place: &Workplace, folder: &str, name: &str, content: impl AsRef<[u8]>) {
-    let mut manifest: serde_json::Value =
-        serde_json::from_str(&text(place, &format!("{folder}/manifest.json"))).unwrap();
-    let digest = Sha256::digest(content.as_ref());
-    let digits: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
-    manifest["files"][name] =
-        serde_json::json!({ "bytes": content.as_ref().len(), "sha256": digits });
-    let manifest = serde_json::to_vec_pretty(&manifest).unwrap();
-    place.write(&format!("{folder}/manifest.json"), manifest);
-    place.write(&format!("{folder}/{name}"), content);
 }
 
 /// Swaps the label of the first row.

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::support::{SMALL, Workplace, small_with_design, with};
-use crate::{columns, run, succeeds, table, text};
+use crate::{columns, complaints, run, succeeds, table, text};
 
 /// Between the nodes of the mesh, so that finite elements get another mesh where it is
 /// looked at.
@@ -155,7 +155,7 @@ fn each_failure_is_repeated(place: &Workplace, run: &[&str], failures: usize) {
             .current_dir(place.path(""))
             .output()
             .unwrap();
-        let errors = String::from_utf8(output.stderr).unwrap();
+        let errors = complaints(&String::from_utf8(output.stderr).unwrap());
         assert_eq!(output.status.code(), Some(3), "{command}: {errors}");
         let expected = format!("error: case {case} by {method} has no answer: {reason}\n");
         assert_eq!(errors, expected, "{command}");

@@ -63,6 +63,10 @@ impl Random {
 
 /// What the tables of a file have to agree on.
 struct Drawn {
+    chooses: bool,
+    /// Hz and s; of those that the program chooses, a guess.
+    frequency: f64,
+    time: f64,
     cuts: bool,
     bends: bool,
     sites: Vec<f64>,
@@ -74,13 +78,16 @@ pub fn sweep_file(random: &mut Random) -> String {
     let (sections, length, cells) = sections(random);
     let bends = random.happens(0.5);
     let cuts = !bends || random.happens(0.5);
-    let drawn = Drawn {
+    let mut drawn = Drawn {
+        chooses: random.happens(0.03),
+        frequency: 640.0,
+        time: 10.0,
         cuts,
         bends,
         sites: sites(random, length),
         relative: random.happens(0.5),
     };
-    let mut text = head(random);
+    let mut text = head(random, &mut drawn);
     text += &string(random, bends, &sections);
     if cuts {
         text += &bit(random);
@@ -88,16 +95,17 @@ pub fn sweep_file(random: &mut Random) -> String {
     if bends {
         text += &wall(random, &drawn);
     }
-    text += &methods(random, cells);
+    if !drawn.chooses {
+        text += &methods(random, cells);
+    }
     text += &design(random, &drawn);
     text
 }
 
-fn head(random: &mut Random) -> String {
+fn head(random: &mut Random, drawn: &mut Drawn) -> String {
     let mut text = format!("surface_speed_rpm = {:e}\n", random.number(1e-4, 1e4));
-    if random.happens(0.03) {
-        let accuracy = random.number(1e-4, 0.5);
-        writeln!(text, "accuracy = {accuracy:e}").unwrap();
+    if drawn.chooses {
+        writeln!(text, "accuracy = {:e}", random.number(1e-4, 0.5)).unwrap();
     } else {
         let all = [
             "quadrature",
@@ -113,20 +121,19 @@ fn head(random: &mut Random) -> String {
         } else {
             writeln!(text, "methods = [\"{first}\", \"{second}\"]").unwrap();
         }
+        if random.happens(0.7) {
+            drawn.frequency = random.number(1.0, 1e6);
+            writeln!(text, "sampling_frequency_hz = {:e}", drawn.frequency).unwrap();
+        }
     }
-    let frequency = random.number(1.0, 1e6);
-    if random.happens(0.7) {
-        writeln!(text, "sampling_frequency_hz = {frequency:e}").unwrap();
+    if random.happens(0.8) {
         let longest = if random.happens(0.1) {
             1e6
         } else {
-            MOST_STEPS / frequency
+            MOST_STEPS / drawn.frequency
         };
-        let time = random.number(1e-3, 1e6).min(longest).max(1e-3);
-        writeln!(text, "time_s = {time:e}").unwrap();
-    } else if random.happens(0.5) {
-        let longest = if random.happens(0.1) { 1e6 } else { 20.0 };
-        writeln!(text, "time_s = {:e}", random.number(1e-3, longest)).unwrap();
+        drawn.time = random.number(1e-3, longest.clamp(2e-3, 1e6));
+        writeln!(text, "time_s = {:e}", drawn.time).unwrap();
     }
     text
 }
@@ -163,7 +170,7 @@ fn string(random: &mut Random, bends: bool, sections: &str) -> String {
          torsional_damping_nms_rad_m = {:e}\n",
         random.number(0.1, 1e3),
         random.number(1e2, 3e4),
-        random.number(0.0, 1e5),
+        damping(random, 1e5),
     );
     if bends {
         write!(
@@ -171,7 +178,7 @@ fn string(random: &mut Random, bends: bool, sections: &str) -> String {
             "[string.bending]\nyoungs_modulus_gpa = {:e}\ndamping_ns_m2 = {:e}\n\
              compression_kn = {:e}\nsurface = \"{}\"\n",
             random.number(0.1, 1e3),
-            random.number(0.0, 1e7),
+            damping(random, 1e7),
             if random.happens(0.5) {
                 0.0
             } else {
@@ -182,6 +189,15 @@ fn string(random: &mut Random, bends: bool, sections: &str) -> String {
         .unwrap();
     }
     text + sections
+}
+
+/// None makes responses that never end, for which there is no memory.
+fn damping(random: &mut Random, most: f64) -> f64 {
+    if random.happens(0.1) {
+        random.number(0.0, most)
+    } else {
+        random.number(1e-7 * most, most)
+    }
 }
 
 fn bit(random: &mut Random) -> String {
@@ -195,7 +211,7 @@ fn bit(random: &mut Random) -> String {
     let weight = random.number(0.0, 2e3);
     writeln!(text, "rock = \"{rock}\"\nweight_on_bit_kn = {weight:e}").unwrap();
     match rock {
-        "table" => writeln!(text, "table_kn_nm = [[0, 0], [1e3, 1e7], [2e3, 1.1e7]]").unwrap(),
+        "table" => writeln!(text, "table_kn_nm = [[0, 0], [1e3, 9e6], [2e3, 1e7]]").unwrap(),
         "law" => {
             writeln!(text, "[bit.law]").unwrap();
             let keys = [
@@ -219,7 +235,7 @@ fn bit(random: &mut Random) -> String {
 /// The bit, and some other places.
 fn sites(random: &mut Random, length: f64) -> Vec<f64> {
     let most = if random.happens(0.05) { 30 } else { 4 };
-    let others = (0..random.below(most)).map(|_| random.number(0.0, 0.999 * length));
+    let others = (0..random.below(most)).map(|_| random.number(1e-3 * length, 0.999 * length));
     let mut sites: Vec<f64> = [0.0].into_iter().chain(others).collect();
     sites.sort_by(f64::total_cmp);
     sites.dedup();
@@ -248,15 +264,19 @@ fn wall(random: &mut Random, drawn: &Drawn) -> String {
         } else {
             ("amount_ns", 1e9)
         };
-        let latest = if random.happens(0.1) { 1e6 } else { 0.1 };
-        let longest = if random.happens(0.1) { 1e308 } else { 1.0 };
+        let latest = if random.happens(0.03) {
+            1e6
+        } else {
+            0.9 * drawn.time
+        };
+        let longest = if random.happens(0.03) { 1e308 } else { 100.0 };
         write!(
             text,
             "[[impulses]]\ndistance_from_bit_m = {site:e}\n{key} = {:e}\nstart_s = {:e}\n\
              duration_s = {:e}\ndirection_deg = {:e}\n",
             random.number(0.0, most),
             random.number(0.0, latest),
-            random.number(1e-6, longest),
+            random.number((3.0 / drawn.frequency).min(longest), longest),
             random.number(-360.0, 360.0),
         )
         .unwrap();
@@ -336,6 +356,9 @@ fn design(random: &mut Random, drawn: &Drawn) -> String {
         let (name, low, high) = axes.swap_remove(random.below(axes.len()));
         let (one, other) = (random.number(low, high), random.number(low, high));
         let (from, to) = (one.min(other), one.max(other));
+        // An end and itself are no range.
+        let from = if from < to { from } else { low };
+        let to = if from < to { to } else { high };
         if kind == "grid" {
             writeln!(text, "{name} = {{ values = [{from:e}, {to:e}] }}").unwrap();
         } else {

@@ -440,6 +440,26 @@ fn the_reconstructed_string_passes_through_its_site() {
     assert!(whole.peaks.iter().all(|peak| *peak <= whole.peaks[bit]));
 }
 
+/// A smooth wall, against which a force presses for nearly all of the time.
+#[test]
+fn a_site_that_leans_on_the_wall_does_not_whirl() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let force = Impulse {
+        amount: 100.0 * case.least_impulses[0],
+        duration: 1.8 * DURATION,
+        ..case.impulse(0, 1.0)
+    };
+    let lateral = Lateral {
+        walls: vec![wall(0.0)],
+        impulses: vec![force],
+        eccentric_masses: vec![],
+    };
+    let lateral = case.run(lateral, None);
+    assert!(lateral.contact_fraction > 0.9, "{lateral:?}");
+    assert_eq!(lateral.precession_rate, 0.0);
+    assert_eq!(lateral.regime, LateralRegime::TransientContact);
+}
+
 /// A site on a spring, alone: what its centre does is known in closed form.
 mod oscillator {
     use linear::{BendingResponses, TorsionResponses};
@@ -456,20 +476,6 @@ mod oscillator {
     /// Impulses (N s) with their starts (s) and directions (rad); the precession rate,
     /// turns/s.
     fn precession(impulses: &[(f64, f64, f64)]) -> f64 {
-        let impulse = |&(amount, start, direction): &(f64, f64, f64)| Impulse {
-            site: 0,
-            amount,
-            start,
-            duration: PULSE,
-            direction,
-        };
-        let lateral = measures(0.5, impulses.iter().map(impulse).collect());
-        assert_eq!(lateral.regime, LateralRegime::NoContact);
-        assert!(lateral.peak_radius > 0.1 * CLEARANCE);
-        lateral.precession_rate / TAU
-    }
-
-    fn measures(friction: f64, impulses: Vec<Impulse>) -> LateralMeasures {
         let steps = (DURATION * SAMPLING_FREQUENCY) as usize + 2;
         let displacement = |step: usize| {
             let time = step as f64 / SAMPLING_FREQUENCY;
@@ -494,12 +500,19 @@ mod oscillator {
             torque_inputs: vec![0],
             ending: Ending::Whole,
         };
+        let impulse = |&(amount, start, direction): &(f64, f64, f64)| Impulse {
+            site: 0,
+            amount,
+            start,
+            duration: PULSE,
+            direction,
+        };
         let scene = Scene {
             surface_speed: SPEED,
             bit: None,
             lateral: Some(Lateral {
-                walls: vec![wall(friction)],
-                impulses,
+                walls: vec![wall(0.5)],
+                impulses: impulses.iter().map(impulse).collect(),
                 eccentric_masses: vec![],
             }),
             timing: Timing {
@@ -509,23 +522,10 @@ mod oscillator {
         };
         let system = LateralSystem::new(&torsion, &bending).unwrap();
         let outcome = simulate_lateral(&system, &scene, Stopping::Full, None).unwrap();
-        outcome.lateral.unwrap()
-    }
-
-    /// A smooth wall, against which a force presses for nearly all of the time.
-    #[test]
-    fn a_site_that_leans_on_the_wall_does_not_whirl() {
-        let force = Impulse {
-            site: 0,
-            amount: 200.0,
-            start: 0.5,
-            duration: 1.8 * DURATION,
-            direction: 0.0,
-        };
-        let lateral = measures(0.0, vec![force]);
-        assert!(lateral.contact_fraction > 0.9, "{lateral:?}");
-        assert_eq!(lateral.precession_rate, 0.0);
-        assert_eq!(lateral.regime, LateralRegime::TransientContact);
+        let lateral = outcome.lateral.unwrap();
+        assert_eq!(lateral.regime, LateralRegime::NoContact);
+        assert!(lateral.peak_radius > 0.1 * CLEARANCE);
+        lateral.precession_rate / TAU
     }
 
     #[test]

@@ -140,7 +140,7 @@ fn part_lines(sweep: &Sweep) -> Result<String, std::fmt::Error> {
     for (section, table) in sections.zip(&sweep.content.string.sections) {
         let mut title = format!("{} × {:.3} m", section.repeat, section.cell_length());
         if let Some(name) = &table.name {
-            title += &format!(", {}", name.replace(char::is_control, " "));
+            title += &format!(", {name}");
         }
         text += &wrapped(&title, 2, 4);
         for part in &section.parts {

@@ -7,7 +7,6 @@ use linear::{Drillstring, Method, Section, Sites};
 
 use super::demand::{Cost, Demand};
 use super::{Limit, Size};
-use crate::commands::UsageError;
 use crate::design::Design;
 use crate::engine::Survey;
 use crate::spec::{Axis, Setting, Sweep, Time};
@@ -54,7 +53,7 @@ pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> 
             let message = format!("{why}{what}");
             demand.sweep.source.error(&suspect.key, message).into()
         }
-        _ => UsageError(format!("{}: {what}", demand.sweep.name)).into(),
+        _ => demand.sweep.source.error_of_file(what).into(),
     }
 }
 

@@ -123,6 +123,16 @@ impl Source {
         }
     }
 
+    /// An error about the sweep file as a whole.
+    pub fn error_of_file(&self, message: impl Into<String>) -> SpecError {
+        SpecError {
+            file: self.files[0].clone(),
+            line: None,
+            key: None,
+            message: message.into(),
+        }
+    }
+
     /// Serde's words in the user's: what was meant by an unknown key or
     /// choice, what is missing, what was expected. A key of the file itself may
     /// have slipped into the table above it.
