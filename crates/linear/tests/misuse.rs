@@ -236,7 +236,8 @@ fn responses_put_together_by_hand_are_checked() {
     );
     let good = good.unwrap();
     assert_eq!((good.sites.bit_site(), good.check()), (Some(1), Ok(())));
-    let changes: [(fn(&mut TorsionResponses), ResponseError); 7] = [
+    type Change = fn(&mut TorsionResponses);
+    let changes: [(Change, ResponseError); 7] = [
         (
             |it| it.sampling_frequency = 0.0,
             ResponseError::SamplingFrequency { value: 0.0 },

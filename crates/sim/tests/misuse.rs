@@ -293,7 +293,8 @@ fn a_bit_that_holds_less_than_turns_it_is_refused() {
 #[test]
 fn responses_that_no_string_gives_are_refused() {
     let good = torsion(&[0.0], vec![0], LONGEST);
-    let changes: [(fn(&mut TorsionResponses), ResponseError); 5] = [
+    type Change = fn(&mut TorsionResponses);
+    let changes: [(Change, ResponseError); 5] = [
         (
             |it| it.sampling_frequency = f64::NAN,
             ResponseError::SamplingFrequency { value: f64::NAN },
