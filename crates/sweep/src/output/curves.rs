@@ -6,6 +6,14 @@ use super::motion::Motion;
 use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, rolling_envelope};
 use crate::spec::Axis;
 
+/// What the curves of whirl are. Several sites together may whirl below them.
+const ROLLING: &str = "steady rolling whirl at one site";
+const LEAST: &str =
+    "least friction of steady whirl at one site, rolling or sliding (necessary, not sufficient)";
+
+/// More branches than this hide the cases of a map.
+const MOST_BRANCHES: usize = 6;
+
 /// Frictions that differ by a smaller part of them are one line on a map.
 const SAME: f64 = 1e-6;
 
@@ -67,38 +75,48 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
 /// Rolling whirl, a piece for each of its branches, and any whirl where that needs less
 /// friction.
 fn whirl_curves(points: &[WhirlPoint]) -> Vec<Curve> {
+    let of_motion = |motion| {
+        let of_motion = branches(points).filter(|branch| branch[0].motion == motion);
+        of_motion.collect::<Vec<_>>()
+    };
     let rolling = rolling_envelope(points);
     let is_lower = |point: &WhirlPoint| {
         let least = rolling.at(point.surface_speed_rpm);
         least.is_none_or(|least| point.friction < (1.0 - SAME) * least)
     };
+    let any = of_motion(WhirlMotion::RollingOrSliding);
+    let needs_less = any.iter().copied().flatten().any(is_lower);
     [
+        rolling_curve(&of_motion(WhirlMotion::Rolling)),
         (
-            WhirlMotion::Rolling,
-            "steady rolling whirl at one site, each branch",
-        ),
-        (
-            WhirlMotion::RollingOrSliding,
-            "least friction of steady whirl at one site, rolling or sliding",
+            LEAST.to_owned(),
+            any.into_iter().filter(|_| needs_less).map(piece).collect(),
         ),
     ]
     .into_iter()
-    .filter_map(|(motion, name)| {
-        let own = || points.iter().filter(|point| point.motion == motion);
-        let is_drawn = match motion {
-            WhirlMotion::Rolling => own().next().is_some(),
-            WhirlMotion::RollingOrSliding => own().any(is_lower),
-        };
-        let of_motion = branches(points).filter(|branch| branch[0].motion == motion);
-        is_drawn.then(|| Curve {
-            name: name.to_owned(),
-            motion: Motion::Lateral,
-            along: Axis::SurfaceSpeedRpm,
-            limited: Axis::Friction,
-            pieces: of_motion.map(piece).collect(),
-        })
+    .filter(|(_, pieces)| !pieces.is_empty())
+    .map(|(name, pieces)| Curve {
+        name,
+        motion: Motion::Lateral,
+        along: Axis::SurfaceSpeedRpm,
+        limited: Axis::Friction,
+        pieces,
     })
     .collect()
+}
+
+/// Name and pieces of rolling whirl. Of many branches, where they need the least.
+fn rolling_curve(branches: &[&[WhirlPoint]]) -> (String, Vec<Vec<[f64; 2]>>) {
+    if branches.len() <= MOST_BRANCHES {
+        let pieces = branches.iter().copied().map(piece);
+        return (ROLLING.to_owned(), pieces.collect());
+    }
+    let name = format!("{ROLLING}, the least of {} branches", branches.len());
+    let runs = branches.iter().flat_map(|branch| {
+        let runs = branch.chunk_by(|one, next| one.least == next.least);
+        runs.filter(|run| run[0].least).map(piece)
+    });
+    (name, runs.collect())
 }
 
 fn piece(branch: &[WhirlPoint]) -> Vec<[f64; 2]> {
@@ -221,7 +239,17 @@ mod tests {
         let rolling = [vec![[60.0, 1.5], [70.0, 1.4]], vec![[60.0, 1.6]]];
         assert_eq!(pieces, [&rolling[..], &[vec![[60.0, 1.2]]]]);
         points[3].friction = 1.5;
-        assert_eq!(Boundary::Whirl(points).curves(&[]).len(), 1);
+        assert_eq!(Boundary::Whirl(points.clone()).curves(&[]).len(), 1);
+        // Of many branches, the stretches that need the least.
+        let others = (2..10).map(|branch| WhirlPoint {
+            least: false,
+            ..point(60.0, 2.0, Some(branch))
+        });
+        points.truncate(3);
+        points[2].least = false;
+        points.extend(others);
+        let curves = Boundary::Whirl(points).curves(&[]);
+        assert_eq!(curves[0].pieces, [[[60.0, 1.5], [70.0, 1.4]]]);
         assert_eq!(Boundary::Whirl(Vec::new()).curves(&[]), []);
     }
 }
