@@ -29,8 +29,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result};
-use linear::BuildError;
+use linear::{BuildError, ResponseError};
 use serde_json::json;
+use sim::SimulationError;
 
 use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
@@ -77,7 +78,12 @@ impl std::error::Error for UsageError {}
 pub fn report(error: &anyhow::Error) -> Status {
     complain(&format!("error: {error:#}"));
     // What a method cannot treat is what the sweep file asks for.
-    if error.is::<SpecError>() || error.is::<UsageError>() || error.is::<BuildError>() {
+    let is_asked_for = error.is::<SpecError>()
+        || error.is::<UsageError>()
+        || error.is::<BuildError>()
+        || error.is::<ResponseError>()
+        || matches!(error.downcast_ref(), Some(SimulationError::Responses(_)));
+    if is_asked_for {
         Status::BadInput
     } else {
         Status::Error
