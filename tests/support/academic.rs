@@ -1,6 +1,6 @@
 //! The drillstring of the paper's Table 2, built without the sweep file.
 
-use linear::{Drillstring, Material, Section, Sites, TorsionRequest, Tube};
+use linear::{ChannelRequest, Drillstring, Material, Request, Section, Sites, Tube};
 
 /// The sampling frequency the paper works with, Hz.
 pub const SAMPLING_FREQUENCY: f64 = 640.0;
@@ -35,10 +35,10 @@ pub fn damped_string(torsional_damping: f64) -> Drillstring {
 }
 
 /// Surface and bit, with a torque at the bit.
-pub fn bit_request(longest_time: f64) -> TorsionRequest {
-    TorsionRequest {
+pub fn bit_request(longest_time: f64) -> Request {
+    Request {
         sites: Sites::bit(),
-        torque_inputs: vec![0],
+        channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
         sampling_frequency: SAMPLING_FREQUENCY,
         longest_time,
     }

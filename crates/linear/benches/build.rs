@@ -7,9 +7,7 @@ mod academic;
 
 use divan::Bencher;
 use linear::method::{FiniteElement, Transform};
-use linear::{
-    Bending, BendingRequest, Method, Sites, SurfaceSupport, bending_responses, torsion_responses,
-};
+use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
 
 fn main() {
     divan::main();
@@ -29,7 +27,7 @@ fn method(name: &str) -> Method {
 #[divan::bench(args = METHODS, sample_count = 5)]
 fn torsion(bencher: Bencher, name: &str) {
     let (string, request) = (academic::string(), academic::bit_request(60.0));
-    bencher.bench(|| torsion_responses(&string, &method(name), &request));
+    bencher.bench(|| responses(&string, &method(name), &request));
 }
 
 fn bending(bencher: Bencher, name: &str, distances: &[f64]) {
@@ -39,13 +37,17 @@ fn bending(bencher: Bencher, name: &str, distances: &[f64]) {
         damping: 2000.0,
         compression: 0.0,
     };
-    let request = BendingRequest {
-        sites: Sites::new(&string, distances).unwrap(),
+    let channel = ChannelRequest::Bending {
+        bending: material,
         support: SurfaceSupport::Free,
+    };
+    let request = Request {
+        sites: Sites::new(&string, distances).unwrap(),
+        channels: vec![channel],
         sampling_frequency: academic::SAMPLING_FREQUENCY,
         longest_time: 10.0,
     };
-    bencher.bench(|| bending_responses(&string, &material, &method(name), &request));
+    bencher.bench(|| responses(&string, &method(name), &request));
 }
 
 /// Ten seconds of displacements at the bit.

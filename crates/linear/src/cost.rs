@@ -8,14 +8,14 @@
 
 use rayon::current_num_threads;
 
-use crate::build::{MOST_TAPS, bending, needed_taps, torsion};
 use crate::drillstring::{Drillstring, Sites};
 use crate::elements::mesh::most_elements;
 use crate::estimates::torsional_settling_time;
 use crate::filters::quadrature::SAMPLES_PER_TAP;
 use crate::method::{FiniteElement, Method};
 use crate::passivity::REFINEMENT;
-use crate::response::{BendingRequest, TorsionRequest};
+use crate::responses::length::{MOST_TAPS, needed_taps};
+use crate::responses::{ChannelRequest, Request, bending, decay, torsion};
 
 /// Bytes of a real and of a complex number.
 const REAL: f64 = 8.0;
@@ -76,11 +76,13 @@ impl Memory {
     }
 }
 
-/// The length of a response and the memory to build it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The lengths of responses and the memory to build them.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ResponseCost {
-    /// Taps of each channel, at most.
-    pub taps: f64,
+    /// Taps of each response in torsion, at most; none where it is not asked for.
+    pub torsion_taps: f64,
+    /// The same in bending.
+    pub bending_taps: f64,
     /// What building takes.
     pub memory: Memory,
     /// The length asked for, where it is longer than any builder gives
@@ -88,94 +90,121 @@ pub struct ResponseCost {
     pub too_long: Option<f64>,
 }
 
-impl ResponseCost {
-    /// Of `asked` samples, of which `taps` are kept.
-    fn new(asked: f64, taps: f64, memory: Memory) -> Self {
-        Self {
-            taps,
-            memory,
-            too_long: Some(asked).filter(|asked| *asked > MOST_TAPS as f64),
-        }
-    }
+/// The same of one channel.
+struct ChannelCost {
+    /// Samples or taps that are asked for, and taps that are kept of them.
+    asked: f64,
+    taps: f64,
+    memory: Memory,
 }
 
-/// What [`crate::torsion_responses`] takes on the threads of the present pool.
-pub fn torsion_responses(
+/// What [`crate::responses`] takes on the threads of the present pool.
+pub fn responses(string: &Drillstring, method: &Method, request: &Request) -> ResponseCost {
+    let mut cost = ResponseCost::default();
+    for channel in &request.channels {
+        let found = match channel {
+            ChannelRequest::Torsion { torques } => {
+                let found = of_torsion(string, method, request, torques.len());
+                cost.torsion_taps = found.taps;
+                found
+            }
+            ChannelRequest::Bending { .. } => {
+                let found = of_bending(string, method, request);
+                cost.bending_taps = found.taps;
+                found
+            }
+        };
+        cost.memory = cost.memory.beside(found.memory);
+        if found.asked > cost.too_long.unwrap_or(MOST_TAPS as f64) {
+            cost.too_long = Some(found.asked);
+        }
+    }
+    cost
+}
+
+fn of_torsion(
     string: &Drillstring,
     method: &Method,
-    request: &TorsionRequest,
-) -> ResponseCost {
-    let channels = request.sites.len() as f64 * (1.0 + request.torque_inputs.len() as f64);
+    request: &Request,
+    torques: usize,
+) -> ChannelCost {
+    let torques = torques as f64;
+    let responses = request.sites.len() as f64 * (1.0 + torques);
     let nodes = request.sites.len() as f64 + 1.0;
     // Stiffness and its factors, inputs, admittance.
     let networks = current_num_threads() as f64 * 4.0 * COMPLEX * nodes * nodes;
     let until_decayed = torsion_length(string, method, request);
+    let cost = |asked, taps, memory| ChannelCost {
+        asked,
+        taps,
+        memory,
+    };
+    let samples_of =
+        |transform| torsion::transform_samples(string, transform, request.sampling_frequency);
     match method {
         Method::Quadrature | Method::Trapezoidal => {
             let samples = SAMPLES_PER_TAP as f64 * until_decayed;
-            let memory = filter(channels, samples, until_decayed, networks);
-            ResponseCost::new(until_decayed, until_decayed, memory)
+            let memory = filter(responses, samples, until_decayed, networks);
+            cost(until_decayed, until_decayed, memory)
         }
         Method::Hilbert(transform) => {
-            let samples = torsion::transform_samples(string, transform, request);
+            let samples = samples_of(transform);
             let taps = 0.5 * samples + 2.0;
-            let memory = filter(channels, samples, taps, networks);
-            ResponseCost::new(samples, taps, memory)
+            cost(samples, taps, filter(responses, samples, taps, networks))
         }
         Method::DirectIdft(transform) => {
-            let samples = torsion::transform_samples(string, transform, request);
-            let memory = filter(channels, samples, samples, networks);
-            ResponseCost::new(samples, samples, memory)
+            let samples = samples_of(transform);
+            let memory = filter(responses, samples, samples, networks);
+            cost(samples, samples, memory)
         }
         Method::FiniteElement(parameters) => {
-            let runs = 1.0 + request.torque_inputs.len() as f64;
+            let runs = 1.0 + torques;
             let elements = most_elements(string, &request.sites, parameters.elements_per_cell);
             // The runs go on from length to length: their outputs are copied.
-            let kept = REAL * channels * until_decayed;
+            let kept = REAL * responses * until_decayed;
             let freedoms = REAL * elements * (runs + 4.0 * runs);
             let peak = ELEMENT * elements + freedoms + 2.0 * kept;
-            ResponseCost::new(until_decayed, until_decayed, Memory { peak, kept })
+            cost(until_decayed, until_decayed, Memory { peak, kept })
         }
     }
 }
 
-/// What [`crate::bending_responses`] takes on the threads of the present pool.
-pub fn bending_responses(
-    string: &Drillstring,
-    method: &Method,
-    request: &BendingRequest,
-) -> ResponseCost {
+fn of_bending(string: &Drillstring, method: &Method, request: &Request) -> ChannelCost {
     let sites = request.sites.len() as f64;
-    let channels = sites * sites;
+    let responses = sites * sites;
     let taps = needed_taps(request.longest_time, request.sampling_frequency);
     let freedoms = 2.0 * (sites + 1.0);
     // Stiffness and its factors, forces, receptances.
-    let numbers = 2.0 * freedoms * freedoms + freedoms * sites + channels;
+    let numbers = 2.0 * freedoms * freedoms + freedoms * sites + responses;
     let networks = current_num_threads() as f64 * COMPLEX * numbers;
-    match method {
+    let kept = REAL * responses * taps;
+    let (asked, memory) = match method {
         Method::Quadrature | Method::Trapezoidal => {
             let samples = SAMPLES_PER_TAP as f64 * taps;
-            ResponseCost::new(taps, taps, filter(channels, samples, taps, networks))
+            (taps, filter(responses, samples, taps, networks))
         }
         Method::Hilbert(transform) | Method::DirectIdft(transform) => {
             let samples = bending::transform_samples(transform, request);
             let filtered = match method {
-                Method::Hilbert(_) => filter(channels, samples, 0.5 * samples, networks),
-                _ => filter(channels, samples, samples, networks),
+                Method::Hilbert(_) => filter(responses, samples, 0.5 * samples, networks),
+                _ => filter(responses, samples, samples, networks),
             };
-            let kept = REAL * channels * taps;
             let peak = filtered.peak.max(filtered.kept + kept);
-            ResponseCost::new(samples.max(taps), taps, Memory { peak, kept })
+            (samples.max(taps), Memory { peak, kept })
         }
         Method::FiniteElement(parameters) => {
-            let kept = REAL * channels * taps;
             let peak = beam(string, &request.sites, parameters, sites) + kept;
-            ResponseCost::new(taps, taps, Memory { peak, kept })
+            (taps, Memory { peak, kept })
         }
+    };
+    ChannelCost {
+        asked,
+        taps,
+        memory,
     }
 }
 
-/// What [`crate::elements::reconstruction::reconstruct`] takes.
+/// What [`crate::elements::reconstruction::WholeString::reconstruct`] takes.
 pub fn reconstruction(string: &Drillstring, sites: &Sites, parameters: &FiniteElement) -> f64 {
     beam(string, sites, parameters, 2.0)
 }
@@ -204,12 +233,12 @@ fn beam(string: &Drillstring, sites: &Sites, parameters: &FiniteElement, motions
     elements * (BEAM_ELEMENT + 2.0 * REAL * series)
 }
 
-/// Channels sampled over half of a transform's frequencies, each then transformed.
-fn filter(channels: f64, samples: f64, taps: f64, networks: f64) -> Memory {
+/// Responses sampled over half of a transform's frequencies, each then transformed.
+fn filter(responses: f64, samples: f64, taps: f64, networks: f64) -> Memory {
     let points = 0.5 * samples + 1.0;
-    let sampled = COMPLEX * channels * points;
+    let sampled = COMPLEX * responses * points;
     let one = COMPLEX * points + TRANSFORM * samples;
-    let kept = REAL * channels * taps;
+    let kept = REAL * responses * taps;
     Memory {
         peak: sampled + networks.max(one + kept),
         kept,
@@ -217,9 +246,10 @@ fn filter(channels: f64, samples: f64, taps: f64, networks: f64) -> Memory {
 }
 
 /// The length at which a response built longer and longer is left, at most.
-fn torsion_length(string: &Drillstring, method: &Method, request: &TorsionRequest) -> f64 {
+fn torsion_length(string: &Drillstring, method: &Method, request: &Request) -> f64 {
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
-    let first = torsion::first_length(string, request).map_or(f64::INFINITY, |taps| taps as f64);
+    let first = decay::first_length(string, request.sampling_frequency)
+        .map_or(f64::INFINITY, |taps| taps as f64);
     let doubled_to = |length: f64| first * (length / first).log2().ceil().max(0.0).exp2();
     // The trapezoidal rule rings for ever at the highest frequency.
     if string.torsional_damping() == 0.0 || *method == Method::Trapezoidal {

@@ -1,6 +1,8 @@
 //! The drillstring as data (Table 2 of the paper): material, sections from the
 //! surface down, damping, and the sites where something acts on it.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use crate::error::DrillstringError;
 
 /// Two lengths closer than this fraction of the string are the same place.
@@ -73,6 +75,10 @@ pub struct Drillstring {
     torsional_damping: f64,
 }
 
+/// By which responses are known to be those of a string, within one run of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct StringId(u64);
+
 impl Drillstring {
     /// A string of `sections` from the surface down, with the distributed
     /// torsional damping c_t in N m s/rad per metre of string (Eq. 1).
@@ -102,6 +108,24 @@ impl Drillstring {
             sections,
             torsional_damping,
         })
+    }
+
+    /// What tells it from other strings.
+    pub fn id(&self) -> StringId {
+        let mut hasher = DefaultHasher::new();
+        let mut add = |number: f64| number.to_bits().hash(&mut hasher);
+        add(self.material.shear_modulus);
+        add(self.material.density);
+        add(self.torsional_damping);
+        for section in &self.sections {
+            add(section.repeat as f64);
+            for part in &section.parts {
+                add(part.length);
+                add(part.inner_radius);
+                add(part.outer_radius);
+            }
+        }
+        StringId(hasher.finish())
     }
 
     /// What the string is made of.

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::channel::Channel;
+
 /// A drillstring or a set of sites that cannot be.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum DrillstringError {
@@ -103,7 +105,24 @@ pub enum ResponseError {
     /// Some response is missing, without taps, or shorter than the others.
     #[error("the responses are not equally many taps from every input to every site")]
     Shape,
-    /// A torque acts at a site that there is not.
+    /// They are of another string than the one they are held against.
+    #[error("the responses are those of another string")]
+    OtherString,
+    /// There are none of the channel that is asked of.
+    #[error("there are no responses in {channel}")]
+    NoChannel {
+        /// The channel.
+        channel: Channel,
+    },
+    /// The taps end before the time that they are said to last for.
+    #[error("{taps} taps end before the {longest_time} s that they are for")]
+    TooShort {
+        /// Number of taps.
+        taps: usize,
+        /// The time, s.
+        longest_time: f64,
+    },
+    /// A load acts at a site that there is not.
     #[error("the responses name site {site}, but the {sites} sites are counted from 0")]
     NoSuchSite {
         /// The site named, from 0.
@@ -137,6 +156,12 @@ pub enum BuildError {
         site: usize,
         /// How many sites there are.
         sites: usize,
+    },
+    /// A channel is asked for twice.
+    #[error("{channel} is asked for twice")]
+    ChannelTwice {
+        /// The channel.
+        channel: Channel,
     },
     /// The responses given are not what a string gives.
     #[error(transparent)]

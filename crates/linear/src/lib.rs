@@ -17,7 +17,7 @@
 //!   quadrature, direct-idft   │
 //!                │            │
 //!                └─────┬──────┘
-//!        TorsionResponses, BendingResponses      taps A(0), A(1), …: all that leaves
+//!        Responses, a block for each Channel     taps A(0), A(1), …: all that leaves
 //!                      │
 //!             passivity, estimates               what can be said before simulating
 //! ```
@@ -39,46 +39,50 @@
 //! | Section 3: finite elements, Newmark | [`elements`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
 //! | memory, before it is taken | [`cost`] |
-//! | exact responses in time, to compare with | [`exact`] |
-//! | Eqs. 59–61: what a simulation needs | [`response`] |
+//! | how far responses are from the exact ones | [`deviation`] |
+//! | Eqs. 59–61: what a simulation needs | [`mod@responses`] |
 //!
 //! ```
-//! use linear::{Drillstring, Material, Method, Section, Sites, TorsionRequest, Tube};
+//! use linear::{Drillstring, Material, Method, Section, Sites, Tube};
+//! use linear::{ChannelRequest, Request};
 //!
 //! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
 //! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
 //! let string = Drillstring::new(steel, vec![Section { repeat: 50, parts: vec![pipe] }], 10.0)?;
-//! let request = TorsionRequest {
+//! let request = Request {
 //!     sites: Sites::bit(),
-//!     torque_inputs: vec![0],
+//!     channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
 //!     sampling_frequency: linear::estimates::sampling_frequency(&string),
 //!     longest_time: 20.0,
 //! };
-//! let responses = linear::torsion_responses(&string, &Method::Quadrature, &request)?;
+//! let responses = linear::responses(&string, &Method::Quadrature, &request)?;
+//! let torsion = responses.torsion().ok_or("torsion was asked for")?;
 //! // In the end the bit turns as fast as the surface.
-//! let speed: f64 = responses.from_surface[0].iter().sum();
+//! let speed: f64 = torsion.from_surface[0].iter().sum();
 //! assert!((speed - 1.0).abs() < 1e-6);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod build;
+mod channel;
 pub mod cost;
 mod derivative;
+pub mod deviation;
 pub mod drillstring;
 pub mod elements;
 mod error;
 pub mod estimates;
-pub mod exact;
 pub mod filters;
 pub mod method;
 pub mod passivity;
 pub mod pulse;
-pub mod response;
+pub mod responses;
 pub mod waves;
 
-pub use build::{bending_responses, torsion_responses};
-pub use drillstring::{Bending, Drillstring, Material, Section, Sites, SurfaceSupport, Tube};
+pub use channel::{Channel, Port};
+pub use drillstring::{
+    Bending, Drillstring, Material, Section, Sites, StringId, SurfaceSupport, Tube,
+};
 pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
 pub use pulse::RaisedCosine;
-pub use response::{BendingRequest, BendingResponses, TorsionRequest, TorsionResponses};
+pub use responses::{ChannelRequest, ChannelResponses, Request, Responses, responses};

@@ -6,8 +6,8 @@ mod oracles;
 use linear::method::{FiniteElement, Transform};
 use linear::passivity::STABLE_MARGIN;
 use linear::{
-    Bending, BendingRequest, BendingResponses, Drillstring, Method, RaisedCosine, Section, Sites,
-    SurfaceSupport, bending_responses,
+    Bending, ChannelRequest, ChannelResponses, Drillstring, Method, RaisedCosine, Request,
+    Responses, Section, Sites, SurfaceSupport,
 };
 use oracles::academic::{self, SAMPLING_FREQUENCY, tube};
 
@@ -29,15 +29,24 @@ fn elements() -> Method {
     Method::FiniteElement(FiniteElement::default())
 }
 
-fn responses(method: &Method, distances: &[f64], longest_time: f64) -> BendingResponses {
+fn of_method(method: &Method, distances: &[f64], longest_time: f64) -> Responses {
     let string = academic::string();
-    let request = BendingRequest {
-        sites: Sites::new(&string, distances).unwrap(),
+    let channel = ChannelRequest::Bending {
+        bending: BENDING,
         support: SurfaceSupport::Free,
+    };
+    let request = Request {
+        sites: Sites::new(&string, distances).unwrap(),
+        channels: vec![channel],
         sampling_frequency: SAMPLING_FREQUENCY,
         longest_time,
     };
-    bending_responses(&string, &BENDING, method, &request).unwrap()
+    linear::responses(&string, method, &request).unwrap()
+}
+
+fn responses(method: &Method, distances: &[f64], longest_time: f64) -> ChannelResponses {
+    let responses = of_method(method, distances, longest_time);
+    responses.bending().unwrap().clone()
 }
 
 /// Response to the band-limited unit impulse (1 − cos 2πt/τ)/τ, τ = 0.02 s.
@@ -63,7 +72,7 @@ fn assert_close(found: f64, expected: f64, tolerance: f64) {
 #[test]
 fn the_bit_is_displaced_as_checked_by_an_independent_program() {
     for (method, at_end) in [(Method::Quadrature, 2.353e-5), (elements(), 2.353e-5)] {
-        let response = pulse_response(&responses(&method, &[0.0], 9.5).from_force[0][0]);
+        let response = pulse_response(&responses(&method, &[0.0], 9.5).from_loads[0][0]);
         assert_close(peak(&response), 5.14e-5, 0.005);
         // Nine seconds after the impulse.
         assert_close(response[(9.0 * SAMPLING_FREQUENCY) as usize], at_end, 0.005);
@@ -81,11 +90,11 @@ fn the_clearance_is_reached_by_the_impulse_checked() {
         (hilbert(40.0), 293.1),
     ] {
         let taps = responses(&method, &[0.0], 5.0);
-        let least_impulse = clearance / peak(&pulse_response(&taps.from_force[0][0]));
+        let least_impulse = clearance / peak(&pulse_response(&taps.from_loads[0][0]));
         assert_close(least_impulse, expected, 0.003);
     }
     let taps = responses(&Method::Quadrature, &[0.0, 50.0, 100.0], 5.0);
-    let least_impulse = clearance / peak(&pulse_response(&taps.from_force[1][1]));
+    let least_impulse = clearance / peak(&pulse_response(&taps.from_loads[1][1]));
     assert_close(least_impulse, 1126.0, 0.003);
 }
 
@@ -94,7 +103,7 @@ fn the_clearance_is_reached_by_the_impulse_checked() {
 #[test]
 fn the_digital_filter_loses_the_tail_of_the_displacement() {
     let at_nine_seconds = |method: &Method| {
-        let response = pulse_response(&responses(method, &[0.0], 9.5).from_force[0][0]);
+        let response = pulse_response(&responses(method, &[0.0], 9.5).from_loads[0][0]);
         response[(9.0 * SAMPLING_FREQUENCY) as usize]
     };
     let exact = at_nine_seconds(&Method::Quadrature);
@@ -121,7 +130,7 @@ fn the_first_tap_is_a_few_per_cent_of_the_peak() {
         (Method::Quadrature, 0.059),
         (elements(), 0.040),
     ] {
-        let taps = &responses(&method, &[0.0], 5.0).from_force[0][0];
+        let taps = &responses(&method, &[0.0], 5.0).from_loads[0][0];
         assert_close(taps[0] / peak(taps), expected, 0.02);
     }
 }
@@ -140,9 +149,10 @@ fn a_semi_infinite_beam_follows_its_closed_form() {
         damping: 0.0,
         ..BENDING
     };
-    let request = BendingRequest {
+    let support = SurfaceSupport::Free;
+    let request = Request {
         sites: Sites::bit(),
-        support: SurfaceSupport::Free,
+        channels: vec![ChannelRequest::Bending { bending, support }],
         sampling_frequency: 2000.0,
         longest_time: 0.5,
     };
@@ -150,12 +160,13 @@ fn a_semi_infinite_beam_follows_its_closed_form() {
     let rigidity = bending.youngs_modulus * part.second_moment();
     let scale = inertia.powf(0.75) * rigidity.powf(0.25);
     for method in [Method::Quadrature, elements()] {
-        let taps = bending_responses(&string, &bending, &method, &request).unwrap();
+        let responses = linear::responses(&string, &method, &request).unwrap();
+        let taps = responses.bending().unwrap();
         for step in [100, 400, 900] {
             let time = step as f64 / 2000.0;
             let exact = 2.0 * (2.0 / std::f64::consts::PI * time).sqrt() / scale;
             // A tap is the response to a unit force over one step.
-            let found = taps.from_force[0][0][step] * 2000.0;
+            let found = taps.from_loads[0][0][step] * 2000.0;
             assert_close(found, exact, 0.01);
         }
     }
@@ -167,8 +178,8 @@ fn responses_are_reciprocal() {
         let taps = responses(&method, &[0.0, 50.0, 100.0], 4.0);
         for (output, input) in [(0, 1), (0, 2), (1, 2)] {
             let difference = oracles::relative_difference(
-                &taps.from_force[output][input],
-                &taps.from_force[input][output],
+                &taps.from_loads[output][input],
+                &taps.from_loads[input][output],
             );
             assert!(difference < 1e-8, "{}: {difference}", method.name());
         }
@@ -179,8 +190,10 @@ fn responses_are_reciprocal() {
 /// wall, and what does not.
 #[test]
 fn the_margin_tells_the_methods_that_hold_from_those_that_fail() {
-    let margin =
-        |method: Method, sites: &[f64]| responses(&method, sites, 10.0).margin(&method).unwrap();
+    let margin = |method: Method, sites: &[f64]| {
+        let responses = of_method(&method, sites, 10.0);
+        responses.bending_margin().unwrap().unwrap()
+    };
     let trapezoidal = Method::FiniteElement(FiniteElement {
         gamma: 0.5,
         ..FiniteElement::default()

@@ -9,8 +9,7 @@ use linear::waves::inversion::time_response;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 use linear::{
-    Bending, BendingRequest, Method, RaisedCosine, Sites, SurfaceSupport, TorsionRequest,
-    bending_responses, torsion_responses,
+    Bending, ChannelRequest, Method, RaisedCosine, Request, Sites, SurfaceSupport, responses,
 };
 use oracles::academic;
 
@@ -30,13 +29,14 @@ fn errors(method: &Method) -> Vec<f64> {
         .iter()
         .map(|&sampling_frequency| {
             let steps = (TIME * sampling_frequency) as usize;
-            let request = TorsionRequest {
+            let request = Request {
                 sites: Sites::bit(),
-                torque_inputs: vec![],
+                channels: vec![ChannelRequest::Torsion { torques: vec![] }],
                 sampling_frequency,
                 longest_time: TIME,
             };
-            let taps = torsion_responses(&string, method, &request).unwrap();
+            let responses = responses(&string, method, &request).unwrap();
+            let taps = responses.torsion().unwrap();
             let time = |step: usize| step as f64 / sampling_frequency;
             let input: Vec<f64> = (0..steps)
                 .map(|step| RaisedCosine { duration: RAMP }.integral(time(step)))
@@ -101,14 +101,15 @@ fn quadrature_is_of_second_order_in_bending() {
     let pulse = RaisedCosine { duration: 0.02 };
     let errors = [1280.0, 2560.0, 5120.0].map(|sampling_frequency| {
         let steps = (2.0 * sampling_frequency) as usize;
-        let request = BendingRequest {
+        let support = SurfaceSupport::Free;
+        let request = Request {
             sites: sites.clone(),
-            support: SurfaceSupport::Free,
+            channels: vec![ChannelRequest::Bending { bending, support }],
             sampling_frequency,
             longest_time: 2.0,
         };
-        let responses = bending_responses(&string, &bending, &Method::Quadrature, &request);
-        let taps = &responses.unwrap().from_force[0][0];
+        let responses = responses(&string, &Method::Quadrature, &request).unwrap();
+        let taps = &responses.bending().unwrap().from_loads[0][0];
         let time = |step: usize| step as f64 / sampling_frequency;
         let force: Vec<f64> = (0..steps).map(|step| pulse.at(time(step))).collect();
         let exact = time_response(

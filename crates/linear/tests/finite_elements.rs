@@ -6,7 +6,9 @@ mod oracles;
 use linear::elements::newmark::Weights;
 use linear::elements::reduction::CondensedString;
 use linear::method::FiniteElement;
-use linear::{Method, RaisedCosine, Sites, TorsionRequest, torsion_responses};
+use linear::{
+    BuildError, ChannelRequest, ChannelResponses, Drillstring, Method, RaisedCosine, Request, Sites,
+};
 use oracles::academic::{self, SAMPLING_FREQUENCY};
 
 fn weights(parameters: &FiniteElement) -> Weights {
@@ -17,6 +19,15 @@ fn weights(parameters: &FiniteElement) -> Weights {
     }
 }
 
+fn responses(
+    string: &Drillstring,
+    method: &Method,
+    request: &Request,
+) -> Result<ChannelResponses, BuildError> {
+    let responses = linear::responses(string, method, request)?;
+    Ok(responses.torsion().unwrap().clone())
+}
+
 /// Eqs. 66–68: the taps are all that a simulation needs of the string. The
 /// torques here depend on the speeds of the same step, as a contact law's do.
 #[test]
@@ -25,13 +36,15 @@ fn taps_and_stepping_the_whole_state_give_the_same_motion() {
     let sites = Sites::new(&string, &[0.0, 250.0]).unwrap();
     let parameters = FiniteElement::default();
     let steps = 4000;
-    let request = TorsionRequest {
+    let request = Request {
         sites: sites.clone(),
-        torque_inputs: vec![0, 1],
+        channels: vec![ChannelRequest::Torsion {
+            torques: vec![0, 1],
+        }],
         sampling_frequency: SAMPLING_FREQUENCY,
         longest_time: steps as f64 / SAMPLING_FREQUENCY,
     };
-    let taps = torsion_responses(&string, &Method::FiniteElement(parameters), &request).unwrap();
+    let taps = responses(&string, &Method::FiniteElement(parameters), &request).unwrap();
     let condensed = CondensedString::new(&string, &sites, 20, weights(&parameters)).unwrap();
 
     let surface = |step: usize| 1.0 + (step as f64 * 0.01).sin();
@@ -56,13 +69,13 @@ fn taps_and_stepping_the_whole_state_give_the_same_motion() {
     for site in 0..2 {
         let mut reduced = oracles::convolve(&taps.from_surface[site], &surface);
         for input in 0..2 {
-            let from_torque = oracles::convolve(&taps.from_torque[site][input], &torques[input]);
+            let from_torque = oracles::convolve(&taps.from_loads[site][input], &torques[input]);
             reduced
                 .iter_mut()
                 .zip(&from_torque)
                 .for_each(|(sum, x)| *sum += x);
             let instant = condensed.instant_response(site, input);
-            let tap = taps.from_torque[site][input][0];
+            let tap = taps.from_loads[site][input][0];
             assert!((tap - instant).abs() <= 1e-12 * instant.abs());
         }
         let difference = oracles::relative_difference(&reduced, &full[site]);
@@ -82,7 +95,7 @@ fn twenty_elements_a_cell_have_converged() {
             ..Default::default()
         };
         let method = Method::FiniteElement(parameters);
-        torsion_responses(&string, &method, &academic::bit_request(2.0)).unwrap()
+        responses(&string, &method, &academic::bit_request(2.0)).unwrap()
     };
     let (usual, fine) = (taps(20), taps(80));
     let step = |taps: &[f64]| oracles::convolve(taps, &vec![1.0; 1280]);
@@ -95,7 +108,7 @@ fn twenty_elements_a_cell_have_converged() {
 #[test]
 fn elements_and_waves_agree_on_a_smooth_input() {
     let string = academic::string();
-    let request = TorsionRequest {
+    let request = Request {
         sampling_frequency: 2560.0,
         ..academic::bit_request(2.0)
     };
@@ -103,7 +116,7 @@ fn elements_and_waves_agree_on_a_smooth_input() {
         .map(|n| RaisedCosine { duration: 0.2 }.integral(n as f64 / 2560.0))
         .collect();
     let speed = |method| {
-        let taps = torsion_responses(&string, &method, &request).unwrap();
+        let taps = responses(&string, &method, &request).unwrap();
         oracles::convolve(&taps.from_surface[0], &input)
     };
     let gamma_half = FiniteElement {
@@ -135,6 +148,6 @@ fn parameters_that_could_grow_without_bound_are_refused() {
         },
     ] {
         let method = Method::FiniteElement(parameters);
-        assert!(torsion_responses(&string, &method, &academic::bit_request(1.0)).is_err());
+        assert!(responses(&string, &method, &academic::bit_request(1.0)).is_err());
     }
 }

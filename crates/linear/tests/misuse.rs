@@ -1,16 +1,15 @@
 //! What no string has, and no request may ask for, is refused by name: never a
 //! panic, never an answer without a word.
 
-use linear::elements::reconstruction::reconstruct;
-use linear::exact::{bending_error, torsion_error};
+use linear::deviation::{bending_error, torsion_error};
+use linear::elements::reconstruction::WholeString;
 use linear::method::{FiniteElement, Transform};
 use linear::passivity::{Ending, positive_real_margin};
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 use linear::{
-    Bending, BendingRequest, BuildError, Drillstring, DrillstringError, Material, Method,
-    ResponseError, Section, Sites, SurfaceSupport, TorsionRequest, TorsionResponses, Tube,
-    bending_responses, torsion_responses,
+    Bending, BuildError, Channel, ChannelRequest, Drillstring, DrillstringError, Material, Method,
+    Request, ResponseError, Responses, Section, Sites, SurfaceSupport, Tube, responses,
 };
 
 const STEEL: Material = Material {
@@ -51,19 +50,20 @@ fn methods() -> [Method; 5] {
     ]
 }
 
-fn torsion_request(sites: Sites) -> TorsionRequest {
-    TorsionRequest {
-        sites,
-        torque_inputs: vec![0],
-        sampling_frequency: 200.0,
-        longest_time: 1.0,
+const TORSION: fn() -> ChannelRequest = || ChannelRequest::Torsion { torques: vec![0] };
+const IN_BENDING: fn() -> ChannelRequest = || with(BENDING);
+
+fn with(bending: Bending) -> ChannelRequest {
+    ChannelRequest::Bending {
+        bending,
+        support: SurfaceSupport::Free,
     }
 }
 
-fn bending_request(sites: Sites) -> BendingRequest {
-    BendingRequest {
+fn request(sites: Sites, channels: Vec<ChannelRequest>) -> Request {
+    Request {
         sites,
-        support: SurfaceSupport::Free,
+        channels,
         sampling_frequency: 200.0,
         longest_time: 1.0,
     }
@@ -75,43 +75,31 @@ fn requests_out_of_range_are_refused_by_every_method() {
     let string = string(3);
     let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0];
     for method in methods() {
-        for value in bad.into_iter().chain([0.0]) {
-            let torsion = TorsionRequest {
-                sampling_frequency: value,
-                ..torsion_request(Sites::bit())
-            };
-            let bending = BendingRequest {
-                sampling_frequency: value,
-                ..bending_request(Sites::bit())
-            };
-            assert_names(
-                torsion_responses(&string, &method, &torsion),
-                "sampling_frequency",
-            );
-            let found = bending_responses(&string, &BENDING, &method, &bending);
-            assert_names(found, "sampling_frequency");
+        for channel in [TORSION, IN_BENDING] {
+            let good = request(Sites::bit(), vec![channel()]);
+            assert!(responses(&string, &method, &good).is_ok());
+            for value in bad.into_iter().chain([0.0]) {
+                let request = Request {
+                    sampling_frequency: value,
+                    ..good.clone()
+                };
+                assert_names(responses(&string, &method, &request), "sampling_frequency");
+            }
+            for value in bad {
+                let request = Request {
+                    longest_time: value,
+                    ..good.clone()
+                };
+                assert_names(responses(&string, &method, &request), "longest_time");
+            }
+            let twice = request(Sites::bit(), vec![channel(), channel()]);
+            let channel = channel().channel();
+            let found = responses(&string, &method, &twice);
+            assert_eq!(found, Err(BuildError::ChannelTwice { channel }));
         }
-        for value in bad {
-            let torsion = TorsionRequest {
-                longest_time: value,
-                ..torsion_request(Sites::bit())
-            };
-            let bending = BendingRequest {
-                longest_time: value,
-                ..bending_request(Sites::bit())
-            };
-            assert_names(
-                torsion_responses(&string, &method, &torsion),
-                "longest_time",
-            );
-            let found = bending_responses(&string, &BENDING, &method, &bending);
-            assert_names(found, "longest_time");
-        }
-        let request = TorsionRequest {
-            torque_inputs: vec![0, 2],
-            ..torsion_request(Sites::bit())
-        };
-        let found = torsion_responses(&string, &method, &request);
+        let torques = vec![0, 2];
+        let request = request(Sites::bit(), vec![ChannelRequest::Torsion { torques }]);
+        let found = responses(&string, &method, &request);
         assert_eq!(found, Err(BuildError::NoSuchSite { site: 2, sites: 1 }));
     }
 }
@@ -135,20 +123,30 @@ fn sites_of_a_longer_string_are_refused_on_a_shorter_one() {
     };
     assert_eq!(sites.check(&short), Err(off.clone()));
     for method in methods() {
-        let found = torsion_responses(&short, &method, &torsion_request(sites.clone()));
-        assert_eq!(found, Err(BuildError::Sites(off.clone())));
-        let found = bending_responses(&short, &BENDING, &method, &bending_request(sites.clone()));
-        assert_eq!(found, Err(BuildError::Sites(off.clone())));
+        for channel in [TORSION, IN_BENDING] {
+            let request = request(sites.clone(), vec![channel()]);
+            let found = responses(&short, &method, &request);
+            assert_eq!(found, Err(BuildError::Sites(off.clone())));
+        }
     }
     let network = TorsionNetwork::new(&short, &sites);
     assert_eq!(network.map(|_| ()), Err(off.clone()));
     let network = BendingNetwork::new(&short, BENDING, SurfaceSupport::Free, &sites);
     assert_eq!(network.map(|_| ()), Err(off.clone()));
     let still = [vec![vec![0.0]; 2], vec![vec![0.0]; 2]];
-    let request = bending_request(sites.clone());
-    let elements = FiniteElement::default();
-    let found = reconstruct(&short, &BENDING, &request, &elements, &still, &[]);
+    let found = whole(&short, &sites).reconstruct(&still, &[]);
     assert_eq!(found, Err(BuildError::Sites(off)));
+}
+
+fn whole<'a>(string: &'a Drillstring, sites: &'a Sites) -> WholeString<'a> {
+    WholeString {
+        string,
+        bending: &BENDING,
+        support: SurfaceSupport::Free,
+        sites,
+        sampling_frequency: 200.0,
+        parameters: FiniteElement::default(),
+    }
 }
 
 #[test]
@@ -166,8 +164,8 @@ fn bending_that_no_string_has_is_refused_by_every_method() {
         let mut bending = BENDING;
         change(&mut bending);
         for method in methods() {
-            let request = bending_request(Sites::bit());
-            let found = bending_responses(&string, &bending, &method, &request);
+            let request = request(Sites::bit(), vec![with(bending)]);
+            let found = responses(&string, &method, &request);
             assert!(matches!(found, Err(BuildError::Sites(_))), "{bending:?}");
         }
     }
@@ -186,7 +184,7 @@ fn a_string_longer_than_all_numbers_has_no_responses() {
         length: f64::INFINITY,
     };
     for method in methods() {
-        let found = torsion_responses(&string, &method, &torsion_request(Sites::bit()));
+        let found = responses(&string, &method, &request(Sites::bit(), vec![TORSION()]));
         assert_eq!(found, Err(BuildError::Sites(off.clone())));
     }
 }
@@ -206,21 +204,20 @@ fn more_elements_than_are_made_are_refused() {
     ];
     let string = Drillstring::new(STEEL, sections, 10.0).unwrap();
     let method = Method::FiniteElement(FiniteElement::default());
-    let found = bending_responses(&string, &BENDING, &method, &bending_request(Sites::bit()));
+    let found = responses(&string, &method, &request(Sites::bit(), vec![IN_BENDING()]));
     assert!(matches!(found, Err(BuildError::TooManyElements { .. })));
 }
 
 #[test]
 fn forces_that_do_not_fit_the_sites_are_refused() {
-    let (string, elements) = (string(3), FiniteElement::default());
-    let request = bending_request(Sites::bit());
+    let (string, sites) = (string(3), Sites::bit());
     let row = |steps: usize| vec![0.0; steps];
     for forces in [
         [vec![row(3)], vec![]],
         [vec![row(3)], vec![row(2)]],
         [vec![row(3), row(3)], vec![row(3), row(3)]],
     ] {
-        let found = reconstruct(&string, &BENDING, &request, &elements, &forces, &[0]);
+        let found = whole(&string, &sites).reconstruct(&forces, &[0]);
         assert_eq!(found, Err(BuildError::Forces));
     }
 }
@@ -229,32 +226,43 @@ fn forces_that_do_not_fit_the_sites_are_refused() {
 fn responses_put_together_by_hand_are_checked() {
     let string = string(3);
     let sites = Sites::new(&string, &[0.0, 10.0]).unwrap();
-    let good = torsion_responses(
+    let good = responses(
         &string,
         &Method::Quadrature,
-        &torsion_request(sites.clone()),
+        &request(sites, vec![TORSION()]),
     );
     let good = good.unwrap();
     assert_eq!((good.sites.bit_site(), good.check()), (Some(1), Ok(())));
-    type Change = fn(&mut TorsionResponses);
-    let changes: [(Change, ResponseError); 7] = [
+    assert!(torsion_error(&string, &good).is_ok());
+    type Change = fn(&mut Responses);
+    let changes: [(Change, ResponseError); 8] = [
         (
             |it| it.sampling_frequency = 0.0,
             ResponseError::SamplingFrequency { value: 0.0 },
         ),
         (
-            |it| it.torque_inputs[0] = 2,
+            |it| it.channels[0].loads[0] = 2,
             ResponseError::NoSuchSite { site: 2, sites: 2 },
         ),
         (|it| it.sites = Sites::bit(), ResponseError::Shape),
-        (|it| it.from_surface[1].clear(), ResponseError::Shape),
-        (|it| it.from_torque[1].clear(), ResponseError::Shape),
         (
-            |it| it.from_torque[1][0][5] = f64::NAN,
+            |it| it.channels[0].from_surface[1].clear(),
+            ResponseError::Shape,
+        ),
+        (
+            |it| it.channels[0].from_loads[1].clear(),
+            ResponseError::Shape,
+        ),
+        (
+            |it| it.channels.push(it.channels[0].clone()),
+            ResponseError::Shape,
+        ),
+        (
+            |it| it.channels[0].from_loads[1][0][5] = f64::NAN,
             ResponseError::NotFinite,
         ),
         (
-            |it| it.from_torque[0][0][0] = 0.0,
+            |it| it.channels[0].from_loads[0][0][0] = 0.0,
             ResponseError::Instant {
                 site: 0,
                 value: 0.0,
@@ -265,22 +273,26 @@ fn responses_put_together_by_hand_are_checked() {
         let mut bad = good.clone();
         change(&mut bad);
         assert_eq!(bad.check(), Err(expected));
-        assert_eq!(bad.margin(), Err(expected.into()));
-        assert_eq!(torsion_error(&string, &sites, &bad), Err(expected.into()));
+        assert_eq!(bad.torsion_margin(), Err(expected.into()));
+        assert_eq!(torsion_error(&string, &bad), Err(expected.into()));
     }
-    let other = torsion_error(&string, &Sites::bit(), &good);
-    assert_eq!(other, Err(ResponseError::Shape.into()));
+    let other = torsion_error(&self::string(4), &good);
+    assert_eq!(other, Err(ResponseError::OtherString.into()));
+    let channel = Channel::Bending;
+    let none = bending_error(&string, &BENDING, SurfaceSupport::Free, 0.1, &good);
+    assert_eq!(none, Err(ResponseError::NoChannel { channel }.into()));
 
-    let request = bending_request(Sites::bit());
-    let bending = bending_responses(&string, &BENDING, &Method::Quadrature, &request).unwrap();
-    let error = |duration: f64| {
-        let (bit, free) = (Sites::bit(), SurfaceSupport::Free);
-        bending_error(&string, &BENDING, free, &bit, duration, &bending)
-    };
+    let request = request(Sites::bit(), vec![IN_BENDING()]);
+    let bending = responses(&string, &Method::Quadrature, &request).unwrap();
+    let error =
+        |duration: f64| bending_error(&string, &BENDING, SurfaceSupport::Free, duration, &bending);
     assert!(error(0.1).is_ok());
     for duration in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert_names(error(duration), "duration");
     }
+    let mut short = bending.clone();
+    short.longest_time *= 2.0;
+    assert!(matches!(short.check(), Err(ResponseError::TooShort { .. })));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use linear::estimates::{
 use linear::waves::chain::Stiffness;
 use linear::waves::{chain, network::TorsionNetwork, torsion};
 use linear::{
-    Drillstring, Method, Section, Sites, TorsionRequest, TorsionResponses, Tube, torsion_responses,
+    ChannelRequest, ChannelResponses, Drillstring, Method, Request, Section, Sites, Tube,
 };
 use oracles::academic::{self, SAMPLING_FREQUENCY, tube};
 use proptest::prelude::*;
@@ -24,8 +24,9 @@ fn methods() -> [Method; 3] {
     ]
 }
 
-fn responses(string: &Drillstring, method: &Method, request: &TorsionRequest) -> TorsionResponses {
-    torsion_responses(string, method, request).unwrap()
+fn responses(string: &Drillstring, method: &Method, request: &Request) -> ChannelResponses {
+    let responses = linear::responses(string, method, request).unwrap();
+    responses.torsion().unwrap().clone()
 }
 
 fn running_sum(taps: &[f64]) -> Vec<f64> {
@@ -90,7 +91,7 @@ fn the_first_plateau_is_that_of_two_impedances_in_series() {
     // A ramp without the high frequencies that the joints scatter, and a
     // sampling frequency that follows it.
     let (ramp, sampling_frequency) = (0.02, 2560.0);
-    let request = TorsionRequest {
+    let request = Request {
         sampling_frequency,
         ..academic::bit_request(2.0)
     };
@@ -155,9 +156,9 @@ fn a_uniform_undamped_string_follows_dalembert() {
             ..Default::default()
         }),
     ] {
-        let request = TorsionRequest {
+        let request = Request {
             sites: Sites::bit(),
-            torque_inputs: vec![],
+            channels: vec![ChannelRequest::Torsion { torques: vec![] }],
             sampling_frequency,
             longest_time: count as f64 / sampling_frequency,
         };
@@ -172,9 +173,11 @@ fn a_uniform_undamped_string_follows_dalembert() {
 fn a_constant_torque_twists_every_site_statically() {
     let string = academic::string();
     let sites = Sites::new(&string, &[0.0, 333.0]).unwrap();
-    let request = TorsionRequest {
+    let request = Request {
         sites,
-        torque_inputs: vec![0, 1],
+        channels: vec![ChannelRequest::Torsion {
+            torques: vec![0, 1],
+        }],
         sampling_frequency: SAMPLING_FREQUENCY,
         longest_time: 40.0,
     };
@@ -202,7 +205,7 @@ fn a_constant_torque_twists_every_site_statically() {
             (1, 0, upper_flexibility),
             (1, 1, lower_flexibility),
         ] {
-            let found = twist(&taps.from_torque[output][input]);
+            let found = twist(&taps.from_loads[output][input]);
             // Half a step of delay is all that a method may add.
             assert!(
                 (found / expected - 1.0).abs() < 2e-3,
@@ -230,16 +233,18 @@ fn everything_turns_with_the_surface_in_the_end() {
 #[test]
 fn responses_between_two_sites_are_reciprocal() {
     let string = academic::string();
-    let request = TorsionRequest {
+    let request = Request {
         sites: Sites::new(&string, &[20.0, 512.3]).unwrap(),
-        torque_inputs: vec![0, 1],
+        channels: vec![ChannelRequest::Torsion {
+            torques: vec![0, 1],
+        }],
         sampling_frequency: SAMPLING_FREQUENCY,
         longest_time: 10.0,
     };
     for method in methods() {
         let taps = responses(&string, &method, &request);
         let difference =
-            oracles::relative_difference(&taps.from_torque[0][1], &taps.from_torque[1][0]);
+            oracles::relative_difference(&taps.from_loads[0][1], &taps.from_loads[1][0]);
         assert!(difference < 1e-9, "{}: {difference}", method.name());
     }
 }
@@ -405,13 +410,14 @@ proptest! {
         let decay_rate = decay_per_round_trip / round_trip;
         let damping = 2.0 * decay_rate * material.density * part.polar_moment();
         let string = Drillstring::new(material, vec![section], damping).unwrap();
-        let request = TorsionRequest {
+        let request = Request {
             sites: Sites::bit(),
-            torque_inputs: vec![0],
+            channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
             sampling_frequency: samples_per_round_trip / round_trip,
             longest_time: 1e3 * round_trip,
         };
-        let margin = responses(&string, &Method::Quadrature, &request).margin().unwrap().unwrap();
+        let responses = linear::responses(&string, &Method::Quadrature, &request).unwrap();
+        let margin = responses.torsion_margin().unwrap().unwrap();
         prop_assert!(margin > linear::passivity::STABLE_MARGIN, "{}", margin);
     }
 }

@@ -6,12 +6,9 @@
 mod academic;
 
 use divan::{Bencher, black_box};
-use linear::{
-    Bending, BendingRequest, Method, Sites, SurfaceSupport, TorsionRequest, bending_responses,
-    torsion_responses,
-};
-use sim::history::{History, Kernel, Kernels};
-use sim::{Impulse, Lateral, LateralSystem, Scene, Stopping, Timing, Wall, simulate_lateral};
+use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
+use sim::convolution::{Convolution, Kernel, Kernels};
+use sim::{Impulse, Lateral, Scene, Simulator, Stopping, Timing, Wall};
 
 fn main() {
     divan::main();
@@ -20,31 +17,26 @@ fn main() {
 const SPEED: f64 = std::f64::consts::TAU;
 
 /// `sites` places of contact, ten metres apart from the bit up.
-fn system(sites: usize, longest_time: f64) -> LateralSystem {
+fn simulator(sites: usize, longest_time: f64) -> Simulator {
     let string = academic::string();
     let distances: Vec<f64> = (0..sites).map(|site| 10.0 * site as f64).collect();
-    let sites = Sites::new(&string, &distances).unwrap();
-    let sampling_frequency = academic::SAMPLING_FREQUENCY;
-    let torsion = TorsionRequest {
-        sites: sites.clone(),
-        torque_inputs: (0..sites.len()).collect(),
-        sampling_frequency,
-        longest_time,
-    };
-    let bending = BendingRequest {
-        sites,
-        support: SurfaceSupport::Free,
-        sampling_frequency,
-        longest_time,
-    };
-    let material = Bending {
+    let bending = Bending {
         youngs_modulus: 210e9,
         damping: 2000.0,
         compression: 0.0,
     };
-    let torsion = torsion_responses(&string, &Method::Quadrature, &torsion).unwrap();
-    let bending = bending_responses(&string, &material, &Method::Quadrature, &bending).unwrap();
-    LateralSystem::new(&torsion, &bending).unwrap()
+    let in_bending = ChannelRequest::Bending {
+        bending,
+        support: SurfaceSupport::Free,
+    };
+    let torques = (0..sites).collect();
+    let request = Request {
+        sites: Sites::new(&string, &distances).unwrap(),
+        channels: vec![ChannelRequest::Torsion { torques }, in_bending],
+        sampling_frequency: academic::SAMPLING_FREQUENCY,
+        longest_time,
+    };
+    Simulator::new(&responses(&string, &Method::Quadrature, &request).unwrap()).unwrap()
 }
 
 fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
@@ -76,9 +68,9 @@ fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
 }
 
 fn case(bencher: Bencher, sites: usize, friction: f64, duration: f64, stopping: Stopping) {
-    let system = system(sites, duration);
+    let simulator = simulator(sites, duration);
     let scene = scene(sites, friction, duration);
-    bencher.bench(|| simulate_lateral(black_box(&system), black_box(&scene), stopping, None));
+    bencher.bench(|| black_box(&simulator).simulate(black_box(&scene), stopping, None));
 }
 
 /// Ten seconds, rolling whirl from one second to the end.
@@ -132,7 +124,7 @@ fn history_direct(bencher: Bencher, taps: usize) {
 fn history_by_blocks(bencher: Bencher, taps: usize) {
     let (kernels, inputs) = (Kernels::new(&[vec![noise(taps)]]), noise(taps));
     bencher.bench(|| {
-        let mut history = History::new(black_box(&kernels), 1, taps);
+        let mut history = Convolution::new(black_box(&kernels), 1, taps);
         let (mut past, mut sum) = ([0.0], 0.0);
         for &input in &inputs {
             history.past(&mut past);
@@ -164,8 +156,8 @@ fn three_sites_by_blocks(bencher: Bencher) {
     let kernels = Kernels::new(&vec![vec![noise(6400); 3]; 3]);
     let inputs = noise(6400);
     bencher.bench(|| {
-        let mut torsion = History::new(black_box(&kernels), 1, 6400);
-        let mut bending = History::new(black_box(&kernels), 2, 6400);
+        let mut torsion = Convolution::new(black_box(&kernels), 1, 6400);
+        let mut bending = Convolution::new(black_box(&kernels), 2, 6400);
         let (mut three, mut six, mut sum) = ([0.0; 3], [0.0; 6], 0.0);
         for &input in &inputs {
             torsion.past(&mut three);

@@ -2,21 +2,23 @@
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
 use divan::{Bencher, black_box};
-use sim::Wall;
-use sim::laws::wall::{Approach, Touch};
+use sim::laws::contact::{Approach, Spin, Touch};
+use sim::{Wall, WallLaw};
 
 fn main() {
     divan::main();
 }
 
-fn approach(free_speed: f64) -> Approach {
+fn approach(free_speed: f64) -> Approach<'static> {
     Approach {
         free_position: [0.0163, -0.0004],
         previous_position: [0.0160, 0.0002],
-        free_speed,
         compliance: 1e-8,
-        torsional_compliance: 5e-5,
-        bit: None,
+        spin: Spin {
+            free_speed,
+            compliance: 5e-5,
+            resistance: None,
+        },
         sampling_frequency: 640.0,
     }
 }
@@ -30,7 +32,7 @@ fn solve(bencher: Bencher, friction: f64, stiffness: f64, touch: Touch) {
     };
     let approach = approach(6.3);
     assert_eq!(wall.meet(&approach).map(|met| met.touch), Ok(touch));
-    bencher.bench(|| black_box(&wall).meet(black_box(&approach)));
+    bencher.bench_local(|| black_box(&wall).meet(black_box(&approach)));
 }
 
 #[divan::bench(args = [1e9, f64::INFINITY])]

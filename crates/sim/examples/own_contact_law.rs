@@ -1,8 +1,8 @@
 //! A contact law of one's own: a bit with dry and viscous friction.
 //! `cargo run --release -p sim --example own_contact_law`
 
-use linear::{Drillstring, Material, Method, Section, Sites, TorsionRequest, Tube};
-use sim::{LoadLine, bit_speeds};
+use linear::{ChannelRequest, Drillstring, Material, Method, Request, Section, Sites, Tube};
+use sim::{LoadLine, Scene, Stepper, System, Timing, Wall};
 
 /// The torque that holds the bit, N m, or beyond 1000 N m slows it.
 fn torque(line: LoadLine) -> f64 {
@@ -23,16 +23,27 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         outer_radius: 0.1,
     }];
     let string = Drillstring::new(steel, vec![Section { repeat: 50, parts }], 1.0)?;
-    let request = TorsionRequest {
+    let request = Request {
         sites: Sites::bit(),
-        torque_inputs: vec![0],
+        channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
         sampling_frequency: 640.0,
         longest_time: 10.0,
     };
-    let responses = linear::torsion_responses(&string, &Method::Quadrature, &request)?;
-    let speeds = bit_speeds(&responses, 2.0, 10.0, torque)?;
-    for (step, speed) in speeds.iter().enumerate().step_by(640).skip(1) {
-        println!("{:2} s  {speed:.4} rad/s", step / 640);
+    let system = System::new(&linear::responses(&string, &Method::Quadrature, &request)?)?;
+    let scene: Scene<_, Wall> = Scene {
+        surface_speed: 2.0,
+        bit: Some(torque),
+        lateral: None,
+        timing: Timing {
+            duration: 10.0,
+            closing_window: 2.0,
+        },
+    };
+    let mut stepper = Stepper::new(&system, &scene)?;
+    while let Some(step) = stepper.step()? {
+        if step.time.fract() == 0.0 && step.time > 0.0 {
+            println!("{:2} s  {:.4} rad/s", step.time, step.speeds[0]);
+        }
     }
     Ok(())
 }

@@ -3,14 +3,14 @@
 
 use linear::cost::Memory;
 
-use crate::history::partition::{history_memory, kernels_memory};
+use crate::convolution::partition::{convolution_memory, kernels_memory};
 
 /// Bytes of a number.
 const REAL: f64 = 8.0;
 
 /// Numbers for each tap of a look ahead: its spectrum, the step response and the plans
 /// of two transforms of any length.
-const FUTURE: f64 = 40.0;
+const LOOK_AHEAD: f64 = 40.0;
 
 /// Numbers for each tap while one looks ahead: torques, their spectrum, speeds.
 const LOOK: f64 = 8.0;
@@ -22,48 +22,51 @@ const WATCH: f64 = 2.0;
 /// position, wall force, all forces.
 const RECORDED: f64 = 7.0;
 
-/// What [`crate::System::new`] takes: responses of so many taps to a torque at the bit,
-/// prepared for cases of so many steps.
-pub fn torsion_system(sites: usize, taps: f64, steps: f64) -> Memory {
-    let from_surface = REAL * sites as f64 * taps;
-    let to_sites = REAL * sites as f64 * taps;
-    let held = 2.0 * REAL * steps;
-    let kept = from_surface + to_sites + held + REAL * FUTURE * taps + kernels_memory(1, taps);
+/// What [`crate::Simulator::new`] takes: responses of so many taps in torsion and, where
+/// there are any, in bending, to torques at so many of the sites.
+pub fn simulator(sites: usize, loads: usize, taps: Taps, steps: f64) -> Memory {
+    let from_surface = REAL * sites as f64 * taps.torsion;
+    let torsion = kernels_memory(loads, taps.torsion);
+    if taps.bending > 0.0 {
+        return Memory::lasting(from_surface + torsion + kernels_memory(sites, taps.bending));
+    }
+    if loads == 0 {
+        return Memory::lasting(from_surface);
+    }
+    let to_sites = REAL * sites as f64 * taps.torsion;
+    let stuck = 2.0 * REAL * steps;
+    let kept = from_surface + to_sites + stuck + REAL * LOOK_AHEAD * taps.torsion + torsion;
     Memory {
-        peak: kept + history_memory(1, 1, taps, steps),
+        peak: kept + convolution_memory(1, 1, taps.torsion, steps),
         kept,
     }
 }
 
-/// What [`crate::System::new`] takes where no torque acts.
-pub fn free_system(sites: usize, taps: f64) -> Memory {
-    Memory::lasting(REAL * sites as f64 * taps)
-}
-
-/// What [`crate::LateralSystem::new`] takes: responses of so many taps in torsion and in
-/// bending.
-pub fn lateral_system(sites: usize, torsion_taps: f64, bending_taps: f64) -> Memory {
-    let from_surface = REAL * sites as f64 * torsion_taps;
-    let kernels = kernels_memory(sites, torsion_taps) + kernels_memory(sites, bending_taps);
-    Memory::lasting(from_surface + kernels)
-}
-
-/// What [`crate::simulate`] takes for a case of so many steps, stepped to its end.
-pub fn torsion_case(taps: f64, steps: f64) -> f64 {
-    history_memory(1, 1, taps, steps) + REAL * (WATCH * steps + LOOK * taps)
-}
-
-/// What [`crate::simulate_lateral`] takes for a case of so many steps.
-pub fn lateral_case(sites: usize, torsion_taps: f64, bending_taps: f64, steps: f64) -> f64 {
-    history_memory(sites, 1, torsion_taps, steps)
-        + history_memory(sites, 2, bending_taps, steps)
-        + REAL * WATCH * steps
+/// What [`crate::Simulator::simulate`] takes for a case of so many steps, stepped to its
+/// end.
+pub fn case(sites: usize, taps: Taps, steps: f64) -> f64 {
+    let watch = REAL * WATCH * steps;
+    if taps.bending > 0.0 {
+        return convolution_memory(sites, 1, taps.torsion, steps)
+            + convolution_memory(sites, 2, taps.bending, steps)
+            + watch;
+    }
+    convolution_memory(1, 1, taps.torsion, steps) + watch + REAL * LOOK * taps.torsion
 }
 
 /// What a [`crate::Trajectory`] of so many steps takes, with lateral motion or not.
 pub fn trajectory(sites: usize, is_lateral: bool, steps: f64) -> f64 {
     let recorded = if is_lateral { RECORDED } else { 1.0 };
     REAL * steps * (1.0 + recorded * sites as f64)
+}
+
+/// Taps of responses; none in bending where it is not modelled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Taps {
+    /// In torsion.
+    pub torsion: f64,
+    /// In bending.
+    pub bending: f64,
 }
 
 /// Steps of a case of a given duration (s).

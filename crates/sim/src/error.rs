@@ -3,8 +3,8 @@
 use linear::ResponseError;
 use thiserror::Error;
 
-use crate::laws::wall::ContactError;
-use crate::scene::SceneError;
+use crate::laws::contact::ContactError;
+use crate::ranges::SceneError;
 
 /// A case that gives no answer. Sites are counted from the surface down, from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -37,14 +37,24 @@ pub enum SimulationError {
         /// Time of the step, s.
         time: f64,
     },
-    /// The scene has a torque at the bit, but the responses have no such
-    /// input.
+    /// A torque acts on the bit, but the responses have no such input.
     #[error("the responses were built without a torque at the bit")]
     NoTorqueInput,
-    /// Torsion, bending and scene do not have the same sites.
-    #[error("torsion, bending and the scene do not have the same sites")]
-    UnlikeParts,
-    /// The responses, or the system made of them, end before the case.
+    /// The scene has walls, but the responses no bending.
+    #[error("the scene has walls, but the responses were built without bending")]
+    NoForceInput,
+    /// There are more walls than sites, or fewer.
+    #[error("the scene has {walls} walls for {sites} sites")]
+    NotAWallForEachSite {
+        /// Number of walls.
+        walls: usize,
+        /// Number of sites.
+        sites: usize,
+    },
+    /// Forces act at sites where no torque may act: friction would turn nothing.
+    #[error("the responses in bending need a torque at each of their sites")]
+    UnlikeChannels,
+    /// The responses were built for shorter cases.
     #[error("the case lasts {duration} s, but its responses were built for {prepared} s")]
     LongerThanPrepared {
         /// Time of the case, s.

@@ -3,8 +3,8 @@
 
 use linear::RaisedCosine;
 
-use crate::history::partition::FIRST_BLOCK;
-use crate::history::{History, Kernels};
+use crate::convolution::partition::FIRST_BLOCK;
+use crate::convolution::{Convolution, Kernels};
 
 /// A band-limited lateral impulse: a raised cosine of unit area times its
 /// amount, (1 − cos 2πt/τ)/τ.
@@ -90,11 +90,11 @@ fn furthest(pulse: &[f64], taps: &[f64]) -> f64 {
     }
     // The sum is the same the other way round, and by blocks it is short.
     let kernels = Kernels::new(&[vec![pulse.to_vec()]]);
-    let mut history = History::new(&kernels, 1, taps.len());
+    let mut convolution = Convolution::new(&kernels, 1, taps.len());
     largest(&mut taps.iter().map(|&tap| {
         let mut past = [0.0];
-        history.past(&mut past);
-        history.push(&[tap]);
+        convolution.past(&mut past);
+        convolution.push(&[tap]);
         past[0] + kernels.instant(0, 0) * tap
     }))
 }

@@ -10,7 +10,7 @@
 use linear::passivity::{Ending, worst_point};
 use linear::{BuildError, ResponseError};
 
-use crate::history::{History, Kernels};
+use crate::convolution::{Convolution, Kernels};
 
 /// Steps that the oscillator is followed, in lengths of the response.
 const RESPONSE_LENGTHS: usize = 128;
@@ -72,7 +72,7 @@ fn energy_gained(taps: &[f64], angle: f64) -> f64 {
     let stiffness = 2.0 / (pushes * compliance * steps as f64);
     let (mut real, mut imaginary) = (1.0, 0.0);
     let mut half_way = 0.0;
-    let mut torques = History::new(&kernels, 1, steps);
+    let mut torques = Convolution::new(&kernels, 1, steps);
     for step in 0..steps {
         if step == steps / 2 {
             half_way = f64::ln(real * real + imaginary * imaginary);

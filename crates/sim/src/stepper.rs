@@ -1,336 +1,420 @@
-//! Eq. 61, step by step: history, load line, law.
+//! Eqs. 59–61, step by step: what the past adds, the load lines that leaves, and the
+//! local laws that meet them.
 
-use linear::TorsionResponses;
-
+use crate::convolution::Convolution;
+use crate::coupling::{Coupling, Load, Solved};
 use crate::error::SimulationError;
-use crate::future::Future;
-use crate::held::HeldTorque;
-use crate::history::{History, Kernel, Kernels};
-use crate::laws::bit::{BitMotion, BitTorque};
-use crate::regime::{BitWatch, TorsionMeasures, TorsionRegime};
-use crate::scene::{Scene, not_negative};
-use crate::settling::{Ended, Stopping};
-use crate::trajectory::Trajectory;
-use crate::whirl::LateralMeasures;
+use crate::laws::bit::BitTorque;
+use crate::laws::contact::{Contact, WallLaw};
+use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
+use crate::laws::wall::Wall;
+use crate::scene::{Lateral, Scene};
+use crate::site::{LateralLine, SiteLaws};
+use crate::system::{BitLoad, System};
 
-/// The linear part as all cases share it: the responses ready for summing.
+/// One step of all sites that may bear a load.
 #[derive(Debug, Clone)]
-pub struct System {
-    step_length: f64,
-    /// The longest case, s.
-    longest_time: f64,
-    /// Response of each site to a surface that starts to turn at 1 rad/s.
-    surface_step: Vec<Vec<f64>>,
-    /// Torque input and each site's response to it, where there is one.
-    bit: Option<BitInput>,
+pub struct Step<S> {
+    /// Time, s.
+    pub time: f64,
+    /// Rotation speeds of the sites that a torque may act on, rad/s.
+    pub speeds: Vec<f64>,
+    /// What each site does at its wall; nothing without walls.
+    pub contacts: Vec<Contact>,
+    /// What the bit does, where a law acts there.
+    pub bit: Option<TorqueStep<S>>,
 }
 
-#[derive(Debug, Clone)]
-struct BitInput {
-    site: usize,
-    to_itself: Kernels,
-    held: HeldTorque,
-    future: Future,
-    to_sites: Vec<Kernel>,
+/// A scene under way, one step after the other, against its linear system.
+#[derive(Debug)]
+pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
+    system: &'a System,
+    scene: &'a Scene<B, W>,
+    bit: Option<BitLoad>,
+    reference: Reference<'a>,
+    /// The next step, and how many there are.
+    next: usize,
+    steps: usize,
+    torques: Convolution<'a>,
+    lateral: Option<LateralMotion<'a, W>>,
+    coupling: Coupling,
+    bit_state: B::State,
+    /// Speeds of this step without its loads.
+    free_speeds: Vec<f64>,
+    step_torques: Vec<f64>,
+    now: Step<B::State>,
 }
 
-impl System {
-    /// Prepares responses for simulations of at most `longest_time` (s). What
-    /// does not depend on the case is computed here once: the response to the
-    /// surface's step, and the torque of a bit that never slips; a case only
-    /// scales them. Without a torque input at the bit it turns freely in every case.
+/// The motion that all loads are added to: until it leaves that motion, nothing has to
+/// be stepped.
+#[derive(Debug, Clone, Copy)]
+enum Reference<'a> {
+    /// The surface turns a string that is free.
+    Free,
+    /// The surface turns a string whose bit is held fast, by these torques per unit of
+    /// its speed. Loads are what the torques on the bit, the only ones, differ by.
+    Stuck(&'a [f64]),
+}
+
+/// The sites in two planes.
+#[derive(Debug)]
+struct LateralMotion<'a, W> {
+    scene: &'a Lateral<W>,
+    /// Forces at the sites, along x and along y.
+    forces: Convolution<'a>,
+    /// The last step's state.
+    positions: Vec<[f64; 2]>,
+    rotations: Vec<f64>,
+    /// This step without contact: forces of disturbances, and displacements; x of all
+    /// sites and then y.
+    external: Vec<f64>,
+    free_positions: Vec<f64>,
+    step_forces: Vec<f64>,
+}
+
+impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
+    /// A scene at rest.
     ///
     /// # Errors
-    /// Where the responses are not those of a string, or end before that time.
-    pub fn new(responses: &TorsionResponses, longest_time: f64) -> Result<Self, SimulationError> {
-        responses.check()?;
-        not_negative("longest time in s", longest_time)?;
-        lasts_no_longer(longest_time, responses.longest_time())?;
-        let surface_step = surface_steps(responses);
-        let step_length = 1.0 / responses.sampling_frequency;
-        let bit_site = responses.sites.bit_site();
-        let bit = bit_site.zip(responses.from_bit()).map(|(site, taps)| {
-            let future = Future::new(taps[site]);
-            let to_itself = Kernels::new(&[vec![taps[site].to_vec()]]);
-            let surface = |step: usize| settled(&surface_step[site], step);
-            BitInput {
-                site,
-                held: HeldTorque::new(&to_itself, surface, steps_of(longest_time, step_length)),
-                to_itself,
-                future,
-                to_sites: taps.into_iter().map(Kernel::new).collect(),
-            }
-        });
-        Ok(Self {
-            step_length,
-            longest_time,
-            surface_step,
-            bit,
-        })
+    /// Where the scene is not one that can be, or does not fit the system.
+    pub fn new(system: &'a System, scene: &'a Scene<B, W>) -> Result<Self, SimulationError> {
+        Self::begin(system, scene, Reference::Free, 0)
     }
 
-    /// The torque that holds the bit fast from the first step on, for as long as
-    /// any case lasts, N m per rad/s of surface speed; `None` where no torque acts
-    /// there.
-    pub fn held_torque(&self) -> Option<&[f64]> {
-        self.bit.as_ref().map(|bit| bit.held.torques())
+    /// A scene in which nothing acts but the bit, at the step at which that first slips;
+    /// until then it is held fast by these torques, N m per rad/s of surface speed.
+    pub(crate) fn at_first_slip(
+        system: &'a System,
+        scene: &'a Scene<B, W>,
+        stuck_torque: &'a [f64],
+        slip: usize,
+    ) -> Result<Self, SimulationError> {
+        Self::begin(system, scene, Reference::Stuck(stuck_torque), slip)
     }
 
-    /// Speeds of all sites, rad/s, in so many steps: what a surface that turns at
-    /// `surface_speed` (rad/s) from the first of them on makes of them, and, but for
-    /// the bit itself, the torques on the bit (N m, positive with the rotation). Sites
-    /// that are only looked at follow from these: whoever has simulated a bit without
-    /// them has their motion here.
-    pub fn driven_speeds(
-        &self,
-        surface_speed: f64,
-        bit_torque: &[f64],
-        steps: usize,
-    ) -> Vec<Vec<f64>> {
-        let mut speeds = self.free_speeds(surface_speed, steps);
-        if let Some(input) = &self.bit {
-            input.drive_other_sites(&mut speeds, bit_torque);
-        }
-        speeds
-    }
-
-    /// Speeds of all sites with nothing but the surface turning them.
-    fn free_speeds(&self, surface_speed: f64, steps: usize) -> Vec<Vec<f64>> {
-        (0..self.surface_step.len())
-            .map(|site| {
-                (0..steps)
-                    .map(|step| surface_speed * self.surface_response(site, step))
-                    .collect()
-            })
-            .collect()
-    }
-
-    /// Speed of a site in a step, per unit surface speed, no torque acting.
-    fn surface_response(&self, site: usize, step: usize) -> f64 {
-        settled(&self.surface_step[site], step)
-    }
-}
-
-/// A response at a step; it does not change after its last.
-fn settled(response: &[f64], step: usize) -> f64 {
-    response[step.min(response.len() - 1)]
-}
-
-/// A number of taps is known as a time to this part of it.
-const SAME_TIME: f64 = 1e-9;
-
-/// Refuses a case that lasts longer than the responses it is stepped against.
-pub(crate) fn lasts_no_longer(duration: f64, prepared: f64) -> Result<(), SimulationError> {
-    if duration <= prepared * (1.0 + SAME_TIME) {
-        Ok(())
-    } else {
-        Err(SimulationError::LongerThanPrepared { duration, prepared })
-    }
-}
-
-/// Steps of a case, that at its start included.
-pub(crate) fn steps_of(duration: f64, step_length: f64) -> usize {
-    (duration / step_length).ceil() as usize + 1
-}
-
-/// Response of each site to a surface that starts to turn at 1 rad/s.
-pub(crate) fn surface_steps(responses: &TorsionResponses) -> Vec<Vec<f64>> {
-    (responses.from_surface.iter())
-        .map(|taps| running_sum(taps))
-        .collect()
-}
-
-fn running_sum(taps: &[f64]) -> Vec<f64> {
-    taps.iter()
-        .scan(0.0, |sum, tap| {
-            *sum += tap;
-            Some(*sum)
-        })
-        .collect()
-}
-
-/// How a case ended.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outcome {
-    /// Time stepped, s.
-    pub simulated: f64,
-    /// Why it ended.
-    pub ended: Ended,
-    /// The label that settled motion would have given, where it was followed to
-    /// the end to see.
-    pub foretold: Option<&'static str>,
-    /// Regime and measures of the bit, where it meets rock.
-    pub torsion: Option<TorsionMeasures>,
-    /// Regime and measures of the lateral motion, where it is modelled.
-    pub lateral: Option<LateralMeasures>,
-}
-
-impl Outcome {
-    /// Itself, unless what was measured is no number: squares and sums of finite
-    /// motion may be none.
-    pub(crate) fn finite(self) -> Result<Self, SimulationError> {
-        let of_torsion = self.torsion.iter().flat_map(TorsionMeasures::numbers);
-        let of_bending = self.lateral.iter().flat_map(LateralMeasures::numbers);
-        let mut all = of_torsion.chain(of_bending);
-        match all.find(|(_, value)| !value.is_finite()) {
-            Some((measure, _)) => Err(SimulationError::NotMeasured { measure }),
-            None => Ok(self),
-        }
-    }
-}
-
-/// Simulates one case, writing its time history into `record` where asked;
-/// nothing is left out of that.
-///
-/// # Errors
-/// Where the scene is not one that can be, the responses do not fit it, or the
-/// motion is not finite.
-pub fn simulate(
-    system: &System,
-    scene: &Scene,
-    stopping: Stopping,
-    record: Option<&mut Trajectory>,
-) -> Result<Outcome, SimulationError> {
-    scene.check(system.surface_step.len())?;
-    let (duration, prepared) = (scene.timing.duration, system.longest_time);
-    if duration > prepared {
-        return Err(SimulationError::LongerThanPrepared { duration, prepared });
-    }
-    let steps = steps_of(scene.timing.duration, system.step_length);
-    match (scene.bit, &system.bit) {
-        (None, _) => {
-            if let Some(record) = record {
-                record.speeds = system.free_speeds(scene.surface_speed, steps);
-            }
-            Ok(Outcome {
-                simulated: (steps - 1) as f64 * system.step_length,
-                ended: Ended::End,
-                foretold: None,
-                torsion: None,
-                lateral: None,
-            })
-        }
-        (Some(_), None) => Err(SimulationError::NoTorqueInput),
-        (Some(law), Some(input)) => step_bit(system, input, scene, law, steps, stopping, record),
-    }
-}
-
-/// A bit that turns for this part of what it remembers, in per cent, may turn for
-/// ever: a wave has come and gone several times.
-const TURNING_FOR: usize = 10;
-
-fn step_bit(
-    system: &System,
-    input: &BitInput,
-    scene: &Scene,
-    law: BitTorque,
-    steps: usize,
-    stopping: Stopping,
-    mut record: Option<&mut Trajectory>,
-) -> Result<Outcome, SimulationError> {
-    let stopping = if record.is_some() {
-        Stopping::Full
-    } else {
-        stopping
-    };
-    let speed = scene.surface_speed;
-    let held = |step: usize| speed * input.held.at(step);
-    let slip = input.held.first_slip(speed, law.torque_static).min(steps);
-    if let Some(record) = record.as_deref_mut() {
-        *record = Trajectory {
-            speeds: system.free_speeds(scene.surface_speed, steps),
-            bit_torque: (0..slip).map(held).collect(),
-            ..Trajectory::default()
+    fn begin(
+        system: &'a System,
+        scene: &'a Scene<B, W>,
+        reference: Reference<'a>,
+        first: usize,
+    ) -> Result<Self, SimulationError> {
+        scene.check(system.sites)?;
+        system.lasts_for(scene.timing.duration)?;
+        let bit = match &scene.bit {
+            None => None,
+            Some(_) => Some(system.bit_load().ok_or(SimulationError::NoTorqueInput)?),
         };
-        record.speeds[input.site][..slip].fill(0.0);
+        let steps = system.steps_of(scene.timing.duration);
+        let lateral = (scene.lateral.as_ref())
+            .map(|lateral| LateralMotion::new(system, lateral, steps))
+            .transpose()?;
+        let count = system.loaded.len();
+        let walls = if lateral.is_some() { count } else { 0 };
+        Ok(Self {
+            system,
+            scene,
+            bit,
+            reference,
+            next: first,
+            steps,
+            torques: Convolution::new(&system.from_torques, 1, steps - first.min(steps)),
+            lateral,
+            coupling: Coupling::new(count),
+            bit_state: B::State::default(),
+            free_speeds: vec![0.0; count],
+            step_torques: vec![0.0; count],
+            now: Step {
+                time: 0.0,
+                speeds: vec![0.0; count],
+                contacts: vec![Contact::NONE; walls],
+                bit: None,
+            },
+        })
     }
-    let compliance = input.to_itself.instant(0, 0);
-    // Torque beyond that of a bit held fast.
-    let mut beyond = History::new(&input.to_itself, 1, steps - slip);
-    let mut watch = BitWatch::new(system.step_length, steps, scene.timing.closing_window);
-    watch.skip_stuck(slip);
-    // The first instant is stuck.
-    let mut motion = BitMotion::Stuck;
-    let memory = input.future.memory();
-    let (mut ended, mut foretold, mut simulated) = (Ended::End, None, steps.max(1) - 1);
-    for step in slip..steps {
-        let mut past = [0.0];
-        beyond.past(&mut past);
-        let now = law.meet(motion, past[0] - compliance * held(step), compliance);
-        if !(now.torque.is_finite() && now.speed.is_finite()) {
-            return Err(SimulationError::NotFinite {
-                site: input.site,
-                time: step as f64 * system.step_length,
-            });
+
+    /// Number of steps of the scene, that at its start included.
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// The number of the step that comes next, from 0.
+    pub fn next_step(&self) -> usize {
+        self.next
+    }
+
+    /// The next step; `None` at the end of the scene's time.
+    ///
+    /// # Errors
+    /// Where the motion is not finite, a wall has no answer, or sites that touch one
+    /// another within a step do not settle.
+    #[inline]
+    pub fn step(&mut self) -> Result<Option<&Step<B::State>>, SimulationError> {
+        if self.next >= self.steps {
+            return Ok(None);
         }
-        motion = now.motion;
-        beyond.push(&[now.torque - held(step)]);
-        watch.see(motion, now.speed);
-        if let Some(record) = record.as_deref_mut() {
-            record.speeds[input.site][step] = now.speed;
-            record.bit_torque.push(now.torque);
-        }
-        if stopping == Stopping::Full {
-            continue;
-        }
-        // A look ahead costs about as much as stepping half of what it sees.
-        let looks_ahead =
-            watch.turning_for() == TURNING_FOR * memory / 100 && steps - step > memory / 2;
-        if looks_ahead {
-            let first = (step + 1).saturating_sub(memory);
-            let before = (first..slip.max(first)).map(held);
-            let since = slip.max(first)..step + 1;
-            let torques = since.map(|n| beyond.inputs(0, 0)[n - slip] + held(n));
-            let mut speeds = input.future.speeds(before.chain(torques), now.torque);
-            for (ahead, value) in speeds.iter_mut().enumerate() {
-                *value += speed * system.surface_response(input.site, step + 1 + ahead);
+        self.now.time = self.system.time_of(self.next);
+        self.find_free_motion();
+        self.meet()?;
+        self.end_step();
+        self.next += 1;
+        Ok(Some(&self.now))
+    }
+
+    /// Speeds and displacements of this step if no law answered.
+    fn find_free_motion(&mut self) {
+        self.torques.past(&mut self.free_speeds);
+        let (scene, step) = (self.scene, self.next);
+        match self.reference {
+            Reference::Free => {
+                for (speed, site) in self.free_speeds.iter_mut().zip(&self.system.loaded) {
+                    *speed += scene.surface_speed * self.system.surface_response(*site, step);
+                }
             }
-            // The surface, too, has settled by then.
-            let is_last = step + memory >= system.surface_step[input.site].len();
-            if is_last && turns_on(&speeds, now.speed) {
-                watch.turn_on(motion, &speeds);
-                (ended, simulated) = (Ended::Certain, step);
-                break;
+            Reference::Stuck(stuck) => {
+                let held = scene.surface_speed * stuck[step];
+                self.free_speeds[0] -= self.system.from_torques.instant(0, 0) * held;
             }
         }
-        if foretold.is_none() && watch.is_settled() {
-            if stopping == Stopping::Early {
-                watch.repeat_last_cycle();
-                (ended, simulated) = (Ended::Settled, step);
-                break;
-            }
-            foretold = Some(TorsionRegime::StickSlip.name());
+        if let Some(lateral) = &mut self.lateral {
+            lateral.find_free_motion(self.system, self.now.time, &self.now.speeds);
         }
     }
-    if let Some(record) = record {
-        input.drive_other_sites(&mut record.speeds, &record.bit_torque);
+
+    /// All sites at once.
+    fn meet(&mut self) -> Result<(), SimulationError> {
+        let Self {
+            system,
+            scene,
+            bit,
+            lateral,
+            coupling,
+            bit_state,
+            free_speeds,
+            now,
+            ..
+        } = self;
+        let (system, lateral, time) = (*system, lateral.as_ref(), now.time);
+        let law_at = |index: usize| {
+            let at_bit = bit.is_some_and(|bit| bit.load == index);
+            scene.bit.as_ref().filter(|_| at_bit)
+        };
+        let radius = |index: usize| match lateral {
+            None => f64::INFINITY,
+            Some(lateral) => lateral.scene.walls[index].radius(),
+        };
+        let (speeds, contacts, now_bit) = (&mut now.speeds, &mut now.contacts, &mut now.bit);
+        let settled = coupling.settle(system, radius, |index, loads| {
+            let laws = SiteLaws {
+                bit: law_at(index).map(|law| (law, &*bit_state)),
+                wall: lateral.map(|lateral| lateral.line(system, index, loads)),
+            };
+            let compliance = system.from_torques.instant(index, index);
+            let line = LoadLine {
+                time,
+                free_speed: turned_by_others(system, free_speeds[index], index, loads),
+                compliance,
+            };
+            let site = system.loaded[index];
+            let found = (laws.meet(line))
+                .map_err(|error| SimulationError::of_contact(error, site, time))?;
+            let torque = found.torque();
+            if !(found.speed.is_finite() && torque.is_finite()) {
+                return Err(SimulationError::NotFinite { site, time });
+            }
+            let contact = found.contact;
+            speeds[index] = found.speed;
+            if let Some(slot) = contacts.get_mut(index) {
+                *slot = contact;
+            }
+            if found.bit.is_some() {
+                *now_bit = found.bit;
+            }
+            Ok(Solved {
+                load: Load {
+                    force: contact.force,
+                    torque,
+                },
+                normal_force: contact.normal_force,
+            })
+        })?;
+        if !settled {
+            return Err(SimulationError::NotSettled { time });
+        }
+        if lateral.is_none() && system.loaded.len() > 1 {
+            // Sites without a law have not heard of the last loads.
+            for index in 0..speeds.len() {
+                if law_at(index).is_none() {
+                    let loads = coupling.loads();
+                    speeds[index] = turned_by_others(system, free_speeds[index], index, loads);
+                }
+            }
+        }
+        Ok(())
     }
-    Outcome {
-        simulated: simulated as f64 * system.step_length,
-        ended,
-        foretold,
-        torsion: Some(watch.measures()),
-        lateral: None,
+
+    /// From this step to the past.
+    fn end_step(&mut self) {
+        let held = match self.reference {
+            Reference::Free => 0.0,
+            Reference::Stuck(stuck) => self.scene.surface_speed * stuck[self.next],
+        };
+        let loads = self.coupling.loads();
+        for (torque, load) in self.step_torques.iter_mut().zip(loads) {
+            *torque = load.torque - held;
+        }
+        self.torques.push(&self.step_torques);
+        if let Some(lateral) = &mut self.lateral {
+            lateral.end_step(self.system, &self.now);
+        }
+        if let Some(bit) = &self.now.bit {
+            self.bit_state.clone_from(&bit.state);
+        }
     }
-    .finite()
+
+    /// Surface rotation speed of the scene, rad/s.
+    pub(crate) fn surface_speed(&self) -> f64 {
+        self.scene.surface_speed
+    }
+
+    /// What the bit did in the last step.
+    pub(crate) fn bit_step(&self) -> Option<&TorqueStep<B::State>> {
+        self.now.bit.as_ref()
+    }
+
+    /// What the walls did in the last step.
+    pub(crate) fn contacts(&self) -> &[Contact] {
+        &self.now.contacts
+    }
+
+    /// All torques on a site so far, as the reference motion is left by them, N m.
+    pub(crate) fn torques(&self, index: usize) -> &[f64] {
+        self.torques.inputs(0, index)
+    }
+
+    /// All forces on a site so far along an axis, disturbances included, N.
+    pub(crate) fn forces(&self, axis: usize, site: usize) -> &[f64] {
+        (self.lateral.as_ref()).map_or(&[], |lateral| lateral.forces.inputs(axis, site))
+    }
+
+    /// At the beginning of a block, displacements of all sites through it, x of all sites
+    /// and then y, as long as nothing acts.
+    pub(crate) fn free_block(&self) -> Option<&[f64]> {
+        self.lateral.as_ref()?.forces.next_block()
+    }
+
+    /// Passes a block in which nothing acts on any site, at the end of which the sites
+    /// are at `positions`; of its steps only so many are the scene's.
+    pub(crate) fn pass_block(&mut self, steps: usize, positions: &[[f64; 2]]) {
+        self.coupling.clear();
+        self.torques.push_quiet_block();
+        if let Some(lateral) = &mut self.lateral {
+            lateral.positions.copy_from_slice(positions);
+            lateral.forces.push_quiet_block();
+        }
+        self.next += steps;
+    }
 }
 
-/// Whether a bit at `speed` has the same direction at all `speeds` to come.
-fn turns_on(speeds: &[f64], speed: f64) -> bool {
-    let mut speeds = speeds.iter();
-    speeds.all(|next| next.is_finite() && next * speed > 0.0)
+/// The speed of a site without its own load, with those of the others.
+#[inline]
+fn turned_by_others(system: &System, free_speed: f64, index: usize, loads: &[Load]) -> f64 {
+    let mut speed = free_speed;
+    for (other, load) in loads.iter().enumerate() {
+        if other != index {
+            speed += system.from_torques.instant(index, other) * load.torque;
+        }
+    }
+    speed
 }
 
-impl BitInput {
-    /// Adds what the torques on the bit make of the speeds of the other sites.
-    fn drive_other_sites(&self, speeds: &mut [Vec<f64>], bit_torque: &[f64]) {
-        for (site, (kernel, speeds)) in self.to_sites.iter().zip(speeds).enumerate() {
-            if site == self.site {
-                continue;
-            }
-            for (step, (speed, torque)) in speeds.iter_mut().zip(bit_torque).enumerate() {
-                *speed += kernel.past_sum(&bit_torque[..step]) + kernel.instant() * torque;
+impl<'a, W: WallLaw> LateralMotion<'a, W> {
+    fn new(
+        system: &'a System,
+        scene: &'a Lateral<W>,
+        steps: usize,
+    ) -> Result<Self, SimulationError> {
+        let sites = system.sites;
+        let kernels = (system.from_forces.as_ref()).ok_or(SimulationError::NoForceInput)?;
+        if scene.walls.len() != sites {
+            let walls = scene.walls.len();
+            return Err(SimulationError::NotAWallForEachSite { walls, sites });
+        }
+        Ok(Self {
+            scene,
+            forces: Convolution::new(kernels, 2, steps),
+            positions: vec![[0.0; 2]; sites],
+            rotations: vec![0.0; sites],
+            external: vec![0.0; 2 * sites],
+            free_positions: vec![0.0; 2 * sites],
+            step_forces: vec![0.0; 2 * sites],
+        })
+    }
+
+    fn find_free_motion(&mut self, system: &System, time: f64, last_speeds: &[f64]) {
+        let sites = system.sites;
+        self.find_external_forces(time, last_speeds);
+        self.forces.past(&mut self.free_positions);
+        let kernels = self.forces.kernels();
+        for (place, position) in self.free_positions.iter_mut().enumerate() {
+            let (axis, site) = (place / sites, place % sites);
+            for input in 0..sites {
+                let force = self.external[axis * sites + input];
+                *position += kernels.instant(site, input) * force;
             }
         }
+    }
+
+    /// Disturbances of this step; an eccentric mass pulls as the last step
+    /// left it.
+    fn find_external_forces(&mut self, time: f64, last_speeds: &[f64]) {
+        let sites = self.positions.len();
+        self.external.fill(0.0);
+        let mut add = |site: usize, [x, y]: [f64; 2]| {
+            self.external[site] += x;
+            self.external[sites + site] += y;
+        };
+        for impulse in &self.scene.impulses {
+            add(impulse.site, impulse.force(time));
+        }
+        for mass in &self.scene.eccentric_masses {
+            let [x, y] = self.positions[mass.site];
+            let (rotation, speed) = (self.rotations[mass.site], last_speeds[mass.site]);
+            add(mass.site, mass.force(x.hypot(y), rotation, speed));
+        }
+    }
+
+    /// The wall of a site and its load line, the loads of the others given.
+    #[inline]
+    fn line(&self, system: &System, site: usize, loads: &[Load]) -> (&'a W, LateralLine) {
+        let sites = system.sites;
+        let mut free_position = [0, 1].map(|axis| self.free_positions[axis * sites + site]);
+        let kernels = self.forces.kernels();
+        for (other, load) in loads.iter().enumerate() {
+            if other != site {
+                let compliance = kernels.instant(site, other);
+                free_position[0] += compliance * load.force[0];
+                free_position[1] += compliance * load.force[1];
+            }
+        }
+        let line = LateralLine {
+            free_position,
+            previous_position: self.positions[site],
+            compliance: kernels.instant(site, site),
+            sampling_frequency: system.sampling_frequency,
+        };
+        (&self.scene.walls[site], line)
+    }
+
+    fn end_step<S>(&mut self, system: &System, now: &Step<S>) {
+        let sites = system.sites;
+        for (site, contact) in now.contacts.iter().enumerate() {
+            for axis in 0..2 {
+                let place = axis * sites + site;
+                self.step_forces[place] = self.external[place] + contact.force[axis];
+            }
+            self.positions[site] = contact.position;
+            self.rotations[site] += now.speeds[site] / system.sampling_frequency;
+        }
+        self.forces.push(&self.step_forces);
     }
 }

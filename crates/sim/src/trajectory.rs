@@ -1,6 +1,9 @@
 //! The time history of one case, kept only where it is asked for.
 
-use crate::laws::wall::Contact;
+use crate::laws::bit::BitMotion;
+use crate::scene::Scene;
+use crate::stepper::{Step, Stepper};
+use crate::system::System;
 
 /// Samples at k / f_s, one entry a step; sites from the surface down.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -20,22 +23,52 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    pub(crate) fn with_sites(sites: usize) -> Self {
-        Self {
-            speeds: vec![Vec::new(); sites],
-            bit_torque: Vec::new(),
-            positions: vec![Vec::new(); sites],
-            wall_forces: vec![Vec::new(); sites],
+    /// Begins a case whose bit is held fast at first, by these torques per unit of
+    /// surface speed; speeds are kept of the sites that may bear a load.
+    pub(crate) fn begin(&mut self, system: &System, scene: &Scene, held: &[f64]) {
+        let walls = scene
+            .lateral
+            .as_ref()
+            .map_or(0, |lateral| lateral.walls.len());
+        *self = Self {
+            speeds: vec![vec![0.0; held.len()]; system.loaded.len()],
+            bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
+            positions: vec![Vec::new(); walls],
+            wall_forces: vec![Vec::new(); walls],
             forces: Default::default(),
-        }
+        };
     }
 
-    pub(crate) fn push(&mut self, speeds: &[f64], contacts: &[Contact], bit_torque: Option<f64>) {
-        for (site, contact) in contacts.iter().enumerate() {
-            self.speeds[site].push(speeds[site]);
+    pub(crate) fn push(&mut self, now: &Step<BitMotion>) {
+        for (speeds, speed) in self.speeds.iter_mut().zip(&now.speeds) {
+            speeds.push(*speed);
+        }
+        for (site, contact) in now.contacts.iter().enumerate() {
             self.positions[site].push(contact.position);
             self.wall_forces[site].push(contact.force);
         }
-        self.bit_torque.extend(bit_torque);
+        self.bit_torque
+            .extend(now.bit.as_ref().map(|bit| bit.torque));
+    }
+
+    /// Adds the speeds of the other sites, and the forces.
+    pub(crate) fn finish(&mut self, system: &System, scene: &Scene, stepper: &Stepper) {
+        let loaded = std::mem::take(&mut self.speeds);
+        let is_stepped = scene.bit.is_some() || scene.lateral.is_some();
+        if is_stepped && loaded.len() == system.sites {
+            self.speeds = loaded;
+        } else {
+            let steps = stepper.steps();
+            self.speeds = system.driven_speeds(scene.surface_speed, &self.bit_torque, steps);
+            for (site, speeds) in system.loaded.iter().zip(loaded).filter(|_| is_stepped) {
+                self.speeds[*site] = speeds;
+            }
+        }
+        if scene.lateral.is_some() {
+            self.forces = std::array::from_fn(|axis| {
+                let forces = |site| stepper.forces(axis, site).to_vec();
+                (0..system.sites).map(forces).collect()
+            });
+        }
     }
 }

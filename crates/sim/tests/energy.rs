@@ -3,12 +3,10 @@
 
 use linear::method::FiniteElement;
 use linear::{
-    Bending, BendingRequest, Drillstring, Material, Method, Section, Sites, SurfaceSupport,
-    TorsionRequest, Tube, bending_responses, torsion_responses,
+    Bending, ChannelRequest, Drillstring, Material, Method, Request, Section, Sites,
+    SurfaceSupport, Tube, responses,
 };
-use sim::{
-    Impulse, Lateral, LateralSystem, Scene, Stopping, Timing, Trajectory, Wall, simulate_lateral,
-};
+use sim::{Impulse, Lateral, Scene, Simulator, Stopping, Timing, Trajectory, Wall};
 
 const SAMPLING_FREQUENCY: f64 = 640.0;
 const STEPS: usize = 100_000;
@@ -46,21 +44,17 @@ fn rattle(method: &Method, wall: Wall, sampling_frequency: f64, steps: usize) ->
         compression: 0.0,
     };
     let duration = steps as f64 / sampling_frequency;
-    let torsion = TorsionRequest {
+    let support = SurfaceSupport::Pinned;
+    let request = Request {
         sites: Sites::bit(),
-        torque_inputs: vec![0],
+        channels: vec![
+            ChannelRequest::Torsion { torques: vec![0] },
+            ChannelRequest::Bending { bending, support },
+        ],
         sampling_frequency,
         longest_time: duration,
     };
-    let lateral = BendingRequest {
-        sites: Sites::bit(),
-        support: SurfaceSupport::Pinned,
-        sampling_frequency,
-        longest_time: duration,
-    };
-    let torsion = torsion_responses(&string, method, &torsion).unwrap();
-    let lateral = bending_responses(&string, &bending, method, &lateral).unwrap();
-    let system = LateralSystem::new(&torsion, &lateral).unwrap();
+    let simulator = Simulator::new(&responses(&string, method, &request).unwrap()).unwrap();
     let scene = Scene {
         surface_speed: 6.3,
         bit: None,
@@ -75,7 +69,8 @@ fn rattle(method: &Method, wall: Wall, sampling_frequency: f64, steps: usize) ->
         },
     };
     let mut trajectory = Trajectory::default();
-    simulate_lateral(&system, &scene, Stopping::Full, Some(&mut trajectory)).unwrap();
+    let simulated = simulator.simulate(&scene, Stopping::Full, Some(&mut trajectory));
+    simulated.unwrap();
     trajectory
 }
 

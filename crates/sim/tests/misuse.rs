@@ -1,17 +1,17 @@
 //! Systems and scenes that do not fit, and scenes that cannot be: each is refused by
 //! name, none gives an answer without a word.
 
+use linear::passivity::Ending;
 use linear::{
-    Bending, BendingRequest, BendingResponses, Drillstring, Material, Method, ResponseError,
-    Section, Sites, SurfaceSupport, TorsionRequest, TorsionResponses, Tube, bending_responses,
-    torsion_responses,
+    Bending, ChannelRequest, Drillstring, Material, Method, Request, ResponseError, Responses,
+    Section, Sites, SurfaceSupport, Tube, responses,
 };
 use proptest::prelude::*;
 use sim::excitation::least_impulse;
 use sim::oscillator::worst_load_gain;
 use sim::{
-    BitTorque, EccentricMass, Impulse, Lateral, LateralSystem, Outcome, Scene, SceneError,
-    SimulationError, Stopping, System, Timing, Wall, simulate, simulate_lateral,
+    BitTorque, EccentricMass, Impulse, Lateral, Outcome, Scene, SceneError, SimulationError,
+    Simulator, Stopping, System, Timing, Wall,
 };
 
 const SAMPLING_FREQUENCY: f64 = 200.0;
@@ -42,37 +42,33 @@ fn string() -> Drillstring {
     Drillstring::new(steel, vec![Section { repeat: 5, parts }], 10.0).unwrap()
 }
 
-fn torsion(distances: &[f64], torque_inputs: Vec<usize>, longest_time: f64) -> TorsionResponses {
+/// Responses in torsion to some torques, and in bending where asked for.
+fn built(distances: &[f64], torques: Vec<usize>, bends: bool, longest_time: f64) -> Responses {
     let string = string();
-    let request = TorsionRequest {
-        sites: Sites::new(&string, distances).unwrap(),
-        torque_inputs,
-        sampling_frequency: SAMPLING_FREQUENCY,
-        longest_time,
-    };
-    torsion_responses(&string, &Method::Quadrature, &request).unwrap()
-}
-
-fn bending(distances: &[f64], longest_time: f64) -> BendingResponses {
-    let string = string();
-    let request = BendingRequest {
-        sites: Sites::new(&string, distances).unwrap(),
-        support: SurfaceSupport::Free,
-        sampling_frequency: SAMPLING_FREQUENCY,
-        longest_time,
-    };
-    let material = Bending {
+    let bending = Bending {
         youngs_modulus: 210e9,
         damping: 2000.0,
         compression: 0.0,
     };
-    bending_responses(&string, &material, &Method::Quadrature, &request).unwrap()
+    let support = SurfaceSupport::Free;
+    let mut channels = vec![ChannelRequest::Torsion { torques }];
+    channels.extend(bends.then_some(ChannelRequest::Bending { bending, support }));
+    let request = Request {
+        sites: Sites::new(&string, distances).unwrap(),
+        channels,
+        sampling_frequency: SAMPLING_FREQUENCY,
+        longest_time,
+    };
+    responses(&string, &Method::Quadrature, &request).unwrap()
 }
 
-fn lateral_system(distances: &[f64], longest_time: f64) -> LateralSystem {
-    let inputs = (0..distances.len()).collect();
-    let torsion = torsion(distances, inputs, longest_time);
-    LateralSystem::new(&torsion, &bending(distances, longest_time)).unwrap()
+fn torsion(distances: &[f64], torques: Vec<usize>) -> Responses {
+    built(distances, torques, false, LONGEST)
+}
+
+fn lateral_simulator(distances: &[f64]) -> Simulator {
+    let torques = (0..distances.len()).collect();
+    Simulator::new(&built(distances, torques, true, LONGEST)).unwrap()
 }
 
 /// A bit alone.
@@ -112,44 +108,57 @@ fn touching() -> Scene {
     }
 }
 
-fn run(system: &LateralSystem, scene: &Scene) -> Result<Outcome, SimulationError> {
-    simulate_lateral(system, scene, Stopping::Full, None)
+fn run(simulator: &Simulator, scene: &Scene) -> Result<Outcome, SimulationError> {
+    simulator.simulate(scene, Stopping::Full, None)
 }
 
 /// Whichever other sites torques may act on, and in whichever order they are named.
 #[test]
 fn the_bit_is_the_site_at_the_bit() {
-    let at_bit = |torque_inputs: Vec<usize>| {
-        let system = System::new(&torsion(&[0.0, 20.0], torque_inputs, LONGEST), LONGEST);
-        simulate(&system.unwrap(), &cutting(), Stopping::Full, None)
+    let at_bit = |torques: Vec<usize>| {
+        let simulator = Simulator::new(&torsion(&[0.0, 20.0], torques));
+        run(&simulator.unwrap(), &cutting())
     };
-    let expected = at_bit(vec![1]);
-    assert!(expected.is_ok());
-    assert_eq!(at_bit(vec![0, 1]), expected);
-    assert_eq!(at_bit(vec![1, 0]), expected);
+    let [alone, after, before] = [vec![1], vec![0, 1], vec![1, 0]].map(|torques| {
+        let torsion = at_bit(torques).unwrap().torsion.unwrap();
+        (torsion.regime, torsion.sticks, torsion.peak_speed)
+    });
+    // A bit alone is stepped from its first slip on.
+    assert_eq!(after, before);
+    assert_eq!((alone.0, alone.1), (after.0, after.1));
+    assert!((alone.2 / after.2 - 1.0).abs() < 1e-9);
     assert_eq!(at_bit(vec![0]), Err(SimulationError::NoTorqueInput));
     assert_eq!(at_bit(vec![]), Err(SimulationError::NoTorqueInput));
-
-    let own_law = |torque_inputs: Vec<usize>| {
-        let responses = torsion(&[0.0, 20.0], torque_inputs, LONGEST);
-        sim::bit_speeds(&responses, 0.5, LONGEST, |_| -500.0)
-    };
-    assert_eq!(own_law(vec![0, 1]), own_law(vec![1]));
-    assert_eq!(own_law(vec![0]), Err(SimulationError::NoTorqueInput));
 }
 
 #[test]
 fn a_bit_cuts_at_no_site_above_it() {
-    let system = lateral_system(&[20.0], LONGEST);
+    let simulator = lateral_simulator(&[20.0]);
     assert_eq!(
-        run(&system, &touching()),
+        run(&simulator, &touching()),
         Err(SimulationError::NoTorqueInput)
     );
     let free = Scene {
         bit: None,
         ..touching()
     };
-    assert!(run(&system, &free).is_ok());
+    assert!(run(&simulator, &free).is_ok());
+}
+
+/// Walls need bending and one wall a site; what the responses have besides is no matter.
+#[test]
+fn a_scene_that_does_not_fit_its_responses_is_refused() {
+    let alone = Simulator::new(&torsion(&[0.0], vec![0])).unwrap();
+    let found = run(&alone, &touching());
+    assert_eq!(found, Err(SimulationError::NoForceInput));
+    let two = lateral_simulator(&[0.0, 20.0]);
+    let expected = SimulationError::NotAWallForEachSite { walls: 1, sites: 2 };
+    assert_eq!(run(&two, &touching()), Err(expected));
+    let [cutting_alone, cutting_there] = [&alone, &two].map(|simulator| {
+        let torsion = run(simulator, &cutting()).unwrap().torsion.unwrap();
+        (torsion.regime, torsion.sticks)
+    });
+    assert_eq!(cutting_alone, cutting_there);
 }
 
 #[test]
@@ -161,39 +170,35 @@ fn a_case_longer_than_its_system_is_refused() {
         },
         ..touching()
     };
-    let system = lateral_system(&[0.0], LONGEST);
-    assert!(run(&system, &scene(LONGEST)).is_ok());
+    let simulator = lateral_simulator(&[0.0]);
+    assert!(run(&simulator, &scene(LONGEST)).is_ok());
     for duration in [LONGEST + 0.01, 1e300] {
-        let found = run(&system, &scene(duration));
+        let found = run(&simulator, &scene(duration));
         let expected = SimulationError::LongerThanPrepared {
             duration,
             prepared: LONGEST,
         };
         assert_eq!(found, Err(expected));
-        let alone = System::new(&torsion(&[0.0], vec![0], LONGEST), LONGEST).unwrap();
+        let alone = Simulator::new(&torsion(&[0.0], vec![0])).unwrap();
         for bit in [Some(BIT), None] {
             let scene = Scene {
                 bit,
                 lateral: None,
                 ..scene(duration)
             };
-            assert_eq!(
-                simulate(&alone, &scene, Stopping::Full, None),
-                Err(expected)
-            );
+            assert_eq!(run(&alone, &scene), Err(expected));
         }
     }
     // Taps that are cut off are good for no longer than they are.
-    let mut cut = torsion(&[0.0], vec![0], LONGEST);
-    cut.ending = linear::passivity::Ending::Cut;
-    let lasts = cut.longest_time();
-    let expected = SimulationError::LongerThanPrepared {
-        duration: 2.0 * lasts,
-        prepared: lasts,
+    let mut cut = torsion(&[0.0], vec![0]);
+    cut.channels[0].ending = Ending::Cut;
+    let taps = cut.channels[0].taps();
+    cut.longest_time = 2.0 * taps as f64 / SAMPLING_FREQUENCY;
+    let expected = ResponseError::TooShort {
+        taps,
+        longest_time: cut.longest_time,
     };
-    assert_eq!(System::new(&cut, 2.0 * lasts).map(|_| ()), Err(expected));
-    let found = sim::bit_speeds(&cut, 0.5, 2.0 * lasts, |_| 0.0);
-    assert_eq!(found, Err(expected));
+    assert_eq!(System::new(&cut).map(|_| ()), Err(expected.into()));
 }
 
 type Change = fn(&mut Scene);
@@ -235,7 +240,7 @@ fn scenes_that_cannot_be_are_refused() {
         |it| lateral(it).eccentric_masses[0].mass = -1.0,
         |it| lateral(it).eccentric_masses[0].offset = f64::NAN,
     ];
-    let system = lateral_system(&[0.0], LONGEST);
+    let system = lateral_simulator(&[0.0]);
     assert!(run(&system, &touching()).is_ok());
     for (number, change) in changes.into_iter().enumerate() {
         let mut scene = touching();
@@ -280,65 +285,68 @@ fn a_bit_that_holds_less_than_turns_it_is_refused() {
         bit: Some(slippery),
         ..cutting()
     };
-    let system = System::new(&torsion(&[0.0], vec![0], LONGEST), LONGEST).unwrap();
-    let found = simulate(&system, &scene, Stopping::Full, None);
-    assert_eq!(found, Err(expected));
+    let simulator = Simulator::new(&torsion(&[0.0], vec![0])).unwrap();
+    assert_eq!(run(&simulator, &scene), Err(expected));
     let scene = Scene {
         bit: Some(slippery),
         ..touching()
     };
-    assert_eq!(run(&lateral_system(&[0.0], LONGEST), &scene), Err(expected));
+    assert_eq!(run(&lateral_simulator(&[0.0]), &scene), Err(expected));
 }
 
 #[test]
 fn responses_that_no_string_gives_are_refused() {
-    let good = torsion(&[0.0], vec![0], LONGEST);
-    type Change = fn(&mut TorsionResponses);
-    let changes: [(Change, ResponseError); 5] = [
+    let good = built(&[0.0], vec![0], true, LONGEST);
+    type Change = fn(&mut Responses);
+    let changes: [(Change, ResponseError); 6] = [
         (
             |it| it.sampling_frequency = f64::NAN,
             ResponseError::SamplingFrequency { value: f64::NAN },
         ),
-        (|it| it.from_surface[0].clear(), ResponseError::Shape),
-        (|it| it.from_torque.clear(), ResponseError::Shape),
         (
-            |it| it.torque_inputs[0] = 4,
+            |it| it.channels[0].from_surface[0].clear(),
+            ResponseError::Shape,
+        ),
+        (|it| it.channels[1].from_loads.clear(), ResponseError::Shape),
+        (
+            |it| it.channels[0].loads[0] = 4,
             ResponseError::NoSuchSite { site: 4, sites: 1 },
         ),
         (
-            |it| it.from_torque[0][0][0] = -1.0,
+            |it| it.channels[1].from_loads[0][0][0] = -1.0,
             ResponseError::Instant {
                 site: 0,
                 value: -1.0,
+            },
+        ),
+        (
+            |it| drop(it.channels.remove(0)),
+            ResponseError::NoChannel {
+                channel: linear::Channel::Torsion,
             },
         ),
     ];
     for (change, expected) in changes {
         let mut bad = good.clone();
         change(&mut bad);
-        let expected = Err(expected.to_string());
-        let words = |found: Result<(), SimulationError>| found.map_err(|it| it.to_string());
-        assert_eq!(words(System::new(&bad, LONGEST).map(|_| ())), expected);
-        let bending = bending(&[0.0], LONGEST);
+        let found = System::new(&bad).map(|_| ());
         assert_eq!(
-            words(LateralSystem::new(&bad, &bending).map(|_| ())),
-            expected
+            found.map_err(|it| it.to_string()),
+            Err(expected.to_string())
         );
-        let speeds = sim::bit_speeds(&bad, 0.5, LONGEST, |_| 0.0);
-        assert_eq!(words(speeds.map(|_| ())), expected);
     }
+    let mut torsion = torsion(&[0.0], vec![0]);
     for longest_time in [f64::NAN, f64::INFINITY, -1.0] {
-        let found = System::new(&good, longest_time);
+        torsion.longest_time = longest_time;
+        let found = System::new(&torsion);
         assert!(
             matches!(found, Err(SimulationError::Scene(_))),
             "{longest_time}"
         );
     }
-    let other = LateralSystem::new(&good, &bending(&[0.0, 20.0], LONGEST));
-    assert_eq!(other.map(|_| ()), Err(SimulationError::UnlikeParts));
-    let elsewhere = torsion(&[20.0], vec![0], LONGEST);
-    let other = LateralSystem::new(&elsewhere, &bending(&[0.0], LONGEST));
-    assert_eq!(other.map(|_| ()), Err(SimulationError::UnlikeParts));
+    // Friction would turn a site that no torque can act on.
+    let unlike = System::new(&built(&[0.0, 20.0], vec![1], true, LONGEST));
+    assert_eq!(unlike.map(|_| ()), Err(SimulationError::UnlikeChannels));
     assert!(worst_load_gain(&[]).is_err());
     assert!(worst_load_gain(&[vec![&[1.0]], vec![&[1.0]]]).is_err());
     assert!(worst_load_gain(&[vec![&[]]]).is_err());
@@ -377,8 +385,8 @@ proptest! {
         stiffness in prop_oneof![Just(f64::INFINITY), (-300.0..300.0f64).prop_map(|e| 10f64.powf(e))],
         cuts in any::<bool>(),
     ) {
-        static SYSTEM: std::sync::LazyLock<LateralSystem> =
-            std::sync::LazyLock::new(|| lateral_system(&[0.0, 20.0], LONGEST));
+        static SIMULATOR: std::sync::LazyLock<Simulator> =
+            std::sync::LazyLock::new(|| lateral_simulator(&[0.0, 20.0]));
         let mut scene = touching();
         scene.surface_speed = speed;
         scene.bit = cuts.then_some(BitTorque {
@@ -390,7 +398,7 @@ proptest! {
         lateral.impulses[0].amount = amount;
         lateral.eccentric_masses[0].mass = mass;
         for stopping in [Stopping::Full, Stopping::Early] {
-            match simulate_lateral(&SYSTEM, &scene, stopping, None) {
+            match SIMULATOR.simulate(&scene, stopping, None) {
                 Ok(outcome) => {
                     let lateral = outcome.lateral.unwrap();
                     let torsion = outcome.torsion.map_or(0.0, |torsion| torsion.peak_speed);

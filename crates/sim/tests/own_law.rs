@@ -1,12 +1,18 @@
-//! A torque law given as a closure steps as the built-in one does.
+//! A torque law of one's own steps as the built-in one does, through the same stepper.
 
-use linear::{Drillstring, Material, Method, Section, Sites, TorsionRequest, Tube};
+use linear::{
+    ChannelRequest, Drillstring, Material, Method, Request, Responses, Section, Sites, Tube,
+};
 use sim::laws::bit::BitMotion;
-use sim::{BitTorque, Scene, SimulationError, Stopping, System, Timing, Trajectory};
+use sim::laws::torque::TorqueStep;
+use sim::{
+    BitTorque, LoadLine, Scene, SimulationError, Simulator, Stepper, Stopping, System, Timing,
+    TorqueLaw, Trajectory, Wall,
+};
 
 const DURATION: f64 = 20.0;
 
-fn responses(torque_inputs: Vec<usize>) -> linear::TorsionResponses {
+fn responses(torques: Vec<usize>) -> Responses {
     let steel = Material {
         shear_modulus: 80e9,
         density: 7840.0,
@@ -18,64 +24,112 @@ fn responses(torque_inputs: Vec<usize>) -> linear::TorsionResponses {
     }];
     let sections = vec![Section { repeat: 50, parts }];
     let string = Drillstring::new(steel, sections, 1.0).unwrap();
-    let request = TorsionRequest {
+    let request = Request {
         sites: Sites::bit(),
-        torque_inputs,
+        channels: vec![ChannelRequest::Torsion { torques }],
         sampling_frequency: 640.0,
         longest_time: DURATION,
     };
-    linear::torsion_responses(&string, &Method::Quadrature, &request).unwrap()
+    linear::responses(&string, &Method::Quadrature, &request).unwrap()
+}
+
+fn scene<B>(surface_speed: f64, bit: B) -> Scene<B, Wall> {
+    Scene {
+        surface_speed,
+        bit: Some(bit),
+        lateral: None,
+        timing: Timing {
+            duration: DURATION,
+            closing_window: 5.0,
+        },
+    }
+}
+
+/// The speeds of the bit in every step.
+fn speeds<B: TorqueLaw>(
+    responses: &Responses,
+    scene: &Scene<B, Wall>,
+) -> Result<Vec<f64>, SimulationError> {
+    let system = System::new(responses)?;
+    let mut stepper = Stepper::new(&system, scene)?;
+    let mut speeds = Vec::with_capacity(stepper.steps());
+    while let Some(step) = stepper.step()? {
+        speeds.push(step.bit.as_ref().unwrap().speed);
+    }
+    Ok(speeds)
+}
+
+/// The built-in law in other words: the torque that holds, up to T_s, then T_d.
+struct Own(BitTorque);
+
+impl TorqueLaw for Own {
+    /// The direction in which it turned, or 0.
+    type State = i8;
+
+    fn meet(&self, before: &i8, line: LoadLine) -> TorqueStep<i8> {
+        let turning = |direction: i8| {
+            let torque = -f64::from(direction) * self.0.torque_dynamic;
+            let speed = line.free_speed + line.compliance * torque;
+            (speed * f64::from(direction) > 0.0).then_some(TorqueStep {
+                torque,
+                speed,
+                state: direction,
+            })
+        };
+        let holding = -line.free_speed / line.compliance;
+        let goes_on = (*before != 0).then(|| turning(*before)).flatten();
+        let slips = || {
+            let exceeds = holding.abs() > self.0.torque_static;
+            exceeds
+                .then(|| turning(line.free_speed.signum() as i8))
+                .flatten()
+        };
+        goes_on.or_else(slips).unwrap_or(TorqueStep {
+            torque: holding,
+            speed: 0.0,
+            state: 0,
+        })
+    }
 }
 
 #[test]
-fn the_built_in_law_as_a_closure_gives_the_built_in_motion() {
+fn the_built_in_law_as_ones_own_gives_the_built_in_motion() {
     let responses = responses(vec![0]);
     let law = BitTorque {
         torque_static: 1200.0,
         torque_dynamic: 1000.0,
     };
+    let simulator = Simulator::new(&responses).unwrap();
     for surface_speed in [0.01, 0.5] {
-        let mut motion = BitMotion::Stuck;
-        let speeds = sim::bit_speeds(&responses, surface_speed, DURATION, |line| {
-            let step = law.meet(motion, line.free_speed, line.compliance);
-            motion = step.motion;
-            step.torque
-        })
-        .unwrap();
-        let scene = Scene {
-            surface_speed,
-            bit: Some(law),
-            lateral: None,
-            timing: Timing {
-                duration: DURATION,
-                closing_window: 5.0,
-            },
-        };
+        let own = speeds(&responses, &scene(surface_speed, Own(law))).unwrap();
+        let stepped = speeds(&responses, &scene(surface_speed, law)).unwrap();
+        assert_eq!(own, stepped);
+        // The simulator leaves out what the bit does until it first slips.
         let mut record = Trajectory::default();
-        let system = System::new(&responses, DURATION).unwrap();
-        sim::simulate(&system, &scene, Stopping::Full, Some(&mut record)).unwrap();
+        let scene = scene(surface_speed, law);
+        simulator
+            .simulate(&scene, Stopping::Full, Some(&mut record))
+            .unwrap();
         let expected = &record.speeds[0];
-        assert_eq!(speeds.len(), expected.len());
-        let largest = expected
-            .iter()
-            .fold(0.0, |most: f64, speed| most.max(speed.abs()));
+        assert_eq!(stepped.len(), expected.len());
+        let sizes = expected.iter().map(|speed| speed.abs());
+        let largest = sizes.fold(0.0, f64::max);
         assert!(largest > surface_speed);
-        for (found, expected) in speeds.iter().zip(expected) {
-            assert!(
-                (found - expected).abs() < 1e-9 * largest,
-                "{found} {expected}"
-            );
+        for (found, expected) in stepped.iter().zip(expected) {
+            let difference = (found - expected).abs();
+            assert!(difference < 1e-9 * largest, "{found} {expected}");
         }
     }
+    assert_eq!(BitMotion::default(), BitMotion::Stuck);
 }
 
 #[test]
 fn what_cannot_be_stepped_is_an_error() {
-    let free = responses(vec![]);
-    let found = sim::bit_speeds(&free, 1.0, 1.0, |_| 0.0);
+    let still = |_: LoadLine| 0.0;
+    let found = speeds(&responses(vec![]), &scene(1.0, still));
     assert_eq!(found, Err(SimulationError::NoTorqueInput));
-    let broken = |line: sim::LoadLine| if line.time > 0.5 { f64::NAN } else { 0.0 };
-    let found = sim::bit_speeds(&responses(vec![0]), 1.0, 1.0, broken);
+    let broken = |line: LoadLine| if line.time > 0.5 { f64::NAN } else { 0.0 };
+    let found = speeds(&responses(vec![0]), &scene(1.0, broken));
     assert!(
         matches!(found, Err(SimulationError::NotFinite { site: 0, time }) if (time - 0.5).abs() < 0.01)
     );

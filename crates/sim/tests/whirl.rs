@@ -5,15 +5,13 @@
 #[allow(dead_code, reason = "not every test needs all of it")]
 mod academic;
 
+use linear::elements::reconstruction::WholeString;
 use linear::method::{FiniteElement, Transform};
-use linear::{
-    Bending, BendingRequest, Method, Sites, SurfaceSupport, TorsionRequest, bending_responses,
-    torsion_responses,
-};
+use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
 use sim::excitation::least_impulse;
 use sim::{
-    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, LateralSystem, Scene,
-    Stopping, Timing, Trajectory, Wall, simulate_lateral,
+    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Scene, Simulator, Stopping,
+    Timing, Trajectory, Wall,
 };
 
 const BENDING: Bending = Bending {
@@ -36,7 +34,7 @@ fn wall(friction: f64) -> Wall {
 }
 
 struct Case {
-    system: LateralSystem,
+    simulator: Simulator,
     /// I₀ at each site, N s.
     least_impulses: Vec<f64>,
 }
@@ -45,28 +43,27 @@ impl Case {
     fn new(method: &Method, distances: &[f64]) -> Self {
         let string = academic::string();
         let sites = Sites::new(&string, distances).unwrap();
-        let torsion = TorsionRequest {
-            sites: sites.clone(),
-            torque_inputs: (0..sites.len()).collect(),
-            sampling_frequency: academic::SAMPLING_FREQUENCY,
-            longest_time: DURATION,
-        };
-        let bending = BendingRequest {
-            sites,
+        let torques = (0..sites.len()).collect();
+        let in_bending = ChannelRequest::Bending {
+            bending: BENDING,
             support: SurfaceSupport::Free,
+        };
+        let request = Request {
+            sites,
+            channels: vec![ChannelRequest::Torsion { torques }, in_bending],
             sampling_frequency: academic::SAMPLING_FREQUENCY,
             longest_time: DURATION,
         };
-        let torsion = torsion_responses(&string, method, &torsion).unwrap();
-        let bending = bending_responses(&string, &BENDING, method, &bending).unwrap();
+        let responses = responses(&string, method, &request).unwrap();
+        let bending = responses.bending().unwrap();
         let least_impulses = (0..distances.len())
             .map(|site| {
-                let taps = &bending.from_force[site][site];
+                let taps = &bending.from_loads[site][site];
                 least_impulse(taps, academic::SAMPLING_FREQUENCY, PULSE, CLEARANCE)
             })
             .collect();
         Self {
-            system: LateralSystem::new(&torsion, &bending).unwrap(),
+            simulator: Simulator::new(&responses).unwrap(),
             least_impulses,
         }
     }
@@ -90,8 +87,8 @@ impl Case {
                 closing_window: 2.0,
             },
         };
-        let outcome = simulate_lateral(&self.system, &scene, Stopping::Full, record).unwrap();
-        outcome.lateral.unwrap()
+        let outcome = self.simulator.simulate(&scene, Stopping::Full, record);
+        outcome.unwrap().lateral.unwrap()
     }
 
     fn impulse(&self, site: usize, ratio: f64) -> Impulse {
@@ -325,9 +322,8 @@ fn the_bit_cuts_and_touches_the_wall_at_once() {
             },
         };
         let mut trajectory = Trajectory::default();
-        let outcome =
-            simulate_lateral(&case.system, &scene, Stopping::Full, Some(&mut trajectory)).unwrap();
-        (outcome, trajectory)
+        let outcome = (case.simulator).simulate(&scene, Stopping::Full, Some(&mut trajectory));
+        (outcome.unwrap(), trajectory)
     };
     let (smooth, frictionless) = run(0.0, 3.0);
     let (undisturbed, quiet) = run(2.0, 0.0);
@@ -416,21 +412,15 @@ fn the_reconstructed_string_passes_through_its_site() {
     let mut trajectory = Trajectory::default();
     let found = case.run(lateral, Some(&mut trajectory));
     let string = academic::string();
-    let request = BendingRequest {
-        sites: Sites::bit(),
+    let whole = WholeString {
+        string: &string,
+        bending: &BENDING,
         support: SurfaceSupport::Free,
+        sites: &Sites::bit(),
         sampling_frequency: academic::SAMPLING_FREQUENCY,
-        longest_time: DURATION,
+        parameters,
     };
-    let whole = linear::elements::reconstruction::reconstruct(
-        &string,
-        &BENDING,
-        &request,
-        &parameters,
-        &trajectory.forces,
-        &[2000],
-    )
-    .unwrap();
+    let whole = whole.reconstruct(&trajectory.forces, &[2000]).unwrap();
     let bit = whole.depths.len() - 1;
     assert_close(whole.depths[bit], 1000.0, 1e-9);
     assert_close(whole.peaks[bit], found.peak_radius, 1e-9);
@@ -462,11 +452,12 @@ fn a_site_that_leans_on_the_wall_does_not_whirl() {
 
 /// A site on a spring, alone: what its centre does is known in closed form.
 mod oscillator {
-    use linear::{BendingResponses, TorsionResponses};
     use std::f64::consts::TAU;
 
-    use super::*;
     use linear::passivity::Ending;
+    use linear::{Channel, ChannelResponses, Responses};
+
+    use super::*;
 
     const SAMPLING_FREQUENCY: f64 = 640.0;
     /// Oscillations a second, and their decay, 1/s.
@@ -482,23 +473,26 @@ mod oscillator {
             let rate = TAU * FREQUENCY;
             (-DECAY * time).exp() * (rate * time).sin() / rate / SAMPLING_FREQUENCY
         };
-        let bending = BendingResponses {
-            sites: Sites::bit(),
-            sampling_frequency: SAMPLING_FREQUENCY,
-            // The first may not be zero.
-            from_force: vec![vec![
-                (0..steps)
-                    .map(|step| displacement(step).max(if step == 0 { 1e-9 } else { -1.0 }))
-                    .collect(),
-            ]],
+        // The first may not be zero.
+        let bending = (0..steps)
+            .map(|step| displacement(step).max(if step == 0 { 1e-9 } else { -1.0 }))
+            .collect();
+        let channel = |channel, from_surface, taps, ending| ChannelResponses {
+            channel,
+            loads: vec![0],
+            from_surface,
+            from_loads: vec![vec![taps]],
+            ending,
         };
-        let torsion = TorsionResponses {
+        let torsion = channel(Channel::Torsion, vec![vec![1.0]], vec![1e-5], Ending::Whole);
+        let bending = channel(Channel::Bending, vec![], bending, Ending::Cut);
+        let responses = Responses {
+            string: academic::string().id(),
+            method: Method::Quadrature,
             sites: Sites::bit(),
             sampling_frequency: SAMPLING_FREQUENCY,
-            from_surface: vec![vec![1.0]],
-            from_torque: vec![vec![vec![1e-5]]],
-            torque_inputs: vec![0],
-            ending: Ending::Whole,
+            longest_time: DURATION,
+            channels: vec![torsion, bending],
         };
         let impulse = |&(amount, start, direction): &(f64, f64, f64)| Impulse {
             site: 0,
@@ -520,9 +514,9 @@ mod oscillator {
                 closing_window: 2.0,
             },
         };
-        let system = LateralSystem::new(&torsion, &bending).unwrap();
-        let outcome = simulate_lateral(&system, &scene, Stopping::Full, None).unwrap();
-        let lateral = outcome.lateral.unwrap();
+        let simulator = Simulator::new(&responses).unwrap();
+        let outcome = simulator.simulate(&scene, Stopping::Full, None);
+        let lateral = outcome.unwrap().lateral.unwrap();
         assert_eq!(lateral.regime, LateralRegime::NoContact);
         assert!(lateral.peak_radius > 0.1 * CLEARANCE);
         lateral.precession_rate / TAU

@@ -2,10 +2,9 @@
 
 use super::newmark::Weights;
 use super::reduction::CondensedBeam;
-use crate::drillstring::{Bending, Drillstring};
+use crate::drillstring::{Bending, Drillstring, Sites, SurfaceSupport};
 use crate::error::BuildError;
 use crate::method::FiniteElement;
-use crate::response::BendingRequest;
 
 /// Lateral displacement of every node of the mesh over a simulation.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,59 +17,75 @@ pub struct Reconstruction {
     pub shapes: Vec<[Vec<f64>; 2]>,
 }
 
-/// Steps the whole string through recorded forces: `forces[axis][site][step]`,
-/// disturbances included, N. `snapshots` are the steps, in rising order, whose
-/// shapes are kept.
-///
-/// # Errors
-/// Where the forces do not fit the sites, the parameters are out of range or the matrix cannot be factorised.
-pub fn reconstruct(
-    string: &Drillstring,
-    bending: &Bending,
-    request: &BendingRequest,
-    parameters: &FiniteElement,
-    forces: &[Vec<Vec<f64>>; 2],
-    snapshots: &[usize],
-) -> Result<Reconstruction, BuildError> {
-    let sites = request.sites.len();
-    let steps = forces[0].first().map_or(0, Vec::len);
-    let fits = |axis: &Vec<Vec<f64>>| {
-        axis.len() == sites && axis.iter().all(|forces| forces.len() == steps)
-    };
-    if !forces.iter().all(fits) {
-        return Err(BuildError::Forces);
-    }
-    let weights = Weights::new(parameters, request.sampling_frequency)?;
-    let beam = CondensedBeam::new(
-        string,
-        bending,
-        request.support,
-        &request.sites,
-        parameters.elements_per_cell,
-        weights,
-    )?;
-    let depths = beam.depths();
-    let mut peaks = vec![0.0; depths.len()];
-    let mut shapes = Vec::with_capacity(snapshots.len());
-    let mut motions = [beam.rest(), beam.rest()];
-    for step in 0..steps {
-        for (motion, forces) in motions.iter_mut().zip(forces) {
-            beam.step_free(motion);
-            for (site, forces) in forces.iter().enumerate() {
-                beam.apply_force(motion, site, forces[step]);
+/// A string whose every node is wanted, not its sites alone.
+#[derive(Debug, Clone, Copy)]
+pub struct WholeString<'a> {
+    /// The string.
+    pub string: &'a Drillstring,
+    /// Its bending constants.
+    pub bending: &'a Bending,
+    /// How the surface holds it.
+    pub support: SurfaceSupport,
+    /// Where forces act.
+    pub sites: &'a Sites,
+    /// Sampling frequency of the forces, Hz.
+    pub sampling_frequency: f64,
+    /// Its mesh, and how it is stepped.
+    pub parameters: FiniteElement,
+}
+
+impl WholeString<'_> {
+    /// Steps the whole string through recorded forces: `forces[axis][site][step]`,
+    /// disturbances included, N. `snapshots` are the steps, in rising order, whose
+    /// shapes are kept.
+    ///
+    /// # Errors
+    /// Where the forces do not fit the sites, the parameters are out of range or the matrix
+    /// cannot be factorised.
+    pub fn reconstruct(
+        &self,
+        forces: &[Vec<Vec<f64>>; 2],
+        snapshots: &[usize],
+    ) -> Result<Reconstruction, BuildError> {
+        let sites = self.sites.len();
+        let steps = forces[0].first().map_or(0, Vec::len);
+        let fits = |axis: &Vec<Vec<f64>>| {
+            axis.len() == sites && axis.iter().all(|forces| forces.len() == steps)
+        };
+        if !forces.iter().all(fits) {
+            return Err(BuildError::Forces);
+        }
+        let beam = CondensedBeam::new(
+            self.string,
+            self.bending,
+            self.support,
+            self.sites,
+            self.parameters.elements_per_cell,
+            Weights::new(&self.parameters, self.sampling_frequency)?,
+        )?;
+        let depths = beam.depths();
+        let mut peaks = vec![0.0; depths.len()];
+        let mut shapes = Vec::with_capacity(snapshots.len());
+        let mut motions = [beam.rest(), beam.rest()];
+        for step in 0..steps {
+            for (motion, forces) in motions.iter_mut().zip(forces) {
+                beam.step_free(motion);
+                for (site, forces) in forces.iter().enumerate() {
+                    beam.apply_force(motion, site, forces[step]);
+                }
+            }
+            let [x, y] = [0, 1].map(|axis: usize| beam.node_displacements(&motions[axis]));
+            for ((peak, x), y) in peaks.iter_mut().zip(&x).zip(&y) {
+                *peak = f64::max(*peak, x.hypot(*y));
+            }
+            if snapshots.contains(&step) {
+                shapes.push([x, y]);
             }
         }
-        let [x, y] = [0, 1].map(|axis: usize| beam.node_displacements(&motions[axis]));
-        for ((peak, x), y) in peaks.iter_mut().zip(&x).zip(&y) {
-            *peak = f64::max(*peak, x.hypot(*y));
-        }
-        if snapshots.contains(&step) {
-            shapes.push([x, y]);
-        }
+        Ok(Reconstruction {
+            depths,
+            peaks,
+            shapes,
+        })
     }
-    Ok(Reconstruction {
-        depths,
-        peaks,
-        shapes,
-    })
 }

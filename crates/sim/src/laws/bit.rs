@@ -1,6 +1,9 @@
 //! Torque between bit and rock: stuck up to T_s, sliding against T_d
 //! (Sections 2.2.2 and 4.2), met by the load line of Eq. 16.
 
+use super::torque::{LoadLine, TorqueLaw, TorqueStep};
+use crate::ranges::{SceneError, not_negative};
+
 /// The two torque limits of the bit, N m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BitTorque {
@@ -11,9 +14,10 @@ pub struct BitTorque {
 }
 
 /// What the bit was doing in the last step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BitMotion {
-    /// Held by the rock.
+    /// Held by the rock, as at the first instant.
+    #[default]
     Stuck,
     /// Turning with the surface (positive) speed.
     Forward,
@@ -21,41 +25,50 @@ pub enum BitMotion {
     Backward,
 }
 
-/// The torque on the bit in one step and the speed it leaves.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BitStep {
-    /// What the bit does in this step.
-    pub motion: BitMotion,
-    /// Torque on the bit, positive in the direction of positive rotation, N m.
-    pub torque: f64,
-    /// Rotation speed of the bit, rad/s.
-    pub speed: f64,
-}
+impl TorqueLaw for BitTorque {
+    type State = BitMotion;
 
-impl BitTorque {
     /// Meets the load line `speed = free_speed + compliance · torque` with the
     /// torque law (Eqs. 16 and 18).
     ///
     /// Where load line and law cross more than once, Friedlander's rule keeps
     /// the bit doing what it did: a turning bit turns on while −T_d leaves it
     /// a speed in that direction, a stuck one stays while |T| ≤ T_s.
-    pub fn meet(&self, before: BitMotion, free_speed: f64, compliance: f64) -> BitStep {
-        match before {
-            BitMotion::Stuck => self.hold_or_slip(free_speed, compliance),
-            BitMotion::Forward => self
-                .slide(1.0, free_speed, compliance)
-                .unwrap_or_else(|| self.hold_or_slip(free_speed, compliance)),
-            BitMotion::Backward => self
-                .slide(-1.0, free_speed, compliance)
-                .unwrap_or_else(|| self.hold_or_slip(free_speed, compliance)),
-        }
+    #[inline]
+    fn meet(&self, before: &BitMotion, line: LoadLine) -> TorqueStep<BitMotion> {
+        let turns_on = match before {
+            BitMotion::Stuck => None,
+            BitMotion::Forward => self.slide(1.0, line),
+            BitMotion::Backward => self.slide(-1.0, line),
+        };
+        turns_on.unwrap_or_else(|| self.hold_or_slip(line))
     }
 
-    fn slide(&self, direction: f64, free_speed: f64, compliance: f64) -> Option<BitStep> {
+    fn largest_drop(&self) -> f64 {
+        let drop = self.torque_static - self.torque_dynamic;
+        // A bit that holds any torque never slips.
+        if drop.is_finite() { drop } else { 0.0 }
+    }
+
+    fn check(&self) -> Result<(), SceneError> {
+        not_negative("static torque of the bit in N m", self.torque_static)?;
+        not_negative("dynamic torque of the bit in N m", self.torque_dynamic)?;
+        if self.torque_static < self.torque_dynamic {
+            return Err(SceneError::Torques {
+                torque_static: self.torque_static,
+                torque_dynamic: self.torque_dynamic,
+            });
+        }
+        Ok(())
+    }
+}
+
+impl BitTorque {
+    fn slide(&self, direction: f64, line: LoadLine) -> Option<TorqueStep<BitMotion>> {
         let torque = -direction * self.torque_dynamic;
-        let speed = free_speed + compliance * torque;
-        (direction * speed > 0.0).then_some(BitStep {
-            motion: if direction > 0.0 {
+        let speed = line.free_speed + line.compliance * torque;
+        (direction * speed > 0.0).then_some(TorqueStep {
+            state: if direction > 0.0 {
                 BitMotion::Forward
             } else {
                 BitMotion::Backward
@@ -65,10 +78,10 @@ impl BitTorque {
         })
     }
 
-    fn hold_or_slip(&self, free_speed: f64, compliance: f64) -> BitStep {
-        let torque = -free_speed / compliance;
-        let held = BitStep {
-            motion: BitMotion::Stuck,
+    fn hold_or_slip(&self, line: LoadLine) -> TorqueStep<BitMotion> {
+        let torque = -line.free_speed / line.compliance;
+        let held = TorqueStep {
+            state: BitMotion::Stuck,
             torque,
             speed: 0.0,
         };
@@ -76,8 +89,7 @@ impl BitTorque {
             return held;
         }
         // |T| > T_s ≥ T_d: sliding in the direction of the free speed has one.
-        self.slide(free_speed.signum(), free_speed, compliance)
-            .unwrap_or(held)
+        self.slide(line.free_speed.signum(), line).unwrap_or(held)
     }
 }
 
@@ -91,6 +103,14 @@ mod tests {
         torque_dynamic: 1.0,
     };
 
+    fn line(free_speed: f64, compliance: f64) -> LoadLine {
+        LoadLine {
+            time: 0.0,
+            free_speed,
+            compliance,
+        }
+    }
+
     proptest! {
         #[test]
         fn load_line_and_law_hold_together(
@@ -100,10 +120,10 @@ mod tests {
                 Just(BitMotion::Stuck), Just(BitMotion::Forward), Just(BitMotion::Backward)
             ],
         ) {
-            let step = LAW.meet(before, free_speed, compliance);
-            let line = free_speed + compliance * step.torque;
-            prop_assert!((step.speed - line).abs() <= 1e-12 * free_speed.abs());
-            match step.motion {
+            let step = LAW.meet(&before, line(free_speed, compliance));
+            let speed = free_speed + compliance * step.torque;
+            prop_assert!((step.speed - speed).abs() <= 1e-12 * free_speed.abs());
+            match step.state {
                 BitMotion::Stuck => {
                     prop_assert_eq!(step.speed, 0.0);
                     prop_assert!(step.torque.abs() <= LAW.torque_static);
@@ -119,11 +139,11 @@ mod tests {
         // The load line at −1.1 N m meets both branches.
         let free_speed = 1.1;
         assert_eq!(
-            LAW.meet(BitMotion::Stuck, free_speed, 1.0).motion,
+            LAW.meet(&BitMotion::Stuck, line(free_speed, 1.0)).state,
             BitMotion::Stuck
         );
         assert_eq!(
-            LAW.meet(BitMotion::Forward, free_speed, 1.0).motion,
+            LAW.meet(&BitMotion::Forward, line(free_speed, 1.0)).state,
             BitMotion::Forward
         );
     }
@@ -134,7 +154,7 @@ mod tests {
             torque_static: 0.0,
             torque_dynamic: 0.0,
         };
-        let step = free.meet(BitMotion::Stuck, 0.3, 1.0);
-        assert_eq!((step.motion, step.speed), (BitMotion::Forward, 0.3));
+        let step = free.meet(&BitMotion::Stuck, line(0.3, 1.0));
+        assert_eq!((step.state, step.speed), (BitMotion::Forward, 0.3));
     }
 }

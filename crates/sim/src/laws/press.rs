@@ -1,7 +1,15 @@
-//! One step in contact: its depth, its friction, and whether it slides or rolls.
+//! One step at the wall: its depth, its friction, and whether it slides or rolls.
+//!
+//! With p_h the displacement a site would have without contact, and h₀ = A(0),
+//! the position r e_r satisfies p_h = (r + h₀F_N) e_r − h₀αF_N e_θ, where αF_N is
+//! the friction on the string along e_θ. For given α that is one equation for
+//! the depth of penetration; α itself is ±μ in sliding, or the root of the
+//! sliding speed in rolling.
 
+use super::contact::{Approach, Contact, ContactError, Touch, WallLaw};
 use super::newton::newton;
-use super::wall::{Approach, Contact, ContactError, Touch, Wall};
+use super::wall::Wall;
+use crate::ranges::SceneError;
 
 /// Rolling is solved to this fraction of the friction coefficient.
 const RATIO_TOLERANCE: f64 = 1e-15;
@@ -14,12 +22,53 @@ const MOST_HALVINGS: usize = 64;
 /// found to rounding: only what is no answer is further off.
 const TOLERANCE: f64 = 1e-9;
 
+/// A step that carries the free position further than this many clearances may
+/// turn the centre so far that several friction ratios solve it.
+const FAR: f64 = 1.1;
+
+impl WallLaw for Wall {
+    fn clearance(&self) -> f64 {
+        self.clearance
+    }
+
+    fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Solves one step at one site, whatever its numbers are: position, load line
+    /// and law of the wall then agree to 1e-9 of the distance |p_h|, and what
+    /// rolls slides by no more than 1e-9 of the speeds that meet there, or of what
+    /// the bit's speed jumps by where its torque falls from T_s to T_d. Lengths
+    /// below 1e-150 m count as none.
+    fn meet(&self, approach: &Approach) -> Result<Contact, ContactError> {
+        let [x, y] = approach.free_position;
+        let distance = (x * x + y * y).sqrt();
+        if distance <= self.clearance {
+            return Contact::free(approach.free_position);
+        }
+        let press = Press {
+            wall: self,
+            approach,
+            distance,
+        };
+        if distance > FAR * self.clearance {
+            press.search()
+        } else {
+            press.solve()
+        }
+    }
+
+    fn check(&self) -> Result<(), SceneError> {
+        self.check_numbers()
+    }
+}
+
 /// A step in contact.
-pub(super) struct Press<'a> {
-    pub(super) wall: &'a Wall,
-    pub(super) approach: &'a Approach,
+struct Press<'a> {
+    wall: &'a Wall,
+    approach: &'a Approach<'a>,
     /// |p_h|, m.
-    pub(super) distance: f64,
+    distance: f64,
 }
 
 /// The state of a step for one friction ratio.
@@ -34,9 +83,9 @@ struct Trial {
 
 impl Press<'_> {
     /// Rolling, or sliding one way or the other.
-    pub(super) fn solve(&self) -> Result<Contact, ContactError> {
+    fn solve(&self) -> Result<Contact, ContactError> {
         let friction = self.wall.friction;
-        if self.approach.bit.is_none()
+        if self.approach.spin.resistance.is_none()
             && let [Some(rolling), _] = self.rolling()
         {
             return self.contact(rolling, Touch::Rolling, false);
@@ -63,10 +112,7 @@ impl Press<'_> {
         let approach = self.approach;
         let [x, y] = approach.free_position;
         let [px, py] = approach.previous_position;
-        let spin = approach.bit.map_or(approach.free_speed, |(law, motion)| {
-            law.meet(motion, approach.free_speed, approach.torsional_compliance)
-                .speed
-        });
+        let spin = approach.spin.under(0.0);
         let drift = (px * y - py * x) * approach.sampling_frequency;
         self.wall.radius * spin * self.distance + drift > 0.0
     }
@@ -81,13 +127,13 @@ impl Press<'_> {
     }
 
     /// All solutions; the one that turns the centre least is taken.
-    pub(super) fn search(&self) -> Result<Contact, ContactError> {
+    fn search(&self) -> Result<Contact, ContactError> {
         let friction = self.wall.friction;
         let mut found = [None; 4];
         let (forward, backward) = (self.trial(-friction), self.trial(friction));
         found[0] = Some((forward, Touch::Sliding)).filter(|_| forward.sliding_speed >= 0.0);
         found[1] = Some((backward, Touch::Sliding)).filter(|_| backward.sliding_speed <= 0.0);
-        if self.approach.bit.is_none() {
+        if self.approach.spin.resistance.is_none() {
             for (found, rolling) in found[2..].iter_mut().zip(self.rolling()) {
                 *found = rolling.map(|trial| (trial, Touch::Rolling));
             }
@@ -114,14 +160,13 @@ impl Press<'_> {
     /// where w·e_θ = R₀θ̇_h for w = (R₀²g₀/h₀) p_h + f_s p_prev.
     fn rolling(&self) -> [Option<Trial>; 2] {
         let approach = self.approach;
-        let turning =
-            self.wall.radius.powi(2) * approach.torsional_compliance / approach.compliance;
+        let turning = self.wall.radius.powi(2) * approach.spin.compliance / approach.compliance;
         let [wx, wy]: [f64; 2] = std::array::from_fn(|axis| {
             turning * approach.free_position[axis]
                 + approach.sampling_frequency * approach.previous_position[axis]
         });
         let length = (wx * wx + wy * wy).sqrt();
-        let sine = self.wall.radius * approach.free_speed / length;
+        let sine = self.wall.radius * approach.spin.free_speed / length;
         // No length or no number: nothing rolls.
         if sine.is_nan() || sine.abs() > 1.0 {
             return [None, None];
@@ -196,11 +241,7 @@ impl Press<'_> {
         // e_θ = (−sin, cos), to which the new position is orthogonal.
         let drift = (px * sin - py * cos) * self.approach.sampling_frequency;
         let torque = self.wall.radius * ratio * normal_force;
-        let free_speed = self.approach.free_speed + self.approach.torsional_compliance * torque;
-        let spin = self.approach.bit.map_or(free_speed, |(law, motion)| {
-            law.meet(motion, free_speed, self.approach.torsional_compliance)
-                .speed
-        });
+        let spin = self.approach.spin.under(torque);
         Trial {
             ratio,
             normal_force,
@@ -300,19 +341,14 @@ impl Press<'_> {
     /// where it slips, for there its speed takes no value between.
     fn rolls(&self, trial: &Trial, contact: &Contact) -> bool {
         let (wall, approach) = (self.wall, self.approach);
-        let gives = approach.torsional_compliance;
-        let turned = approach.free_speed + gives * contact.torque;
-        let (spin, jump) = approach.bit.map_or((turned, 0.0), |(law, motion)| {
-            let jump = gives * (law.torque_static - law.torque_dynamic);
-            // A bit that holds any torque never slips.
-            let jump = if jump.is_finite() { jump } else { 0.0 };
-            (law.meet(motion, turned, gives).speed, jump)
-        });
+        let (gives, free_speed) = (approach.spin.compliance, approach.spin.free_speed);
+        let spin = approach.spin.under(contact.torque);
+        let jump = approach.spin.resistance.map_or(0.0, |law| law.jump);
         let ([cos, sin], [px, py]) = (trial.direction, approach.previous_position);
         let drift = (px * sin - py * cos) * approach.sampling_frequency;
         let sliding_speed = wall.radius * spin + drift;
         let by_friction = gives * wall.radius * wall.friction * trial.normal_force;
-        let turns = wall.radius * (approach.free_speed.abs() + by_friction);
+        let turns = wall.radius * (free_speed.abs() + by_friction);
         let goes = (self.distance + px.abs() + py.abs()) * approach.sampling_frequency;
         let speeds = turns.abs() + goes.abs();
         let least = TOLERANCE * speeds + (1.0 + TOLERANCE) * (wall.radius * jump).abs();
@@ -323,7 +359,7 @@ impl Press<'_> {
     #[cold]
     fn refusal(&self) -> ContactError {
         let [px, py] = self.approach.previous_position;
-        let motion = [self.distance, px, py, self.approach.free_speed];
+        let motion = [self.distance, px, py, self.approach.spin.free_speed];
         if motion.iter().all(|number| number.is_finite()) {
             ContactError::Unsolved
         } else {

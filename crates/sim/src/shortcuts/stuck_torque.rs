@@ -1,34 +1,35 @@
-//! The torque of a bit that never slips, per unit of surface speed.
+//! The torque of a bit that never slips, per unit of surface speed. It holds where
+//! nothing but that torque acts on the string.
 //!
 //! Until the first slip every case of a string is this one series times its
 //! surface speed, so that the first slip is looked up and not stepped to. After
 //! it, only the difference d = T − ΩT₁ between the torque T and this one drives
-//! the bit: the held torque T₁ and the surface together leave it at rest, so
+//! the bit: the stuck torque T₁ and the surface together leave it at rest, so
 //! that θ̇(k) = Σ A(k − n) d(n) over the steps since the slip.
 
-use crate::history::{History, Kernels};
+use crate::convolution::{Convolution, Kernels};
 
 /// T₁ for as long as any case lasts.
 #[derive(Debug, Clone)]
-pub(crate) struct HeldTorque {
+pub(crate) struct StuckTorque {
     /// T₁ of each step, N m per rad/s.
     torques: Vec<f64>,
     /// The largest |T₁| up to each step.
     largest: Vec<f64>,
 }
 
-impl HeldTorque {
+impl StuckTorque {
     /// Holds a bit with the given driving-point response against a surface that
     /// starts to turn at 1 rad/s; `surface(step)` is what that does to the speed
     /// of a free bit.
     pub(crate) fn new(kernels: &Kernels, surface: impl Fn(usize) -> f64, steps: usize) -> Self {
-        let mut history = History::new(kernels, 1, steps);
+        let mut convolution = Convolution::new(kernels, 1, steps);
         let mut torques = Vec::with_capacity(steps);
         for step in 0..steps {
             let mut past = [0.0];
-            history.past(&mut past);
+            convolution.past(&mut past);
             let torque = -(surface(step) + past[0]) / kernels.instant(0, 0);
-            history.push(&[torque]);
+            convolution.push(&[torque]);
             torques.push(torque);
         }
         let largest = torques.iter().scan(0.0, |largest: &mut f64, torque| {
@@ -50,11 +51,6 @@ impl HeldTorque {
     /// T₁ of all steps.
     pub(crate) fn torques(&self) -> &[f64] {
         &self.torques
-    }
-
-    /// T₁ at a step.
-    pub(crate) fn at(&self, step: usize) -> f64 {
-        self.torques[step]
     }
 
     /// The first step at which a bit that holds `torque_static` slips at a

@@ -111,8 +111,8 @@ fn split(spectrum: &[Complex<f64>], parts: &mut [f64]) {
 
 impl Kernels {
     /// Prepares `taps[output][input]`, a square of responses.
-    pub fn new(taps: &[Vec<Vec<f64>>]) -> Self {
-        let pairs: Vec<&[f64]> = taps.iter().flatten().map(Vec::as_slice).collect();
+    pub fn new(taps: &[Vec<impl AsRef<[f64]>>]) -> Self {
+        let pairs: Vec<&[f64]> = taps.iter().flatten().map(AsRef::as_ref).collect();
         let longest = pairs.iter().map(|taps| taps.len()).max().unwrap_or(0);
         let levels = partitions(longest)
             .map(|(block, partitions)| Level::new(&pairs, block, partitions))
@@ -138,7 +138,7 @@ impl Kernels {
 /// The inputs of one case so far, in one plane or in two that share their
 /// kernels, and what they are going to add.
 #[derive(Debug)]
-pub struct History<'a> {
+pub struct Convolution<'a> {
     kernels: &'a Kernels,
     planes: usize,
     steps: usize,
@@ -169,7 +169,7 @@ struct PastLevel {
     ready: Vec<f64>,
 }
 
-impl<'a> History<'a> {
+impl<'a> Convolution<'a> {
     /// The empty past of a case of at most so many steps.
     pub fn new(kernels: &'a Kernels, planes: usize, steps: usize) -> Self {
         let channels = planes * kernels.sites;
@@ -257,6 +257,11 @@ impl<'a> History<'a> {
         }
         self.steps = steps;
         self.end_block();
+    }
+
+    /// The responses that are summed.
+    pub fn kernels(&self) -> &'a Kernels {
+        self.kernels
     }
 
     /// All inputs of a plane and site so far.
@@ -405,7 +410,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::history::Kernel;
+    use crate::convolution::Kernel;
 
     /// A cheap sequence without pattern, in (−1, 1).
     fn noise(seed: usize, count: usize) -> Vec<f64> {
@@ -452,10 +457,10 @@ mod tests {
                 channel[..steps / 5].fill(0.0);
                 channel[from..to].fill(0.0);
             }
-            let mut history = History::new(&kernels, planes, steps);
+            let mut convolution = Convolution::new(&kernels, planes, steps);
             let mut sums = vec![0.0; channels];
             for step in 0..steps {
-                history.past(&mut sums);
+                convolution.past(&mut sums);
                 // Each step costs the reference all of them: some are enough.
                 if step % 17 == 0 || step + 50 > steps {
                     for (channel, sum) in sums.iter().enumerate() {
@@ -474,9 +479,12 @@ mod tests {
                     }
                 }
                 let now: Vec<f64> = inputs.iter().map(|channel| channel[step]).collect();
-                history.push(&now);
+                convolution.push(&now);
             }
-            assert_eq!(history.inputs(planes - 1, sites - 1), inputs[channels - 1]);
+            assert_eq!(
+                convolution.inputs(planes - 1, sites - 1),
+                inputs[channels - 1]
+            );
         }
     }
 }

@@ -46,9 +46,9 @@ pub fn kernels_memory(sites: usize, taps: f64) -> f64 {
     REAL * (levels + pairs * FIRST_BLOCK as f64)
 }
 
-/// What a [`super::History`] takes, bytes: the past of so many steps at so many sites,
+/// What a [`super::Convolution`] takes, bytes: the past of so many steps at so many sites,
 /// in one plane or two, with kernels of so many taps.
-pub fn history_memory(sites: usize, planes: usize, taps: f64, steps: f64) -> f64 {
+pub fn convolution_memory(sites: usize, planes: usize, taps: f64, steps: f64) -> f64 {
     let channels = (planes * sites) as f64;
     let mut of_channel = steps + FIRST_BLOCK as f64;
     let mut largest = 0.0;

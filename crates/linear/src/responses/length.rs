@@ -1,38 +1,10 @@
-//! From a drillstring to its responses by any method, no longer than the
-//! response lasts or the simulation needs.
+//! What responses and the transforms behind them may be: how long, and numbers.
 
-pub(crate) mod bending;
-pub(crate) mod torsion;
-
-pub use bending::bending_responses;
-pub use torsion::torsion_responses;
-
-use crate::drillstring::{Drillstring, Sites};
 use crate::error::BuildError;
-use crate::method::Transform;
+use crate::method::{Method, Transform};
 
 /// The most taps kept per response: 16 million, 128 MB.
 pub(crate) const MOST_TAPS: usize = 1 << 24;
-
-/// Checks what both kinds of request say of time, and that the sites are the
-/// string's.
-fn check_request(
-    string: &Drillstring,
-    sites: &Sites,
-    sampling_frequency: f64,
-    longest_time: f64,
-) -> Result<(), BuildError> {
-    sites.check(string)?;
-    check_sampling(sampling_frequency)?;
-    if longest_time.is_finite() && longest_time >= 0.0 {
-        return Ok(());
-    }
-    Err(BuildError::Parameter {
-        name: "longest_time",
-        value: longest_time,
-        expected: "zero or a positive number of seconds",
-    })
-}
 
 /// Taps that a simulation of the given time can use.
 pub(crate) fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
@@ -40,12 +12,12 @@ pub(crate) fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
 }
 
 /// Samples of a transform as given, or by default.
-fn samples_of(transform: &Transform, default: f64, sampling_frequency: f64) -> f64 {
+pub(super) fn samples_of(transform: &Transform, default: f64, sampling_frequency: f64) -> f64 {
     (transform.seconds).map_or(default, |seconds| seconds * sampling_frequency)
 }
 
 /// An even transform length of about so many samples.
-fn transform_length(samples: f64, sampling_frequency: f64) -> Result<usize, BuildError> {
+pub(super) fn transform_length(samples: f64, sampling_frequency: f64) -> Result<usize, BuildError> {
     if samples > MOST_TAPS as f64 {
         return Err(too_many(samples));
     }
@@ -59,13 +31,14 @@ fn transform_length(samples: f64, sampling_frequency: f64) -> Result<usize, Buil
     Ok(2 * (samples / 2.0).round() as usize)
 }
 
-fn too_many(taps: f64) -> BuildError {
+pub(super) fn too_many(taps: f64) -> BuildError {
     BuildError::TooManyTaps {
         taps,
         most: MOST_TAPS,
     }
 }
 
+/// Refuses what is no sampling frequency.
 pub(crate) fn check_sampling(value: f64) -> Result<(), BuildError> {
     if value.is_finite() && value > 0.0 {
         Ok(())
@@ -78,10 +51,26 @@ pub(crate) fn check_sampling(value: f64) -> Result<(), BuildError> {
     }
 }
 
-fn all_finite(channels: &[Vec<f64>], method: &'static str) -> Result<(), BuildError> {
+/// Refuses what is no time to simulate.
+pub(super) fn check_time(value: f64) -> Result<(), BuildError> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(())
+    } else {
+        Err(BuildError::Parameter {
+            name: "longest_time",
+            value,
+            expected: "zero or a positive number of seconds",
+        })
+    }
+}
+
+/// Refuses responses that are no numbers.
+pub(super) fn all_finite(channels: &[Vec<f64>], method: &Method) -> Result<(), BuildError> {
     if channels.iter().flatten().all(|tap| tap.is_finite()) {
         Ok(())
     } else {
-        Err(BuildError::NotFinite { method })
+        Err(BuildError::NotFinite {
+            method: method.name(),
+        })
     }
 }

@@ -7,11 +7,12 @@
 
 use faer::c64;
 
-use crate::drillstring::{Bending, Drillstring, Sites, SurfaceSupport};
+use crate::channel::Channel;
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::{BuildError, ResponseError};
 use crate::estimates::torsional_travel_time;
 use crate::pulse::RaisedCosine;
-use crate::response::{BendingResponses, TorsionResponses};
+use crate::responses::{ChannelResponses, Responses};
 use crate::waves::inversion::time_response;
 use crate::waves::lateral::BendingNetwork;
 use crate::waves::network::TorsionNetwork;
@@ -36,14 +37,10 @@ const TIMES: usize = 128;
 /// site, from the surface and from every torque.
 ///
 /// # Errors
-/// Where the sites are not the string's, or the responses not those of the sites.
-pub fn torsion_error(
-    string: &Drillstring,
-    sites: &Sites,
-    responses: &TorsionResponses,
-) -> Result<f64, BuildError> {
-    responses.check()?;
-    check_sites(sites, &responses.sites)?;
+/// Where the responses are not the string's, or not in torsion.
+pub fn torsion_error(string: &Drillstring, responses: &Responses) -> Result<f64, BuildError> {
+    let torsion = channel_of(string, responses, Channel::Torsion)?;
+    let sites = &responses.sites;
     let travel = torsional_travel_time(string);
     let times = Times::new(TRAVELS * travel, responses.sampling_frequency);
     let rise = (RISE * travel).max(3.0 * times.step);
@@ -54,11 +51,11 @@ pub fn torsion_error(
     let mut worst = 0.0f64;
     for site in 0..sites.len() {
         let exact = times.exact(|s| network.admittance(s).from_surface[site] * of_input(s));
-        worst = worst.max(times.error(&responses.from_surface[site], input, &exact));
-        for (index, &torque) in responses.torque_inputs.iter().enumerate() {
+        worst = worst.max(times.error(&torsion.from_surface[site], input, &exact));
+        for (index, &torque) in torsion.loads.iter().enumerate() {
             let exact =
                 times.exact(|s| network.admittance(s).from_torque[(site, torque)] * of_input(s));
-            worst = worst.max(times.error(&responses.from_torque[site][index], input, &exact));
+            worst = worst.max(times.error(&torsion.from_loads[site][index], input, &exact));
         }
     }
     Ok(worst)
@@ -68,17 +65,16 @@ pub fn torsion_error(
 /// relative to the largest exact one, at each site from each.
 ///
 /// # Errors
-/// Where the sites are not the string's, or the responses not those of the sites.
+/// Where the responses are not the string's, or not in bending.
 pub fn bending_error(
     string: &Drillstring,
     bending: &Bending,
     support: SurfaceSupport,
-    sites: &Sites,
     duration: f64,
-    responses: &BendingResponses,
+    responses: &Responses,
 ) -> Result<f64, BuildError> {
-    responses.check()?;
-    check_sites(sites, &responses.sites)?;
+    let found = channel_of(string, responses, Channel::Bending)?;
+    let sites = &responses.sites;
     if !(duration.is_finite() && duration > 0.0) {
         return Err(BuildError::Parameter {
             name: "duration",
@@ -94,18 +90,23 @@ pub fn bending_error(
     let errors = pairs
         .map(|(site, force)| {
             let exact = times.exact(|s| network.receptance(s)[(site, force)] * pulse.transform(s));
-            times.error(&responses.from_force[site][force], input, &exact)
+            times.error(&found.from_loads[site][force], input, &exact)
         })
         .fold(0.0, f64::max);
     Ok(errors)
 }
 
-fn check_sites(sites: &Sites, found: &Sites) -> Result<(), BuildError> {
-    if sites == found {
-        Ok(())
-    } else {
-        Err(ResponseError::Shape.into())
+/// The responses of a channel, if they are those of this string.
+fn channel_of<'a>(
+    string: &Drillstring,
+    responses: &'a Responses,
+    channel: Channel,
+) -> Result<&'a ChannelResponses, ResponseError> {
+    responses.check()?;
+    if responses.string != string.id() {
+        return Err(ResponseError::OtherString);
     }
+    (responses.channel(channel)).ok_or(ResponseError::NoChannel { channel })
 }
 
 /// Times at which motions are compared: samples of the taps, evenly spread.

@@ -2,12 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::rules::{AGREEING_CYCLES, Rules};
 use crate::laws::bit::BitMotion;
-use crate::settling::SETTLING_TOLERANCE;
-
-/// Recaptures that make stick-slip: near the limit one may be the echo of the
-/// first slip and a second its consequence; a third repeats.
-pub const REPEATED: usize = 3;
 
 /// How the bit turned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -76,12 +72,10 @@ struct Cycle {
     travel: f64,
 }
 
-/// Cycles that have to agree for stick-slip to be settled.
-const AGREEING_CYCLES: usize = 3;
-
 /// Watches the bit step by step.
 #[derive(Debug, Clone)]
 pub(crate) struct BitWatch {
+    rules: Rules,
     steps: usize,
     /// Steps: the closing window is no shorter than a cycle.
     longest_cycle: usize,
@@ -90,7 +84,7 @@ pub(crate) struct BitWatch {
     since_slip: Vec<f64>,
     last_cycle: Vec<f64>,
     recaptured_at: usize,
-    step_length: f64,
+    sampling_frequency: f64,
     closing_from: usize,
     step: usize,
     motion: BitMotion,
@@ -105,17 +99,23 @@ pub(crate) struct BitWatch {
 }
 
 impl BitWatch {
-    pub(crate) fn new(step_length: f64, steps: usize, closing_window: f64) -> Self {
+    pub(crate) fn new(
+        rules: Rules,
+        sampling_frequency: f64,
+        steps: usize,
+        closing_window: f64,
+    ) -> Self {
         // What is asked of more steps than there are is asked of all.
-        let window = ((closing_window / step_length).round() as usize).min(steps);
+        let window = ((closing_window * sampling_frequency).round() as usize).min(steps);
         Self {
+            rules,
             steps,
             longest_cycle: window + 1,
             cycles: Default::default(),
             since_slip: Vec::new(),
             last_cycle: Vec::new(),
             recaptured_at: 0,
-            step_length,
+            sampling_frequency,
             closing_from: steps.saturating_sub(window.max(1)),
             step: 0,
             motion: BitMotion::Stuck,
@@ -193,13 +193,14 @@ impl BitWatch {
         let [first, second, last] = self.cycles;
         let is_whole = self.last_cycle.len() == last.period;
         let has_just_slipped = self.since_slip.len() == 1;
-        if !is_whole || !has_just_slipped || first.period == 0 || self.sticks < REPEATED {
+        if !is_whole || !has_just_slipped || first.period == 0 || self.sticks < self.rules.repeated
+        {
             return false;
         }
         let cycles_left = (self.steps - self.step) as f64 / last.period as f64;
         let steady = |one: f64, other: f64, rounding: f64| {
             let change = ((one - other).abs() - rounding).max(0.0);
-            change * cycles_left.max(1.0) <= SETTLING_TOLERANCE * other
+            change * cycles_left.max(1.0) <= self.rules.settling_tolerance * other
         };
         [(first, second), (second, last)]
             .iter()
@@ -243,7 +244,8 @@ impl BitWatch {
     }
 
     /// The rest of the time without a stop, at speeds of which the last stays.
-    pub(crate) fn turn_on(&mut self, motion: BitMotion, speeds: &[f64]) {
+    pub(crate) fn turn_on(&mut self, speeds: &[f64]) {
+        let motion = self.motion;
         for &speed in speeds.iter().take(self.steps - self.step) {
             self.see(motion, speed);
         }
@@ -257,11 +259,11 @@ impl BitWatch {
         let lately = self
             .last_recaptured
             .is_some_and(|step| step >= self.closing_from);
-        lately && self.sticks >= REPEATED
+        lately && self.sticks >= self.rules.repeated
     }
 
     pub(crate) fn measures(&self) -> TorsionMeasures {
-        let time = |steps: usize| steps as f64 * self.step_length;
+        let time = |steps: usize| steps as f64 / self.sampling_frequency;
         let regime = match self.first_slip {
             None => TorsionRegime::Stuck,
             Some(_) if self.is_sustained() => TorsionRegime::StickSlip,

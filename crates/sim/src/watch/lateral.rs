@@ -3,11 +3,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::lateral::touches;
-use crate::laws::wall::{Contact, Touch};
-
-/// The part of the closing window that a whirling site spends in contact.
-const MOSTLY: f64 = 0.5;
+use super::rules::Rules;
+use crate::laws::contact::{Contact, Touch};
 
 /// How the string moved laterally.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -122,7 +119,7 @@ impl SiteSums {
     /// One more step, from a position; the largest radius so far, m.
     pub(crate) fn see(&mut self, contact: &Contact, before: [f64; 2], largest_radius: f64) {
         let [x, y] = contact.position;
-        self.contact += usize::from(touches(contact));
+        self.contact += usize::from(contact.touches());
         self.rolling += usize::from(contact.touch == Touch::Rolling);
         self.angle += turned(before, contact.position, largest_radius);
         self.radius += (x * x + y * y).sqrt();
@@ -133,7 +130,8 @@ impl SiteSums {
 /// Watches all sites step by step.
 #[derive(Debug, Clone)]
 pub(crate) struct WallWatch {
-    step_length: f64,
+    rules: Rules,
+    sampling_frequency: f64,
     closing_from: usize,
     step: usize,
     first_contact: Option<usize>,
@@ -145,10 +143,17 @@ pub(crate) struct WallWatch {
 }
 
 impl WallWatch {
-    pub(crate) fn new(sites: usize, step_length: f64, steps: usize, closing_window: f64) -> Self {
-        let window = (closing_window / step_length).round() as usize;
+    pub(crate) fn new(
+        rules: Rules,
+        sites: usize,
+        sampling_frequency: f64,
+        steps: usize,
+        closing_window: f64,
+    ) -> Self {
+        let window = (closing_window * sampling_frequency).round() as usize;
         Self {
-            step_length,
+            rules,
+            sampling_frequency,
             closing_from: steps.saturating_sub(window.max(1)),
             step: 0,
             first_contact: None,
@@ -163,7 +168,7 @@ impl WallWatch {
         for (site, contact) in contacts.iter().enumerate() {
             self.see_site(site, contact);
             self.ambiguous += usize::from(contact.ambiguous);
-            if touches(contact) {
+            if contact.touches() {
                 self.first_contact.get_or_insert(self.step);
             }
         }
@@ -216,7 +221,7 @@ impl WallWatch {
         let in_contact = (sums.contact as f64).max(1.0);
         let regime = match self.first_contact {
             None => LateralRegime::NoContact,
-            Some(_) if contact_fraction <= MOSTLY || sums.angle == 0.0 => {
+            Some(_) if contact_fraction <= self.rules.mostly || sums.angle == 0.0 => {
                 LateralRegime::TransientContact
             }
             Some(_) if sums.angle < 0.0 => LateralRegime::BackwardWhirl,
@@ -227,11 +232,11 @@ impl WallWatch {
             site,
             first_contact: self
                 .first_contact
-                .map(|step| step as f64 * self.step_length),
+                .map(|step| step as f64 / self.sampling_frequency),
             peak_radius: self.furthest[site].sqrt(),
             contact_fraction,
             rolling_fraction: sums.rolling as f64 / in_contact,
-            precession_rate: sums.angle / (steps * self.step_length),
+            precession_rate: sums.angle * self.sampling_frequency / steps,
             mean_radius: sums.radius / steps,
             mean_normal_force: sums.normal_force / in_contact,
             ambiguous_steps: self.ambiguous,

@@ -1,5 +1,6 @@
 //! What a turning bit is going to do if it never stops: the torque is then known,
-//! and one convolution gives every speed to come.
+//! and one convolution gives every speed to come. It holds where nothing but that torque
+//! acts on the string: if all these speeds are in its direction, it never stops.
 
 use std::sync::Arc;
 
@@ -9,7 +10,7 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 /// The response of a bit to its own torque, ready for one convolution with as much
 /// of the past as it remembers.
 #[derive(Clone)]
-pub(crate) struct Future {
+pub(crate) struct LookAhead {
     memory: usize,
     spectrum: Vec<Complex<f64>>,
     /// Response to a torque of one that lasts.
@@ -18,15 +19,15 @@ pub(crate) struct Future {
     inverse: Arc<dyn ComplexToReal<f64>>,
 }
 
-impl std::fmt::Debug for Future {
+impl std::fmt::Debug for LookAhead {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Future")
+        f.debug_struct("LookAhead")
             .field("memory", &self.memory)
             .finish_non_exhaustive()
     }
 }
 
-impl Future {
+impl LookAhead {
     pub(crate) fn new(taps: &[f64]) -> Self {
         let memory = taps.len();
         // What wraps round the transform falls into the past.
@@ -93,19 +94,19 @@ impl Future {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::history::Kernel;
+    use crate::convolution::Kernel;
 
     #[test]
     fn the_future_is_what_stepping_gives() {
         let taps: Vec<f64> = (0..301)
             .map(|n| ((n * n) % 17) as f64 / 17.0 - 0.4)
             .collect();
-        let future = Future::new(&taps);
+        let ahead = LookAhead::new(&taps);
         let kernel = Kernel::new(&taps);
         for known in [1usize, 150, 301, 900] {
             let mut torques: Vec<f64> = (0..known).map(|n| ((n * 7) % 23) as f64).collect();
             let past = torques[known.saturating_sub(301)..].iter().copied();
-            let found = future.speeds(past, -2.5);
+            let found = ahead.speeds(past, -2.5);
             assert_eq!(found.len(), 301);
             for found in found {
                 let expected = kernel.past_sum(&torques) + kernel.instant() * -2.5;

@@ -4,7 +4,8 @@ use linear::Drillstring;
 use linear::estimates::{stick_slip_times, torsional_stiffness, torsional_travel_time};
 
 use crate::laws::bit::BitTorque;
-use crate::regime::REPEATED;
+use crate::scene::Timing;
+use crate::watch::rules::Rules;
 
 /// Slips last one round trip where the first reflection recaptures the bit;
 /// twice that leaves room for recapture by the second.
@@ -14,17 +15,8 @@ const SLIP_ALLOWANCE: f64 = 2.0;
 /// swings to without loss, so that sticking lasts at most twice τ₃.
 const STICK_ALLOWANCE: f64 = 2.0;
 
-/// How long to simulate, and over which part at the end a regime must show.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Timing {
-    /// Time simulated, s.
-    pub duration: f64,
-    /// The closing window, s: no shorter than a cycle of stick-slip.
-    pub closing_window: f64,
-}
-
 /// The timing by which a case from rest has slipped, has been recaptured
-/// [`REPEATED`] times if it ever is that often, and has left the transient of
+/// [`Rules::repeated`] times if it ever is that often, and has left the transient of
 /// its start behind (Eqs. 72–73).
 ///
 /// The string winds up for τ₁, behind the surface by the travel time of a wave
@@ -38,7 +30,7 @@ pub fn torsion_timing(string: &Drillstring, surface_speed: f64, bit: &BitTorque)
     let first_slip = torsional_travel_time(string) + damping_lag + times.first_slip;
     let cycle = SLIP_ALLOWANCE * times.slip + STICK_ALLOWANCE * times.stick;
     Timing {
-        duration: first_slip + REPEATED as f64 * cycle,
+        duration: first_slip + Rules::USUAL.repeated as f64 * cycle,
         closing_window: cycle,
     }
 }

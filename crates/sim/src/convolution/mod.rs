@@ -8,4 +8,4 @@ pub mod partition;
 pub mod partitioned;
 
 pub use direct::Kernel;
-pub use partitioned::{History, Kernels};
+pub use partitioned::{Convolution, Kernels};

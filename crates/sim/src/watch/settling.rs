@@ -1,60 +1,9 @@
-//! When a simulation may end before its time: when the rest is certain, or when
-//! whirl has settled.
+//! Whether whirl has settled, so that a simulation may end before its time.
 
-use crate::laws::wall::{Contact, Wall};
-use crate::whirl::{LateralMeasures, SiteSums, WallWatch};
-
-/// What a simulation may leave out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stopping {
-    /// Nothing: every step to the end of the time.
-    Full,
-    /// What is certain is not stepped, and settled motion ends it.
-    Early,
-    /// As [`Stopping::Early`], but settled motion is followed to the end, to see
-    /// whether it was settled.
-    Checked,
-}
-
-/// Why a simulation ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ended {
-    /// At the end of its time.
-    End,
-    /// The rest was known: out of contact the string is linear, and its future
-    /// reaches no wall.
-    Certain,
-    /// Nothing changed any more, to [`SETTLING_TOLERANCE`].
-    Settled,
-}
-
-impl Ended {
-    /// The word in result files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Ended::End => "end",
-            Ended::Certain => "certain",
-            Ended::Settled => "settled",
-        }
-    }
-}
-
-/// Whirl has settled if radius, rate and force, going on to change as they did
-/// lately, change by no more than this until the end of the time: the radius in
-/// parts of the clearance, the others of themselves.
-pub const SETTLING_TOLERANCE: f64 = 1e-2;
-
-/// Means are taken over this time, s.
-const WINDOW: f64 = 0.25;
-
-/// Means that have to agree, one after the other.
-const AGREEING_WINDOWS: usize = 4;
-
-/// A rolling site that settles keeps this far from sliding.
-const ROLLING_MARGIN: f64 = 0.98;
-
-/// A free site that settles keeps this far from the wall.
-const FREE_MARGIN: f64 = 0.95;
+use super::lateral::{LateralMeasures, SiteSums, WallWatch};
+use super::rules::Rules;
+use crate::laws::contact::Contact;
+use crate::laws::wall::Wall;
 
 /// One site over one window.
 #[derive(Debug, Clone, Copy, Default)]
@@ -68,6 +17,7 @@ struct Window {
 /// Watches whether whirl settles.
 #[derive(Debug, Clone)]
 pub(crate) struct Settling {
+    rules: Rules,
     window: usize,
     step: usize,
     steps: usize,
@@ -79,10 +29,11 @@ pub(crate) struct Settling {
 }
 
 impl Settling {
-    pub(crate) fn new(sites: usize, step_length: f64, steps: usize) -> Self {
+    pub(crate) fn new(rules: Rules, sites: usize, sampling_frequency: f64, steps: usize) -> Self {
         let empty = || vec![Window::default(); sites];
         Self {
-            window: ((WINDOW / step_length).round() as usize).max(1),
+            window: ((rules.window * sampling_frequency).round() as usize).max(1),
+            rules,
             step: 0,
             steps,
             now: empty(),
@@ -122,7 +73,7 @@ impl Settling {
             && (self.before.iter().zip(&self.last).zip(walls))
                 .all(|((before, last), wall)| self.agree(before, last, wall));
         self.agreeing = if agrees { self.agreeing + 1 } else { 0 };
-        self.agreeing >= AGREEING_WINDOWS
+        self.agreeing >= self.rules.agreeing_windows
     }
 
     /// Whether a site is either always or never in contact, far enough from
@@ -130,19 +81,20 @@ impl Settling {
     fn agree(&self, before: &Window, last: &Window, wall: &Wall) -> bool {
         let windows_left = (self.steps - self.step) as f64 / self.window as f64;
         let steady = |before: f64, last: f64, scale: f64| {
-            (last - before).abs() * windows_left.max(1.0) <= SETTLING_TOLERANCE * scale.abs()
+            (last - before).abs() * windows_left.max(1.0)
+                <= self.rules.settling_tolerance * scale.abs()
         };
         let (one, other) = (&before.sums, &last.sums);
         let clearances = wall.clearance * self.window as f64;
         let steady_radius = steady(one.radius, other.radius, clearances);
         if other.contact == 0 {
-            let is_far = last.largest_radius < FREE_MARGIN * wall.clearance;
+            let is_far = last.largest_radius < self.rules.free_margin * wall.clearance;
             return one.contact == 0 && steady_radius && is_far;
         }
         let all = |count: usize| count == self.window;
         let keeps_rolling = all(one.rolling)
             && all(other.rolling)
-            && last.largest_ratio < ROLLING_MARGIN * wall.friction;
+            && last.largest_ratio < self.rules.rolling_margin * wall.friction;
         let keeps_sliding = one.rolling == 0 && other.rolling == 0;
         (keeps_rolling || keeps_sliding)
             && all(one.contact)

@@ -1,0 +1,202 @@
+//! Lateral responses by any method: displacements per force, as long as the
+//! simulation.
+
+use faer::c64;
+use rayon::prelude::*;
+
+use super::channels::ChannelResponses;
+use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
+use super::request::Request;
+use crate::channel::Channel;
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::elements::newmark::Weights;
+use crate::elements::reduction::CondensedBeam;
+use crate::error::BuildError;
+use crate::filters::quadrature::Formula;
+use crate::filters::{direct, hilbert, quadrature};
+use crate::method::{FiniteElement, Method, Transform};
+use crate::passivity::Ending;
+use crate::waves::lateral::BendingNetwork;
+
+/// What lateral responses are built from.
+struct Lateral<'a> {
+    string: &'a Drillstring,
+    method: &'a Method,
+    request: &'a Request,
+    bending: &'a Bending,
+    support: SurfaceSupport,
+}
+
+/// Builds the lateral responses of a string by one method.
+pub(super) fn responses(
+    string: &Drillstring,
+    method: &Method,
+    request: &Request,
+    bending: &Bending,
+    support: SurfaceSupport,
+) -> Result<ChannelResponses, BuildError> {
+    let needed = needed_taps(request.longest_time, request.sampling_frequency);
+    if needed > MOST_TAPS as f64 {
+        return Err(too_many(needed));
+    }
+    let lateral = Lateral {
+        string,
+        method,
+        request,
+        bending,
+        support,
+    };
+    let taps = lateral.taps(needed as usize)?;
+    all_finite(&taps, method)?;
+    let (sites, mut taps) = (request.sites.len(), taps.into_iter());
+    Ok(ChannelResponses {
+        channel: Channel::Bending,
+        loads: (0..sites).collect(),
+        from_surface: Vec::new(),
+        from_loads: (0..sites)
+            .map(|_| taps.by_ref().take(sites).collect())
+            .collect(),
+        ending: Ending::Cut,
+    })
+}
+
+impl Lateral<'_> {
+    /// Responses of each site from each force, so many taps long.
+    fn taps(&self, needed: usize) -> Result<Vec<Vec<f64>>, BuildError> {
+        let (bending, support, request) = (self.bending, self.support, self.request);
+        let network = BendingNetwork::new(self.string, *bending, support, &request.sites)?;
+        let sampling_frequency = request.sampling_frequency;
+        let count = request.sites.len().pow(2);
+        let displacement =
+            |s: c64, responses: &mut [c64]| fill(&network, s, c64::new(1.0, 0.0), responses);
+        let by_formula = |formula: Formula| {
+            quadrature::taps(formula, sampling_frequency, needed, count, &displacement)
+        };
+        let velocity = |s: c64, responses: &mut [c64]| {
+            if s.norm() == 0.0 {
+                self.fill_rigid(responses);
+            } else {
+                fill(&network, s, s, responses);
+            }
+        };
+        Ok(match self.method {
+            Method::Quadrature => by_formula(Formula::BackwardDifferences),
+            Method::Trapezoidal => by_formula(Formula::Trapezoidal),
+            Method::FiniteElement(parameters) => self.element_taps(parameters, needed)?,
+            Method::Hilbert(transform) => {
+                let length = self.transform_length(transform)?;
+                let filter = hilbert::taps(sampling_frequency, length, count, &velocity);
+                integrate(filter, needed, sampling_frequency)
+            }
+            Method::DirectIdft(transform) => {
+                let length = self.transform_length(transform)?;
+                let filter = direct::taps(sampling_frequency, length, count, &velocity);
+                integrate(filter, needed, sampling_frequency)
+            }
+        })
+    }
+
+    /// Length of the transform behind a filter.
+    fn transform_length(&self, transform: &Transform) -> Result<usize, BuildError> {
+        if self.bending.damping <= 0.0 {
+            return Err(BuildError::NeedsDamping {
+                method: self.method.name(),
+            });
+        }
+        let samples = transform_samples(transform, self.request);
+        transform_length(samples, self.request.sampling_frequency)
+    }
+
+    /// Writes the velocity responses at zero frequency, where the string moves as
+    /// a rigid rod against its dashpots: translation and rotation where the surface
+    /// is free, rotation alone where it is pinned, nothing where it is clamped.
+    fn fill_rigid(&self, responses: &mut [c64]) {
+        let length = self.string.length();
+        let depths: Vec<f64> = (self.request.sites.distances_from_bit().iter())
+            .map(|distance| (length - distance) / length)
+            .collect();
+        let sites = depths.len();
+        for (index, value) in responses.iter_mut().enumerate() {
+            let (a, b) = (depths[index / sites], depths[index % sites]);
+            let shape = match self.support {
+                SurfaceSupport::Free => 1.0 + 12.0 * (a - 0.5) * (b - 0.5),
+                SurfaceSupport::Pinned => 3.0 * a * b,
+                SurfaceSupport::Clamped => 0.0,
+            };
+            *value = c64::new(shape / (self.bending.damping * length), 0.0);
+        }
+    }
+
+    fn element_taps(
+        &self,
+        parameters: &FiniteElement,
+        needed: usize,
+    ) -> Result<Vec<Vec<f64>>, BuildError> {
+        let request = self.request;
+        let beam = CondensedBeam::new(
+            self.string,
+            self.bending,
+            self.support,
+            &request.sites,
+            parameters.elements_per_cell,
+            Weights::new(parameters, request.sampling_frequency)?,
+        )?;
+        let sites = request.sites.len();
+        let mut by_input: Vec<Vec<Vec<f64>>> = (0..sites)
+            .into_par_iter()
+            .map(|input| unit_run(&beam, input, sites, needed))
+            .collect();
+        let pairs = (0..sites).flat_map(|output| (0..sites).map(move |input| (input, output)));
+        Ok(pairs
+            .map(|(input, output)| std::mem::take(&mut by_input[input][output]))
+            .collect())
+    }
+}
+
+/// The transform behind a filter is twice as long as the simulation.
+pub(crate) fn transform_samples(transform: &Transform, request: &Request) -> f64 {
+    let needed = needed_taps(request.longest_time, request.sampling_frequency);
+    samples_of(transform, 2.0 * needed, request.sampling_frequency)
+}
+
+/// Writes `factor` times the receptances between all sites.
+fn fill(network: &BendingNetwork, s: c64, factor: c64, responses: &mut [c64]) {
+    let receptance = network.receptance(s);
+    let sites = receptance.nrows();
+    for (index, value) in responses.iter_mut().enumerate() {
+        *value = factor * receptance[(index / sites, index % sites)];
+    }
+}
+
+/// Displacement taps as running sums of velocity taps over f_s (end of Section
+/// 2.4); past the last velocity tap the displacement stays.
+fn integrate(velocity: Vec<Vec<f64>>, needed: usize, sampling_frequency: f64) -> Vec<Vec<f64>> {
+    velocity
+        .into_iter()
+        .map(|taps| {
+            let mut sum = 0.0;
+            (0..needed)
+                .map(|index| {
+                    sum += taps.get(index).copied().unwrap_or(0.0);
+                    sum / sampling_frequency
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// Displacements of all sites after a unit force in the first step.
+fn unit_run(beam: &CondensedBeam, input: usize, sites: usize, needed: usize) -> Vec<Vec<f64>> {
+    let mut motion = beam.rest();
+    let mut displacements = vec![Vec::with_capacity(needed); sites];
+    for step in 0..needed {
+        beam.step_free(&mut motion);
+        if step == 0 {
+            beam.apply_force(&mut motion, input, 1.0);
+        }
+        for (site, displacements) in displacements.iter_mut().enumerate() {
+            displacements.push(beam.displacement(&motion, site));
+        }
+    }
+    displacements
+}

@@ -1,0 +1,101 @@
+//! Torsional responses as long as they last: until they have decayed, or to the end of
+//! the simulation.
+
+use super::length::{MOST_TAPS, needed_taps, too_many};
+use super::request::Request;
+use crate::drillstring::Drillstring;
+use crate::error::BuildError;
+use crate::estimates::{torsional_decay_rate, torsional_travel_time};
+use crate::passivity::Ending;
+
+/// Taps after which a response sums, in magnitude, to less than this fraction
+/// of the whole are cut off: what they would add to a speed is as small.
+/// Rounding in the phase of thousands of radians along the string leaves a
+/// floor a few times lower.
+const NEGLIGIBLE_TAIL: f64 = 1e-8;
+
+/// A tail counts as decayed only if this last part of what was computed is
+/// negligible too, so that a quiet moment is not taken for the end.
+const QUIET_PART: f64 = 0.25;
+
+/// A first guess of the length, in round trips, where damping says nothing.
+const FIRST_ROUND_TRIPS: f64 = 16.0;
+
+/// Builds responses of growing length until they have decayed or are as long
+/// as the simulation; but never so short that the string has not rung down,
+/// for the positive-real margin of a response cut off means nothing.
+pub(super) fn until_decayed(
+    string: &Drillstring,
+    request: &Request,
+    mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
+) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
+    let needed = needed_taps(request.longest_time, request.sampling_frequency);
+    let mut length = first_length(string, request.sampling_frequency)?;
+    loop {
+        let mut taps = build(length);
+        if cut_decayed_tail(&mut taps) {
+            return Ok((taps, Ending::Whole));
+        }
+        if length as f64 >= needed {
+            return Ok((taps, Ending::Cut));
+        }
+        if length == MOST_TAPS {
+            return Err(too_many(needed));
+        }
+        length = (2 * length).min(MOST_TAPS);
+    }
+}
+
+/// Cuts all responses where the last of them has decayed. Returns whether they
+/// have.
+fn cut_decayed_tail(responses: &mut [Vec<f64>]) -> bool {
+    let length = responses.iter().map(Vec::len).max().unwrap_or(0);
+    let end = responses
+        .iter()
+        .map(|taps| decayed_length(taps))
+        .max()
+        .unwrap_or(0);
+    let decayed = (end as f64) <= (1.0 - QUIET_PART) * length as f64;
+    if decayed {
+        for taps in responses {
+            taps.truncate(end.max(1));
+            taps.shrink_to_fit();
+        }
+    }
+    decayed
+}
+
+/// The number of taps before the negligible tail.
+fn decayed_length(taps: &[f64]) -> usize {
+    let total: f64 = taps.iter().map(|tap| tap.abs()).sum();
+    let mut tail = 0.0;
+    taps.iter()
+        .rposition(|tap| {
+            tail += tap.abs();
+            tail > NEGLIGIBLE_TAIL * total
+        })
+        .map_or(0, |last| last + 1)
+}
+
+/// A guess of the taps a response lasts, from the decay rate of the whole
+/// string; a power of two for the transforms.
+///
+/// # Errors
+/// Where it lasts no finite time.
+pub(crate) fn first_length(
+    string: &Drillstring,
+    sampling_frequency: f64,
+) -> Result<usize, BuildError> {
+    let decay_time = -NEGLIGIBLE_TAIL.ln() / torsional_decay_rate(string) / (1.0 - QUIET_PART);
+    let default_time = FIRST_ROUND_TRIPS * 2.0 * torsional_travel_time(string);
+    let time = if decay_time.is_finite() {
+        decay_time.max(2.0 * torsional_travel_time(string))
+    } else {
+        default_time
+    };
+    let taps = (time * sampling_frequency).ceil();
+    if !taps.is_finite() {
+        return Err(too_many(taps));
+    }
+    Ok((taps.min(MOST_TAPS as f64) as usize).next_power_of_two())
+}

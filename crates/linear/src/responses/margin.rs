@@ -1,0 +1,92 @@
+//! The positive-real margins of responses (see [`crate::passivity`]): whether a site
+//! that sticks, or leans on a wall, stays stable.
+
+use super::channels::{ChannelResponses, Responses};
+use crate::error::BuildError;
+use crate::method::Method;
+use crate::passivity::{Ending, positive_real_margin};
+
+impl Responses {
+    /// Positive-real margin of the driving points in torsion; `None` where no torque
+    /// acts.
+    ///
+    /// # Errors
+    /// Where these are not the responses of a string.
+    pub fn torsion_margin(&self) -> Result<Option<f64>, BuildError> {
+        self.check()?;
+        let Some(torsion) = self.torsion().filter(|torsion| !torsion.loads.is_empty()) else {
+            return Ok(None);
+        };
+        let points = torsion.driving_points();
+        let taps = |output: usize, input: usize| points[output][input];
+        positive_real_margin(torsion.loads.len(), torsion.ending, taps).map(Some)
+    }
+
+    /// Positive-real margin of the velocities at the sites in bending, as the method
+    /// differentiates in time; `None` where there is no bending.
+    ///
+    /// # Errors
+    /// Where these are not the responses of a string.
+    pub fn bending_margin(&self) -> Result<Option<f64>, BuildError> {
+        self.check()?;
+        let Some(velocities) = self.velocities() else {
+            return Ok(None);
+        };
+        let ending = match self.method {
+            // A filter is no longer than it is.
+            Method::Hilbert(_) | Method::DirectIdft(_) => Ending::Whole,
+            _ => ending_of(&velocities),
+        };
+        margin_of(&velocities, ending).map(Some)
+    }
+
+    /// The margin of the differences of positions in bending from step to step, times
+    /// f_s: what a wall meets that takes them for velocities, as the sliding speed of
+    /// Eq. 70 does. By `hilbert` that is the method's own derivative; by
+    /// `quadrature` it stays positive; Newmark's scheme has a velocity of its own,
+    /// a part of a step ahead, and this margin may be below zero where
+    /// [`Self::bending_margin`] is not.
+    ///
+    /// # Errors
+    /// Where these are not the responses of a string.
+    pub fn margin_of_differences(&self) -> Result<Option<f64>, BuildError> {
+        self.check()?;
+        let differences = |taps: &[f64]| -> Vec<f64> {
+            let before = std::iter::once(&0.0).chain(taps);
+            let pairs = taps.iter().zip(before);
+            pairs.map(|(now, before)| now - before).collect()
+        };
+        let velocities = self.bending().map(|bending| each(bending, differences));
+        velocities
+            .map(|velocities| margin_of(&velocities, ending_of(&velocities)))
+            .transpose()
+    }
+
+    /// Taps from the forces at the sites to their velocities, as the method
+    /// differentiates in time; `[site][load]`, m/s per N.
+    pub fn velocities(&self) -> Option<Vec<Vec<Vec<f64>>>> {
+        let derivative = self.method.derivative();
+        let bending = self.bending()?;
+        Some(each(bending, |taps| derivative.of(taps)))
+    }
+}
+
+/// Every response to a load, changed.
+fn each(channel: &ChannelResponses, change: impl Fn(&[f64]) -> Vec<f64>) -> Vec<Vec<Vec<f64>>> {
+    let of_site = |loads: &Vec<Vec<f64>>| loads.iter().map(|taps| change(taps)).collect();
+    channel.from_loads.iter().map(of_site).collect()
+}
+
+/// How velocities at sites end, `[site][input]`.
+fn ending_of(velocities: &[Vec<Vec<f64>>]) -> Ending {
+    let instant = (velocities.iter().enumerate()).map(|(site, inputs)| inputs[site][0]);
+    let responses = velocities.iter().flatten().map(Vec::as_slice);
+    Ending::of(responses, instant.fold(0.0, f64::max))
+}
+
+/// The positive-real margin of velocities at sites, `[site][input]`.
+fn margin_of(velocities: &[Vec<Vec<f64>>], ending: Ending) -> Result<f64, BuildError> {
+    positive_real_margin(velocities.len(), ending, |output, input| {
+        &velocities[output][input]
+    })
+}

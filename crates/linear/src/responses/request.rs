@@ -1,0 +1,69 @@
+//! What responses are wanted for: where, in which channels, from which loads.
+
+use super::length::{check_sampling, check_time};
+use crate::channel::Channel;
+use crate::drillstring::{Bending, Drillstring, Sites, SurfaceSupport};
+use crate::error::BuildError;
+
+/// What is wanted of one channel.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ChannelRequest {
+    /// Speeds of all sites, from the surface and from torques.
+    Torsion {
+        /// The sites, by number, that a torque acts on. Only these become inputs.
+        torques: Vec<usize>,
+    },
+    /// Displacements of all sites, from a force at each.
+    Bending {
+        /// Bending constants of the string.
+        bending: Bending,
+        /// How the surface holds the string.
+        support: SurfaceSupport,
+    },
+}
+
+/// What responses are wanted for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// Where the string is looked at, and loads may act.
+    pub sites: Sites,
+    /// The channels, each once.
+    pub channels: Vec<ChannelRequest>,
+    /// Sampling frequency f_s, Hz.
+    pub sampling_frequency: f64,
+    /// The longest time simulated, s. Longer responses are not computed.
+    pub longest_time: f64,
+}
+
+impl ChannelRequest {
+    /// Which channel it is of.
+    pub fn channel(&self) -> Channel {
+        match self {
+            ChannelRequest::Torsion { .. } => Channel::Torsion,
+            ChannelRequest::Bending { .. } => Channel::Bending,
+        }
+    }
+}
+
+impl Request {
+    /// Checks what does not depend on the method.
+    pub(crate) fn check(&self, string: &Drillstring) -> Result<(), BuildError> {
+        self.sites.check(string)?;
+        check_sampling(self.sampling_frequency)?;
+        check_time(self.longest_time)?;
+        for (index, request) in self.channels.iter().enumerate() {
+            let channel = request.channel();
+            let mut before = self.channels[..index].iter();
+            if before.any(|other| other.channel() == channel) {
+                return Err(BuildError::ChannelTwice { channel });
+            }
+            let sites = self.sites.len();
+            if let ChannelRequest::Torsion { torques } = request
+                && let Some(&site) = torques.iter().find(|&&site| site >= sites)
+            {
+                return Err(BuildError::NoSuchSite { site, sites });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,213 @@
+//! Torsional responses by any method (Sections 2.4 and 3).
+
+use faer::c64;
+use rayon::prelude::*;
+
+use super::channels::ChannelResponses;
+use super::decay::{first_length, until_decayed};
+use super::length::{all_finite, samples_of, transform_length};
+use super::request::Request;
+use crate::channel::Channel;
+use crate::drillstring::Drillstring;
+use crate::elements::newmark::Weights;
+use crate::elements::reduction::{CondensedString, StringState};
+use crate::error::BuildError;
+use crate::estimates::torsional_settling_time;
+use crate::filters::quadrature::Formula;
+use crate::filters::{direct, hilbert, quadrature};
+use crate::method::{FiniteElement, Method, Transform};
+use crate::passivity::Ending;
+use crate::waves::network::TorsionNetwork;
+
+/// A digital filter lasts at least so many time constants of what seeps along the
+/// string: its static stiffness is then right to a part in a thousand.
+const SEEPING_TIMES: f64 = 8.0;
+
+/// What torsional responses are built from.
+struct Torsion<'a> {
+    string: &'a Drillstring,
+    method: &'a Method,
+    request: &'a Request,
+    /// The sites that torques act on.
+    torques: &'a [usize],
+}
+
+/// Builds the torsional responses of a string by one method.
+pub(super) fn responses(
+    string: &Drillstring,
+    method: &Method,
+    request: &Request,
+    torques: &[usize],
+) -> Result<ChannelResponses, BuildError> {
+    let torsion = Torsion {
+        string,
+        method,
+        request,
+        torques,
+    };
+    let (taps, ending) = torsion.taps()?;
+    all_finite(&taps, method)?;
+    Ok(torsion.by_site(taps, ending))
+}
+
+impl Torsion<'_> {
+    /// Responses of all sites from the surface, then of all sites from each torque.
+    fn taps(&self) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
+        match self.method {
+            Method::Quadrature => self.quadrature_taps(Formula::BackwardDifferences),
+            Method::Trapezoidal => self.quadrature_taps(Formula::Trapezoidal),
+            Method::Hilbert(transform) => {
+                let length = self.transform_length(transform)?;
+                let (frequency, response) =
+                    (self.request.sampling_frequency, self.wave_response()?);
+                let taps = hilbert::taps(frequency, length, self.count(), &response);
+                Ok((taps, Ending::Whole))
+            }
+            Method::DirectIdft(transform) => {
+                let length = self.transform_length(transform)?;
+                let (frequency, response) =
+                    (self.request.sampling_frequency, self.wave_response()?);
+                let taps = direct::taps(frequency, length, self.count(), &response);
+                Ok((taps, Ending::Whole))
+            }
+            Method::FiniteElement(parameters) => self.element_taps(parameters),
+        }
+    }
+
+    fn quadrature_taps(&self, formula: Formula) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
+        let response = self.wave_response()?;
+        until_decayed(self.string, self.request, |length| {
+            quadrature::taps(
+                formula,
+                self.request.sampling_frequency,
+                length,
+                self.count(),
+                &response,
+            )
+        })
+    }
+
+    /// Length of the transform behind a filter.
+    fn transform_length(&self, transform: &Transform) -> Result<usize, BuildError> {
+        if self.string.torsional_damping() <= 0.0 {
+            return Err(BuildError::NeedsDamping {
+                method: self.method.name(),
+            });
+        }
+        let sampling_frequency = self.request.sampling_frequency;
+        let samples = transform_samples(self.string, transform, sampling_frequency);
+        transform_length(samples, sampling_frequency)
+    }
+
+    /// Exact frequency responses.
+    fn wave_response(&self) -> Result<impl Fn(c64, &mut [c64]) + Sync + '_, BuildError> {
+        let sites = self.request.sites.len();
+        let network = TorsionNetwork::new(self.string, &self.request.sites)?;
+        Ok(move |s: c64, responses: &mut [c64]| {
+            let admittance = network.admittance(s);
+            responses[..sites].copy_from_slice(&admittance.from_surface);
+            let from_torques = (0..sites).flat_map(|site| {
+                let admittance = &admittance.from_torque;
+                (self.torques.iter()).map(move |&input| admittance[(site, input)])
+            });
+            for (response, value) in responses[sites..].iter_mut().zip(from_torques) {
+                *response = value;
+            }
+        })
+    }
+
+    fn element_taps(
+        &self,
+        parameters: &FiniteElement,
+    ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
+        let weights = Weights::new(parameters, self.request.sampling_frequency)?;
+        let sites = &self.request.sites;
+        let condensed =
+            CondensedString::new(self.string, sites, parameters.elements_per_cell, weights)?;
+        let inputs = std::iter::once(None).chain(self.torques.iter().copied().map(Some));
+        let mut runs: Vec<UnitRun> = inputs
+            .map(|input| UnitRun {
+                input,
+                state: condensed.rest(),
+                speeds: vec![Vec::new(); sites.len()],
+            })
+            .collect();
+        until_decayed(self.string, self.request, |length| {
+            runs.par_iter_mut()
+                .for_each(|run| run.extend(&condensed, length));
+            in_order_of_sites(&runs, sites.len())
+        })
+    }
+
+    /// Number of responses.
+    fn count(&self) -> usize {
+        self.request.sites.len() * (1 + self.torques.len())
+    }
+
+    /// From one list to responses by site and load.
+    fn by_site(&self, mut taps: Vec<Vec<f64>>, ending: Ending) -> ChannelResponses {
+        let (sites, torques) = (self.request.sites.len(), self.torques.len());
+        let mut from_torques = taps.split_off(sites).into_iter();
+        ChannelResponses {
+            channel: Channel::Torsion,
+            loads: self.torques.to_vec(),
+            from_surface: taps,
+            from_loads: (0..sites)
+                .map(|_| from_torques.by_ref().take(torques).collect())
+                .collect(),
+            ending,
+        }
+    }
+}
+
+/// The transform behind a filter is as long as the string's vibration lasts,
+/// however short the simulation: what it cuts off is folded back (Section 2.4).
+/// The taps have an algebraic tail, so that watching them decay would not tell
+/// when to stop.
+pub(crate) fn transform_samples(
+    string: &Drillstring,
+    transform: &Transform,
+    sampling_frequency: f64,
+) -> f64 {
+    let seeps = SEEPING_TIMES * torsional_settling_time(string) * sampling_frequency;
+    let first = first_length(string, sampling_frequency).map_or(f64::INFINITY, |taps| taps as f64);
+    samples_of(transform, 2.0 * seeps.max(first), sampling_frequency)
+}
+
+/// One unit input stepped in time, its effect at the sites written down.
+struct UnitRun {
+    /// `None`: the surface speed.
+    input: Option<usize>,
+    state: StringState,
+    speeds: Vec<Vec<f64>>,
+}
+
+impl UnitRun {
+    fn extend(&mut self, string: &CondensedString, length: usize) {
+        for step in self.speeds[0].len()..length {
+            let unit = if step == 0 { 1.0 } else { 0.0 };
+            match self.input {
+                None => string.step_free(&mut self.state, unit),
+                Some(input) => {
+                    string.step_free(&mut self.state, 0.0);
+                    if step == 0 {
+                        string.apply_torque(&mut self.state, input, unit);
+                    }
+                }
+            }
+            for (site, speeds) in self.speeds.iter_mut().enumerate() {
+                speeds.push(string.speed(&self.state, site));
+            }
+        }
+    }
+}
+
+fn in_order_of_sites(runs: &[UnitRun], sites: usize) -> Vec<Vec<f64>> {
+    let from_surface = runs[0].speeds.iter().cloned();
+    let from_torques = (0..sites).flat_map(|site| {
+        runs[1..]
+            .iter()
+            .map(move |run: &UnitRun| run.speeds[site].clone())
+    });
+    from_surface.chain(from_torques).collect()
+}

@@ -1,0 +1,164 @@
+//! Contact with a wall: what a step brings to a site, and what a law answers.
+
+use std::fmt::Debug;
+
+use thiserror::Error;
+
+use crate::ranges::SceneError;
+
+/// What one step brings to a site, before contact.
+#[derive(Debug, Clone, Copy)]
+pub struct Approach<'a> {
+    /// Displacement p_h without contact, m.
+    pub free_position: [f64; 2],
+    /// Position in the step before, m.
+    pub previous_position: [f64; 2],
+    /// h₀: displacement per force within the step, m/N.
+    pub compliance: f64,
+    /// How the site turns.
+    pub spin: Spin<'a>,
+    /// Sampling frequency, Hz.
+    pub sampling_frequency: f64,
+}
+
+/// How a site turns under the torque of friction within a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Spin<'a> {
+    /// Rotation speed without contact, rad/s.
+    pub free_speed: f64,
+    /// g₀: rotation speed per torque within the step, rad/s per N m.
+    pub compliance: f64,
+    /// What else resists, where the site is the bit and cuts: both laws then hold in
+    /// one step (Eq. 36).
+    pub resistance: Option<Resistance<'a>>,
+}
+
+/// A torque law at a site, as a wall there meets it.
+#[derive(Clone, Copy)]
+pub struct Resistance<'a> {
+    /// From the speed, rad/s, that the site would have without the law to that with it.
+    pub speed: &'a dyn Fn(f64) -> f64,
+    /// What the speed may jump by, rad/s, for there it takes no value between.
+    pub jump: f64,
+}
+
+impl Debug for Resistance<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Resistance")
+            .field("jump", &self.jump)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Spin<'_> {
+    /// Rotation speed (rad/s) under a torque of friction (N m).
+    #[inline]
+    pub fn under(&self, torque: f64) -> f64 {
+        let speed = self.free_speed + self.compliance * torque;
+        match &self.resistance {
+            None => speed,
+            Some(resistance) => (resistance.speed)(speed),
+        }
+    }
+}
+
+/// A law of the wall at a site.
+pub trait WallLaw {
+    /// How far the string's centre may be from the middle without contact, m.
+    fn clearance(&self) -> f64;
+
+    /// Radius R₀ of the string there, which friction turns, m.
+    fn radius(&self) -> f64;
+
+    /// Solves one step at one site.
+    ///
+    /// # Errors
+    /// Where there is no answer in finite numbers.
+    fn meet(&self, approach: &Approach) -> Result<Contact, ContactError>;
+
+    /// Whether its numbers are such that it can be.
+    ///
+    /// # Errors
+    /// Which is not.
+    fn check(&self) -> Result<(), SceneError> {
+        Ok(())
+    }
+}
+
+/// How the surfaces meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Touch {
+    /// Not at all.
+    Free,
+    /// Sliding.
+    Sliding,
+    /// Rolling without sliding.
+    Rolling,
+}
+
+/// The answer of the wall in one step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// How the surfaces meet.
+    pub touch: Touch,
+    /// Position of the string's centre, m.
+    pub position: [f64; 2],
+    /// Force of the wall on the string, N.
+    pub force: [f64; 2],
+    /// Normal force F_N ≥ 0, N.
+    pub normal_force: f64,
+    /// Friction over normal force, α, positive along e_θ.
+    pub friction_ratio: f64,
+    /// Torque of friction on the string, N m.
+    pub torque: f64,
+    /// Whether other friction ratios would have solved the step too.
+    pub ambiguous: bool,
+}
+
+impl Contact {
+    /// At rest in the middle.
+    pub const NONE: Contact = Contact {
+        touch: Touch::Free,
+        position: [0.0; 2],
+        force: [0.0; 2],
+        normal_force: 0.0,
+        friction_ratio: 0.0,
+        torque: 0.0,
+        ambiguous: false,
+    };
+}
+
+impl Contact {
+    /// Whether it touches the wall.
+    pub fn touches(&self) -> bool {
+        self.touch != Touch::Free
+    }
+
+    /// A site at a position that does not reach the wall.
+    ///
+    /// # Errors
+    /// Where the position is none.
+    pub fn free(position: [f64; 2]) -> Result<Self, ContactError> {
+        let [x, y] = position;
+        if x * x + y * y == f64::INFINITY {
+            return Err(ContactError::NotFinite);
+        }
+        Ok(Self {
+            position,
+            ..Self::NONE
+        })
+    }
+}
+
+/// A step in contact without an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum ContactError {
+    /// Where the string would be, or how fast it would turn, is no number, or one
+    /// whose square is none.
+    #[error("the motion is not finite")]
+    NotFinite,
+    /// What was found does not obey the laws of contact to rounding: the wall or
+    /// the responses are not what those of a string can be.
+    #[error("no force of the wall solves the step")]
+    Unsolved,
+}

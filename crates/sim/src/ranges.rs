@@ -1,0 +1,80 @@
+//! What numbers a scene may have.
+
+use thiserror::Error;
+
+/// A scene that cannot be.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum SceneError {
+    /// A number is out of its range.
+    #[error("the {quantity} is {value}, but must be {expected}")]
+    OutOfRange {
+        /// What the number says, with its unit.
+        quantity: &'static str,
+        /// The value found.
+        value: f64,
+        /// What it may be.
+        expected: &'static str,
+    },
+    /// The bit holds less torque than turns it.
+    #[error(
+        "the bit holds {torque_static} N m at most, less than the {torque_dynamic} N m \
+         against it when it turns"
+    )]
+    Torques {
+        /// T_s, N m.
+        torque_static: f64,
+        /// T_d, N m.
+        torque_dynamic: f64,
+    },
+    /// Something acts at a site that there is not.
+    #[error("{what} acts at site {site}, but the {sites} sites are counted from 0")]
+    NoSuchSite {
+        /// What acts there.
+        what: &'static str,
+        /// The site named.
+        site: usize,
+        /// How many sites there are.
+        sites: usize,
+    },
+}
+
+const FINITE: &str = "a finite number";
+const POSITIVE: &str = "a positive finite number";
+const NOT_NEGATIVE: &str = "zero or a positive finite number";
+
+pub(crate) fn known_site(what: &'static str, site: usize, sites: usize) -> Result<(), SceneError> {
+    if site < sites {
+        Ok(())
+    } else {
+        Err(SceneError::NoSuchSite { what, site, sites })
+    }
+}
+
+pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<(), SceneError> {
+    in_range(quantity, value, f64::MIN..=f64::MAX, FINITE)
+}
+
+pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<(), SceneError> {
+    in_range(quantity, value, f64::from_bits(1)..=f64::MAX, POSITIVE)
+}
+
+pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<(), SceneError> {
+    in_range(quantity, value, 0.0..=f64::MAX, NOT_NEGATIVE)
+}
+
+fn in_range(
+    quantity: &'static str,
+    value: f64,
+    range: std::ops::RangeInclusive<f64>,
+    expected: &'static str,
+) -> Result<(), SceneError> {
+    if range.contains(&value) {
+        Ok(())
+    } else {
+        Err(SceneError::OutOfRange {
+            quantity,
+            value,
+            expected,
+        })
+    }
+}

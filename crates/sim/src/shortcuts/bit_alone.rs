@@ -1,0 +1,87 @@
+//! A string on which nothing acts but the torque on its bit: the motion until the first
+//! slip, and that of a bit that never stops, need no stepping.
+
+use linear::Responses;
+
+use super::look_ahead::LookAhead;
+use super::stuck_torque::StuckTorque;
+use crate::error::SimulationError;
+use crate::laws::bit::BitTorque;
+use crate::scene::Scene;
+use crate::stepper::Stepper;
+use crate::system::System;
+use crate::watch::rules::Rules;
+use crate::watch::torsion::BitWatch;
+
+/// What is known of such a string once for all cases.
+#[derive(Debug, Clone)]
+pub(crate) struct BitAlone {
+    stuck_torque: StuckTorque,
+    look_ahead: LookAhead,
+    site: usize,
+}
+
+impl BitAlone {
+    /// Of responses that let nothing act but a torque on the bit.
+    pub(crate) fn of(system: &System, responses: &Responses) -> Option<Self> {
+        let bit = system.bit_load()?;
+        if system.from_forces.is_some() || system.loaded.len() > 1 {
+            return None;
+        }
+        let surface = |step: usize| system.surface_response(bit.site, step);
+        let steps = system.steps_of(responses.longest_time);
+        Some(Self {
+            stuck_torque: StuckTorque::new(&system.from_torques, surface, steps),
+            look_ahead: LookAhead::new(responses.at_bit()?),
+            site: bit.site,
+        })
+    }
+
+    /// The torque that holds the bit fast, N m per rad/s of surface speed.
+    pub(crate) fn stuck_torque(&self) -> &[f64] {
+        self.stuck_torque.torques()
+    }
+
+    /// A scene from its first slip on.
+    pub(crate) fn stepper<'a>(
+        &'a self,
+        system: &'a System,
+        scene: &'a Scene,
+        law: &BitTorque,
+    ) -> Result<Stepper<'a>, SimulationError> {
+        let slip = (self.stuck_torque).first_slip(scene.surface_speed, law.torque_static);
+        Stepper::at_first_slip(system, scene, self.stuck_torque(), slip)
+    }
+
+    /// The speeds that the bit is going to have, if it never stops again; they are looked
+    /// for once after each slip, when it has been turning for as long as `rules` say.
+    pub(crate) fn turns_on(
+        &self,
+        system: &System,
+        stepper: &Stepper,
+        watch: &BitWatch,
+        rules: &Rules,
+    ) -> Option<Vec<f64>> {
+        let (step, memory) = (stepper.next_step(), self.look_ahead.memory());
+        // A look ahead costs about as much as stepping half of what it sees.
+        let is_time = watch.turning_for() == rules.turning_for * memory / 100
+            && stepper.steps() - (step - 1) > memory / 2;
+        // The surface, too, has settled by then.
+        if !is_time || step + memory <= system.surface_settles(self.site) {
+            return None;
+        }
+        let (now, speed) = (stepper.bit_step()?, stepper.surface_speed());
+        let held = |step: usize| speed * self.stuck_torque()[step];
+        let slip = step - stepper.torques(0).len();
+        let first = step.saturating_sub(memory);
+        let before = (first..slip.max(first)).map(held);
+        let since = slip.max(first)..step;
+        let torques = since.map(|n| stepper.torques(0)[n - slip] + held(n));
+        let mut speeds = self.look_ahead.speeds(before.chain(torques), now.torque);
+        for (ahead, value) in speeds.iter_mut().enumerate() {
+            *value += speed * system.surface_response(self.site, step + ahead);
+        }
+        let keeps_on = |next: &f64| next.is_finite() && next * now.speed > 0.0;
+        speeds.iter().all(keeps_on).then_some(speeds)
+    }
+}

@@ -1,0 +1,63 @@
+//! Blocks of steps in which nothing disturbs the sites and none reaches its wall: out of
+//! contact the string is linear, and what the past makes of a block is known before it
+//! is stepped. Where a bit cuts there are none, for it acts in every step.
+
+use crate::convolution::partition::FIRST_BLOCK;
+use crate::laws::contact::WallLaw;
+use crate::scene::{Lateral, Scene};
+use crate::stepper::Stepper;
+use crate::system::System;
+use crate::watch::lateral::WallWatch;
+
+/// Passes a whole block, or what is left of the time, in which nothing disturbs the sites
+/// and none reaches its wall: its motion is the one that stepping would give. Returns
+/// how many steps that were.
+pub(crate) fn pass_free_block(
+    system: &System,
+    scene: &Scene,
+    stepper: &mut Stepper,
+    watch: &mut WallWatch,
+) -> usize {
+    let step = stepper.next_step();
+    let count = FIRST_BLOCK.min(stepper.steps() - step);
+    let Some(lateral) = scene.lateral.as_ref().filter(|_| scene.bit.is_none()) else {
+        return 0;
+    };
+    if count == 0
+        || !is_quiet(
+            lateral,
+            system.time_of(step),
+            system.time_of(step + FIRST_BLOCK),
+        )
+    {
+        return 0;
+    }
+    let Some(motion) = stepper.free_block() else {
+        return 0;
+    };
+    let (x, y) = motion.split_at(motion.len() / 2);
+    let clearances = lateral.walls.iter().map(WallLaw::clearance);
+    let blocks = x.chunks_exact(FIRST_BLOCK).zip(y.chunks_exact(FIRST_BLOCK));
+    let is_free = blocks.zip(clearances).all(|((x, y), clearance)| {
+        // Counted, for the largest of some numbers ignores what is none.
+        let radii = (x.iter().zip(y)).map(|(x, y)| x * x + y * y);
+        let within = radii.filter(|square| *square <= clearance * clearance);
+        within.count() == FIRST_BLOCK
+    });
+    if !is_free {
+        return 0;
+    }
+    watch.see_free_block(x, y, FIRST_BLOCK, count);
+    let last = |site: usize| (site + 1) * FIRST_BLOCK - 1;
+    let positions: Vec<[f64; 2]> = (0..lateral.walls.len())
+        .map(|site| [x[last(site)], y[last(site)]])
+        .collect();
+    stepper.pass_block(count, &positions);
+    count
+}
+
+/// Whether nothing disturbs the sites from one time to before another, s.
+fn is_quiet(lateral: &Lateral, from: f64, to: f64) -> bool {
+    let mut impulses = lateral.impulses.iter();
+    lateral.eccentric_masses.is_empty() && impulses.all(|impulse| impulse.is_quiet(from, to))
+}

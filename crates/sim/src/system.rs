@@ -1,0 +1,150 @@
+//! The linear part as all cases share it: responses ready to step against.
+
+use linear::{ChannelResponses, ResponseError, Responses};
+
+use crate::convolution::{Kernel, Kernels};
+use crate::error::SimulationError;
+use crate::ranges::not_negative;
+
+/// The linear part as all cases share it. What does not depend on the case is computed
+/// here once.
+#[derive(Debug, Clone)]
+pub struct System {
+    pub(crate) sites: usize,
+    /// The site that is the bit, where one is.
+    bit_site: Option<usize>,
+    pub(crate) sampling_frequency: f64,
+    /// The longest case, s.
+    longest_time: f64,
+    /// Response of each site to a surface that starts to turn at 1 rad/s.
+    surface_steps: Vec<Vec<f64>>,
+    /// The sites that a torque may act on.
+    pub(crate) loaded: Vec<usize>,
+    /// From torques to speeds, between loaded sites.
+    pub(crate) from_torques: Kernels,
+    /// From a torque at the bit to the speeds of the sites that bear none, which are only
+    /// looked at.
+    to_others: Vec<(usize, Kernel)>,
+    /// From forces to displacements, between all sites, where bending is modelled.
+    pub(crate) from_forces: Option<Kernels>,
+}
+
+impl System {
+    /// Prepares responses for cases as long as they were built for.
+    ///
+    /// # Errors
+    /// Where they are not those of a string, there are none in torsion, or those in
+    /// bending are of sites where no torque may act.
+    pub fn new(responses: &Responses) -> Result<Self, SimulationError> {
+        responses.check()?;
+        not_negative("longest time in s", responses.longest_time)?;
+        let channel = linear::Channel::Torsion;
+        let torsion = (responses.torsion()).ok_or(ResponseError::NoChannel { channel })?;
+        let sites = responses.sites.len();
+        let loaded = torsion.loads.clone();
+        let bending = responses.bending();
+        if let Some(bending) = bending
+            && !(bending.loads.iter().copied().eq(0..sites) && loaded == bending.loads)
+        {
+            return Err(SimulationError::UnlikeChannels);
+        }
+        Ok(Self {
+            sites,
+            bit_site: responses.sites.bit_site(),
+            sampling_frequency: responses.sampling_frequency,
+            longest_time: responses.longest_time,
+            surface_steps: (torsion.from_surface.iter())
+                .map(|taps| running_sum(taps))
+                .collect(),
+            from_torques: Kernels::new(&torsion.driving_points()),
+            to_others: to_others(torsion, responses.sites.bit_site()),
+            from_forces: bending.map(|bending| Kernels::new(&bending.from_loads)),
+            loaded,
+        })
+    }
+
+    /// Speeds of all sites, rad/s, in so many steps: what a surface that turns at
+    /// `surface_speed` (rad/s) from the first of them on makes of them and, but for sites
+    /// that bear torques themselves, the torques on the bit (N m, positive with the
+    /// rotation). Sites that are only looked at follow from these: whoever has simulated
+    /// a bit without them has their motion here.
+    pub fn driven_speeds(
+        &self,
+        surface_speed: f64,
+        bit_torque: &[f64],
+        steps: usize,
+    ) -> Vec<Vec<f64>> {
+        let of_surface = |site: usize| -> Vec<f64> {
+            let responses = (0..steps).map(|step| self.surface_response(site, step));
+            responses.map(|response| surface_speed * response).collect()
+        };
+        let mut speeds: Vec<Vec<f64>> = (0..self.sites).map(of_surface).collect();
+        for (site, kernel) in &self.to_others {
+            for (step, (speed, torque)) in speeds[*site].iter_mut().zip(bit_torque).enumerate() {
+                *speed += kernel.past_sum(&bit_torque[..step]) + kernel.instant() * torque;
+            }
+        }
+        speeds
+    }
+
+    /// Where the bit is, and which of the loads acts there; `None` where none does.
+    pub(crate) fn bit_load(&self) -> Option<BitLoad> {
+        let site = self.bit_site?;
+        let load = self.loaded.iter().position(|&loaded| loaded == site)?;
+        Some(BitLoad { site, load })
+    }
+
+    /// Speed of a site in a step, per unit surface speed, no torque acting.
+    pub(crate) fn surface_response(&self, site: usize, step: usize) -> f64 {
+        // It does not change after its last.
+        let response = &self.surface_steps[site];
+        response[step.min(response.len() - 1)]
+    }
+
+    /// Steps until the response to the surface has settled.
+    pub(crate) fn surface_settles(&self, site: usize) -> usize {
+        self.surface_steps[site].len()
+    }
+
+    /// Steps of a case, that at its start included.
+    pub(crate) fn steps_of(&self, duration: f64) -> usize {
+        (duration * self.sampling_frequency).ceil() as usize + 1
+    }
+
+    /// Time of a step, s.
+    pub(crate) fn time_of(&self, step: usize) -> f64 {
+        step as f64 / self.sampling_frequency
+    }
+
+    /// Refuses a case that lasts longer than this is prepared for.
+    pub(crate) fn lasts_for(&self, duration: f64) -> Result<(), SimulationError> {
+        let prepared = self.longest_time;
+        if duration <= prepared {
+            Ok(())
+        } else {
+            Err(SimulationError::LongerThanPrepared { duration, prepared })
+        }
+    }
+}
+
+/// The bit among the sites, and among the loads.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BitLoad {
+    pub(crate) site: usize,
+    pub(crate) load: usize,
+}
+
+fn to_others(torsion: &ChannelResponses, bit_site: Option<usize>) -> Vec<(usize, Kernel)> {
+    let others = (0..torsion.from_loads.len()).filter(|site| !torsion.loads.contains(site));
+    let kernel = |site| Some((site, Kernel::new(torsion.taps_between(bit_site?, site)?)));
+    others.filter_map(kernel).collect()
+}
+
+fn running_sum(taps: &[f64]) -> Vec<f64> {
+    taps.iter()
+        .scan(0.0, |sum, tap| {
+            *sum += tap;
+            Some(*sum)
+        })
+        .collect()
+}

@@ -1,0 +1,43 @@
+//! When motion counts as a regime, and when a simulation may end before its time.
+
+/// Cycles of stick-slip that have to agree for it to be settled.
+pub(crate) const AGREEING_CYCLES: usize = 3;
+
+/// Every tolerance of regimes and of ending early.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rules {
+    /// Recaptures that make stick-slip: near the limit one may be the echo of the
+    /// first slip and a second its consequence; a third repeats.
+    pub repeated: usize,
+    /// The part of the closing window that a whirling site spends in contact.
+    pub mostly: f64,
+    /// A bit that turns for this part of what it remembers, in per cent, may turn for
+    /// ever: a wave has come and gone several times.
+    pub turning_for: usize,
+    /// Motion has settled if its measures, going on to change as they did lately, change
+    /// by no more than this until the end of the time: the radius in parts of the
+    /// clearance, the others of themselves.
+    pub settling_tolerance: f64,
+    /// Means of whirl are taken over this time, s.
+    pub window: f64,
+    /// Means that have to agree, one after the other.
+    pub agreeing_windows: usize,
+    /// A rolling site that settles uses no more than this part of its friction.
+    pub rolling_margin: f64,
+    /// A free site that settles keeps within this part of its clearance.
+    pub free_margin: f64,
+}
+
+impl Rules {
+    /// Those that the regimes of this program are told by.
+    pub const USUAL: Rules = Rules {
+        repeated: 3,
+        mostly: 0.5,
+        turning_for: 10,
+        settling_tolerance: 1e-2,
+        window: 0.25,
+        agreeing_windows: 4,
+        rolling_margin: 0.98,
+        free_margin: 0.95,
+    };
+}
