@@ -12,10 +12,10 @@ use linear::passivity::STABLE_MARGIN;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::transfer::tip_receptance;
 use linear::{
-    Bending, BendingRequest, Drillstring, Method, Section, Sites, SurfaceSupport, TorsionResponses,
-    bending_responses, torsion_responses,
+    Bending, ChannelRequest, Drillstring, Method, Request, Responses, Section, Sites,
+    SurfaceSupport,
 };
-use sim::System;
+use sim::Simulator;
 use sim::diagnosis::{Sticking, sticking};
 use sim::oscillator::worst_load_gain;
 
@@ -28,13 +28,9 @@ const BENDING: Bending = Bending {
 /// As long as Fig. 8(b), s.
 const HELD_FOR: f64 = 40.0;
 
-fn responses(method: &Method) -> TorsionResponses {
-    torsion_responses(
-        &academic::string(),
-        method,
-        &academic::bit_request(HELD_FOR),
-    )
-    .unwrap()
+fn responses(method: &Method) -> Responses {
+    let request = academic::bit_request(HELD_FOR);
+    linear::responses(&academic::string(), method, &request).unwrap()
 }
 
 fn elements(gamma: f64) -> Method {
@@ -50,24 +46,24 @@ fn hilbert(seconds: f64) -> Method {
     })
 }
 
-/// What holding the bit shows, the margin that foretells it, and what a load tuned to
+/// What holding the bit shows, the margin that predicts it, and what a load tuned to
 /// its place gains.
 fn held(method: &Method) -> (Sticking, f64, f64) {
     let responses = responses(method);
-    let system = System::new(&responses, HELD_FOR).unwrap();
+    let simulator = Simulator::new(&responses).unwrap();
     let found = sticking(
-        system.held_torque().unwrap(),
+        simulator.stuck_torque().unwrap(),
         academic::SAMPLING_FREQUENCY,
         torsional_stiffness(&academic::string()),
-        responses.from_torque[0][0][0],
+        responses.at_bit().unwrap()[0],
     );
-    let margin = responses.margin().unwrap().unwrap();
-    let gain = worst_load_gain(&responses.driving_points()).unwrap();
+    let margin = responses.torsion_margin().unwrap().unwrap();
+    let gain = worst_load_gain(&responses.torsion().unwrap().driving_points()).unwrap();
     (found, margin, gain)
 }
 
 #[track_caller]
-fn assert_fails_as_foretold(method: &Method) -> Sticking {
+fn assert_fails_as_predicted(method: &Method) -> Sticking {
     let (found, margin, gain) = held(method);
     assert!(margin < STABLE_MARGIN, "{margin}");
     assert!(gain > -STABLE_MARGIN, "{gain}");
@@ -85,47 +81,52 @@ fn assert_holds(method: &Method) {
 
 #[test]
 fn the_plain_inverse_transform_diverges_while_the_bit_sticks() {
-    let found = assert_fails_as_foretold(&Method::DirectIdft(Transform::default()));
+    let found = assert_fails_as_predicted(&Method::DirectIdft(Transform::default()));
     assert!(found.chatter > 1.0 && found.growth > 1e6, "{found:?}");
 }
 
 #[test]
 fn a_short_digital_filter_drifts_and_a_longer_one_does_not() {
-    let found = assert_fails_as_foretold(&hilbert(3.0));
+    let found = assert_fails_as_predicted(&hilbert(3.0));
     assert!(found.drift > 0.2, "{found:?}");
-    let found = assert_fails_as_foretold(&hilbert(4.0));
+    let found = assert_fails_as_predicted(&hilbert(4.0));
     assert!(found.drift.abs() > 0.05, "{found:?}");
     assert_holds(&hilbert(20.0));
 }
 
 #[test]
 fn newmark_without_numerical_damping_chatters_and_with_a_little_does_not() {
-    let found = assert_fails_as_foretold(&elements(0.5));
+    let found = assert_fails_as_predicted(&elements(0.5));
     assert!(found.chatter > 1e-4, "{found:?}");
     assert_holds(&elements(0.52));
 }
 
 #[test]
 fn the_trapezoidal_rule_chatters_and_backward_differences_do_not() {
-    let found = assert_fails_as_foretold(&Method::Trapezoidal);
+    let found = assert_fails_as_predicted(&Method::Trapezoidal);
     assert!(found.chatter > 1e-4, "{found:?}");
     assert_holds(&Method::Quadrature);
 }
 
 /// The displacement at the bit 9 s after an impulse, m per N s.
 fn displacement_left(method: &Method) -> f64 {
-    let request = BendingRequest {
-        sites: Sites::bit(),
+    let in_bending = ChannelRequest::Bending {
+        bending: BENDING,
         support: SurfaceSupport::Free,
+    };
+    let request = Request {
+        sites: Sites::bit(),
+        channels: vec![in_bending],
         sampling_frequency: academic::SAMPLING_FREQUENCY,
         longest_time: 9.0,
     };
-    let found = bending_responses(&academic::string(), &BENDING, method, &request).unwrap();
-    assert!(found.margin(method).unwrap() > STABLE_MARGIN);
-    found.from_force[0][0].last().unwrap() * academic::SAMPLING_FREQUENCY
+    let found = linear::responses(&academic::string(), method, &request).unwrap();
+    assert!(found.bending_margin().unwrap().unwrap() > STABLE_MARGIN);
+    let taps = found.bending().unwrap().taps_between(0, 0).unwrap();
+    taps.last().unwrap() * academic::SAMPLING_FREQUENCY
 }
 
-/// Passive all the same: no margin foretells it.
+/// Passive all the same: no margin predicts it.
 #[test]
 fn a_digital_filter_in_bending_loses_the_tail_and_a_longer_one_loses_less() {
     let truly = displacement_left(&Method::Quadrature);
@@ -163,18 +164,18 @@ fn the_digital_filter_of_a_very_long_string_lasts_until_torque_has_seeped_along(
     };
     let damping = academic.torsional_damping();
     let string = Drillstring::new(academic.material(), vec![pipe], damping).unwrap();
-    let request = linear::TorsionRequest {
+    let request = Request {
         sampling_frequency: 40.0,
         ..academic::bit_request(400.0)
     };
     let method = Method::Hilbert(Transform::default());
-    let responses = torsion_responses(&string, &method, &request).unwrap();
-    let system = System::new(&responses, 400.0).unwrap();
+    let responses = linear::responses(&string, &method, &request).unwrap();
+    let simulator = Simulator::new(&responses).unwrap();
     let found = sticking(
-        system.held_torque().unwrap(),
+        simulator.stuck_torque().unwrap(),
         40.0,
         torsional_stiffness(&string),
-        responses.from_torque[0][0][0],
+        responses.at_bit().unwrap()[0],
     );
     assert!(found.drift.abs() < 0.01, "{found:?}");
 }

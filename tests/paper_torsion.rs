@@ -11,10 +11,10 @@ use linear::estimates::{
 };
 use linear::method::{FiniteElement, Transform};
 use linear::passivity::STABLE_MARGIN;
-use linear::{Method, TorsionResponses, torsion_responses};
+use linear::{Method, Responses};
 use sim::{
-    BitTorque, Rock, Scene, Stopping, System, Timing, TorsionMeasures, TorsionRegime, Trajectory,
-    torsion_timing,
+    BitTorque, Rock, Scene, Simulator, Stopping, Timing, TorsionMeasures, TorsionRegime,
+    Trajectory, torsion_timing,
 };
 
 const RPM: f64 = std::f64::consts::TAU / 60.0;
@@ -38,13 +38,17 @@ fn elements(gamma: f64) -> Method {
     })
 }
 
-fn responses(method: &Method) -> TorsionResponses {
-    torsion_responses(
-        &academic::string(),
-        method,
-        &academic::bit_request(BUILT_FOR),
-    )
-    .unwrap()
+fn responses(method: &Method) -> Responses {
+    let request = academic::bit_request(BUILT_FOR);
+    linear::responses(&academic::string(), method, &request).unwrap()
+}
+
+fn simulator(method: &Method) -> Simulator {
+    let responses = Responses {
+        longest_time: LONGEST,
+        ..responses(method)
+    };
+    Simulator::new(&responses).unwrap()
 }
 
 fn bit(torque_dynamic: f64) -> BitTorque {
@@ -54,7 +58,12 @@ fn bit(torque_dynamic: f64) -> BitTorque {
     }
 }
 
-fn simulate(system: &System, rpm: f64, torque: f64, duration: Option<f64>) -> TorsionMeasures {
+fn simulate(
+    simulator: &Simulator,
+    rpm: f64,
+    torque: f64,
+    duration: Option<f64>,
+) -> TorsionMeasures {
     let bit = bit(torque);
     let mut timing = torsion_timing(&academic::string(), rpm * RPM, &bit);
     if let Some(duration) = duration {
@@ -66,7 +75,8 @@ fn simulate(system: &System, rpm: f64, torque: f64, duration: Option<f64>) -> To
         lateral: None,
         timing,
     };
-    sim::simulate(system, &scene, Stopping::Full, None)
+    simulator
+        .simulate(&scene, Stopping::Full, None)
         .unwrap()
         .torsion
         .unwrap()
@@ -92,7 +102,7 @@ fn stiffness_and_impedance_are_those_of_table_2() {
 #[test]
 fn figure_7a_arrives_peaks_and_settles() {
     let taps = responses(&QUADRATURE);
-    let speed: Vec<f64> = taps.from_surface[0]
+    let speed: Vec<f64> = taps.torsion().unwrap().from_surface[0]
         .iter()
         .scan(0.0, |sum, tap| {
             *sum += tap;
@@ -118,19 +128,14 @@ fn the_undershoot_of_every_method_is_as_checked_by_an_independent_program() {
         (elements(0.52), 2.86e-5),
     ] {
         let taps = responses(&method);
-        assert_close(largest_undershoot(&taps.from_torque[0][0]), expected, 0.01);
+        assert_close(largest_undershoot(taps.at_bit().unwrap()), expected, 0.01);
     }
 }
 
 #[test]
 fn figure_8a_slips_and_turns_smoothly() {
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
-        let found = simulate(
-            &System::new(&responses(&method), LONGEST).unwrap(),
-            0.2,
-            2000.0,
-            Some(10.0),
-        );
+        let found = simulate(&simulator(&method), 0.2, 2000.0, Some(10.0));
         assert_eq!(found.regime, TorsionRegime::Smooth, "{}", method.name());
         assert_close(found.first_slip.unwrap(), 3.59, 0.005);
         assert_eq!(found.sticks, 0);
@@ -140,33 +145,23 @@ fn figure_8a_slips_and_turns_smoothly() {
 #[test]
 fn figure_8b_sticks_and_slips() {
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
-        let found = simulate(
-            &System::new(&responses(&method), LONGEST).unwrap(),
-            0.1,
-            4000.0,
-            Some(40.0),
-        );
+        let found = simulate(&simulator(&method), 0.1, 4000.0, Some(40.0));
         assert_eq!(found.regime, TorsionRegime::StickSlip, "{}", method.name());
         assert_close(found.first_slip.unwrap(), 14.22, 0.005);
         assert_close(found.period.unwrap(), 3.778, 0.005);
         assert_close(found.slip_time.unwrap(), 0.763, 0.005);
         assert_eq!(found.sticks, 7);
     }
-    let found = simulate(
-        &System::new(&responses(&QUADRATURE), LONGEST).unwrap(),
-        0.1,
-        4000.0,
-        Some(40.0),
-    );
+    let found = simulate(&simulator(&QUADRATURE), 0.1, 4000.0, Some(40.0));
     assert_close(found.peak_speed, 0.0719, 0.005);
 }
 
 /// Ω/T_d (rpm per kN m) between stick-slip and smooth, by bisection.
-fn simulated_limit(system: &System) -> f64 {
+fn simulated_limit(simulator: &Simulator) -> f64 {
     let (mut low, mut high) = (0.05, 0.065);
     while high - low > 2e-5 {
         let middle = 0.5 * (low + high);
-        match simulate(system, 3.0 * middle, 3000.0, None).regime {
+        match simulate(simulator, 3.0 * middle, 3000.0, None).regime {
             TorsionRegime::StickSlip => low = middle,
             _ => high = middle,
         }
@@ -182,11 +177,11 @@ fn the_simulated_limit_lies_just_above_equation_74() {
         (elements(0.52), 0.0568, None),
     ] {
         let taps = responses(&method);
-        let found = simulated_limit(&System::new(&taps, LONGEST).unwrap());
+        let found = simulated_limit(&simulator(&method));
         assert_close(found, limit, 0.01);
         let torques = bit(1000.0);
         let by_equation = stick_slip_speed_limit(
-            largest_undershoot(&taps.from_torque[0][0]),
+            largest_undershoot(taps.at_bit().unwrap()),
             torques.torque_static,
             torques.torque_dynamic,
         ) / RPM;
@@ -205,7 +200,7 @@ fn the_simulated_limit_lies_just_above_equation_74() {
 /// motion and leave the label alone. By a power of two, to the last bit.
 #[test]
 fn scaling_speed_and_torque_together_changes_no_label() {
-    let system = System::new(&responses(&QUADRATURE), LONGEST).unwrap();
+    let simulator = simulator(&QUADRATURE);
     let timed = |rpm: f64, torque: f64, timing: Timing| {
         let scene = Scene {
             surface_speed: rpm * RPM,
@@ -213,7 +208,8 @@ fn scaling_speed_and_torque_together_changes_no_label() {
             lateral: None,
             timing,
         };
-        sim::simulate(&system, &scene, Stopping::Full, None)
+        simulator
+            .simulate(&scene, Stopping::Full, None)
             .unwrap()
             .torsion
             .unwrap()
@@ -242,7 +238,7 @@ fn scaling_speed_and_torque_together_changes_no_label() {
 fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
     let string = academic::string();
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
-        let system = System::new(&responses(&method), LONGEST).unwrap();
+        let simulator = simulator(&method);
         let scene = Scene {
             surface_speed: 0.1,
             bit: Some(bit(1e9)),
@@ -253,8 +249,9 @@ fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
             },
         };
         let mut trajectory = Trajectory::default();
-        let outcome =
-            sim::simulate(&system, &scene, Stopping::Full, Some(&mut trajectory)).unwrap();
+        let outcome = simulator
+            .simulate(&scene, Stopping::Full, Some(&mut trajectory))
+            .unwrap();
         assert_eq!(outcome.torsion.unwrap().regime, TorsionRegime::Stuck);
         let torque =
             |time: f64| trajectory.bit_torque[(time * academic::SAMPLING_FREQUENCY) as usize];
@@ -337,38 +334,28 @@ fn the_cases_of_figure_8_lie_on_either_side_of_figure_9() {
 }
 
 // What the paper warns of (Sections 2.4 and 5.2.1): each failure is seen, and
-// the margin foretells it.
+// the margin predicts it.
 
 #[test]
 fn the_plain_inverse_transform_chatters() {
     let taps = responses(&Method::DirectIdft(Transform::default()));
-    assert!(taps.margin().unwrap().unwrap() < -1.0);
-    let found = simulate(
-        &System::new(&taps, LONGEST).unwrap(),
-        0.1,
-        4000.0,
-        Some(40.0),
-    );
+    assert!(taps.torsion_margin().unwrap().unwrap() < -1.0);
+    let found = simulate(&Simulator::new(&taps).unwrap(), 0.1, 4000.0, Some(40.0));
     assert!(found.sticks > 100, "{found:?}");
 }
 
 #[test]
 fn a_digital_filter_cut_short_has_the_wrong_stiffness() {
     let taps = responses(&Method::Hilbert(Transform { seconds: Some(4.0) }));
-    assert!(taps.margin().unwrap().unwrap() < STABLE_MARGIN);
-    let found = simulate(
-        &System::new(&taps, LONGEST).unwrap(),
-        0.1,
-        4000.0,
-        Some(40.0),
-    );
+    assert!(taps.torsion_margin().unwrap().unwrap() < STABLE_MARGIN);
+    let found = simulate(&Simulator::new(&taps).unwrap(), 0.1, 4000.0, Some(40.0));
     assert!(found.first_slip.unwrap() > 1.03 * 14.22, "{found:?}");
 }
 
 /// Mean second difference of the torque over the first wind-up, when it should
 /// be a straight line but for waves that die away.
 fn roughness_while_stuck(method: &Method) -> f64 {
-    let system = System::new(&responses(method), BUILT_FOR).unwrap();
+    let simulator = Simulator::new(&responses(method)).unwrap();
     let scene = Scene {
         surface_speed: 0.1 * RPM,
         bit: Some(bit(4000.0)),
@@ -379,7 +366,9 @@ fn roughness_while_stuck(method: &Method) -> f64 {
         },
     };
     let mut trajectory = Trajectory::default();
-    sim::simulate(&system, &scene, Stopping::Full, Some(&mut trajectory)).unwrap();
+    simulator
+        .simulate(&scene, Stopping::Full, Some(&mut trajectory))
+        .unwrap();
     let late = &trajectory.bit_torque[trajectory.bit_torque.len() / 2..];
     late.windows(3)
         .map(|t| (t[0] - 2.0 * t[1] + t[2]).abs())
@@ -389,8 +378,14 @@ fn roughness_while_stuck(method: &Method) -> f64 {
 
 #[test]
 fn newmark_without_numerical_damping_chatters_while_the_bit_sticks() {
-    assert!(responses(&elements(0.5)).margin().unwrap().unwrap() < STABLE_MARGIN);
-    assert!(responses(&elements(0.52)).margin().unwrap().unwrap() > STABLE_MARGIN);
+    assert!(responses(&elements(0.5)).torsion_margin().unwrap().unwrap() < STABLE_MARGIN);
+    assert!(
+        responses(&elements(0.52))
+            .torsion_margin()
+            .unwrap()
+            .unwrap()
+            > STABLE_MARGIN
+    );
     let (chattering, damped) = (
         roughness_while_stuck(&elements(0.5)),
         roughness_while_stuck(&elements(0.52)),

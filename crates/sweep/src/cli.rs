@@ -77,7 +77,7 @@ pub enum Command {
         sweep tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
         The whole study takes five minutes on two cores; a part of it, seconds.")]
     Tradeoff(TradeoffArguments),
-    /// Chart where methods fail, and whether their margins foretell it
+    /// Chart where methods fail, and whether their margins predict it
     #[command(after_help = "Examples:\n  sweep stability\n  \
         sweep stability --family newmark --out /tmp/newmark")]
     Stability(StabilityArguments),

@@ -3,7 +3,7 @@
 
 use linear::Method;
 use linear::cost::Memory;
-use linear::exact::{bending_error, torsion_error};
+use linear::deviation::{bending_error, torsion_error};
 use linear::method::Transform;
 use rayon::prelude::*;
 use sim::{Outcome, Stopping};
@@ -322,26 +322,19 @@ impl<'a> Probes<'a> {
         };
         for system in systems {
             let setting = &system.setting;
-            let torsion = torsion_error(&setting.string, &setting.sites, &system.responses);
-            let bending = (setting.lateral.as_ref().zip(system.bending.as_ref())).map_or(
-                Ok(0.0),
-                |(lateral, responses)| {
-                    let durations = lateral.impulses.iter().map(|known| known.impulse.duration);
-                    let shortest = durations.fold(f64::INFINITY, f64::min);
-                    bending_error(
-                        &setting.string,
-                        &lateral.bending,
-                        lateral.support,
-                        &setting.sites,
-                        if shortest.is_finite() {
-                            shortest
-                        } else {
-                            DURATION
-                        },
-                        responses,
-                    )
-                },
-            );
+            let torsion = torsion_error(&setting.string, &system.responses);
+            let bending = setting.lateral.as_ref().map_or(Ok(0.0), |lateral| {
+                let durations = lateral.impulses.iter().map(|known| known.impulse.duration);
+                let shortest = durations.reduce(f64::min).unwrap_or(DURATION);
+                let (string, responses) = (&setting.string, &system.responses);
+                bending_error(
+                    string,
+                    &lateral.bending,
+                    lateral.support,
+                    shortest,
+                    responses,
+                )
+            });
             for (part, of) in [(torsion, "torsion"), (bending, "bending")] {
                 let part = part.map_err(|error| error.to_string())?;
                 if part > worst.part {

@@ -177,8 +177,8 @@ fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error>
             text,
             "  {}: {} ({:.2} s), built in {:.3} s",
             system.method.name(),
-            counted(system.responses.taps(), "tap"),
-            system.responses.taps() as f64 / system.responses.sampling_frequency,
+            counted(system.torsion_taps(), "tap"),
+            system.torsion_taps() as f64 / system.responses.sampling_frequency,
             system.build_seconds,
         )?;
         if let Some(taps) = system.driving_point() {
@@ -274,9 +274,9 @@ fn history_terms(sweep: &Sweep, survey: &Survey, system: &MethodSystem) -> f64 {
         let reach = steps.min(taps as f64);
         cases * reach * (steps - 0.5 * reach)
     };
-    let torsion = terms(system.responses.taps());
+    let torsion = terms(system.torsion_taps());
     let pairs = sweep.setting.sites.len().pow(2) as f64;
-    match &system.bending {
+    match system.responses.bending() {
         Some(bending) => pairs * (torsion + 2.0 * terms(bending.taps())),
         None if sweep.bit.is_some() => torsion,
         None => 0.0,
@@ -300,11 +300,8 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>
         x: axis("Time t (s)"),
         y: axis("Bit speed / surface speed"),
         series: series(&|system| {
-            Some(step_response(
-                system.responses.from_surface.last()?,
-                1.0,
-                sweep,
-            ))
+            let torsion = system.responses.torsion()?;
+            Some(step_response(torsion.from_surface.last()?, 1.0, sweep))
         }),
         references: Vec::new(),
     });
@@ -324,7 +321,7 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>
             x: axis("Time after the impulse t (s)"),
             y: axis(&format!("Displacement at {site} (10⁻⁵ m per N s)")),
             series: series(&|system| {
-                let taps = &system.bending.as_ref()?.from_force[bit][bit];
+                let taps = system.responses.bending()?.taps_between(bit, bit)?;
                 let samples = taps.iter().enumerate();
                 let per_impulse = 1e5 * sweep.setting.sampling_frequency;
                 Some(

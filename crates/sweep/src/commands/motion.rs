@@ -1,8 +1,7 @@
 //! The pictures of simulated cases: histories, orbits, the whole string.
 
 use anyhow::Result;
-use linear::BendingRequest;
-use linear::elements::reconstruction::reconstruct;
+use linear::elements::reconstruction::WholeString;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
@@ -58,23 +57,18 @@ pub fn along_string(
     lateral: &LateralSettings,
     simulations: &[Simulation],
 ) -> Result<Panels> {
-    let request = BendingRequest {
-        sites: sweep.setting.sites.clone(),
+    let whole = WholeString {
+        string: &sweep.setting.string,
+        bending: &lateral.bending,
         support: lateral.support,
+        sites: &sweep.setting.sites,
         sampling_frequency: sweep.setting.sampling_frequency,
-        longest_time: 0.0,
+        parameters: sweep.content.method.finite_element,
     };
     let series = simulations
         .iter()
         .map(|simulation| {
-            let whole = reconstruct(
-                &sweep.setting.string,
-                &lateral.bending,
-                &request,
-                &sweep.content.method.finite_element,
-                &simulation.trajectory.forces,
-                &[],
-            )?;
+            let whole = whole.reconstruct(&simulation.trajectory.forces, &[])?;
             let peaks = whole.peaks.iter().map(|peak| 1e3 * peak);
             Ok(Series {
                 name: simulation.name.clone(),

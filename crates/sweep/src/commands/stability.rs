@@ -1,4 +1,4 @@
-//! `sweep stability`: where methods fail, and whether their margins foretell it.
+//! `sweep stability`: where methods fail, and whether their margins predict it.
 
 use anyhow::Result;
 

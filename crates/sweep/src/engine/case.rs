@@ -75,7 +75,7 @@ impl Case {
 }
 
 /// A bit without torque has no regime to wait for, and lateral motion none whose
-/// time could be foretold: ten seconds as in the paper, the last two of which
+/// time could be predicted: ten seconds as in the paper, the last two of which
 /// decide.
 const BY_DEFAULT: Timing = Timing {
     duration: 10.0,

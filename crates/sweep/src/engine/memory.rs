@@ -3,8 +3,9 @@
 
 use linear::Method;
 use linear::cost::{self, Memory};
+use sim::cost::Taps;
 
-use super::systems::{bending_request, torsion_request};
+use super::systems::request;
 use crate::spec::Setting;
 
 /// Memory of one string by all methods, bytes: upper bounds.
@@ -36,34 +37,28 @@ impl StringMemory {
     fn of_method(setting: &Setting, method: &Method, cuts: bool, longest_time: f64) -> Self {
         let sites = setting.sites.len();
         let steps = sim::cost::steps(longest_time, setting.sampling_frequency);
-        let request = torsion_request(setting, cuts, longest_time);
-        let inputs = request.torque_inputs.len();
-        let torsion = cost::torsion_responses(&setting.string, method, &request);
-        // A margin is found after the system has been prepared.
-        let margin = passing(cost::margin(inputs, torsion.taps));
-        let Some(lateral) = &setting.lateral else {
-            let prepared = if cuts {
-                sim::cost::torsion_system(sites, torsion.taps, steps)
-            } else {
-                sim::cost::free_system(sites, torsion.taps)
-            };
-            return Self {
-                systems: torsion.memory.then(prepared).then(margin),
-                case: sim::cost::torsion_case(torsion.taps, steps),
-                too_long: torsion.too_long,
-            };
+        let request = request(setting, cuts, longest_time);
+        let built = cost::responses(&setting.string, method, &request);
+        let taps = Taps {
+            torsion: built.torsion_taps,
+            bending: built.bending_taps,
         };
-        let request = bending_request(setting, lateral, longest_time);
-        let bending = cost::bending_responses(&setting.string, method, &request);
-        let prepared = sim::cost::lateral_system(sites, torsion.taps, bending.taps);
-        let velocities = cost::bending_margin(sites, bending.taps);
+        let loads = match &setting.lateral {
+            Some(_) => sites,
+            None => usize::from(cuts),
+        };
+        let prepared = sim::cost::simulator(sites, loads, taps, steps);
+        // Margins are found after the simulator has been prepared.
+        let mut systems = (built.memory)
+            .then(prepared)
+            .then(passing(cost::margin(loads, taps.torsion)));
+        if setting.lateral.is_some() {
+            systems = systems.then(passing(cost::bending_margin(sites, taps.bending)));
+        }
         Self {
-            systems: (torsion.memory.beside(bending.memory))
-                .then(prepared)
-                .then(margin)
-                .then(passing(velocities)),
-            case: sim::cost::lateral_case(sites, torsion.taps, bending.taps, steps),
-            too_long: longer(torsion.too_long, bending.too_long),
+            systems,
+            case: sim::cost::case(sites, taps, steps),
+            too_long: built.too_long,
         }
     }
 }

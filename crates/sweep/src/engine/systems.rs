@@ -1,32 +1,28 @@
 //! The linear system of each method, built once for all cases.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
 use linear::passivity::STABLE_MARGIN;
-use linear::{
-    BendingRequest, BendingResponses, Method, TorsionRequest, TorsionResponses, bending_responses,
-    torsion_responses,
-};
+use linear::{ChannelRequest, ChannelResponses, Method, Request, Responses, responses};
 use rayon::prelude::*;
 use sim::excitation::least_impulse;
-use sim::{LateralSystem, Outcome, Scene, SimulationError, Stopping, System, Trajectory};
+use sim::{Outcome, Scene, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::{Case, Row, RowOutcome};
 use super::terms::Terms;
-use crate::spec::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings, Setting, Sweep};
+use crate::spec::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
 pub struct MethodSystem {
     /// The method.
     pub method: Method,
-    /// Its torsional impulse responses.
-    pub responses: TorsionResponses,
-    /// Its lateral impulse responses, where lateral motion is modelled.
-    pub bending: Option<BendingResponses>,
+    /// Its impulse responses.
+    pub responses: Responses,
     /// I₀ of each impulse, N s.
     pub least_impulses: Vec<f64>,
     /// Positive-real margin in torsion; `None` where no torque acts.
@@ -37,16 +33,9 @@ pub struct MethodSystem {
     pub build_seconds: f64,
     /// What it was built from.
     pub setting: Setting,
-    stepped: Stepped,
+    simulator: Simulator,
     /// Which impulses are given in multiples of I₀.
     relative: Vec<bool>,
-}
-
-/// What a case is stepped against.
-#[derive(Debug)]
-enum Stepped {
-    Torsion(System),
-    Lateral(LateralSystem),
 }
 
 impl MethodSystem {
@@ -86,37 +75,21 @@ impl MethodSystem {
     /// Where the method cannot treat the string.
     pub fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
         let start = Instant::now();
-        let request = torsion_request(setting, cuts, longest_time);
-        // Neither alone keeps all cores busy.
-        let (responses, bending) = rayon::join(
-            || torsion_responses(&setting.string, &method, &request),
-            || {
-                let lateral = setting.lateral.as_ref();
-                lateral
-                    .map(|lateral| build_bending(setting, lateral, &method, longest_time))
-                    .transpose()
-            },
-        );
-        let (responses, bending) = (responses?, bending?);
-        let stepped = match &bending {
-            None => Stepped::Torsion(System::new(&responses, longest_time)?),
-            Some(bending) => Stepped::Lateral(LateralSystem::new(&responses, bending)?),
-        };
+        let request = request(setting, cuts, longest_time);
+        let responses = responses(&setting.string, &method, &request)?;
+        let simulator = Simulator::new(&responses)?;
         let build_seconds = start.elapsed().as_secs_f64();
         let impulses = setting.lateral.iter().flat_map(|lateral| &lateral.impulses);
         Ok(Self {
             method,
-            torsion_margin: responses.margin()?,
-            bending_margin: (bending.as_ref())
-                .map(|bending| bending.margin(&method))
-                .transpose()?,
-            least_impulses: least_impulses(setting, bending.as_ref()),
+            torsion_margin: responses.torsion_margin()?,
+            bending_margin: responses.bending_margin()?,
+            least_impulses: least_impulses(setting, &responses),
             relative: impulses.map(|impulse| impulse.relative).collect(),
             build_seconds,
             setting: setting.clone(),
-            stepped,
+            simulator,
             responses,
-            bending,
         })
     }
 
@@ -144,12 +117,14 @@ impl MethodSystem {
     }
 
     /// The torque that holds the bit fast, where only torsion is modelled and a
-    /// torque acts there (see [`System::held_torque`]).
-    pub fn held_torque(&self) -> Option<&[f64]> {
-        match &self.stepped {
-            Stepped::Torsion(system) => system.held_torque(),
-            Stepped::Lateral(_) => None,
-        }
+    /// torque acts there (see [`Simulator::stuck_torque`]).
+    pub fn stuck_torque(&self) -> Option<&[f64]> {
+        self.simulator.stuck_torque()
+    }
+
+    /// Taps of each response in torsion.
+    pub fn torsion_taps(&self) -> usize {
+        self.responses.torsion().map_or(0, ChannelResponses::taps)
     }
 
     /// Taps of the bit's speed from a torque on it, where one acts there.
@@ -168,37 +143,27 @@ impl MethodSystem {
         stopping: Stopping,
         record: Option<&mut Trajectory>,
     ) -> Result<Outcome, SimulationError> {
-        match &self.stepped {
-            Stepped::Torsion(system) => sim::simulate(system, &case.scene, stopping, record),
-            Stepped::Lateral(system) => {
-                sim::simulate_lateral(system, &self.with_amounts(&case.scene), stopping, record)
-            }
-        }
+        let scene = self.with_amounts(&case.scene);
+        self.simulator.simulate(&scene, stopping, record)
     }
 
     /// Speeds of all sites, rad/s, in a motion of which the torque on the bit is known;
     /// where lateral motion is modelled, every site has been simulated, and `None`.
     pub fn driven_speeds(&self, case: &Case, motion: &Trajectory) -> Option<Vec<Vec<f64>>> {
-        match &self.stepped {
-            Stepped::Torsion(system) => {
-                let steps = motion.speeds.first().map_or(0, Vec::len);
-                let surface_speed = case.scene.surface_speed;
-                Some(system.driven_speeds(surface_speed, &motion.bit_torque, steps))
-            }
-            Stepped::Lateral(_) => None,
+        if self.responses.bending().is_some() {
+            return None;
         }
+        let steps = motion.speeds.first().map_or(0, Vec::len);
+        let (system, speed) = (self.simulator.system(), case.scene.surface_speed);
+        Some(system.driven_speeds(speed, &motion.bit_torque, steps))
     }
 
     /// The scene with its relative impulses in N s.
-    fn with_amounts(&self, scene: &Scene) -> Scene {
-        let mut scene = scene.clone();
-        let impulses = scene
-            .lateral
-            .iter_mut()
-            .flat_map(|lateral| &mut lateral.impulses);
-        for (index, impulse) in impulses.enumerate() {
-            if self.relative[index] {
-                impulse.amount *= self.least_impulses[index];
+    fn with_amounts<'a>(&self, scene: &'a Scene) -> Cow<'a, Scene> {
+        let mut scene = Cow::Borrowed(scene);
+        for index in (0..self.relative.len()).filter(|index| self.relative[*index]) {
+            if let Some(lateral) = &mut scene.to_mut().lateral {
+                lateral.impulses[index].amount *= self.least_impulses[index];
             }
         }
         scene
@@ -277,57 +242,37 @@ pub fn is_unstable(margin: f64) -> bool {
     margin < STABLE_MARGIN
 }
 
-/// What a system needs in torsion; `cuts` says whether a torque acts on the bit.
-pub(super) fn torsion_request(setting: &Setting, cuts: bool, longest_time: f64) -> TorsionRequest {
+/// What a system is built from; `cuts` says whether a torque acts on the bit.
+pub(super) fn request(setting: &Setting, cuts: bool, longest_time: f64) -> Request {
     let sites = setting.sites.len();
-    let torque_inputs = match &setting.lateral {
+    let torques = match &setting.lateral {
         // Friction turns the string wherever it touches the wall.
         Some(_) => (0..sites).collect(),
         None if cuts => vec![sites - 1],
         None => Vec::new(),
     };
-    TorsionRequest {
-        sites: setting.sites.clone(),
-        torque_inputs,
-        sampling_frequency: setting.sampling_frequency,
-        longest_time,
-    }
-}
-
-/// What a system needs in bending.
-pub(super) fn bending_request(
-    setting: &Setting,
-    lateral: &LateralSettings,
-    longest_time: f64,
-) -> BendingRequest {
-    BendingRequest {
-        sites: setting.sites.clone(),
+    let in_bending = (setting.lateral.as_ref()).map(|lateral| ChannelRequest::Bending {
+        bending: lateral.bending,
         support: lateral.support,
+    });
+    let in_torsion = ChannelRequest::Torsion { torques };
+    Request {
+        sites: setting.sites.clone(),
+        channels: std::iter::once(in_torsion).chain(in_bending).collect(),
         sampling_frequency: setting.sampling_frequency,
         longest_time,
     }
-}
-
-fn build_bending(
-    setting: &Setting,
-    lateral: &LateralSettings,
-    method: &Method,
-    longest_time: f64,
-) -> Result<BendingResponses> {
-    let request = bending_request(setting, lateral, longest_time);
-    let responses = bending_responses(&setting.string, &lateral.bending, method, &request)?;
-    Ok(responses)
 }
 
 /// I₀ of every impulse: by this method, at its own site.
-fn least_impulses(setting: &Setting, bending: Option<&BendingResponses>) -> Vec<f64> {
-    let Some((lateral, bending)) = setting.lateral.as_ref().zip(bending) else {
+fn least_impulses(setting: &Setting, responses: &Responses) -> Vec<f64> {
+    let Some((lateral, bending)) = setting.lateral.as_ref().zip(responses.bending()) else {
         return Vec::new();
     };
     let of = |settings: &ImpulseSettings| {
         let impulse = &settings.impulse;
         least_impulse(
-            &bending.from_force[impulse.site][impulse.site],
+            &bending.from_loads[impulse.site][impulse.site],
             setting.sampling_frequency,
             impulse.duration,
             lateral.walls[impulse.site].clearance,

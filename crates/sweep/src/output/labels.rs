@@ -4,7 +4,7 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
-use sim::{LateralMeasures, TorsionMeasures};
+use sim::{Label, LateralMeasures, TorsionMeasures};
 
 use crate::engine::{Row, RowOutcome};
 use crate::hand_table::{HandTable, Mistake, number};
@@ -30,7 +30,7 @@ const RESULT_COLUMNS: [&str; 21] = [
     "precession_turns_per_s",
     "normal_force_mean_kn",
     "ambiguous_steps",
-    "foretold",
+    "predicted",
     "simulated_s",
     "ended",
     "status",
@@ -85,10 +85,10 @@ fn result_fields(row: &Row) -> Vec<String> {
     fields.extend(torsion.map_or_else(|| vec![String::new(); 6], torsion_fields));
     let lateral_fields = |lateral| lateral_fields(row.site_from_bit_m, lateral);
     fields.extend(lateral.map_or_else(|| vec![String::new(); 9], lateral_fields));
-    let foretold = done
-        .and_then(|outcome| outcome.foretold)
-        .unwrap_or_default();
-    fields.push(foretold.to_owned());
+    let predicted = done
+        .and_then(|outcome| outcome.predicted)
+        .map_or("", Label::name);
+    fields.push(predicted.to_owned());
     let (ended, status) = match done {
         Some(outcome) => (outcome.ended.name(), "ok"),
         None => ("", "failed"),

@@ -92,7 +92,7 @@ impl MethodRecord {
     fn of(system: &MethodSystem) -> Self {
         Self {
             method: system.method.name().to_owned(),
-            taps: system.responses.taps(),
+            taps: system.torsion_taps(),
             positive_real_margin: system.torsion_margin,
             bending_margin: system.bending_margin,
             least_impulses_ns: system.least_impulses.clone(),

@@ -65,7 +65,7 @@ impl Tally {
 pub struct Counted {
     method: usize,
     labels: [usize; 2],
-    foretold: usize,
+    predicted: usize,
     status: usize,
 }
 
@@ -82,7 +82,8 @@ impl Counted {
         Ok(Self {
             method: place("method")?,
             labels: [place("torsion")?, place("lateral")?],
-            foretold: place("foretold")?,
+            // As version 0.1.0 called it.
+            predicted: place("predicted").or_else(|_| place("foretold"))?,
             status: place("status")?,
         })
     }
@@ -93,10 +94,10 @@ impl Counted {
         let field = |place: usize| fields.get(place).copied().unwrap_or_default();
         tally.rows += 1;
         tally.failed += usize::from(field(self.status) == "failed");
-        let (labels, foretold) = (self.labels.map(field), field(self.foretold));
-        if !foretold.is_empty() {
+        let (labels, predicted) = (self.labels.map(field), field(self.predicted));
+        if !predicted.is_empty() {
             tally.settled_checked += 1;
-            tally.settled_wrong += usize::from(!labels.contains(&foretold));
+            tally.settled_wrong += usize::from(!labels.contains(&predicted));
         }
         for label in labels {
             if !label.is_empty() {

@@ -1,5 +1,5 @@
-//! Charts of cells: what was foretold as the ground, what was seen as a symbol,
-//! the number that foretold it beside it. Panels stand in two columns.
+//! Charts of cells: what was predicted as the ground, what was seen as a symbol,
+//! the number that predicted it beside it. Panels stand in two columns.
 
 use super::Picture;
 use super::canvas::{Canvas, Stroke, draw_picture};
@@ -31,9 +31,9 @@ const PALE: RGBColor = RGBColor(0xEE, 0xEE, 0xEE);
 const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xB2);
 const VERMILION: RGBColor = RGBColor(0xB0, 0x3A, 0x00);
 
-/// What was foretold of a cell.
+/// What was predicted of a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Foretold {
+pub enum Predicted {
     /// That it is stable.
     Stable,
     /// That it is unstable.
@@ -59,8 +59,8 @@ pub struct ChartCell {
     pub column: usize,
     /// Its row, from the top, from 0.
     pub row: usize,
-    /// What was foretold: its ground.
-    pub foretold: Foretold,
+    /// What was predicted: its ground.
+    pub predicted: Predicted,
     /// What was seen: its symbol.
     pub seen: Seen,
     /// A number of a few characters.
@@ -193,10 +193,10 @@ fn draw_panel(
 }
 
 fn draw_cell(canvas: &mut Canvas, cell: &ChartCell, rect: Rect) -> Result<()> {
-    let ground = match cell.foretold {
-        Foretold::Stable => SKY,
-        Foretold::Unstable => SAND,
-        Foretold::Nothing => PALE,
+    let ground = match cell.predicted {
+        Predicted::Stable => SKY,
+        Predicted::Unstable => SAND,
+        Predicted::Nothing => PALE,
     };
     // White lines between cells.
     let inner = Rect::centred(rect.centre(), rect.width() - 2.0, CELL_HEIGHT - 2.0);
@@ -204,8 +204,8 @@ fn draw_cell(canvas: &mut Canvas, cell: &ChartCell, rect: Rect) -> Result<()> {
     let middle = rect.centre().1;
     draw_seen(canvas, cell.seen, (inner.left + RADIUS + 3.0, middle))?;
     let was_wrong = matches!(
-        (cell.foretold, cell.seen),
-        (Foretold::Stable, Seen::Provoked | Seen::Failed) | (Foretold::Unstable, Seen::Sound)
+        (cell.predicted, cell.seen),
+        (Predicted::Stable, Seen::Provoked | Seen::Failed) | (Predicted::Unstable, Seen::Sound)
     );
     if was_wrong {
         let [first, second, third, fourth] = inner.corners();
@@ -243,8 +243,8 @@ const KEY_GAP: f64 = 28.0;
 
 fn draw_legend(canvas: &mut Canvas, chart: &CellChart, top: f64) -> Result<()> {
     let grounds = [
-        (Some(SKY), "foretold: stable"),
-        (Some(SAND), "foretold: unstable"),
+        (Some(SKY), "predicted: stable"),
+        (Some(SAND), "predicted: unstable"),
         (Some(PALE), "the margin says nothing of it"),
         (None, chart.number.as_str()),
     ];
@@ -265,7 +265,7 @@ fn draw_legend(canvas: &mut Canvas, chart: &CellChart, top: f64) -> Result<()> {
             Some(Seen::Provoked),
             "fails under a load tuned to the margin",
         ),
-        (None, "framed: not as foretold"),
+        (None, "framed: not as predicted"),
     ];
     let second_row = top + 1.5 * LEGEND_ROW;
     let mut left = MARGIN;
@@ -296,7 +296,7 @@ mod tests {
     use super::super::canvas::tests::assert_text_inside;
     use super::*;
 
-    fn chart(foretold: Foretold, seen: Seen) -> CellChart {
+    fn chart(predicted: Predicted, seen: Seen) -> CellChart {
         let panel = || CellPanel {
             title: "Newmark in sticking".to_owned(),
             x: "γ".to_owned(),
@@ -305,7 +305,7 @@ mod tests {
             cells: vec![ChartCell {
                 column: 9,
                 row: 1,
-                foretold,
+                predicted,
                 seen,
                 text: "−0.055".to_owned(),
             }],
@@ -319,20 +319,20 @@ mod tests {
 
     #[test]
     fn every_label_lies_inside_and_only_wrong_cells_are_framed() {
-        let lines = |foretold, seen| {
-            let picture = cell_chart(&chart(foretold, seen)).expect("drawn");
+        let lines = |predicted, seen| {
+            let picture = cell_chart(&chart(predicted, seen)).expect("drawn");
             assert_text_inside(&picture);
             picture.svg.matches("<polyline").count()
         };
-        let right = lines(Foretold::Stable, Seen::Sound);
-        assert_eq!(lines(Foretold::Unstable, Seen::Sound), right + 3);
-        assert_eq!(lines(Foretold::Stable, Seen::Provoked), right + 3);
-        assert_eq!(lines(Foretold::Nothing, Seen::Provoked), right);
+        let right = lines(Predicted::Stable, Seen::Sound);
+        assert_eq!(lines(Predicted::Unstable, Seen::Sound), right + 3);
+        assert_eq!(lines(Predicted::Stable, Seen::Provoked), right + 3);
+        assert_eq!(lines(Predicted::Nothing, Seen::Provoked), right);
     }
 
     #[test]
     fn panels_share_the_height() {
-        let panels = chart(Foretold::Stable, Seen::Sound).panels;
+        let panels = chart(Predicted::Stable, Seen::Sound).panels;
         let columns: Vec<usize> = places(&panels, 0.0).0.iter().map(|place| place.0).collect();
         assert_eq!(columns, [0, 0, 1]);
         assert!(

@@ -31,7 +31,7 @@ use base64::engine::general_purpose::STANDARD;
 use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
 
-pub use cells::{CellChart, CellPanel, ChartCell, Foretold, Seen, cell_chart};
+pub use cells::{CellChart, CellPanel, ChartCell, Predicted, Seen, cell_chart};
 pub use grounds::{Ground, Part};
 pub use map::{
     Band, Line, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_sheet,

@@ -4,9 +4,10 @@
 use std::f64::consts::TAU;
 
 use anyhow::{Context, Result};
+use linear::Channel;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::transfer::tip_receptance;
-use linear::{BendingRequest, Drillstring, Method, Section, bending_responses};
+use linear::{ChannelRequest, Drillstring, Method, Port, Request, Section};
 
 use super::families::{Approach, Cell};
 use super::scenes::Scenes;
@@ -26,23 +27,25 @@ const NO_BENDING: &str = "the scene has no lateral motion";
 pub fn tail(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings> {
     let setting = &scenes.whirl.setting;
     let lateral = setting.lateral.as_ref().context(NO_BENDING)?;
-    let request = BendingRequest {
+    let (bending, support) = (lateral.bending, lateral.support);
+    let request = Request {
         sites: setting.sites.clone(),
-        support: lateral.support,
+        channels: vec![ChannelRequest::Bending { bending, support }],
         sampling_frequency: cell.sampling_frequency,
         longest_time: LOOKED_AT,
     };
-    let responses =
-        |method: &Method| bending_responses(&setting.string, &lateral.bending, method, &request);
+    let responses = |method: &Method| linear::responses(&setting.string, method, &request);
+    let first = Port {
+        site: 0,
+        channel: Channel::Bending,
+    };
     let (found, reference) = (responses(&method)?, responses(&Method::Quadrature)?);
     let [found_last, true_last] = [&found, &reference].map(|responses| {
-        responses.from_force[0][0]
-            .last()
-            .copied()
-            .unwrap_or(f64::NAN)
+        let taps = responses.taps(first, first);
+        taps.and_then(<[f64]>::last).copied().unwrap_or(f64::NAN)
     });
     Ok(Findings {
-        margin_bending: Some(found.margin(&method)?),
+        margin_bending: found.bending_margin()?,
         error: Some((found_last / true_last - 1.0).abs()),
         ..Findings::default()
     })

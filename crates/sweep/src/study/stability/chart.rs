@@ -3,12 +3,12 @@
 use super::families::Family;
 use super::table::Entry;
 use super::verdict::Symptom;
-use crate::plot::{CellChart, CellPanel, ChartCell, Foretold, Seen};
+use crate::plot::{CellChart, CellPanel, ChartCell, Predicted, Seen};
 
 /// All families that have cells, each in a panel.
 pub fn chart(entries: &[Entry]) -> CellChart {
     CellChart {
-        title: "Where methods fail, and whether their positive-real margin foretells it".to_owned(),
+        title: "Where methods fail, and whether their positive-real margin predicts it".to_owned(),
         number: "number: the smallest margin, or where there is none the relative error".to_owned(),
         panels: (Family::all().iter())
             .map(|&family| {
@@ -38,10 +38,10 @@ fn panel(family: Family, entries: &[&Entry]) -> CellPanel {
         .map(|entry| ChartCell {
             column: place(&mut columns, column_name(family, entry)),
             row: place(&mut rows, row_name(family, entry)),
-            foretold: match entry.findings.foretold_stable() {
-                Some(true) => Foretold::Stable,
-                Some(false) => Foretold::Unstable,
-                None => Foretold::Nothing,
+            predicted: match entry.findings.predicted_stable() {
+                Some(true) => Predicted::Stable,
+                Some(false) => Predicted::Unstable,
+                None => Predicted::Nothing,
             },
             seen: seen(&entry.findings.symptoms()),
             text: number(entry),

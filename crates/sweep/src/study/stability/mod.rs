@@ -1,5 +1,5 @@
 //! The atlas of failures: every method in settings that strain it, what its
-//! positive-real margin foretells before anything is simulated, and what
+//! positive-real margin predicts before anything is simulated, and what
 //! simulations then show.
 //!
 //! Positive-realness is what makes a string stable against *every* passive load.
@@ -7,7 +7,7 @@
 //! each does. So every cell meets two kinds of load: ordinary scenes, a bit that
 //! is held, stick-slip, whirl, and one oscillator without loss, tuned to where
 //! the margin is smallest (`sim::oscillator`). A cell is unstable if any of them
-//! shows a symptom; a cell foretold stable is right only if none does.
+//! shows a symptom; a cell predicted stable is right only if none does.
 
 mod bending;
 mod chart;

@@ -28,9 +28,10 @@ pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings>
     let by_scene = (HELD_FOR.max(settled) * cell.sampling_frequency) as usize;
     let longest = cell.steps.unwrap_or(by_scene) as f64 / cell.sampling_frequency;
     let system = MethodSystem::build(&setting, method, true, longest)?;
-    let gain = worst_load_gain(&system.responses.driving_points())?;
     let no_bit = "the scene has no torque at the bit";
-    let held = system.held_torque().context(no_bit)?;
+    let torsion = system.responses.torsion().context(no_bit)?;
+    let gain = worst_load_gain(&torsion.driving_points())?;
+    let held = system.stuck_torque().context(no_bit)?;
     let instant = system.driving_point().context(no_bit)?[0];
     let stiffness = torsional_stiffness(&setting.string);
     let sticking = diagnosis::sticking(held, cell.sampling_frequency, stiffness, instant);

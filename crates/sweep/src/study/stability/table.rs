@@ -87,7 +87,7 @@ impl Entry {
             |value: Option<usize>| value.map_or_else(String::new, |value| value.to_string());
         let verdict = |stable: bool| if stable { "stable" } else { "unstable" }.to_owned();
         let is_sound = findings.symptoms().is_empty();
-        let outcome = match (findings.foretold_stable(), is_sound) {
+        let outcome = match (findings.predicted_stable(), is_sound) {
             (Some(_), is_stable) => verdict(is_stable),
             (None, true) => "accurate".to_owned(),
             (None, false) => "wrong".to_owned(),
@@ -105,7 +105,7 @@ impl Entry {
             number(findings.margin_torsion),
             number(findings.margin_bending),
             number(findings.margin_wall),
-            (findings.foretold_stable()).map_or_else(String::new, verdict),
+            (findings.predicted_stable()).map_or_else(String::new, verdict),
             number(findings.energy_gained),
             number(findings.chatter),
             number(findings.growth),
@@ -166,21 +166,21 @@ pub fn to_csv(entries: &[Entry]) -> Result<Vec<u8>> {
 pub fn summary(entries: &[Entry]) -> String {
     let mut text = format!(
         "{:<14} {:>6} {:>9} {:>6} {:>11}\n",
-        "family", "cells", "foretold", "right", "unstable"
+        "family", "cells", "predicted", "right", "unstable"
     );
     let mut line = |name: &str, of: &[&Entry]| {
-        let foretold = of
+        let predicted = of
             .iter()
             .filter(|entry| entry.findings.is_right().is_some());
         let right = of
             .iter()
             .filter(|entry| entry.findings.is_right() == Some(true));
         let unstable = (of.iter()).filter(|entry| !entry.findings.symptoms().is_empty());
-        let counts = [of.len(), foretold.count(), right.count(), unstable.count()];
-        let [cells, foretold, right, unstable] = counts;
+        let counts = [of.len(), predicted.count(), right.count(), unstable.count()];
+        let [cells, predicted, right, unstable] = counts;
         let _ = writeln!(
             text,
-            "{name:<14} {cells:>6} {foretold:>9} {right:>6} {unstable:>11}"
+            "{name:<14} {cells:>6} {predicted:>9} {right:>6} {unstable:>11}"
         );
     };
     for family in Family::all() {
@@ -201,7 +201,7 @@ pub fn summary(entries: &[Entry]) -> String {
             } else {
                 entry.symptoms()
             };
-            let words = format!("not as foretold: {}: {symptoms}: {why}", entry.place());
+            let words = format!("not as predicted: {}: {symptoms}: {why}", entry.place());
             text += &format!("\n{}", wrapped(&words, 0, 2));
         }
     }

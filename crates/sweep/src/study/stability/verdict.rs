@@ -1,4 +1,4 @@
-//! What a cell shows, and whether its margin foretold it.
+//! What a cell shows, and whether its margin predicted it.
 
 use linear::passivity::STABLE_MARGIN;
 
@@ -83,9 +83,9 @@ impl Symptom {
 }
 
 impl Findings {
-    /// Whether the margins foretell that the cell is stable; `None` where there
+    /// Whether the margins predict that the cell is stable; `None` where there
     /// is no margin, or it says nothing of what is looked at.
-    pub fn foretold_stable(&self) -> Option<bool> {
+    pub fn predicted_stable(&self) -> Option<bool> {
         let margins = [self.margin_torsion, self.margin_bending];
         let smallest = margins.into_iter().flatten().reduce(f64::min);
         smallest
@@ -121,9 +121,9 @@ impl Findings {
             .collect()
     }
 
-    /// Whether what was foretold came; `None` where nothing was foretold.
+    /// Whether what was predicted came; `None` where nothing was predicted.
     pub fn is_right(&self) -> Option<bool> {
-        self.foretold_stable()
+        self.predicted_stable()
             .map(|stable| stable == self.symptoms().is_empty())
     }
 }
@@ -157,7 +157,7 @@ pub fn explanation(cell: &Cell, findings: &Findings) -> Option<String> {
         );
     }
     let decays = findings.growth.is_some_and(|growth| growth < 1.0);
-    if findings.foretold_stable() == Some(true) && symptoms == [Symptom::Chatter] && decays {
+    if findings.predicted_stable() == Some(true) && symptoms == [Symptom::Chatter] && decays {
         return Some(
             "positive-real, but hardly at the top of the band: chatter gains nothing \
              and decays slowly"

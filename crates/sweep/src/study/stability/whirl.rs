@@ -1,7 +1,7 @@
 //! Backward whirl: Fig. 12 against softer and harder walls, at two sites, for a
 //! long time.
 
-use anyhow::{Result, anyhow};
+use anyhow::{Context, Result, anyhow};
 use linear::Method;
 use sim::diagnosis::roughness;
 use sim::oscillator::worst_load_gain;
@@ -58,21 +58,21 @@ fn case_of(sweep: &Sweep, setting: &Setting) -> Result<Case> {
 
 /// What the margins and the loads tuned to them say.
 fn loads(system: &MethodSystem) -> Result<Findings> {
-    let torsion = worst_load_gain(&system.responses.driving_points())?;
+    let torsion = (system.responses.torsion()).context("there are no responses in torsion")?;
+    let torsion = worst_load_gain(&torsion.driving_points())?;
     let mut findings = Findings {
         margin_torsion: system.torsion_margin,
         energy_gained: Some(torsion),
         ..Findings::default()
     };
-    if let Some(bending) = &system.bending {
-        let velocities = bending.velocities(&system.method);
+    if let Some(velocities) = system.responses.velocities() {
         let taps: Vec<Vec<&[f64]>> = (velocities.iter())
             .map(|inputs| inputs.iter().map(Vec::as_slice).collect())
             .collect();
         let gain = worst_load_gain(&taps)?;
         findings.margin_bending = system.bending_margin;
         findings.energy_gained = Some(torsion.max(gain));
-        findings.margin_wall = Some(bending.margin_of_differences()?);
+        findings.margin_wall = system.responses.margin_of_differences()?;
     }
     Ok(findings)
 }

@@ -174,7 +174,7 @@ impl Lateral {
             let measure = *measure;
             Some(match measure {
                 Measure::LateralImpulse => {
-                    let taps = system.bending.as_ref()?.from_force.first()?.first()?;
+                    let taps = system.responses.bending()?.taps_between(0, 0)?;
                     self.impulse_error(taps, configuration.sampling_frequency)
                 }
                 Measure::WhirlRadius => number(measure, whirl.map(|whirl| whirl.mean_radius)),

@@ -8,7 +8,7 @@ use anyhow::{Context, Result};
 use linear::elements::newmark::Weights;
 use linear::elements::reduction::{CondensedBeam, CondensedString};
 use linear::method::FiniteElement;
-use sim::history::Kernel;
+use sim::convolution::Kernel;
 
 use super::configuration::{PAPER_FREQUENCY, PAPER_TRANSFORM};
 use crate::study::scenes::shipped;

@@ -191,7 +191,8 @@ impl Torsion {
 
     fn linear(&self, system: &MethodSystem, wanted: &[Measure]) -> Vec<Found> {
         let frequency = system.setting.sampling_frequency;
-        let from_surface = &system.responses.from_surface[0];
+        let torsion = system.responses.torsion();
+        let from_surface = torsion.map_or(&[][..], |torsion| &torsion.from_surface[0]);
         let from_torque = system.driving_point().unwrap_or_default();
         let window = RaisedCosine {
             duration: STEP_WINDOW,
