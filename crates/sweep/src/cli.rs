@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
-use crate::engine::{Shard, Terms};
+use crate::engine::{RunOptions, Shard};
 use crate::memory::{Limit, Size};
-use crate::spec::{Axis, MethodName, nearest};
 use crate::study::stability::Family;
 use crate::study::tradeoff::{LADDER, Measure};
+use crate::sweep_file::{Axis, MethodName, nearest};
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]
@@ -151,8 +151,8 @@ pub struct RunArguments {
 
 impl RunArguments {
     /// What of them the results depend on.
-    pub fn terms(&self) -> Terms {
-        Terms {
+    pub fn options(&self) -> RunOptions {
+        RunOptions {
             full: self.full,
             allow_unstable: self.allow_unstable,
         }

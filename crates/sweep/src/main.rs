@@ -1,7 +1,7 @@
 //! `sweep`: parameter sweeps of drillstring dynamics.
 //!
 //! ```text
-//! my-sweep.toml ──> spec     read with its bases, resolved to SI, or refused with its line
+//! my-sweep.toml ──> sweep_file  read with its bases, resolved to SI, or refused with its line
 //!                    │
 //!                  design    the cases: a grid, random points, a list
 //!                    │
@@ -37,8 +37,8 @@ mod output;
 mod plot;
 mod printable;
 mod report;
-mod spec;
 mod study;
+mod sweep_file;
 mod text_file;
 mod words;
 

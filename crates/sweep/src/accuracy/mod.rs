@@ -31,7 +31,7 @@ use serde::{Deserialize, Serialize};
 use sim::Stopping;
 
 use crate::memory::Limit;
-use crate::spec::{Accuracy, Sweep, per_cent};
+use crate::sweep_file::{Accuracy, Sweep, per_cent};
 use crate::words::{short, wrapped};
 use answer::{Answer, largest_error};
 use ladder::{FREQUENCIES, candidates};

@@ -11,7 +11,7 @@ use sim::{Outcome, Stopping};
 use super::answer::{Answer, Error, is_inside, measures, regimes};
 use crate::engine::{Case, MethodSystem, StringMemory};
 use crate::memory::{Limit, Size};
-use crate::spec::{Axis, Setting, Sweep};
+use crate::sweep_file::{Axis, Setting, Sweep};
 
 /// Cases compared, evenly spread over the design.
 const MOST_PROBES: usize = 8;

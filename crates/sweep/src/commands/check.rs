@@ -15,10 +15,10 @@ use super::{
 };
 use crate::cli::CheckArguments;
 use crate::design::{Design, List};
-use crate::engine::{Case, MethodSystem, Row, RowOutcome, Shard, Terms, Work};
+use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Shard, Work};
 use crate::memory::{Purpose, admit};
 use crate::output::{LabelRow, read_labels, rolling_bound};
-use crate::spec::{Sweep, check_setting, nearest};
+use crate::sweep_file::{Sweep, check_setting, nearest};
 use crate::words::counted;
 
 /// Reruns the cases of a reference file and compares their labels.
@@ -95,7 +95,7 @@ fn run_all(
     let work = Work {
         sweep,
         shard: Shard::WHOLE,
-        terms: Terms {
+        options: RunOptions {
             full: false,
             allow_unstable: true,
         },

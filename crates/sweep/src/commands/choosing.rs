@@ -16,7 +16,7 @@ use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, BETWEEN_TICKS};
 use super::{TELLS_JSON, complain, stop, tell};
 use crate::accuracy::{self, Attempt, Candidate};
 use crate::memory::Limit;
-use crate::spec::Sweep;
+use crate::sweep_file::Sweep;
 
 /// Where the sweep asks for an accuracy, chooses for it; tells of that unless
 /// `quiet`.

@@ -9,9 +9,9 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 use sim::Scene;
 
-use crate::engine::{Case, MethodSystem, StringMemory, Survey, Terms};
+use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey};
 use crate::memory::{Estimate, Limit, Size};
-use crate::spec::{Setting, Sweep};
+use crate::sweep_file::{Setting, Sweep};
 
 /// The probe builds and steps for no longer than this.
 const PROBE: Duration = Duration::from_secs(10);
@@ -128,7 +128,7 @@ impl Pace {
 pub fn probe(
     sweep: &Sweep,
     survey: &Survey,
-    terms: Terms,
+    options: RunOptions,
     simulations: usize,
     stops: &dyn Fn() -> bool,
 ) -> WallTime {
@@ -136,7 +136,7 @@ pub fn probe(
     let (send, receive) = channel();
     let (owned, longest) = (sweep.clone(), survey.longest);
     thread::spawn(move || {
-        let paced = build_and_step(&owned, longest, terms);
+        let paced = build_and_step(&owned, longest, options);
         // Nobody may wait any more.
         let _ = send.send(paced);
     });
@@ -152,7 +152,7 @@ pub fn probe(
 
 /// The time that all simulations of a sweep take, its systems being built.
 pub fn of_built(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem], built: f64) -> WallTime {
-    let stepping = step(sweep, systems, survey.longest, Terms::default());
+    let stepping = step(sweep, systems, survey.longest, RunOptions::default());
     let pace = Pace {
         building: built,
         stepping,
@@ -160,7 +160,7 @@ pub fn of_built(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem], built:
     WallTime::About(pace.seconds(sweep, sweep.design.cases() * sweep.methods.len()))
 }
 
-fn build_and_step(sweep: &Sweep, longest: f64, terms: Terms) -> Result<Pace, String> {
+fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pace, String> {
     let setting = sweep.setting.for_labels();
     let prepared = longest.min(STEPS / setting.sampling_frequency);
     let start = Instant::now();
@@ -171,7 +171,7 @@ fn build_and_step(sweep: &Sweep, longest: f64, terms: Terms) -> Result<Pace, Str
         // What takes so much more memory takes as much more time.
         building: built * systems_memory(sweep, &setting, longest)
             / systems_memory(sweep, &setting, prepared),
-        stepping: step(sweep, &systems, prepared, terms),
+        stepping: step(sweep, &systems, prepared, options),
     })
 }
 
@@ -183,11 +183,11 @@ fn systems_memory(sweep: &Sweep, setting: &Setting, longest: f64) -> f64 {
 
 /// Mean time of a case by a method, s, from some of them, evenly spread and shortened
 /// to what systems are prepared for.
-fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, terms: Terms) -> f64 {
+fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, options: RunOptions) -> f64 {
     // An unstable method takes its time too.
-    let terms = Terms {
+    let options = RunOptions {
         allow_unstable: true,
-        ..terms
+        ..options
     };
     let start = Instant::now();
     let cases = sweep.design.cases();
@@ -204,7 +204,7 @@ fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, terms: Terms) ->
         let part = shorten(&mut case.scene, most);
         let begun = Instant::now();
         for system in systems {
-            system.answer(&case, terms);
+            system.answer(&case, options);
         }
         Some(begun.elapsed().as_secs_f64() / part)
     };

@@ -24,7 +24,7 @@ use crate::cli::InspectArguments;
 use crate::engine::{MethodSystem, Survey, is_unstable};
 use crate::memory::{Purpose, admit, estimate};
 use crate::plot::{Axis, Panel, Panels, Series, panels};
-use crate::spec::{INCH, LateralSettings, POUND_PER_FOOT, Sweep, Time, per_cent};
+use crate::sweep_file::{INCH, LateralSettings, POUND_PER_FOOT, Sweep, Time, per_cent};
 use crate::words::{counted, short, wrapped};
 
 /// Points of the frequency response drawn.

@@ -109,7 +109,7 @@ fn read_parts(folders: &[PathBuf]) -> Result<(BTreeMap<usize, Part>, Vec<Header>
             let header = Header::of(
                 manifest.program.clone(),
                 manifest.shard(),
-                manifest.meaning()?,
+                manifest.fingerprint()?,
             );
             let part = Part {
                 folder: folder.clone(),
@@ -146,8 +146,8 @@ fn refuse_unlike(one: &Path, expected: &Header, other: &Path, found: &Header) ->
             other.display()
         )))
     };
-    if expected.meaning != found.meaning {
-        let all = differences(&expected.meaning, &found.meaning);
+    if expected.fingerprint != found.fingerprint {
+        let all = differences(&expected.fingerprint, &found.fingerprint);
         return refuse(format!("of different sweeps ({})", all.join("; ")));
     }
     if expected.shard.of != found.shard.of {
@@ -168,7 +168,7 @@ fn refuse_unlike(one: &Path, expected: &Header, other: &Path, found: &Header) ->
 /// The results of something else are not replaced, nor is a run that goes on.
 fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
     let merged = &parts[0].manifest;
-    let header = Header::of(merged.program.clone(), Shard::WHOLE, merged.meaning()?);
+    let header = Header::of(merged.program.clone(), Shard::WHOLE, merged.fingerprint()?);
     let ours = Ours::find(out, &header)?;
     if ours.log != Place::Free {
         bail!(UsageError(format!(
@@ -179,7 +179,7 @@ fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
     }
     if out.join(MANIFEST).exists() {
         let there = Manifest::read(out)?;
-        if there.meaning()? != header.meaning || !there.shard().is_whole() {
+        if there.fingerprint()? != header.fingerprint || !there.shard().is_whole() {
             bail!(UsageError(format!(
                 "{} holds other results: choose another --out",
                 out.display()

@@ -36,7 +36,7 @@ use sim::SimulationError;
 use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
 use crate::printable::{printable, printable_json};
-use crate::spec::{MethodName, Setting, SpecError, Sweep};
+use crate::sweep_file::{MethodName, Setting, Sweep, SweepFileError};
 use choosing::choose;
 use progress::Progress;
 use threads::use_threads;
@@ -78,7 +78,7 @@ impl std::error::Error for UsageError {}
 pub fn report(error: &anyhow::Error) -> Status {
     complain(&format!("error: {error:#}"));
     // What a method cannot treat is what the sweep file asks for.
-    let is_asked_for = error.is::<SpecError>()
+    let is_asked_for = error.is::<SweepFileError>()
         || error.is::<UsageError>()
         || error.is::<BuildError>()
         || error.is::<ResponseError>()
@@ -176,7 +176,7 @@ fn build_systems(
 ) -> Result<Vec<MethodSystem>> {
     MethodSystem::build_all(sweep, setting, longest_time).map_err(|error| {
         // An error in the file names its place already.
-        if error.is::<SpecError>() {
+        if error.is::<SweepFileError>() {
             error
         } else {
             error.context(file.display().to_string())

@@ -13,7 +13,7 @@ use super::run::warn_of_broken_lines;
 use crate::engine::{Header, Log, Record};
 use crate::files::AtomicFile;
 use crate::output::{Manifest, labels_header, labels_start};
-use crate::spec::Sweep;
+use crate::sweep_file::Sweep;
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
 /// ours; any other is returned as it is.
@@ -25,23 +25,23 @@ pub fn with_our_number(what: &str, there: &Header, ours: &Header) -> Result<Head
     let (Some(before), Some(now)) = (random_cases(&there), random_cases(ours)) else {
         return Ok(there);
     };
-    let mut meaning = there.meaning.clone();
-    meaning["design"]["cases"] = now.into();
-    if meaning == ours.meaning {
+    let mut fingerprint = there.fingerprint.clone();
+    fingerprint["design"]["cases"] = now.into();
+    if fingerprint == ours.fingerprint {
         if now < before {
             bail!(UsageError(format!(
                 "{what} {before} cases of this sweep, and {now} are fewer: `design.cases` may be \
                  raised, not lowered; choose another --out, or begin anew with --fresh"
             )));
         }
-        there.meaning = meaning;
+        there.fingerprint = fingerprint;
     }
     Ok(there)
 }
 
 /// Number of cases of a sweep that draws them at random.
 fn random_cases(header: &Header) -> Option<u64> {
-    let design = &header.meaning["design"];
+    let design = &header.fingerprint["design"];
     (design["kind"] == "monte-carlo").then(|| design["cases"].as_u64())?
 }
 

@@ -24,10 +24,10 @@ use crate::engine::{Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, W
 use crate::files::write_with_checksum;
 use crate::memory::{Purpose, admit};
 use crate::output::{
-    About, Boundary, Manifest, Repeat, Tally, boundary, labels_row, meaning, write_boundary,
+    About, Boundary, Manifest, Repeat, Tally, boundary, fingerprint, labels_row, write_boundary,
     write_tables,
 };
-use crate::spec::Sweep;
+use crate::sweep_file::Sweep;
 use crate::words::{counted, together, wrapped};
 use plan::Plan;
 
@@ -52,7 +52,7 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
     if arguments.out.is_none() && !shard.is_whole() {
         folder.push(format!("shard-{}-of-{}", shard.index, shard.of));
     }
-    let header = Header::new(shard, meaning(&sweep, arguments.terms())?);
+    let header = Header::new(shard, fingerprint(&sweep, arguments.options())?);
     let again = Again {
         arguments,
         sweep: &sweep,
@@ -103,7 +103,13 @@ pub fn run(arguments: &RunArguments) -> Result<Status> {
         }
     }
     let log = Arc::new(Log::open(&log, sweep.design.cases(), sweep.methods.len())?);
-    let about = About::new(&sweep, &arguments.file, shard, arguments.terms(), &systems)?;
+    let about = About::new(
+        &sweep,
+        &arguments.file,
+        shard,
+        arguments.options(),
+        &systems,
+    )?;
     log.describe(about.text()?)?;
     tell_of_start(&log, &systems);
     let total = pairs_of(&sweep, shard);
@@ -240,7 +246,7 @@ impl Session<'_> {
         let work = Work {
             sweep,
             shard: self.shard,
-            terms: arguments.terms(),
+            options: arguments.options(),
             strings_at_once: self.strings_at_once,
             is_open: &|case, method| !is_done(case, method),
             stops: &|| stop::asked().is_some(),
@@ -256,7 +262,7 @@ impl Session<'_> {
         let repeat = Repeat {
             sweep_file: &arguments.file,
             chooses_method: sweep.choice.is_some(),
-            terms: arguments.terms(),
+            options: arguments.options(),
         };
         let tables = write_tables(sweep, &repeat, log, folder)?;
         let limit = write_with_checksum(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
@@ -264,7 +270,7 @@ impl Session<'_> {
         let mut manifest = Manifest::new(
             sweep,
             shard,
-            arguments.terms(),
+            arguments.options(),
             self.systems,
             tables.tally,
             seconds,

@@ -17,11 +17,11 @@ use super::{
     use_threads, warn_of_string, warn_of_unstable,
 };
 use crate::cli::SimulateArguments;
-use crate::engine::{Case, MethodSystem, Row, RowOutcome, Survey, Terms, longest_beside};
+use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Survey, longest_beside};
 use crate::memory::{Purpose, admit};
 use crate::output::{labels_header, labels_row, write_atomically};
 use crate::plot::{orbits, panels};
-use crate::spec::{Axis, Conditions, Setting, Sweep, check_setting};
+use crate::sweep_file::{Axis, Conditions, Setting, Sweep, check_setting};
 use crate::words::short;
 
 /// One method's answer to one case.
@@ -86,7 +86,7 @@ fn simulate_all(
     arguments: &SimulateArguments,
     cases: &[ChosenCase],
 ) -> Result<(Vec<Row>, Vec<Simulation>)> {
-    let terms = Terms {
+    let options = RunOptions {
         full: arguments.full,
         // Where all cases share a string, a run refuses the method before any row:
         // what it would do can be looked at here.
@@ -99,13 +99,13 @@ fn simulate_all(
         let place = match known {
             Some(place) => place,
             None => {
-                built.push(Systems::build(&arguments.file, sweep, terms, *longest)?);
+                built.push(Systems::build(&arguments.file, sweep, options, *longest)?);
                 built.len() - 1
             }
         };
         for (system, method) in built[place].methods.iter().zip(&sweep.methods) {
             let row = match system {
-                Ok(systems) => systems.case.answer(case, terms),
+                Ok(systems) => systems.case.answer(case, options),
                 Err(reason) => {
                     let values = case.values.clone();
                     Row::failed(case.index, method.name(), values, reason.clone())
@@ -146,7 +146,7 @@ struct MethodSystems {
 }
 
 impl Systems {
-    fn build(file: &Path, sweep: &Sweep, terms: Terms, longest: f64) -> Result<Self> {
+    fn build(file: &Path, sweep: &Sweep, options: RunOptions, longest: f64) -> Result<Self> {
         let setting = sweep.setting.for_labels();
         let systems: Vec<Result<MethodSystem>> = if sweep.design.varies_string() {
             MethodSystem::build_each(sweep, &setting, longest)
@@ -155,7 +155,7 @@ impl Systems {
             let systems = build_systems(file, sweep, &setting, longest)?;
             systems.into_iter().map(Ok).collect()
         };
-        if terms.allow_unstable {
+        if options.allow_unstable {
             warn_of_unstable(systems.iter().flatten());
         }
         let is_watched = sweep.setting.sites.len() > setting.sites.len();

@@ -1,7 +1,7 @@
 //! Every combination of the axes' values; the first axis changes slowest.
 
 use super::{MOST_CASES, count_string_axes};
-use crate::spec::{Axis, AxisRange, DesignTable, Source, SpecError, check_axis_value};
+use crate::sweep_file::{Axis, AxisRange, DesignTable, Source, SweepFileError, check_axis_value};
 
 /// More grid values on an axis are a slip of the pen.
 const MOST_VALUES: usize = 1_000_000;
@@ -14,7 +14,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SpecError> {
+    pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SweepFileError> {
         let mut grid = Self {
             axes: table.axes.keys().copied().collect(),
             values: Vec::new(),
@@ -70,7 +70,7 @@ fn snapped(value: f64) -> f64 {
     }
 }
 
-fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64>, SpecError> {
+fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64>, SweepFileError> {
     let key = format!("design.axes.{}", axis.name());
     let values = match (&range.values, range.from, range.to, range.count) {
         (Some(values), None, None, None) => values.clone(),

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::count_string_axes;
 use crate::hand_table::{HandTable, Mistake, number};
-use crate::spec::{Axis, DesignTable, Source, SpecError, TextOf, check_axis_value};
+use crate::sweep_file::{Axis, DesignTable, Source, SweepFileError, TextOf, check_axis_value};
 use crate::text_file::LARGEST_TABLE;
 
 /// Listed cases.
@@ -25,7 +25,7 @@ impl List {
         source: &Source,
         table: &DesignTable,
         text_of: TextOf,
-    ) -> Result<Self, SpecError> {
+    ) -> Result<Self, SweepFileError> {
         let Some(file) = &table.file else {
             return Err(source.error("design", "a list needs `file`, a CSV file of cases"));
         };

@@ -6,7 +6,7 @@ mod monte_carlo;
 
 use std::ops::Range;
 
-use crate::spec::{Axis, DesignKind, DesignTable, Source, SpecError, TextOf};
+use crate::sweep_file::{Axis, DesignKind, DesignTable, Source, SweepFileError, TextOf};
 
 pub use grid::Grid;
 pub use list::List;
@@ -38,7 +38,7 @@ impl Design {
         source: &Source,
         table: Option<&DesignTable>,
         text_of: TextOf,
-    ) -> Result<Self, SpecError> {
+    ) -> Result<Self, SweepFileError> {
         let Some(table) = table else {
             return Ok(Design::Single);
         };
@@ -185,7 +185,7 @@ impl Design {
 }
 
 /// A key that belongs to another kind of design would be ignored: refuse it.
-fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), SpecError> {
+fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), SweepFileError> {
     let given = [
         (
             "axes",

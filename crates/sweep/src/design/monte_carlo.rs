@@ -4,7 +4,7 @@
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
-use crate::spec::{Axis, AxisRange, DesignTable, Source, SpecError, check_axis_value};
+use crate::sweep_file::{Axis, AxisRange, DesignTable, Source, SweepFileError, check_axis_value};
 
 /// Random cases.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,11 +19,11 @@ pub struct MonteCarlo {
 struct Range {
     from: f64,
     to: f64,
-    spacing: crate::spec::Spacing,
+    spacing: crate::sweep_file::Spacing,
 }
 
 impl MonteCarlo {
-    pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SpecError> {
+    pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SweepFileError> {
         let cases = match table.cases {
             Some(cases) if cases > 0 => cases,
             Some(_) => return Err(source.error("design.cases", "there must be at least one")),
@@ -85,7 +85,7 @@ impl MonteCarlo {
 }
 
 impl Range {
-    fn resolve(source: &Source, axis: Axis, range: &AxisRange) -> Result<Self, SpecError> {
+    fn resolve(source: &Source, axis: Axis, range: &AxisRange) -> Result<Self, SweepFileError> {
         let key = format!("design.axes.{}", axis.name());
         let (Some(from), Some(to), None, None) = (range.from, range.to, range.count, &range.values)
         else {

@@ -2,7 +2,7 @@
 
 use sim::{Impulse, Lateral, Outcome, Scene, Timing, Wall, torsion_timing};
 
-use crate::spec::{Conditions, LateralSettings, Setting, Sweep, Time};
+use crate::sweep_file::{Conditions, LateralSettings, Setting, Sweep, Time};
 
 /// One case of a sweep.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,7 @@ use linear::cost::{self, Memory};
 use sim::cost::Taps;
 
 use super::systems::request;
-use crate::spec::Setting;
+use crate::sweep_file::Setting;
 
 /// Memory of one string by all methods, bytes: upper bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

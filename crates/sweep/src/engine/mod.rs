@@ -4,18 +4,18 @@
 mod case;
 mod log;
 mod memory;
+mod run_options;
 mod shard;
 mod survey;
 mod systems;
-mod terms;
 
 pub use case::{Case, Row, RowOutcome};
 pub use log::{Header, Log, LogError, LogView, Place, Record, log_place, read_about, read_header};
 pub use memory::StringMemory;
+pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
 pub use systems::{MethodSystem, is_unstable};
-pub use terms::Terms;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -23,7 +23,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use anyhow::Result;
 use rayon::prelude::*;
 
-use crate::spec::Sweep;
+use crate::sweep_file::Sweep;
 
 /// What becomes of a row, by the method with a place in the sweep's list.
 pub type Keep<'a> = &'a (dyn Fn(usize, Row) -> Result<()> + Sync);
@@ -34,8 +34,8 @@ pub struct Work<'a> {
     pub sweep: &'a Sweep,
     /// Which of its cases.
     pub shard: Shard,
-    /// On which terms.
-    pub terms: Terms,
+    /// How its cases are simulated.
+    pub options: RunOptions,
     /// Distinct strings that are built at once.
     pub strings_at_once: usize,
     /// Which pairs of case and method (by its place in the sweep's list) are
@@ -186,7 +186,7 @@ impl Work<'_> {
         }
         let row = match built.systems[method] {
             Ok(system) => Case::of(self.sweep, &system.setting, index)
-                .map(|case| system.answer(&case, self.terms)),
+                .map(|case| system.answer(&case, self.options)),
             Err(reason) => Err(reason.to_owned()),
         };
         let row = row.unwrap_or_else(|reason| {

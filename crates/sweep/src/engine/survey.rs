@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::case::Case;
 use super::memory::StringMemory;
 use crate::design::Design;
-use crate::spec::{Setting, SpecError, Sweep};
+use crate::sweep_file::{Setting, Sweep, SweepFileError};
 
 /// Cases that a thread looks at before it asks for more.
 const CASES_AT_ONCE: usize = 256;
@@ -146,7 +146,7 @@ fn weight(sweep: &Sweep, setting: &Setting, string: usize, found: &Survey) -> He
 ///
 /// # Errors
 /// Where it makes no string.
-pub fn setting_of(sweep: &Sweep, string: usize) -> Result<Cow<'_, Setting>, SpecError> {
+pub fn setting_of(sweep: &Sweep, string: usize) -> Result<Cow<'_, Setting>, SweepFileError> {
     let case = sweep.design.cases_of_string(string).get(0);
     sweep.setting_at(&sweep.design.values(case))
 }

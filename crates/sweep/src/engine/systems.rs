@@ -13,8 +13,8 @@ use sim::excitation::least_impulse;
 use sim::{Outcome, Scene, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::{Case, Row, RowOutcome};
-use super::terms::Terms;
-use crate::spec::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
+use super::run_options::RunOptions;
+use crate::sweep_file::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
@@ -169,15 +169,15 @@ impl MethodSystem {
         scene
     }
 
-    /// The row that a run on these terms writes of a case. A case that panics is one
+    /// The row that a run with these options writes of a case. A case that panics is one
     /// without an answer, and not the end of the sweep.
-    pub fn answer(&self, case: &Case, terms: Terms) -> Row {
-        if let (Some(instability), false) = (self.instability(), terms.allow_unstable) {
+    pub fn answer(&self, case: &Case, options: RunOptions) -> Row {
+        if let (Some(instability), false) = (self.instability(), options.allow_unstable) {
             let reason = format!("{instability} (--allow-unstable simulates it)");
             let method = self.method.name();
             return Row::failed(case.index, method, case.values.clone(), reason);
         }
-        let stopping = terms.stopping(case.index);
+        let stopping = options.stopping(case.index);
         let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, stopping, None)));
         let outcome = match simulated {
             Ok(Ok(outcome)) => RowOutcome::Done(outcome),

@@ -3,7 +3,7 @@
 use super::content::Content;
 use crate::output::{Manifest, Motion};
 use crate::plot::{Ground, Part, Symbol};
-use crate::spec::{Axis, MapMark};
+use crate::sweep_file::{Axis, MapMark};
 
 /// A number in three digits.
 pub fn short(value: f64) -> String {

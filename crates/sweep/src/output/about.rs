@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 use super::labels::labels_header;
 use super::manifest::Manifest;
 use super::results::Tally;
-use crate::engine::{MethodSystem, Shard, Terms, pairs_of};
-use crate::spec::Sweep;
+use crate::engine::{MethodSystem, RunOptions, Shard, pairs_of};
+use crate::sweep_file::Sweep;
 
 /// A run that is not finished.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -34,10 +34,10 @@ impl About {
         sweep: &Sweep,
         sweep_file: &Path,
         shard: Shard,
-        terms: Terms,
+        options: RunOptions,
         systems: &[MethodSystem],
     ) -> Result<Self> {
-        let mut manifest = Manifest::new(sweep, shard, terms, systems, Tally::default(), 0.0)?;
+        let mut manifest = Manifest::new(sweep, shard, options, systems, Tally::default(), 0.0)?;
         // The same words however often the run is stopped.
         manifest.threads = 0;
         for method in &mut manifest.methods {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use crate::engine::Terms;
+use crate::engine::RunOptions;
 
 /// The first line of `failures.csv`.
 pub const FAILURES_HEADER: &str = "case,method,reason,repeat_with";
@@ -26,8 +26,8 @@ pub struct Repeat<'a> {
     pub sweep_file: &'a Path,
     /// Whether the sweep asks for an accuracy, which chooses the method, the same again.
     pub chooses_method: bool,
-    /// On which terms the run is.
-    pub terms: Terms,
+    /// The options of the run.
+    pub options: RunOptions,
 }
 
 impl Repeat<'_> {
@@ -39,8 +39,8 @@ impl Repeat<'_> {
             command += &format!(" --methods {method}");
         }
         for (given, option) in [
-            (self.terms.full, " --full"),
-            (self.terms.allow_unstable, " --allow-unstable"),
+            (self.options.full, " --full"),
+            (self.options.allow_unstable, " --allow-unstable"),
         ] {
             command += if given { option } else { "" };
         }

@@ -10,9 +10,9 @@ use sha2::{Digest, Sha256};
 use super::results::Tally;
 use crate::accuracy::Choice;
 use crate::design::Design;
-use crate::engine::{MethodSystem, Shard, Terms};
+use crate::engine::{MethodSystem, RunOptions, Shard};
 use crate::files::{Checksum, hexadecimal, write_atomically};
-use crate::spec::{Axis, FileContent, MapSettings, Sweep};
+use crate::sweep_file::{Axis, FileContent, MapSettings, Sweep};
 
 /// What was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -49,9 +49,9 @@ pub struct Manifest {
     pub strings: usize,
     /// The part of the sweep that is here, where that is not the whole.
     pub shard: Option<Shard>,
-    /// On which terms it was run.
+    /// The options that it was run with.
     #[serde(flatten)]
-    pub terms: Terms,
+    pub options: RunOptions,
     /// What is known of each method; of the string as the file says it, where
     /// axes change the string.
     pub methods: Vec<MethodRecord>,
@@ -109,7 +109,7 @@ impl Manifest {
     pub fn new(
         sweep: &Sweep,
         shard: Shard,
-        terms: Terms,
+        options: RunOptions,
         systems: &[MethodSystem],
         tally: Tally,
         wall_seconds: f64,
@@ -120,7 +120,7 @@ impl Manifest {
             program: crate::PROGRAM.to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             platform: format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),
-            meaning_sha256: meaning_hash(&meaning(sweep, terms)?)?,
+            meaning_sha256: fingerprint_hash(&fingerprint(sweep, options)?)?,
             cases_sha256: cases_hash(&sweep.design)?,
             seed: sweep.design.seed(),
             sampling_frequency_hz: sweep.setting.sampling_frequency,
@@ -130,7 +130,7 @@ impl Manifest {
             axes: sweep.design.axes().to_vec(),
             strings: sweep.design.strings(),
             shard: (!shard.is_whole()).then_some(shard),
-            terms,
+            options,
             methods: systems.iter().map(MethodRecord::of).collect(),
             tally,
             files: BTreeMap::new(),
@@ -141,12 +141,12 @@ impl Manifest {
         })
     }
 
-    /// What the sweep it records means.
+    /// What tells the run that it records from others.
     ///
     /// # Errors
     /// None that a manifest that was read could cause.
-    pub fn meaning(&self) -> Result<serde_json::Value> {
-        meaning_of(&self.sweep, self.cases_sha256.as_deref(), self.terms)
+    pub fn fingerprint(&self) -> Result<serde_json::Value> {
+        fingerprint_of(&self.sweep, self.cases_sha256.as_deref(), self.options)
     }
 
     /// Whether there is a map of it: none of a part, nor of fewer than two axes.
@@ -178,19 +178,23 @@ impl Manifest {
     }
 }
 
-/// What a sweep means, run on these terms: comments, key order, the spelling of
+/// What tells a run with these options from others: comments, key order, the spelling of
 /// numbers, titles and how the map is drawn do not matter; the cases of a list do.
 ///
 /// # Errors
 /// None that a sweep that was read could cause.
-pub fn meaning(sweep: &Sweep, terms: Terms) -> Result<serde_json::Value> {
-    meaning_of(&sweep.content, cases_hash(&sweep.design)?.as_deref(), terms)
+pub fn fingerprint(sweep: &Sweep, options: RunOptions) -> Result<serde_json::Value> {
+    fingerprint_of(
+        &sweep.content,
+        cases_hash(&sweep.design)?.as_deref(),
+        options,
+    )
 }
 
-fn meaning_of(
+fn fingerprint_of(
     content: &FileContent,
     cases_sha256: Option<&str>,
-    terms: Terms,
+    options: RunOptions,
 ) -> Result<serde_json::Value> {
     let mut content = content.clone();
     content.title = None;
@@ -198,21 +202,21 @@ fn meaning_of(
     for section in &mut content.string.sections {
         section.name = None;
     }
-    let mut meaning = serde_json::to_value(&content)?;
-    if let Some(table) = meaning.as_object_mut() {
+    let mut fingerprint = serde_json::to_value(&content)?;
+    if let Some(table) = fingerprint.as_object_mut() {
         if let Some(hash) = cases_sha256 {
             table.insert("cases of the list".to_owned(), hash.into());
         }
         for (option, is_given) in [
-            ("--full", terms.full),
-            ("--allow-unstable", terms.allow_unstable),
+            ("--full", options.full),
+            ("--allow-unstable", options.allow_unstable),
         ] {
             if is_given {
                 table.insert(option.to_owned(), true.into());
             }
         }
     }
-    Ok(meaning)
+    Ok(fingerprint)
 }
 
 /// Hash of the cases of a list.
@@ -227,13 +231,13 @@ fn cases_hash(design: &Design) -> Result<Option<String>> {
     Ok(Some(hexadecimal(hash)))
 }
 
-fn meaning_hash(meaning: &serde_json::Value) -> Result<String> {
+fn fingerprint_hash(fingerprint: &serde_json::Value) -> Result<String> {
     let mut hash = Sha256::new();
-    hash.update(serde_json::to_vec(meaning)?);
+    hash.update(serde_json::to_vec(fingerprint)?);
     Ok(hexadecimal(hash))
 }
 
-/// Where two meanings differ, each as `key: before → now`.
+/// Where two fingerprints differ, each as `key: before → now`.
 pub fn differences(before: &serde_json::Value, now: &serde_json::Value) -> Vec<String> {
     let mut found = Vec::new();
     compare("", before, now, &mut found);

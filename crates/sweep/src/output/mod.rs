@@ -29,7 +29,7 @@ pub use failures::{FAILURES_HEADER, Repeat};
 pub use fractions::Fractions;
 pub use integrity::{Damage, PICTURES, TABLES};
 pub use labels::{LabelRow, labels_header, labels_row, labels_start, read_labels};
-pub use manifest::{Manifest, MethodRecord, differences, meaning};
+pub use manifest::{Manifest, MethodRecord, differences, fingerprint};
 pub use motion::Motion;
 pub use results::{Counted, Tally, write_tables};
 pub use tables::ResultTables;

@@ -118,7 +118,7 @@ fn write_so_far(about: &About, view: &LogView, folder: &Path) -> Result<Tally> {
     let repeat = Repeat {
         sweep_file: Path::new(&about.sweep_file),
         chooses_method: about.manifest.accuracy.is_some(),
-        terms: about.manifest.terms,
+        options: about.manifest.options,
     };
     let mut tally = Tally::default();
     let mut labels = AtomicFile::create(&folder.join("labels.csv"))?;

@@ -103,7 +103,7 @@ pub fn provenance(all: &[Results]) -> Vec<Block> {
         format!("{frequency} Hz, {why}")
     });
     row("simulated", &|results| {
-        let until = if results.manifest.terms.full {
+        let until = if results.manifest.options.full {
             "every case to its end"
         } else {
             "until certain or settled"

@@ -4,7 +4,7 @@
 use std::io::{Error, ErrorKind};
 use std::path::Path;
 
-use crate::spec::{SpecError, Sweep};
+use crate::sweep_file::{Sweep, SweepFileError};
 
 /// Fig. 12 with a second site.
 const TWO_SITES: &str = r#"base = "fig12.toml"
@@ -33,7 +33,7 @@ const FILES: [(&str, &str); 6] = [
 ///
 /// # Errors
 /// Where it is not among those built in.
-pub fn shipped(name: &str) -> Result<Sweep, SpecError> {
+pub fn shipped(name: &str) -> Result<Sweep, SweepFileError> {
     Sweep::read_from(Path::new(name), &|path, _| {
         let known = FILES.iter().find(|(name, _)| path == Path::new(name));
         known

@@ -17,7 +17,7 @@ use super::UsageError;
 use super::raise::with_our_number;
 use crate::engine::{Header, LogError, Place};
 use crate::output::{Manifest, ResultTables, differences};
-use crate::spec::Sweep;
+use crate::sweep_file::Sweep;
 
 /// The log of a run that is not finished.
 pub const LOG: &str = "cases.log";
@@ -61,7 +61,7 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
                 let what = format!("{} holds a stopped run of", folder.display());
                 refuse_other(&what, &with_our_number(&what, there, header)?, header)?;
                 return Ok(Found::Unfinished {
-                    had_fewer: there.meaning != header.meaning,
+                    had_fewer: there.fingerprint != header.fingerprint,
                 });
             }
             Place::OtherFormat(format) => {
@@ -82,10 +82,10 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
 fn complete(folder: &Path, header: &Header) -> Result<Found> {
     let manifest = Manifest::read(folder)?;
     let program = manifest.program.clone();
-    let there = Header::of(program, manifest.shard(), manifest.meaning()?);
+    let there = Header::of(program, manifest.shard(), manifest.fingerprint()?);
     let what = format!("{} holds the results of", folder.display());
     refuse_other(&what, &with_our_number(&what, &there, header)?, header)?;
-    let had_fewer = there.meaning != header.meaning;
+    let had_fewer = there.fingerprint != header.fingerprint;
     damage::refuse_lost(&manifest, folder)?;
     Ok(if had_fewer {
         Found::Fewer(Box::new(manifest))
@@ -96,8 +96,8 @@ fn complete(folder: &Path, header: &Header) -> Result<Found> {
 
 fn refuse_other(what: &str, there: &Header, ours: &Header) -> Result<()> {
     let remedy = "choose another --out, or begin anew with --fresh";
-    if there.meaning != ours.meaning {
-        let all = differences(&there.meaning, &ours.meaning);
+    if there.fingerprint != ours.fingerprint {
+        let all = differences(&there.fingerprint, &ours.fingerprint);
         let more = match all.len().saturating_sub(MOST_DIFFERENCES) {
             0 => String::new(),
             more => format!(", and {more} more"),

@@ -12,7 +12,7 @@ use super::{LOG, MANIFEST, REPORT};
 use crate::engine::{Header, Place, Shard, log_place};
 use crate::output::{Manifest, PICTURES, TABLES};
 use crate::report::is_page;
-use crate::spec::Sweep;
+use crate::sweep_file::Sweep;
 
 /// What tells of an earlier run in a folder.
 pub struct Ours {

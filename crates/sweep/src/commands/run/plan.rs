@@ -55,7 +55,7 @@ impl Plan<'_> {
         Ok(Cost {
             memory,
             limit,
-            time: probe(sweep, survey, arguments.terms(), simulations, stops),
+            time: probe(sweep, survey, arguments.options(), simulations, stops),
         })
     }
 

@@ -26,23 +26,24 @@ pub struct Header {
     pub program: String,
     /// Which part of the sweep.
     pub shard: Shard,
-    /// What the sweep means.
-    pub meaning: serde_json::Value,
+    /// What tells the run from others.
+    #[serde(rename = "meaning")]
+    pub fingerprint: serde_json::Value,
 }
 
 impl Header {
     /// The header of a run by this program.
-    pub fn new(shard: Shard, meaning: serde_json::Value) -> Self {
-        Self::of(crate::PROGRAM.to_owned(), shard, meaning)
+    pub fn new(shard: Shard, fingerprint: serde_json::Value) -> Self {
+        Self::of(crate::PROGRAM.to_owned(), shard, fingerprint)
     }
 
     /// The header of a run by any program.
-    pub fn of(program: String, shard: Shard, meaning: serde_json::Value) -> Self {
+    pub fn of(program: String, shard: Shard, fingerprint: serde_json::Value) -> Self {
         Self {
             format: FORMAT,
             program,
             shard,
-            meaning,
+            fingerprint,
         }
     }
 

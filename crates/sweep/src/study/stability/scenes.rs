@@ -1,7 +1,7 @@
 //! The scenes that cells are tried in: shipped sweep files, held in the program.
 
-use crate::spec::{SpecError, Sweep};
 use crate::study::scenes::shipped;
+use crate::sweep_file::{Sweep, SweepFileError};
 
 /// As the shipped files, each changed by a cell afterwards.
 pub struct Scenes {
@@ -18,7 +18,7 @@ impl Scenes {
     ///
     /// # Errors
     /// Where a shipped file does not make sense.
-    pub fn read() -> Result<Self, SpecError> {
+    pub fn read() -> Result<Self, SweepFileError> {
         Ok(Self {
             stick_slip: shipped("fig08b.toml")?,
             whirl: shipped("fig12.toml")?,

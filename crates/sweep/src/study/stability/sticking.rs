@@ -10,7 +10,7 @@ use super::families::Cell;
 use super::scenes::Scenes;
 use super::verdict::Findings;
 use crate::engine::{Case, MethodSystem};
-use crate::spec::{Setting, Sweep};
+use crate::sweep_file::{Setting, Sweep};
 
 /// The bit is held for this time, s, as long as Fig. 8(b) is simulated: every
 /// wave of the paper's string has died away by half of it.

@@ -4,11 +4,11 @@ use linear::{Drillstring, DrillstringError, Material, Section, Tube};
 
 use super::file::{Axis, FileContent, SectionTable};
 use super::resolve::{Check, check_axis_value};
-use super::source::SpecError;
+use super::source::SweepFileError;
 use super::string_axis::{LONGEST_STRING, StringAxis, TubeMeasure};
 
 impl Check<'_> {
-    pub(super) fn string(&self, content: &FileContent) -> Result<Drillstring, SpecError> {
+    pub(super) fn string(&self, content: &FileContent) -> Result<Drillstring, SweepFileError> {
         let table = &content.string;
         self.within(
             "string.shear_modulus_gpa",
@@ -56,7 +56,7 @@ impl Check<'_> {
     }
 
     /// Millimetres for metres show in the whole string, if not in a part.
-    fn length(&self, string: &Drillstring) -> Result<(), SpecError> {
+    fn length(&self, string: &Drillstring) -> Result<(), SweepFileError> {
         if string.length() <= LONGEST_STRING {
             return Ok(());
         }
@@ -80,7 +80,7 @@ impl Check<'_> {
         Err(self.source.error(&key, message))
     }
 
-    fn section(&self, section: usize, table: &SectionTable) -> Result<(), SpecError> {
+    fn section(&self, section: usize, table: &SectionTable) -> Result<(), SweepFileError> {
         let key = format!("string.sections[{section}]");
         let repeat = table.repeat as f64;
         self.measure(
@@ -114,7 +114,12 @@ impl Check<'_> {
     }
 
     /// A quantity that could be an axis too has one range for both.
-    pub(super) fn measure(&self, key: &str, axis: StringAxis, value: f64) -> Result<(), SpecError> {
+    pub(super) fn measure(
+        &self,
+        key: &str,
+        axis: StringAxis,
+        value: f64,
+    ) -> Result<(), SweepFileError> {
         check_axis_value(self.source, key, Axis::String(axis), value)
     }
 }

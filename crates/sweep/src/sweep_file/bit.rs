@@ -5,10 +5,10 @@ use sim::laws::rock::{CuttingLaw, PoorCleaning};
 
 use super::file::{Axis, BitTable, LawTable, RockName};
 use super::resolve::{Bit, Check, check_axis_value};
-use super::source::SpecError;
+use super::source::SweepFileError;
 
 impl Check<'_> {
-    pub(super) fn bit(&self, bit: &BitTable) -> Result<Bit, SpecError> {
+    pub(super) fn bit(&self, bit: &BitTable) -> Result<Bit, SweepFileError> {
         self.within(
             "bit.torque_static_ratio",
             bit.torque_static_ratio,
@@ -40,7 +40,7 @@ impl Check<'_> {
         })
     }
 
-    fn law(&self, law: &LawTable) -> Result<CuttingLaw, SpecError> {
+    fn law(&self, law: &LawTable) -> Result<CuttingLaw, SweepFileError> {
         let checks = [
             ("bit_radius_m", law.bit_radius_m, 1e-3, 2.0, "m"),
             (
@@ -109,7 +109,7 @@ impl Check<'_> {
         Ok(law)
     }
 
-    fn table(&self, rows: &[(f64, f64)]) -> Result<Rock, SpecError> {
+    fn table(&self, rows: &[(f64, f64)]) -> Result<Rock, SweepFileError> {
         for (index, &(weight, torque)) in rows.iter().enumerate() {
             let key = format!("bit.table_kn_nm[{index}]");
             check_axis_value(self.source, &key, Axis::WeightOnBitKn, weight)?;

@@ -3,10 +3,10 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::{SpecError, Sweep};
+use super::{Sweep, SweepFileError};
 
 /// Reads a file on top of the paper's drillstring.
-fn read(text: &str) -> Result<Sweep, SpecError> {
+fn read(text: &str) -> Result<Sweep, SweepFileError> {
     let text = format!("base = \"academic.toml\"\n{text}");
     Sweep::read_from(Path::new("sweep.toml"), &|path, _| {
         Ok(match path.to_str() {

@@ -9,7 +9,7 @@ use linear::{Drillstring, Method, Sites};
 use super::file::{AutoOr, Axis, FileContent, MethodName};
 use super::lateral::LateralSettings;
 use super::resolve::{Check, Conditions, Sweep};
-use super::source::{Source, SpecError};
+use super::source::{Source, SweepFileError};
 use super::string_axis::StringAxis;
 use crate::accuracy::Choice;
 use crate::design::Design;
@@ -47,7 +47,7 @@ impl Setting {
         content: &FileContent,
         conditions: &Conditions,
         design: &Design,
-    ) -> Result<Self, SpecError> {
+    ) -> Result<Self, SweepFileError> {
         let check = Check { source };
         let string = check.string(content)?;
         let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
@@ -75,7 +75,7 @@ impl Sweep {
     ///
     /// # Errors
     /// Where these values make no string.
-    pub fn setting_at(&self, values: &[f64]) -> Result<Cow<'_, Setting>, SpecError> {
+    pub fn setting_at(&self, values: &[f64]) -> Result<Cow<'_, Setting>, SweepFileError> {
         let axes = self
             .design
             .axes()
@@ -93,7 +93,7 @@ impl Sweep {
     pub fn setting_with(
         &self,
         values: impl Iterator<Item = (Axis, f64)>,
-    ) -> Result<Cow<'_, Setting>, SpecError> {
+    ) -> Result<Cow<'_, Setting>, SweepFileError> {
         let changes: Vec<(StringAxis, f64)> = values
             .filter_map(|(axis, value)| match axis {
                 Axis::String(axis) => Some((axis, value)),
@@ -116,7 +116,7 @@ impl Sweep {
         &self,
         values: &[f64],
         sampling_frequency: f64,
-    ) -> Result<Setting, SpecError> {
+    ) -> Result<Setting, SweepFileError> {
         let mut content = self.content.clone();
         content.sampling_frequency_hz = AutoOr::Given(sampling_frequency);
         let axes = self.design.axes().iter().zip(values);
@@ -131,7 +131,7 @@ impl Sweep {
     ///
     /// # Errors
     /// Where they do not suit the string as the file says it.
-    pub fn choose(&mut self, method: Method, choice: Choice) -> Result<(), SpecError> {
+    pub fn choose(&mut self, method: Method, choice: Choice) -> Result<(), SweepFileError> {
         let content = &mut self.content;
         content.sampling_frequency_hz = AutoOr::Given(choice.chosen.sampling_frequency_hz);
         content.methods = vec![match method {
@@ -154,7 +154,7 @@ impl Sweep {
         &self,
         mut content: FileContent,
         changes: Vec<(StringAxis, f64)>,
-    ) -> Result<Setting, SpecError> {
+    ) -> Result<Setting, SweepFileError> {
         for (axis, value) in changes {
             axis.set(&mut content, value)
                 .map_err(|message| self.source.error(&axis.name(), message))?;

@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::accuracy::Accuracy;
 use super::lateral::{BendingTable, EccentricMassTable, ImpulseTable, WallTable};
-use super::source::{Source, SpecError};
+use super::source::{Source, SweepFileError};
 use super::string_axis::StringAxis;
 
 /// A sweep file, its bases merged in, as it is written.
@@ -474,7 +474,7 @@ impl AxisRange {
         key: &str,
         from: f64,
         to: f64,
-    ) -> Result<(), SpecError> {
+    ) -> Result<(), SweepFileError> {
         if self.spacing == Spacing::Log && from <= 0.0 {
             let message = "logarithmic spacing starts above zero";
             return Err(source.error(&format!("{key}.from"), message));

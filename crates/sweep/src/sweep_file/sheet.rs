@@ -4,7 +4,7 @@
 use linear::Tube;
 
 use super::resolve::Sweep;
-use super::source::SpecError;
+use super::source::SweepFileError;
 
 /// One inch, m.
 pub const INCH: f64 = 25.4e-3;
@@ -33,7 +33,7 @@ impl Sweep {
     }
 
     /// What is doubtful of the string as the file says it, with line and key.
-    pub fn doubts_about_string(&self) -> Vec<SpecError> {
+    pub fn doubts_about_string(&self) -> Vec<SweepFileError> {
         let mut doubts = Vec::new();
         for (index, section) in self.setting.string.sections().iter().enumerate() {
             for (place, part) in section.parts.iter().enumerate() {
@@ -103,7 +103,7 @@ mod tests {
         );
         let sweep = Sweep::read_from(Path::new("a.toml"), &|_, _| Ok(text.clone())).unwrap();
         let doubts = sweep.doubts_about_string();
-        doubts.iter().map(SpecError::to_string).collect()
+        doubts.iter().map(SweepFileError::to_string).collect()
     }
 
     fn inches(parts: &[[f64; 3]]) -> Vec<[f64; 3]> {

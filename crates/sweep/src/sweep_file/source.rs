@@ -29,21 +29,21 @@ pub type TextOf<'a> = &'a dyn Fn(&Path, u64) -> std::io::Result<String>;
 
 /// One clear sentence about a sweep file that cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SpecError {
+pub struct SweepFileError {
     file: PathBuf,
     line: Option<usize>,
     key: Option<String>,
     message: String,
 }
 
-impl SpecError {
+impl SweepFileError {
     /// What is wrong, without the place.
     pub fn message(&self) -> &str {
         &self.message
     }
 }
 
-impl fmt::Display for SpecError {
+impl fmt::Display for SweepFileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let file = self.file.display();
         let line = self
@@ -56,7 +56,7 @@ impl fmt::Display for SpecError {
     }
 }
 
-impl std::error::Error for SpecError {}
+impl std::error::Error for SweepFileError {}
 
 /// The merged table of a sweep file and its bases.
 #[derive(Debug, Clone)]
@@ -72,7 +72,7 @@ impl Source {
     ///
     /// # Errors
     /// Where a file cannot be read or is not TOML, or the bases go in a circle.
-    pub fn read(path: &Path, text_of: TextOf) -> Result<Self, SpecError> {
+    pub fn read(path: &Path, text_of: TextOf) -> Result<Self, SweepFileError> {
         let mut source = Self {
             merged: Placed::default(),
             files: Vec::new(),
@@ -103,7 +103,7 @@ impl Source {
     ///
     /// # Errors
     /// Where a key is unknown or missing or a value has another type.
-    pub fn parse<T: DeserializeOwned>(&self) -> Result<T, SpecError> {
+    pub fn parse<T: DeserializeOwned>(&self) -> Result<T, SweepFileError> {
         serde_path_to_error::deserialize(self.merged.table.clone()).map_err(|error| {
             let path = error.path().to_string();
             let message = error.into_inner().message().trim().to_owned();
@@ -113,9 +113,9 @@ impl Source {
 
     /// An error about the value at `key`; where it is not given, about the
     /// table around it.
-    pub fn error(&self, key: &str, message: impl Into<String>) -> SpecError {
+    pub fn error(&self, key: &str, message: impl Into<String>) -> SweepFileError {
         let place = self.merged.find(key);
-        SpecError {
+        SweepFileError {
             file: self.files[place.map_or(0, |place| place.file)].clone(),
             line: place.map(|place| place.line),
             key: Some(key.to_owned()),
@@ -124,8 +124,8 @@ impl Source {
     }
 
     /// An error about the sweep file as a whole.
-    pub fn error_of_file(&self, message: impl Into<String>) -> SpecError {
-        SpecError {
+    pub fn error_of_file(&self, message: impl Into<String>) -> SweepFileError {
+        SweepFileError {
             file: self.files[0].clone(),
             line: None,
             key: None,
@@ -136,7 +136,7 @@ impl Source {
     /// Serde's words in the user's: what was meant by an unknown key or
     /// choice, what is missing, what was expected. A key of the file itself may
     /// have slipped into the table above it.
-    fn type_error(&self, path: &str, message: &str, file_keys: &[String]) -> SpecError {
+    fn type_error(&self, path: &str, message: &str, file_keys: &[String]) -> SweepFileError {
         let path = if path == "." { "" } else { path };
         let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
         if let Some(missing) = message.strip_prefix("missing field ").and(quoted.first()) {
@@ -173,10 +173,10 @@ impl Source {
         self.error(&key, format!("{what} `{unknown}`; {hint}"))
     }
 
-    fn add_file(&mut self, path: &Path, text_of: TextOf) -> Result<(), SpecError> {
+    fn add_file(&mut self, path: &Path, text_of: TextOf) -> Result<(), SweepFileError> {
         let file = self.files.len();
         self.files.push(path.to_owned());
-        let unusable = |line, key: Option<&str>, message: String| SpecError {
+        let unusable = |line, key: Option<&str>, message: String| SweepFileError {
             file: path.to_owned(),
             line,
             key: key.map(str::to_owned),

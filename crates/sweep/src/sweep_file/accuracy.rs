@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::resolve::Check;
-use super::source::SpecError;
+use super::source::SweepFileError;
 
 /// The largest error wanted, relative: 0.01 is one per cent.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize)]
@@ -62,7 +62,7 @@ impl serde::de::Visitor<'_> for Visitor {
 }
 
 impl Check<'_> {
-    pub(super) fn accuracy(&self, accuracy: Accuracy) -> Result<(), SpecError> {
+    pub(super) fn accuracy(&self, accuracy: Accuracy) -> Result<(), SweepFileError> {
         if (LEAST..=MOST).contains(&accuracy.0) {
             return Ok(());
         }

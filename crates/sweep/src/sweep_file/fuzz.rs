@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::TestRunner;
 
-use super::{Setting, SpecError, Sweep, check_setting};
+use super::{Setting, Sweep, SweepFileError, check_setting};
 use crate::engine::Case;
 
 /// Inputs made by changing a sweep file. A sixth can still be read.
@@ -342,7 +342,7 @@ fn read(path: &Path, instead: &Texts) -> bool {
 }
 
 /// An error is one line that begins with the name of a file.
-fn is_a_sentence(error: &SpecError, instead: &Texts) {
+fn is_a_sentence(error: &SweepFileError, instead: &Texts) {
     let message = error.to_string();
     let mut files = instead.keys().chain(SHIPPED.keys());
     let named = files.any(|file| message.starts_with(file.to_str().unwrap()));

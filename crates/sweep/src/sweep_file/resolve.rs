@@ -11,7 +11,7 @@ use sim::{BitTorque, Rock};
 
 use super::file::{AutoOr, Axis, FileContent, MethodName};
 use super::setting::Setting;
-use super::source::{Source, SpecError, TextOf};
+use super::source::{Source, SweepFileError, TextOf};
 use crate::accuracy::Choice;
 use crate::design::Design;
 use crate::printable::steers;
@@ -203,7 +203,7 @@ impl Sweep {
     ///
     /// # Errors
     /// Where the file, a base or a list of cases does not make sense.
-    pub fn read(path: &Path) -> Result<Self, SpecError> {
+    pub fn read(path: &Path) -> Result<Self, SweepFileError> {
         Self::read_with_methods(path, &[])
     }
 
@@ -213,7 +213,7 @@ impl Sweep {
     /// # Errors
     /// As [`Sweep::read`], and where the file asks for an accuracy, which chooses the
     /// method.
-    pub fn read_with_methods(path: &Path, methods: &[MethodName]) -> Result<Self, SpecError> {
+    pub fn read_with_methods(path: &Path, methods: &[MethodName]) -> Result<Self, SweepFileError> {
         Self::resolve(path, methods, &read_text)
     }
 
@@ -221,11 +221,15 @@ impl Sweep {
     ///
     /// # Errors
     /// As [`Sweep::read`].
-    pub fn read_from(path: &Path, text_of: TextOf) -> Result<Self, SpecError> {
+    pub fn read_from(path: &Path, text_of: TextOf) -> Result<Self, SweepFileError> {
         Self::resolve(path, &[], text_of)
     }
 
-    fn resolve(path: &Path, methods: &[MethodName], text_of: TextOf) -> Result<Self, SpecError> {
+    fn resolve(
+        path: &Path,
+        methods: &[MethodName],
+        text_of: TextOf,
+    ) -> Result<Self, SweepFileError> {
         let mut source = Source::read(path, text_of)?;
         if !methods.is_empty() {
             if source.gives("accuracy") {
@@ -290,12 +294,12 @@ impl Check<'_> {
         least: f64,
         most: f64,
         unit: &str,
-    ) -> Result<(), SpecError> {
+    ) -> Result<(), SweepFileError> {
         within(value, least, most, unit).map_err(|message| self.source.error(key, message))
     }
 
     /// What people read in pictures and in a terminal.
-    fn texts(&self, content: &FileContent) -> Result<(), SpecError> {
+    fn texts(&self, content: &FileContent) -> Result<(), SweepFileError> {
         let sections = content
             .string
             .sections
@@ -326,7 +330,7 @@ impl Check<'_> {
         &self,
         content: &FileContent,
         string: &Drillstring,
-    ) -> Result<Sites, SpecError> {
+    ) -> Result<Sites, SweepFileError> {
         // Without a wall, the bit is always looked at.
         let mut distances = vec![0.0];
         if content.wall.is_some() {
@@ -363,7 +367,7 @@ impl Check<'_> {
 
     /// The methods. Parameters of the others are looked at too where the file names
     /// its methods itself.
-    fn methods(&self, content: &FileContent, by_file: bool) -> Result<Vec<Method>, SpecError> {
+    fn methods(&self, content: &FileContent, by_file: bool) -> Result<Vec<Method>, SweepFileError> {
         if content.methods.is_empty() {
             return Err(self.source.error("methods", "names no method"));
         }
@@ -408,7 +412,7 @@ impl Check<'_> {
             .collect())
     }
 
-    fn finite_element(&self, parameters: &FiniteElement) -> Result<(), SpecError> {
+    fn finite_element(&self, parameters: &FiniteElement) -> Result<(), SweepFileError> {
         parameters.check().map_err(|error| {
             let key = match &error {
                 BuildError::Parameter { name, .. } => format!("method.finite-element.{name}"),
@@ -426,7 +430,7 @@ impl Check<'_> {
     }
 
     /// An axis of the string must have something to change.
-    fn string_axes(&self, content: &FileContent, design: &Design) -> Result<(), SpecError> {
+    fn string_axes(&self, content: &FileContent, design: &Design) -> Result<(), SweepFileError> {
         for &axis in design.axes() {
             if let Axis::String(string_axis) = axis {
                 let value = string_axis.limits().1;
@@ -441,7 +445,7 @@ impl Check<'_> {
         Ok(())
     }
 
-    fn conditions(&self, content: &FileContent) -> Result<Conditions, SpecError> {
+    fn conditions(&self, content: &FileContent) -> Result<Conditions, SweepFileError> {
         let bit = content.bit.as_ref();
         let conditions = Conditions {
             surface_speed_rpm: content.surface_speed_rpm,
@@ -471,7 +475,7 @@ impl Check<'_> {
         bit: Option<&Bit>,
         conditions: &Conditions,
         design: &Design,
-    ) -> Result<(), SpecError> {
+    ) -> Result<(), SweepFileError> {
         let has = |axis| conditions.value(axis).is_some() || design.axes().contains(&axis);
         if !has(Axis::SurfaceSpeedRpm) {
             let message = "is needed: give a number, or make it an axis of the design";
@@ -513,7 +517,7 @@ pub(crate) fn check_axis_value(
     key: &str,
     axis: Axis,
     value: f64,
-) -> Result<(), SpecError> {
+) -> Result<(), SweepFileError> {
     check_setting(axis, value).map_err(|message| source.error(key, message))
 }
 

@@ -7,10 +7,10 @@ use sim::{EccentricMass, Wall};
 
 use super::file::FileContent;
 use super::resolve::{Check, Conditions, Sweep, in_digits};
-use super::source::SpecError;
+use super::source::SweepFileError;
 use super::string_axis::StringAxis;
 use crate::design::Design;
-use crate::spec::Axis;
+use crate::sweep_file::Axis;
 
 /// More than any knock, N s: a site whose I₀ is larger cannot reach its wall.
 pub const LARGEST_IMPULSE: f64 = 1e9;
@@ -136,7 +136,7 @@ impl Sweep {
     ///
     /// # Errors
     /// Names the impulse.
-    pub fn impulses_are_felt(&self, case: usize, duration: f64) -> Result<(), SpecError> {
+    pub fn impulses_are_felt(&self, case: usize, duration: f64) -> Result<(), SweepFileError> {
         for (index, impulse) in self.content.impulses.iter().enumerate() {
             let start = impulse.start_s;
             if start >= duration {
@@ -159,7 +159,7 @@ impl Check<'_> {
         sites: &Sites,
         conditions: &Conditions,
         design: &Design,
-    ) -> Result<Option<LateralSettings>, SpecError> {
+    ) -> Result<Option<LateralSettings>, SweepFileError> {
         if content.wall.is_none() {
             self.refuse_lateral_keys(content, design)?;
             return Ok(None);
@@ -200,7 +200,11 @@ impl Check<'_> {
     }
 
     /// Keys that would be ignored without a wall.
-    fn refuse_lateral_keys(&self, content: &FileContent, design: &Design) -> Result<(), SpecError> {
+    fn refuse_lateral_keys(
+        &self,
+        content: &FileContent,
+        design: &Design,
+    ) -> Result<(), SweepFileError> {
         let keys = [
             ("impulses", !content.impulses.is_empty()),
             ("eccentric_masses", !content.eccentric_masses.is_empty()),
@@ -219,7 +223,7 @@ impl Check<'_> {
         }
     }
 
-    fn bending(&self, table: &BendingTable) -> Result<(Bending, SurfaceSupport), SpecError> {
+    fn bending(&self, table: &BendingTable) -> Result<(Bending, SurfaceSupport), SweepFileError> {
         let key = |name: &str| format!("string.bending.{name}");
         let modulus = table.youngs_modulus_gpa;
         self.within(&key("youngs_modulus_gpa"), modulus, 0.1, 1e3, "GPa")?;
@@ -247,7 +251,7 @@ impl Check<'_> {
         index: usize,
         radius: f64,
         friction_by_axis: bool,
-    ) -> Result<Wall, SpecError> {
+    ) -> Result<Wall, SweepFileError> {
         let common = content.wall.unwrap_or_default();
         let site = &content.sites[index];
         let chosen = |own: Option<f64>, common: Option<f64>, name: &str| match own {
@@ -285,7 +289,7 @@ impl Check<'_> {
         })
     }
 
-    fn site_of(&self, key: &str, distance: f64, sites: &Sites) -> Result<usize, SpecError> {
+    fn site_of(&self, key: &str, distance: f64, sites: &Sites) -> Result<usize, SweepFileError> {
         // They are in order, and may be many.
         let distances = sites.distances_from_bit();
         let index = distances.partition_point(|site| *site > distance);
@@ -308,7 +312,7 @@ impl Check<'_> {
         table: &ImpulseTable,
         sites: &Sites,
         ratio_by_axis: bool,
-    ) -> Result<ImpulseSettings, SpecError> {
+    ) -> Result<ImpulseSettings, SweepFileError> {
         let key = |name: &str| format!("impulses[{index}].{name}");
         let site = self.site_of(
             &key("distance_from_bit_m"),
@@ -366,7 +370,7 @@ impl Check<'_> {
         &self,
         lateral: Option<&LateralSettings>,
         sampling_frequency: f64,
-    ) -> Result<(), SpecError> {
+    ) -> Result<(), SweepFileError> {
         let impulses = lateral.iter().flat_map(|lateral| &lateral.impulses);
         for (index, settings) in impulses.enumerate() {
             let duration = settings.impulse.duration;
@@ -385,7 +389,7 @@ impl Check<'_> {
         index: usize,
         table: &EccentricMassTable,
         sites: &Sites,
-    ) -> Result<EccentricMass, SpecError> {
+    ) -> Result<EccentricMass, SweepFileError> {
         let key = |name: &str| format!("eccentric_masses[{index}].{name}");
         let site = self.site_of(
             &key("distance_from_bit_m"),

@@ -1,4 +1,4 @@
-//! On which terms a sweep is run.
+//! What the command line asks of a run, beyond the sweep.
 
 use serde::{Deserialize, Serialize};
 use sim::Stopping;
@@ -9,7 +9,7 @@ const CHECKED_PART: usize = 16;
 
 /// What the command line asks of a run and its results depend on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct Terms {
+pub struct RunOptions {
     /// Simulate every case to its end.
     pub full: bool,
     /// Simulate by methods too whose margin says that a stuck site chatters.
@@ -17,7 +17,7 @@ pub struct Terms {
     pub allow_unstable: bool,
 }
 
-impl Terms {
+impl RunOptions {
     /// Of the cases that may stop when they have settled, some are followed to
     /// the end.
     pub fn stopping(self, case: usize) -> Stopping {

@@ -2,7 +2,7 @@
 
 use super::file::{Axis, FileContent, MarkTable};
 use super::resolve::{Bit, Check, Conditions, MapMark, MapSettings, check_axis_value};
-use super::source::SpecError;
+use super::source::SweepFileError;
 use crate::design::Design;
 
 impl Check<'_> {
@@ -11,7 +11,7 @@ impl Check<'_> {
         content: &FileContent,
         design: &Design,
         bit: Option<&Bit>,
-    ) -> Result<Option<MapSettings>, SpecError> {
+    ) -> Result<Option<MapSettings>, SweepFileError> {
         for (key, axis) in [("map.x", content.map.x), ("map.y", content.map.y)] {
             if let Some(axis) = axis
                 && !design.axes().contains(&axis)
@@ -47,7 +47,7 @@ impl Check<'_> {
         mark: &MarkTable,
         (x, y): (Axis, Axis),
         bit: Option<&Bit>,
-    ) -> Result<MapMark, SpecError> {
+    ) -> Result<MapMark, SweepFileError> {
         for (axis, value) in [
             (Axis::SurfaceSpeedRpm, mark.surface_speed_rpm),
             (Axis::WeightOnBitKn, mark.weight_on_bit_kn),

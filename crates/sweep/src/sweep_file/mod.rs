@@ -27,4 +27,4 @@ pub use resolve::{Bit, Conditions, MapMark, MapSettings, Sweep, Time, to_rpm};
 pub(crate) use resolve::{check_axis_value, check_setting};
 pub use setting::Setting;
 pub use sheet::{INCH, POUND_PER_FOOT};
-pub use source::{Source, SpecError, TextOf, nearest};
+pub use source::{Source, SweepFileError, TextOf, nearest};
