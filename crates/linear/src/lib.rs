@@ -64,6 +64,7 @@
 //! ```
 
 mod channel;
+mod checks;
 pub mod cost;
 mod derivative;
 pub mod deviation;

@@ -36,6 +36,7 @@ mod memory;
 mod output;
 mod plot;
 mod printable;
+mod program;
 mod report;
 mod study;
 mod sweep_file;
@@ -48,9 +49,6 @@ use clap::Parser;
 
 use cli::{Cli, Command};
 use commands::Status;
-
-/// This program: version and, where it is known, commit.
-const PROGRAM: &str = concat!("sweep ", env!("SWEEP_VERSION"));
 
 fn main() -> ExitCode {
     let arguments = Cli::parse();

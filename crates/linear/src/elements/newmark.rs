@@ -12,9 +12,9 @@ use faer::sparse::linalg::solvers::Llt;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Accum, MatMut, MatRef, Par, Side};
 
+use crate::checks::check_sampling;
 use crate::error::BuildError;
 use crate::method::FiniteElement;
-use crate::responses::length::check_sampling;
 
 /// An entry of a sparse matrix: row, column, value; equal places are summed.
 pub type Entry = Triplet<usize, usize, f64>;

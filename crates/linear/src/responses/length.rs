@@ -38,32 +38,6 @@ pub(super) fn too_many(taps: f64) -> BuildError {
     }
 }
 
-/// Refuses what is no sampling frequency.
-pub(crate) fn check_sampling(value: f64) -> Result<(), BuildError> {
-    if value.is_finite() && value > 0.0 {
-        Ok(())
-    } else {
-        Err(BuildError::Parameter {
-            name: "sampling_frequency",
-            value,
-            expected: "a positive number of Hz",
-        })
-    }
-}
-
-/// Refuses what is no time to simulate.
-pub(super) fn check_time(value: f64) -> Result<(), BuildError> {
-    if value.is_finite() && value >= 0.0 {
-        Ok(())
-    } else {
-        Err(BuildError::Parameter {
-            name: "longest_time",
-            value,
-            expected: "zero or a positive number of seconds",
-        })
-    }
-}
-
 /// Refuses responses that are no numbers.
 pub(super) fn all_finite(channels: &[Vec<f64>], method: &Method) -> Result<(), BuildError> {
     if channels.iter().flatten().all(|tap| tap.is_finite()) {

@@ -1,7 +1,7 @@
 //! What responses are wanted for: where, in which channels, from which loads.
 
-use super::length::{check_sampling, check_time};
 use crate::channel::Channel;
+use crate::checks::{check_sampling, check_time};
 use crate::drillstring::{Bending, Drillstring, Sites, SurfaceSupport};
 use crate::error::BuildError;
 

@@ -27,7 +27,7 @@ pub fn man(arguments: &ManArguments) -> Result<Status> {
     };
     let mut text = Vec::new();
     Man::new(page.clone())
-        .source(crate::PROGRAM)
+        .source(crate::program::PROGRAM)
         .render(&mut text)?;
     print(text)
 }

@@ -117,7 +117,7 @@ impl Manifest {
         Ok(Self {
             name: sweep.name.clone(),
             title: sweep.title.clone(),
-            program: crate::PROGRAM.to_owned(),
+            program: crate::program::PROGRAM.to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             platform: format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),
             meaning_sha256: fingerprint_hash(&fingerprint(sweep, options)?)?,

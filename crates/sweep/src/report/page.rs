@@ -47,7 +47,7 @@ pub fn page(title: &str, sections: &[Section]) -> Result<String> {
         html += &blocks(&section.blocks)?;
         html += "</section>\n";
     }
-    let program = escaped(crate::PROGRAM);
+    let program = escaped(crate::program::PROGRAM);
     html += &format!("</main>\n{MADE_BY}{program}.</p></footer>\n</body>\n</html>\n");
     Ok(html)
 }

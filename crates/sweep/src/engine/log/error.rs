@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use super::header::FORMAT;
+/// Version of the format of logs.
+pub(super) const FORMAT: u64 = 2;
 
 /// A log that cannot be used.
 #[derive(Debug, Error)]

@@ -6,13 +6,10 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::error::{LogError, file_error};
+use super::error::{FORMAT, LogError, file_error};
 use super::line::{LONGEST_LINE, checked, parse_line};
 use crate::engine::Shard;
 use crate::files::{is_absent, refuse_irregular};
-
-/// Version of this format.
-pub(super) const FORMAT: u64 = 2;
 
 /// First word of a header.
 const HEADER: &str = "sweep-log";
@@ -34,7 +31,7 @@ pub struct Header {
 impl Header {
     /// The header of a run by this program.
     pub fn new(shard: Shard, fingerprint: serde_json::Value) -> Self {
-        Self::of(crate::PROGRAM.to_owned(), shard, fingerprint)
+        Self::of(crate::program::PROGRAM.to_owned(), shard, fingerprint)
     }
 
     /// The header of a run by any program.
