@@ -5,7 +5,7 @@
 //! surface and the torques rise along raised cosines instead, and forces act as the
 //! unit impulses of a scene do.
 
-use faer::c64;
+use num_complex::Complex64;
 
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
@@ -47,7 +47,7 @@ pub fn torsion_error(string: &Drillstring, responses: &Responses) -> Result<f64,
     let network = TorsionNetwork::new(string, sites)?;
     let rise = RaisedCosine { duration: rise };
     let input = |time: f64| rise.integral(time);
-    let of_input = |s: c64| rise.transform(s) / s;
+    let of_input = |s: Complex64| rise.transform(s) / s;
     let mut worst = 0.0f64;
     for site in 0..sites.len() {
         let exact = times.exact(|s| network.admittance(s).from_surface[site] * of_input(s));
@@ -129,7 +129,7 @@ impl Times {
         }
     }
 
-    fn exact(&self, transform: impl Fn(c64) -> c64 + Sync) -> Vec<f64> {
+    fn exact(&self, transform: impl Fn(Complex64) -> Complex64 + Sync) -> Vec<f64> {
         time_response(transform, self.step, TIMES, OVERSAMPLING)
     }
 

@@ -63,6 +63,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(test)]
+extern crate self as linear;
+
 mod channel;
 mod checks;
 pub mod cost;
@@ -77,12 +80,16 @@ pub mod method;
 pub mod passivity;
 pub mod pulse;
 pub mod responses;
+#[cfg(test)]
+mod validation;
 pub mod waves;
 
 pub use channel::{Channel, Port};
 pub use drillstring::{
     Bending, Drillstring, Material, Section, Sites, StringId, SurfaceSupport, Tube,
 };
+pub use num_complex::Complex64;
+
 pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
 pub use pulse::RaisedCosine;

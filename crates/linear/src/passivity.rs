@@ -16,7 +16,8 @@
 //! scheme that damps its highest frequencies, and in one that does not a stuck site
 //! chatters.
 
-use faer::{Mat, Side, c64};
+use faer::{Mat, Side};
+use num_complex::Complex64;
 use realfft::RealFftPlanner;
 
 use crate::error::{BuildError, ResponseError};
@@ -111,7 +112,7 @@ pub fn worst_point<'a>(
     let instant = (0..inputs).map(|input| taps(input, input)[0]);
     let scale = instant.fold(0.0, f64::max);
     let length = REFINEMENT * count.next_power_of_two();
-    let spectra: Vec<Vec<c64>> = (0..inputs * inputs)
+    let spectra: Vec<Vec<Complex64>> = (0..inputs * inputs)
         .map(|pair| spectrum(taps(pair / inputs, pair % inputs), ending, length))
         .collect();
     let hermitian_part = |frequency: usize| {
@@ -138,7 +139,7 @@ pub fn worst_point<'a>(
     })
 }
 
-fn smallest_eigenvalue(hermitian: &Mat<c64>) -> Result<f64, BuildError> {
+fn smallest_eigenvalue(hermitian: &Mat<Complex64>) -> Result<f64, BuildError> {
     let eigenvalues = hermitian
         .self_adjoint_eigenvalues(Side::Lower)
         .map_err(|_| BuildError::NotFinite { method: "taps" })?;
@@ -147,21 +148,21 @@ fn smallest_eigenvalue(hermitian: &Mat<c64>) -> Result<f64, BuildError> {
 
 /// The eigenvector of the smallest eigenvalue. Reciprocity makes the Hermitian
 /// part real, and so the eigenvector, but for a factor.
-fn worst_direction(hermitian: &Mat<c64>) -> Result<Vec<f64>, BuildError> {
+fn worst_direction(hermitian: &Mat<Complex64>) -> Result<Vec<f64>, BuildError> {
     let decomposition = hermitian
         .self_adjoint_eigen(Side::Lower)
         .map_err(|_| BuildError::NotFinite { method: "taps" })?;
     let vector = decomposition.U().col(0);
     let largest = (vector.iter().copied())
         .max_by(|one, other| one.norm().total_cmp(&other.norm()))
-        .unwrap_or(c64::new(1.0, 0.0));
+        .unwrap_or(Complex64::new(1.0, 0.0));
     let turned: Vec<f64> = (vector.iter().map(|entry| (entry / largest).re)).collect();
     let length = turned.iter().map(|x| x * x).sum::<f64>().sqrt();
     Ok(turned.iter().map(|x| x / length).collect())
 }
 
 /// The spectrum of one response at `length / 2 + 1` frequencies up to Nyquist.
-fn spectrum(taps: &[f64], ending: Ending, length: usize) -> Vec<c64> {
+fn spectrum(taps: &[f64], ending: Ending, length: usize) -> Vec<Complex64> {
     if ending == Ending::Whole {
         return transform(taps.iter().copied(), length);
     }
@@ -171,7 +172,7 @@ fn spectrum(taps: &[f64], ending: Ending, length: usize) -> Vec<c64> {
     let rough = transform(half_differences(taps).into_iter(), length);
     for index in length / 4..=length / 2 {
         let angle = -std::f64::consts::TAU * index as f64 / length as f64;
-        let half_difference = 0.5 * (1.0 - c64::from_polar(1.0, angle));
+        let half_difference = 0.5 * (1.0 - Complex64::from_polar(1.0, angle));
         spectrum[index] = rough[index] / half_difference.powu(DIFFERENCES);
     }
     spectrum
@@ -189,7 +190,7 @@ fn half_differences(taps: &[f64]) -> Vec<f64> {
     differences
 }
 
-fn transform(taps: impl Iterator<Item = f64>, length: usize) -> Vec<c64> {
+fn transform(taps: impl Iterator<Item = f64>, length: usize) -> Vec<Complex64> {
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(length);
     let mut padded = transform.make_input_vec();
     for (padded, tap) in padded.iter_mut().zip(taps) {

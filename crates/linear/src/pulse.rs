@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use faer::c64;
+use num_complex::Complex64;
 
 /// (1 − cos 2πt/τ)/τ for 0 ≤ t ≤ τ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +30,7 @@ impl RaisedCosine {
     }
 
     /// Its Laplace transform at `s` (rad/s), Re s > 0.
-    pub fn transform(&self, s: c64) -> c64 {
+    pub fn transform(&self, s: Complex64) -> Complex64 {
         let rate = TAU / self.duration;
         (1.0 - (-s * self.duration).exp()) / self.duration * rate * rate
             / (s * (s * s + rate * rate))
@@ -44,9 +44,9 @@ mod tests {
     #[test]
     fn integral_and_transform_are_those_of_the_pulse() {
         let pulse = RaisedCosine { duration: 0.3 };
-        let (step, s) = (1e-4, c64::new(2.0, 5.0));
+        let (step, s) = (1e-4, Complex64::new(2.0, 5.0));
         let times = (0..3000).map(|index| (f64::from(index) + 0.5) * step);
-        let (mut integral, mut transform) = (0.0, c64::new(0.0, 0.0));
+        let (mut integral, mut transform) = (0.0, Complex64::new(0.0, 0.0));
         for time in times {
             integral += pulse.at(time) * step;
             transform += (-s * time).exp() * (pulse.at(time) * step);

@@ -122,14 +122,14 @@ fn history_direct(bencher: Bencher, taps: usize) {
 /// The same by blocks.
 #[divan::bench(args = [1600, 6400, 25_600], sample_count = 10)]
 fn history_by_blocks(bencher: Bencher, taps: usize) {
-    let (kernels, inputs) = (Kernels::new(&[vec![noise(taps)]]), noise(taps));
+    let (kernels, inputs) = (Kernels::new(&[vec![noise(taps)]]).unwrap(), noise(taps));
     bencher.bench(|| {
         let mut history = Convolution::new(black_box(&kernels), 1, taps);
         let (mut past, mut sum) = ([0.0], 0.0);
         for &input in &inputs {
-            history.past(&mut past);
+            history.past(&mut past).unwrap();
             sum += past[0];
-            history.push(&[input]);
+            history.push(&[input]).unwrap();
         }
         sum
     });
@@ -153,18 +153,18 @@ fn three_sites_direct(bencher: Bencher) {
 /// The same by blocks.
 #[divan::bench(sample_count = 5)]
 fn three_sites_by_blocks(bencher: Bencher) {
-    let kernels = Kernels::new(&vec![vec![noise(6400); 3]; 3]);
+    let kernels = Kernels::new(&vec![vec![noise(6400); 3]; 3]).unwrap();
     let inputs = noise(6400);
     bencher.bench(|| {
         let mut torsion = Convolution::new(black_box(&kernels), 1, 6400);
         let mut bending = Convolution::new(black_box(&kernels), 2, 6400);
         let (mut three, mut six, mut sum) = ([0.0; 3], [0.0; 6], 0.0);
         for &input in &inputs {
-            torsion.past(&mut three);
-            bending.past(&mut six);
+            torsion.past(&mut three).unwrap();
+            bending.past(&mut six).unwrap();
             sum += three[0] + six[0];
-            torsion.push(&[input; 3]);
-            bending.push(&[input; 6]);
+            torsion.push(&[input; 3]).unwrap();
+            bending.push(&[input; 6]).unwrap();
         }
         sum
     });

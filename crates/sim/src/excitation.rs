@@ -89,12 +89,12 @@ fn furthest(pulse: &[f64], taps: &[f64]) -> f64 {
         }));
     }
     // The sum is the same the other way round, and by blocks it is short.
-    let kernels = Kernels::new(&[vec![pulse.to_vec()]]);
+    let kernels = Kernels::of(&[vec![pulse.to_vec()]]);
     let mut convolution = Convolution::new(&kernels, 1, taps.len());
     largest(&mut taps.iter().map(|&tap| {
         let mut past = [0.0];
-        convolution.past(&mut past);
-        convolution.push(&[tap]);
+        convolution.write_past(&mut past);
+        convolution.add(&[tap]);
         past[0] + kernels.instant(0, 0) * tap
     }))
 }

@@ -58,7 +58,7 @@ pub fn worst_load_gain(taps: &[Vec<&[f64]>]) -> Result<f64, BuildError> {
 /// it at its frequency.
 fn energy_gained(taps: &[f64], angle: f64) -> f64 {
     let steps = (RESPONSE_LENGTHS * taps.len().max(2)).min(MOST_STEPS);
-    let kernels = Kernels::new(&[vec![taps.to_vec()]]);
+    let kernels = Kernels::of(&[vec![taps.to_vec()]]);
     let compliance = kernels.instant(0, 0);
     let (sine, cosine) = angle.sin_cos();
     // At the ends of the band x has one direction only, and is pushed twice as
@@ -78,7 +78,7 @@ fn energy_gained(taps: &[f64], angle: f64) -> f64 {
             half_way = f64::ln(real * real + imaginary * imaginary);
         }
         let mut past = [0.0];
-        torques.past(&mut past);
+        torques.write_past(&mut past);
         // The load line speed = past + A(0) torque, met by the oscillator.
         let torque = -stiffness * (real + 0.5 * past[0]) / (1.0 + 0.5 * stiffness * compliance);
         let pushed = real + past[0] + compliance * torque;
@@ -86,7 +86,7 @@ fn energy_gained(taps: &[f64], angle: f64) -> f64 {
             pushed * cosine - imaginary * sine,
             pushed * sine + imaginary * cosine,
         );
-        torques.push(&[torque]);
+        torques.add(&[torque]);
     }
     f64::ln(real * real + imaginary * imaginary) - half_way
 }

@@ -162,7 +162,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
 
     /// Speeds and displacements of this step if no law answered.
     fn find_free_motion(&mut self) {
-        self.torques.past(&mut self.free_speeds);
+        self.torques.write_past(&mut self.free_speeds);
         let (scene, step) = (self.scene, self.next);
         match self.reference {
             Reference::Free => {
@@ -262,7 +262,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         for (torque, load) in self.step_torques.iter_mut().zip(loads) {
             *torque = load.torque - held;
         }
-        self.torques.push(&self.step_torques);
+        self.torques.add(&self.step_torques);
         if let Some(lateral) = &mut self.lateral {
             lateral.end_step(self.system, &self.now);
         }
@@ -353,7 +353,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
     fn find_free_motion(&mut self, system: &System, time: f64, last_speeds: &[f64]) {
         let sites = system.sites;
         self.find_external_forces(time, last_speeds);
-        self.forces.past(&mut self.free_positions);
+        self.forces.write_past(&mut self.free_positions);
         let kernels = self.forces.kernels();
         for (place, position) in self.free_positions.iter_mut().enumerate() {
             let (axis, site) = (place / sites, place % sites);
@@ -415,6 +415,6 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             self.positions[site] = contact.position;
             self.rotations[site] += now.speeds[site] / system.sampling_frequency;
         }
-        self.forces.push(&self.step_forces);
+        self.forces.add(&self.step_forces);
     }
 }

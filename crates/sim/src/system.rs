@@ -56,9 +56,9 @@ impl System {
             surface_steps: (torsion.from_surface.iter())
                 .map(|taps| running_sum(taps))
                 .collect(),
-            from_torques: Kernels::new(&torsion.driving_points()),
+            from_torques: Kernels::of(&torsion.driving_points()),
             to_others: to_others(torsion, responses.sites.bit_site()),
-            from_forces: bending.map(|bending| Kernels::new(&bending.from_loads)),
+            from_forces: bending.map(|bending| Kernels::of(&bending.from_loads)),
             loaded,
         })
     }

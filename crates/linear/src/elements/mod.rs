@@ -2,9 +2,9 @@
 //! paper): a model that shares no equation with [`crate::waves`] beyond the
 //! material's constants.
 
-pub mod beam;
-pub mod mesh;
-pub mod newmark;
+pub(crate) mod beam;
+pub(crate) mod mesh;
+pub(crate) mod newmark;
 pub mod reconstruction;
-pub mod reduction;
-pub mod torsion;
+pub(crate) mod reduction;
+pub(crate) mod torsion;

@@ -114,6 +114,7 @@ impl CondensedString {
 
     /// Speed at `output` per unit torque at `input` in the same step: B of
     /// Eq. 68 in terms of speed, rad/s per N m.
+    #[cfg(test)]
     pub fn instant_response(&self, output: usize, input: usize) -> f64 {
         let acceleration = self.model.unit_accelerations[input][self.model.sites[output]];
         self.model.integrator.weights().velocity_gain() * acceleration

@@ -1,7 +1,7 @@
 //! The paper's digital filter (Eqs. 39–40): the causal sequence whose spectrum
 //! has the sampled real part of the velocity response.
 
-use faer::c64;
+use num_complex::Complex64;
 
 use super::{frequency_grid, inverse_transform, keep, sample};
 
@@ -15,7 +15,7 @@ pub fn taps(
     sampling_frequency: f64,
     transform_length: usize,
     channels: usize,
-    velocity_response: &(impl Fn(c64, &mut [c64]) + Sync),
+    velocity_response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
 ) -> Vec<Vec<f64>> {
     let half = transform_length / 2;
     let grid = frequency_grid(transform_length, sampling_frequency);

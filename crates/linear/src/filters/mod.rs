@@ -9,7 +9,7 @@ pub(crate) mod hilbert;
 pub(crate) mod quadrature;
 pub mod radau;
 
-use faer::c64;
+use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
@@ -18,10 +18,10 @@ use realfft::RealFftPlanner;
 fn sample(
     channels: usize,
     count: usize,
-    variable: impl Fn(usize) -> c64 + Sync,
-    response: &(impl Fn(c64, &mut [c64]) + Sync),
-) -> impl Iterator<Item = Vec<c64>> {
-    let zero = c64::new(0.0, 0.0);
+    variable: impl Fn(usize) -> Complex64 + Sync,
+    response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+) -> impl Iterator<Item = Vec<Complex64>> {
+    let zero = Complex64::new(0.0, 0.0);
     let mut rows = vec![zero; count * channels];
     rows.par_chunks_mut(channels)
         .enumerate()
@@ -45,7 +45,7 @@ fn keep(mut taps: Vec<f64>, count: usize) -> Vec<f64> {
 
 /// The real sequence of length `length` (even) whose discrete Fourier
 /// transform starts with `half_spectrum` (`length / 2 + 1` values).
-pub(crate) fn inverse_transform(half_spectrum: &mut [c64], length: usize) -> Vec<f64> {
+pub(crate) fn inverse_transform(half_spectrum: &mut [Complex64], length: usize) -> Vec<f64> {
     // A real sequence has real values at zero frequency and at Nyquist.
     if let [first, .., last] = half_spectrum {
         first.im = 0.0;
@@ -62,7 +62,7 @@ pub(crate) fn inverse_transform(half_spectrum: &mut [c64], length: usize) -> Vec
 }
 
 /// s = iω on the grid of a transform of `length` samples.
-fn frequency_grid(length: usize, sampling_frequency: f64) -> impl Fn(usize) -> c64 + Sync {
+fn frequency_grid(length: usize, sampling_frequency: f64) -> impl Fn(usize) -> Complex64 + Sync {
     let step = std::f64::consts::TAU * sampling_frequency / length as f64;
-    move |index| c64::new(0.0, step * index as f64)
+    move |index| Complex64::new(0.0, step * index as f64)
 }

@@ -6,7 +6,7 @@
 //! plane, where a positive-real K has a positive real part. So the taps are
 //! positive-real exactly, and since δ(1) = 0 the static limits are exact.
 
-use faer::c64;
+use num_complex::Complex64;
 
 use super::{inverse_transform, keep, sample};
 
@@ -36,14 +36,18 @@ pub(super) fn circle(count: usize) -> Circle {
 
 impl Circle {
     /// A point, in the order of the transform.
-    pub(super) fn point(&self, index: usize) -> c64 {
+    pub(super) fn point(&self, index: usize) -> Complex64 {
         let angle = -std::f64::consts::TAU / self.samples as f64;
-        c64::from_polar(self.radius, angle * index as f64)
+        Complex64::from_polar(self.radius, angle * index as f64)
     }
 }
 
 /// The first `count` Taylor coefficients of what was sampled on a circle.
-pub(super) fn coefficients(mut spectrum: Vec<c64>, circle: &Circle, count: usize) -> Vec<f64> {
+pub(super) fn coefficients(
+    mut spectrum: Vec<Complex64>,
+    circle: &Circle,
+    count: usize,
+) -> Vec<f64> {
     let mut taps = keep(inverse_transform(&mut spectrum, circle.samples), count);
     for (index, tap) in taps.iter_mut().enumerate() {
         *tap *= circle.radius.powf(-(index as f64));
@@ -66,7 +70,7 @@ pub enum Formula {
 
 impl Formula {
     /// δ(ζ) within the unit circle, |ζ| < 1, where it is finite.
-    fn generating_function(self, zeta: c64) -> c64 {
+    fn generating_function(self, zeta: Complex64) -> Complex64 {
         match self {
             Formula::BackwardDifferences => 1.5 - zeta * (2.0 - 0.5 * zeta),
             Formula::Trapezoidal => 2.0 * (1.0 - zeta) / (1.0 + zeta),
@@ -80,7 +84,7 @@ pub fn taps(
     sampling_frequency: f64,
     count: usize,
     channels: usize,
-    response: &(impl Fn(c64, &mut [c64]) + Sync),
+    response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
 ) -> Vec<Vec<f64>> {
     let circle = circle(count);
     let on_circle =
@@ -95,7 +99,7 @@ mod tests {
     use super::*;
 
     fn assert_integrates(formula: Formula, exact: impl Fn(i32) -> f64) {
-        let integrate = |s: c64, out: &mut [c64]| out[0] = s.inv();
+        let integrate = |s: Complex64, out: &mut [Complex64]| out[0] = s.inv();
         let taps = &taps(formula, 10.0, 64, 1, &integrate)[0];
         for (index, tap) in taps.iter().enumerate() {
             let exact = exact(index as i32) / 10.0;

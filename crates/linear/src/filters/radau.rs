@@ -8,7 +8,7 @@
 //! simulation would have to meet every contact at two coupled stages; the
 //! stepper does not, and this filter serves to compare linear responses.
 
-use faer::c64;
+use num_complex::Complex64;
 
 use super::quadrature::{circle, coefficients};
 use super::sample;
@@ -24,11 +24,11 @@ const A: [[f64; 2]; 2] = [[5.0 / 12.0, -1.0 / 12.0], [0.75, 0.25]];
 pub fn taps(
     sampling_frequency: f64,
     count: usize,
-    response: &(impl Fn(c64) -> c64 + Sync),
+    response: &(impl Fn(Complex64) -> Complex64 + Sync),
 ) -> [Vec<f64>; 4] {
     let circle = circle(count);
     let on_circle = |index: usize| circle.point(index);
-    let between_stages = |zeta: c64, channels: &mut [c64]| {
+    let between_stages = |zeta: Complex64, channels: &mut [Complex64]| {
         let [[a, b], [c, d]] = generating_matrix(zeta);
         let (mean, determinant) = (0.5 * (a + d), a * d - b * c);
         let root = (mean * mean - determinant).sqrt();
@@ -46,7 +46,7 @@ pub fn taps(
 }
 
 /// Δ(ζ).
-fn generating_matrix(zeta: c64) -> [[c64; 2]; 2] {
+fn generating_matrix(zeta: Complex64) -> [[Complex64; 2]; 2] {
     let carried = zeta / (1.0 - zeta);
     let [first, last] = A;
     let entry = |row: [f64; 2], column: usize| carried * last[column] + row[column];
@@ -65,7 +65,7 @@ mod tests {
     #[test]
     fn a_quadratic_is_integrated_exactly() {
         let (frequency, steps) = (10.0, 64);
-        let taps = taps(frequency, steps, &|s: c64| s.inv());
+        let taps = taps(frequency, steps, &|s: Complex64| s.inv());
         for step in 0..steps {
             let mut sum = 0.0;
             for input in 0..=step {
@@ -84,7 +84,7 @@ mod tests {
     #[test]
     fn the_generating_matrix_is_passive() {
         for index in 0..400 {
-            let zeta = c64::from_polar(0.999, f64::from(index) * 0.0157);
+            let zeta = Complex64::from_polar(0.999, f64::from(index) * 0.0157);
             let [[a, b], [c, d]] = generating_matrix(zeta);
             let [_, [b1, b2]] = A;
             let off = 0.5 * (b * b1 + (c * b2).conj());

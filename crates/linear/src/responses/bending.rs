@@ -1,7 +1,7 @@
 //! Lateral responses by any method: displacements per force, as long as the
 //! simulation.
 
-use faer::c64;
+use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::channels::ChannelResponses;
@@ -67,12 +67,13 @@ impl Lateral<'_> {
         let network = BendingNetwork::new(self.string, *bending, support, &request.sites)?;
         let sampling_frequency = request.sampling_frequency;
         let count = request.sites.len().pow(2);
-        let displacement =
-            |s: c64, responses: &mut [c64]| fill(&network, s, c64::new(1.0, 0.0), responses);
+        let displacement = |s: Complex64, responses: &mut [Complex64]| {
+            fill(&network, s, Complex64::new(1.0, 0.0), responses)
+        };
         let by_formula = |formula: Formula| {
             quadrature::taps(formula, sampling_frequency, needed, count, &displacement)
         };
-        let velocity = |s: c64, responses: &mut [c64]| {
+        let velocity = |s: Complex64, responses: &mut [Complex64]| {
             if s.norm() == 0.0 {
                 self.fill_rigid(responses);
             } else {
@@ -110,7 +111,7 @@ impl Lateral<'_> {
     /// Writes the velocity responses at zero frequency, where the string moves as
     /// a rigid rod against its dashpots: translation and rotation where the surface
     /// is free, rotation alone where it is pinned, nothing where it is clamped.
-    fn fill_rigid(&self, responses: &mut [c64]) {
+    fn fill_rigid(&self, responses: &mut [Complex64]) {
         let length = self.string.length();
         let depths: Vec<f64> = (self.request.sites.distances_from_bit().iter())
             .map(|distance| (length - distance) / length)
@@ -123,7 +124,7 @@ impl Lateral<'_> {
                 SurfaceSupport::Pinned => 3.0 * a * b,
                 SurfaceSupport::Clamped => 0.0,
             };
-            *value = c64::new(shape / (self.bending.damping * length), 0.0);
+            *value = Complex64::new(shape / (self.bending.damping * length), 0.0);
         }
     }
 
@@ -160,9 +161,9 @@ pub(crate) fn transform_samples(transform: &Transform, request: &Request) -> f64
 }
 
 /// Writes `factor` times the receptances between all sites.
-fn fill(network: &BendingNetwork, s: c64, factor: c64, responses: &mut [c64]) {
+fn fill(network: &BendingNetwork, s: Complex64, factor: Complex64, responses: &mut [Complex64]) {
     let receptance = network.receptance(s);
-    let sites = receptance.nrows();
+    let sites = receptance.size();
     for (index, value) in responses.iter_mut().enumerate() {
         *value = factor * receptance[(index / sites, index % sites)];
     }

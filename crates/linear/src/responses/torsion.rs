@@ -1,6 +1,6 @@
 //! Torsional responses by any method (Sections 2.4 and 3).
 
-use faer::c64;
+use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::channels::ChannelResponses;
@@ -100,10 +100,12 @@ impl Torsion<'_> {
     }
 
     /// Exact frequency responses.
-    fn wave_response(&self) -> Result<impl Fn(c64, &mut [c64]) + Sync + '_, BuildError> {
+    fn wave_response(
+        &self,
+    ) -> Result<impl Fn(Complex64, &mut [Complex64]) + Sync + '_, BuildError> {
         let sites = self.request.sites.len();
         let network = TorsionNetwork::new(self.string, &self.request.sites)?;
-        Ok(move |s: c64, responses: &mut [c64]| {
+        Ok(move |s: Complex64, responses: &mut [Complex64]| {
             let admittance = network.admittance(s);
             responses[..sites].copy_from_slice(&admittance.from_surface);
             let from_torques = (0..sites).flat_map(|site| {

@@ -6,7 +6,7 @@
 //! converging power series; longer tubes are joined from equal pieces by
 //! doubling, so that no exponential occurs and nothing overflows.
 
-use faer::c64;
+use num_complex::Complex64;
 
 use super::block::Block;
 use super::chain::Stiffness;
@@ -46,7 +46,12 @@ const SHORT: f64 = 1.0;
 const POWERS: usize = 26;
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s).
-pub fn uniform(string: &Drillstring, bending: &Bending, tube: &Tube, s: c64) -> BeamStiffness {
+pub fn uniform(
+    string: &Drillstring,
+    bending: &Bending,
+    tube: &Tube,
+    s: Complex64,
+) -> BeamStiffness {
     let rigidity = bending.youngs_modulus * tube.second_moment();
     let inertia = string.material().density * tube.area();
     // E I x⁗ + C x″ + q x = 0 (Eq. 20).
@@ -73,10 +78,10 @@ pub fn uniform(string: &Drillstring, bending: &Bending, tube: &Tube, s: c64) -> 
 
 /// End values (x, x′, x″, x‴) at 1 of x⁗ + p x″ + Q x = 0 with x^(j)(0)/j! = 1
 /// and the other derivatives up to the third zero at 0.
-fn power_series(p: f64, q: c64, j: usize) -> [c64; 4] {
-    let zero = c64::new(0.0, 0.0);
+fn power_series(p: f64, q: Complex64, j: usize) -> [Complex64; 4] {
+    let zero = Complex64::new(0.0, 0.0);
     let mut coefficients = [zero; POWERS];
-    coefficients[j] = c64::new(1.0, 0.0);
+    coefficients[j] = Complex64::new(1.0, 0.0);
     for n in 0..POWERS - 4 {
         let m = n as f64;
         let second = coefficients[n + 2] * p * ((m + 2.0) * (m + 1.0));
@@ -95,9 +100,9 @@ fn power_series(p: f64, q: c64, j: usize) -> [c64; 4] {
 }
 
 /// Stiffness of a beam of unit length and rigidity.
-fn short_beam(p: f64, q: c64) -> BeamStiffness {
+fn short_beam(p: f64, q: Complex64) -> BeamStiffness {
     let [u0, u1, u2, u3] = [0, 1, 2, 3].map(|j| power_series(p, q, j));
-    let (zero, one) = (c64::new(0.0, 0.0), c64::new(1.0, 0.0));
+    let (zero, one) = (Complex64::new(0.0, 0.0), Complex64::new(1.0, 0.0));
     // (x, x′)(1) = near · (x, x′)(0) + far · (a₂, a₃), solved for (a₂, a₃).
     let near = Block([[u0[0], u1[0]], [u0[1], u1[1]]]);
     let far = Block([[u2[0], u3[0]], [u2[1], u3[1]]]).inverse();
@@ -106,7 +111,7 @@ fn short_beam(p: f64, q: c64) -> BeamStiffness {
     // x″ = 2 a₂ and x‴ = 6 a₃, at the bottom (−x‴ − p x′, x″).
     let top_forces = Block([[zero, one * 6.0], [-one * 2.0, zero]]);
     let direct_top = Block([[zero, one * p], [zero, zero]]);
-    let force = |u: [c64; 4]| -u[3] - u[1] * p;
+    let force = |u: [Complex64; 4]| -u[3] - u[1] * p;
     let bottom_from_top = Block([[force(u0), force(u1)], [u0[2], u1[2]]]);
     let bottom_from_far = Block([[force(u2), force(u3)], [u2[2], u3[2]]]);
     let top = direct_top + top_forces * from_top;

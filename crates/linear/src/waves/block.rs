@@ -3,11 +3,11 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use faer::c64;
+use num_complex::Complex64;
 
 /// Rows of a two-by-two matrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Block(pub [[c64; 2]; 2]);
+pub struct Block(pub [[Complex64; 2]; 2]);
 
 impl Block {
     /// The transpose.
@@ -23,7 +23,7 @@ impl Block {
         Block([[d * scale, -b * scale], [-c * scale, a * scale]])
     }
 
-    fn zip(self, other: Self, f: impl Fn(c64, c64) -> c64) -> Self {
+    fn zip(self, other: Self, f: impl Fn(Complex64, Complex64) -> Complex64) -> Self {
         let ([[a, b], [c, d]], [[e, g], [h, i]]) = (self.0, other.0);
         Block([[f(a, e), f(b, g)], [f(c, h), f(d, i)]])
     }

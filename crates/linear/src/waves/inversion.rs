@@ -7,7 +7,7 @@
 //! ACM* 15, 1968, 115–123). So the transform must fall fast: an input that rises
 //! smoothly, not a jump.
 
-use faer::c64;
+use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
@@ -23,7 +23,7 @@ const KEPT_PART: usize = 4;
 /// `k · step` (s) for k below `count`; frequencies up to `oversampling` times
 /// half the rate of these samples are taken into account.
 pub fn time_response(
-    transform: impl Fn(c64) -> c64 + Sync,
+    transform: impl Fn(Complex64) -> Complex64 + Sync,
     step: f64,
     count: usize,
     oversampling: usize,
@@ -32,12 +32,12 @@ pub fn time_response(
     let samples = kept * oversampling;
     let period = kept as f64 * step;
     let shift = DAMPING / period;
-    let mut spectrum: Vec<c64> = (0..samples / 2 + 1)
+    let mut spectrum: Vec<Complex64> = (0..samples / 2 + 1)
         .into_par_iter()
         .with_min_len(256)
         .map(|index| {
             let rate = std::f64::consts::TAU * index as f64 / period;
-            transform(c64::new(shift, rate))
+            transform(Complex64::new(shift, rate))
         })
         .collect();
     spectrum[0].im = 0.0;
@@ -73,7 +73,7 @@ mod tests {
     #[test]
     fn delays_and_echoes_are_met() {
         let rate = std::f64::consts::TAU;
-        let pulse = |s: c64| rate.powi(2) * (1.0 - (-s).exp()) / (s * (s * s + rate * rate));
+        let pulse = |s: Complex64| rate.powi(2) * (1.0 - (-s).exp()) / (s * (s * s + rate * rate));
         let values = time_response(|s| pulse(s) / (1.0 + (-s * 2.0).exp()), 0.005, 2000, 16);
         for (index, value) in values.iter().enumerate() {
             let time = index as f64 * 0.005;

@@ -1,12 +1,14 @@
 //! The string in bending reduced to its sites (Eqs. 50–58): forces in,
 //! displacements out, no external moments.
 
+use faer::Mat;
 use faer::linalg::solvers::Solve;
-use faer::{Mat, c64};
+use num_complex::Complex64;
 
 use super::bending::{BeamStiffness, uniform};
 use super::block::Block;
 use super::chain;
+use super::matrix::ResponseMatrix;
 use crate::drillstring::{Bending, Drillstring, Sites, Span, SurfaceSupport};
 use crate::error::DrillstringError;
 
@@ -43,8 +45,8 @@ impl<'a> BendingNetwork<'a> {
     }
 
     /// The receptance at an angular frequency (rad/s, not zero).
-    pub fn at_rate(&self, rate: f64) -> Mat<c64> {
-        self.receptance(c64::new(0.0, rate))
+    pub fn at_rate(&self, rate: f64) -> ResponseMatrix {
+        self.receptance(Complex64::new(0.0, rate))
     }
 
     /// Dynamic stiffness at one site, the others free, at an angular frequency (rad/s,
@@ -56,11 +58,11 @@ impl<'a> BendingNetwork<'a> {
 
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
-    pub fn receptance(&self, s: c64) -> Mat<c64> {
+    pub fn receptance(&self, s: Complex64) -> ResponseMatrix {
         // Node 0 is the surface; each has a displacement and a slope.
         let held = self.support.held();
         let size = 2 * (self.spans.len() + 1) - held;
-        let mut stiffness = Mat::<c64>::zeros(size, size);
+        let mut stiffness = Mat::<Complex64>::zeros(size, size);
         for (upper, span) in self.spans.iter().enumerate() {
             let tube = |tube: &_| uniform(self.string, &self.bending, tube, s);
             if let Some(piece) = chain::span(span, tube) {
@@ -68,20 +70,20 @@ impl<'a> BendingNetwork<'a> {
             }
         }
         let displacement = |site: usize| 2 * (site + 1) - held;
-        let mut forces = Mat::<c64>::zeros(size, self.sites);
+        let mut forces = Mat::<Complex64>::zeros(size, self.sites);
         for site in 0..self.sites {
-            forces[(displacement(site), site)] = c64::new(1.0, 0.0);
+            forces[(displacement(site), site)] = Complex64::new(1.0, 0.0);
         }
         stiffness.partial_piv_lu().solve_in_place(&mut forces);
-        Mat::from_fn(self.sites, self.sites, |row, column| {
+        ResponseMatrix(Mat::from_fn(self.sites, self.sites, |row, column| {
             forces[(displacement(row), column)]
-        })
+        }))
     }
 }
 
 /// Adds the piece between nodes `upper` and `upper + 1`; the first `held`
 /// degrees of freedom are left out.
-fn add_piece(stiffness: &mut Mat<c64>, upper: usize, held: usize, piece: BeamStiffness) {
+fn add_piece(stiffness: &mut Mat<Complex64>, upper: usize, held: usize, piece: BeamStiffness) {
     let blocks = [
         (0, 0, piece.top),
         (0, 1, piece.cross),

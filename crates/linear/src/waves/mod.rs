@@ -2,11 +2,14 @@
 //! (Sections 2.2 and 2.5 of the paper): wave solutions of each uniform tube,
 //! joined into a chain, reduced to the surface and the sites.
 
-pub mod bending;
-pub mod block;
-pub mod chain;
+pub(crate) mod bending;
+pub(crate) mod block;
+pub(crate) mod chain;
 pub mod inversion;
 pub mod lateral;
+mod matrix;
 pub mod network;
-pub mod torsion;
+pub(crate) mod torsion;
 pub mod transfer;
+
+pub use matrix::ResponseMatrix;

@@ -1,10 +1,12 @@
 //! The string reduced to the surface and the sites (Eqs. 41–48): surface
 //! rotation speed and external torques in, rotation speeds at the sites out.
 
+use faer::Mat;
 use faer::linalg::solvers::Solve;
-use faer::{Mat, c64};
+use num_complex::Complex64;
 
 use super::chain;
+use super::matrix::ResponseMatrix;
 use super::torsion::uniform;
 use crate::drillstring::{Drillstring, Sites, Span};
 use crate::error::DrillstringError;
@@ -14,10 +16,10 @@ use crate::error::DrillstringError;
 #[derive(Debug, Clone)]
 pub struct TorsionAdmittance {
     /// Speed at each site per unit surface speed (dimensionless).
-    pub from_surface: Vec<c64>,
+    pub from_surface: Vec<Complex64>,
     /// Speed at each site (row) per unit external torque at each site
     /// (column), rad/s per N m.
-    pub from_torque: Mat<c64>,
+    pub from_torque: ResponseMatrix,
 }
 
 /// A string cut at its sites once, to be evaluated at many frequencies.
@@ -43,14 +45,14 @@ impl<'a> TorsionNetwork<'a> {
 
     /// The frequency response at `frequency` (Hz).
     pub fn at_frequency(&self, frequency: f64) -> TorsionAdmittance {
-        self.admittance(c64::new(0.0, std::f64::consts::TAU * frequency))
+        self.admittance(Complex64::new(0.0, std::f64::consts::TAU * frequency))
     }
 
     /// The response at the Laplace variable `s` (rad/s, Re s ≥ 0).
-    pub fn admittance(&self, s: c64) -> TorsionAdmittance {
+    pub fn admittance(&self, s: Complex64) -> TorsionAdmittance {
         let nodes = self.spans.len();
-        let mut stiffness = Mat::<c64>::zeros(nodes, nodes);
-        let mut inputs = Mat::<c64>::zeros(nodes, self.sites + 1);
+        let mut stiffness = Mat::<Complex64>::zeros(nodes, nodes);
+        let mut inputs = Mat::<Complex64>::zeros(nodes, self.sites + 1);
         for (node, span) in self.spans.iter().enumerate() {
             let tube = |tube: &_| uniform(self.string, tube, s);
             let Some(piece) = chain::span(span, tube) else {
@@ -73,13 +75,15 @@ impl<'a> TorsionNetwork<'a> {
         let response = solve(stiffness, inputs);
         TorsionAdmittance {
             from_surface: (0..self.sites).map(|site| response[(site, 0)]).collect(),
-            from_torque: response.submatrix(0, 1, self.sites, self.sites).to_owned(),
+            from_torque: ResponseMatrix(
+                response.submatrix(0, 1, self.sites, self.sites).to_owned(),
+            ),
         }
     }
 }
 
 /// K⁻¹ B; one node alone, by far the most frequent case, needs no factors.
-fn solve(stiffness: Mat<c64>, mut inputs: Mat<c64>) -> Mat<c64> {
+fn solve(stiffness: Mat<Complex64>, mut inputs: Mat<Complex64>) -> Mat<Complex64> {
     if stiffness.nrows() == 1 {
         let compliance = stiffness[(0, 0)].inv();
         inputs.col_mut(0).iter_mut().for_each(|x| *x *= compliance);

@@ -5,7 +5,7 @@
 //! relation between rotation speeds and torques; the rotation form is finite
 //! at s = 0, where the static limit lives.
 
-use faer::c64;
+use num_complex::Complex64;
 
 use super::chain::Stiffness;
 use crate::drillstring::{Drillstring, Tube};
@@ -16,11 +16,11 @@ use crate::drillstring::{Drillstring, Tube};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DynamicStiffness {
     /// Driving-point stiffness at the top.
-    pub top: c64,
+    pub top: Complex64,
     /// Transfer stiffness, the same in both directions (reciprocity).
-    pub cross: c64,
+    pub cross: Complex64,
     /// Driving-point stiffness at the bottom.
-    pub bottom: c64,
+    pub bottom: Complex64,
 }
 
 impl Stiffness for DynamicStiffness {
@@ -36,7 +36,7 @@ impl Stiffness for DynamicStiffness {
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s):
 /// G J γ coth γL and −G J γ csch γL with γ² = s(c_t + sρJ)/(GJ).
-pub fn uniform(string: &Drillstring, tube: &Tube, s: c64) -> DynamicStiffness {
+pub fn uniform(string: &Drillstring, tube: &Tube, s: Complex64) -> DynamicStiffness {
     let material = string.material();
     let polar_moment = tube.polar_moment();
     let rigidity = material.shear_modulus * polar_moment;
@@ -54,7 +54,7 @@ pub fn uniform(string: &Drillstring, tube: &Tube, s: c64) -> DynamicStiffness {
 
 /// x coth x and x csch x for Re x ≥ 0, by decaying exponentials only, so that
 /// nothing overflows however long or fast the wave.
-fn scaled_coth_csch(x: c64) -> (c64, c64) {
+fn scaled_coth_csch(x: Complex64) -> (Complex64, Complex64) {
     // Below this the closed form loses digits to 1 − e^(−2x), and the next
     // term of the series is below rounding.
     const SMALL: f64 = 1e-2;
@@ -78,7 +78,7 @@ mod tests {
     #[test]
     fn series_and_closed_form_meet() {
         for angle in [0.0, 0.7, 1.5] {
-            let direction = c64::from_polar(1.0, angle);
+            let direction = Complex64::from_polar(1.0, angle);
             let below = scaled_coth_csch(direction * 0.009_999_999);
             let above = scaled_coth_csch(direction * 0.010_000_001);
             assert!((below.0 - above.0).norm() < 1e-10);
@@ -93,8 +93,8 @@ mod tests {
 
     #[test]
     fn a_tube_of_any_length_has_finite_stiffness() {
-        let (coth, csch) = scaled_coth_csch(c64::new(1e6, 1e6));
-        assert!((coth / c64::new(1e6, 1e6) - 1.0).norm() < 1e-15);
+        let (coth, csch) = scaled_coth_csch(Complex64::new(1e6, 1e6));
+        assert!((coth / Complex64::new(1e6, 1e6) - 1.0).norm() < 1e-15);
         assert_eq!(csch.norm(), 0.0);
     }
 }

@@ -9,7 +9,7 @@
 
 use std::ops::Mul;
 
-use faer::c64;
+use num_complex::Complex64;
 
 use super::bending::{BeamStiffness, uniform};
 use super::block::Block;
@@ -54,8 +54,8 @@ impl Mul for Transfer {
 /// Displacement at the bit per unit force there, m/N, of a string that nothing
 /// holds at the surface, at an angular frequency (rad/s, not zero). Not a number, or
 /// infinite, where the products overflow.
-pub fn tip_receptance(string: &Drillstring, bending: &Bending, rate: f64) -> c64 {
-    let s = c64::new(0.0, rate);
+pub fn tip_receptance(string: &Drillstring, bending: &Bending, rate: f64) -> Complex64 {
+    let s = Complex64::new(0.0, rate);
     let mut chain: Option<Transfer> = None;
     for section in string.sections() {
         for part in (0..section.repeat).flat_map(|_| &section.parts) {
@@ -63,7 +63,7 @@ pub fn tip_receptance(string: &Drillstring, bending: &Bending, rate: f64) -> c64
             chain = Some(chain.map_or(part, |upper| part * upper));
         }
     }
-    chain.map_or(c64::new(f64::NAN, f64::NAN), |chain| {
+    chain.map_or(Complex64::new(f64::NAN, f64::NAN), |chain| {
         // Nothing acts on the top; what acts on the bottom is carried on, negated.
         let Block([[receptance, _], _]) = -(chain.a * chain.c.inverse());
         receptance

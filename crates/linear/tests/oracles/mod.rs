@@ -1,7 +1,8 @@
 //! Answers from closed forms and from formulations the library does not use.
 #![allow(dead_code, missing_docs, reason = "each test uses some of them")]
 
-use faer::{Mat, c64, mat};
+use faer::{Mat, mat};
+use linear::Complex64;
 use linear::{Drillstring, Tube};
 
 #[path = "../../../../tests/support/academic.rs"]
@@ -23,7 +24,7 @@ pub fn free_bit_speed(time: f64, travel_time: f64, surface: impl Fn(f64) -> f64)
 
 /// Transfer matrix of (rotation, internal torque) across one tube, from Eq. 3
 /// with hyperbolic functions as they stand.
-pub fn transfer_matrix(string: &Drillstring, tube: &Tube, s: c64) -> Mat<c64> {
+pub fn transfer_matrix(string: &Drillstring, tube: &Tube, s: Complex64) -> Mat<Complex64> {
     let material = string.material();
     let rigidity = material.shear_modulus * tube.polar_moment();
     let inertia = material.density * tube.polar_moment();
@@ -37,7 +38,7 @@ pub fn transfer_matrix(string: &Drillstring, tube: &Tube, s: c64) -> Mat<c64> {
 
 /// Dynamic stiffness (top, cross, bottom) from a transfer matrix: rotations to
 /// external torques −T at the top, +T at the bottom.
-pub fn stiffness_of_transfer(m: &Mat<c64>) -> [c64; 3] {
+pub fn stiffness_of_transfer(m: &Mat<Complex64>) -> [Complex64; 3] {
     let flexibility = m[(0, 1)].inv();
     [
         m[(0, 0)] * flexibility,
@@ -48,7 +49,7 @@ pub fn stiffness_of_transfer(m: &Mat<c64>) -> [c64; 3] {
 
 /// The paper's chain of `count` cells by eigenvectors (Eqs. 6–10), with the
 /// growing wave scaled at its far end.
-pub fn eigenvector_chain(cell: &Mat<c64>, count: usize) -> [c64; 3] {
+pub fn eigenvector_chain(cell: &Mat<Complex64>, count: usize) -> [Complex64; 3] {
     let trace = cell[(0, 0)] + cell[(1, 1)];
     let determinant = cell[(0, 0)] * cell[(1, 1)] - cell[(0, 1)] * cell[(1, 0)];
     let root = (trace * trace / 4.0 - determinant).sqrt();
@@ -60,7 +61,7 @@ pub fn eigenvector_chain(cell: &Mat<c64>, count: usize) -> [c64; 3] {
     };
     let large = candidates[growing];
     let small = determinant / large;
-    let vector = |lambda: c64| [cell[(0, 1)], lambda - cell[(0, 0)]];
+    let vector = |lambda: Complex64| [cell[(0, 1)], lambda - cell[(0, 0)]];
     let (p, q) = (vector(large), vector(small));
     let scaled = large.powi(-(count as i32));
     let far = small.powi(count as i32);

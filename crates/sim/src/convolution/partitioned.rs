@@ -17,6 +17,7 @@
 
 use std::sync::Arc;
 
+use linear::ResponseError;
 use pulp::Arch;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
@@ -111,7 +112,18 @@ fn split(spectrum: &[Complex<f64>], parts: &mut [f64]) {
 
 impl Kernels {
     /// Prepares `taps[output][input]`, a square of responses.
-    pub fn new(taps: &[Vec<impl AsRef<[f64]>>]) -> Self {
+    ///
+    /// # Errors
+    /// Where there are none, or not equally many to each site as from it.
+    pub fn new(taps: &[Vec<impl AsRef<[f64]>>]) -> Result<Self, ResponseError> {
+        if taps.is_empty() || taps.iter().any(|inputs| inputs.len() != taps.len()) {
+            return Err(ResponseError::Shape);
+        }
+        Ok(Self::of(taps))
+    }
+
+    /// The same of responses that are known to be a square, or nothing.
+    pub(crate) fn of(taps: &[Vec<impl AsRef<[f64]>>]) -> Self {
         let pairs: Vec<&[f64]> = taps.iter().flatten().map(AsRef::as_ref).collect();
         let longest = pairs.iter().map(|taps| taps.len()).max().unwrap_or(0);
         let levels = partitions(longest)
@@ -130,7 +142,8 @@ impl Kernels {
     }
 
     /// A(0): the response of a site within the step of an input at another.
-    pub fn instant(&self, output: usize, input: usize) -> f64 {
+    #[inline]
+    pub(crate) fn instant(&self, output: usize, input: usize) -> f64 {
         self.instants[output * self.sites + input]
     }
 }
@@ -210,7 +223,25 @@ impl<'a> Convolution<'a> {
 
     /// Writes Σ A(k − n) E(n) over the past, n < k, of every plane and site, in
     /// this order, for the present step k.
-    pub fn past(&self, sums: &mut [f64]) {
+    ///
+    /// # Errors
+    /// Where there are not as many sums as planes and sites.
+    pub fn past(&self, sums: &mut [f64]) -> Result<(), ResponseError> {
+        self.check(sums)?;
+        self.write_past(sums);
+        Ok(())
+    }
+
+    fn check(&self, channels: &[f64]) -> Result<(), ResponseError> {
+        if channels.len() == self.inputs.len() {
+            Ok(())
+        } else {
+            Err(ResponseError::Shape)
+        }
+    }
+
+    /// The same, for so many sums.
+    pub(crate) fn write_past(&self, sums: &mut [f64]) {
         let (kernels, sites) = (self.kernels, self.kernels.sites);
         let within = self.steps % FIRST_BLOCK;
         let start = self.steps - within;
@@ -230,7 +261,17 @@ impl<'a> Convolution<'a> {
     }
 
     /// Ends the present step with the inputs of every plane and site.
-    pub fn push(&mut self, inputs: &[f64]) {
+    ///
+    /// # Errors
+    /// Where there are not as many inputs as planes and sites.
+    pub fn push(&mut self, inputs: &[f64]) -> Result<(), ResponseError> {
+        self.check(inputs)?;
+        self.add(inputs);
+        Ok(())
+    }
+
+    /// The same, for so many inputs.
+    pub(crate) fn add(&mut self, inputs: &[f64]) {
         for (channel, &input) in inputs.iter().enumerate() {
             self.inputs[channel].push(input);
             self.is_active[channel] |= input != 0.0;
@@ -244,13 +285,13 @@ impl<'a> Convolution<'a> {
     /// At the beginning of a block, what all earlier ones add to its steps, B₀ of
     /// them for every plane and site: the whole sums, as long as nothing is added
     /// within.
-    pub fn next_block(&self) -> Option<&[f64]> {
+    pub(crate) fn next_block(&self) -> Option<&[f64]> {
         let begins = self.steps.is_multiple_of(FIRST_BLOCK);
         begins.then_some(self.known.as_slice())
     }
 
     /// Ends a whole block without inputs.
-    pub fn push_quiet_block(&mut self) {
+    pub(crate) fn push_quiet_block(&mut self) {
         let steps = self.steps + FIRST_BLOCK;
         for inputs in &mut self.inputs {
             inputs.resize(steps, 0.0);
@@ -260,12 +301,12 @@ impl<'a> Convolution<'a> {
     }
 
     /// The responses that are summed.
-    pub fn kernels(&self) -> &'a Kernels {
+    pub(crate) fn kernels(&self) -> &'a Kernels {
         self.kernels
     }
 
     /// All inputs of a plane and site so far.
-    pub fn inputs(&self, plane: usize, site: usize) -> &[f64] {
+    pub(crate) fn inputs(&self, plane: usize, site: usize) -> &[f64] {
         &self.inputs[plane * self.kernels.sites + site]
     }
 
@@ -443,7 +484,7 @@ mod tests {
                         .collect()
                 })
                 .collect();
-            let kernels = Kernels::new(&responses);
+            let kernels = Kernels::of(&responses);
             let direct: Vec<Vec<Kernel>> = (responses.iter())
                 .map(|row| row.iter().map(|taps| Kernel::new(taps)).collect())
                 .collect();
@@ -460,7 +501,7 @@ mod tests {
             let mut convolution = Convolution::new(&kernels, planes, steps);
             let mut sums = vec![0.0; channels];
             for step in 0..steps {
-                convolution.past(&mut sums);
+                convolution.write_past(&mut sums);
                 // Each step costs the reference all of them: some are enough.
                 if step % 17 == 0 || step + 50 > steps {
                     for (channel, sum) in sums.iter().enumerate() {
@@ -479,7 +520,7 @@ mod tests {
                     }
                 }
                 let now: Vec<f64> = inputs.iter().map(|channel| channel[step]).collect();
-                convolution.push(&now);
+                convolution.add(&now);
             }
             assert_eq!(
                 convolution.inputs(planes - 1, sites - 1),

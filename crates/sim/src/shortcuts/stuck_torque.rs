@@ -27,9 +27,9 @@ impl StuckTorque {
         let mut torques = Vec::with_capacity(steps);
         for step in 0..steps {
             let mut past = [0.0];
-            convolution.past(&mut past);
+            convolution.write_past(&mut past);
             let torque = -(surface(step) + past[0]) / kernels.instant(0, 0);
-            convolution.push(&[torque]);
+            convolution.add(&[torque]);
             torques.push(torque);
         }
         let largest = torques.iter().scan(0.0, |largest: &mut f64, torque| {

@@ -1,6 +1,6 @@
 //! Histories against the exact ones.
 
-use faer::c64;
+use linear::Complex64;
 use linear::waves::inversion::time_response;
 
 /// The exact history is computed from frequencies up to half of this at least, Hz.
@@ -22,7 +22,11 @@ impl Exact {
     }
 
     /// The history of `time` seconds with the given Laplace transform.
-    pub fn new(sampling_frequency: f64, time: f64, transform: impl Fn(c64) -> c64 + Sync) -> Self {
+    pub fn new(
+        sampling_frequency: f64,
+        time: f64,
+        transform: impl Fn(Complex64) -> Complex64 + Sync,
+    ) -> Self {
         let count = (time * sampling_frequency).round() as usize + 1;
         let oversampling = (BAND / sampling_frequency).ceil() as usize;
         Self {

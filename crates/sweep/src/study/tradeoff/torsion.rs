@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use anyhow::{Context, Result};
-use faer::c64;
+use linear::Complex64;
 use linear::estimates::{largest_undershoot, torsional_stiffness, torsional_travel_time};
 use linear::filters::radau;
 use linear::method::Transform;
@@ -110,7 +110,7 @@ impl Torsion {
         let round_trips = 6.0 * torsional_travel_time(string);
         let through = |duration: f64| {
             let (window, step) = (RaisedCosine { duration }, duration / SAMPLES_PER_WINDOW);
-            let response = |s: c64| {
+            let response = |s: Complex64| {
                 let admittance = network.admittance(s).from_torque[(0, 0)];
                 admittance * window.transform(s) / s
             };

@@ -1,9 +1,7 @@
 //! Validation of the torsional waves: closed forms, static limits, reciprocity,
 //! passivity.
 
-mod oracles;
-
-use faer::c64;
+use super::oracles::academic::{self, SAMPLING_FREQUENCY, tube};
 use linear::RaisedCosine;
 use linear::estimates::{
     torsional_impedance, torsional_stiffness, torsional_travel_time, torsional_wave_left,
@@ -13,7 +11,7 @@ use linear::waves::{chain, network::TorsionNetwork, torsion};
 use linear::{
     ChannelRequest, ChannelResponses, Drillstring, Method, Request, Section, Sites, Tube,
 };
-use oracles::academic::{self, SAMPLING_FREQUENCY, tube};
+use num_complex::Complex64;
 use proptest::prelude::*;
 
 fn methods() -> [Method; 3] {
@@ -99,7 +97,7 @@ fn the_first_plateau_is_that_of_two_impedances_in_series() {
     let input: Vec<f64> = (0..1280)
         .map(|n| RaisedCosine { duration: ramp }.integral(n as f64 / sampling_frequency))
         .collect();
-    let speed = oracles::convolve(&taps.from_surface[0], &input);
+    let speed = super::oracles::convolve(&taps.from_surface[0], &input);
     // The plateau lasts until the wave has been up and down the collars. The
     // formula is its value at the front; damping lets it rise from there.
     let front = 900.0 * (inertia * compliance).sqrt() + 100.0 / string.torsional_wave_speed();
@@ -147,7 +145,7 @@ fn a_uniform_undamped_string_follows_dalembert() {
         .map(|n| ramp(n as f64 / sampling_frequency))
         .collect();
     let exact: Vec<f64> = (0..count)
-        .map(|n| oracles::free_bit_speed(n as f64 / sampling_frequency, travel, ramp))
+        .map(|n| super::oracles::free_bit_speed(n as f64 / sampling_frequency, travel, ramp))
         .collect();
     for method in [
         Method::Quadrature,
@@ -163,8 +161,8 @@ fn a_uniform_undamped_string_follows_dalembert() {
             longest_time: count as f64 / sampling_frequency,
         };
         let taps = responses(&string, &method, &request);
-        let speed = oracles::convolve(&taps.from_surface[0], &input);
-        let error = oracles::relative_difference(&speed, &exact);
+        let speed = super::oracles::convolve(&taps.from_surface[0], &input);
+        let error = super::oracles::relative_difference(&speed, &exact);
         assert!(error < 2e-3, "{}: {error}", method.name());
     }
 }
@@ -244,7 +242,7 @@ fn responses_between_two_sites_are_reciprocal() {
     for method in methods() {
         let taps = responses(&string, &method, &request);
         let difference =
-            oracles::relative_difference(&taps.from_loads[0][1], &taps.from_loads[1][0]);
+            super::oracles::relative_difference(&taps.from_loads[0][1], &taps.from_loads[1][0]);
         assert!(difference < 1e-9, "{}: {difference}", method.name());
     }
 }
@@ -267,7 +265,7 @@ fn a_string_turned_over_has_its_ends_exchanged() {
     )
     .unwrap();
     for omega in [0.1, 3.0, 77.0, 950.0, 2100.0] {
-        let s = c64::new(0.3, omega);
+        let s = Complex64::new(0.3, omega);
         let whole = |string: &Drillstring| {
             let pieces = string.sections().iter().filter_map(|section| {
                 chain::section(section, |tube| torsion::uniform(string, tube, s))
@@ -291,10 +289,10 @@ fn doubling_agrees_with_the_eigenvectors_of_the_paper() {
     let parts = &string.sections()[0].parts;
     for count in [1, 2, 7, 90, 500] {
         for omega in [0.5, 11.0, 200.0, 980.0, 1000.0, 1900.0] {
-            let s = c64::new(0.0, omega);
-            let cell = &oracles::transfer_matrix(&string, &parts[1], s)
-                * &oracles::transfer_matrix(&string, &parts[0], s);
-            let [top, cross, bottom] = oracles::eigenvector_chain(&cell, count);
+            let s = Complex64::new(0.0, omega);
+            let cell = &super::oracles::transfer_matrix(&string, &parts[1], s)
+                * &super::oracles::transfer_matrix(&string, &parts[0], s);
+            let [top, cross, bottom] = super::oracles::eigenvector_chain(&cell, count);
             let section = Section {
                 repeat: count,
                 parts: parts.clone(),
@@ -318,11 +316,11 @@ fn doubling_agrees_with_the_eigenvectors_of_the_paper() {
 #[test]
 fn plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_not() {
     let string = academic::damped_string(1e5);
-    let s = c64::new(0.0, 2000.0);
+    let s = Complex64::new(0.0, 2000.0);
     let part = tube(10.0, 0.125);
-    let cell = oracles::transfer_matrix(&string, &part, s);
+    let cell = super::oracles::transfer_matrix(&string, &part, s);
     let product = (0..2000).fold(cell.clone(), |product, _| &cell * &product);
-    let [top, ..] = oracles::stiffness_of_transfer(&product);
+    let [top, ..] = super::oracles::stiffness_of_transfer(&product);
     assert!(!top.is_finite(), "the product was expected to overflow");
     let section = Section {
         repeat: 2001,
@@ -339,14 +337,14 @@ fn plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_not(
 fn a_site_in_the_middle_of_a_pipe_splits_nothing_but_the_arithmetic() {
     let string = academic::string();
     let with = |distances: &[f64]| Sites::new(&string, distances).unwrap();
-    let s = c64::new(1.0, 300.0);
+    let s = Complex64::new(1.0, 300.0);
     let whole = TorsionNetwork::new(&string, &with(&[0.0]))
         .unwrap()
         .admittance(s);
     let split = TorsionNetwork::new(&string, &with(&[0.0, 123.4, 804.7]))
         .unwrap()
         .admittance(s);
-    let difference = |a: c64, b: c64| (a - b).norm() / b.norm();
+    let difference = |a: Complex64, b: Complex64| (a - b).norm() / b.norm();
     assert!(difference(split.from_surface[2], whole.from_surface[0]) < 1e-10);
     assert!(difference(split.from_torque[(2, 2)], whole.from_torque[(0, 0)]) < 1e-10);
     let hanging = TorsionNetwork::new(&string, &with(&[123.4]))
@@ -381,7 +379,7 @@ proptest! {
     ) {
         let distance = 0.99 * place * string.length();
         let sites = Sites::new(&string, &[distance]).unwrap();
-        let admittance = TorsionNetwork::new(&string, &sites).unwrap().admittance(c64::new(real, omega));
+        let admittance = TorsionNetwork::new(&string, &sites).unwrap().admittance(Complex64::new(real, omega));
         let point = admittance.from_torque[(0, 0)];
         // An undamped string on the imaginary axis has a real part of zero.
         prop_assert!(point.re >= -1e-9 * point.norm(), "{}", point);

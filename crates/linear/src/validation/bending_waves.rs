@@ -1,15 +1,13 @@
 //! Validation of the bending waves: closed forms of beams, static deflection,
 //! reciprocity, passivity, tension and compression.
 
-mod oracles;
-
-use faer::c64;
+use super::oracles::academic::{self, tube};
 use linear::waves::bending::uniform;
 use linear::waves::block::Block;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::transfer::tip_receptance;
 use linear::{Bending, Drillstring, Section, Sites, SurfaceSupport, Tube};
-use oracles::academic::{self, tube};
+use num_complex::Complex64;
 use proptest::prelude::*;
 
 /// Table 2.
@@ -27,14 +25,14 @@ fn uniform_string(length: f64) -> Drillstring {
     Drillstring::new(academic::string().material(), vec![section], 0.0).unwrap()
 }
 
-fn tip(string: &Drillstring, bending: Bending, support: SurfaceSupport, s: c64) -> c64 {
+fn tip(string: &Drillstring, bending: Bending, support: SurfaceSupport, s: Complex64) -> Complex64 {
     BendingNetwork::new(string, bending, support, &Sites::bit())
         .unwrap()
         .receptance(s)[(0, 0)]
 }
 
 #[track_caller]
-fn assert_close(found: c64, expected: c64, tolerance: f64) {
+fn assert_close(found: Complex64, expected: Complex64, tolerance: f64) {
     let difference = (found - expected).norm() / expected.norm();
     assert!(
         difference <= tolerance,
@@ -44,7 +42,7 @@ fn assert_close(found: c64, expected: c64, tolerance: f64) {
 
 /// Receptance at the free end of a uniform beam (Bishop and Johnson, *The
 /// Mechanics of Vibration*, 1960), continued to complex s.
-fn bishop_and_johnson(length: f64, support: SurfaceSupport, s: c64) -> c64 {
+fn bishop_and_johnson(length: f64, support: SurfaceSupport, s: Complex64) -> Complex64 {
     let part = tube(length, 0.125);
     let rigidity = BENDING.youngs_modulus * part.second_moment();
     let inertia = academic::string().material().density * part.area();
@@ -75,7 +73,7 @@ fn a_uniform_beam_has_the_receptance_of_the_textbook() {
                 (20.0, 900.0),
                 (900.0, 2000.0),
             ] {
-                let s = c64::new(s.0, s.1);
+                let s = Complex64::new(s.0, s.1);
                 let found = tip(&uniform_string(length), BENDING, support, s);
                 // A nearly rigid rod is its mass against huge stiffnesses.
                 let tolerance = if length < 1.0 { 1e-5 } else { 1e-9 };
@@ -87,7 +85,7 @@ fn a_uniform_beam_has_the_receptance_of_the_textbook() {
 
 #[test]
 fn a_long_damped_beam_is_one_way_and_does_not_overflow() {
-    let s = c64::new(10.0, 2000.0);
+    let s = Complex64::new(10.0, 2000.0);
     let string = uniform_string(20_000.0);
     let part = tube(1.0, 0.125);
     let rigidity = BENDING.youngs_modulus * part.second_moment();
@@ -118,7 +116,7 @@ fn cells(repeat: usize) -> Drillstring {
 
 #[test]
 fn plain_products_of_transfer_matrices_agree_with_joined_stiffnesses_on_short_strings_only() {
-    let s = c64::new(0.0, std::f64::consts::TAU * 100.0);
+    let s = Complex64::new(0.0, std::f64::consts::TAU * 100.0);
     let joined = |string: &Drillstring| tip(string, BENDING, SurfaceSupport::Free, s);
     let products = |string: &Drillstring| tip_receptance(string, &BENDING, s.im);
     assert_close(products(&cells(1)), joined(&cells(1)), 1e-6);
@@ -144,9 +142,9 @@ fn a_clamped_string_bends_statically() {
         &uniform_string(length),
         bending,
         SurfaceSupport::Clamped,
-        c64::new(1e-6, 0.0),
+        Complex64::new(1e-6, 0.0),
     );
-    let expected = c64::new(length.powi(3) / (3.0 * rigidity), 0.0);
+    let expected = Complex64::new(length.powi(3) / (3.0 * rigidity), 0.0);
     assert_close(found, expected, 1e-9);
 }
 
@@ -161,7 +159,7 @@ fn a_slow_free_string_moves_as_a_rigid_mass() {
     );
     let part = tube(length, 0.125);
     let mass = academic::string().material().density * part.area() * length;
-    let s = c64::new(5.0, 0.0);
+    let s = Complex64::new(5.0, 0.0);
     let found = tip(&uniform_string(length), bending, SurfaceSupport::Free, s);
     // A rod pushed at its end: 4/m of its acceleration there.
     assert_close(found, 4.0 / (mass * s * s), 1e-4);
@@ -177,7 +175,7 @@ fn pinned_frequency(length: f64, compression: f64) -> f64 {
         ..BENDING
     };
     let determinant = |omega: f64| {
-        let s = c64::new(0.0, omega);
+        let s = Complex64::new(0.0, omega);
         let beam = uniform(&string, &bending, &string.sections()[0].parts[0], s);
         let slope = |Block(entries): Block| entries[1][1];
         (slope(beam.top) * slope(beam.bottom) - slope(beam.cross) * slope(beam.cross)).re
@@ -229,7 +227,7 @@ fn receptances_are_reciprocal_and_sites_change_nothing() {
             .unwrap()
             .receptance(s)
     };
-    for s in [c64::new(0.5, 2.0), c64::new(3.0, 500.0)] {
+    for s in [Complex64::new(0.5, 2.0), Complex64::new(3.0, 500.0)] {
         let three = receptance(&[100.0, 53.2, 0.0], s);
         for (row, column) in [(0, 1), (0, 2), (1, 2)] {
             let (one, other) = (three[(row, column)], three[(column, row)]);
@@ -269,7 +267,7 @@ proptest! {
         let bending = Bending { damping, compression: -tension, ..BENDING };
         let sites = Sites::new(&string, &[0.99 * place * string.length()]).unwrap();
         let network = BendingNetwork::new(&string, bending, SurfaceSupport::Free, &sites).unwrap();
-        let s = c64::new(real, omega);
+        let s = Complex64::new(real, omega);
         let velocity = s * network.receptance(s)[(0, 0)];
         prop_assert!(velocity.re >= -1e-6 * velocity.norm(), "{}", velocity);
     }

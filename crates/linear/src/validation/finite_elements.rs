@@ -1,15 +1,13 @@
 //! The reduced finite-element model against stepping its whole state, and
 //! Newmark's scheme against what is known of it.
 
-mod oracles;
-
+use super::oracles::academic::{self, SAMPLING_FREQUENCY};
 use linear::elements::newmark::Weights;
 use linear::elements::reduction::CondensedString;
 use linear::method::FiniteElement;
 use linear::{
     BuildError, ChannelRequest, ChannelResponses, Drillstring, Method, RaisedCosine, Request, Sites,
 };
-use oracles::academic::{self, SAMPLING_FREQUENCY};
 
 fn weights(parameters: &FiniteElement) -> Weights {
     Weights {
@@ -67,9 +65,10 @@ fn taps_and_stepping_the_whole_state_give_the_same_motion() {
 
     let surface: Vec<f64> = (0..steps).map(surface).collect();
     for site in 0..2 {
-        let mut reduced = oracles::convolve(&taps.from_surface[site], &surface);
+        let mut reduced = super::oracles::convolve(&taps.from_surface[site], &surface);
         for input in 0..2 {
-            let from_torque = oracles::convolve(&taps.from_loads[site][input], &torques[input]);
+            let from_torque =
+                super::oracles::convolve(&taps.from_loads[site][input], &torques[input]);
             reduced
                 .iter_mut()
                 .zip(&from_torque)
@@ -78,7 +77,7 @@ fn taps_and_stepping_the_whole_state_give_the_same_motion() {
             let tap = taps.from_loads[site][input][0];
             assert!((tap - instant).abs() <= 1e-12 * instant.abs());
         }
-        let difference = oracles::relative_difference(&reduced, &full[site]);
+        let difference = super::oracles::relative_difference(&reduced, &full[site]);
         // Beyond the cut tail, 1e-8 of a response, nothing may differ.
         assert!(difference < 1e-9, "site {site}: {difference}");
     }
@@ -98,9 +97,11 @@ fn twenty_elements_a_cell_have_converged() {
         responses(&string, &method, &academic::bit_request(2.0)).unwrap()
     };
     let (usual, fine) = (taps(20), taps(80));
-    let step = |taps: &[f64]| oracles::convolve(taps, &vec![1.0; 1280]);
-    let difference =
-        oracles::relative_difference(&step(&usual.from_surface[0]), &step(&fine.from_surface[0]));
+    let step = |taps: &[f64]| super::oracles::convolve(taps, &vec![1.0; 1280]);
+    let difference = super::oracles::relative_difference(
+        &step(&usual.from_surface[0]),
+        &step(&fine.from_surface[0]),
+    );
     assert!(difference < 0.01, "{difference}");
 }
 
@@ -117,13 +118,13 @@ fn elements_and_waves_agree_on_a_smooth_input() {
         .collect();
     let speed = |method| {
         let taps = responses(&string, &method, &request).unwrap();
-        oracles::convolve(&taps.from_surface[0], &input)
+        super::oracles::convolve(&taps.from_surface[0], &input)
     };
     let gamma_half = FiniteElement {
         gamma: 0.5,
         ..Default::default()
     };
-    let difference = oracles::relative_difference(
+    let difference = super::oracles::relative_difference(
         &speed(Method::FiniteElement(gamma_half)),
         &speed(Method::Quadrature),
     );
