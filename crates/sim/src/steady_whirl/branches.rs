@@ -38,14 +38,15 @@ impl<K: Fn(f64) -> [f64; 2]> WhirlingSite<K> {
     }
 
     /// The steady whirl that needs the least friction, to 1 %, of all that roll at a
-    /// surface speed (rad/s) or a slower one, and slide at that; `None` where the
-    /// string presses outwards nowhere.
+    /// surface speed (rad/s) or a slower one, and slide at that; `None` where every one
+    /// needs more than [`MOST_FRICTION`], or the string presses outwards nowhere.
     pub fn least_friction(&self, surface_speed: f64) -> Option<SteadyWhirl> {
         let slower = self.trace([0.0, surface_speed], Wanted::Least).branches;
         let whirls = slower
             .into_iter()
             .flatten()
-            .chain(self.rolling_at(surface_speed));
+            .chain(self.rolling_at(surface_speed))
+            .filter(|whirl| whirl.least_friction <= MOST_FRICTION);
         whirls.min_by(|one, other| one.least_friction.total_cmp(&other.least_friction))
     }
 

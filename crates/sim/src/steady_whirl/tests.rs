@@ -261,3 +261,21 @@ fn no_whirl_needs_less_friction_than_the_least() {
         prop_assert!(found <= 1.02 * scanned, "{found} {scanned}");
     });
 }
+
+/// Between two resonances a string may press so little that it rolls at one rate only,
+/// with more friction than any wall has: no friction is then the least.
+#[test]
+fn whirl_that_needs_more_friction_than_any_wall_has_is_none() {
+    let masses = Masses {
+        masses: vec![1.3611630054943462, 7.11179948369521],
+        grounds: vec![100.0; 2],
+        joints: vec![55_996.662086308934],
+        decay_rate: 51.84688600723825,
+    };
+    let (site, speed) = (masses.on(wall(1e8)), speed_of(223.6958723211913));
+    let [rolling] = site.rolling_at(speed)[..] else {
+        panic!("one whirl");
+    };
+    assert!(rolling.least_friction > MOST_FRICTION, "{rolling:?}");
+    assert_eq!(site.least_friction(speed), None);
+}
