@@ -2,10 +2,6 @@
 //! is seen to fail, and its margin says so beforehand; each remedy holds. The
 //! paper's string, its bit held by rock or its side on the wall.
 
-#[path = "support/academic.rs"]
-#[allow(dead_code, reason = "each test uses some of it")]
-mod academic;
-
 use linear::estimates::torsional_stiffness;
 use linear::method::{FiniteElement, Transform};
 use linear::passivity::STABLE_MARGIN;
@@ -15,6 +11,7 @@ use linear::{
     Bending, ChannelRequest, Drillstring, Method, Request, Responses, Section, Sites,
     SurfaceSupport,
 };
+use problems::academic;
 use sim::Simulator;
 use sim::diagnosis::{Sticking, sticking};
 use sim::oscillator::worst_load_gain;

@@ -1,9 +1,7 @@
 //! Validation of torsion against the paper: the linear numbers, Figs. 7(a), 8
 //! and 9, the limit of Eq. 74, and the failures the paper reports.
 
-#[path = "support/academic.rs"]
-mod academic;
-
+use problems::academic;
 use std::process::Command;
 
 use linear::estimates::{

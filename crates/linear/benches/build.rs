@@ -1,13 +1,10 @@
 //! Cost of building responses of the paper's string: `cargo bench -p linear`.
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
-#[path = "../../../tests/support/academic.rs"]
-#[allow(dead_code, reason = "not every benchmark needs all of it")]
-mod academic;
-
 use divan::Bencher;
 use linear::method::{FiniteElement, Transform};
 use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
+use problems::academic;
 
 fn main() {
     divan::main();

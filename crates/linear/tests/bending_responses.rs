@@ -1,15 +1,14 @@
 //! Validation of the lateral responses: closed forms in time, and the numbers
 //! checked with an independent program.
 
-mod oracles;
-
 use linear::method::{FiniteElement, Transform};
 use linear::passivity::STABLE_MARGIN;
 use linear::{
     Bending, ChannelRequest, ChannelResponses, Drillstring, Method, RaisedCosine, Request,
     Responses, Section, Sites, SurfaceSupport,
 };
-use oracles::academic::{self, SAMPLING_FREQUENCY, tube};
+use problems::academic::{self, SAMPLING_FREQUENCY, tube};
+use problems::oracles;
 
 const BENDING: Bending = Bending {
     youngs_modulus: 210e9,

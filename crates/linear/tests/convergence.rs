@@ -1,8 +1,6 @@
 //! Orders of convergence in 1/f_s on the response to a smooth surface ramp,
 //! against the exact frequency response inverted numerically.
 
-mod oracles;
-
 use linear::filters::radau::{self, STAGES};
 use linear::method::{FiniteElement, Transform};
 use linear::waves::inversion::time_response;
@@ -11,7 +9,7 @@ use linear::waves::network::TorsionNetwork;
 use linear::{
     Bending, ChannelRequest, Method, RaisedCosine, Request, Sites, SurfaceSupport, responses,
 };
-use oracles::academic;
+use problems::{academic, oracles};
 
 /// Duration of the ramp, s: its spectrum is far below the lowest f_s.
 const RAMP: f64 = 0.5;

@@ -8,14 +8,11 @@ use linear::passivity::{Ending, positive_real_margin};
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 use linear::{
-    Bending, BuildError, Channel, ChannelRequest, Drillstring, DrillstringError, Material, Method,
-    Request, ResponseError, Responses, Section, Sites, SurfaceSupport, Tube, responses,
+    Bending, BuildError, Channel, ChannelRequest, Drillstring, DrillstringError, Method, Request,
+    ResponseError, Responses, Section, Sites, SurfaceSupport, responses,
 };
 
-const STEEL: Material = Material {
-    shear_modulus: 80e9,
-    density: 7840.0,
-};
+use problems::pipes::{STEEL, pipe, row};
 
 const BENDING: Bending = Bending {
     youngs_modulus: 210e9,
@@ -23,21 +20,9 @@ const BENDING: Bending = Bending {
     compression: 0.0,
 };
 
-fn pipe(length: f64) -> Tube {
-    Tube {
-        length,
-        inner_radius: 0.05,
-        outer_radius: 0.1,
-    }
-}
-
 /// A string of so many pipes of ten metres.
 fn string(pipes: usize) -> Drillstring {
-    let section = Section {
-        repeat: pipes,
-        parts: vec![pipe(10.0)],
-    };
-    Drillstring::new(STEEL, vec![section], 10.0).unwrap()
+    row(pipes, 10.0)
 }
 
 fn methods() -> [Method; 5] {

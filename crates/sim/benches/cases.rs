@@ -1,12 +1,9 @@
 //! Cost of whole cases and of the sum over the past: `cargo bench -p sim`.
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
-#[path = "../../../tests/support/academic.rs"]
-#[allow(dead_code, reason = "not every benchmark needs all of it")]
-mod academic;
-
 use divan::{Bencher, black_box};
 use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
+use problems::academic;
 use sim::convolution::{Convolution, Kernel, Kernels};
 use sim::{Impulse, Lateral, Scene, Simulator, Stopping, Timing, Wall};
 

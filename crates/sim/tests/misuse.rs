@@ -3,9 +3,10 @@
 
 use linear::passivity::Ending;
 use linear::{
-    Bending, ChannelRequest, Drillstring, Material, Method, Request, ResponseError, Responses,
-    Section, Sites, SurfaceSupport, Tube, responses,
+    Bending, ChannelRequest, Method, Request, ResponseError, Responses, Sites, SurfaceSupport,
+    responses,
 };
+use problems::pipes::row;
 use proptest::prelude::*;
 use sim::excitation::least_impulse;
 use sim::oscillator::worst_load_gain;
@@ -29,22 +30,9 @@ const WALL: Wall = Wall {
     radius: 0.1,
 };
 
-fn string() -> Drillstring {
-    let steel = Material {
-        shear_modulus: 80e9,
-        density: 7840.0,
-    };
-    let parts = vec![Tube {
-        length: 10.0,
-        inner_radius: 0.05,
-        outer_radius: 0.1,
-    }];
-    Drillstring::new(steel, vec![Section { repeat: 5, parts }], 10.0).unwrap()
-}
-
 /// Responses in torsion to some torques, and in bending where asked for.
 fn built(distances: &[f64], torques: Vec<usize>, bends: bool, longest_time: f64) -> Responses {
-    let string = string();
+    let string = row(5, 10.0);
     let bending = Bending {
         youngs_modulus: 210e9,
         damping: 2000.0,

@@ -1,8 +1,7 @@
 //! A torque law of one's own steps as the built-in one does, through the same stepper.
 
-use linear::{
-    ChannelRequest, Drillstring, Material, Method, Request, Responses, Section, Sites, Tube,
-};
+use linear::{ChannelRequest, Method, Request, Responses, Sites};
+use problems::pipes::row;
 use sim::laws::bit::BitMotion;
 use sim::laws::torque::TorqueStep;
 use sim::{
@@ -13,24 +12,13 @@ use sim::{
 const DURATION: f64 = 20.0;
 
 fn responses(torques: Vec<usize>) -> Responses {
-    let steel = Material {
-        shear_modulus: 80e9,
-        density: 7840.0,
-    };
-    let parts = vec![Tube {
-        length: 10.0,
-        inner_radius: 0.05,
-        outer_radius: 0.1,
-    }];
-    let sections = vec![Section { repeat: 50, parts }];
-    let string = Drillstring::new(steel, sections, 1.0).unwrap();
     let request = Request {
         sites: Sites::bit(),
         channels: vec![ChannelRequest::Torsion { torques }],
         sampling_frequency: 640.0,
         longest_time: DURATION,
     };
-    linear::responses(&string, &Method::Quadrature, &request).unwrap()
+    linear::responses(&row(50, 1.0), &Method::Quadrature, &request).unwrap()
 }
 
 fn scene<B>(surface_speed: f64, bit: B) -> Scene<B, Wall> {

@@ -1,13 +1,10 @@
 //! Validation of lateral motion: Figs. 10 to 15 of the paper, as checked with an
 //! independent program, and the balance of steady whirl.
 
-#[path = "../../../tests/support/academic.rs"]
-#[allow(dead_code, reason = "not every test needs all of it")]
-mod academic;
-
 use linear::elements::reconstruction::WholeString;
 use linear::method::{FiniteElement, Transform};
 use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
+use problems::academic;
 use sim::excitation::least_impulse;
 use sim::{
     EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Scene, Simulator, Stopping,

@@ -1,7 +1,7 @@
 //! Validation of the bending waves: closed forms of beams, static deflection,
 //! reciprocity, passivity, tension and compression.
 
-use super::oracles::academic::{self, tube};
+use super::academic::{self, tube};
 use linear::waves::bending::uniform;
 use linear::waves::block::Block;
 use linear::waves::lateral::BendingNetwork;

@@ -1,7 +1,7 @@
 //! The reduced finite-element model against stepping its whole state, and
 //! Newmark's scheme against what is known of it.
 
-use super::oracles::academic::{self, SAMPLING_FREQUENCY};
+use super::academic::{self, SAMPLING_FREQUENCY};
 use linear::elements::newmark::Weights;
 use linear::elements::reduction::CondensedString;
 use linear::method::FiniteElement;

@@ -1,8 +1,10 @@
 //! Closed forms and formulations that the library does not use, against what is inside
 //! it. What its public face gives is validated in `tests`.
 
+#[path = "../../../problems/src/academic.rs"]
+mod academic;
 mod bending_waves;
 mod finite_elements;
-#[path = "../../tests/oracles/mod.rs"]
+#[path = "../../../problems/src/oracles.rs"]
 mod oracles;
 mod torsion_waves;

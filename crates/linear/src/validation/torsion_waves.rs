@@ -1,7 +1,7 @@
 //! Validation of the torsional waves: closed forms, static limits, reciprocity,
 //! passivity.
 
-use super::oracles::academic::{self, SAMPLING_FREQUENCY, tube};
+use super::academic::{self, SAMPLING_FREQUENCY, tube};
 use linear::RaisedCosine;
 use linear::estimates::{
     torsional_impedance, torsional_stiffness, torsional_travel_time, torsional_wave_left,

@@ -1,12 +1,8 @@
 //! Answers from closed forms and from formulations the library does not use.
-#![allow(dead_code, missing_docs, reason = "each test uses some of them")]
 
 use faer::{Mat, mat};
 use linear::Complex64;
 use linear::{Drillstring, Tube};
-
-#[path = "../../../../tests/support/academic.rs"]
-pub mod academic;
 
 /// Bit speed of a uniform undamped string, its surface turning at `surface(t)`,
 /// its bit free (d'Alembert).

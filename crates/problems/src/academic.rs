@@ -5,6 +5,7 @@ use linear::{ChannelRequest, Drillstring, Material, Request, Section, Sites, Tub
 /// The sampling frequency the paper works with, Hz.
 pub const SAMPLING_FREQUENCY: f64 = 640.0;
 
+/// A tube of the string, of a length and an external radius (m).
 pub fn tube(length: f64, outer_radius: f64) -> Tube {
     Tube {
         length,
@@ -13,10 +14,12 @@ pub fn tube(length: f64, outer_radius: f64) -> Tube {
     }
 }
 
+/// The string.
 pub fn string() -> Drillstring {
     damped_string(10.0)
 }
 
+/// The same with another damping, N m s/rad per metre.
 pub fn damped_string(torsional_damping: f64) -> Drillstring {
     let steel = Material {
         shear_modulus: 80e9,

@@ -1,0 +1,5 @@
+//! Strings with known answers, for the tests and benchmarks of the other crates.
+
+pub mod academic;
+pub mod oracles;
+pub mod pipes;
