@@ -4,7 +4,7 @@
 
 pub(crate) mod beam;
 pub(crate) mod mesh;
-pub(crate) mod newmark;
+pub mod newmark;
 pub mod reconstruction;
-pub(crate) mod reduction;
+pub mod reduction;
 pub(crate) mod torsion;

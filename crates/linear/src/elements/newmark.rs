@@ -21,7 +21,7 @@ pub type Entry = Triplet<usize, usize, f64>;
 
 /// Mass, lumped damping and stiffness of the degrees of freedom that are free.
 #[derive(Debug, Clone)]
-pub struct Matrices {
+pub(crate) struct Matrices {
     mass: SparseColMat<usize, f64>,
     damping: Vec<f64>,
     stiffness: SparseColMat<usize, f64>,
@@ -122,16 +122,16 @@ impl Weights {
 #[derive(Debug, Clone)]
 pub struct Motion {
     /// Displacements (rotations, rad).
-    pub displacement: Vec<f64>,
+    pub(crate) displacement: Vec<f64>,
     /// Velocities.
-    pub velocity: Vec<f64>,
+    pub(crate) velocity: Vec<f64>,
     /// Accelerations.
-    pub acceleration: Vec<f64>,
+    pub(crate) acceleration: Vec<f64>,
 }
 
 impl Motion {
     /// At rest.
-    pub fn rest(size: usize) -> Self {
+    pub(crate) fn rest(size: usize) -> Self {
         Self {
             displacement: vec![0.0; size],
             velocity: vec![0.0; size],
@@ -141,7 +141,7 @@ impl Motion {
 
     /// Moves displacement and velocity one step on, the new acceleration left
     /// out: what [`Motion::accelerate`] then adds.
-    pub fn predict(&mut self, weights: &Weights) {
+    pub(crate) fn predict(&mut self, weights: &Weights) {
         let Weights { gamma, beta, step } = *weights;
         for ((displacement, velocity), acceleration) in (self.displacement.iter_mut())
             .zip(&mut self.velocity)
@@ -155,7 +155,7 @@ impl Motion {
 
     /// Adds `scale · change` to the acceleration of this step, with what
     /// follows for velocity and displacement.
-    pub fn accelerate(&mut self, weights: &Weights, scale: f64, change: &[f64]) {
+    pub(crate) fn accelerate(&mut self, weights: &Weights, scale: f64, change: &[f64]) {
         let displacement_gain = weights.displacement_gain();
         let velocity_gain = weights.velocity_gain();
         for (((displacement, velocity), acceleration), change) in (self.displacement.iter_mut())
@@ -173,7 +173,7 @@ impl Motion {
 
 /// Newmark's scheme for one set of matrices, its effective mass factorised.
 #[derive(Debug)]
-pub struct Integrator {
+pub(crate) struct Integrator {
     weights: Weights,
     matrices: Matrices,
     effective_mass: Llt<usize, f64>,

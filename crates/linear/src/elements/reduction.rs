@@ -136,12 +136,12 @@ impl CondensedString {
     }
 
     /// Adds the effect of a torque at site `input` to the step just taken.
-    pub fn apply_torque(&self, state: &mut StringState, input: usize, torque: f64) {
+    pub(crate) fn apply_torque(&self, state: &mut StringState, input: usize, torque: f64) {
         self.model.apply(&mut state.string, input, torque);
     }
 
     /// Rotation speed at site `output`, rad/s.
-    pub fn speed(&self, state: &StringState, output: usize) -> f64 {
+    pub(crate) fn speed(&self, state: &StringState, output: usize) -> f64 {
         state.string.velocity[self.model.sites[output]]
     }
 }
@@ -191,22 +191,22 @@ impl CondensedBeam {
     }
 
     /// Adds the effect of a force at site `input` to the step just taken.
-    pub fn apply_force(&self, motion: &mut Motion, input: usize, force: f64) {
+    pub(crate) fn apply_force(&self, motion: &mut Motion, input: usize, force: f64) {
         self.model.apply(motion, input, force);
     }
 
     /// Displacement at site `output`, m.
-    pub fn displacement(&self, motion: &Motion, output: usize) -> f64 {
+    pub(crate) fn displacement(&self, motion: &Motion, output: usize) -> f64 {
         motion.displacement[self.model.sites[output]]
     }
 
     /// Depth of every node below the surface, m.
-    pub fn depths(&self) -> Vec<f64> {
+    pub(crate) fn depths(&self) -> Vec<f64> {
         self.depths.clone()
     }
 
     /// Displacement of every node, m; zero where the surface holds it.
-    pub fn node_displacements(&self, motion: &Motion) -> Vec<f64> {
+    pub(crate) fn node_displacements(&self, motion: &Motion) -> Vec<f64> {
         let held = self.support.held();
         (0..self.depths.len())
             .map(|node| {
