@@ -33,9 +33,9 @@ pub fn simulator(sites: usize, loads: usize, taps: Taps, steps: f64) -> Memory {
     if loads == 0 {
         return Memory::lasting(from_surface);
     }
-    let to_sites = REAL * sites as f64 * taps.torsion;
+    let to_others = REAL * (sites - loads.min(sites)) as f64 * taps.torsion;
     let stuck = 2.0 * REAL * steps;
-    let kept = from_surface + to_sites + stuck + REAL * LOOK_AHEAD * taps.torsion + torsion;
+    let kept = from_surface + to_others + stuck + REAL * LOOK_AHEAD * taps.torsion + torsion;
     Memory {
         peak: kept + convolution_memory(1, 1, taps.torsion, steps),
         kept,
