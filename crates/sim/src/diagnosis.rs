@@ -18,7 +18,7 @@ pub struct Sticking {
 }
 
 /// Looks at the torque that holds a bit, N m per rad/s of a surface that turns
-/// from the first step on (see [`crate::System::held_torque`]), for a string of
+/// from the first step on (see [`crate::Simulator::stuck_torque`]), for a string of
 /// the given static stiffness k_eff (N m/rad) and response A(0) (rad/s per N m).
 /// Whatever of it is not finite makes numbers that are not; so does a torque of fewer
 /// than four steps.
