@@ -37,6 +37,7 @@ mod output;
 mod plot;
 mod printable;
 mod program;
+mod quantities;
 mod report;
 mod study;
 mod sweep_file;

@@ -18,7 +18,7 @@ use crate::design::{Design, List};
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Shard, Work};
 use crate::memory::{Purpose, admit};
 use crate::output::{LabelRow, read_labels, rolling_bound};
-use crate::sweep_file::{Sweep, check_setting, nearest};
+use crate::sweep_file::{Sweep, nearest};
 use crate::words::counted;
 
 /// Reruns the cases of a reference file and compares their labels.
@@ -155,7 +155,7 @@ fn cases_of(
         refuse_unknown("lateral", &row.lateral, &lateral).map_err(at)?;
         let axes = sweep.design.axes();
         for (&axis, &value) in axes.iter().zip(&row.values) {
-            check_setting(axis, value)
+            axis.check(value)
                 .map_err(|reason| at(format!("{}: {reason}", axis.name())))?;
         }
         let setting = sweep

@@ -21,7 +21,8 @@ use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Survey, lon
 use crate::memory::{Purpose, admit};
 use crate::output::{labels_header, labels_row, write_atomically};
 use crate::plot::{orbits, panels};
-use crate::sweep_file::{Axis, Conditions, Setting, Sweep, check_setting};
+use crate::quantities::Axis;
+use crate::sweep_file::{Conditions, Setting, Sweep};
 use crate::words::short;
 
 /// One method's answer to one case.
@@ -305,7 +306,7 @@ impl Choice {
         let mut conditions = sweep.conditions_at(&values);
         let axes = sweep.design.axes();
         for &(axis, value) in &arguments.set {
-            check_setting(axis, value)
+            axis.check(value)
                 .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
             refuse_idle(sweep, axis)?;
             conditions = conditions.with(axis, value);
@@ -318,7 +319,7 @@ impl Choice {
         refuse_weight_without_rock(sweep, &conditions)?;
         let of_axes = axes.iter().copied().zip(values.iter().copied());
         let all = of_axes.chain(arguments.set.iter().copied());
-        let is_of_string = |(axis, _): &(Axis, f64)| matches!(axis, Axis::String(_));
+        let is_of_string = |(axis, _): &(Axis, f64)| axis.is_of_string();
         Ok(Self {
             index,
             string: all.filter(is_of_string).collect(),

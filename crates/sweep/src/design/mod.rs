@@ -6,7 +6,8 @@ mod monte_carlo;
 
 use std::ops::Range;
 
-use crate::sweep_file::{Axis, DesignKind, DesignTable, Source, SweepFileError, TextOf};
+use crate::quantities::Axis;
+use crate::sweep_file::{DesignKind, DesignTable, Source, SweepFileError, TextOf};
 
 pub use grid::Grid;
 pub use list::List;
@@ -129,7 +130,7 @@ impl CasesOfString<'_> {
 /// How many of a design's axes, the first ones, change the string.
 fn count_string_axes(axes: &[Axis]) -> usize {
     axes.iter()
-        .take_while(|axis| matches!(axis, Axis::String(_)))
+        .take_while(|axis| axis.is_of_string())
         .count()
 }
 

@@ -4,7 +4,8 @@
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
-use crate::sweep_file::{Axis, AxisRange, DesignTable, Source, SweepFileError, check_axis_value};
+use crate::quantities::Axis;
+use crate::sweep_file::{AxisRange, DesignTable, Source, SweepFileError};
 
 /// Random cases.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,8 +96,8 @@ impl Range {
             let message = "is counted in whole numbers: make it an axis of a grid or a list";
             return Err(source.error(&key, message));
         }
-        check_axis_value(source, &format!("{key}.from"), axis, from)?;
-        check_axis_value(source, &format!("{key}.to"), axis, to)?;
+        source.check_axis(&format!("{key}.from"), axis, from)?;
+        source.check_axis(&format!("{key}.to"), axis, to)?;
         range.check_ends(source, &key, from, to)?;
         Ok(Self {
             from,

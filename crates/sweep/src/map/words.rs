@@ -3,7 +3,8 @@
 use super::content::Content;
 use crate::output::{Manifest, Motion};
 use crate::plot::{Ground, Part, Symbol};
-use crate::sweep_file::{Axis, MapMark};
+use crate::quantities::Axis;
+use crate::sweep_file::MapMark;
 
 /// A number in three digits.
 pub fn short(value: f64) -> String {

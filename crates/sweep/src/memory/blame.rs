@@ -9,7 +9,8 @@ use super::demand::{Cost, Demand};
 use super::{Limit, Size};
 use crate::design::Design;
 use crate::engine::Survey;
-use crate::sweep_file::{Axis, Setting, Sweep, Time};
+use crate::quantities::Axis;
+use crate::sweep_file::{Setting, Sweep, Time};
 
 /// A usual time simulated, s.
 const TIME: f64 = 10.0;

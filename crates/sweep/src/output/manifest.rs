@@ -12,7 +12,8 @@ use crate::accuracy::Choice;
 use crate::design::Design;
 use crate::engine::{MethodSystem, RunOptions, Shard};
 use crate::files::{Checksum, hexadecimal, write_atomically};
-use crate::sweep_file::{Axis, FileContent, MapSettings, Sweep};
+use crate::quantities::Axis;
+use crate::sweep_file::{FileContent, MapSettings, Sweep};
 
 /// What was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

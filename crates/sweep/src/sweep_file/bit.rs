@@ -3,9 +3,10 @@
 use sim::Rock;
 use sim::laws::rock::{CuttingLaw, PoorCleaning};
 
-use super::file::{Axis, BitTable, LawTable, RockName};
-use super::resolve::{Bit, Check, check_axis_value};
+use super::file::{BitTable, LawTable, RockName};
+use super::resolve::{Bit, Check};
 use super::source::SweepFileError;
+use crate::quantities::Axis;
 
 impl Check<'_> {
     pub(super) fn bit(&self, bit: &BitTable) -> Result<Bit, SweepFileError> {
@@ -112,8 +113,9 @@ impl Check<'_> {
     fn table(&self, rows: &[(f64, f64)]) -> Result<Rock, SweepFileError> {
         for (index, &(weight, torque)) in rows.iter().enumerate() {
             let key = format!("bit.table_kn_nm[{index}]");
-            check_axis_value(self.source, &key, Axis::WeightOnBitKn, weight)?;
-            check_axis_value(self.source, &key, Axis::TorqueDynamicNm, torque)?;
+            self.source.check_axis(&key, Axis::WeightOnBitKn, weight)?;
+            self.source
+                .check_axis(&key, Axis::TorqueDynamicNm, torque)?;
         }
         let increasing = rows
             .windows(2)

@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::accuracy::Accuracy;
 use super::lateral::{BendingTable, EccentricMassTable, ImpulseTable, WallTable};
 use super::source::{Source, SweepFileError};
-use super::string_axis::StringAxis;
+use crate::quantities::Axis;
 
 /// A sweep file, its bases merged in, as it is written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -284,122 +284,6 @@ impl<'de> Deserialize<'de> for AutoOr {
             }
         }
         deserializer.deserialize_any(Visitor)
-    }
-}
-
-/// A quantity that a design varies, named as in result files.
-///
-/// Those of the string come first: in a grid the first axis changes slowest, so
-/// that the cases of one string are neighbours.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Axis {
-    /// A quantity of the string itself.
-    String(StringAxis),
-    /// Surface speed Ω, rpm.
-    SurfaceSpeedRpm,
-    /// Weight on bit W, kN.
-    WeightOnBitKn,
-    /// Dynamic torque T_d, N m.
-    TorqueDynamicNm,
-    /// Lateral impulse in multiples of I₀.
-    ImpulseRatio,
-    /// Friction μ₀ of the borehole wall.
-    Friction,
-}
-
-impl Axis {
-    /// The axes of operating conditions, in the order of their columns.
-    const CONDITIONS: [Axis; 5] = [
-        Axis::SurfaceSpeedRpm,
-        Axis::WeightOnBitKn,
-        Axis::TorqueDynamicNm,
-        Axis::ImpulseRatio,
-        Axis::Friction,
-    ];
-
-    /// The names of conditions, and examples of quantities of the string.
-    pub const NAMES: [&str; 13] = {
-        let mut names = [""; 13];
-        let mut index = 0;
-        while index < names.len() {
-            names[index] = if index < Axis::CONDITIONS.len() {
-                Axis::CONDITIONS[index].condition_name()
-            } else {
-                StringAxis::EXAMPLES[index - Axis::CONDITIONS.len()]
-            };
-            index += 1;
-        }
-        names
-    };
-
-    /// The axis of a column.
-    pub fn from_name(name: &str) -> Option<Self> {
-        let mut conditions = Self::CONDITIONS.into_iter();
-        conditions
-            .find(|axis| axis.condition_name() == name)
-            .or_else(|| StringAxis::from_name(name).map(Axis::String))
-    }
-
-    /// The column's name.
-    pub fn name(self) -> String {
-        match self {
-            Axis::String(axis) => axis.name(),
-            _ => self.condition_name().to_owned(),
-        }
-    }
-
-    const fn condition_name(self) -> &'static str {
-        match self {
-            Axis::SurfaceSpeedRpm => "surface_speed_rpm",
-            Axis::WeightOnBitKn => "weight_on_bit_kn",
-            Axis::TorqueDynamicNm => "torque_dynamic_nm",
-            Axis::ImpulseRatio => "impulse_ratio",
-            Axis::Friction => "friction",
-            Axis::String(_) => "",
-        }
-    }
-
-    /// Whether only whole numbers make sense.
-    pub(crate) fn is_counted(self) -> bool {
-        matches!(self, Axis::String(axis) if axis.is_counted())
-    }
-
-    /// The symbol and, where it has one, the unit.
-    pub fn symbol(self) -> String {
-        match self {
-            Axis::SurfaceSpeedRpm => "Ω/rpm".to_owned(),
-            Axis::WeightOnBitKn => "W/kN".to_owned(),
-            Axis::TorqueDynamicNm => "T_d/(N m)".to_owned(),
-            Axis::ImpulseRatio => "I/I₀".to_owned(),
-            Axis::Friction => "μ₀".to_owned(),
-            Axis::String(axis) => axis.name(),
-        }
-    }
-
-    /// The title of a plot's axis.
-    pub fn title(self) -> String {
-        match self {
-            Axis::SurfaceSpeedRpm => "Surface speed Ω (rpm)".to_owned(),
-            Axis::WeightOnBitKn => "Weight on bit W (kN)".to_owned(),
-            Axis::TorqueDynamicNm => "Dynamic torque T_d (N m)".to_owned(),
-            Axis::ImpulseRatio => "Impulse I / I₀".to_owned(),
-            Axis::Friction => "Coefficient of friction μ₀".to_owned(),
-            Axis::String(axis) => axis.title(),
-        }
-    }
-}
-
-impl Serialize for Axis {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&self.name())
-    }
-}
-
-/// As a string, so that an error below `[design.axes]` can name the axis.
-impl<'de> Deserialize<'de> for Axis {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        Axis::from_name(&name).ok_or_else(|| serde::de::Error::unknown_variant(&name, &Axis::NAMES))
     }
 }
 

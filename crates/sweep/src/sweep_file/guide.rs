@@ -8,10 +8,11 @@ use linear::method::{FiniteElement, Transform};
 use serde::de::DeserializeOwned;
 use toml::{Table, Value};
 
+use super::Sweep;
 use super::file::*;
 use super::lateral::*;
 use super::source::keys_of;
-use super::{Sweep, check_setting};
+use crate::quantities::Axis;
 
 const PAGE: &str = include_str!("../../../../docs/sweep-file.md");
 
@@ -242,7 +243,7 @@ fn the_guide_lists_every_axis_with_its_range() {
     assert_eq!(listed, Axis::NAMES.into());
     for (name, cells) in &rows {
         let axis = Axis::from_name(name).unwrap();
-        let refusal = check_setting(axis, 1e300).unwrap_err();
+        let refusal = axis.check(1e300).unwrap_err();
         check_range(name, cells[3], cells[2], &[refusal]);
     }
 }

@@ -6,11 +6,10 @@ use serde::{Deserialize, Serialize};
 use sim::{EccentricMass, Wall};
 
 use super::file::FileContent;
-use super::resolve::{Check, Conditions, Sweep, in_digits};
+use super::resolve::{Check, Conditions, Sweep};
 use super::source::SweepFileError;
-use super::string_axis::StringAxis;
 use crate::design::Design;
-use crate::sweep_file::Axis;
+use crate::quantities::{Axis, StringAxis, in_digits};
 
 /// More than any knock, N s: a site whose I₀ is larger cannot reach its wall.
 pub const LARGEST_IMPULSE: f64 = 1e9;

@@ -1,9 +1,10 @@
 //! `[map]`: the axes of the regime map and the cases pointed out on it.
 
-use super::file::{Axis, FileContent, MarkTable};
-use super::resolve::{Bit, Check, Conditions, MapMark, MapSettings, check_axis_value};
+use super::file::{FileContent, MarkTable};
+use super::resolve::{Bit, Check, Conditions, MapMark, MapSettings};
 use super::source::SweepFileError;
 use crate::design::Design;
+use crate::quantities::Axis;
 
 impl Check<'_> {
     pub(super) fn map(
@@ -22,7 +23,7 @@ impl Check<'_> {
         }
         let other = |taken: Option<Axis>| {
             // Operating conditions before quantities of the string.
-            let is_string = |axis: &Axis| matches!(axis, Axis::String(_));
+            let is_string = |axis: &Axis| axis.is_of_string();
             let mut axes = design.axes().to_vec();
             axes.sort_by_key(is_string);
             axes.into_iter().find(|axis| Some(*axis) != taken)
@@ -57,7 +58,7 @@ impl Check<'_> {
         ] {
             if let Some(value) = value {
                 let key = format!("map.marks[{index}].{}", axis.name());
-                check_axis_value(self.source, &key, axis, value)?;
+                self.source.check_axis(&key, axis, value)?;
             }
         }
         let weight_for_torque = || {

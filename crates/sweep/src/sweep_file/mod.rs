@@ -3,6 +3,7 @@
 
 mod accuracy;
 mod bit;
+mod change;
 mod file;
 #[cfg(test)]
 mod fuzz;
@@ -16,15 +17,13 @@ mod setting;
 mod sheet;
 mod source;
 mod string;
-mod string_axis;
 #[cfg(test)]
 mod tests;
 
 pub use accuracy::{Accuracy, per_cent};
-pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
+pub use file::{AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
 pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};
 pub use resolve::{Bit, Conditions, MapMark, MapSettings, Sweep, Time, to_rpm};
-pub(crate) use resolve::{check_axis_value, check_setting};
 pub use setting::Setting;
 pub use sheet::{INCH, POUND_PER_FOOT};
 pub use source::{Source, SweepFileError, TextOf, nearest};

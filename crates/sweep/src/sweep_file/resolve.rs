@@ -9,12 +9,13 @@ use serde::{Deserialize, Serialize};
 use sim::laws::rock::RockError;
 use sim::{BitTorque, Rock};
 
-use super::file::{AutoOr, Axis, FileContent, MethodName};
+use super::file::{AutoOr, FileContent, MethodName};
 use super::setting::Setting;
 use super::source::{Source, SweepFileError, TextOf};
 use crate::accuracy::Choice;
 use crate::design::Design;
 use crate::printable::steers;
+use crate::quantities::{Axis, within};
 use crate::text_file::read_text;
 
 /// More elements in a cell resolve no more than rounding leaves.
@@ -295,7 +296,7 @@ impl Check<'_> {
         most: f64,
         unit: &str,
     ) -> Result<(), SweepFileError> {
-        within(value, least, most, unit).map_err(|message| self.source.error(key, message))
+        self.source.checked(key, within(value, least, most, unit))
     }
 
     /// What people read in pictures and in a terminal.
@@ -433,13 +434,9 @@ impl Check<'_> {
     fn string_axes(&self, content: &FileContent, design: &Design) -> Result<(), SweepFileError> {
         for &axis in design.axes() {
             if let Axis::String(string_axis) = axis {
-                let value = string_axis.limits().1;
-                string_axis
-                    .set(&mut content.clone(), value)
-                    .map_err(|message| {
-                        let key = format!("design.axes.{}", axis.name());
-                        self.source.error(&key, message)
-                    })?;
+                let key = format!("design.axes.{}", axis.name());
+                let changed = content.clone().set(string_axis, axis.most());
+                self.source.checked(&key, changed)?;
             }
         }
         Ok(())
@@ -459,7 +456,7 @@ impl Check<'_> {
             ("bit.torque_dynamic_nm", Axis::TorqueDynamicNm),
         ] {
             if let Some(value) = conditions.value(axis) {
-                check_axis_value(self.source, key, axis, value)?;
+                self.source.check_axis(key, axis, value)?;
             }
         }
         if conditions.weight_on_bit_kn.is_some() && conditions.torque_dynamic_nm.is_some() {
@@ -508,65 +505,6 @@ impl Check<'_> {
             return Err(self.source.error("bit", message));
         }
         Ok(())
-    }
-}
-
-/// Refuses a value that a quantity cannot have, given at `key`.
-pub(crate) fn check_axis_value(
-    source: &Source,
-    key: &str,
-    axis: Axis,
-    value: f64,
-) -> Result<(), SweepFileError> {
-    check_setting(axis, value).map_err(|message| source.error(key, message))
-}
-
-/// Refuses a value that a quantity cannot have. Zero speed is no drilling, and
-/// every time of a case would be infinite.
-pub(crate) fn check_setting(axis: Axis, value: f64) -> Result<(), String> {
-    match axis {
-        Axis::SurfaceSpeedRpm if value <= 0.0 => Err(format!(
-            "{value} rpm: the surface must turn, in the positive direction"
-        )),
-        Axis::SurfaceSpeedRpm => within(value, 1e-4, 1e4, "rpm"),
-        Axis::WeightOnBitKn => within(value, 0.0, 2e3, "kN"),
-        Axis::TorqueDynamicNm => within(value, 0.0, 1e7, "N m"),
-        Axis::ImpulseRatio => within(value, 0.0, 1e6, ""),
-        Axis::Friction => within(value, 0.0, 50.0, ""),
-        Axis::String(axis) => {
-            let (least, most, unit) = axis.limits();
-            if axis.is_counted() && value.fract() != 0.0 {
-                return Err(format!("{value} is not a whole number"));
-            }
-            within(value, least, most, unit)
-        }
-    }
-}
-
-/// Refuses a value outside what it can be: more likely, if it has the right
-/// sign, in another unit.
-fn within(value: f64, least: f64, most: f64, unit: &str) -> Result<(), String> {
-    if (least..=most).contains(&value) {
-        return Ok(());
-    }
-    let space = if unit.is_empty() { "" } else { " " };
-    let hint = if value > 0.0 && value.is_finite() && !unit.is_empty() {
-        "; is it in another unit?"
-    } else {
-        ""
-    };
-    let value = in_digits(value);
-    Err(format!(
-        "{value}{space}{unit} is not between {least} and {most}{space}{unit}{hint}"
-    ))
-}
-
-/// A number as it would be typed, and not in hundreds of digits.
-pub(super) fn in_digits(value: f64) -> String {
-    if value == 0.0 || (1e-9..1e15).contains(&value.abs()) {
-        value.to_string()
-    } else {
-        format!("{value:e}")
     }
 }
 

@@ -6,13 +6,13 @@ use std::borrow::Cow;
 
 use linear::{Drillstring, Method, Sites};
 
-use super::file::{AutoOr, Axis, FileContent, MethodName};
+use super::file::{AutoOr, FileContent, MethodName};
 use super::lateral::LateralSettings;
 use super::resolve::{Check, Conditions, Sweep};
 use super::source::{Source, SweepFileError};
-use super::string_axis::StringAxis;
 use crate::accuracy::Choice;
 use crate::design::Design;
+use crate::quantities::{Axis, StringAxis};
 
 /// A string, ready to be built.
 #[derive(Debug, Clone)]
@@ -156,8 +156,8 @@ impl Sweep {
         changes: Vec<(StringAxis, f64)>,
     ) -> Result<Setting, SweepFileError> {
         for (axis, value) in changes {
-            axis.set(&mut content, value)
-                .map_err(|message| self.source.error(&axis.name(), message))?;
+            let name = Axis::String(axis).name();
+            self.source.checked(&name, content.set(axis, value))?;
         }
         Setting::resolve(&self.source, &content, &self.conditions, &self.design)
     }

@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::placed::{LineNumbers, Placed};
 use crate::printable::steers;
+use crate::quantities::Axis;
 use crate::text_file::LARGEST_SWEEP_FILE;
 
 /// More files than this, each the base of the one before, are a mistake of whoever
@@ -121,6 +122,22 @@ impl Source {
             key: Some(key.to_owned()),
             message: message.into(),
         }
+    }
+
+    /// What a check says of the value at `key`.
+    ///
+    /// # Errors
+    /// What the check says, with the place.
+    pub fn checked<T>(&self, key: &str, result: Result<T, String>) -> Result<T, SweepFileError> {
+        result.map_err(|message| self.error(key, message))
+    }
+
+    /// Refuses a value at `key` that a quantity cannot have.
+    ///
+    /// # Errors
+    /// Where it cannot.
+    pub fn check_axis(&self, key: &str, axis: Axis, value: f64) -> Result<(), SweepFileError> {
+        self.checked(key, axis.check(value))
     }
 
     /// An error about the sweep file as a whole.

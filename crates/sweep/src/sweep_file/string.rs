@@ -2,10 +2,10 @@
 
 use linear::{Drillstring, DrillstringError, Material, Section, Tube};
 
-use super::file::{Axis, FileContent, SectionTable};
-use super::resolve::{Check, check_axis_value};
+use super::file::{FileContent, SectionTable};
+use super::resolve::Check;
 use super::source::SweepFileError;
-use super::string_axis::{LONGEST_STRING, StringAxis, TubeMeasure};
+use crate::quantities::{Axis, LONGEST_STRING, StringAxis, TubeMeasure};
 
 impl Check<'_> {
     pub(super) fn string(&self, content: &FileContent) -> Result<Drillstring, SweepFileError> {
@@ -120,7 +120,7 @@ impl Check<'_> {
         axis: StringAxis,
         value: f64,
     ) -> Result<(), SweepFileError> {
-        check_axis_value(self.source, key, Axis::String(axis), value)
+        self.source.check_axis(key, Axis::String(axis), value)
     }
 }
 

@@ -12,7 +12,8 @@ use super::scenes::Scenes;
 use super::verdict::Findings;
 use crate::engine::{Case, MethodSystem};
 use crate::output::rolling_whirls;
-use crate::sweep_file::{Axis, Setting, Sweep};
+use crate::quantities::Axis;
+use crate::sweep_file::{Setting, Sweep};
 
 /// Cells that differ in their wall alone.
 pub fn examine(scenes: &Scenes, group: &[Cell], method: Method) -> Result<Vec<Findings>> {

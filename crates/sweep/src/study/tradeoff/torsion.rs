@@ -18,8 +18,9 @@ use super::limit::{extrapolated, limit_between};
 use super::measure::{Found, Measure, Reference};
 use super::{Measured, References, build, seconds_per_second};
 use crate::engine::{Case, MethodSystem};
+use crate::quantities::Axis;
 use crate::study::scenes::shipped;
-use crate::sweep_file::{Axis, Sweep, Time};
+use crate::sweep_file::{Sweep, Time};
 
 /// A step is looked at through a window of this length, s: a jump is in no
 /// method's band, and its largest error would never fall.
