@@ -34,6 +34,7 @@ mod hand_table;
 mod map;
 mod memory;
 mod output;
+mod plan;
 mod plot;
 mod printable;
 mod program;

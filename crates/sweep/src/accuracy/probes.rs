@@ -11,8 +11,8 @@ use sim::{Outcome, Stopping};
 use super::answer::{Answer, Error, is_inside, measures, regimes};
 use crate::engine::{Case, MethodSystem, StringMemory};
 use crate::memory::{Limit, Size};
+use crate::plan::{Setting, Sweep};
 use crate::quantities::Axis;
-use crate::sweep_file::{Setting, Sweep};
 
 /// Cases compared, evenly spread over the design.
 const MOST_PROBES: usize = 8;

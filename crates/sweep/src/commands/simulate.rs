@@ -20,9 +20,9 @@ use crate::cli::SimulateArguments;
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Survey, longest_beside};
 use crate::memory::{Purpose, admit};
 use crate::output::{labels_header, labels_row, write_atomically};
+use crate::plan::{Conditions, Setting, Sweep};
 use crate::plot::{orbits, panels};
 use crate::quantities::Axis;
-use crate::sweep_file::{Conditions, Setting, Sweep};
 use crate::words::short;
 
 /// One method's answer to one case.
@@ -46,13 +46,13 @@ pub struct Simulation {
 /// Simulates the chosen cases with every method and keeps their time histories.
 pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
-    let mut sweep = read_sweep(&arguments.file, &arguments.work, arguments.full, false)?;
+    let sweep = read_sweep(&arguments.file, &arguments.work, arguments.full, false)?;
     warn_of_string(&sweep);
     let choices = (unique(&arguments.case).into_iter())
         .map(|index| Choice::new(&sweep, arguments, index))
         .collect::<Result<Vec<_>>>()?;
-    sweep.setting = match common_setting(&sweep, &choices)? {
-        Ok(setting) => setting,
+    let sweep = match common_setting(&sweep, &choices)? {
+        Ok(setting) => Sweep { setting, ..sweep },
         Err(reason) => return tell_of_failures(&failed_rows(&sweep, &choices, &reason)),
     };
     let cases = (choices.into_iter())

@@ -1,6 +1,6 @@
 //! Every combination of the axes' values; the first axis changes slowest.
 
-use super::{MOST_CASES, count_string_axes};
+use super::axes::{MOST_CASES, check_ends, count_string_axes};
 use crate::quantities::Axis;
 use crate::sweep_file::{AxisRange, DesignTable, Source, SweepFileError};
 
@@ -82,7 +82,7 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
             }
             source.check_axis(&format!("{key}.from"), axis, from)?;
             source.check_axis(&format!("{key}.to"), axis, to)?;
-            range.check_ends(source, &key, from, to)?;
+            check_ends(source, &key, range, (from, to))?;
             let last = count.saturating_sub(1).max(1) as f64;
             (0..count)
                 .map(|step| range.spacing.between(from, to, step as f64 / last))

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use super::count_string_axes;
+use super::axes::count_string_axes;
 use crate::hand_table::{HandTable, Mistake, number};
 use crate::quantities::Axis;
 use crate::sweep_file::{DesignTable, Source, SweepFileError, TextOf};

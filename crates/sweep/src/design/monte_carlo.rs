@@ -4,8 +4,9 @@
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
+use super::axes::check_ends;
 use crate::quantities::Axis;
-use crate::sweep_file::{AxisRange, DesignTable, Source, SweepFileError};
+use crate::sweep_file::{AxisRange, DesignTable, Source, Spacing, SweepFileError};
 
 /// Random cases.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +21,7 @@ pub struct MonteCarlo {
 struct Range {
     from: f64,
     to: f64,
-    spacing: crate::sweep_file::Spacing,
+    spacing: Spacing,
 }
 
 impl MonteCarlo {
@@ -98,7 +99,7 @@ impl Range {
         }
         source.check_axis(&format!("{key}.from"), axis, from)?;
         source.check_axis(&format!("{key}.to"), axis, to)?;
-        range.check_ends(source, &key, from, to)?;
+        check_ends(source, &key, range, (from, to))?;
         Ok(Self {
             from,
             to,

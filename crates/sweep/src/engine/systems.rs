@@ -14,7 +14,7 @@ use sim::{Outcome, Scene, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::{Case, Row, RowOutcome};
 use super::run_options::RunOptions;
-use crate::sweep_file::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
+use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]

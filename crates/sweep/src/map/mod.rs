@@ -11,9 +11,9 @@ use std::path::PathBuf;
 use anyhow::Result;
 
 use crate::output::{Curve, Extent, Manifest, Motion, ResultTables};
+use crate::plan::{self, MapSettings};
 use crate::plot::{Axis, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
 use crate::quantities;
-use crate::sweep_file::{self, MapSettings};
 use content::Content;
 use limits::{Limits, View};
 
@@ -168,7 +168,7 @@ impl<'a> Map<'a> {
 
     /// The marks within the range of the design, and a note on those that are not,
     /// such as a base's that were meant for other ranges.
-    fn marks(&self) -> (Vec<&sweep_file::MapMark>, Option<String>) {
+    fn marks(&self) -> (Vec<&plan::MapMark>, Option<String>) {
         let View { axes, ranges } = self.view();
         let table = self.manifest.sweep.design.as_ref();
         let is_inside = |axis: usize, value: f64| {
@@ -184,7 +184,7 @@ impl<'a> Map<'a> {
     }
 }
 
-fn drawn(mark: &sweep_file::MapMark) -> Mark {
+fn drawn(mark: &plan::MapMark) -> Mark {
     Mark {
         name: mark.name.clone(),
         x: mark.x,

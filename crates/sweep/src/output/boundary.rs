@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::whirl_limit::{WhirlPoint, whirl_limit};
 use crate::engine::MethodSystem;
+use crate::plan::{Bit, LateralSettings, Sweep, to_rpm};
 use crate::quantities::Axis;
-use crate::sweep_file::{Bit, LateralSettings, Sweep, to_rpm};
 
 /// Points of the line between the ends of an axis.
 const POINTS: usize = 200;

@@ -1,9 +1,10 @@
 //! Putting another value in the place of a quantity of the string: its damping, its
 //! sections, the places of its sites.
 
-use super::file::{FileContent, SectionTable, TubeTable};
+use super::file::FileContent;
 use super::lateral::BendingTable;
-use crate::quantities::{StringAxis, TubeMeasure};
+use super::string::SectionTable;
+use crate::quantities::StringAxis;
 
 impl FileContent {
     /// Puts a value in the place of a quantity of the string.
@@ -58,15 +59,5 @@ impl FileContent {
             .filter(|place| **place == before)
             .for_each(|place| *place = distance);
         Ok(())
-    }
-}
-
-impl TubeTable {
-    fn measure(&mut self, measure: TubeMeasure) -> &mut f64 {
-        match measure {
-            TubeMeasure::Length => &mut self.length_m,
-            TubeMeasure::InnerRadius => &mut self.inner_radius_m,
-            TubeMeasure::OuterRadius => &mut self.outer_radius_m,
-        }
     }
 }

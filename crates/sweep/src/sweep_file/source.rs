@@ -1,15 +1,14 @@
 //! A sweep file and its bases as one table that still knows on which line of
 //! which file each value stands.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 
+use super::error::SweepFileError;
 use super::placed::{LineNumbers, Placed};
-use crate::printable::steers;
-use crate::quantities::Axis;
+use crate::quantities::{Axis, within};
 use crate::text_file::LARGEST_SWEEP_FILE;
 
 /// More files than this, each the base of the one before, are a mistake of whoever
@@ -27,37 +26,6 @@ const RIVALS: [(&str, &str); 3] = [
 /// Gives the text of a file that has at most so many bytes: from the disk or, in
 /// tests, from memory.
 pub type TextOf<'a> = &'a dyn Fn(&Path, u64) -> std::io::Result<String>;
-
-/// One clear sentence about a sweep file that cannot be used.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SweepFileError {
-    file: PathBuf,
-    line: Option<usize>,
-    key: Option<String>,
-    message: String,
-}
-
-impl SweepFileError {
-    /// What is wrong, without the place.
-    pub fn message(&self) -> &str {
-        &self.message
-    }
-}
-
-impl fmt::Display for SweepFileError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let file = self.file.display();
-        let line = self
-            .line
-            .map_or_else(String::new, |line| format!(":{line}"));
-        let key = (self.key.as_ref()).map_or_else(String::new, |key| format!(": `{key}`"));
-        let text = format!("{file}{line}{key}: {}", self.message);
-        // What the file says in quotes may not break the line or steer a terminal.
-        f.write_str(&text.replace(steers, " "))
-    }
-}
-
-impl std::error::Error for SweepFileError {}
 
 /// The merged table of a sweep file and its bases.
 #[derive(Debug, Clone)]
@@ -138,6 +106,21 @@ impl Source {
     /// Where it cannot.
     pub fn check_axis(&self, key: &str, axis: Axis, value: f64) -> Result<(), SweepFileError> {
         self.checked(key, axis.check(value))
+    }
+
+    /// Refuses a value at `key` outside a range.
+    ///
+    /// # Errors
+    /// Where it is.
+    pub fn within(
+        &self,
+        key: &str,
+        value: f64,
+        least: f64,
+        most: f64,
+        unit: &str,
+    ) -> Result<(), SweepFileError> {
+        self.checked(key, within(value, least, most, unit))
     }
 
     /// An error about the sweep file as a whole.

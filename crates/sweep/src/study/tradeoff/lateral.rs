@@ -17,9 +17,9 @@ use super::measure::{Found, Measure, Reference};
 use super::{Measured, References, build, seconds_per_second};
 use crate::engine::{Case, MethodSystem};
 use crate::output::rolling_whirls;
+use crate::plan::{LateralSettings, Sweep, Time};
 use crate::quantities::Axis;
 use crate::study::scenes::shipped;
-use crate::sweep_file::{LateralSettings, Sweep, Time};
 
 /// Where the limit of whirl is looked for, coefficient of friction.
 const LIMIT_BRACKET: [f64; 2] = [0.8, 3.0];

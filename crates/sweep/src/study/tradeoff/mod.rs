@@ -23,7 +23,7 @@ pub use measure::{Measure, Reference};
 pub use paper::PaperSteps;
 
 use crate::engine::{Case, MethodSystem};
-use crate::sweep_file::Sweep;
+use crate::plan::Sweep;
 use configuration::Scheme;
 use lateral::Lateral;
 use measure::Found;

@@ -18,9 +18,9 @@ use super::limit::{extrapolated, limit_between};
 use super::measure::{Found, Measure, Reference};
 use super::{Measured, References, build, seconds_per_second};
 use crate::engine::{Case, MethodSystem};
+use crate::plan::{Sweep, Time};
 use crate::quantities::Axis;
 use crate::study::scenes::shipped;
-use crate::sweep_file::{Sweep, Time};
 
 /// A step is looked at through a window of this length, s: a jump is in no
 /// method's band, and its largest error would never fall.
@@ -287,7 +287,7 @@ fn bit_of(system: &MethodSystem, case: &Case, stopping: Stopping) -> Option<Tors
     system.simulate(case, stopping, None).ok()?.torsion
 }
 
-fn case(sweep: &Sweep, setting: &crate::sweep_file::Setting, ratio: Option<f64>) -> Result<Case> {
+fn case(sweep: &Sweep, setting: &crate::plan::Setting, ratio: Option<f64>) -> Result<Case> {
     let (mut sweep, mut conditions) = (sweep.clone(), sweep.conditions);
     if let Some(ratio) = ratio {
         let torque = conditions

@@ -11,8 +11,9 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::TestRunner;
 
-use super::{Setting, Sweep, SweepFileError};
+use super::{Setting, Sweep};
 use crate::engine::Case;
+use crate::sweep_file::SweepFileError;
 
 /// Inputs made by changing a sweep file. A sixth can still be read.
 const CHANGED: u32 = 80_000;
