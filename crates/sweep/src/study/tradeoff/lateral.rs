@@ -14,7 +14,7 @@ use super::configuration::{Configuration, Scheme};
 use super::history::{Exact, greatest_difference, short_response};
 use super::limit::{extrapolated, limit_between};
 use super::measure::{Found, Measure, Reference};
-use super::{Measured, References, build, seconds_per_second};
+use super::measured::{Measured, References, build, seconds_per_second};
 use crate::engine::{Case, MethodSystem};
 use crate::output::rolling_whirls;
 use crate::plan::{LateralSettings, Sweep, Time};
