@@ -14,8 +14,8 @@ use super::file::FileContent;
 use super::lateral::*;
 use super::map::{MapTable, MarkTable};
 use super::methods::MethodTables;
-use super::source::keys_of;
 use super::string::{SectionTable, StringTable, TubeTable};
+use super::wording::keys_of;
 use crate::plan::Sweep;
 use crate::quantities::Axis;
 

@@ -16,6 +16,7 @@ mod methods;
 mod placed;
 mod source;
 mod string;
+mod wording;
 
 pub use accuracy::{Accuracy, per_cent};
 pub use auto::AutoOr;
@@ -26,5 +27,6 @@ pub use file::FileContent;
 pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SupportName};
 pub use map::MarkTable;
 pub use methods::MethodName;
-pub use source::{Source, TextOf, nearest};
+pub use source::{Source, TextOf};
 pub use string::SectionTable;
+pub use wording::nearest;

@@ -8,6 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::SweepFileError;
 use super::placed::{LineNumbers, Placed};
+use super::wording::{in_words, keys_of};
 use crate::quantities::{Axis, within};
 use crate::text_file::LARGEST_SWEEP_FILE;
 
@@ -76,7 +77,8 @@ impl Source {
         serde_path_to_error::deserialize(self.merged.table.clone()).map_err(|error| {
             let path = error.path().to_string();
             let message = error.into_inner().message().trim().to_owned();
-            self.type_error(&path, &message, &keys_of::<T>())
+            let (key, message) = in_words(&path, &message, &keys_of::<T>());
+            self.error(&key, message)
         })
     }
 
@@ -131,46 +133,6 @@ impl Source {
             key: None,
             message: message.into(),
         }
-    }
-
-    /// Serde's words in the user's: what was meant by an unknown key or
-    /// choice, what is missing, what was expected. A key of the file itself may
-    /// have slipped into the table above it.
-    fn type_error(&self, path: &str, message: &str, file_keys: &[String]) -> SweepFileError {
-        let path = if path == "." { "" } else { path };
-        let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
-        if let Some(missing) = message.strip_prefix("missing field ").and(quoted.first()) {
-            return self.error(&join(path, missing), "is missing");
-        }
-        if let Some((found, expected)) = message
-            .strip_prefix("invalid type: ")
-            .or(message.strip_prefix("invalid value: "))
-            .and_then(|words| words.rsplit_once(", expected "))
-        {
-            let (found, expected) = (in_words(found), in_words(expected));
-            return self.error(path, format!("expected {expected}, found {found}"));
-        }
-        let Some(unknown) = message.strip_prefix("unknown ").and(quoted.first()) else {
-            return self.error(path, message);
-        };
-        let what = if message.starts_with("unknown field") {
-            "unknown key"
-        } else {
-            "unknown choice"
-        };
-        let choices = &quoted[1..];
-        let is_misplaced = what == "unknown key" && file_keys.iter().any(|key| key == unknown);
-        let hint = match nearest(unknown, choices) {
-            _ if is_misplaced => "it belongs above the first [table] of the file".to_owned(),
-            Some(choice) => format!("did you mean `{choice}`?"),
-            None => format!("known here: {}", choices.join(", ")),
-        };
-        let key = match what {
-            "unknown choice" => path.to_owned(),
-            _ if path.ends_with(unknown) => path.to_owned(),
-            _ => join(path, unknown),
-        };
-        self.error(&key, format!("{what} `{unknown}`; {hint}"))
     }
 
     fn add_file(&mut self, path: &Path, text_of: TextOf) -> Result<(), SweepFileError> {
@@ -247,55 +209,5 @@ impl Source {
             ));
         }
         Ok(())
-    }
-}
-
-/// What was meant by a word that is none of the choices: one without its unit, or
-/// one misspelt.
-pub fn nearest<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
-    let begins = |choice: &&&str| {
-        let rest = choice.strip_prefix(word);
-        rest.is_some_and(|rest| rest.starts_with('_'))
-    };
-    let mut begun = choices.iter().filter(begins);
-    if let (Some(choice), None) = (begun.next(), begun.next()) {
-        return Some(choice);
-    }
-    let distances = choices
-        .iter()
-        .map(|choice| (strsim::damerau_levenshtein(choice, word), *choice));
-    let (distance, choice) = distances.min()?;
-    (distance <= choice.len() / 3 + 1).then_some(choice)
-}
-
-/// The keys that a table may have, as its reader names them when it finds another.
-pub(super) fn keys_of<T: DeserializeOwned>() -> Vec<String> {
-    let unknown = toml::Table::from_iter([("?".to_owned(), toml::Value::Boolean(true))]);
-    let Err(error) = unknown.try_into::<T>() else {
-        return Vec::new();
-    };
-    let quoted = error.message().split('`').skip(1).step_by(2);
-    quoted.skip(1).map(str::to_owned).collect()
-}
-
-fn join(path: &str, key: &str) -> String {
-    if path.is_empty() {
-        key.to_owned()
-    } else {
-        format!("{path}.{key}")
-    }
-}
-
-/// The kinds of values as the user knows them.
-fn in_words(kind: &str) -> &str {
-    match kind {
-        "f64" => "a number",
-        "u64" | "usize" => "a whole number, zero or more",
-        "map" | "a map" => "a table",
-        "sequence" | "a sequence" => "an array",
-        "string only" => "a string",
-        "unit variant" => "another kind of value",
-        _ if kind.starts_with("struct ") => "a table",
-        _ => kind,
     }
 }
