@@ -7,9 +7,10 @@ use clap_complete::Shell;
 
 use crate::engine::{RunOptions, Shard};
 use crate::memory::{Limit, Size};
+use crate::quantities::Axis;
 use crate::study::stability::Family;
 use crate::study::tradeoff::{LADDER, Measure};
-use crate::sweep_file::{Axis, MethodName, nearest};
+use crate::sweep_file::{MethodName, nearest};
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]

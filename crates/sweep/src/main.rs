@@ -1,9 +1,11 @@
 //! `sweep`: parameter sweeps of drillstring dynamics.
 //!
 //! ```text
-//! my-sweep.toml ──> sweep_file  read with its bases, resolved to SI, or refused with its line
+//! my-sweep.toml ──> sweep_file  its keys, with those of its bases, and where each stands
 //!                    │
 //!                  design    the cases: a grid, random points, a list
+//!                    │
+//!                   plan     all of it in SI, or refused with its line
 //!                    │
 //!                  engine    linear systems built once ───────────────> crate `linear`
 //!                    │       cases over all cores, each kept as done ─> crate `sim`
@@ -13,10 +15,11 @@
 //! ```
 //!
 //! There is no equation here: the string is the business of `linear`, its
-//! motion that of `sim`. `accuracy` chooses a method where a sweep asks for an
-//! accuracy, a `study` looks at the methods themselves. `files` writes whole files or none, in
-//! folders that are locked meanwhile. `commands` has one file for each thing a user can ask,
-//! and `cli` their arguments; `words` are for people. To see it at work:
+//! motion that of `sim`. `quantities` is the table of what a design may vary. `accuracy`
+//! chooses a method where a sweep asks for an accuracy, a `study` looks at the methods
+//! themselves. `files` writes whole files or none, in folders that are locked meanwhile.
+//! `commands` has one file for each thing a user can ask, and `cli` their arguments;
+//! `words` are for people. To see it at work:
 //!
 //! ```sh
 //! sweep new my-sweep.toml        # a commented sweep file
@@ -34,9 +37,11 @@ mod hand_table;
 mod map;
 mod memory;
 mod output;
+mod plan;
 mod plot;
 mod printable;
 mod program;
+mod quantities;
 mod report;
 mod study;
 mod sweep_file;

@@ -3,7 +3,7 @@
 use linear::Method;
 use linear::method::{FiniteElement, Transform};
 
-use super::Candidate;
+use crate::plan::Candidate;
 
 /// Sampling frequencies, Hz. The last is for the reference alone.
 pub const FREQUENCIES: [f64; 11] = [

@@ -24,95 +24,19 @@ mod answer;
 mod ladder;
 mod probes;
 
-use anyhow::{Result, bail};
 use linear::Method;
 use linear::estimates::sampling_frequency;
-use serde::{Deserialize, Serialize};
 use sim::Stopping;
 
 use crate::memory::Limit;
-use crate::sweep_file::{Accuracy, Sweep, per_cent};
-use crate::words::{short, wrapped};
+use crate::plan::{Candidate, Choice, Sweep, Tried};
+use crate::sweep_file::{Accuracy, SweepFileError, per_cent};
 use answer::{Answer, largest_error};
 use ladder::{FREQUENCIES, candidates};
 use probes::{Probes, Systems};
 
 /// The reference's uncertainty is at most this part of the accuracy; it counts in full.
 const REFERENCE_PART: f64 = 0.5;
-
-/// What was chosen, and why: `accuracy` of the manifest. Errors are parts of one.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Choice {
-    /// The largest error wanted.
-    pub asked: f64,
-    /// The estimated error, the reference's uncertainty included.
-    pub delivered: f64,
-    /// What was chosen.
-    pub chosen: Candidate,
-    /// The method of the reference.
-    pub reference_method: String,
-    /// Its sampling frequency, Hz.
-    pub reference_hz: f64,
-    /// The change of its answers from a quarter of that frequency.
-    pub reference_uncertainty: f64,
-    /// Cases that were simulated to compare.
-    pub probes: Vec<usize>,
-    /// Everything tried, the chosen last.
-    pub tried: Vec<Tried>,
-}
-
-/// A method at a sampling frequency.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Candidate {
-    /// Its name.
-    pub method: String,
-    /// Elements in one cell, of finite elements.
-    pub elements_per_cell: Option<usize>,
-    /// Sampling frequency, Hz.
-    pub sampling_frequency_hz: f64,
-}
-
-/// A candidate and its error.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Tried {
-    /// The candidate.
-    #[serde(flatten)]
-    pub candidate: Candidate,
-    /// Its error from the reference, where it can be told.
-    pub error: Option<f64>,
-    /// What the error is of, or why there is none.
-    pub of: String,
-}
-
-impl std::fmt::Display for Candidate {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", self.method)?;
-        if let Some(elements) = self.elements_per_cell {
-            write!(f, " ({elements} elements a cell)")?;
-        }
-        write!(f, " at {} Hz", short(self.sampling_frequency_hz))
-    }
-}
-
-impl Choice {
-    /// What was chosen and by which reference, in lines for people.
-    pub fn lines(&self, indent: usize) -> String {
-        let chosen = format!(
-            "accuracy {} %: {}, estimated error {} %",
-            per_cent(self.asked),
-            self.chosen,
-            per_cent(self.delivered)
-        );
-        let reference = format!(
-            "(reference: {} at {} Hz, uncertain by {} %)",
-            self.reference_method,
-            short(self.reference_hz),
-            per_cent(self.reference_uncertainty)
-        );
-        let later = indent + 2;
-        wrapped(&chosen, indent, later) + &wrapped(&reference, later, later)
-    }
-}
 
 /// What is about to be built and simulated.
 #[derive(Debug, Clone, PartialEq)]
@@ -123,35 +47,35 @@ pub struct Attempt {
     pub is_reference: bool,
 }
 
-/// Where the sweep asks for an accuracy, chooses for it and puts the choice in.
-/// `tell` hears of each attempt before it is made, which may take minutes.
+/// Where the sweep asks for an accuracy, the method chosen for it and the choice, which
+/// has the sampling frequency. `tell` hears of each attempt before it is made, which may
+/// take minutes.
 ///
 /// # Errors
 /// Where nothing delivers the accuracy within the memory, or the sweep's cases cannot
 /// be.
-pub fn choose(sweep: &mut Sweep, full: bool, limit: &Limit, tell: &dyn Fn(Attempt)) -> Result<()> {
+pub fn choose(
+    sweep: &Sweep,
+    full: bool,
+    limit: &Limit,
+    tell: &dyn Fn(Attempt),
+) -> Result<Option<(Method, Choice)>, SweepFileError> {
     let Some(Accuracy(asked)) = sweep.content.accuracy else {
-        return Ok(());
+        return Ok(None);
     };
     let stopping = if full {
         Stopping::Full
     } else {
         Stopping::Early
     };
-    let probes =
-        Probes::of(sweep, asked, limit).map_err(|reason| sweep.source.error("accuracy", reason))?;
+    let at_key = |reason: String| sweep.source.error("accuracy", reason);
     let search = Search {
-        probes: &probes,
+        probes: &Probes::of(sweep, asked, limit).map_err(at_key)?,
         asked,
         stopping,
         tell,
     };
-    let (method, choice) = match search.run() {
-        Ok(found) => found,
-        Err(reason) => bail!(sweep.source.error("accuracy", reason)),
-    };
-    sweep.choose(method, choice)?;
-    Ok(())
+    search.run().map(Some).map_err(at_key)
 }
 
 /// A search for the cheapest candidate.

@@ -11,7 +11,8 @@ use sim::{Outcome, Stopping};
 use super::answer::{Answer, Error, is_inside, measures, regimes};
 use crate::engine::{Case, MethodSystem, StringMemory};
 use crate::memory::{Limit, Size};
-use crate::sweep_file::{Axis, Setting, Sweep};
+use crate::plan::{Setting, Sweep};
+use crate::quantities::Axis;
 
 /// Cases compared, evenly spread over the design.
 const MOST_PROBES: usize = 8;
@@ -102,7 +103,7 @@ impl<'a> Probes<'a> {
         let quantities = |case: usize| -> Vec<f64> {
             let axes = self.sweep.design.axes().iter();
             axes.zip(self.sweep.design.values(case))
-                .filter(|(axis, _)| matches!(axis, Axis::String(_)))
+                .filter(|(axis, _)| axis.is_of_string())
                 .map(|(_, value)| value)
                 .collect()
         };

@@ -9,7 +9,7 @@ use sim::{Ended, Outcome};
 use super::simulate::Simulation;
 use super::site_title;
 use crate::engine::Case;
-use crate::sweep_file::{Sweep, to_rpm};
+use crate::plan::{Sweep, to_rpm};
 use crate::words::{counted, decimals, short, together, wrapped};
 
 /// Every case with what a run answers to it by each method, and what came out later

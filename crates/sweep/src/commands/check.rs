@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Mutex;
 
 use anyhow::{Result, bail};
+use linear::Method;
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use sim::{LateralRegime, Outcome, TorsionRegime};
 
@@ -18,15 +19,15 @@ use crate::design::{Design, List};
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Shard, Work};
 use crate::memory::{Purpose, admit};
 use crate::output::{LabelRow, read_labels, rolling_bound};
-use crate::sweep_file::{Sweep, check_setting, nearest};
+use crate::plan::Sweep;
+use crate::sweep_file::nearest;
 use crate::words::counted;
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments) -> Result<Status> {
     use_threads(arguments.jobs)?;
-    let mut sweep = Sweep::read(&arguments.file)?;
     let limit = arguments.memory.limit();
-    choose(&mut sweep, false, &limit, false)?;
+    let sweep = choose(Sweep::read(&arguments.file)?, false, &limit, false)?;
     let axes = sweep.design.axes().to_vec();
     let reference = read_labels(&arguments.reference, &axes)
         .map_err(|error| UsageError(format!("{error:#}")))?;
@@ -36,10 +37,14 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
             arguments.reference.display()
         )));
     }
-    keep_methods_of(&mut sweep, &reference, &arguments.reference)?;
+    let methods = methods_of(&sweep, &reference, &arguments.reference)?;
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
     let numbers: Vec<usize> = cases.keys().copied().collect();
-    sweep.design = Design::List(List::new(axes, cases.into_values().collect()));
+    let sweep = Sweep {
+        methods,
+        design: Design::List(List::new(axes, cases.into_values().collect())),
+        ..sweep
+    };
     let survey = survey_cases(&arguments.reference, &sweep)?;
     let setting = sweep.setting.for_labels();
     let memory = admit(&sweep, &setting, &survey, Purpose::Labels, &limit)?;
@@ -116,7 +121,7 @@ fn run_all(
 }
 
 /// The reference says which methods it was made with.
-fn keep_methods_of(sweep: &mut Sweep, reference: &[LabelRow], path: &Path) -> Result<()> {
+fn methods_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<Method>> {
     for row in reference {
         if !sweep
             .methods
@@ -131,10 +136,8 @@ fn keep_methods_of(sweep: &mut Sweep, reference: &[LabelRow], path: &Path) -> Re
             )));
         }
     }
-    sweep
-        .methods
-        .retain(|method| reference.iter().any(|row| row.method == method.name()));
-    Ok(())
+    let is_named = |method: &&Method| reference.iter().any(|row| row.method == method.name());
+    Ok(sweep.methods.iter().filter(is_named).copied().collect())
 }
 
 /// The values of each case number; its rows must agree on them.
@@ -155,7 +158,7 @@ fn cases_of(
         refuse_unknown("lateral", &row.lateral, &lateral).map_err(at)?;
         let axes = sweep.design.axes();
         for (&axis, &value) in axes.iter().zip(&row.values) {
-            check_setting(axis, value)
+            axis.check(value)
                 .map_err(|reason| at(format!("{}: {reason}", axis.name())))?;
         }
         let setting = sweep

@@ -14,34 +14,39 @@ use serde_json::json;
 
 use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, BETWEEN_TICKS};
 use super::{TELLS_JSON, complain, stop, tell};
-use crate::accuracy::{self, Attempt, Candidate};
+use crate::accuracy::{self, Attempt};
 use crate::memory::Limit;
-use crate::sweep_file::Sweep;
+use crate::plan::{Candidate, Sweep};
 
-/// Where the sweep asks for an accuracy, chooses for it; tells of that unless
-/// `quiet`.
+/// The sweep or, where it asks for an accuracy, that with what is chosen for it; tells
+/// of that unless `quiet`.
 ///
 /// # Errors
 /// As [`accuracy::choose`].
-pub fn choose(sweep: &mut Sweep, full: bool, limit: &Limit, quiet: bool) -> Result<()> {
+pub fn choose(sweep: Sweep, full: bool, limit: &Limit, quiet: bool) -> Result<Sweep> {
     if sweep.content.accuracy.is_none() {
-        return Ok(());
+        return Ok(sweep);
     }
     let choosing = Choosing::new(quiet);
     let (under_way, over) = channel::<()>();
-    let result = thread::scope(|scope| {
+    let chosen = thread::scope(|scope| {
         let shown = &choosing;
         scope.spawn(move || {
             while over.recv_timeout(shown.pause()) == Err(RecvTimeoutError::Timeout) {
                 shown.tell();
             }
         });
-        let result = accuracy::choose(sweep, full, limit, &|attempt| choosing.begin(attempt));
+        let chosen = accuracy::choose(&sweep, full, limit, &|attempt| choosing.begin(attempt));
         drop(under_way);
-        result
+        chosen
     });
-    choosing.finish(sweep.choice.as_ref().map(|choice| &choice.chosen));
-    result
+    let made = chosen.and_then(|chosen| match chosen {
+        Some((method, choice)) => sweep.with_choice(method, choice),
+        None => Ok(sweep),
+    });
+    let choice = made.as_ref().ok().and_then(|sweep| sweep.choice.as_ref());
+    choosing.finish(choice.map(|choice| &choice.chosen));
+    Ok(made?)
 }
 
 /// A choice under way.

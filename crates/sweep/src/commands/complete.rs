@@ -12,7 +12,7 @@ use crate::cli::RunArguments;
 use crate::engine::{Header, Survey};
 use crate::files::write_with_checksum;
 use crate::output::{Damage, FAILURES_HEADER, Manifest, PICTURES, boundary, write_boundary};
-use crate::sweep_file::Sweep;
+use crate::plan::Sweep;
 
 /// A run that finds its results there.
 pub struct Again<'a> {

@@ -11,7 +11,7 @@ use sim::Scene;
 
 use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey};
 use crate::memory::{Estimate, Limit, Size};
-use crate::sweep_file::{Setting, Sweep};
+use crate::plan::{Setting, Sweep};
 
 /// The probe builds and steps for no longer than this.
 const PROBE: Duration = Duration::from_secs(10);

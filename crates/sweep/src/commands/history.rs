@@ -4,7 +4,7 @@ use anyhow::Result;
 use linear::Sites;
 
 use super::simulate::Simulation;
-use crate::sweep_file::to_rpm;
+use crate::plan::to_rpm;
 
 fn site_name(distance: f64) -> String {
     if distance == 0.0 {

@@ -19,12 +19,13 @@ use super::{
     Status, build_systems, make_folder, read_sweep, results_folder, say, site_title, survey_cases,
     use_threads, warn_of_string,
 };
-use crate::accuracy::Choice;
 use crate::cli::InspectArguments;
 use crate::engine::{MethodSystem, Survey, is_unstable};
 use crate::memory::{Purpose, admit, estimate};
+use crate::plan::Choice;
+use crate::plan::{INCH, LateralSettings, POUND_PER_FOOT, Sweep, Time};
 use crate::plot::{Axis, Panel, Panels, Series, panels};
-use crate::sweep_file::{INCH, LateralSettings, POUND_PER_FOOT, Sweep, Time, per_cent};
+use crate::sweep_file::per_cent;
 use crate::words::{counted, short, wrapped};
 
 /// Points of the frequency response drawn.

@@ -35,8 +35,9 @@ use sim::SimulationError;
 
 use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
+use crate::plan::{Setting, Sweep};
 use crate::printable::{printable, printable_json};
-use crate::sweep_file::{MethodName, Setting, Sweep, SweepFileError};
+use crate::sweep_file::{MethodName, SweepFileError};
 use choosing::choose;
 use progress::Progress;
 use threads::use_threads;
@@ -131,9 +132,8 @@ fn read_sweep(file: &Path, work: &WorkArguments, full: bool, quiet: bool) -> Res
             methods.push(name);
         }
     }
-    let mut sweep = Sweep::read_with_methods(file, &methods)?;
-    choose(&mut sweep, full, &work.memory.limit(), quiet)?;
-    Ok(sweep)
+    let sweep = Sweep::read_with_methods(file, &methods)?;
+    choose(sweep, full, &work.memory.limit(), quiet)
 }
 
 /// The folder for a sweep's results.

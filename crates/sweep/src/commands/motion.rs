@@ -10,8 +10,8 @@ use super::plot::axis;
 use super::simulate::Simulation;
 use super::site_title;
 use crate::engine::Case;
+use crate::plan::{LateralSettings, Sweep, to_rpm};
 use crate::plot::{Orbit, Orbits, Panel, Panels, Reference, Series};
-use crate::sweep_file::{LateralSettings, Sweep, to_rpm};
 
 /// The clearance is drawn where motion reaches this part of it.
 const CLEARANCE_SHOWN: f64 = 0.2;

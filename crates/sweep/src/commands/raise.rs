@@ -13,7 +13,7 @@ use super::run::warn_of_broken_lines;
 use crate::engine::{Header, Log, Record};
 use crate::files::AtomicFile;
 use crate::output::{Manifest, labels_header, labels_start};
-use crate::sweep_file::Sweep;
+use crate::plan::Sweep;
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
 /// ours; any other is returned as it is.

@@ -27,7 +27,7 @@ use crate::output::{
     About, Boundary, Manifest, Repeat, Tally, boundary, fingerprint, labels_row, write_boundary,
     write_tables,
 };
-use crate::sweep_file::Sweep;
+use crate::plan::Sweep;
 use crate::words::{counted, together, wrapped};
 use plan::Plan;
 

@@ -20,8 +20,9 @@ use crate::cli::SimulateArguments;
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Survey, longest_beside};
 use crate::memory::{Purpose, admit};
 use crate::output::{labels_header, labels_row, write_atomically};
+use crate::plan::{Conditions, Setting, Sweep};
 use crate::plot::{orbits, panels};
-use crate::sweep_file::{Axis, Conditions, Setting, Sweep, check_setting};
+use crate::quantities::Axis;
 use crate::words::short;
 
 /// One method's answer to one case.
@@ -45,13 +46,13 @@ pub struct Simulation {
 /// Simulates the chosen cases with every method and keeps their time histories.
 pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
     use_threads(arguments.work.jobs)?;
-    let mut sweep = read_sweep(&arguments.file, &arguments.work, arguments.full, false)?;
+    let sweep = read_sweep(&arguments.file, &arguments.work, arguments.full, false)?;
     warn_of_string(&sweep);
     let choices = (unique(&arguments.case).into_iter())
         .map(|index| Choice::new(&sweep, arguments, index))
         .collect::<Result<Vec<_>>>()?;
-    sweep.setting = match common_setting(&sweep, &choices)? {
-        Ok(setting) => setting,
+    let sweep = match common_setting(&sweep, &choices)? {
+        Ok(setting) => Sweep { setting, ..sweep },
         Err(reason) => return tell_of_failures(&failed_rows(&sweep, &choices, &reason)),
     };
     let cases = (choices.into_iter())
@@ -305,7 +306,7 @@ impl Choice {
         let mut conditions = sweep.conditions_at(&values);
         let axes = sweep.design.axes();
         for &(axis, value) in &arguments.set {
-            check_setting(axis, value)
+            axis.check(value)
                 .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
             refuse_idle(sweep, axis)?;
             conditions = conditions.with(axis, value);
@@ -318,7 +319,7 @@ impl Choice {
         refuse_weight_without_rock(sweep, &conditions)?;
         let of_axes = axes.iter().copied().zip(values.iter().copied());
         let all = of_axes.chain(arguments.set.iter().copied());
-        let is_of_string = |(axis, _): &(Axis, f64)| matches!(axis, Axis::String(_));
+        let is_of_string = |(axis, _): &(Axis, f64)| axis.is_of_string();
         Ok(Self {
             index,
             string: all.filter(is_of_string).collect(),

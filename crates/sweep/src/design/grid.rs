@@ -1,7 +1,8 @@
 //! Every combination of the axes' values; the first axis changes slowest.
 
-use super::{MOST_CASES, count_string_axes};
-use crate::sweep_file::{Axis, AxisRange, DesignTable, Source, SweepFileError, check_axis_value};
+use super::axes::{MOST_CASES, check_ends, count_string_axes};
+use crate::quantities::Axis;
+use crate::sweep_file::{AxisRange, DesignTable, Source, SweepFileError};
 
 /// More grid values on an axis are a slip of the pen.
 const MOST_VALUES: usize = 1_000_000;
@@ -79,9 +80,9 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
                 let message = format!("{count} values are more than {MOST_VALUES}");
                 return Err(source.error(&format!("{key}.count"), message));
             }
-            check_axis_value(source, &format!("{key}.from"), axis, from)?;
-            check_axis_value(source, &format!("{key}.to"), axis, to)?;
-            range.check_ends(source, &key, from, to)?;
+            source.check_axis(&format!("{key}.from"), axis, from)?;
+            source.check_axis(&format!("{key}.to"), axis, to)?;
+            check_ends(source, &key, range, (from, to))?;
             let last = count.saturating_sub(1).max(1) as f64;
             (0..count)
                 .map(|step| range.spacing.between(from, to, step as f64 / last))
@@ -108,7 +109,7 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
         } else {
             format!("{key}.to")
         };
-        check_axis_value(source, &place, axis, value)?;
+        source.check_axis(&place, axis, value)?;
     }
     Ok(values)
 }

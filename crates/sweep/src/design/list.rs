@@ -3,9 +3,10 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use super::count_string_axes;
+use super::axes::count_string_axes;
 use crate::hand_table::{HandTable, Mistake, number};
-use crate::sweep_file::{Axis, DesignTable, Source, SweepFileError, TextOf, check_axis_value};
+use crate::quantities::Axis;
+use crate::sweep_file::{DesignTable, Source, SweepFileError, TextOf};
 use crate::text_file::LARGEST_TABLE;
 
 /// Listed cases.
@@ -110,7 +111,7 @@ fn cases_of(source: &Source, table: &HandTable) -> Result<List, Mistake> {
         let value = |&column: &usize| {
             let (axis, text) = (columns[column], &row.cells[column]);
             let value = number(text).and_then(|value| {
-                let checked = check_axis_value(source, &axis.name(), axis, value);
+                let checked = source.check_axis(&axis.name(), axis, value);
                 checked.map_err(|error| error.message().to_owned())?;
                 Ok(value)
             });

@@ -4,7 +4,9 @@
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
-use crate::sweep_file::{Axis, AxisRange, DesignTable, Source, SweepFileError, check_axis_value};
+use super::axes::check_ends;
+use crate::quantities::Axis;
+use crate::sweep_file::{AxisRange, DesignTable, Source, Spacing, SweepFileError};
 
 /// Random cases.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +21,7 @@ pub struct MonteCarlo {
 struct Range {
     from: f64,
     to: f64,
-    spacing: crate::sweep_file::Spacing,
+    spacing: Spacing,
 }
 
 impl MonteCarlo {
@@ -95,9 +97,9 @@ impl Range {
             let message = "is counted in whole numbers: make it an axis of a grid or a list";
             return Err(source.error(&key, message));
         }
-        check_axis_value(source, &format!("{key}.from"), axis, from)?;
-        check_axis_value(source, &format!("{key}.to"), axis, to)?;
-        range.check_ends(source, &key, from, to)?;
+        source.check_axis(&format!("{key}.from"), axis, from)?;
+        source.check_axis(&format!("{key}.to"), axis, to)?;
+        check_ends(source, &key, range, (from, to))?;
         Ok(Self {
             from,
             to,

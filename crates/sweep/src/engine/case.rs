@@ -1,8 +1,8 @@
 //! One case: its values, its scene, its row.
 
-use sim::{Impulse, Lateral, Outcome, Scene, Timing, Wall, torsion_timing};
+use sim::{Impulse, Lateral, Outcome, Scene, Timing, torsion_timing};
 
-use crate::sweep_file::{Conditions, LateralSettings, Setting, Sweep, Time};
+use crate::plan::{Conditions, LateralSettings, Setting, Sweep, Time};
 
 /// One case of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +67,8 @@ impl Case {
                 surface_speed,
                 bit,
                 lateral: (setting.lateral.as_ref())
-                    .map(|settings| lateral_scene(settings, conditions)),
+                    .map(|settings| lateral_scene(settings, conditions))
+                    .transpose()?,
                 timing,
             },
         })
@@ -92,10 +93,10 @@ fn longer(one: Timing, other: Timing) -> Timing {
 
 /// Walls with the case's friction, impulses with the case's ratio: amounts
 /// relative to I₀ stay so until a method says what its I₀ is.
-fn lateral_scene(settings: &LateralSettings, conditions: &Conditions) -> Lateral {
-    let walls = settings.walls.iter().map(|wall| Wall {
-        friction: conditions.friction.unwrap_or(wall.friction),
-        ..*wall
+fn lateral_scene(settings: &LateralSettings, conditions: &Conditions) -> Result<Lateral, String> {
+    let walls = settings.walls.iter().map(|wall| {
+        let friction = conditions.friction.or(wall.friction);
+        Ok(wall.with_friction(friction.ok_or("has no friction")?))
     });
     let impulses = settings.impulses.iter().map(|settings| Impulse {
         amount: match conditions.impulse_ratio {
@@ -104,11 +105,11 @@ fn lateral_scene(settings: &LateralSettings, conditions: &Conditions) -> Lateral
         },
         ..settings.impulse
     });
-    Lateral {
-        walls: walls.collect(),
+    Ok(Lateral {
+        walls: walls.collect::<Result<_, String>>()?,
         impulses: impulses.collect(),
         eccentric_masses: settings.eccentric_masses.clone(),
-    }
+    })
 }
 
 /// The answer of one case by one method.

@@ -6,7 +6,7 @@ use linear::cost::{self, Memory};
 use sim::cost::Taps;
 
 use super::systems::request;
-use crate::sweep_file::Setting;
+use crate::plan::Setting;
 
 /// Memory of one string by all methods, bytes: upper bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

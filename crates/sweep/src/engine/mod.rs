@@ -23,7 +23,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use anyhow::Result;
 use rayon::prelude::*;
 
-use crate::sweep_file::Sweep;
+use crate::plan::Sweep;
 
 /// What becomes of a row, by the method with a place in the sweep's list.
 pub type Keep<'a> = &'a (dyn Fn(usize, Row) -> Result<()> + Sync);

@@ -8,7 +8,8 @@ use rayon::prelude::*;
 use super::case::Case;
 use super::memory::StringMemory;
 use crate::design::Design;
-use crate::sweep_file::{Setting, Sweep, SweepFileError};
+use crate::plan::{Setting, Sweep};
+use crate::sweep_file::SweepFileError;
 
 /// Cases that a thread looks at before it asks for more.
 const CASES_AT_ONCE: usize = 256;

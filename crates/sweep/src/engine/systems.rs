@@ -14,7 +14,7 @@ use sim::{Outcome, Scene, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::{Case, Row, RowOutcome};
 use super::run_options::RunOptions;
-use crate::sweep_file::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
+use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
@@ -54,18 +54,29 @@ impl MethodSystem {
     /// As [`MethodSystem::build_all`], with an answer for each method: what one cannot
     /// treat, another may.
     pub fn build_each(sweep: &Sweep, setting: &Setting, longest_time: f64) -> Vec<Result<Self>> {
-        let build = |method: &Method| {
-            let system = Self::build(setting, *method, sweep.bit.is_some(), longest_time)
-                .with_context(|| format!("the responses by {} cannot be built", method.name()))?;
-            if let Some(index) = system.unreachable_impulse() {
-                let message = "there is no I₀, for no impulse brings this site to the wall; \
-                               give `amount_ns`";
-                let key = format!("impulses[{index}].ratio");
-                bail!(sweep.source.error(&key, message));
-            }
-            Ok(system)
-        };
+        let build = |method: &Method| Self::build_for(sweep, setting, *method, longest_time);
         sweep.methods.par_iter().map(build).collect()
+    }
+
+    /// Builds the system of one method for the cases of a sweep.
+    ///
+    /// # Errors
+    /// As [`MethodSystem::build_all`].
+    pub fn build_for(
+        sweep: &Sweep,
+        setting: &Setting,
+        method: Method,
+        longest_time: f64,
+    ) -> Result<Self> {
+        let system = Self::build(setting, method, sweep.bit.is_some(), longest_time)
+            .with_context(|| format!("the responses by {} cannot be built", method.name()))?;
+        if let Some(index) = system.unreachable_impulse() {
+            let message = "there is no I₀, for no impulse brings this site to the wall; \
+                           give `amount_ns`";
+            let key = format!("impulses[{index}].ratio");
+            bail!(sweep.source.error(&key, message));
+        }
+        Ok(system)
     }
 
     /// Builds the system of one method; `cuts` says whether a torque acts on the

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::words::{ends, quantity};
 use crate::output::{Curve, Motion};
 use crate::plot::{Band, Line, is_within};
-use crate::sweep_file::Axis;
+use crate::quantities::Axis;
 
 /// What a map shows.
 pub struct View {

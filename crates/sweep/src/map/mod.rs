@@ -11,8 +11,9 @@ use std::path::PathBuf;
 use anyhow::Result;
 
 use crate::output::{Curve, Extent, Manifest, Motion, ResultTables};
+use crate::plan::{self, MapSettings};
 use crate::plot::{Axis, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
-use crate::sweep_file::{self, MapSettings};
+use crate::quantities;
 use content::Content;
 use limits::{Limits, View};
 
@@ -26,7 +27,7 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
         return Ok(None);
     };
     let map = Map::read(tables, settings)?;
-    let axis = |axis: sweep_file::Axis| Axis {
+    let axis = |axis: quantities::Axis| Axis {
         label: axis.title(),
         logarithmic: false,
     };
@@ -51,7 +52,7 @@ struct Map<'a> {
     settings: &'a MapSettings,
     labels: PathBuf,
     /// The axes of the design that are not on the map.
-    others: Vec<sweep_file::Axis>,
+    others: Vec<quantities::Axis>,
     extent: Extent,
     curves: Vec<Curve>,
 }
@@ -144,9 +145,9 @@ impl<'a> Map<'a> {
     }
 
     /// The range of a quantity that is not on a map: of the cases that are.
-    fn held(&self, index: usize, axis: sweep_file::Axis) -> [f64; 2] {
+    fn held(&self, index: usize, axis: quantities::Axis) -> [f64; 2] {
         let of_sweep = self.manifest.sweep.surface_speed_rpm;
-        let fixed = of_sweep.filter(|_| axis == sweep_file::Axis::SurfaceSpeedRpm);
+        let fixed = of_sweep.filter(|_| axis == quantities::Axis::SurfaceSpeedRpm);
         let Some(place) = self.others.iter().position(|&other| other == axis) else {
             return fixed.map_or([f64::NEG_INFINITY, f64::INFINITY], |speed| [speed; 2]);
         };
@@ -167,7 +168,7 @@ impl<'a> Map<'a> {
 
     /// The marks within the range of the design, and a note on those that are not,
     /// such as a base's that were meant for other ranges.
-    fn marks(&self) -> (Vec<&sweep_file::MapMark>, Option<String>) {
+    fn marks(&self) -> (Vec<&plan::MapMark>, Option<String>) {
         let View { axes, ranges } = self.view();
         let table = self.manifest.sweep.design.as_ref();
         let is_inside = |axis: usize, value: f64| {
@@ -183,7 +184,7 @@ impl<'a> Map<'a> {
     }
 }
 
-fn drawn(mark: &sweep_file::MapMark) -> Mark {
+fn drawn(mark: &plan::MapMark) -> Mark {
     Mark {
         name: mark.name.clone(),
         x: mark.x,

@@ -2,8 +2,9 @@
 
 use super::content::Content;
 use crate::output::{Manifest, Motion};
+use crate::plan::MapMark;
 use crate::plot::{Ground, Part, Symbol};
-use crate::sweep_file::{Axis, MapMark};
+use crate::quantities::Axis;
 
 /// A number in three digits.
 pub fn short(value: f64) -> String {

@@ -9,7 +9,8 @@ use super::demand::{Cost, Demand};
 use super::{Limit, Size};
 use crate::design::Design;
 use crate::engine::Survey;
-use crate::sweep_file::{Axis, Setting, Sweep, Time};
+use crate::plan::{Setting, Sweep, Time};
+use crate::quantities::Axis;
 
 /// A usual time simulated, s.
 const TIME: f64 = 10.0;
@@ -127,7 +128,7 @@ impl Change {
             Change::Sites => setting.sites = Sites::bit(),
             Change::SamplingFrequency => {
                 let usual = linear::estimates::sampling_frequency(&setting.string);
-                setting.sampling_frequency = setting.sampling_frequency.min(usual);
+                *setting = setting.sampled_at(setting.sampling_frequency.min(usual));
             }
             Change::Damping => change_string(setting, |sections| sections, DAMPING),
             Change::Sections => {

@@ -8,7 +8,7 @@ use rayon::current_num_threads;
 use super::Limit;
 use crate::design::Design;
 use crate::engine::{StringMemory, Survey, setting_of};
-use crate::sweep_file::{Setting, Sweep};
+use crate::plan::{Setting, Sweep};
 
 /// Bytes of a mebibyte.
 const MIB: f64 = 1024.0 * 1024.0;

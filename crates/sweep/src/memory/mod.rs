@@ -12,7 +12,7 @@ mod limit;
 use anyhow::Result;
 
 use crate::engine::Survey;
-use crate::sweep_file::{Setting, Sweep};
+use crate::plan::{Setting, Sweep};
 pub use demand::Purpose;
 use demand::{Demand, strings_at_once};
 pub use limit::{Limit, Size};

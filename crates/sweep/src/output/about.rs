@@ -10,7 +10,7 @@ use super::labels::labels_header;
 use super::manifest::Manifest;
 use super::results::Tally;
 use crate::engine::{MethodSystem, RunOptions, Shard, pairs_of};
-use crate::sweep_file::Sweep;
+use crate::plan::Sweep;
 
 /// A run that is not finished.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::whirl_limit::{WhirlPoint, whirl_limit};
 use crate::engine::MethodSystem;
-use crate::sweep_file::{Axis, Bit, LateralSettings, Sweep, to_rpm};
+use crate::plan::{Bit, LateralSettings, Sweep, to_rpm};
+use crate::quantities::Axis;
 
 /// Points of the line between the ends of an axis.
 const POINTS: usize = 200;

@@ -8,7 +8,7 @@ use anyhow::Result;
 use super::labels::{LabelReader, LabelRow};
 use super::motion::Motion;
 use crate::plot::Symbol;
-use crate::sweep_file::Axis;
+use crate::quantities::Axis;
 
 impl LabelRow {
     /// Whether there is any label.

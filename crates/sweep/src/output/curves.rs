@@ -4,7 +4,7 @@
 use super::boundary::{Boundary, StickSlipPoint};
 use super::motion::Motion;
 use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, rolling_envelope};
-use crate::sweep_file::Axis;
+use crate::quantities::Axis;
 
 /// What the curves of whirl are. Several sites together may whirl below them.
 const ROLLING: &str = "steady rolling whirl at one site";

@@ -8,7 +8,7 @@ use anyhow::Result;
 
 use super::cases::CaseReader;
 use super::motion::Motion;
-use crate::sweep_file::Axis;
+use crate::quantities::Axis;
 
 /// Distinct values along an axis are kept up to this number.
 const MOST_DISTINCT: usize = 200;

@@ -8,7 +8,8 @@ use sim::{Label, LateralMeasures, TorsionMeasures};
 
 use crate::engine::{Row, RowOutcome};
 use crate::hand_table::{HandTable, Mistake, number};
-use crate::sweep_file::{Axis, Sweep, to_rpm};
+use crate::plan::{Sweep, to_rpm};
+use crate::quantities::Axis;
 use crate::text_file::{LARGEST_TABLE, read_text};
 
 /// Columns that follow the axes.

@@ -8,11 +8,13 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::results::Tally;
-use crate::accuracy::Choice;
 use crate::design::Design;
 use crate::engine::{MethodSystem, RunOptions, Shard};
 use crate::files::{Checksum, hexadecimal, write_atomically};
-use crate::sweep_file::{Axis, FileContent, MapSettings, Sweep};
+use crate::plan::Choice;
+use crate::plan::{MapSettings, Sweep};
+use crate::quantities::Axis;
+use crate::sweep_file::FileContent;
 
 /// What was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -12,7 +12,7 @@ use super::labels::labels_header;
 use super::motion::Motion;
 use crate::engine::Log;
 use crate::files::{AtomicFile, Checksum};
-use crate::sweep_file::Sweep;
+use crate::plan::Sweep;
 
 /// What came out, counted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

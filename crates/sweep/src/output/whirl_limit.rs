@@ -14,7 +14,7 @@ use sim::steady_whirl::MOST_FRICTION;
 use sim::{SteadyWhirl, WhirlingSite};
 
 use super::envelope::Envelope;
-use crate::sweep_file::{LateralSettings, Setting, to_rpm};
+use crate::plan::{LateralSettings, Setting, to_rpm};
 
 /// How the surfaces meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -225,7 +225,8 @@ fn whirling(
     network: &BendingNetwork<'_>,
 ) -> WhirlingSite<impl Fn(f64) -> [f64; 2]> {
     WhirlingSite {
-        wall: lateral.walls[site],
+        // Friction plays no part.
+        wall: lateral.walls[site].with_friction(0.0),
         dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
         decay_rate: bending_decay_rate(&setting.string, &lateral.bending),
     }

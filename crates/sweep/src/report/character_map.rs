@@ -2,7 +2,7 @@
 
 use crate::output::{Cells, Extent, Motion};
 use crate::plot::Symbol;
-use crate::sweep_file::Axis;
+use crate::quantities::Axis;
 use crate::words::short;
 
 /// The map with its axes and what the characters mean.

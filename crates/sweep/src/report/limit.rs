@@ -1,7 +1,7 @@
 //! Where the simulated boundary lies against the analytic limit.
 
 use crate::output::{Boundary, CaseRows, Envelope, LabelRow, StickSlipPoint, rolling_envelope};
-use crate::sweep_file::Axis;
+use crate::quantities::Axis;
 
 /// How one method's labels lie about its limit. A case's place is its value in
 /// multiples of the limit: the surface speed for stick-slip, which Eq. 74 allows

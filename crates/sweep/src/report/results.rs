@@ -9,7 +9,7 @@ use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
 use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, Motion, ResultTables};
-use crate::sweep_file::Axis;
+use crate::quantities::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
 const CHARACTERS: [usize; 2] = [64, 25];

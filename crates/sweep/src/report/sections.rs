@@ -6,7 +6,7 @@ use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
 use crate::output::Motion;
-use crate::sweep_file::Axis;
+use crate::quantities::Axis;
 use crate::words::{counted, short};
 
 /// Everything there is to say of one folder, or of several side by side;

@@ -4,7 +4,8 @@
 use std::io::{Error, ErrorKind};
 use std::path::Path;
 
-use crate::sweep_file::{Sweep, SweepFileError};
+use crate::plan::Sweep;
+use crate::sweep_file::SweepFileError;
 
 /// Fig. 12 with a second site.
 const TWO_SITES: &str = r#"base = "fig12.toml"

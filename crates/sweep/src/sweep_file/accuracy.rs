@@ -4,18 +4,10 @@ use std::fmt;
 
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::resolve::Check;
-use super::source::SweepFileError;
-
 /// The largest error wanted, relative: 0.01 is one per cent.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize)]
 #[serde(transparent)]
 pub struct Accuracy(pub f64);
-
-/// Errors this small drown in the settling of motions, and ones so large mean
-/// nothing.
-const LEAST: f64 = 1e-4;
-const MOST: f64 = 0.5;
 
 impl fmt::Display for Accuracy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -58,19 +50,5 @@ impl serde::de::Visitor<'_> for Visitor {
 
     fn visit_i64<E>(self, value: i64) -> Result<Accuracy, E> {
         Ok(Accuracy(value as f64))
-    }
-}
-
-impl Check<'_> {
-    pub(super) fn accuracy(&self, accuracy: Accuracy) -> Result<(), SweepFileError> {
-        if (LEAST..=MOST).contains(&accuracy.0) {
-            return Ok(());
-        }
-        let message = format!(
-            "{accuracy} is not between {} and {}; write \"1 %\" or 0.01 for one per cent",
-            Accuracy(LEAST),
-            Accuracy(MOST)
-        );
-        Err(self.source.error("accuracy", message))
     }
 }

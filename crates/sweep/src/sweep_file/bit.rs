@@ -1,132 +1,72 @@
-//! `[bit]`: the torque law and the rock, their numbers checked.
+//! `[bit]`: the keys of the torque law and of the rock.
 
-use sim::Rock;
-use sim::laws::rock::{CuttingLaw, PoorCleaning};
+use serde::{Deserialize, Serialize};
 
-use super::file::{Axis, BitTable, LawTable, RockName};
-use super::resolve::{Bit, Check, check_axis_value};
-use super::source::SweepFileError;
+/// Torque at the bit: given, or from a rock and a weight on bit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BitTable {
+    /// T_d, N m.
+    #[serde(default)]
+    pub torque_dynamic_nm: Option<f64>,
+    /// The rock that gives T_d from the weight on bit.
+    #[serde(default)]
+    pub rock: Option<RockName>,
+    /// A rock's own law, with `rock = "law"`.
+    #[serde(default)]
+    pub law: Option<LawTable>,
+    /// A rock's own table, with `rock = "table"`: rows of weight on bit (kN)
+    /// and T_d (N m), both increasing.
+    #[serde(default)]
+    pub table_kn_nm: Option<Vec<(f64, f64)>>,
+    /// Weight on bit, kN.
+    #[serde(default)]
+    pub weight_on_bit_kn: Option<f64>,
+    /// T_s / T_d. Default 1.2.
+    #[serde(default = "default_static_ratio")]
+    pub torque_static_ratio: f64,
+}
 
-impl Check<'_> {
-    pub(super) fn bit(&self, bit: &BitTable) -> Result<Bit, SweepFileError> {
-        self.within(
-            "bit.torque_static_ratio",
-            bit.torque_static_ratio,
-            1.0,
-            10.0,
-            "",
-        )?;
-        let rock = match (bit.rock, bit.law, &bit.table_kn_nm) {
-            (None, None, None) => None,
-            (Some(RockName::Sandstone), None, None) => Some(Rock::sandstone()),
-            (Some(RockName::Shale), None, None) => Some(Rock::shale()),
-            (Some(RockName::Law), Some(law), None) => Some(Rock::Law(self.law(&law)?)),
-            (Some(RockName::Table), None, Some(rows)) => Some(self.table(rows)?),
-            (Some(RockName::Law), None, _) => {
-                return Err(self.source.error("bit.rock", "needs a table [bit.law]"));
-            }
-            (Some(RockName::Table), _, None) => {
-                return Err(self.source.error("bit.rock", "needs rows `table_kn_nm`"));
-            }
-            _ => {
-                let message = "a rock is one of a built-in name, `law` with [bit.law], \
-                               or `table` with `table_kn_nm`";
-                return Err(self.source.error("bit.rock", message));
-            }
-        };
-        Ok(Bit {
-            rock,
-            static_ratio: bit.torque_static_ratio,
-        })
-    }
+fn default_static_ratio() -> f64 {
+    1.2
+}
 
-    fn law(&self, law: &LawTable) -> Result<CuttingLaw, SweepFileError> {
-        let checks = [
-            ("bit_radius_m", law.bit_radius_m, 1e-3, 2.0, "m"),
-            (
-                "specific_energy_mpa",
-                law.specific_energy_mpa,
-                0.1,
-                1e4,
-                "MPa",
-            ),
-            ("cutting_ratio", law.cutting_ratio, 1e-2, 10.0, ""),
-            ("friction", law.friction, 0.0, 10.0, ""),
-            (
-                "contact_strength_mpa",
-                law.contact_strength_mpa,
-                0.1,
-                1e4,
-                "MPa",
-            ),
-            ("contact_growth", law.contact_growth, 1e-3, 1e3, ""),
-            ("wear_flat_mm", law.wear_flat_mm, 1e-3, 1e3, "mm"),
-        ];
-        for (key, value, least, most, unit) in checks {
-            self.within(&format!("bit.law.{key}"), value, least, most, unit)?;
-        }
-        let poor_cleaning = match (law.poor_cleaning_from_kn, law.poor_cleaning_nm_per_kn) {
-            (None, None) => None,
-            (Some(from), Some(slope)) => {
-                self.within("bit.law.poor_cleaning_from_kn", from, 1e-3, 1e5, "kN")?;
-                self.within(
-                    "bit.law.poor_cleaning_nm_per_kn",
-                    slope,
-                    1e-6,
-                    1e6,
-                    "N m/kN",
-                )?;
-                Some(PoorCleaning {
-                    weight_on_bit: 1e3 * from,
-                    slope: 1e-3 * slope,
-                })
-            }
-            _ => {
-                let message = "poor cleaning needs both `poor_cleaning_from_kn` \
-                               and `poor_cleaning_nm_per_kn`";
-                return Err(self.source.error("bit.law", message));
-            }
-        };
-        let law = CuttingLaw {
-            bit_radius: law.bit_radius_m,
-            specific_energy: 1e6 * law.specific_energy_mpa,
-            cutting_ratio: law.cutting_ratio,
-            friction: law.friction,
-            contact_strength: 1e6 * law.contact_strength_mpa,
-            contact_growth: law.contact_growth,
-            wear_flat: 1e-3 * law.wear_flat_mm,
-            poor_cleaning,
-        };
-        if let Some(poor) = poor_cleaning
-            && poor.weight_on_bit <= law.end_of_phase_one().0
-        {
-            let message = format!(
-                "poor cleaning begins in phase II, above {} kN here",
-                1e-3 * law.end_of_phase_one().0
-            );
-            return Err(self.source.error("bit.law.poor_cleaning_from_kn", message));
-        }
-        Ok(law)
-    }
+/// Where the law between weight on bit and torque comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum RockName {
+    /// Representative sandstone, built in.
+    Sandstone,
+    /// Representative shale, built in.
+    Shale,
+    /// `[bit.law]`.
+    Law,
+    /// `bit.table_kn_nm`.
+    Table,
+}
 
-    fn table(&self, rows: &[(f64, f64)]) -> Result<Rock, SweepFileError> {
-        for (index, &(weight, torque)) in rows.iter().enumerate() {
-            let key = format!("bit.table_kn_nm[{index}]");
-            check_axis_value(self.source, &key, Axis::WeightOnBitKn, weight)?;
-            check_axis_value(self.source, &key, Axis::TorqueDynamicNm, torque)?;
-        }
-        let increasing = rows
-            .windows(2)
-            .all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1);
-        if rows.len() < 2 || !increasing {
-            let message = "needs two rows or more of weight on bit (kN) and torque (N m), \
-                           both increasing";
-            return Err(self.source.error("bit.table_kn_nm", message));
-        }
-        Ok(Rock::Table(
-            rows.iter()
-                .map(|&(weight, torque)| (1e3 * weight, torque))
-                .collect(),
-        ))
-    }
+/// Cutting and contact parameters of a rock.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LawTable {
+    /// Radius of the bit, m.
+    pub bit_radius_m: f64,
+    /// Intrinsic specific energy ε, MPa.
+    pub specific_energy_mpa: f64,
+    /// Ratio ζ of the vertical to the horizontal cutting force.
+    pub cutting_ratio: f64,
+    /// μγ, friction at the wear flats.
+    pub friction: f64,
+    /// Contact strength σ, MPa.
+    pub contact_strength_mpa: f64,
+    /// Contact growth κ.
+    pub contact_growth: f64,
+    /// Wear-flat length ℓ, mm.
+    pub wear_flat_mm: f64,
+    /// Weight on bit beyond which cuttings are cleared poorly, kN.
+    #[serde(default)]
+    pub poor_cleaning_from_kn: Option<f64>,
+    /// Torque per weight on bit beyond, N m per kN.
+    #[serde(default)]
+    pub poor_cleaning_nm_per_kn: Option<f64>,
 }

@@ -1,86 +1,40 @@
-//! `[map]`: the axes of the regime map and the cases pointed out on it.
+//! `[map]`: the keys of the regime map.
 
-use super::file::{Axis, FileContent, MarkTable};
-use super::resolve::{Bit, Check, Conditions, MapMark, MapSettings, check_axis_value};
-use super::source::SweepFileError;
-use crate::design::Design;
+use serde::{Deserialize, Serialize};
 
-impl Check<'_> {
-    pub(super) fn map(
-        &self,
-        content: &FileContent,
-        design: &Design,
-        bit: Option<&Bit>,
-    ) -> Result<Option<MapSettings>, SweepFileError> {
-        for (key, axis) in [("map.x", content.map.x), ("map.y", content.map.y)] {
-            if let Some(axis) = axis
-                && !design.axes().contains(&axis)
-            {
-                let message = format!("{} is not an axis of the design", axis.name());
-                return Err(self.source.error(key, message));
-            }
-        }
-        let other = |taken: Option<Axis>| {
-            // Operating conditions before quantities of the string.
-            let is_string = |axis: &Axis| matches!(axis, Axis::String(_));
-            let mut axes = design.axes().to_vec();
-            axes.sort_by_key(is_string);
-            axes.into_iter().find(|axis| Some(*axis) != taken)
-        };
-        let y = content.map.y.or_else(|| other(content.map.x));
-        let x = content.map.x.or_else(|| other(y));
-        let Some((x, y)) = x.zip(y) else {
-            return Ok(None);
-        };
-        if x == y {
-            return Err(self.source.error("map.x", "is the axis upwards too"));
-        }
-        let marks = (content.map.marks.iter().enumerate())
-            .map(|(index, mark)| self.mark(index, mark, (x, y), bit))
-            .collect::<Result<_, _>>()?;
-        Ok(Some(MapSettings { x, y, marks }))
-    }
+use crate::quantities::Axis;
 
-    fn mark(
-        &self,
-        index: usize,
-        mark: &MarkTable,
-        (x, y): (Axis, Axis),
-        bit: Option<&Bit>,
-    ) -> Result<MapMark, SweepFileError> {
-        for (axis, value) in [
-            (Axis::SurfaceSpeedRpm, mark.surface_speed_rpm),
-            (Axis::WeightOnBitKn, mark.weight_on_bit_kn),
-            (Axis::TorqueDynamicNm, mark.torque_dynamic_nm),
-            (Axis::ImpulseRatio, mark.impulse_ratio),
-            (Axis::Friction, mark.friction),
-        ] {
-            if let Some(value) = value {
-                let key = format!("map.marks[{index}].{}", axis.name());
-                check_axis_value(self.source, &key, axis, value)?;
-            }
-        }
-        let weight_for_torque = || {
-            let rock = bit?.rock.as_ref()?;
-            Some(1e-3 * rock.weight_on_bit(mark.torque_dynamic_nm?).ok()?)
-        };
-        let conditions = Conditions {
-            surface_speed_rpm: mark.surface_speed_rpm,
-            weight_on_bit_kn: mark.weight_on_bit_kn.or_else(weight_for_torque),
-            torque_dynamic_nm: mark.torque_dynamic_nm,
-            impulse_ratio: mark.impulse_ratio,
-            friction: mark.friction,
-        };
-        let value = |axis: Axis| {
-            conditions.value(axis).ok_or_else(|| {
-                let message = format!("does not say its {}", axis.name());
-                self.source.error(&format!("map.marks[{index}]"), message)
-            })
-        };
-        Ok(MapMark {
-            name: mark.name.clone(),
-            x: value(x)?,
-            y: value(y)?,
-        })
-    }
+/// How the regime map is drawn.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct MapTable {
+    /// Axis to the right. Default: the design's second axis.
+    pub x: Option<Axis>,
+    /// Axis upwards. Default: the design's first axis.
+    pub y: Option<Axis>,
+    /// Cases to point out.
+    pub marks: Vec<MarkTable>,
+}
+
+/// A case pointed out on the map, by any quantities that place it there.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MarkTable {
+    /// What is written beside it.
+    pub name: String,
+    /// Surface speed, rpm.
+    #[serde(default)]
+    pub surface_speed_rpm: Option<f64>,
+    /// Weight on bit, kN; with a rock, T_d will do.
+    #[serde(default)]
+    pub weight_on_bit_kn: Option<f64>,
+    /// T_d, N m.
+    #[serde(default)]
+    pub torque_dynamic_nm: Option<f64>,
+    /// Impulse in multiples of I₀.
+    #[serde(default)]
+    pub impulse_ratio: Option<f64>,
+    /// Friction.
+    #[serde(default)]
+    pub friction: Option<f64>,
 }

@@ -1,30 +1,32 @@
-//! The sweep file: read with its base, resolved to SI, refused with file, line
-//! and key where it does not make sense.
+//! The sweep file as it is written: its text with its bases, its keys, and errors with
+//! file, line and key. What the keys mean together is the business of `plan`.
 
 mod accuracy;
+mod auto;
 mod bit;
+mod change;
+mod design;
+mod error;
 mod file;
-#[cfg(test)]
-mod fuzz;
 #[cfg(test)]
 mod guide;
 mod lateral;
 mod map;
+mod methods;
 mod placed;
-mod resolve;
-mod setting;
-mod sheet;
 mod source;
 mod string;
-mod string_axis;
-#[cfg(test)]
-mod tests;
+mod wording;
 
 pub use accuracy::{Accuracy, per_cent};
-pub use file::{Axis, AxisRange, DesignKind, DesignTable, FileContent, MethodName, Spacing};
-pub use lateral::{ImpulseSettings, LARGEST_IMPULSE, LateralSettings};
-pub use resolve::{Bit, Conditions, MapMark, MapSettings, Sweep, Time, to_rpm};
-pub(crate) use resolve::{check_axis_value, check_setting};
-pub use setting::Setting;
-pub use sheet::{INCH, POUND_PER_FOOT};
-pub use source::{Source, SweepFileError, TextOf, nearest};
+pub use auto::AutoOr;
+pub use bit::{BitTable, LawTable, RockName};
+pub use design::{AxisRange, DesignKind, DesignTable, Spacing};
+pub use error::SweepFileError;
+pub use file::FileContent;
+pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SupportName};
+pub use map::MarkTable;
+pub use methods::MethodName;
+pub use source::{Source, TextOf};
+pub use string::SectionTable;
+pub use wording::nearest;

@@ -1,14 +1,15 @@
 //! A sweep file and its bases as one table that still knows on which line of
 //! which file each value stands.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 
+use super::error::SweepFileError;
 use super::placed::{LineNumbers, Placed};
-use crate::printable::steers;
+use super::wording::{in_words, keys_of};
+use crate::quantities::{Axis, within};
 use crate::text_file::LARGEST_SWEEP_FILE;
 
 /// More files than this, each the base of the one before, are a mistake of whoever
@@ -26,37 +27,6 @@ const RIVALS: [(&str, &str); 3] = [
 /// Gives the text of a file that has at most so many bytes: from the disk or, in
 /// tests, from memory.
 pub type TextOf<'a> = &'a dyn Fn(&Path, u64) -> std::io::Result<String>;
-
-/// One clear sentence about a sweep file that cannot be used.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SweepFileError {
-    file: PathBuf,
-    line: Option<usize>,
-    key: Option<String>,
-    message: String,
-}
-
-impl SweepFileError {
-    /// What is wrong, without the place.
-    pub fn message(&self) -> &str {
-        &self.message
-    }
-}
-
-impl fmt::Display for SweepFileError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let file = self.file.display();
-        let line = self
-            .line
-            .map_or_else(String::new, |line| format!(":{line}"));
-        let key = (self.key.as_ref()).map_or_else(String::new, |key| format!(": `{key}`"));
-        let text = format!("{file}{line}{key}: {}", self.message);
-        // What the file says in quotes may not break the line or steer a terminal.
-        f.write_str(&text.replace(steers, " "))
-    }
-}
-
-impl std::error::Error for SweepFileError {}
 
 /// The merged table of a sweep file and its bases.
 #[derive(Debug, Clone)]
@@ -107,7 +77,8 @@ impl Source {
         serde_path_to_error::deserialize(self.merged.table.clone()).map_err(|error| {
             let path = error.path().to_string();
             let message = error.into_inner().message().trim().to_owned();
-            self.type_error(&path, &message, &keys_of::<T>())
+            let (key, message) = in_words(&path, &message, &keys_of::<T>());
+            self.error(&key, message)
         })
     }
 
@@ -123,6 +94,37 @@ impl Source {
         }
     }
 
+    /// What a check says of the value at `key`.
+    ///
+    /// # Errors
+    /// What the check says, with the place.
+    pub fn checked<T>(&self, key: &str, result: Result<T, String>) -> Result<T, SweepFileError> {
+        result.map_err(|message| self.error(key, message))
+    }
+
+    /// Refuses a value at `key` that a quantity cannot have.
+    ///
+    /// # Errors
+    /// Where it cannot.
+    pub fn check_axis(&self, key: &str, axis: Axis, value: f64) -> Result<(), SweepFileError> {
+        self.checked(key, axis.check(value))
+    }
+
+    /// Refuses a value at `key` outside a range.
+    ///
+    /// # Errors
+    /// Where it is.
+    pub fn within(
+        &self,
+        key: &str,
+        value: f64,
+        least: f64,
+        most: f64,
+        unit: &str,
+    ) -> Result<(), SweepFileError> {
+        self.checked(key, within(value, least, most, unit))
+    }
+
     /// An error about the sweep file as a whole.
     pub fn error_of_file(&self, message: impl Into<String>) -> SweepFileError {
         SweepFileError {
@@ -131,46 +133,6 @@ impl Source {
             key: None,
             message: message.into(),
         }
-    }
-
-    /// Serde's words in the user's: what was meant by an unknown key or
-    /// choice, what is missing, what was expected. A key of the file itself may
-    /// have slipped into the table above it.
-    fn type_error(&self, path: &str, message: &str, file_keys: &[String]) -> SweepFileError {
-        let path = if path == "." { "" } else { path };
-        let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
-        if let Some(missing) = message.strip_prefix("missing field ").and(quoted.first()) {
-            return self.error(&join(path, missing), "is missing");
-        }
-        if let Some((found, expected)) = message
-            .strip_prefix("invalid type: ")
-            .or(message.strip_prefix("invalid value: "))
-            .and_then(|words| words.rsplit_once(", expected "))
-        {
-            let (found, expected) = (in_words(found), in_words(expected));
-            return self.error(path, format!("expected {expected}, found {found}"));
-        }
-        let Some(unknown) = message.strip_prefix("unknown ").and(quoted.first()) else {
-            return self.error(path, message);
-        };
-        let what = if message.starts_with("unknown field") {
-            "unknown key"
-        } else {
-            "unknown choice"
-        };
-        let choices = &quoted[1..];
-        let is_misplaced = what == "unknown key" && file_keys.iter().any(|key| key == unknown);
-        let hint = match nearest(unknown, choices) {
-            _ if is_misplaced => "it belongs above the first [table] of the file".to_owned(),
-            Some(choice) => format!("did you mean `{choice}`?"),
-            None => format!("known here: {}", choices.join(", ")),
-        };
-        let key = match what {
-            "unknown choice" => path.to_owned(),
-            _ if path.ends_with(unknown) => path.to_owned(),
-            _ => join(path, unknown),
-        };
-        self.error(&key, format!("{what} `{unknown}`; {hint}"))
     }
 
     fn add_file(&mut self, path: &Path, text_of: TextOf) -> Result<(), SweepFileError> {
@@ -247,55 +209,5 @@ impl Source {
             ));
         }
         Ok(())
-    }
-}
-
-/// What was meant by a word that is none of the choices: one without its unit, or
-/// one misspelt.
-pub fn nearest<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
-    let begins = |choice: &&&str| {
-        let rest = choice.strip_prefix(word);
-        rest.is_some_and(|rest| rest.starts_with('_'))
-    };
-    let mut begun = choices.iter().filter(begins);
-    if let (Some(choice), None) = (begun.next(), begun.next()) {
-        return Some(choice);
-    }
-    let distances = choices
-        .iter()
-        .map(|choice| (strsim::damerau_levenshtein(choice, word), *choice));
-    let (distance, choice) = distances.min()?;
-    (distance <= choice.len() / 3 + 1).then_some(choice)
-}
-
-/// The keys that a table may have, as its reader names them when it finds another.
-pub(super) fn keys_of<T: DeserializeOwned>() -> Vec<String> {
-    let unknown = toml::Table::from_iter([("?".to_owned(), toml::Value::Boolean(true))]);
-    let Err(error) = unknown.try_into::<T>() else {
-        return Vec::new();
-    };
-    let quoted = error.message().split('`').skip(1).step_by(2);
-    quoted.skip(1).map(str::to_owned).collect()
-}
-
-fn join(path: &str, key: &str) -> String {
-    if path.is_empty() {
-        key.to_owned()
-    } else {
-        format!("{path}.{key}")
-    }
-}
-
-/// The kinds of values as the user knows them.
-fn in_words(kind: &str) -> &str {
-    match kind {
-        "f64" => "a number",
-        "u64" | "usize" => "a whole number, zero or more",
-        "map" | "a map" => "a table",
-        "sequence" | "a sequence" => "an array",
-        "string only" => "a string",
-        "unit variant" => "another kind of value",
-        _ if kind.starts_with("struct ") => "a table",
-        _ => kind,
     }
 }

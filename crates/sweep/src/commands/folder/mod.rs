@@ -17,7 +17,7 @@ use super::UsageError;
 use super::raise::with_our_number;
 use crate::engine::{Header, LogError, Place};
 use crate::output::{Manifest, ResultTables, differences};
-use crate::sweep_file::Sweep;
+use crate::plan::Sweep;
 
 /// The log of a run that is not finished.
 pub const LOG: &str = "cases.log";

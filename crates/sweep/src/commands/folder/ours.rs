@@ -11,8 +11,8 @@ use super::super::UsageError;
 use super::{LOG, MANIFEST, REPORT};
 use crate::engine::{Header, Place, Shard, log_place};
 use crate::output::{Manifest, PICTURES, TABLES};
+use crate::plan::Sweep;
 use crate::report::is_page;
-use crate::sweep_file::Sweep;
 
 /// What tells of an earlier run in a folder.
 pub struct Ours {

@@ -1,7 +1,8 @@
 //! The scenes that cells are tried in: shipped sweep files, held in the program.
 
+use crate::plan::Sweep;
 use crate::study::scenes::shipped;
-use crate::sweep_file::{Sweep, SweepFileError};
+use crate::sweep_file::SweepFileError;
 
 /// As the shipped files, each changed by a cell afterwards.
 pub struct Scenes {

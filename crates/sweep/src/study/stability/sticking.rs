@@ -10,7 +10,7 @@ use super::families::Cell;
 use super::scenes::Scenes;
 use super::verdict::Findings;
 use crate::engine::{Case, MethodSystem};
-use crate::sweep_file::{Setting, Sweep};
+use crate::plan::{Setting, Sweep};
 
 /// The bit is held for this time, s, as long as Fig. 8(b) is simulated: every
 /// wave of the paper's string has died away by half of it.
@@ -52,8 +52,7 @@ pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings>
 
 /// The scene's setting, or that of a plain row of its drillpipe.
 fn setting_of(sweep: &Sweep, cell: &Cell) -> Result<Setting> {
-    let mut setting = sweep.setting.clone();
-    setting.sampling_frequency = cell.sampling_frequency;
+    let mut setting = sweep.setting.sampled_at(cell.sampling_frequency);
     if let Some(repeat) = cell.sections {
         let string = &setting.string;
         let pipe = Section {

@@ -12,7 +12,8 @@ use super::scenes::Scenes;
 use super::verdict::Findings;
 use crate::engine::{Case, MethodSystem};
 use crate::output::rolling_whirls;
-use crate::sweep_file::{Axis, Setting, Sweep};
+use crate::plan::{Setting, Sweep};
+use crate::quantities::Axis;
 
 /// Cells that differ in their wall alone.
 pub fn examine(scenes: &Scenes, group: &[Cell], method: Method) -> Result<Vec<Findings>> {
@@ -22,8 +23,8 @@ pub fn examine(scenes: &Scenes, group: &[Cell], method: Method) -> Result<Vec<Fi
         None => &scenes.whirl,
     };
     let place = Axis::from_name("site_0_distance_from_bit_m").zip(first.site_spacing);
-    let mut setting = sweep.setting_with(place.into_iter())?.into_owned();
-    setting.sampling_frequency = first.sampling_frequency;
+    let setting = sweep.setting_with(place.into_iter())?;
+    let mut setting = setting.sampled_at(first.sampling_frequency);
     let mut duration = case_of(sweep, &setting)?.scene.timing.duration;
     if let Some(steps) = first.steps {
         duration = steps as f64 / first.sampling_frequency;

@@ -2,8 +2,9 @@
 //! configuration that is good enough.
 
 use super::configuration::Paper;
+use super::measure::Measure;
 use super::paper::PaperSteps;
-use super::{Measure, Row, cost};
+use super::row::{Row, cost};
 
 /// An error this close to its reference's uncertainty says nothing of the method.
 const ABOVE_UNCERTAINTY: f64 = 4.0;

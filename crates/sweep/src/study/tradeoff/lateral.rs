@@ -14,11 +14,12 @@ use super::configuration::{Configuration, Scheme};
 use super::history::{Exact, greatest_difference, short_response};
 use super::limit::{extrapolated, limit_between};
 use super::measure::{Found, Measure, Reference};
-use super::{Measured, References, build, seconds_per_second};
+use super::measured::{Measured, References, build, seconds_per_second};
 use crate::engine::{Case, MethodSystem};
 use crate::output::rolling_whirls;
+use crate::plan::{LateralSettings, Sweep, Time};
+use crate::quantities::Axis;
 use crate::study::scenes::shipped;
-use crate::sweep_file::{Axis, LateralSettings, Sweep, Time};
 
 /// Where the limit of whirl is looked for, coefficient of friction.
 const LIMIT_BRACKET: [f64; 2] = [0.8, 3.0];

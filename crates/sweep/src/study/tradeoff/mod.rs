@@ -8,25 +8,22 @@ mod history;
 mod lateral;
 mod limit;
 mod measure;
+mod measured;
 mod paper;
+mod row;
 mod torsion;
 
-use std::collections::BTreeMap;
-use std::time::Instant;
-
 use anyhow::{Context, Result};
-use sim::Stopping;
 
 pub use analysis::{Cheapest, PaperRatio, cheapest, front, orders};
 pub use configuration::{Configuration, configurations};
-pub use measure::{Measure, Reference};
+pub use measure::Measure;
 pub use paper::PaperSteps;
+pub use row::{CASE_SECONDS, CASES, Row};
 
-use crate::engine::{Case, MethodSystem};
-use crate::sweep_file::Sweep;
 use configuration::Scheme;
 use lateral::Lateral;
-use measure::Found;
+use measured::{Measured, References};
 use torsion::Torsion;
 
 /// Sampling frequencies compared, Hz.
@@ -34,74 +31,9 @@ pub const LADDER: [f64; 10] = [
     20.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0, 2560.0, 5120.0, 10_240.0,
 ];
 
-/// The sweep that costs are told for: cases, and seconds simulated of each.
-pub const CASES: f64 = 1000.0;
-/// Seconds simulated of each case.
-pub const CASE_SECONDS: f64 = 10.0;
-
 /// A step of Radau quadrature sums over the past four times, from both stages to
 /// both.
 const RADAU_SUMS: f64 = 4.0;
-
-/// A timing is the best of this many.
-const REPEATS: usize = 5;
-
-/// Timing stops after this long, s.
-const LONGEST_TIMING: f64 = 0.5;
-
-/// What the measures should be.
-type References = BTreeMap<Measure, Reference>;
-
-/// One configuration, measured.
-struct Measured {
-    build_seconds: f64,
-    /// Time per simulated second, s, where the configuration can simulate.
-    step_seconds: Option<f64>,
-    found: Vec<Found>,
-}
-
-impl Measured {
-    /// What Radau quadrature gives, if its one measure is wanted: it simulates nothing.
-    fn by_radau(build_seconds: f64, wanted: &[Measure], found: Found) -> Self {
-        let is_wanted = wanted.contains(&found.measure);
-        Self {
-            build_seconds,
-            step_seconds: None,
-            found: is_wanted.then_some(found).into_iter().collect(),
-        }
-    }
-}
-
-/// One configuration and one measure.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Row {
-    /// Which measure.
-    pub measure: Measure,
-    /// Which configuration.
-    pub configuration: Configuration,
-    /// Its value, where it is one number.
-    pub value: Option<f64>,
-    /// What it should be.
-    pub reference: Reference,
-    /// Its relative error; `None` where there is no answer.
-    pub error: Option<f64>,
-    /// Time to build the responses, s.
-    pub build_seconds: f64,
-    /// Time per simulated second, s.
-    pub step_seconds: f64,
-}
-
-impl Row {
-    /// Time for a sweep of [`CASES`] cases on one core, build included, s.
-    pub fn cost(&self) -> f64 {
-        cost(self.build_seconds, self.step_seconds)
-    }
-}
-
-/// Time for a sweep of [`CASES`] cases on one core, s.
-fn cost(build_seconds: f64, step_seconds: f64) -> f64 {
-    build_seconds + CASES * CASE_SECONDS * step_seconds
-}
 
 /// Measures configurations one after the other, so that timings mean something;
 /// the highest of their frequencies is a multiple of all. `tell` hears of each that
@@ -177,35 +109,4 @@ fn quadrature_step(rows: &[Row], measure: Measure, like: &Configuration) -> Resu
     quadrature
         .map(|row| row.step_seconds)
         .context("quadrature is measured first")
-}
-
-/// The system of one configuration, for times up to the longest (s).
-fn build(sweep: &Sweep, configuration: &Configuration, longest: f64) -> Result<MethodSystem> {
-    let Scheme::Method(method) = configuration.scheme else {
-        anyhow::bail!("Radau quadrature simulates nothing");
-    };
-    let mut sweep = sweep.clone();
-    sweep.methods = vec![method];
-    sweep.setting.sampling_frequency = configuration.sampling_frequency;
-    let systems = MethodSystem::build_all(&sweep, &sweep.setting, longest)?;
-    systems
-        .into_iter()
-        .next()
-        .context("one method is one system")
-}
-
-/// Time to simulate a second of a case, every step of it, s: the best of some.
-fn seconds_per_second(system: &MethodSystem, case: &Case) -> f64 {
-    let begun = Instant::now();
-    let mut best = f64::INFINITY;
-    for _ in 0..REPEATS {
-        let start = Instant::now();
-        // Whether it gives an answer is seen elsewhere; it took its time.
-        let _ = system.simulate(case, Stopping::Full, None);
-        best = best.min(start.elapsed().as_secs_f64());
-        if begun.elapsed().as_secs_f64() > LONGEST_TIMING {
-            break;
-        }
-    }
-    best / case.scene.timing.duration
 }

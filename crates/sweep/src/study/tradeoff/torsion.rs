@@ -16,10 +16,11 @@ use super::configuration::{Configuration, Scheme};
 use super::history::{Exact, greatest_difference, smooth_step_response};
 use super::limit::{extrapolated, limit_between};
 use super::measure::{Found, Measure, Reference};
-use super::{Measured, References, build, seconds_per_second};
+use super::measured::{Measured, References, build, seconds_per_second};
 use crate::engine::{Case, MethodSystem};
+use crate::plan::{Sweep, Time};
+use crate::quantities::Axis;
 use crate::study::scenes::shipped;
-use crate::sweep_file::{Axis, Sweep, Time};
 
 /// A step is looked at through a window of this length, s: a jump is in no
 /// method's band, and its largest error would never fall.
@@ -286,16 +287,22 @@ fn bit_of(system: &MethodSystem, case: &Case, stopping: Stopping) -> Option<Tors
     system.simulate(case, stopping, None).ok()?.torsion
 }
 
-fn case(sweep: &Sweep, setting: &crate::sweep_file::Setting, ratio: Option<f64>) -> Result<Case> {
-    let (mut sweep, mut conditions) = (sweep.clone(), sweep.conditions);
-    if let Some(ratio) = ratio {
-        let torque = conditions
-            .torque_dynamic_nm
-            .context("the bit has no torque")?;
-        conditions = conditions.with(Axis::SurfaceSpeedRpm, ratio * torque / 1e3);
-        sweep.time = Time::Auto;
-    }
-    Case::under(&sweep, setting, 0, Vec::new(), &conditions).map_err(anyhow::Error::msg)
+fn case(sweep: &Sweep, setting: &crate::plan::Setting, ratio: Option<f64>) -> Result<Case> {
+    let conditions = sweep.conditions;
+    let case = match ratio {
+        None => Case::under(sweep, setting, 0, Vec::new(), &conditions),
+        Some(ratio) => {
+            let torque = conditions.torque_dynamic_nm;
+            let torque = torque.context("the bit has no torque")?;
+            let conditions = conditions.with(Axis::SurfaceSpeedRpm, ratio * torque / 1e3);
+            let sweep = Sweep {
+                time: Time::Auto,
+                ..sweep.clone()
+            };
+            Case::under(&sweep, setting, 0, Vec::new(), &conditions)
+        }
+    };
+    case.map_err(anyhow::Error::msg)
 }
 
 /// The longest time that any case lasts, s.

@@ -3,8 +3,8 @@
 
 use linear::Tube;
 
-use super::resolve::Sweep;
-use super::source::SweepFileError;
+use super::sweep::Sweep;
+use crate::sweep_file::SweepFileError;
 
 /// One inch, m.
 pub const INCH: f64 = 25.4e-3;

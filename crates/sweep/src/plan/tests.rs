@@ -3,7 +3,8 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::{Sweep, SweepFileError};
+use super::Sweep;
+use crate::sweep_file::SweepFileError;
 
 /// Reads a file on top of the paper's drillstring.
 fn read(text: &str) -> Result<Sweep, SweepFileError> {

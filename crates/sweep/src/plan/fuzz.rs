@@ -11,8 +11,9 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::TestRunner;
 
-use super::{Setting, Sweep, SweepFileError, check_setting};
+use super::{Setting, Sweep};
 use crate::engine::Case;
+use crate::sweep_file::SweepFileError;
 
 /// Inputs made by changing a sweep file. A sixth can still be read.
 const CHANGED: u32 = 80_000;
@@ -330,7 +331,7 @@ fn read(path: &Path, instead: &Texts) -> bool {
             let values = design.values(index);
             assert_eq!(values.len(), design.axes().len());
             for (&axis, &value) in design.axes().iter().zip(&values) {
-                assert_eq!(check_setting(axis, value), Ok(()));
+                assert_eq!(axis.check(value), Ok(()));
             }
             match sweep.setting_at(&values) {
                 Ok(setting) => can_be_run(&sweep, &setting, index),

@@ -1,0 +1,182 @@
+//! `[bit]`: the torque law and the rock, their numbers checked.
+
+use sim::laws::rock::{CuttingLaw, PoorCleaning, RockError};
+use sim::{BitTorque, Rock};
+
+use super::conditions::Conditions;
+use crate::quantities::Axis;
+use crate::sweep_file::{BitTable, LawTable, RockName, Source, SweepFileError};
+
+/// The bit's torque law, but for the quantities that axes may change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bit {
+    /// From weight on bit to T_d.
+    pub rock: Option<Rock>,
+    /// T_s / T_d.
+    pub static_ratio: f64,
+}
+
+impl Bit {
+    /// T_d (N m) under the given conditions, where they say enough; the error
+    /// is a sentence.
+    pub fn torque_dynamic(&self, conditions: &Conditions) -> Result<Option<f64>, String> {
+        match (
+            conditions.torque_dynamic_nm,
+            conditions.weight_on_bit_kn,
+            &self.rock,
+        ) {
+            (Some(torque), _, _) => Ok(Some(torque)),
+            (None, Some(weight), Some(rock)) => rock
+                .torque_dynamic(1e3 * weight)
+                .map(Some)
+                .map_err(|error| {
+                    let RockError::OutsideTable {
+                        value, from, to, ..
+                    } = error
+                    else {
+                        return error.to_string();
+                    };
+                    let [value, from, to] = [value, from, to].map(|weight| weight / 1e3);
+                    format!(
+                        "{value} kN is outside the rock's table, {from} to {to} kN; \
+                         it must reach as far as the weights"
+                    )
+                }),
+            _ => Ok(None),
+        }
+    }
+
+    /// Both torque limits for a dynamic torque.
+    pub fn torques(&self, torque_dynamic: f64) -> BitTorque {
+        BitTorque {
+            torque_static: self.static_ratio * torque_dynamic,
+            torque_dynamic,
+        }
+    }
+}
+
+/// The torque law of `[bit]`.
+///
+/// # Errors
+/// Where it can be none.
+pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
+    source.within(
+        "bit.torque_static_ratio",
+        bit.torque_static_ratio,
+        1.0,
+        10.0,
+        "",
+    )?;
+    let rock = match (bit.rock, bit.law, &bit.table_kn_nm) {
+        (None, None, None) => None,
+        (Some(RockName::Sandstone), None, None) => Some(Rock::sandstone()),
+        (Some(RockName::Shale), None, None) => Some(Rock::shale()),
+        (Some(RockName::Law), Some(law), None) => Some(Rock::Law(self::law(source, &law)?)),
+        (Some(RockName::Table), None, Some(rows)) => Some(table(source, rows)?),
+        (Some(RockName::Law), None, _) => {
+            return Err(source.error("bit.rock", "needs a table [bit.law]"));
+        }
+        (Some(RockName::Table), _, None) => {
+            return Err(source.error("bit.rock", "needs rows `table_kn_nm`"));
+        }
+        _ => {
+            let message = "a rock is one of a built-in name, `law` with [bit.law], \
+                           or `table` with `table_kn_nm`";
+            return Err(source.error("bit.rock", message));
+        }
+    };
+    Ok(Bit {
+        rock,
+        static_ratio: bit.torque_static_ratio,
+    })
+}
+
+fn law(source: &Source, law: &LawTable) -> Result<CuttingLaw, SweepFileError> {
+    let checks = [
+        ("bit_radius_m", law.bit_radius_m, 1e-3, 2.0, "m"),
+        (
+            "specific_energy_mpa",
+            law.specific_energy_mpa,
+            0.1,
+            1e4,
+            "MPa",
+        ),
+        ("cutting_ratio", law.cutting_ratio, 1e-2, 10.0, ""),
+        ("friction", law.friction, 0.0, 10.0, ""),
+        (
+            "contact_strength_mpa",
+            law.contact_strength_mpa,
+            0.1,
+            1e4,
+            "MPa",
+        ),
+        ("contact_growth", law.contact_growth, 1e-3, 1e3, ""),
+        ("wear_flat_mm", law.wear_flat_mm, 1e-3, 1e3, "mm"),
+    ];
+    for (key, value, least, most, unit) in checks {
+        source.within(&format!("bit.law.{key}"), value, least, most, unit)?;
+    }
+    let poor_cleaning = match (law.poor_cleaning_from_kn, law.poor_cleaning_nm_per_kn) {
+        (None, None) => None,
+        (Some(from), Some(slope)) => {
+            source.within("bit.law.poor_cleaning_from_kn", from, 1e-3, 1e5, "kN")?;
+            source.within(
+                "bit.law.poor_cleaning_nm_per_kn",
+                slope,
+                1e-6,
+                1e6,
+                "N m/kN",
+            )?;
+            Some(PoorCleaning {
+                weight_on_bit: 1e3 * from,
+                slope: 1e-3 * slope,
+            })
+        }
+        _ => {
+            let message = "poor cleaning needs both `poor_cleaning_from_kn` \
+                           and `poor_cleaning_nm_per_kn`";
+            return Err(source.error("bit.law", message));
+        }
+    };
+    let law = CuttingLaw {
+        bit_radius: law.bit_radius_m,
+        specific_energy: 1e6 * law.specific_energy_mpa,
+        cutting_ratio: law.cutting_ratio,
+        friction: law.friction,
+        contact_strength: 1e6 * law.contact_strength_mpa,
+        contact_growth: law.contact_growth,
+        wear_flat: 1e-3 * law.wear_flat_mm,
+        poor_cleaning,
+    };
+    if let Some(poor) = poor_cleaning
+        && poor.weight_on_bit <= law.end_of_phase_one().0
+    {
+        let message = format!(
+            "poor cleaning begins in phase II, above {} kN here",
+            1e-3 * law.end_of_phase_one().0
+        );
+        return Err(source.error("bit.law.poor_cleaning_from_kn", message));
+    }
+    Ok(law)
+}
+
+fn table(source: &Source, rows: &[(f64, f64)]) -> Result<Rock, SweepFileError> {
+    for (index, &(weight, torque)) in rows.iter().enumerate() {
+        let key = format!("bit.table_kn_nm[{index}]");
+        source.check_axis(&key, Axis::WeightOnBitKn, weight)?;
+        source.check_axis(&key, Axis::TorqueDynamicNm, torque)?;
+    }
+    let increasing = rows
+        .windows(2)
+        .all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1);
+    if rows.len() < 2 || !increasing {
+        let message = "needs two rows or more of weight on bit (kN) and torque (N m), \
+                       both increasing";
+        return Err(source.error("bit.table_kn_nm", message));
+    }
+    Ok(Rock::Table(
+        rows.iter()
+            .map(|&(weight, torque)| (1e3 * weight, torque))
+            .collect(),
+    ))
+}

@@ -1,0 +1,101 @@
+//! What was chosen for the accuracy that a sweep asks for.
+
+use serde::{Deserialize, Serialize};
+
+use crate::sweep_file::{Accuracy, Source, SweepFileError, per_cent};
+use crate::words::{short, wrapped};
+
+/// Errors this small drown in the settling of motions, and ones so large mean
+/// nothing.
+const LEAST: f64 = 1e-4;
+const MOST: f64 = 0.5;
+
+/// Refuses an accuracy that none could be chosen for.
+///
+/// # Errors
+/// Where it is that.
+pub fn check(source: &Source, accuracy: Accuracy) -> Result<(), SweepFileError> {
+    if (LEAST..=MOST).contains(&accuracy.0) {
+        return Ok(());
+    }
+    let message = format!(
+        "{accuracy} is not between {} and {}; write \"1 %\" or 0.01 for one per cent",
+        Accuracy(LEAST),
+        Accuracy(MOST)
+    );
+    Err(source.error("accuracy", message))
+}
+
+/// What was chosen, and why: `accuracy` of the manifest. Errors are parts of one.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Choice {
+    /// The largest error wanted.
+    pub asked: f64,
+    /// The estimated error, the reference's uncertainty included.
+    pub delivered: f64,
+    /// What was chosen.
+    pub chosen: Candidate,
+    /// The method of the reference.
+    pub reference_method: String,
+    /// Its sampling frequency, Hz.
+    pub reference_hz: f64,
+    /// The change of its answers from a quarter of that frequency.
+    pub reference_uncertainty: f64,
+    /// Cases that were simulated to compare.
+    pub probes: Vec<usize>,
+    /// Everything tried, the chosen last.
+    pub tried: Vec<Tried>,
+}
+
+/// A method at a sampling frequency.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Candidate {
+    /// Its name.
+    pub method: String,
+    /// Elements in one cell, of finite elements.
+    pub elements_per_cell: Option<usize>,
+    /// Sampling frequency, Hz.
+    pub sampling_frequency_hz: f64,
+}
+
+/// A candidate and its error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Tried {
+    /// The candidate.
+    #[serde(flatten)]
+    pub candidate: Candidate,
+    /// Its error from the reference, where it can be told.
+    pub error: Option<f64>,
+    /// What the error is of, or why there is none.
+    pub of: String,
+}
+
+impl std::fmt::Display for Candidate {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.method)?;
+        if let Some(elements) = self.elements_per_cell {
+            write!(f, " ({elements} elements a cell)")?;
+        }
+        write!(f, " at {} Hz", short(self.sampling_frequency_hz))
+    }
+}
+
+impl Choice {
+    /// What was chosen and by which reference, in lines for people.
+    pub fn lines(&self, indent: usize) -> String {
+        let chosen = format!(
+            "accuracy {} %: {}, estimated error {} %",
+            per_cent(self.asked),
+            self.chosen,
+            per_cent(self.delivered)
+        );
+        let reference = format!(
+            "(reference: {} at {} Hz, uncertain by {} %)",
+            self.reference_method,
+            short(self.reference_hz),
+            per_cent(self.reference_uncertainty)
+        );
+        let later = indent + 2;
+        wrapped(&chosen, indent, later) + &wrapped(&reference, later, later)
+    }
+}

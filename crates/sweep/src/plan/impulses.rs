@@ -1,0 +1,132 @@
+//! Lateral impulses.
+
+use linear::Sites;
+
+use super::sites::site_of;
+use crate::quantities::in_digits;
+use crate::sweep_file::{ImpulseTable, Source, SweepFileError};
+
+/// More than any knock, N s: a site whose I₀ is larger cannot reach its wall.
+pub const LARGEST_IMPULSE: f64 = 1e9;
+
+/// What pushes the string for longer is no impulse, s.
+const LONGEST_IMPULSE: f64 = 100.0;
+
+/// The samples of a raised cosine have its area from two on.
+const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
+
+/// An impulse whose amount may be relative to what reaches the wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImpulseSettings {
+    /// The impulse; its amount in N s, or in multiples of I₀.
+    pub impulse: sim::Impulse,
+    /// Whether the amount is in multiples of I₀.
+    pub relative: bool,
+}
+
+/// An impulse of the file.
+///
+/// # Errors
+/// Where it can be none.
+pub fn resolve(
+    source: &Source,
+    index: usize,
+    table: &ImpulseTable,
+    sites: &Sites,
+    ratio_by_axis: bool,
+) -> Result<ImpulseSettings, SweepFileError> {
+    let key = |name: &str| format!("impulses[{index}].{name}");
+    let site = site_of(
+        source,
+        &key("distance_from_bit_m"),
+        table.distance_from_bit_m,
+        sites,
+    )?;
+    source.within(&key("start_s"), table.start_s, 0.0, 1e6, "s")?;
+    if table.duration_s.is_nan() || table.duration_s <= 0.0 {
+        let message = format!("{} s: the impulse ends before it starts", table.duration_s);
+        return Err(source.error(&key("duration_s"), message));
+    }
+    if table.duration_s > LONGEST_IMPULSE {
+        let duration = in_digits(table.duration_s);
+        let message = format!(
+            "{duration} s: an impulse lasts {LONGEST_IMPULSE} s at most; is it in another unit?"
+        );
+        return Err(source.error(&key("duration_s"), message));
+    }
+    source.within(
+        &key("direction_deg"),
+        table.direction_deg,
+        -360.0,
+        360.0,
+        "°",
+    )?;
+    let (amount, relative) = match (table.amount_ns, table.ratio) {
+        (Some(amount), None) => (amount, false),
+        (None, Some(ratio)) => (ratio, true),
+        (None, None) if ratio_by_axis => (0.0, true),
+        _ => {
+            let message = "needs either `amount_ns` or `ratio`, or the axis impulse_ratio";
+            return Err(source.error(&format!("impulses[{index}]"), message));
+        }
+    };
+    let (name, unit) = if relative {
+        ("ratio", "")
+    } else {
+        ("amount_ns", "N s")
+    };
+    source.within(&key(name), amount, 0.0, LARGEST_IMPULSE, unit)?;
+    Ok(ImpulseSettings {
+        impulse: sim::Impulse {
+            site,
+            amount,
+            start: table.start_s,
+            duration: table.duration_s,
+            direction: table.direction_deg.to_radians(),
+        },
+        relative,
+    })
+}
+
+/// An impulse between two samples would not be felt at all.
+///
+/// # Errors
+/// Names the impulse.
+pub fn are_sampled(
+    source: &Source,
+    impulses: &[ImpulseSettings],
+    sampling_frequency: f64,
+) -> Result<(), SweepFileError> {
+    for (index, settings) in impulses.iter().enumerate() {
+        let duration = settings.impulse.duration;
+        if duration * sampling_frequency < LEAST_SAMPLES_OF_IMPULSE {
+            let message =
+                format!("{duration} s is shorter than two samples at {sampling_frequency} Hz");
+            let key = format!("impulses[{index}].duration_s");
+            return Err(source.error(&key, message));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses an impulse that begins when a case is over: its label would say
+/// nothing of the impulse.
+///
+/// # Errors
+/// Names the impulse.
+pub fn are_felt(
+    source: &Source,
+    impulses: &[ImpulseTable],
+    case: usize,
+    duration: f64,
+) -> Result<(), SweepFileError> {
+    for (index, impulse) in impulses.iter().enumerate() {
+        let start = impulse.start_s;
+        if start >= duration {
+            let message = format!("{start} s is not before the end of case {case}, {duration} s");
+            let key = format!("impulses[{index}].start_s");
+            return Err(source.error(&key, message));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,164 @@
+//! The lateral part of a sweep file: bending, the borehole wall at the sites,
+//! disturbances.
+
+use linear::{Bending, Drillstring, Sites, SurfaceSupport};
+use sim::EccentricMass;
+
+use super::conditions::Conditions;
+use super::impulses::{self, ImpulseSettings};
+use super::sites::site_of;
+use super::string::measure;
+use super::wall::{self, WallSettings};
+use crate::design::Design;
+use crate::quantities::{Axis, StringAxis};
+use crate::sweep_file::{
+    BendingTable, EccentricMassTable, FileContent, Source, SupportName, SweepFileError,
+};
+
+/// The lateral part of a sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LateralSettings {
+    /// Bending constants.
+    pub bending: Bending,
+    /// How the surface holds the string.
+    pub support: SurfaceSupport,
+    /// The wall at each site, from the surface down.
+    pub walls: Vec<WallSettings>,
+    /// Impulses.
+    pub impulses: Vec<ImpulseSettings>,
+    /// Eccentric masses.
+    pub eccentric_masses: Vec<EccentricMass>,
+}
+
+/// The lateral part, where the file has a wall.
+///
+/// # Errors
+/// Where it can be none.
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    string: &Drillstring,
+    sites: &Sites,
+    conditions: &Conditions,
+    design: &Design,
+) -> Result<Option<LateralSettings>, SweepFileError> {
+    if content.wall.is_none() {
+        refuse_keys(source, content, design)?;
+        return Ok(None);
+    }
+    let Some(table) = &content.string.bending else {
+        let message = "a wall needs a table [string.bending]";
+        return Err(source.error("wall", message));
+    };
+    let (bending, support) = bending(source, table)?;
+    let has = |axis| conditions.has(axis, design);
+    // As the sites are: from the surface down.
+    let mut order: Vec<usize> = (0..content.sites.len()).collect();
+    let distance = |index: &usize| content.sites[*index].distance_from_bit_m;
+    order.sort_by(|one, other| distance(other).total_cmp(&distance(one)));
+    let walls = (sites.distances_from_bit().iter().zip(order))
+        .map(|(&distance, index)| {
+            let radius = string.outer_radius_at(distance);
+            wall::resolve(source, content, index, radius, has(Axis::Friction))
+        })
+        .collect::<Result<_, _>>()?;
+    let impulses = (content.impulses.iter().enumerate())
+        .map(|(index, table)| {
+            impulses::resolve(source, index, table, sites, has(Axis::ImpulseRatio))
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    if design.axes().contains(&Axis::ImpulseRatio) && impulses.is_empty() {
+        let message = "the axis impulse_ratio needs an entry [[impulses]]";
+        return Err(source.error("design.axes.impulse_ratio", message));
+    }
+    let eccentric_masses = (content.eccentric_masses.iter().enumerate())
+        .map(|(index, table)| eccentric_mass(source, index, table, sites))
+        .collect::<Result<_, _>>()?;
+    Ok(Some(LateralSettings {
+        bending,
+        support,
+        walls,
+        impulses,
+        eccentric_masses,
+    }))
+}
+
+/// Keys that would be ignored without a wall.
+fn refuse_keys(
+    source: &Source,
+    content: &FileContent,
+    design: &Design,
+) -> Result<(), SweepFileError> {
+    let keys = [
+        ("impulses", !content.impulses.is_empty()),
+        ("eccentric_masses", !content.eccentric_masses.is_empty()),
+        (
+            "design.axes.impulse_ratio",
+            design.axes().contains(&Axis::ImpulseRatio),
+        ),
+        (
+            "design.axes.friction",
+            design.axes().contains(&Axis::Friction),
+        ),
+    ];
+    match keys.into_iter().find(|(_, given)| *given) {
+        Some((key, _)) => Err(source.error(key, "needs a table [wall]")),
+        None => Ok(()),
+    }
+}
+
+fn bending(
+    source: &Source,
+    table: &BendingTable,
+) -> Result<(Bending, SurfaceSupport), SweepFileError> {
+    let key = |name: &str| format!("string.bending.{name}");
+    let modulus = table.youngs_modulus_gpa;
+    source.within(&key("youngs_modulus_gpa"), modulus, 0.1, 1e3, "GPa")?;
+    let damping = table.damping_ns_m2;
+    measure(
+        source,
+        &key("damping_ns_m2"),
+        StringAxis::BendingDamping,
+        damping,
+    )?;
+    let compression = table.compression_kn;
+    measure(
+        source,
+        &key("compression_kn"),
+        StringAxis::Compression,
+        compression,
+    )?;
+    let bending = Bending {
+        youngs_modulus: 1e9 * modulus,
+        damping,
+        compression: 1e3 * compression,
+    };
+    let support = match table.surface {
+        SupportName::Free => SurfaceSupport::Free,
+        SupportName::Pinned => SurfaceSupport::Pinned,
+        SupportName::Clamped => SurfaceSupport::Clamped,
+    };
+    Ok((bending, support))
+}
+
+fn eccentric_mass(
+    source: &Source,
+    index: usize,
+    table: &EccentricMassTable,
+    sites: &Sites,
+) -> Result<EccentricMass, SweepFileError> {
+    let key = |name: &str| format!("eccentric_masses[{index}].{name}");
+    let site = site_of(
+        source,
+        &key("distance_from_bit_m"),
+        table.distance_from_bit_m,
+        sites,
+    )?;
+    source.within(&key("mass_kg"), table.mass_kg, 0.0, 1e6, "kg")?;
+    source.within(&key("offset_m"), table.offset_m, 0.0, 10.0, "m")?;
+    Ok(EccentricMass {
+        site,
+        mass: table.mass_kg,
+        offset: table.offset_m,
+    })
+}

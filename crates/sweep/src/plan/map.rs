@@ -1,0 +1,113 @@
+//! `[map]`: the axes of the regime map and the cases pointed out on it.
+
+use serde::{Deserialize, Serialize};
+
+use super::bit::Bit;
+use super::conditions::Conditions;
+use crate::design::Design;
+use crate::quantities::Axis;
+use crate::sweep_file::{FileContent, MarkTable, Source, SweepFileError};
+
+/// How the regime map is drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MapSettings {
+    /// Axis to the right.
+    pub x: Axis,
+    /// Axis upwards.
+    pub y: Axis,
+    /// Cases pointed out.
+    pub marks: Vec<MapMark>,
+}
+
+/// A case pointed out on the map.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MapMark {
+    /// What is written beside it.
+    pub name: String,
+    /// Its value along the axis to the right.
+    pub x: f64,
+    /// Its value along the axis upwards.
+    pub y: f64,
+}
+
+/// The map of a design with two axes or more.
+///
+/// # Errors
+/// Where an axis is none of the design's, or a mark has no place.
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    design: &Design,
+    bit: Option<&Bit>,
+) -> Result<Option<MapSettings>, SweepFileError> {
+    for (key, axis) in [("map.x", content.map.x), ("map.y", content.map.y)] {
+        if let Some(axis) = axis
+            && !design.axes().contains(&axis)
+        {
+            let message = format!("{} is not an axis of the design", axis.name());
+            return Err(source.error(key, message));
+        }
+    }
+    let other = |taken: Option<Axis>| {
+        // Operating conditions before quantities of the string.
+        let is_string = |axis: &Axis| axis.is_of_string();
+        let mut axes = design.axes().to_vec();
+        axes.sort_by_key(is_string);
+        axes.into_iter().find(|axis| Some(*axis) != taken)
+    };
+    let y = content.map.y.or_else(|| other(content.map.x));
+    let x = content.map.x.or_else(|| other(y));
+    let Some((x, y)) = x.zip(y) else {
+        return Ok(None);
+    };
+    if x == y {
+        return Err(source.error("map.x", "is the axis upwards too"));
+    }
+    let marks = (content.map.marks.iter().enumerate())
+        .map(|(index, mark)| self::mark(source, index, mark, (x, y), bit))
+        .collect::<Result<_, _>>()?;
+    Ok(Some(MapSettings { x, y, marks }))
+}
+
+fn mark(
+    source: &Source,
+    index: usize,
+    mark: &MarkTable,
+    (x, y): (Axis, Axis),
+    bit: Option<&Bit>,
+) -> Result<MapMark, SweepFileError> {
+    for (axis, value) in [
+        (Axis::SurfaceSpeedRpm, mark.surface_speed_rpm),
+        (Axis::WeightOnBitKn, mark.weight_on_bit_kn),
+        (Axis::TorqueDynamicNm, mark.torque_dynamic_nm),
+        (Axis::ImpulseRatio, mark.impulse_ratio),
+        (Axis::Friction, mark.friction),
+    ] {
+        if let Some(value) = value {
+            let key = format!("map.marks[{index}].{}", axis.name());
+            source.check_axis(&key, axis, value)?;
+        }
+    }
+    let weight_for_torque = || {
+        let rock = bit?.rock.as_ref()?;
+        Some(1e-3 * rock.weight_on_bit(mark.torque_dynamic_nm?).ok()?)
+    };
+    let conditions = Conditions {
+        surface_speed_rpm: mark.surface_speed_rpm,
+        weight_on_bit_kn: mark.weight_on_bit_kn.or_else(weight_for_torque),
+        torque_dynamic_nm: mark.torque_dynamic_nm,
+        impulse_ratio: mark.impulse_ratio,
+        friction: mark.friction,
+    };
+    let value = |axis: Axis| {
+        conditions.value(axis).ok_or_else(|| {
+            let message = format!("does not say its {}", axis.name());
+            source.error(&format!("map.marks[{index}]"), message)
+        })
+    };
+    Ok(MapMark {
+        name: mark.name.clone(),
+        x: value(x)?,
+        y: value(y)?,
+    })
+}

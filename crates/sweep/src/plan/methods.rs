@@ -1,0 +1,103 @@
+//! `methods` and `[method]`: the linear methods, their parameters checked.
+
+use linear::BuildError;
+use linear::method::{FiniteElement, Method};
+
+use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
+
+/// More elements in a cell resolve no more than rounding leaves.
+const MOST_ELEMENTS_PER_CELL: usize = 10_000;
+
+/// The methods. Parameters of the others are looked at too where the file names
+/// its methods itself.
+///
+/// # Errors
+/// Where one cannot be.
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    by_file: bool,
+) -> Result<Vec<Method>, SweepFileError> {
+    if content.methods.is_empty() {
+        return Err(source.error("methods", "names no method"));
+    }
+    let counts = |name: MethodName| by_file || content.methods.contains(&name);
+    if counts(MethodName::FiniteElement) {
+        finite_element(source, &content.method.finite_element)?;
+    }
+    for (name, transform) in [
+        (MethodName::Hilbert, content.method.hilbert),
+        (MethodName::DirectIdft, content.method.direct_idft),
+    ] {
+        if let Some(seconds) = transform.seconds.filter(|_| counts(name)) {
+            let key = name.name();
+            source.within(
+                &format!("method.{key}.transform_s"),
+                seconds,
+                1e-2,
+                1e5,
+                "s",
+            )?;
+        }
+    }
+    for (index, name) in content.methods.iter().enumerate() {
+        if content.methods[..index].contains(name) {
+            return Err(source.error(&format!("methods[{index}]"), "is named twice"));
+        }
+        let needs_damping = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
+        if needs_damping && content.string.torsional_damping_nms_rad_m == 0.0 {
+            let error = BuildError::NeedsDamping {
+                method: name.name(),
+            };
+            let key = "string.torsional_damping_nms_rad_m";
+            return Err(source.error(key, error.to_string()));
+        }
+    }
+    Ok(content
+        .methods
+        .iter()
+        .map(|&name| method(content, name))
+        .collect())
+}
+
+fn finite_element(source: &Source, parameters: &FiniteElement) -> Result<(), SweepFileError> {
+    parameters.check().map_err(|error| {
+        let key = match &error {
+            BuildError::Parameter { name, .. } => format!("method.finite-element.{name}"),
+            _ => "method.finite-element".to_owned(),
+        };
+        source.error(&key, error.to_string())
+    })?;
+    let elements = parameters.elements_per_cell;
+    if elements > MOST_ELEMENTS_PER_CELL {
+        let message = format!("{elements} are more than {MOST_ELEMENTS_PER_CELL}");
+        let key = "method.finite-element.elements_per_cell";
+        return Err(source.error(key, message));
+    }
+    Ok(())
+}
+
+/// A method with the parameters the file gives it.
+fn method(content: &FileContent, name: MethodName) -> Method {
+    match name {
+        MethodName::Hilbert => Method::Hilbert(content.method.hilbert),
+        MethodName::Quadrature => Method::Quadrature,
+        MethodName::FiniteElement => Method::FiniteElement(content.method.finite_element),
+        MethodName::DirectIdft => Method::DirectIdft(content.method.direct_idft),
+        MethodName::Trapezoidal => Method::Trapezoidal,
+    }
+}
+
+/// Makes a file name one method alone, with its parameters.
+pub fn put(content: &mut FileContent, method: Method) {
+    content.methods = vec![match method {
+        Method::Hilbert(_) => MethodName::Hilbert,
+        Method::Quadrature => MethodName::Quadrature,
+        Method::Trapezoidal => MethodName::Trapezoidal,
+        Method::FiniteElement(parameters) => {
+            content.method.finite_element = parameters;
+            MethodName::FiniteElement
+        }
+        Method::DirectIdft(_) => MethodName::DirectIdft,
+    }];
+}

@@ -1,0 +1,31 @@
+//! What is run: the keys of a sweep file and the cases of its design, checked together
+//! and resolved to SI.
+
+mod bit;
+mod choice;
+mod conditions;
+#[cfg(test)]
+mod fuzz;
+mod impulses;
+mod lateral;
+mod map;
+mod methods;
+mod setting;
+mod sheet;
+mod sites;
+mod string;
+mod sweep;
+#[cfg(test)]
+mod tests;
+mod texts;
+mod wall;
+
+pub use bit::Bit;
+pub use choice::{Candidate, Choice, Tried};
+pub use conditions::{Conditions, to_rpm};
+pub use impulses::{ImpulseSettings, LARGEST_IMPULSE};
+pub use lateral::LateralSettings;
+pub use map::{MapMark, MapSettings};
+pub use setting::Setting;
+pub use sheet::{INCH, POUND_PER_FOOT};
+pub use sweep::{Sweep, Time};

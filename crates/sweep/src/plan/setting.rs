@@ -1,0 +1,94 @@
+//! What a linear system is built from: the string, where it is looked at, and
+//! how fast it is sampled. A sweep has one, or one for each value of the axes that
+//! change the string.
+
+use std::borrow::Cow;
+
+use linear::estimates::sampling_frequency;
+use linear::{Drillstring, Sites};
+
+use super::conditions::Conditions;
+use super::impulses;
+use super::lateral::{self, LateralSettings};
+use super::{sites, string};
+use crate::design::Design;
+use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
+
+/// A string, ready to be built.
+#[derive(Debug, Clone)]
+pub struct Setting {
+    /// The drillstring.
+    pub string: Drillstring,
+    /// Sites from the surface down; the bit is always the last.
+    pub sites: Sites,
+    /// Sampling frequency, Hz.
+    pub sampling_frequency: f64,
+    /// Whether that follows from the string by the paper's rule.
+    pub sampling_by_rule: bool,
+    /// Lateral motion, where it is modelled.
+    pub lateral: Option<LateralSettings>,
+}
+
+impl Setting {
+    /// What labels and measures need of this: without a wall only the bit has any, and
+    /// places that are just looked at are left to whoever draws them.
+    pub fn for_labels(&self) -> Cow<'_, Self> {
+        if self.lateral.is_some() || self.sites.len() == 1 {
+            return Cow::Borrowed(self);
+        }
+        Cow::Owned(Self {
+            sites: Sites::bit(),
+            ..self.clone()
+        })
+    }
+
+    /// The same, sampled at another frequency, Hz.
+    pub fn sampled_at(&self, sampling_frequency: f64) -> Self {
+        Self {
+            sampling_frequency,
+            sampling_by_rule: false,
+            ..self.clone()
+        }
+    }
+
+    /// The setting that a file describes.
+    ///
+    /// # Errors
+    /// Where there can be none.
+    pub(super) fn resolve(
+        source: &Source,
+        content: &FileContent,
+        conditions: &Conditions,
+        design: &Design,
+    ) -> Result<Self, SweepFileError> {
+        let string = string::resolve(source, content)?;
+        let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
+            AutoOr::Auto => (sampling_frequency(&string), true),
+            AutoOr::Given(value) => {
+                source.within("sampling_frequency_hz", value, 1.0, 1e6, "Hz")?;
+                (value, false)
+            }
+        };
+        let sites = sites::resolve(source, content, &string)?;
+        let lateral = lateral::resolve(source, content, &string, &sites, conditions, design)?;
+        let setting = Self {
+            string,
+            sites,
+            sampling_frequency,
+            sampling_by_rule,
+            lateral,
+        };
+        setting.check_sampling(source)?;
+        Ok(setting)
+    }
+
+    /// An impulse between two samples would not be felt at all.
+    pub(super) fn check_sampling(&self, source: &Source) -> Result<(), SweepFileError> {
+        let impulses = self.lateral.as_ref().map(|lateral| &lateral.impulses[..]);
+        impulses::are_sampled(
+            source,
+            impulses.unwrap_or_default(),
+            self.sampling_frequency,
+        )
+    }
+}

@@ -1,0 +1,163 @@
+//! `[string]`: the drillstring, its numbers checked.
+
+use linear::{Drillstring, DrillstringError, Material, Section, Tube};
+
+use crate::design::Design;
+use crate::quantities::{Axis, LONGEST_STRING, StringAxis, TubeMeasure};
+use crate::sweep_file::{FileContent, SectionTable, Source, SweepFileError};
+
+/// The drillstring that the file describes.
+///
+/// # Errors
+/// Where it can be none.
+pub fn resolve(source: &Source, content: &FileContent) -> Result<Drillstring, SweepFileError> {
+    let table = &content.string;
+    source.within(
+        "string.shear_modulus_gpa",
+        table.shear_modulus_gpa,
+        0.1,
+        1e3,
+        "GPa",
+    )?;
+    source.within(
+        "string.density_kg_m3",
+        table.density_kg_m3,
+        100.0,
+        3e4,
+        "kg/m³",
+    )?;
+    let damping = table.torsional_damping_nms_rad_m;
+    measure(
+        source,
+        "string.torsional_damping_nms_rad_m",
+        StringAxis::TorsionalDamping,
+        damping,
+    )?;
+    for (section, data) in table.sections.iter().enumerate() {
+        self::section(source, section, data)?;
+    }
+    let sections = table.sections.iter().map(|section| Section {
+        repeat: section.repeat,
+        parts: section
+            .parts
+            .iter()
+            .map(|part| Tube {
+                length: part.length_m,
+                inner_radius: part.inner_radius_m,
+                outer_radius: part.outer_radius_m,
+            })
+            .collect(),
+    });
+    let material = Material {
+        shear_modulus: 1e9 * table.shear_modulus_gpa,
+        density: table.density_kg_m3,
+    };
+    let string = Drillstring::new(material, sections.collect(), damping)
+        .map_err(|error| source.error(&key_of(&error), error.to_string()))?;
+    length(source, &string)?;
+    Ok(string)
+}
+
+/// Millimetres for metres show in the whole string, if not in a part.
+fn length(source: &Source, string: &Drillstring) -> Result<(), SweepFileError> {
+    if string.length() <= LONGEST_STRING {
+        return Ok(());
+    }
+    let parts = string
+        .sections()
+        .iter()
+        .enumerate()
+        .flat_map(|(index, section)| {
+            let count = section.repeat as f64;
+            let parts = section.parts.iter().enumerate();
+            parts.map(move |(part, tube)| (count * tube.length, index, part))
+        });
+    let (_, section, part) = parts
+        .max_by(|one, other| one.0.total_cmp(&other.0))
+        .unwrap_or_default();
+    let message = format!(
+        "the string is {} m long, more than {LONGEST_STRING} m; is this in another unit?",
+        string.length()
+    );
+    let key = format!("string.sections[{section}].parts[{part}].length_m");
+    Err(source.error(&key, message))
+}
+
+fn section(source: &Source, section: usize, table: &SectionTable) -> Result<(), SweepFileError> {
+    let key = format!("string.sections[{section}]");
+    let repeat = table.repeat as f64;
+    measure(
+        source,
+        &format!("{key}.repeat"),
+        StringAxis::Repeat { section },
+        repeat,
+    )?;
+    for (part, tube) in table.parts.iter().enumerate() {
+        for (name, of_tube, value) in [
+            ("length_m", TubeMeasure::Length, tube.length_m),
+            (
+                "inner_radius_m",
+                TubeMeasure::InnerRadius,
+                tube.inner_radius_m,
+            ),
+            (
+                "outer_radius_m",
+                TubeMeasure::OuterRadius,
+                tube.outer_radius_m,
+            ),
+        ] {
+            let axis = StringAxis::Tube {
+                section,
+                part,
+                measure: of_tube,
+            };
+            measure(source, &format!("{key}.parts[{part}].{name}"), axis, value)?;
+        }
+    }
+    Ok(())
+}
+
+/// A quantity that could be an axis too has one range for both.
+pub fn measure(
+    source: &Source,
+    key: &str,
+    axis: StringAxis,
+    value: f64,
+) -> Result<(), SweepFileError> {
+    source.check_axis(key, Axis::String(axis), value)
+}
+
+/// An axis of the string must have something to change.
+///
+/// # Errors
+/// Names the first that has not.
+pub fn check_axes(
+    source: &Source,
+    content: &FileContent,
+    design: &Design,
+) -> Result<(), SweepFileError> {
+    for &axis in design.axes() {
+        if let Axis::String(string_axis) = axis {
+            let key = format!("design.axes.{}", axis.name());
+            let changed = content.clone().set(string_axis, axis.most());
+            source.checked(&key, changed)?;
+        }
+    }
+    Ok(())
+}
+
+/// The key that an error about the string is about.
+fn key_of(error: &DrillstringError) -> String {
+    match error {
+        DrillstringError::NoSections => "string.sections".to_owned(),
+        DrillstringError::NoRepeat { section } => format!("string.sections[{section}].repeat"),
+        DrillstringError::NoParts { section } => format!("string.sections[{section}].parts"),
+        DrillstringError::Length { section, part, .. } => {
+            format!("string.sections[{section}].parts[{part}].length_m")
+        }
+        DrillstringError::Radii { section, part, .. } => {
+            format!("string.sections[{section}].parts[{part}].inner_radius_m")
+        }
+        _ => "string".to_owned(),
+    }
+}

@@ -1,0 +1,232 @@
+//! A sweep, ready to run: read from a file, or made from another by a choice.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use linear::Method;
+
+use super::bit::{self, Bit};
+use super::choice::{self, Choice};
+use super::conditions::{self, Conditions};
+use super::impulses;
+use super::map::{self, MapSettings};
+use super::methods;
+use super::setting::Setting;
+use super::string;
+use super::texts;
+use crate::design::Design;
+use crate::quantities::Axis;
+use crate::sweep_file::{AutoOr, FileContent, MethodName, Source, SweepFileError, TextOf};
+use crate::text_file::read_text;
+
+/// A sweep, ready to run.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    /// The file's name without its ending; names the results folder.
+    pub name: String,
+    /// One line for pictures.
+    pub title: String,
+    /// What the linear system is built from, but for axes of the string.
+    pub setting: Setting,
+    /// Linear methods.
+    pub methods: Vec<Method>,
+    /// What was chosen for the accuracy asked for.
+    pub choice: Option<Choice>,
+    /// Time simulated.
+    pub time: Time,
+    /// Torque at the bit, where it is modelled.
+    pub bit: Option<Bit>,
+    /// What the file says of the quantities that axes may change.
+    pub conditions: Conditions,
+    /// The cases.
+    pub design: Design,
+    /// How the map is drawn, where the design has two axes or more.
+    pub map: Option<MapSettings>,
+    /// The file as written, its bases merged in.
+    pub content: FileContent,
+    /// Where each of its keys stands.
+    pub source: Source,
+}
+
+/// Time simulated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Time {
+    /// Until the regime can be told.
+    Auto,
+    /// As given, s.
+    Given(f64),
+}
+
+impl Sweep {
+    /// Reads and resolves a sweep file.
+    ///
+    /// # Errors
+    /// Where the file, a base or a list of cases does not make sense.
+    pub fn read(path: &Path) -> Result<Self, SweepFileError> {
+        Self::read_with_methods(path, &[])
+    }
+
+    /// As [`Sweep::read`], with these methods, if there are any, in place of the
+    /// file's, whatever those are.
+    ///
+    /// # Errors
+    /// As [`Sweep::read`], and where the file asks for an accuracy, which chooses the
+    /// method.
+    pub fn read_with_methods(path: &Path, methods: &[MethodName]) -> Result<Self, SweepFileError> {
+        Self::resolve(path, methods, &read_text)
+    }
+
+    /// As [`Sweep::read`], from any source of texts.
+    ///
+    /// # Errors
+    /// As [`Sweep::read`].
+    pub fn read_from(path: &Path, text_of: TextOf) -> Result<Self, SweepFileError> {
+        Self::resolve(path, &[], text_of)
+    }
+
+    fn resolve(
+        path: &Path,
+        methods: &[MethodName],
+        text_of: TextOf,
+    ) -> Result<Self, SweepFileError> {
+        let mut source = Source::read(path, text_of)?;
+        if !methods.is_empty() {
+            if source.gives("accuracy") {
+                let message = "asks for an accuracy, which chooses the method: leave out --methods";
+                return Err(source.error("accuracy", message));
+            }
+            let names = methods.iter().map(|method| method.name().into());
+            source.put("methods", toml::Value::Array(names.collect()));
+        }
+        let content: FileContent = source.parse()?;
+        texts::check(&source, &content)?;
+        let table = content.bit.as_ref();
+        let bit = table.map(|bit| bit::resolve(&source, bit)).transpose()?;
+        let conditions = conditions::resolve(&source, &content)?;
+        let design = Design::resolve(&source, content.design.as_ref(), text_of)?;
+        conditions::are_complete(&source, table, &conditions, &design)?;
+        let name = path.file_stem().map_or_else(
+            || "sweep".to_owned(),
+            |stem| stem.to_string_lossy().into_owned(),
+        );
+        let time = Time::resolve(&source, content.time_s)?;
+        let setting = Setting::resolve(&source, &content, &conditions, &design)?;
+        string::check_axes(&source, &content, &design)?;
+        if let Some(accuracy) = content.accuracy {
+            choice::check(&source, accuracy)?;
+        }
+        let methods = methods::resolve(&source, &content, methods.is_empty())?;
+        let map = map::resolve(&source, &content, &design, bit.as_ref())?;
+        Ok(Self {
+            title: content.title.clone().unwrap_or_else(|| name.clone()),
+            setting,
+            methods,
+            choice: None,
+            map,
+            name,
+            time,
+            bit,
+            conditions,
+            design,
+            content,
+            source,
+        })
+    }
+
+    /// The same sweep with the method and the sampling frequency chosen for the
+    /// accuracy asked for.
+    ///
+    /// # Errors
+    /// Where they do not suit the string as the file says it.
+    pub fn with_choice(self, method: Method, choice: Choice) -> Result<Self, SweepFileError> {
+        let sampling_frequency = choice.chosen.sampling_frequency_hz;
+        let mut content = self.content.clone();
+        content.sampling_frequency_hz = AutoOr::Given(sampling_frequency);
+        methods::put(&mut content, method);
+        Ok(Self {
+            setting: self.setting_sampled(&[], sampling_frequency)?,
+            methods: vec![method],
+            choice: Some(choice),
+            content,
+            ..self
+        })
+    }
+
+    /// The conditions of a case with the given values along the design's axes.
+    pub fn conditions_at(&self, values: &[f64]) -> Conditions {
+        let axes = self.design.axes().iter().zip(values);
+        axes.fold(self.conditions, |conditions, (&axis, &value)| {
+            conditions.with(axis, value)
+        })
+    }
+
+    /// The setting of a case with the given values along the design's axes.
+    ///
+    /// # Errors
+    /// Where these values make no string.
+    pub fn setting_at(&self, values: &[f64]) -> Result<Cow<'_, Setting>, SweepFileError> {
+        let axes = self.design.axes().iter().copied();
+        self.setting_with(axes.zip(values.iter().copied()))
+    }
+
+    /// The setting with some quantities of the string changed; other axes do
+    /// not matter here.
+    ///
+    /// # Errors
+    /// As [`Sweep::setting_at`].
+    pub fn setting_with(
+        &self,
+        values: impl Iterator<Item = (Axis, f64)>,
+    ) -> Result<Cow<'_, Setting>, SweepFileError> {
+        let mut content = Cow::Borrowed(&self.content);
+        for (axis, value) in values {
+            if let Axis::String(of_string) = axis {
+                let changed = content.to_mut().set(of_string, value);
+                self.source.checked(&axis.name(), changed)?;
+            }
+        }
+        match content {
+            Cow::Borrowed(_) => Ok(Cow::Borrowed(&self.setting)),
+            Cow::Owned(content) => {
+                Setting::resolve(&self.source, &content, &self.conditions, &self.design)
+                    .map(Cow::Owned)
+            }
+        }
+    }
+
+    /// The setting of a case with the given values along the design's axes, sampled
+    /// at another frequency (Hz).
+    ///
+    /// # Errors
+    /// As [`Sweep::setting_at`], and where it samples an impulse too coarsely.
+    pub fn setting_sampled(
+        &self,
+        values: &[f64],
+        sampling_frequency: f64,
+    ) -> Result<Setting, SweepFileError> {
+        let setting = self.setting_at(values)?.sampled_at(sampling_frequency);
+        setting.check_sampling(&self.source)?;
+        Ok(setting)
+    }
+
+    /// Refuses an impulse that begins when a case is over: its label would say
+    /// nothing of the impulse.
+    ///
+    /// # Errors
+    /// Names the impulse.
+    pub fn impulses_are_felt(&self, case: usize, duration: f64) -> Result<(), SweepFileError> {
+        impulses::are_felt(&self.source, &self.content.impulses, case, duration)
+    }
+}
+
+impl Time {
+    fn resolve(source: &Source, time: AutoOr) -> Result<Self, SweepFileError> {
+        match time {
+            AutoOr::Auto => Ok(Time::Auto),
+            AutoOr::Given(value) => {
+                source.within("time_s", value, 1e-3, 1e6, "s")?;
+                Ok(Time::Given(value))
+            }
+        }
+    }
+}

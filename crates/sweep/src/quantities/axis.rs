@@ -1,0 +1,103 @@
+//! What a design may vary.
+
+/// A quantity that a design varies, named as in result files.
+///
+/// Those of the string come first: in a grid the first axis changes slowest, so
+/// that the cases of one string are neighbours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Axis {
+    /// A quantity of the string itself.
+    String(StringAxis),
+    /// Surface speed Ω, rpm.
+    SurfaceSpeedRpm,
+    /// Weight on bit W, kN.
+    WeightOnBitKn,
+    /// Dynamic torque T_d, N m.
+    TorqueDynamicNm,
+    /// Lateral impulse in multiples of I₀.
+    ImpulseRatio,
+    /// Friction μ₀ of the borehole wall.
+    Friction,
+}
+
+/// A quantity of the string that a design varies: each value needs a linear system of
+/// its own. Sections, parts and sites are counted from 0, in the order of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum StringAxis {
+    /// Distributed torsional damping c_t.
+    TorsionalDamping,
+    /// Distributed lateral damping c_b.
+    BendingDamping,
+    /// Pre-compression C.
+    Compression,
+    /// Number of cells of a section.
+    Repeat {
+        /// Which section.
+        section: usize,
+    },
+    /// A measure of a tube.
+    Tube {
+        /// Which section.
+        section: usize,
+        /// Which part of its cell.
+        part: usize,
+        /// Which measure.
+        measure: TubeMeasure,
+    },
+    /// The place of a site; impulses and masses there go with it.
+    SitePlace {
+        /// Which site.
+        site: usize,
+    },
+}
+
+/// A measure of a tube.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum TubeMeasure {
+    /// Its length.
+    Length,
+    /// Its internal radius.
+    InnerRadius,
+    /// Its external radius.
+    OuterRadius,
+}
+
+impl Axis {
+    /// Whether it changes the string.
+    pub fn is_of_string(self) -> bool {
+        matches!(self, Axis::String(_))
+    }
+
+    /// Whether only whole numbers make sense.
+    pub fn is_counted(self) -> bool {
+        matches!(self, Axis::String(StringAxis::Repeat { .. }))
+    }
+
+    /// The numbers in its name, and zeros.
+    pub(super) fn numbers(self) -> [usize; 2] {
+        match self {
+            Axis::String(StringAxis::Repeat { section }) => [section, 0],
+            Axis::String(StringAxis::Tube { section, part, .. }) => [section, part],
+            Axis::String(StringAxis::SitePlace { site }) => [site, 0],
+            _ => [0; 2],
+        }
+    }
+
+    /// The axis of the same kind with these numbers in its name.
+    pub(super) fn with_numbers(self, [first, second]: [usize; 2]) -> Self {
+        match self {
+            Axis::String(StringAxis::Repeat { .. }) => {
+                Axis::String(StringAxis::Repeat { section: first })
+            }
+            Axis::String(StringAxis::Tube { measure, .. }) => Axis::String(StringAxis::Tube {
+                section: first,
+                part: second,
+                measure,
+            }),
+            Axis::String(StringAxis::SitePlace { .. }) => {
+                Axis::String(StringAxis::SitePlace { site: first })
+            }
+            other => other,
+        }
+    }
+}

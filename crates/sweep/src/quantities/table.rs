@@ -1,0 +1,217 @@
+//! The table of quantities, and what it says of an axis.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::axis::{Axis, StringAxis, TubeMeasure};
+use super::numbered::{numbered, numbers_in};
+use super::range::within;
+
+/// Longer than any borehole, m.
+pub const LONGEST_STRING: f64 = 2e4;
+
+/// What is known of a quantity. Name and title are patterns: where they count, from 0,
+/// another number takes the place of each 0.
+struct Quantity {
+    /// The column's name, with the unit.
+    name: &'static str,
+    /// What it is, without the unit.
+    title: &'static str,
+    /// Its letter, where it has one that is short enough for a legend.
+    letter: &'static str,
+    least: f64,
+    most: f64,
+    unit: &'static str,
+}
+
+const fn row(
+    name: &'static str,
+    (title, letter): (&'static str, &'static str),
+    (least, most, unit): (f64, f64, &'static str),
+) -> Quantity {
+    Quantity {
+        name,
+        title,
+        letter,
+        least,
+        most,
+        unit,
+    }
+}
+
+const fn tube(measure: TubeMeasure) -> Axis {
+    Axis::String(StringAxis::Tube {
+        section: 0,
+        part: 0,
+        measure,
+    })
+}
+
+/// One axis of every kind: operating conditions in the order of their columns, then
+/// quantities of the string.
+const KINDS: [Axis; 13] = [
+    Axis::SurfaceSpeedRpm,
+    Axis::WeightOnBitKn,
+    Axis::TorqueDynamicNm,
+    Axis::ImpulseRatio,
+    Axis::Friction,
+    Axis::String(StringAxis::TorsionalDamping),
+    Axis::String(StringAxis::BendingDamping),
+    Axis::String(StringAxis::Compression),
+    Axis::String(StringAxis::Repeat { section: 0 }),
+    tube(TubeMeasure::Length),
+    tube(TubeMeasure::InnerRadius),
+    tube(TubeMeasure::OuterRadius),
+    Axis::String(StringAxis::SitePlace { site: 0 }),
+];
+
+impl Axis {
+    #[rustfmt::skip]
+    const fn quantity(self) -> Quantity {
+        match self {
+            Axis::SurfaceSpeedRpm => row("surface_speed_rpm", ("Surface speed Ω", "Ω"), (1e-4, 1e4, "rpm")),
+            Axis::WeightOnBitKn => row("weight_on_bit_kn", ("Weight on bit W", "W"), (0.0, 2e3, "kN")),
+            Axis::TorqueDynamicNm => row("torque_dynamic_nm", ("Dynamic torque T_d", "T_d"), (0.0, 1e7, "N m")),
+            Axis::ImpulseRatio => row("impulse_ratio", ("Impulse I / I₀", "I/I₀"), (0.0, 1e6, "")),
+            Axis::Friction => row("friction", ("Coefficient of friction μ₀", "μ₀"), (0.0, 50.0, "")),
+            Axis::String(axis) => match axis {
+                StringAxis::TorsionalDamping => row("torsional_damping_nms_rad_m", ("Torsional damping", ""), (0.0, 1e5, "N m s/rad per m")),
+                StringAxis::BendingDamping => row("bending_damping_ns_m2", ("Lateral damping", ""), (0.0, 1e7, "N s/m²")),
+                StringAxis::Compression => row("compression_kn", ("Pre-compression C", ""), (-1e5, 1e5, "kN")),
+                StringAxis::Repeat { .. } => row("section_0_repeat", ("Cells of section 0", ""), (1.0, 1e5, "")),
+                StringAxis::Tube { measure, .. } => match measure {
+                    TubeMeasure::Length => row("section_0_part_0_length_m", ("Length of section 0, part 0", ""), (1e-3, LONGEST_STRING, "m")),
+                    TubeMeasure::InnerRadius => row("section_0_part_0_inner_radius_m", ("Internal radius of section 0, part 0", ""), (0.0, 2.0, "m")),
+                    TubeMeasure::OuterRadius => row("section_0_part_0_outer_radius_m", ("External radius of section 0, part 0", ""), (1e-3, 2.0, "m")),
+                },
+                StringAxis::SitePlace { .. } => row("site_0_distance_from_bit_m", ("Distance of site 0 from the bit", ""), (0.0, LONGEST_STRING, "m")),
+            },
+        }
+    }
+
+    /// The names of conditions, and examples of quantities of the string, to show a
+    /// user who misspelt one; others count on from 0.
+    pub const NAMES: [&str; KINDS.len()] = {
+        let mut names = [""; KINDS.len()];
+        let mut index = 0;
+        while index < names.len() {
+            names[index] = KINDS[index].quantity().name;
+            index += 1;
+        }
+        names
+    };
+
+    /// The axis of a column.
+    pub fn from_name(name: &str) -> Option<Self> {
+        let of_kind = |kind: Axis| Some(kind.with_numbers(numbers_in(name, kind.quantity().name)?));
+        KINDS.into_iter().find_map(of_kind)
+    }
+
+    /// The column's name.
+    pub fn name(self) -> String {
+        numbered(self.quantity().name, self.numbers())
+    }
+
+    /// The symbol and, where it has one, the unit.
+    pub fn symbol(self) -> String {
+        let Quantity { letter, unit, .. } = self.quantity();
+        match (letter, unit) {
+            ("", _) => self.name(),
+            (_, "") => letter.to_owned(),
+            _ if unit.contains(' ') => format!("{letter}/({unit})"),
+            _ => format!("{letter}/{unit}"),
+        }
+    }
+
+    /// The title of a plot's axis.
+    pub fn title(self) -> String {
+        let Quantity { title, unit, .. } = self.quantity();
+        let title = numbered(title, self.numbers());
+        if unit.is_empty() {
+            title
+        } else {
+            format!("{title} ({unit})")
+        }
+    }
+
+    /// Its greatest value.
+    pub fn most(self) -> f64 {
+        self.quantity().most
+    }
+
+    /// Refuses a value that it cannot have. Zero speed is no drilling, and every time
+    /// of a case would be infinite.
+    ///
+    /// # Errors
+    /// A sentence.
+    pub fn check(self, value: f64) -> Result<(), String> {
+        if self == Axis::SurfaceSpeedRpm && value <= 0.0 {
+            return Err(format!(
+                "{value} rpm: the surface must turn, in the positive direction"
+            ));
+        }
+        if self.is_counted() && value.fract() != 0.0 {
+            return Err(format!("{value} is not a whole number"));
+        }
+        let Quantity {
+            least, most, unit, ..
+        } = self.quantity();
+        within(value, least, most, unit)
+    }
+}
+
+impl Serialize for Axis {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
+    }
+}
+
+/// As a string, so that an error below `[design.axes]` can name the axis.
+impl<'de> Deserialize<'de> for Axis {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        Axis::from_name(&name).ok_or_else(|| serde::de::Error::unknown_variant(&name, &Axis::NAMES))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_reads_back() {
+        let more = [
+            "section_12_part_3_outer_radius_m",
+            "site_7_distance_from_bit_m",
+        ];
+        for name in Axis::NAMES.into_iter().chain(more) {
+            let axis = Axis::from_name(name);
+            assert_eq!(axis.map(Axis::name).as_deref(), Some(name));
+        }
+    }
+
+    #[test]
+    fn what_is_no_name_is_none() {
+        for name in [
+            "",
+            "section_repeat",
+            "section_00_repeat",
+            "section_+1_repeat",
+            "section_0_part_0_colour",
+            "site_0",
+            "section_99999999999999999999_repeat",
+        ] {
+            assert_eq!(Axis::from_name(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn symbols_and_titles_have_units() {
+        let axis = |name| Axis::from_name(name).unwrap();
+        assert_eq!(axis("torque_dynamic_nm").symbol(), "T_d/(N m)");
+        assert_eq!(axis("surface_speed_rpm").symbol(), "Ω/rpm");
+        assert_eq!(axis("friction").title(), "Coefficient of friction μ₀");
+        let tube = axis("section_1_part_2_length_m");
+        assert_eq!(tube.title(), "Length of section 1, part 2 (m)");
+        assert_eq!(tube.symbol(), "section_1_part_2_length_m");
+    }
+}

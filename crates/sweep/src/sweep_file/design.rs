@@ -1,0 +1,94 @@
+//! `[design]`: the keys of the cases.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+use crate::quantities::Axis;
+
+/// The kinds of design.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DesignKind {
+    /// Every combination of the axes' values.
+    Grid,
+    /// Independent random values.
+    MonteCarlo,
+    /// The rows of a CSV file.
+    List,
+}
+
+/// The cases of a sweep.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DesignTable {
+    /// Which kind.
+    pub kind: DesignKind,
+    /// The axes of a grid or a Monte Carlo design.
+    #[serde(default)]
+    pub axes: BTreeMap<Axis, AxisRange>,
+    /// Number of Monte Carlo cases.
+    #[serde(default)]
+    pub cases: Option<usize>,
+    /// Seed of a Monte Carlo design. Default 0.
+    #[serde(default)]
+    pub seed: Option<u64>,
+    /// CSV file of a list, beside the file that names it.
+    #[serde(default)]
+    pub file: Option<PathBuf>,
+}
+
+/// The values of one axis.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AxisRange {
+    /// First value, or lower end of a Monte Carlo range.
+    #[serde(default)]
+    pub from: Option<f64>,
+    /// Last value, or upper end.
+    #[serde(default)]
+    pub to: Option<f64>,
+    /// Number of grid values from `from` to `to`.
+    #[serde(default)]
+    pub count: Option<usize>,
+    /// Even steps in the value or in its logarithm. Default `linear`.
+    #[serde(default)]
+    pub spacing: Spacing,
+    /// Grid values one by one, instead of `from`, `to` and `count`.
+    #[serde(default)]
+    pub values: Option<Vec<f64>>,
+}
+
+impl AxisRange {
+    /// Its least and its greatest value, where it has any.
+    pub fn ends(&self) -> Option<[f64; 2]> {
+        let values = self.values.iter().flatten().copied();
+        let all = values.chain(self.from).chain(self.to);
+        all.fold(None, |ends: Option<[f64; 2]>, value| {
+            let [low, high] = ends.unwrap_or([value; 2]);
+            Some([low.min(value), high.max(value)])
+        })
+    }
+}
+
+/// How values are spread between two ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Spacing {
+    /// Evenly.
+    #[default]
+    Linear,
+    /// Evenly in the logarithm.
+    Log,
+}
+
+impl Spacing {
+    /// The value a fraction of the way from `from` to `to`.
+    pub fn between(self, from: f64, to: f64, fraction: f64) -> f64 {
+        match self {
+            Spacing::Linear => from + (to - from) * fraction,
+            Spacing::Log => from * (to / from).powf(fraction),
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! What is wrong with a sweep file, and where.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use crate::printable::steers;
+
+/// One clear sentence about a sweep file that cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SweepFileError {
+    pub(super) file: PathBuf,
+    pub(super) line: Option<usize>,
+    pub(super) key: Option<String>,
+    pub(super) message: String,
+}
+
+impl SweepFileError {
+    /// What is wrong, without the place.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+}
+
+impl fmt::Display for SweepFileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let file = self.file.display();
+        let line = self
+            .line
+            .map_or_else(String::new, |line| format!(":{line}"));
+        let key = (self.key.as_ref()).map_or_else(String::new, |key| format!(": `{key}`"));
+        let text = format!("{file}{line}{key}: {}", self.message);
+        // What the file says in quotes may not break the line or steer a terminal.
+        f.write_str(&text.replace(steers, " "))
+    }
+}
+
+impl std::error::Error for SweepFileError {}

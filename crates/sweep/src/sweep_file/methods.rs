@@ -1,0 +1,45 @@
+//! `methods` and `[method]`: the linear methods and their parameters.
+
+use linear::method::{FiniteElement, Transform};
+use serde::{Deserialize, Serialize};
+
+/// A linear method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MethodName {
+    /// The paper's digital filter.
+    Hilbert,
+    /// Convolution quadrature, BDF2.
+    Quadrature,
+    /// Finite elements, Newmark.
+    FiniteElement,
+    /// Plain inverse DFT, which fails.
+    DirectIdft,
+    /// Convolution quadrature, trapezoidal rule, which fails.
+    Trapezoidal,
+}
+
+impl MethodName {
+    /// The name used in files and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            MethodName::Hilbert => "hilbert",
+            MethodName::Quadrature => "quadrature",
+            MethodName::FiniteElement => "finite-element",
+            MethodName::DirectIdft => "direct-idft",
+            MethodName::Trapezoidal => "trapezoidal",
+        }
+    }
+}
+
+/// Parameters of the methods, one table each.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
+pub struct MethodTables {
+    /// `[method.hilbert]`
+    pub hilbert: Transform,
+    /// `[method.direct-idft]`
+    pub direct_idft: Transform,
+    /// `[method.finite-element]`
+    pub finite_element: FiniteElement,
+}

@@ -1,0 +1,94 @@
+//! What the reader of keys says of a mistake, in the user's words.
+
+use serde::de::DeserializeOwned;
+
+/// The key and the sentence of an error that Serde tells of a path: what was meant by an
+/// unknown key or choice, what is missing, what was expected. A key of the file itself
+/// may have slipped into the table above it.
+pub fn in_words(path: &str, message: &str, file_keys: &[String]) -> (String, String) {
+    let path = if path == "." { "" } else { path };
+    let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+    if let Some(missing) = message.strip_prefix("missing field ").and(quoted.first()) {
+        return (join(path, missing), "is missing".to_owned());
+    }
+    if let Some((found, expected)) = message
+        .strip_prefix("invalid type: ")
+        .or(message.strip_prefix("invalid value: "))
+        .and_then(|words| words.rsplit_once(", expected "))
+    {
+        let (found, expected) = (kind(found), kind(expected));
+        let message = format!("expected {expected}, found {found}");
+        return (path.to_owned(), message);
+    }
+    let Some(unknown) = message.strip_prefix("unknown ").and(quoted.first()) else {
+        return (path.to_owned(), message.to_owned());
+    };
+    let what = if message.starts_with("unknown field") {
+        "unknown key"
+    } else {
+        "unknown choice"
+    };
+    let choices = &quoted[1..];
+    let is_misplaced = what == "unknown key" && file_keys.iter().any(|key| key == unknown);
+    let hint = match nearest(unknown, choices) {
+        _ if is_misplaced => "it belongs above the first [table] of the file".to_owned(),
+        Some(choice) => format!("did you mean `{choice}`?"),
+        None => format!("known here: {}", choices.join(", ")),
+    };
+    let key = match what {
+        "unknown choice" => path.to_owned(),
+        _ if path.ends_with(unknown) => path.to_owned(),
+        _ => join(path, unknown),
+    };
+    (key, format!("{what} `{unknown}`; {hint}"))
+}
+
+/// What was meant by a word that is none of the choices: one without its unit, or
+/// one misspelt.
+pub fn nearest<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
+    let begins = |choice: &&&str| {
+        let rest = choice.strip_prefix(word);
+        rest.is_some_and(|rest| rest.starts_with('_'))
+    };
+    let mut begun = choices.iter().filter(begins);
+    if let (Some(choice), None) = (begun.next(), begun.next()) {
+        return Some(choice);
+    }
+    let distances = choices
+        .iter()
+        .map(|choice| (strsim::damerau_levenshtein(choice, word), *choice));
+    let (distance, choice) = distances.min()?;
+    (distance <= choice.len() / 3 + 1).then_some(choice)
+}
+
+/// The keys that a table may have, as its reader names them when it finds another.
+pub fn keys_of<T: DeserializeOwned>() -> Vec<String> {
+    let unknown = toml::Table::from_iter([("?".to_owned(), toml::Value::Boolean(true))]);
+    let Err(error) = unknown.try_into::<T>() else {
+        return Vec::new();
+    };
+    let quoted = error.message().split('`').skip(1).step_by(2);
+    quoted.skip(1).map(str::to_owned).collect()
+}
+
+fn join(path: &str, key: &str) -> String {
+    if path.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{path}.{key}")
+    }
+}
+
+/// The kinds of values as the user knows them.
+fn kind(kind: &str) -> &str {
+    match kind {
+        "f64" => "a number",
+        "u64" | "usize" => "a whole number, zero or more",
+        "map" | "a map" => "a table",
+        "sequence" | "a sequence" => "an array",
+        "string only" => "a string",
+        "unit variant" => "another kind of value",
+        _ if kind.starts_with("struct ") => "a table",
+        _ => kind,
+    }
+}
