@@ -9,10 +9,13 @@ use anyhow::{Result, bail};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use sim::{LateralRegime, Outcome, TorsionRegime};
 
-use super::{
-    Progress, Status, UsageError, build_systems, choose, say, survey_cases, use_threads,
-    warn_of_unstable,
-};
+use super::choosing::choose;
+use super::prepare::{build_systems, survey_cases};
+use super::progress::Progress;
+use super::status::{Status, UsageError};
+use super::terminal::{Terminal, say};
+use super::threads::use_threads;
+use super::warnings::warn_of_unstable;
 use crate::cli::CheckArguments;
 use crate::design::{Design, List};
 use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Shard, Work};
@@ -22,11 +25,11 @@ use crate::sweep_file::{Sweep, check_setting, nearest};
 use crate::words::counted;
 
 /// Reruns the cases of a reference file and compares their labels.
-pub fn check(arguments: &CheckArguments) -> Result<Status> {
-    use_threads(arguments.jobs)?;
+pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
+    use_threads(arguments.jobs, terminal)?;
     let mut sweep = Sweep::read(&arguments.file)?;
     let limit = arguments.memory.limit();
-    choose(&mut sweep, false, &limit, false)?;
+    choose(&mut sweep, false, &limit, false, terminal)?;
     let axes = sweep.design.axes().to_vec();
     let reference = read_labels(&arguments.reference, &axes)
         .map_err(|error| UsageError(format!("{error:#}")))?;
@@ -44,8 +47,8 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     let setting = sweep.setting.for_labels();
     let memory = admit(&sweep, &setting, &survey, Purpose::Labels, &limit)?;
     let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
-    warn_of_unstable(&systems);
-    let found = run_all(&sweep, &systems, &numbers, memory.strings_at_once)?;
+    warn_of_unstable(&systems, terminal);
+    let found = run_all(&sweep, &systems, &numbers, memory.strings_at_once, terminal)?;
 
     let mut different = 0;
     let mut labels = 0;
@@ -89,9 +92,10 @@ fn run_all(
     systems: &[MethodSystem],
     numbers: &[usize],
     strings_at_once: usize,
+    terminal: Terminal,
 ) -> Result<BTreeMap<(usize, &'static str), Row>> {
     let found = Mutex::new(BTreeMap::new());
-    let progress = Progress::new(numbers.len() * systems.len(), 0, false);
+    let progress = Progress::new(numbers.len() * systems.len(), 0, false, terminal);
     let work = Work {
         sweep,
         shard: Shard::WHOLE,

@@ -3,7 +3,6 @@
 
 use std::io::IsTerminal;
 use std::sync::Mutex;
-use std::sync::atomic::Ordering;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -13,7 +12,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
 use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, BETWEEN_TICKS};
-use super::{TELLS_JSON, complain, stop, tell};
+use super::stop;
+use super::terminal::Terminal;
 use crate::accuracy::{self, Attempt, Candidate};
 use crate::memory::Limit;
 use crate::sweep_file::Sweep;
@@ -23,11 +23,17 @@ use crate::sweep_file::Sweep;
 ///
 /// # Errors
 /// As [`accuracy::choose`].
-pub fn choose(sweep: &mut Sweep, full: bool, limit: &Limit, quiet: bool) -> Result<()> {
+pub fn choose(
+    sweep: &mut Sweep,
+    full: bool,
+    limit: &Limit,
+    quiet: bool,
+    terminal: Terminal,
+) -> Result<()> {
     if sweep.content.accuracy.is_none() {
         return Ok(());
     }
-    let choosing = Choosing::new(quiet);
+    let choosing = Choosing::new(quiet, terminal);
     let (under_way, over) = channel::<()>();
     let result = thread::scope(|scope| {
         let shown = &choosing;
@@ -49,6 +55,7 @@ struct Choosing {
     start: Instant,
     attempt: Mutex<Option<Attempt>>,
     display: Display,
+    terminal: Terminal,
 }
 
 /// How it is shown.
@@ -60,13 +67,13 @@ enum Display {
 }
 
 impl Choosing {
-    fn new(quiet: bool) -> Self {
-        let display = if TELLS_JSON.load(Ordering::Relaxed) {
+    fn new(quiet: bool, terminal: Terminal) -> Self {
+        let display = if terminal.is_json() {
             Display::Events
         } else if quiet {
             Display::Nothing
         } else if std::io::stderr().is_terminal() {
-            Display::Spinner(spinner())
+            Display::Spinner(spinner(terminal))
         } else {
             Display::Lines
         };
@@ -74,6 +81,7 @@ impl Choosing {
             start: Instant::now(),
             attempt: Mutex::new(None),
             display,
+            terminal,
         }
     }
 
@@ -115,8 +123,8 @@ impl Choosing {
         match &self.display {
             Display::Nothing => {}
             Display::Spinner(spinner) => spinner.set_message(line()),
-            Display::Lines => complain(&line()),
-            Display::Events => tell(&json!({
+            Display::Lines => self.terminal.complain(&line()),
+            Display::Events => self.terminal.tell(&json!({
                 "event": "choosing",
                 "candidate": attempt.candidate,
                 "is_reference": attempt.is_reference,
@@ -136,11 +144,11 @@ impl Choosing {
         };
         match self.display {
             Display::Nothing => {}
-            Display::Spinner(_) | Display::Lines => complain(&format!(
+            Display::Spinner(_) | Display::Lines => self.terminal.complain(&format!(
                 "accuracy: {chosen}, chosen in {}",
                 self.cost(" with ")
             )),
-            Display::Events => tell(&json!({
+            Display::Events => self.terminal.tell(&json!({
                 "event": "chosen",
                 "candidate": chosen,
                 "seconds": self.start.elapsed().as_secs_f64(),
@@ -164,7 +172,7 @@ impl Choosing {
     }
 }
 
-fn spinner() -> ProgressBar {
+fn spinner(terminal: Terminal) -> ProgressBar {
     let spinner = ProgressBar::new_spinner();
     if let Ok(style) = ProgressStyle::with_template("{spinner} {wide_msg}") {
         spinner.set_style(style);
@@ -173,7 +181,7 @@ fn spinner() -> ProgressBar {
     let shown = spinner.clone();
     stop::before_end(move || {
         shown.finish_and_clear();
-        stop::tell_unfinished();
+        stop::tell_unfinished(terminal);
     });
     spinner
 }

@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-use super::folder::{LOG, MANIFEST, Ours, hold, in_words, tell_if_unverified};
-use super::plot::draw_and_note;
-use super::run::{status_of, summary};
-use super::{Status, UsageError, complain, make_folder, say};
+use super::drawing::draw_and_note;
+use super::folder::{LOG, MANIFEST, Ours, hold, in_words, make_folder, tell_if_unverified};
+use super::outcome::{status_of, summary};
+use super::status::{Status, UsageError};
+use super::terminal::{Terminal, say};
 use crate::cli::MergeArguments;
 use crate::engine::{Header, Place, Shard, read_header};
 use crate::files::{AtomicFile, SealedFile};
@@ -23,7 +24,7 @@ struct Part {
 }
 
 /// Joins shards.
-pub fn merge(arguments: &MergeArguments) -> Result<Status> {
+pub fn merge(arguments: &MergeArguments, terminal: Terminal) -> Result<Status> {
     let (parts, unfinished) = read_parts(&arguments.folders)?;
     let known = parts.values().map(|part| part.manifest.shard().of);
     let Some(of) = known
@@ -39,7 +40,7 @@ pub fn merge(arguments: &MergeArguments) -> Result<Status> {
         .map(|index| index.to_string())
         .collect();
     if !missing.is_empty() {
-        complain(&format!(
+        terminal.complain(&format!(
             "incomplete: {} of {of} shards are finished\nrun again: {}",
             of - missing.len(),
             missing.join(",")
@@ -47,10 +48,10 @@ pub fn merge(arguments: &MergeArguments) -> Result<Status> {
         return Ok(Status::Incomplete);
     }
     let parts: Vec<Part> = parts.into_values().collect();
-    refuse_damaged_parts(&parts)?;
+    refuse_damaged_parts(&parts, terminal)?;
     let out = &arguments.out;
     make_folder(out)?;
-    let _lock = hold(out, "labels.csv")?;
+    let _lock = hold(out, "labels.csv", terminal)?;
     refuse_unrelated(out, &parts)?;
     let (labels, tally) = join_labels(&parts, out)?;
     let tables = [
@@ -76,11 +77,11 @@ pub fn merge(arguments: &MergeArguments) -> Result<Status> {
 }
 
 /// Refuses shards of which a table is not the one that was written.
-fn refuse_damaged_parts(parts: &[Part]) -> Result<()> {
+fn refuse_damaged_parts(parts: &[Part], terminal: Terminal) -> Result<()> {
     let mut damage = Vec::new();
     let mut shards = Vec::new();
     for Part { folder, manifest } in parts {
-        tell_if_unverified(manifest, folder);
+        tell_if_unverified(manifest, folder, terminal);
         let found = manifest.damage(folder, &TABLES)?;
         shards.extend((!found.is_empty()).then(|| manifest.shard().index.to_string()));
         damage.extend(found);
@@ -103,7 +104,7 @@ fn read_parts(folders: &[PathBuf]) -> Result<(BTreeMap<usize, Part>, Vec<Header>
     let mut first: Option<(PathBuf, Header)> = None;
     for folder in folders {
         let log = read_header(&folder.join(LOG))?;
-        let is_finished = log.is_none() && folder.join("manifest.json").exists();
+        let is_finished = log.is_none() && folder.join(MANIFEST).exists();
         let header = if is_finished {
             let manifest = Manifest::read(folder)?;
             let header = Header::of(

@@ -5,9 +5,12 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
-use super::plot::save_picture;
+use super::drawing::save_picture;
+use super::folder::make_folder;
 use super::progress::Progress;
-use super::{Status, UsageError, make_folder, say, use_threads};
+use super::status::{Status, UsageError};
+use super::terminal::{Terminal, say};
+use super::threads::use_threads;
 use crate::cli::TradeoffArguments;
 use crate::output::write_atomically;
 use crate::plot::{Axis, Points, ScatterGrid, ScatterPanel, scatter_grid};
@@ -27,8 +30,8 @@ const SMALLEST_DRAWN: f64 = 1e-9;
 const LADDER_RANGE: std::ops::RangeInclusive<f64> = 10.0..=20_480.0;
 
 /// Compares the methods.
-pub fn tradeoff(arguments: &TradeoffArguments) -> Result<Status> {
-    use_threads(arguments.jobs)?;
+pub fn tradeoff(arguments: &TradeoffArguments, terminal: Terminal) -> Result<Status> {
+    use_threads(arguments.jobs, terminal)?;
     let ladder = ladder(&arguments.ladder)?;
     let measures = if arguments.measures.is_empty() {
         Measure::ALL.to_vec()
@@ -37,7 +40,7 @@ pub fn tradeoff(arguments: &TradeoffArguments) -> Result<Status> {
     };
     make_folder(&arguments.out)?;
     let configurations = configurations(&ladder);
-    let progress = Progress::new(configurations.len(), 0, arguments.quiet);
+    let progress = Progress::new(configurations.len(), 0, arguments.quiet, terminal);
     let studied = study(&configurations, &measures, &|| progress.tick());
     progress.finish();
     let rows = studied?;

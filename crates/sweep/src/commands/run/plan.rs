@@ -4,19 +4,18 @@ use std::fmt::Write;
 
 use anyhow::Result;
 
-use super::super::complete::Again;
-use super::super::cost::{Cost, probe};
-use super::super::folder::{Found, LOG, in_words};
-use crate::engine::{LogView, Shard, pairs_of};
+use super::complete::damage;
+use super::task::Task;
+use crate::commands::cost::{Cost, probe};
+use crate::commands::folder::{Found, LOG, in_words};
+use crate::engine::{LogView, pairs_of};
 use crate::memory::{Purpose, admit};
 use crate::words::{counted, short, together, wrapped};
 
 /// A run that has not begun.
 pub struct Plan<'a> {
     /// What was asked for.
-    pub again: &'a Again<'a>,
-    /// The part of it.
-    pub shard: Shard,
+    pub task: &'a Task<'a>,
     /// What is there.
     pub found: &'a Found,
 }
@@ -27,12 +26,12 @@ impl Plan<'_> {
     /// # Errors
     /// Where it would take too much memory.
     pub fn describe(&self, stops: &dyn Fn() -> bool) -> Result<String> {
-        let sweep = self.again.sweep;
-        let total = pairs_of(sweep, self.shard);
+        let sweep = &self.task.sweep;
+        let total = pairs_of(sweep, self.task.shard);
         let done = match self.found {
             Found::Complete(_) => total,
             Found::Unfinished { .. } => {
-                let log = self.again.folder.join(LOG);
+                let log = self.task.folder.join(LOG);
                 LogView::open(&log, sweep.design.cases(), sweep.methods.len())?.count()
             }
             Found::Fewer(manifest) => manifest.tally.rows,
@@ -47,8 +46,12 @@ impl Plan<'_> {
     }
 
     fn cost(&self, simulations: usize, stops: &dyn Fn() -> bool) -> Result<Cost> {
-        let (sweep, survey, arguments) =
-            (self.again.sweep, self.again.survey, self.again.arguments);
+        let Task {
+            arguments,
+            sweep,
+            survey,
+            ..
+        } = self.task;
         let limit = arguments.work.memory.limit();
         let setting = sweep.setting.for_labels();
         let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
@@ -60,7 +63,7 @@ impl Plan<'_> {
     }
 
     fn words(&self, total: usize, left: usize) -> Result<String> {
-        let (sweep, shard, survey) = (self.again.sweep, self.shard, self.again.survey);
+        let (sweep, shard, survey) = (&self.task.sweep, self.task.shard, &self.task.survey);
         let mut text = String::new();
         let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
         text += &wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
@@ -72,7 +75,7 @@ impl Plan<'_> {
         };
         let cases = counted(sweep.design.cases(), "case");
         let methods = format!("{} ({})", methods.len(), methods.join(", "));
-        let folder = together(&self.again.folder.display().to_string());
+        let folder = together(&self.task.folder.display().to_string());
         let would = format!("would run {cases} by {methods}{part}, into {folder}");
         text += &wrapped(&would, 0, 2);
         let why = match self.found {
@@ -84,7 +87,7 @@ impl Plan<'_> {
         let total = counted(total, "simulation");
         writeln!(text, "{left} of {total} left: {why}")?;
         if let Found::Complete(manifest) = self.found {
-            let damage = self.again.damage(manifest)?;
+            let damage = damage(self.task, manifest)?;
             if !damage.is_empty() {
                 writeln!(text, "would be made again: {}", in_words(&damage))?;
             }
