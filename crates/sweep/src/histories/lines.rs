@@ -13,9 +13,6 @@ use crate::words::{counted, decimals, short, site_title, together, wrapped};
 
 /// Every case with what a run answers to it by each method, and what came out later
 /// where that differs.
-///
-/// # Errors
-/// None that a simulation could cause.
 pub fn case_lines(
     sweep: &Sweep,
     cases: &[Case],

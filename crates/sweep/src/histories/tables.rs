@@ -17,9 +17,6 @@ fn site_name(distance: f64) -> String {
 
 /// `history.csv`: a row a step, method and case. The torque on bit is counted
 /// positive against the rotation, as drillers do.
-///
-/// # Errors
-/// None that a simulation could cause.
 pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>> {
     let sites = &sweep.setting.sites;
     let step = 1.0 / sweep.setting.sampling_frequency;

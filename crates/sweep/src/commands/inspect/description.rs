@@ -13,9 +13,6 @@ use crate::sweep_file::{INCH, POUND_PER_FOOT, Sweep, Time, per_cent};
 use crate::words::{counted, short, wrapped};
 
 /// The string, from the surface to the bit.
-///
-/// # Errors
-/// None.
 pub fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     let string = &sweep.setting.string;
@@ -114,9 +111,6 @@ fn describe_choice(choice: &Choice) -> String {
 }
 
 /// Each method's responses, and whether they are stable in sticking.
-///
-/// # Errors
-/// None.
 pub fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     writeln!(text, "\nmethods")?;
@@ -144,36 +138,36 @@ pub fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Er
         for least in &system.least_impulses {
             writeln!(text, "    least impulse I₀         {least:.1} N s")?;
         }
-        for (margin, what) in [
-            (system.torsion_margin, "torsion"),
-            (system.bending_margin, "bending"),
-        ] {
-            if let Some(margin) = margin {
-                let verdict = if is_unstable(margin) {
-                    "a stuck site chatters"
-                } else {
-                    "stable in sticking"
-                };
-                writeln!(
-                    text,
-                    "    positive-real margin     {} in {what}: {verdict}",
-                    short(margin)
-                )?;
-            }
+        text += &margin_lines(system)?;
+    }
+    Ok(text)
+}
+
+/// Whether a method is stable where a site sticks.
+fn margin_lines(system: &MethodSystem) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    for (margin, what) in [
+        (system.torsion_margin, "torsion"),
+        (system.bending_margin, "bending"),
+    ] {
+        if let Some(margin) = margin {
+            let verdict = if is_unstable(margin) {
+                "a stuck site chatters"
+            } else {
+                "stable in sticking"
+            };
+            writeln!(
+                text,
+                "    positive-real margin     {} in {what}: {verdict}",
+                short(margin)
+            )?;
         }
     }
     Ok(text)
 }
 
-/// What is left out, and the cases of a run.
-///
-/// # Errors
-/// None.
-pub fn describe_scene(
-    sweep: &Sweep,
-    survey: &Survey,
-    systems: &[MethodSystem],
-) -> Result<String, std::fmt::Error> {
+/// What is left out of the scene.
+pub fn describe_left_out(sweep: &Sweep) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     writeln!(text, "\nleft out, because the scene does not need it")?;
     if sweep.setting.lateral.is_none() {
@@ -192,6 +186,16 @@ pub fn describe_scene(
     if sweep.bit.is_none() {
         writeln!(text, "  torque at the bit: the bit is free")?;
     }
+    Ok(text)
+}
+
+/// What the cases of a run take.
+pub fn describe_work(
+    sweep: &Sweep,
+    survey: &Survey,
+    systems: &[MethodSystem],
+) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
     let rule = match sweep.time {
         Time::Auto => "until the regime can be told",
         Time::Given(_) => "given in the sweep file",

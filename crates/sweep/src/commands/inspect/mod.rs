@@ -18,7 +18,7 @@ use super::threads::use_threads;
 use super::warnings::warn_of_string;
 use crate::cli::InspectArguments;
 use crate::memory::{Purpose, admit, estimate};
-use description::{describe_methods, describe_scene, describe_string};
+use description::{describe_left_out, describe_methods, describe_string, describe_work};
 use responses::response_picture;
 
 /// Shows the linear system.
@@ -45,7 +45,8 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     say(&[
         describe_string(&sweep)?,
         describe_methods(&systems)?,
-        describe_scene(&sweep, &survey, &systems)?,
+        describe_left_out(&sweep)?,
+        describe_work(&sweep, &survey, &systems)?,
         (cost.to_string().lines().map(|line| format!("  {line}\n"))).collect(),
         format!("\npicture: {}\n", folder.join("inspect.png").display()),
     ]
