@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use linear::{BuildError, ResponseError};
 use sim::SimulationError;
+use thiserror::Error;
 
 use crate::sweep_file::SweepFileError;
 
@@ -52,13 +53,6 @@ impl From<Status> for ExitCode {
 }
 
 /// A request that does not make sense though each of its parts does.
-#[derive(Debug)]
+#[derive(Debug, Error)]
+#[error("{0}")]
 pub struct UsageError(pub String);
-
-impl std::fmt::Display for UsageError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for UsageError {}

@@ -1,7 +1,5 @@
 //! The linear system of a sweep in words and numbers.
 
-use std::fmt::Write;
-
 use linear::estimates::{
     largest_undershoot, torsional_decay_rate, torsional_stiffness, torsional_travel_time,
     torsional_wave_left,
@@ -12,67 +10,47 @@ use crate::engine::{MethodSystem, Survey, is_unstable};
 use crate::sweep_file::{INCH, POUND_PER_FOOT, Sweep, Time, per_cent};
 use crate::words::{counted, short, wrapped};
 
+/// A title and a value below a heading.
+fn row(title: &str, value: &str) -> String {
+    format!("  {title:<27}{value}\n")
+}
+
 /// The string, from the surface to the bit.
-pub fn describe_string(sweep: &Sweep) -> Result<String, std::fmt::Error> {
-    let mut text = String::new();
+pub fn describe_string(sweep: &Sweep) -> String {
     let string = &sweep.setting.string;
+    let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2) + "\nstring\n";
+    text += &row("length", &format!("{:.3} m", string.length()));
+    text += &part_lines(sweep);
+    let stiffness = torsional_stiffness(string);
+    text += &row(
+        "torsional stiffness k_eff",
+        &format!("{stiffness:.1} N m/rad"),
+    );
+    let speed = string.torsional_wave_speed();
+    text += &row("torsional wave speed", &format!("{speed:.1} m/s"));
     let travel = torsional_travel_time(string);
-    text += &wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
-    text.push('\n');
-    writeln!(text, "string")?;
-    writeln!(
-        text,
-        "  length                     {:.3} m",
-        string.length()
-    )?;
-    text += &part_lines(sweep)?;
-    writeln!(
-        text,
-        "  torsional stiffness k_eff  {:.1} N m/rad",
-        torsional_stiffness(string)
-    )?;
-    writeln!(
-        text,
-        "  torsional wave speed       {:.1} m/s",
-        string.torsional_wave_speed()
-    )?;
-    writeln!(
-        text,
-        "  travel time to the bit     {travel:.4} s, and back {:.4} s",
-        2.0 * travel
-    )?;
-    writeln!(
-        text,
-        "  torsional decay rate       {:.3} 1/s",
-        torsional_decay_rate(string)
-    )?;
-    writeln!(
-        text,
-        "  of a wave, damping leaves  {:.3} % of its amplitude at the bit",
-        100.0 * torsional_wave_left(string)
-    )?;
-    let why = if sweep.setting.sampling_by_rule {
-        "four times the first mode of one cell"
-    } else {
-        "given in the sweep file"
-    };
+    let both = format!("{travel:.4} s, and back {:.4} s", 2.0 * travel);
+    text += &row("travel time to the bit", &both);
+    let decay = torsional_decay_rate(string);
+    text += &row("torsional decay rate", &format!("{decay:.3} 1/s"));
+    let left = 100.0 * torsional_wave_left(string);
+    let of_wave = format!("{left:.3} % of its amplitude at the bit");
+    text += &row("of a wave, damping leaves", &of_wave);
     let why = match sweep.choice {
         Some(_) => "by the accuracy asked for",
-        None => why,
+        None if sweep.setting.sampling_by_rule => "four times the first mode of one cell",
+        None => "given in the sweep file",
     };
-    writeln!(
-        text,
-        "  sampling frequency f_s     {:.2} Hz ({why})",
-        sweep.setting.sampling_frequency
-    )?;
+    let sampling = format!("{:.2} Hz ({why})", sweep.setting.sampling_frequency);
+    text += &row("sampling frequency f_s", &sampling);
     if let Some(choice) = &sweep.choice {
         text += &describe_choice(choice);
     }
-    Ok(text)
+    text
 }
 
 /// The parts of the string from the surface down, as on a BHA sheet.
-fn part_lines(sweep: &Sweep) -> Result<String, std::fmt::Error> {
+fn part_lines(sweep: &Sweep) -> String {
     let mut text = String::from(
         "    outer diameter      inner diameter      mass               length\n    \
          mm         in       mm         in       kg/m      lb/ft    m\n",
@@ -87,14 +65,14 @@ fn part_lines(sweep: &Sweep) -> Result<String, std::fmt::Error> {
         for part in &section.parts {
             text += "  ";
             for diameter in [2.0 * part.outer_radius, 2.0 * part.inner_radius] {
-                write!(text, "  {:<9.1}{:<9.3}", 1e3 * diameter, diameter / INCH)?;
+                text += &format!("  {:<9.1}{:<9.3}", 1e3 * diameter, diameter / INCH);
             }
             let mass = sweep.mass_per_length(part);
             let pounds = mass / POUND_PER_FOOT;
-            writeln!(text, "  {mass:<8.1}  {pounds:<7.1}  {:.3}", part.length)?;
+            text += &format!("  {mass:<8.1}  {pounds:<7.1}  {:.3}\n", part.length);
         }
     }
-    Ok(text)
+    text
 }
 
 /// What was chosen for an accuracy, and what else was tried.
@@ -111,41 +89,29 @@ fn describe_choice(choice: &Choice) -> String {
 }
 
 /// Each method's responses, and whether they are stable in sticking.
-pub fn describe_methods(systems: &[MethodSystem]) -> Result<String, std::fmt::Error> {
-    let mut text = String::new();
-    writeln!(text, "\nmethods")?;
-    for system in systems {
-        writeln!(
-            text,
-            "  {}: {} ({:.2} s), built in {:.3} s",
-            system.method.name(),
-            counted(system.torsion_taps(), "tap"),
-            system.torsion_taps() as f64 / system.responses.sampling_frequency,
-            system.build_seconds,
-        )?;
-        if let Some(taps) = system.driving_point() {
-            writeln!(
-                text,
-                "    A(0) at the bit          {:.4e} rad/s per N m",
-                taps[0]
-            )?;
-            writeln!(
-                text,
-                "    undershoot Δ (Eq. 75)    {:.4e} rad/s per N m",
-                largest_undershoot(taps)
-            )?;
-        }
-        for least in &system.least_impulses {
-            writeln!(text, "    least impulse I₀         {least:.1} N s")?;
-        }
-        text += &margin_lines(system)?;
-    }
-    Ok(text)
+pub fn describe_methods(systems: &[MethodSystem]) -> String {
+    "\nmethods\n".to_owned() + &systems.iter().map(method_lines).collect::<String>()
 }
 
-/// Whether a method is stable where a site sticks.
-fn margin_lines(system: &MethodSystem) -> Result<String, std::fmt::Error> {
-    let mut text = String::new();
+fn method_lines(system: &MethodSystem) -> String {
+    let mut text = format!(
+        "  {}: {} ({:.2} s), built in {:.3} s\n",
+        system.method.name(),
+        counted(system.torsion_taps(), "tap"),
+        system.torsion_taps() as f64 / system.responses.sampling_frequency,
+        system.build_seconds,
+    );
+    if let Some(taps) = system.driving_point() {
+        for (title, value) in [
+            ("A(0) at the bit", taps[0]),
+            ("undershoot Δ (Eq. 75)", largest_undershoot(taps)),
+        ] {
+            text += &value_row(title, &format!("{value:.4e} rad/s per N m"));
+        }
+    }
+    for least in &system.least_impulses {
+        text += &value_row("least impulse I₀", &format!("{least:.1} N s"));
+    }
     for (margin, what) in [
         (system.torsion_margin, "torsion"),
         (system.bending_margin, "bending"),
@@ -156,68 +122,53 @@ fn margin_lines(system: &MethodSystem) -> Result<String, std::fmt::Error> {
             } else {
                 "stable in sticking"
             };
-            writeln!(
-                text,
-                "    positive-real margin     {} in {what}: {verdict}",
-                short(margin)
-            )?;
+            let value = format!("{} in {what}: {verdict}", short(margin));
+            text += &value_row("positive-real margin", &value);
         }
     }
-    Ok(text)
+    text
+}
+
+/// A title and a value of a method.
+fn value_row(title: &str, value: &str) -> String {
+    format!("    {title:<25}{value}\n")
 }
 
 /// What is left out of the scene.
-pub fn describe_left_out(sweep: &Sweep) -> Result<String, std::fmt::Error> {
-    let mut text = String::new();
-    writeln!(text, "\nleft out, because the scene does not need it")?;
+pub fn describe_left_out(sweep: &Sweep) -> String {
+    let mut text = String::from("\nleft out, because the scene does not need it\n");
     if sweep.setting.lateral.is_none() {
-        writeln!(
-            text,
-            "  bending and the borehole wall: no lateral contact is modelled"
-        )?;
+        text += "  bending and the borehole wall: no lateral contact is modelled\n";
         if sweep.setting.sites.len() > 1 {
-            writeln!(
-                text,
-                "  sites other than the bit, in a run: labels are of the bit alone"
-            )?;
+            text += "  sites other than the bit, in a run: labels are of the bit alone\n";
         }
     }
-    writeln!(text, "  the torque at the surface: nothing depends on it")?;
+    text += "  the torque at the surface: nothing depends on it\n";
     if sweep.bit.is_none() {
-        writeln!(text, "  torque at the bit: the bit is free")?;
+        text += "  torque at the bit: the bit is free\n";
     }
-    Ok(text)
+    text
 }
 
 /// What the cases of a run take.
-pub fn describe_work(
-    sweep: &Sweep,
-    survey: &Survey,
-    systems: &[MethodSystem],
-) -> Result<String, std::fmt::Error> {
-    let mut text = String::new();
+pub fn describe_work(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem]) -> String {
     let rule = match sweep.time {
         Time::Auto => "until the regime can be told",
         Time::Given(_) => "given in the sweep file",
     };
-    writeln!(text, "\ncost")?;
-    writeln!(
-        text,
-        "  {} by {}, the longest {} s ({rule})",
+    let mut text = format!(
+        "\ncost\n  {} by {}, the longest {} s ({rule})\n",
         counted(sweep.design.cases(), "case"),
         counted(systems.len(), "method"),
         short(survey.longest)
-    )?;
+    );
     let terms: f64 = (systems.iter())
         .map(|system| history_terms(sweep, survey, system))
         .sum();
     if terms > 0.0 {
-        writeln!(
-            text,
-            "  about {terms:.1e} terms of the history sum (Eq. 17)"
-        )?;
+        text += &format!("  about {terms:.1e} terms of the history sum (Eq. 17)\n");
     }
-    Ok(text)
+    text
 }
 
 /// Terms of the history sums of cases of mean length: between all sites in

@@ -43,10 +43,10 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     make_folder(&folder)?;
     save_picture(&folder, "inspect", &response_picture(&sweep, &systems)?)?;
     say(&[
-        describe_string(&sweep)?,
-        describe_methods(&systems)?,
-        describe_left_out(&sweep)?,
-        describe_work(&sweep, &survey, &systems)?,
+        describe_string(&sweep),
+        describe_methods(&systems),
+        describe_left_out(&sweep),
+        describe_work(&sweep, &survey, &systems),
         (cost.to_string().lines().map(|line| format!("  {line}\n"))).collect(),
         format!("\npicture: {}\n", folder.join("inspect.png").display()),
     ]
