@@ -2,10 +2,9 @@
 //!
 //! ```text
 //! my-sweep.toml ──> sweep_file  its keys, with those of its bases, and where each stands
+//!                   plan     all of it in SI, or refused with its line
 //!                    │
 //!                  design    the cases: a grid, random points, a list
-//!                    │
-//!                   plan     all of it in SI, or refused with its line
 //!                    │
 //!                  engine    linear systems built once ───────────────> crate `linear`
 //!                    │       cases over all cores, each kept as done ─> crate `sim`
@@ -17,9 +16,10 @@
 //! There is no equation here: the string is the business of `linear`, its
 //! motion that of `sim`. `quantities` is the table of what a design may vary. `accuracy`
 //! chooses a method where a sweep asks for an accuracy, a `study` looks at the methods
-//! themselves. `files` writes whole files or none, in folders that are locked meanwhile.
-//! `commands` has one file for each thing a user can ask, and `cli` their arguments;
-//! `words` are for people. To see it at work:
+//! themselves, `histories` follows single cases to their end. `files` writes whole files or none, in folders that are locked meanwhile.
+//! `commands` has one file or folder for each thing a user can ask, calls all of the rest,
+//! and is called by nothing; `cli` are their arguments, `words` are for people. To see it
+//! at work:
 //!
 //! ```sh
 //! sweep new my-sweep.toml        # a commented sweep file
@@ -34,6 +34,7 @@ mod design;
 mod engine;
 mod files;
 mod hand_table;
+mod histories;
 mod map;
 mod memory;
 mod output;
@@ -53,32 +54,30 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use cli::{Cli, Command};
-use commands::Status;
+use commands::status::Status;
+use commands::terminal::Terminal;
 
 fn main() -> ExitCode {
     let arguments = Cli::parse();
-    let result = commands::stop::listen().and_then(|()| match arguments.command {
+    let terminal = Terminal::of(&arguments.command);
+    let result = commands::stop::listen(terminal).and_then(|()| match arguments.command {
         Command::New(arguments) => commands::new::new(&arguments),
-        Command::Run(arguments) => commands::run::run(&arguments),
-        Command::Check(arguments) => commands::check::check(&arguments),
-        Command::Simulate(arguments) => commands::simulate::simulate(&arguments),
-        Command::Inspect(arguments) => commands::inspect::inspect(&arguments),
-        Command::Plot(arguments) => commands::plot::plot(&arguments),
-        Command::Merge(arguments) => commands::merge::merge(&arguments),
-        Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments),
-        Command::Stability(arguments) => commands::stability::stability(&arguments),
-        Command::Report(arguments) => commands::report::report(&arguments),
-        Command::Summary(arguments) => commands::report::summary(&arguments),
+        Command::Run(arguments) => commands::run::run(&arguments, terminal),
+        Command::Check(arguments) => commands::check::check(&arguments, terminal),
+        Command::Simulate(arguments) => commands::simulate::simulate(&arguments, terminal),
+        Command::Inspect(arguments) => commands::inspect::inspect(&arguments, terminal),
+        Command::Plot(arguments) => commands::plot::plot(&arguments, terminal),
+        Command::Merge(arguments) => commands::merge::merge(&arguments, terminal),
+        Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments, terminal),
+        Command::Stability(arguments) => commands::stability::stability(&arguments, terminal),
+        Command::Report(arguments) => commands::report::report(&arguments, terminal),
+        Command::Summary(arguments) => commands::report::summary(&arguments, terminal),
         Command::Completions(arguments) => commands::shell::completions(&arguments),
         Command::Man(arguments) => commands::shell::man(&arguments),
     });
-    result
-        .unwrap_or_else(|error| commands::report(&error))
-        .into()
-}
-
-impl From<Status> for ExitCode {
-    fn from(status: Status) -> Self {
-        ExitCode::from(status as u8)
-    }
+    let status = result.unwrap_or_else(|error| {
+        terminal.complain(&format!("error: {error:#}"));
+        Status::of(&error)
+    });
+    status.into()
 }

@@ -36,6 +36,15 @@ pub fn decimals(value: f64, count: usize) -> String {
     }
 }
 
+/// How a site is called, by its distance from the bit in m.
+pub fn site_title(distance: f64) -> String {
+    if distance == 0.0 {
+        "the bit".to_owned()
+    } else {
+        format!("{distance} m above the bit")
+    }
+}
+
 /// Words that stay on one line of [`wrapped`] text.
 pub fn together(words: &str) -> String {
     words.replace(' ', NO_BREAK)

@@ -3,7 +3,6 @@
 
 use std::io::IsTerminal;
 use std::sync::Mutex;
-use std::sync::atomic::Ordering;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -13,7 +12,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
 use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, BETWEEN_TICKS};
-use super::{TELLS_JSON, complain, stop, tell};
+use super::stop;
+use super::terminal::Terminal;
 use crate::accuracy::{self, Attempt};
 use crate::memory::Limit;
 use crate::plan::{Candidate, Sweep};
@@ -23,11 +23,17 @@ use crate::plan::{Candidate, Sweep};
 ///
 /// # Errors
 /// As [`accuracy::choose`].
-pub fn choose(sweep: Sweep, full: bool, limit: &Limit, quiet: bool) -> Result<Sweep> {
+pub fn choose(
+    sweep: Sweep,
+    full: bool,
+    limit: &Limit,
+    quiet: bool,
+    terminal: Terminal,
+) -> Result<Sweep> {
     if sweep.content.accuracy.is_none() {
         return Ok(sweep);
     }
-    let choosing = Choosing::new(quiet);
+    let choosing = Choosing::new(quiet, terminal);
     let (under_way, over) = channel::<()>();
     let chosen = thread::scope(|scope| {
         let shown = &choosing;
@@ -54,6 +60,7 @@ struct Choosing {
     start: Instant,
     attempt: Mutex<Option<Attempt>>,
     display: Display,
+    terminal: Terminal,
 }
 
 /// How it is shown.
@@ -65,13 +72,13 @@ enum Display {
 }
 
 impl Choosing {
-    fn new(quiet: bool) -> Self {
-        let display = if TELLS_JSON.load(Ordering::Relaxed) {
+    fn new(quiet: bool, terminal: Terminal) -> Self {
+        let display = if terminal.is_json() {
             Display::Events
         } else if quiet {
             Display::Nothing
         } else if std::io::stderr().is_terminal() {
-            Display::Spinner(spinner())
+            Display::Spinner(spinner(terminal))
         } else {
             Display::Lines
         };
@@ -79,6 +86,7 @@ impl Choosing {
             start: Instant::now(),
             attempt: Mutex::new(None),
             display,
+            terminal,
         }
     }
 
@@ -120,8 +128,8 @@ impl Choosing {
         match &self.display {
             Display::Nothing => {}
             Display::Spinner(spinner) => spinner.set_message(line()),
-            Display::Lines => complain(&line()),
-            Display::Events => tell(&json!({
+            Display::Lines => self.terminal.complain(&line()),
+            Display::Events => self.terminal.tell(&json!({
                 "event": "choosing",
                 "candidate": attempt.candidate,
                 "is_reference": attempt.is_reference,
@@ -141,11 +149,11 @@ impl Choosing {
         };
         match self.display {
             Display::Nothing => {}
-            Display::Spinner(_) | Display::Lines => complain(&format!(
+            Display::Spinner(_) | Display::Lines => self.terminal.complain(&format!(
                 "accuracy: {chosen}, chosen in {}",
                 self.cost(" with ")
             )),
-            Display::Events => tell(&json!({
+            Display::Events => self.terminal.tell(&json!({
                 "event": "chosen",
                 "candidate": chosen,
                 "seconds": self.start.elapsed().as_secs_f64(),
@@ -169,7 +177,7 @@ impl Choosing {
     }
 }
 
-fn spinner() -> ProgressBar {
+fn spinner(terminal: Terminal) -> ProgressBar {
     let spinner = ProgressBar::new_spinner();
     if let Ok(style) = ProgressStyle::with_template("{spinner} {wide_msg}") {
         spinner.set_style(style);
@@ -178,7 +186,7 @@ fn spinner() -> ProgressBar {
     let shown = spinner.clone();
     stop::before_end(move || {
         shown.finish_and_clear();
-        stop::tell_unfinished();
+        stop::tell_unfinished(terminal);
     });
     spinner
 }

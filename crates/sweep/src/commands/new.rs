@@ -2,7 +2,8 @@
 
 use anyhow::{Result, bail};
 
-use super::{Status, UsageError, say};
+use super::status::{Status, UsageError};
+use super::terminal::say;
 use crate::cli::NewArguments;
 use crate::output::write_atomically;
 

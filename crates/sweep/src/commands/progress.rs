@@ -10,6 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
 use super::stop;
+use super::terminal::Terminal;
 
 /// Time between lines where there is no terminal.
 pub const BETWEEN_LINES: Duration = Duration::from_secs(10);
@@ -30,6 +31,7 @@ pub struct Progress {
     shown: Mutex<Instant>,
     is_over: AtomicBool,
     display: Display,
+    terminal: Terminal,
 }
 
 /// How it is shown.
@@ -41,25 +43,19 @@ enum Display {
 }
 
 impl Progress {
-    /// Progress for people. A signal ends it.
-    pub fn new(total: usize, before: usize, quiet: bool) -> Arc<Self> {
-        let display = if quiet {
+    /// Of so many simulations, some done before; for people none if `quiet`. A signal
+    /// ends it.
+    pub fn new(total: usize, before: usize, quiet: bool, terminal: Terminal) -> Arc<Self> {
+        let display = if terminal.is_json() {
+            terminal.tell(&json!({ "event": "start", "total": total, "done": before }));
+            Display::Events
+        } else if quiet {
             Display::Nothing
         } else if std::io::stderr().is_terminal() {
             Display::Bar(bar(total, before))
         } else {
             Display::Lines
         };
-        Self::shown_by(display, total, before)
-    }
-
-    /// Progress for programs. A signal ends it.
-    pub fn events(total: usize, before: usize) -> Arc<Self> {
-        super::tell(&json!({ "event": "start", "total": total, "done": before }));
-        Self::shown_by(Display::Events, total, before)
-    }
-
-    fn shown_by(display: Display, total: usize, before: usize) -> Arc<Self> {
         let now = Instant::now();
         let progress = Arc::new(Self {
             total,
@@ -69,11 +65,12 @@ impl Progress {
             shown: Mutex::new(now),
             is_over: AtomicBool::new(false),
             display,
+            terminal,
         });
         let shown = Arc::clone(&progress);
         stop::before_end(move || {
             shown.finish();
-            stop::tell_unfinished();
+            stop::tell_unfinished(terminal);
         });
         progress
     }
@@ -85,14 +82,14 @@ impl Progress {
             Display::Nothing => {}
             Display::Bar(bar) => bar.inc(1),
             Display::Lines => self.now_and_then(BETWEEN_LINES, |left| {
-                super::complain(&format!(
+                self.terminal.complain(&format!(
                     "{} of {} simulations done, about {left:.0} s left",
                     self.before + done,
                     self.total
                 ));
             }),
             Display::Events => self.now_and_then(BETWEEN_EVENTS, |left| {
-                super::tell(&json!({
+                self.terminal.tell(&json!({
                     "event": "progress",
                     "done": self.before + done,
                     "total": self.total,
@@ -123,7 +120,7 @@ impl Progress {
         }
         match &self.display {
             Display::Bar(bar) => bar.finish_and_clear(),
-            Display::Events => super::tell(&json!({
+            Display::Events => self.terminal.tell(&json!({
                 "event": "end",
                 "done": self.before + self.done.load(Ordering::Relaxed),
                 "total": self.total,

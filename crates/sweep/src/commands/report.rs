@@ -5,24 +5,25 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
+use super::drawing::draw_map;
 use super::folder::{REPORT, hold, tables_of};
-use super::plot::draw_map;
-use super::{Status, UsageError, say};
+use super::status::{Status, UsageError};
+use super::terminal::{Terminal, say};
 use crate::cli::{ReportArguments, SummaryArguments};
 use crate::files::{folder_of, write_atomically};
 use crate::report::{Comparison, Results, is_page, page, sections, text};
 
 /// Says in the terminal what a folder holds.
-pub fn summary(arguments: &SummaryArguments) -> Result<Status> {
-    let all = [read(&arguments.folder)?];
+pub fn summary(arguments: &SummaryArguments, terminal: Terminal) -> Result<Status> {
+    let all = [read(&arguments.folder, terminal)?];
     say(&text(&title(&all), &sections(&all, &[])))?;
     Ok(Status::Complete)
 }
 
 /// Writes a page about one folder, or several side by side.
-pub fn report(arguments: &ReportArguments) -> Result<Status> {
+pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status> {
     let all = (arguments.folders.iter())
-        .map(|folder| read(folder))
+        .map(|folder| read(folder, terminal))
         .collect::<Result<Vec<_>>>()?;
     let comparisons = (all.iter().skip(1))
         .map(|other| Comparison::of(&all[0], other))
@@ -34,15 +35,15 @@ pub fn report(arguments: &ReportArguments) -> Result<Status> {
             path.clone()
         }
         // In the folder that it is about; here, where there are several.
-        (None, [folder]) => write_page(folder.join(REPORT), &html)?,
-        (None, _) => write_page(PathBuf::from(REPORT), &html)?,
+        (None, [folder]) => write_page(folder.join(REPORT), &html, terminal)?,
+        (None, _) => write_page(PathBuf::from(REPORT), &html, terminal)?,
     };
     say(&format!("{}\n", path.display()))?;
     Ok(Status::Complete)
 }
 
-fn read(folder: &Path) -> Result<Results> {
-    let tables = tables_of(folder)?;
+fn read(folder: &Path, terminal: Terminal) -> Result<Results> {
+    let tables = tables_of(folder, terminal)?;
     let is_drawn = tables.manifest.shard().is_whole() && tables.manifest.tally.rows > 0;
     if tables.so_far.is_some() && is_drawn {
         draw_map(&tables, tables.pictures())?;
@@ -51,8 +52,8 @@ fn read(folder: &Path) -> Result<Results> {
 }
 
 /// Writes a page under its usual name, where nothing else has it.
-fn write_page(path: PathBuf, html: &str) -> Result<PathBuf> {
-    let _lock = hold(folder_of(&path), REPORT)?;
+fn write_page(path: PathBuf, html: &str, terminal: Terminal) -> Result<PathBuf> {
+    let _lock = hold(folder_of(&path), REPORT, terminal)?;
     let is_ours = is_page(&path).with_context(|| format!("{} cannot be read", path.display()))?;
     if path.exists() && !is_ours {
         bail!(UsageError(format!(

@@ -5,7 +5,8 @@ use anyhow::{Context, Result};
 use clap::CommandFactory;
 use clap_mangen::Man;
 
-use super::{Status, UsageError, say};
+use super::status::{Status, UsageError};
+use super::terminal::say;
 use crate::cli::{Cli, CompletionsArguments, ManArguments};
 
 /// Prints a script that completes the command line.

@@ -2,17 +2,20 @@
 
 use anyhow::Result;
 
-use super::plot::save_picture;
+use super::drawing::save_picture;
+use super::folder::make_folder;
 use super::progress::Progress;
-use super::{Status, make_folder, say, use_threads};
+use super::status::Status;
+use super::terminal::{Terminal, say};
+use super::threads::use_threads;
 use crate::cli::StabilityArguments;
 use crate::output::write_atomically;
 use crate::plot::cell_chart;
 use crate::study::stability::{Cell, Family, cells, chart, run, summary, to_csv};
 
 /// Computes the atlas and writes its table and chart.
-pub fn stability(arguments: &StabilityArguments) -> Result<Status> {
-    use_threads(arguments.jobs)?;
+pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<Status> {
+    use_threads(arguments.jobs, terminal)?;
     make_folder(&arguments.out)?;
     let is_wanted =
         |family: &Family| arguments.family.is_empty() || arguments.family.contains(family);
@@ -20,7 +23,7 @@ pub fn stability(arguments: &StabilityArguments) -> Result<Status> {
         .filter(is_wanted)
         .flat_map(cells)
         .collect();
-    let progress = Progress::new(cells.len(), 0, arguments.quiet);
+    let progress = Progress::new(cells.len(), 0, arguments.quiet, terminal);
     let entries = run(&cells, &|| progress.tick());
     progress.finish();
     let entries = entries?;

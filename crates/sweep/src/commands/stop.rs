@@ -15,7 +15,8 @@ use anyhow::{Context, Result};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
-use super::{Status, complain};
+use super::status::Status;
+use super::terminal::Terminal;
 
 /// How often it is looked whether a signal has come.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
@@ -39,11 +40,13 @@ type Farewell = Box<dyn Fn() + Send>;
 
 static BEFORE_END: Mutex<Option<Farewell>> = Mutex::new(None);
 
-/// Listens to signals from now on.
+/// Listens to signals from now on. A command that is stopped before it says otherwise
+/// ([`before_end`]) has kept nothing.
 ///
 /// # Errors
 /// Where the system does not let it.
-pub fn listen() -> Result<()> {
+pub fn listen(terminal: Terminal) -> Result<()> {
+    before_end(move || tell_unfinished(terminal));
     let asked = ASKED.get_or_init(Arc::default);
     let is_second = Arc::new(AtomicBool::new(false));
     let listen = || -> std::io::Result<()> {
@@ -89,8 +92,8 @@ pub fn before_end(farewell: impl Fn() + Send + 'static) {
 }
 
 /// Says of a command that keeps nothing that it was stopped.
-pub fn tell_unfinished() {
-    complain("stopped: not finished; give the same command again");
+pub fn tell_unfinished(terminal: Terminal) {
+    terminal.complain("stopped: not finished; give the same command again");
 }
 
 /// Ends the program as a signal asked for. The farewell is said once, whoever comes
@@ -98,10 +101,10 @@ pub fn tell_unfinished() {
 pub fn end(status: Status) -> ! {
     // A thread of its own, for it may never end.
     let _ = thread::Builder::new().spawn(move || {
-        let before_end = BEFORE_END.lock();
-        match before_end.as_deref() {
-            Ok(Some(farewell)) => farewell(),
-            _ => tell_unfinished(),
+        if let Ok(before_end) = BEFORE_END.lock()
+            && let Some(farewell) = before_end.as_deref()
+        {
+            farewell();
         }
         exit(status as i32);
     });

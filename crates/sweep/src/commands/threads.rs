@@ -6,7 +6,8 @@ use std::thread::available_parallelism;
 
 use anyhow::{Context, Result};
 
-use super::{UsageError, complain};
+use super::status::UsageError;
+use super::terminal::Terminal;
 
 /// More threads than this for each core only cost memory, and the machine its
 /// answer to anybody else.
@@ -21,7 +22,7 @@ const ALLOTTED: [&str; 2] = ["SLURM_CPUS_PER_TASK", "SLURM_CPUS_ON_NODE"];
 ///
 /// # Errors
 /// Where `jobs` is none, or more than makes sense.
-pub fn use_threads(jobs: Option<usize>) -> Result<()> {
+pub fn use_threads(jobs: Option<usize>, terminal: Terminal) -> Result<()> {
     let cores = available_parallelism().map_or(1, NonZero::get);
     let threads = match jobs {
         Some(jobs) => {
@@ -29,7 +30,7 @@ pub fn use_threads(jobs: Option<usize>) -> Result<()> {
             jobs
         }
         None => (ALLOTTED.iter())
-            .find_map(|name| allotted(name, cores))
+            .find_map(|name| allotted(name, cores, terminal))
             .unwrap_or(cores),
     };
     rayon::ThreadPoolBuilder::new()
@@ -38,7 +39,7 @@ pub fn use_threads(jobs: Option<usize>) -> Result<()> {
         .context("the threads cannot be started")
 }
 
-fn allotted(name: &str, cores: usize) -> Option<usize> {
+fn allotted(name: &str, cores: usize, terminal: Terminal) -> Option<usize> {
     let value = std::env::var_os(name)?;
     let text = value.to_string_lossy();
     // An empty variable is how a shell script unsets one.
@@ -51,7 +52,7 @@ fn allotted(name: &str, cores: usize) -> Option<usize> {
     match threads {
         Ok(threads) => Some(threads),
         Err(reason) => {
-            complain(&format!(
+            terminal.complain(&format!(
                 "warning: {name}={text:?} is passed over: {reason}"
             ));
             None

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
-use super::super::complain;
+use crate::commands::terminal::Terminal;
 use crate::output::{Damage, Manifest, PICTURES, TABLES};
 
 /// Refuses a folder whose tables are not those that were written, for who would
@@ -13,8 +13,8 @@ use crate::output::{Damage, Manifest, PICTURES, TABLES};
 ///
 /// # Errors
 /// What is missing or damaged, and what to do.
-pub fn refuse_damaged(manifest: &Manifest, folder: &Path) -> Result<()> {
-    tell_if_unverified(manifest, folder);
+pub fn refuse_damaged(manifest: &Manifest, folder: &Path, terminal: Terminal) -> Result<()> {
+    tell_if_unverified(manifest, folder, terminal);
     let damage = manifest.damage(folder, &TABLES)?;
     if damage.is_empty() {
         return Ok(());
@@ -60,9 +60,9 @@ pub fn in_words(damage: &[Damage]) -> String {
 }
 
 /// Says that tables are taken as they are, where nothing is known of them.
-pub fn tell_if_unverified(manifest: &Manifest, folder: &Path) {
+pub fn tell_if_unverified(manifest: &Manifest, folder: &Path, terminal: Terminal) {
     if !manifest.has_checksums() {
-        complain(&format!(
+        terminal.complain(&format!(
             "note: {} was written by {}, which kept no checksums: its tables are not verified",
             folder.display(),
             manifest.program

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use anyhow::{Context, Result, anyhow};
 
-use super::super::complain;
-use super::LOG;
+use super::names::LOG;
+use crate::commands::terminal::Terminal;
 use crate::files::{FolderLock, LockError, has_left, remove_left};
 
 /// Keeps other commands from writing into a folder, as long as the lock is held, and
@@ -14,7 +14,7 @@ use crate::files::{FolderLock, LockError, has_left, remove_left};
 ///
 /// # Errors
 /// Where another command writes there, or it cannot be written.
-pub fn hold(folder: &Path, file: &str) -> Result<FolderLock> {
+pub fn hold(folder: &Path, file: &str, terminal: Terminal) -> Result<FolderLock> {
     let lock = FolderLock::take(folder).map_err(|error| match error {
         LockError::Taken if folder.join(LOG).exists() => anyhow!(
             "another run is writing {}; wait for it, or choose another --out",
@@ -27,7 +27,7 @@ pub fn hold(folder: &Path, file: &str) -> Result<FolderLock> {
         }
     })?;
     if let Some(error) = lock.unsupported() {
-        complain(&format!(
+        terminal.complain(&format!(
             "warning: the file system of {} has no locks ({error}): see to it that no other \
              command writes there",
             folder.display()

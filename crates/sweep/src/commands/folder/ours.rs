@@ -7,8 +7,8 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
-use super::super::UsageError;
-use super::{LOG, MANIFEST, REPORT};
+use super::names::{LOG, MANIFEST, REPORT};
+use crate::commands::status::UsageError;
 use crate::engine::{Header, Place, Shard, log_place};
 use crate::output::{Manifest, PICTURES, TABLES};
 use crate::plan::Sweep;

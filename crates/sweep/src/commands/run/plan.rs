@@ -1,22 +1,19 @@
 //! `sweep run --dry-run`: what would run, why, and what it would cost.
 
-use std::fmt::Write;
-
 use anyhow::Result;
 
-use super::super::complete::Again;
-use super::super::cost::{Cost, probe};
-use super::super::folder::{Found, LOG, in_words};
-use crate::engine::{LogView, Shard, pairs_of};
+use super::complete::damage;
+use super::task::Task;
+use crate::commands::cost::{Cost, probe};
+use crate::commands::folder::{Found, LOG, in_words};
+use crate::engine::{LogView, pairs_of};
 use crate::memory::{Purpose, admit};
 use crate::words::{counted, short, together, wrapped};
 
 /// A run that has not begun.
 pub struct Plan<'a> {
     /// What was asked for.
-    pub again: &'a Again<'a>,
-    /// The part of it.
-    pub shard: Shard,
+    pub task: &'a Task<'a>,
     /// What is there.
     pub found: &'a Found,
 }
@@ -27,12 +24,12 @@ impl Plan<'_> {
     /// # Errors
     /// Where it would take too much memory.
     pub fn describe(&self, stops: &dyn Fn() -> bool) -> Result<String> {
-        let sweep = self.again.sweep;
-        let total = pairs_of(sweep, self.shard);
+        let sweep = &self.task.sweep;
+        let total = pairs_of(sweep, self.task.shard);
         let done = match self.found {
             Found::Complete(_) => total,
             Found::Unfinished { .. } => {
-                let log = self.again.folder.join(LOG);
+                let log = self.task.folder.join(LOG);
                 LogView::open(&log, sweep.design.cases(), sweep.methods.len())?.count()
             }
             Found::Fewer(manifest) => manifest.tally.rows,
@@ -41,14 +38,18 @@ impl Plan<'_> {
         let left = total - done.min(total);
         let mut text = self.words(total, left)?;
         if left > 0 {
-            write!(text, "{}", self.cost(left, stops)?)?;
+            text += &self.cost(left, stops)?.to_string();
         }
         Ok(text)
     }
 
     fn cost(&self, simulations: usize, stops: &dyn Fn() -> bool) -> Result<Cost> {
-        let (sweep, survey, arguments) =
-            (self.again.sweep, self.again.survey, self.again.arguments);
+        let Task {
+            arguments,
+            sweep,
+            survey,
+            ..
+        } = self.task;
         let limit = arguments.work.memory.limit();
         let setting = sweep.setting.for_labels();
         let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
@@ -60,10 +61,24 @@ impl Plan<'_> {
     }
 
     fn words(&self, total: usize, left: usize) -> Result<String> {
-        let (sweep, shard, survey) = (self.again.sweep, self.shard, self.again.survey);
-        let mut text = String::new();
+        let sweep = &self.task.sweep;
+        let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
+        text += &self.what_runs(total);
+        text += &self.what_is_left(total, left)?;
+        if sweep.design.varies_string() {
+            text += &self.strings();
+        }
+        text += &self.times();
+        if let Some(choice) = &sweep.choice {
+            text += &choice.lines(0);
+        }
+        Ok(text)
+    }
+
+    /// Cases, methods and folder.
+    fn what_runs(&self, total: usize) -> String {
+        let (sweep, shard) = (&self.task.sweep, self.task.shard);
         let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
-        text += &wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
         let part = if shard.is_whole() {
             String::new()
         } else {
@@ -72,9 +87,13 @@ impl Plan<'_> {
         };
         let cases = counted(sweep.design.cases(), "case");
         let methods = format!("{} ({})", methods.len(), methods.join(", "));
-        let folder = together(&self.again.folder.display().to_string());
+        let folder = together(&self.task.folder.display().to_string());
         let would = format!("would run {cases} by {methods}{part}, into {folder}");
-        text += &wrapped(&would, 0, 2);
+        wrapped(&would, 0, 2)
+    }
+
+    /// How much is to do, and why.
+    fn what_is_left(&self, total: usize, left: usize) -> Result<String> {
         let why = match self.found {
             Found::Complete(_) => "complete already",
             Found::Unfinished { .. } => "a stopped run goes on",
@@ -82,34 +101,33 @@ impl Plan<'_> {
             Found::Nothing(_) => "from the beginning",
         };
         let total = counted(total, "simulation");
-        writeln!(text, "{left} of {total} left: {why}")?;
+        let mut text = format!("{left} of {total} left: {why}\n");
         if let Found::Complete(manifest) = self.found {
-            let damage = self.again.damage(manifest)?;
+            let damage = damage(self.task, manifest)?;
             if !damage.is_empty() {
-                writeln!(text, "would be made again: {}", in_words(&damage))?;
+                text += &format!("would be made again: {}\n", in_words(&damage));
             }
         }
-        if sweep.design.varies_string() {
-            let strings = counted(sweep.design.strings(), "distinct string");
-            writeln!(text, "{strings}, each built once")?;
-            if survey.impossible_strings > 0 {
-                let impossible = survey.impossible_strings;
-                writeln!(
-                    text,
-                    "{impossible} of them cannot be: their cases will fail"
-                )?;
-            }
+        Ok(text)
+    }
+
+    fn strings(&self) -> String {
+        let strings = counted(self.task.sweep.design.strings(), "distinct string");
+        let mut text = format!("{strings}, each built once\n");
+        let impossible = self.task.survey.impossible_strings;
+        if impossible > 0 {
+            text += &format!("{impossible} of them cannot be: their cases will fail\n");
         }
-        writeln!(
-            text,
-            "simulated time {} s for each method, the longest case {} s, at {} Hz",
+        text
+    }
+
+    fn times(&self) -> String {
+        let (sweep, survey) = (&self.task.sweep, &self.task.survey);
+        format!(
+            "simulated time {} s for each method, the longest case {} s, at {} Hz\n",
             short(survey.simulated),
             short(survey.longest),
             short(sweep.setting.sampling_frequency)
-        )?;
-        if let Some(choice) = &sweep.choice {
-            text += &choice.lines(0);
-        }
-        Ok(text)
+        )
     }
 }

@@ -6,11 +6,10 @@ use std::path::Path;
 use anyhow::Result;
 use sim::{Ended, Outcome};
 
-use super::simulate::Simulation;
-use super::site_title;
+use super::simulation::Simulation;
 use crate::engine::Case;
 use crate::plan::{Sweep, to_rpm};
-use crate::words::{counted, decimals, short, together, wrapped};
+use crate::words::{counted, decimals, short, site_title, together, wrapped};
 
 /// Every case with what a run answers to it by each method, and what came out later
 /// where that differs.

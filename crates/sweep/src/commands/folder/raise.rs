@@ -7,9 +7,10 @@ use std::path::Path;
 
 use anyhow::{Context, Result, anyhow, bail};
 
-use super::UsageError;
-use super::folder::LOG;
-use super::run::warn_of_broken_lines;
+use super::names::LOG;
+use crate::commands::status::UsageError;
+use crate::commands::terminal::Terminal;
+use crate::commands::warnings::warn_of_broken_lines;
 use crate::engine::{Header, Log, Record};
 use crate::files::AtomicFile;
 use crate::output::{Manifest, labels_header, labels_start};
@@ -50,11 +51,11 @@ fn random_cases(header: &Header) -> Option<u64> {
 ///
 /// # Errors
 /// Where it cannot be read or written.
-pub fn raise_log(path: &Path, header: &Header, sweep: &Sweep) -> Result<()> {
+pub fn raise_log(path: &Path, header: &Header, sweep: &Sweep, terminal: Terminal) -> Result<()> {
     let log = Log::open(path, sweep.design.cases(), sweep.methods.len())?;
     let mut raised = AtomicFile::create(path)?;
     raised.write(header.line()?.as_bytes())?;
-    warn_of_broken_lines(&log);
+    warn_of_broken_lines(&log, terminal);
     log.in_order(|record| raised.write(record.line().as_bytes()))?;
     raised.finish()?;
     Ok(())

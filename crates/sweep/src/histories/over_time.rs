@@ -1,118 +1,40 @@
-//! The pictures of simulated cases: histories, orbits, the whole string.
+//! The picture of motion over time.
 
 use anyhow::Result;
-use linear::elements::reconstruction::WholeString;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
-use super::history::has_torque;
-use super::plot::axis;
-use super::simulate::Simulation;
-use super::site_title;
+use super::marks::{axis, level, shows_wall};
+use super::simulation::{Simulation, has_torque};
 use crate::engine::Case;
 use crate::plan::{LateralSettings, Sweep, to_rpm};
-use crate::plot::{Orbit, Orbits, Panel, Panels, Reference, Series};
-
-/// The clearance is drawn where motion reaches this part of it.
-const CLEARANCE_SHOWN: f64 = 0.2;
-
-/// The way of every site's centre, with the circle of its clearance where it comes
-/// near that.
-pub fn site_orbits(sweep: &Sweep, simulations: &[Simulation]) -> Orbits {
-    let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
-    let walls = sweep
-        .setting
-        .lateral
-        .iter()
-        .flat_map(|lateral| &lateral.walls);
-    let orbits = distances.zip(walls).map(|((site, &distance), wall)| {
-        let of_site = |simulation: &Simulation| Series {
-            name: simulation.name.clone(),
-            points: simulation.trajectory.positions[site]
-                .iter()
-                .map(|[x, y]| (1e3 * x, 1e3 * y))
-                .collect(),
-        };
-        let series: Vec<Series> = simulations.iter().map(of_site).collect();
-        let clearance = 1e3 * wall.clearance;
-        let points = series.iter().flat_map(|series| &series.points);
-        let furthest = points.fold(0.0, |most: f64, (x, y)| most.max(x.hypot(*y)));
-        Orbit {
-            x: axis(&format!("x at {} (mm)", site_title(distance))),
-            y: axis("y (mm)"),
-            series,
-            circle: shows_wall(furthest, clearance).then_some(clearance),
-        }
-    });
-    Orbits {
-        title: sweep.title.clone(),
-        orbits: orbits.collect(),
-    }
-}
-
-/// Fig. 13: the peak displacement of the whole string, reconstructed by finite
-/// elements from the forces at its sites, whatever method gave them.
-pub fn along_string(
-    sweep: &Sweep,
-    lateral: &LateralSettings,
-    simulations: &[Simulation],
-) -> Result<Panels> {
-    let whole = WholeString {
-        string: &sweep.setting.string,
-        bending: &lateral.bending,
-        support: lateral.support,
-        sites: &sweep.setting.sites,
-        sampling_frequency: sweep.setting.sampling_frequency,
-        parameters: sweep.content.method.finite_element,
-    };
-    let series = simulations
-        .iter()
-        .map(|simulation| {
-            let whole = whole.reconstruct(&simulation.trajectory.forces, &[])?;
-            let peaks = whole.peaks.iter().map(|peak| 1e3 * peak);
-            Ok(Series {
-                name: simulation.name.clone(),
-                points: whole.depths.iter().copied().zip(peaks).collect(),
-            })
-        })
-        .collect::<Result<Vec<_>>>()?;
-    let clearance = lateral.walls.iter().map(|wall| wall.clearance);
-    Ok(Panels {
-        title: format!("{}: the whole string", sweep.title),
-        panels: vec![Panel {
-            x: axis("Depth ξ (m)"),
-            y: axis("Peak radius (mm)"),
-            series,
-            references: vec![level(
-                1e3 * clearance.fold(f64::INFINITY, f64::min),
-                "least clearance",
-            )],
-        }],
-    })
-}
+use crate::plot::{Panel, Panels, Picture, Reference, Series, panels};
+use crate::words::site_title;
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
 /// speed and the torque on the bit. As in the paper, the difference between the
 /// first two methods is beneath.
-pub fn history_panels(
+///
+/// # Errors
+/// Where it cannot be drawn.
+pub fn history_picture(
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
-    step: f64,
-) -> Panels {
+) -> Result<Picture> {
     let histories = Histories {
         sweep,
         cases,
         simulations,
-        step,
+        step: 1.0 / sweep.setting.sampling_frequency,
     };
-    Panels {
+    panels(&Panels {
         title: sweep.title.clone(),
         panels: match &sweep.setting.lateral {
             Some(lateral) => histories.radii(lateral),
             None => histories.speeds_and_torque(),
         },
-    }
+    })
 }
 
 /// What is drawn over time.
@@ -258,22 +180,10 @@ fn radius_mm(trajectory: &Trajectory, site: usize, index: usize) -> f64 {
     1e3 * x.hypot(y)
 }
 
-/// Motion far from the wall would not be seen beside it.
-fn shows_wall(furthest: f64, clearance: f64) -> bool {
-    furthest > CLEARANCE_SHOWN * clearance
-}
-
 /// A level of every case, each value once.
 fn levels(cases: &[Case], name: &str, of: impl Fn(&Case) -> Option<f64>) -> Vec<Reference> {
     let mut values: Vec<f64> = cases.iter().filter_map(of).collect();
     values.sort_by(f64::total_cmp);
     values.dedup();
     values.into_iter().map(|value| level(value, name)).collect()
-}
-
-fn level(y: f64, name: &str) -> Reference {
-    Reference::Horizontal {
-        y,
-        name: name.to_owned(),
-    }
 }

@@ -1,10 +1,11 @@
-//! `history.csv`: the motion of simulated cases, step by step.
+//! The tables of simulated cases: their motion step by step, and the rows of a run.
 
 use anyhow::Result;
-use linear::Sites;
 
-use super::simulate::Simulation;
-use crate::plan::to_rpm;
+use super::simulation::{Simulation, has_positions, has_torque};
+use crate::engine::Row;
+use crate::output::{labels_header, labels_row};
+use crate::plan::{Sweep, to_rpm};
 
 fn site_name(distance: f64) -> String {
     if distance == 0.0 {
@@ -16,7 +17,9 @@ fn site_name(distance: f64) -> String {
 
 /// `history.csv`: a row a step, method and case. The torque on bit is counted
 /// positive against the rotation, as drillers do.
-pub fn history_csv(simulations: &[Simulation], sites: &Sites, step: f64) -> Result<Vec<u8>> {
+pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>> {
+    let sites = &sweep.setting.sites;
+    let step = 1.0 / sweep.setting.sampling_frequency;
     let with_torque = has_torque(simulations);
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut header = ["case", "method", "time_s"].map(str::to_owned).to_vec();
@@ -58,15 +61,9 @@ pub fn history_csv(simulations: &[Simulation], sites: &Sites, step: f64) -> Resu
     Ok(writer.into_inner()?)
 }
 
-/// Whether there is a torque at the bit.
-pub fn has_torque(simulations: &[Simulation]) -> bool {
-    simulations
-        .iter()
-        .any(|simulation| !simulation.trajectory.bit_torque.is_empty())
-}
-
-fn has_positions(simulations: &[Simulation]) -> bool {
-    simulations
-        .iter()
-        .any(|simulation| !simulation.trajectory.positions.is_empty())
+/// `case.csv`: the rows that `labels.csv` has of these cases.
+pub fn case_csv(sweep: &Sweep, rows: &[Row]) -> String {
+    let rows = rows.iter().map(|row| labels_row(sweep, row));
+    let lines = std::iter::once(labels_header(sweep)).chain(rows);
+    lines.map(|line| line + "\n").collect()
 }

@@ -1,0 +1,110 @@
+//! What a results folder holds before a run, and whether the run may go on
+//! from it.
+
+use std::path::Path;
+
+use anyhow::{Result, bail};
+
+use super::damage::refuse_lost;
+use super::names::{LOG, MANIFEST};
+use super::ours::{Ours, written_by};
+use super::raise::with_our_number;
+use crate::commands::status::UsageError;
+use crate::engine::{Header, LogError, Place};
+use crate::output::{Manifest, differences};
+use crate::plan::Sweep;
+
+/// Differences shown of two sweeps.
+const MOST_DIFFERENCES: usize = 8;
+
+/// What is in a folder.
+pub enum Found {
+    /// Nothing that is in the way of a run, or only what it replaces.
+    Nothing(Ours),
+    /// A stopped run of the same sweep.
+    Unfinished {
+        /// Whether it had fewer random cases.
+        had_fewer: bool,
+    },
+    /// The results of the same sweep.
+    Complete(Box<Manifest>),
+    /// The results of the same sweep with fewer random cases.
+    Fewer(Box<Manifest>),
+}
+
+/// Looks at a folder in which a run is to write; a `fresh` one goes on from nothing.
+///
+/// # Errors
+/// Where it holds the results, or a part of them, of another sweep, shard or
+/// program; where its results are damaged; where it holds files of others that the
+/// run would replace.
+pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Result<Found> {
+    let ours = Ours::find(folder, header)?;
+    if !fresh {
+        let log = folder.join(LOG);
+        match &ours.log {
+            Place::Log(there) => {
+                let what = format!("{} holds a stopped run of", folder.display());
+                refuse_other(&what, &with_our_number(&what, there, header)?, header)?;
+                return Ok(Found::Unfinished {
+                    had_fewer: there.fingerprint != header.fingerprint,
+                });
+            }
+            Place::OtherFormat(format) => {
+                bail!(UsageError(
+                    LogError::other_format(&log, *format).to_string()
+                ))
+            }
+            Place::Free | Place::Torn => {}
+        }
+        if folder.join(MANIFEST).exists() {
+            return complete(folder, header);
+        }
+    }
+    ours.refuse_foreign(folder, &written_by(sweep, header.shard))?;
+    Ok(Found::Nothing(ours))
+}
+
+fn complete(folder: &Path, header: &Header) -> Result<Found> {
+    let manifest = Manifest::read(folder)?;
+    let program = manifest.program.clone();
+    let there = Header::of(program, manifest.shard(), manifest.fingerprint()?);
+    let what = format!("{} holds the results of", folder.display());
+    refuse_other(&what, &with_our_number(&what, &there, header)?, header)?;
+    let had_fewer = there.fingerprint != header.fingerprint;
+    refuse_lost(&manifest, folder)?;
+    Ok(if had_fewer {
+        Found::Fewer(Box::new(manifest))
+    } else {
+        Found::Complete(Box::new(manifest))
+    })
+}
+
+fn refuse_other(what: &str, there: &Header, ours: &Header) -> Result<()> {
+    let remedy = "choose another --out, or begin anew with --fresh";
+    if there.fingerprint != ours.fingerprint {
+        let all = differences(&there.fingerprint, &ours.fingerprint);
+        let more = match all.len().saturating_sub(MOST_DIFFERENCES) {
+            0 => String::new(),
+            more => format!(", and {more} more"),
+        };
+        let shown = &all[..all.len().min(MOST_DIFFERENCES)];
+        bail!(UsageError(format!(
+            "{what} another sweep ({}{more}): {remedy}",
+            shown.join("; ")
+        )));
+    }
+    if there.shard != ours.shard {
+        bail!(UsageError(format!(
+            "{what} shard {} of this sweep, not {}: {remedy}",
+            there.shard, ours.shard
+        )));
+    }
+    if there.program != ours.program {
+        bail!(UsageError(format!(
+            "{what} another program, {}, and this is {}: {remedy}",
+            there.program, ours.program
+        )));
+    }
+    Ok(())
+}

@@ -1,0 +1,191 @@
+//! The linear system of a sweep in words and numbers.
+
+use linear::estimates::{
+    largest_undershoot, torsional_decay_rate, torsional_stiffness, torsional_travel_time,
+    torsional_wave_left,
+};
+
+use crate::engine::{MethodSystem, Survey, is_unstable};
+use crate::plan::{Choice, INCH, POUND_PER_FOOT, Sweep, Time};
+use crate::sweep_file::per_cent;
+use crate::words::{counted, short, wrapped};
+
+/// A title and a value below a heading.
+fn row(title: &str, value: &str) -> String {
+    format!("  {title:<27}{value}\n")
+}
+
+/// The string, from the surface to the bit.
+pub fn describe_string(sweep: &Sweep) -> String {
+    let string = &sweep.setting.string;
+    let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2) + "\nstring\n";
+    text += &row("length", &format!("{:.3} m", string.length()));
+    text += &part_lines(sweep);
+    let stiffness = torsional_stiffness(string);
+    text += &row(
+        "torsional stiffness k_eff",
+        &format!("{stiffness:.1} N m/rad"),
+    );
+    let speed = string.torsional_wave_speed();
+    text += &row("torsional wave speed", &format!("{speed:.1} m/s"));
+    let travel = torsional_travel_time(string);
+    let both = format!("{travel:.4} s, and back {:.4} s", 2.0 * travel);
+    text += &row("travel time to the bit", &both);
+    let decay = torsional_decay_rate(string);
+    text += &row("torsional decay rate", &format!("{decay:.3} 1/s"));
+    let left = 100.0 * torsional_wave_left(string);
+    let of_wave = format!("{left:.3} % of its amplitude at the bit");
+    text += &row("of a wave, damping leaves", &of_wave);
+    let why = match sweep.choice {
+        Some(_) => "by the accuracy asked for",
+        None if sweep.setting.sampling_by_rule => "four times the first mode of one cell",
+        None => "given in the sweep file",
+    };
+    let sampling = format!("{:.2} Hz ({why})", sweep.setting.sampling_frequency);
+    text += &row("sampling frequency f_s", &sampling);
+    if let Some(choice) = &sweep.choice {
+        text += &describe_choice(choice);
+    }
+    text
+}
+
+/// The parts of the string from the surface down, as on a BHA sheet.
+fn part_lines(sweep: &Sweep) -> String {
+    let mut text = String::from(
+        "    outer diameter      inner diameter      mass               length\n    \
+         mm         in       mm         in       kg/m      lb/ft    m\n",
+    );
+    let sections = sweep.setting.string.sections().iter();
+    for (section, table) in sections.zip(&sweep.content.string.sections) {
+        let mut title = format!("{} × {:.3} m", section.repeat, section.cell_length());
+        if let Some(name) = &table.name {
+            title += &format!(", {name}");
+        }
+        text += &wrapped(&title, 2, 4);
+        for part in &section.parts {
+            text += "  ";
+            for diameter in [2.0 * part.outer_radius, 2.0 * part.inner_radius] {
+                text += &format!("  {:<9.1}{:<9.3}", 1e3 * diameter, diameter / INCH);
+            }
+            let mass = sweep.mass_per_length(part);
+            let pounds = mass / POUND_PER_FOOT;
+            text += &format!("  {mass:<8.1}  {pounds:<7.1}  {:.3}\n", part.length);
+        }
+    }
+    text
+}
+
+/// What was chosen for an accuracy, and what else was tried.
+fn describe_choice(choice: &Choice) -> String {
+    let mut text = format!("\n{}", choice.lines(0));
+    for tried in &choice.tried {
+        let error = (tried.error).map_or_else(
+            || "refused".to_owned(),
+            |error| format!("{} %", per_cent(error)),
+        );
+        text += &wrapped(&format!("{}: {error}, {}", tried.candidate, tried.of), 2, 4);
+    }
+    text
+}
+
+/// Each method's responses, and whether they are stable in sticking.
+pub fn describe_methods(systems: &[MethodSystem]) -> String {
+    "\nmethods\n".to_owned() + &systems.iter().map(method_lines).collect::<String>()
+}
+
+fn method_lines(system: &MethodSystem) -> String {
+    let mut text = format!(
+        "  {}: {} ({:.2} s), built in {:.3} s\n",
+        system.method.name(),
+        counted(system.torsion_taps(), "tap"),
+        system.torsion_taps() as f64 / system.responses.sampling_frequency,
+        system.build_seconds,
+    );
+    if let Some(taps) = system.driving_point() {
+        for (title, value) in [
+            ("A(0) at the bit", taps[0]),
+            ("undershoot Δ (Eq. 75)", largest_undershoot(taps)),
+        ] {
+            text += &value_row(title, &format!("{value:.4e} rad/s per N m"));
+        }
+    }
+    for least in &system.least_impulses {
+        text += &value_row("least impulse I₀", &format!("{least:.1} N s"));
+    }
+    for (margin, what) in [
+        (system.torsion_margin, "torsion"),
+        (system.bending_margin, "bending"),
+    ] {
+        if let Some(margin) = margin {
+            let verdict = if is_unstable(margin) {
+                "a stuck site chatters"
+            } else {
+                "stable in sticking"
+            };
+            let value = format!("{} in {what}: {verdict}", short(margin));
+            text += &value_row("positive-real margin", &value);
+        }
+    }
+    text
+}
+
+/// A title and a value of a method.
+fn value_row(title: &str, value: &str) -> String {
+    format!("    {title:<25}{value}\n")
+}
+
+/// What is left out of the scene.
+pub fn describe_left_out(sweep: &Sweep) -> String {
+    let mut text = String::from("\nleft out, because the scene does not need it\n");
+    if sweep.setting.lateral.is_none() {
+        text += "  bending and the borehole wall: no lateral contact is modelled\n";
+        if sweep.setting.sites.len() > 1 {
+            text += "  sites other than the bit, in a run: labels are of the bit alone\n";
+        }
+    }
+    text += "  the torque at the surface: nothing depends on it\n";
+    if sweep.bit.is_none() {
+        text += "  torque at the bit: the bit is free\n";
+    }
+    text
+}
+
+/// What the cases of a run take.
+pub fn describe_work(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem]) -> String {
+    let rule = match sweep.time {
+        Time::Auto => "until the regime can be told",
+        Time::Given(_) => "given in the sweep file",
+    };
+    let mut text = format!(
+        "\ncost\n  {} by {}, the longest {} s ({rule})\n",
+        counted(sweep.design.cases(), "case"),
+        counted(systems.len(), "method"),
+        short(survey.longest)
+    );
+    let terms: f64 = (systems.iter())
+        .map(|system| history_terms(sweep, survey, system))
+        .sum();
+    if terms > 0.0 {
+        text += &format!("  about {terms:.1e} terms of the history sum (Eq. 17)\n");
+    }
+    text
+}
+
+/// Terms of the history sums of cases of mean length: between all sites in
+/// torsion and in two planes of bending, or from the torque at the bit to its
+/// speed.
+fn history_terms(sweep: &Sweep, survey: &Survey, system: &MethodSystem) -> f64 {
+    let cases = sweep.design.cases() as f64;
+    let steps = survey.simulated / cases * sweep.setting.sampling_frequency;
+    let terms = |taps: usize| {
+        let reach = steps.min(taps as f64);
+        cases * reach * (steps - 0.5 * reach)
+    };
+    let torsion = terms(system.torsion_taps());
+    let pairs = sweep.setting.sites.len().pow(2) as f64;
+    match system.responses.bending() {
+        Some(bending) => pairs * (torsion + 2.0 * terms(bending.taps())),
+        None if sweep.bit.is_some() => torsion,
+        None => 0.0,
+    }
+}

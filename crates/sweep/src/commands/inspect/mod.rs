@@ -1,0 +1,55 @@
+//! `sweep inspect`: the linear system of a sweep, in words, numbers and a
+//! picture (Fig. 6).
+
+mod description;
+mod responses;
+
+use std::time::Instant;
+
+use anyhow::Result;
+
+use super::cost::{Cost, of_built};
+use super::drawing::save_picture;
+use super::folder::{make_folder, results_folder};
+use super::prepare::{build_systems, read_sweep, survey_cases};
+use super::status::Status;
+use super::terminal::{Terminal, say};
+use super::threads::use_threads;
+use super::warnings::warn_of_string;
+use crate::cli::InspectArguments;
+use crate::memory::{Purpose, admit, estimate};
+use description::{describe_left_out, describe_methods, describe_string, describe_work};
+use responses::response_picture;
+
+/// Shows the linear system.
+pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Status> {
+    use_threads(arguments.work.jobs, terminal)?;
+    let sweep = read_sweep(&arguments.file, &arguments.work, false, false, terminal)?;
+    warn_of_string(&sweep, terminal);
+    let folder = results_folder(arguments.out.as_ref(), &sweep);
+    let survey = survey_cases(&arguments.file, &sweep)?;
+    // Those that a run builds.
+    let setting = sweep.setting.for_labels();
+    let limit = arguments.work.memory.limit();
+    admit(&sweep, &setting, &survey, Purpose::Look, &limit)?;
+    let start = Instant::now();
+    let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
+    let built = start.elapsed().as_secs_f64();
+    let cost = Cost {
+        memory: estimate(&sweep, &setting, &survey, Purpose::Labels, &limit)?,
+        limit,
+        time: of_built(&sweep, &survey, &systems, built),
+    };
+    make_folder(&folder)?;
+    save_picture(&folder, "inspect", &response_picture(&sweep, &systems)?)?;
+    say(&[
+        describe_string(&sweep),
+        describe_methods(&systems),
+        describe_left_out(&sweep),
+        describe_work(&sweep, &survey, &systems),
+        (cost.to_string().lines().map(|line| format!("  {line}\n"))).collect(),
+        format!("\npicture: {}\n", folder.join("inspect.png").display()),
+    ]
+    .concat())?;
+    Ok(Status::Complete)
+}

@@ -1,0 +1,160 @@
+//! The picture of the linear system of a sweep: its responses over frequency and time.
+
+use std::f64::consts::TAU;
+
+use anyhow::Result;
+use linear::estimates::torsional_travel_time;
+use linear::waves::lateral::BendingNetwork;
+use linear::waves::network::TorsionNetwork;
+
+use crate::engine::MethodSystem;
+use crate::plan::{LateralSettings, Sweep};
+use crate::plot::{Axis, Panel, Panels, Picture, Series, panels};
+use crate::words::site_title;
+
+/// Points of the frequency response drawn.
+const FREQUENCIES: usize = 4000;
+
+/// Time shown of the step responses, in round trips of a wave.
+const ROUND_TRIPS_SHOWN: f64 = 5.0;
+
+/// Points of a curve.
+type Curve = Vec<(f64, f64)>;
+
+/// The exact responses, and those of each method.
+///
+/// # Errors
+/// Where the string has no exact response.
+pub fn response_picture(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Picture> {
+    panels(&Panels {
+        title: format!("{}: linear responses", sweep.title),
+        panels: response_panels(sweep, systems)?,
+    })
+}
+
+fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>> {
+    let mut list = vec![
+        frequency_panel(sweep)?,
+        time_panel("t", "Bit speed / surface speed", systems, &|system| {
+            let torsion = system.responses.torsion()?;
+            Some(step_response(torsion.from_surface.last()?, 1.0, sweep))
+        }),
+    ];
+    if sweep.bit.is_some() {
+        let label = "Bit speed / torque (10⁻⁵ rad/s per N m)";
+        list.push(time_panel("t", label, systems, &|system| {
+            Some(step_response(system.driving_point()?, 1e5, sweep))
+        }));
+    }
+    if let Some(lateral) = &sweep.setting.lateral {
+        let bit = sweep.setting.sites.len() - 1;
+        let site = site_title(sweep.setting.sites.distances_from_bit()[bit]);
+        list.push(receptance_panel(sweep, lateral, &site)?);
+        let label = format!("Displacement at {site} (10⁻⁵ m per N s)");
+        // Longer than the steps above, so with a range of its own.
+        list.push(time_panel(
+            "after the impulse t",
+            &label,
+            systems,
+            &|system| {
+                let taps = system.responses.bending()?.taps_between(bit, bit)?;
+                Some(impulse_response(taps, 1e5, sweep))
+            },
+        ));
+    }
+    Ok(list)
+}
+
+/// Each method's response over time.
+fn time_panel(
+    time: &str,
+    label: &str,
+    systems: &[MethodSystem],
+    points: &dyn Fn(&MethodSystem) -> Option<Curve>,
+) -> Panel {
+    let of_method = |system: &MethodSystem| {
+        Some(Series {
+            name: system.method.name().to_owned(),
+            points: points(system)?,
+        })
+    };
+    Panel {
+        x: axis(&format!("Time {time} (s)"), false),
+        y: axis(label, false),
+        series: systems.iter().filter_map(of_method).collect(),
+        references: Vec::new(),
+    }
+}
+
+/// Fig. 6(a): the exact response of the bit to the surface.
+fn frequency_panel(sweep: &Sweep) -> Result<Panel> {
+    let network = TorsionNetwork::new(&sweep.setting.string, &sweep.setting.sites)?;
+    let bit = sweep.setting.sites.len() - 1;
+    Ok(exact_panel(
+        "|bit speed / surface speed|",
+        sweep,
+        &|frequency| network.at_frequency(frequency).from_surface[bit].norm(),
+    ))
+}
+
+/// Fig. 6(b): the exact displacement of the lowest site per lateral force there.
+fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Result<Panel> {
+    let network = BendingNetwork::new(
+        &sweep.setting.string,
+        lateral.bending,
+        lateral.support,
+        &sweep.setting.sites,
+    )?;
+    let lowest = sweep.setting.sites.len() - 1;
+    let label = format!("|displacement / force| at {site} (m/N)");
+    Ok(exact_panel(&label, sweep, &|frequency| {
+        network.at_rate(TAU * frequency)[(lowest, lowest)].norm()
+    }))
+}
+
+/// An exact response up to half the sampling frequency.
+fn exact_panel(label: &str, sweep: &Sweep, response: &dyn Fn(f64) -> f64) -> Panel {
+    let highest = 0.5 * sweep.setting.sampling_frequency;
+    let points = (1..=FREQUENCIES).map(|index| {
+        let frequency = highest * index as f64 / FREQUENCIES as f64;
+        (frequency, response(frequency))
+    });
+    Panel {
+        x: axis("Frequency f (Hz)", false),
+        y: axis(label, true),
+        series: vec![Series {
+            name: "exact".to_owned(),
+            points: points.collect(),
+        }],
+        references: Vec::new(),
+    }
+}
+
+fn axis(label: &str, logarithmic: bool) -> Axis {
+    Axis {
+        label: label.to_owned(),
+        logarithmic,
+    }
+}
+
+/// The response to a unit step, times `factor`.
+fn step_response(taps: &[f64], factor: f64, sweep: &Sweep) -> Curve {
+    let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&sweep.setting.string);
+    let count = (shown * sweep.setting.sampling_frequency).ceil() as usize;
+    let mut sum = 0.0;
+    (0..count)
+        .map(|index| {
+            sum += taps.get(index).copied().unwrap_or(0.0);
+            let time = index as f64 / sweep.setting.sampling_frequency;
+            (time, factor * sum)
+        })
+        .collect()
+}
+
+/// The response to a unit impulse, times `factor`.
+fn impulse_response(taps: &[f64], factor: f64, sweep: &Sweep) -> Curve {
+    let frequency = sweep.setting.sampling_frequency;
+    (taps.iter().enumerate())
+        .map(|(index, tap)| (index as f64 / frequency, factor * frequency * tap))
+        .collect()
+}

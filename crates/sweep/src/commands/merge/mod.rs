@@ -1,0 +1,103 @@
+//! `sweep merge`: the shards of a sweep into one results folder.
+
+mod parts;
+mod tables;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Result, bail};
+
+use super::drawing::draw_and_note;
+use super::folder::{LOG, MANIFEST, Ours, hold, make_folder};
+use super::outcome::{status_of, summary};
+use super::status::{Status, UsageError};
+use super::terminal::{Terminal, say};
+use crate::cli::MergeArguments;
+use crate::engine::{Header, Place, Shard};
+use crate::output::{Manifest, PICTURES, TABLES};
+use parts::{Part, read_parts, refuse_damaged_parts};
+use tables::Joined;
+
+/// Joins shards.
+pub fn merge(arguments: &MergeArguments, terminal: Terminal) -> Result<Status> {
+    let (parts, unfinished) = read_parts(&arguments.folders)?;
+    let of = division(&parts, &unfinished)?;
+    let missing: Vec<String> = (0..of)
+        .filter(|index| !parts.contains_key(index))
+        .map(|index| index.to_string())
+        .collect();
+    if !missing.is_empty() {
+        terminal.complain(&format!(
+            "incomplete: {} of {of} shards are finished\nrun again: {}",
+            of - missing.len(),
+            missing.join(",")
+        ));
+        return Ok(Status::Incomplete);
+    }
+    let parts: Vec<Part> = parts.into_values().collect();
+    refuse_damaged_parts(&parts, terminal)?;
+    let out = &arguments.out;
+    make_folder(out)?;
+    let _lock = hold(out, "labels.csv", terminal)?;
+    refuse_unrelated(out, &parts)?;
+    let mut manifest = join(&parts, out)?;
+    let drawn = draw_and_note(out, &mut manifest)?;
+    say(&summary(&manifest, out, drawn)?)?;
+    Ok(status_of(&manifest))
+}
+
+/// Into how many shards the sweep was divided.
+fn division(parts: &BTreeMap<usize, Part>, unfinished: &[Header]) -> Result<usize> {
+    let finished = parts.values().map(|part| part.manifest.shard().of);
+    let mut known = finished.chain(unfinished.iter().map(|header| header.shard.of));
+    let none = || UsageError("none of these folders holds a shard of a sweep".to_owned());
+    Ok(known.next().ok_or_else(none)?)
+}
+
+/// Puts the tables of shards together, with a manifest of them all.
+fn join(parts: &[Part], out: &Path) -> Result<Manifest> {
+    let Joined { tables, tally } = Joined::of(parts, out)?;
+    let mut manifest = parts[0].manifest.clone();
+    manifest.shard = None;
+    manifest.tally = tally;
+    manifest.wall_seconds = parts.iter().map(|part| part.manifest.wall_seconds).sum();
+    let sums = (tables.iter()).map(|(name, table)| ((*name).to_owned(), table.checksum().clone()));
+    manifest.files = sums.collect();
+    // Before the tables: from here on, they are known to be of a merge, should it be
+    // killed.
+    manifest.write(out)?;
+    for (_, table) in tables {
+        table.publish()?;
+    }
+    Ok(manifest)
+}
+
+/// The results of something else are not replaced, nor is a run that goes on.
+fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
+    let merged = &parts[0].manifest;
+    let header = Header::of(merged.program.clone(), Shard::WHOLE, merged.fingerprint()?);
+    let ours = Ours::find(out, &header)?;
+    if ours.log != Place::Free {
+        bail!(UsageError(format!(
+            "{} holds a stopped run ({LOG}): finish it by the same `sweep run` as before, or choose \
+             another --out",
+            out.display()
+        )));
+    }
+    if out.join(MANIFEST).exists() {
+        let there = Manifest::read(out)?;
+        if there.fingerprint()? != header.fingerprint || !there.shard().is_whole() {
+            bail!(UsageError(format!(
+                "{} holds other results: choose another --out",
+                out.display()
+            )));
+        }
+    }
+    let pictures = if merged.map.is_some() {
+        &PICTURES[..]
+    } else {
+        &[]
+    };
+    ours.refuse_foreign(out, &[&TABLES, pictures].concat())
+}

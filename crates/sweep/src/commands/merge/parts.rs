@@ -1,0 +1,116 @@
+//! The shards that are to be joined: all of one sweep, and whole.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, bail};
+
+use crate::commands::folder::{LOG, MANIFEST, in_words, tell_if_unverified};
+use crate::commands::status::UsageError;
+use crate::commands::terminal::Terminal;
+use crate::engine::{Header, read_header};
+use crate::output::{Manifest, TABLES, differences};
+
+/// A finished shard.
+pub struct Part {
+    /// Where it is.
+    pub folder: PathBuf,
+    /// What it says of itself.
+    pub manifest: Manifest,
+}
+
+/// Refuses shards of which a table is not the one that was written.
+///
+/// # Errors
+/// What is missing or damaged, and what to do.
+pub fn refuse_damaged_parts(parts: &[Part], terminal: Terminal) -> Result<()> {
+    let mut damage = Vec::new();
+    let mut shards = Vec::new();
+    for Part { folder, manifest } in parts {
+        tell_if_unverified(manifest, folder, terminal);
+        let found = manifest.damage(folder, &TABLES)?;
+        shards.extend((!found.is_empty()).then(|| manifest.shard().index.to_string()));
+        damage.extend(found);
+    }
+    if damage.is_empty() {
+        return Ok(());
+    }
+    bail!(
+        "{}: put back copies, or run these shards again with --fresh: {}",
+        in_words(&damage),
+        shards.join(",")
+    )
+}
+
+/// The finished shards by number, and what is known of unfinished ones; all of
+/// one sweep and program.
+///
+/// # Errors
+/// Where they are not.
+pub fn read_parts(folders: &[PathBuf]) -> Result<(BTreeMap<usize, Part>, Vec<Header>)> {
+    let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
+    let mut unfinished = Vec::new();
+    let mut first: Option<(PathBuf, Header)> = None;
+    for folder in folders {
+        let log = read_header(&folder.join(LOG))?;
+        let is_finished = log.is_none() && folder.join(MANIFEST).exists();
+        let header = if is_finished {
+            let manifest = Manifest::read(folder)?;
+            let header = Header::of(
+                manifest.program.clone(),
+                manifest.shard(),
+                manifest.fingerprint()?,
+            );
+            let part = Part {
+                folder: folder.clone(),
+                manifest,
+            };
+            if let Some(twice) = parts.insert(header.shard.index, part) {
+                bail!(UsageError(format!(
+                    "shard {} is there twice: {} and {}",
+                    header.shard,
+                    twice.folder.display(),
+                    folder.display()
+                )));
+            }
+            header
+        } else if let Some(header) = log {
+            unfinished.push(header.clone());
+            header
+        } else {
+            continue;
+        };
+        match &first {
+            Some((other, expected)) => refuse_unlike(other, expected, folder, &header)?,
+            None => first = Some((folder.clone(), header)),
+        }
+    }
+    Ok((parts, unfinished))
+}
+
+fn refuse_unlike(one: &Path, expected: &Header, other: &Path, found: &Header) -> Result<()> {
+    let refuse = |what: String| {
+        bail!(UsageError(format!(
+            "{} and {} are {what}",
+            one.display(),
+            other.display()
+        )))
+    };
+    if expected.fingerprint != found.fingerprint {
+        let all = differences(&expected.fingerprint, &found.fingerprint);
+        return refuse(format!("of different sweeps ({})", all.join("; ")));
+    }
+    if expected.shard.of != found.shard.of {
+        return refuse(format!(
+            "of different divisions, shard {} and shard {}",
+            expected.shard, found.shard
+        ));
+    }
+    if expected.program != found.program {
+        return refuse(format!(
+            "by different programs, {} and {}",
+            expected.program, found.program
+        ));
+    }
+    Ok(())
+}

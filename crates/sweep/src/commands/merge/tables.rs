@@ -1,0 +1,146 @@
+//! The tables of shards, joined.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Lines};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+
+use super::parts::Part;
+use crate::files::{AtomicFile, SealedFile};
+use crate::output::{Counted, FAILURES_HEADER, Tally};
+
+/// Tables on the disk, without their names yet.
+pub struct Joined {
+    /// By name.
+    pub tables: [(&'static str, SealedFile); 3],
+    /// What is in them.
+    pub tally: Tally,
+}
+
+impl Joined {
+    /// Joins the tables of shards, for a folder.
+    ///
+    /// # Errors
+    /// Where they do not fit together, or a file cannot be read or written.
+    pub fn of(parts: &[Part], out: &Path) -> Result<Self> {
+        let (labels, tally) = join_labels(parts, out)?;
+        let tables = [
+            ("labels.csv", labels),
+            ("failures.csv", join_failures(parts, out)?),
+            ("boundary.csv", copy_boundary(parts, out)?),
+        ];
+        Ok(Self { tables, tally })
+    }
+}
+
+/// Lines of a table, the header taken off, with the case of the next one.
+struct Table {
+    lines: Lines<BufReader<File>>,
+    next: Option<(usize, String)>,
+    path: PathBuf,
+}
+
+impl Table {
+    /// Opens a table and gives its header.
+    fn open(path: PathBuf) -> Result<(String, Self)> {
+        let unreadable = || format!("{} cannot be read", path.display());
+        let mut lines = BufReader::new(File::open(&path).with_context(unreadable)?).lines();
+        let header = lines
+            .next()
+            .transpose()
+            .with_context(unreadable)?
+            .unwrap_or_default();
+        let mut table = Self {
+            lines,
+            next: None,
+            path,
+        };
+        table.advance()?;
+        Ok((header, table))
+    }
+
+    fn advance(&mut self) -> Result<Option<String>> {
+        let unreadable = || format!("{} cannot be read", self.path.display());
+        let line = self.lines.next().transpose().with_context(unreadable)?;
+        let next = line
+            .map(|line| {
+                let case = line.split(',').next().and_then(|case| case.parse().ok());
+                let case = case.with_context(|| {
+                    format!("{}: `{line}` has no case number", self.path.display())
+                })?;
+                anyhow::Ok((case, line))
+            })
+            .transpose()?;
+        Ok(std::mem::replace(&mut self.next, next).map(|(_, line)| line))
+    }
+}
+
+/// The rows of all shards in the order of their cases; each case is in one
+/// shard, which has its rows in order.
+fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
+    let mut file = AtomicFile::create(&out.join("labels.csv"))?;
+    let mut tally = Tally::default();
+    let opened = parts
+        .iter()
+        .map(|part| Table::open(part.folder.join("labels.csv")));
+    let (headers, mut tables): (Vec<String>, Vec<Table>) =
+        opened.collect::<Result<Vec<_>>>()?.into_iter().unzip();
+    if headers.iter().any(|header| *header != headers[0]) {
+        bail!("the shards' labels.csv have different columns");
+    }
+    let counted = Counted::new(&headers[0])?;
+    file.write(format!("{}\n", headers[0]).as_bytes())?;
+    while let Some(table) = (tables.iter_mut())
+        .filter(|table| table.next.is_some())
+        .min_by_key(|table| table.next.as_ref().map(|(case, _)| *case))
+    {
+        if let Some(line) = table.advance()? {
+            counted.add(&line, &mut tally);
+            file.write(format!("{line}\n").as_bytes())?;
+        }
+    }
+    let expected: usize = parts.iter().map(|part| part.manifest.tally.rows).sum();
+    if tally.rows != expected {
+        bail!(
+            "the shards hold {} rows, but were to hold {expected}",
+            tally.rows
+        );
+    }
+    Ok((file.seal()?, tally))
+}
+
+/// Failures are few: all at once.
+fn join_failures(parts: &[Part], out: &Path) -> Result<SealedFile> {
+    let mut records: Vec<csv::StringRecord> = Vec::new();
+    for part in parts {
+        let path = part.folder.join("failures.csv");
+        let unreadable = || format!("{} cannot be read", path.display());
+        let mut reader = csv::Reader::from_path(&path).with_context(unreadable)?;
+        for record in reader.records() {
+            records.push(record.with_context(unreadable)?);
+        }
+    }
+    // Stable: the methods of a case stay in order.
+    records.sort_by_key(|record| record.get(0).and_then(|case| case.parse::<usize>().ok()));
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(FAILURES_HEADER.split(','))?;
+    for record in &records {
+        writer.write_record(record)?;
+    }
+    seal(&out.join("failures.csv"), &writer.into_inner()?)
+}
+
+/// Every shard has the limit of the whole sweep.
+fn copy_boundary(parts: &[Part], out: &Path) -> Result<SealedFile> {
+    let path = parts[0].folder.join("boundary.csv");
+    let content =
+        std::fs::read(&path).with_context(|| format!("{} cannot be read", path.display()))?;
+    seal(&out.join("boundary.csv"), &content)
+}
+
+fn seal(path: &Path, content: &[u8]) -> Result<SealedFile> {
+    let mut file = AtomicFile::create(path)?;
+    file.write(content)?;
+    file.seal()
+}

@@ -1,0 +1,74 @@
+//! What came out of a sweep: how its run ends, and in a few lines.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::status::Status;
+use crate::output::{Manifest, Tally};
+use crate::words::{counted, together, wrapped};
+
+/// How a run that has these results ends.
+pub fn status_of(manifest: &Manifest) -> Status {
+    if manifest.tally.failed > 0 {
+        Status::SomeFailed
+    } else {
+        Status::Complete
+    }
+}
+
+/// The labels of each method, in a paragraph for each motion.
+fn label_counts(tally: &Tally) -> String {
+    let mut text = String::new();
+    for method in tally.labels.keys() {
+        let lists = tally.by_motion(method);
+        let has_two = lists.len() > 1;
+        for (motion, labels) in lists {
+            let counts = labels
+                .iter()
+                .map(|(label, count)| together(&format!("{count} {label}")));
+            let counts: Vec<String> = counts.collect();
+            let of = if has_two {
+                format!(", {}", motion.adjective())
+            } else {
+                String::new()
+            };
+            text += &wrapped(&format!("{method}{of}: {}", counts.join(", ")), 2, 4);
+        }
+    }
+    text
+}
+
+/// What came out, in a few lines.
+pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String> {
+    let mut text = String::new();
+    let rows = manifest.tally.rows;
+    writeln!(
+        text,
+        "{}: {} by {} in {:.2} s",
+        manifest.name,
+        counted(rows / manifest.methods.len().max(1), "case"),
+        counted(manifest.methods.len(), "method"),
+        manifest.wall_seconds
+    )?;
+    if let Some(choice) = &manifest.accuracy {
+        text += &choice.lines(2);
+    }
+    text += &label_counts(&manifest.tally);
+    if manifest.tally.failed > 0 {
+        let failed = manifest.tally.failed;
+        let rows = counted(rows, "row");
+        writeln!(text, "  {failed} of {rows} failed: see failures.csv")?;
+    }
+    if manifest.tally.settled_wrong > 0 {
+        let (wrong, checked) = (manifest.tally.settled_wrong, manifest.tally.settled_checked);
+        let checked = counted(checked, "settled case");
+        let words =
+            format!("{wrong} of {checked} followed to the end changed the label: use --full");
+        text += &wrapped(&words, 2, 4);
+    }
+    let map = if drawn { "map.svg, map.png, " } else { "" };
+    writeln!(text, "{map}labels.csv and more are in {}", folder.display())?;
+    Ok(text)
+}

@@ -1,0 +1,68 @@
+//! From a sweep file to what its cases need, as every command that simulates does it.
+
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::choosing::choose;
+use super::status::UsageError;
+use super::terminal::Terminal;
+use crate::cli::WorkArguments;
+use crate::engine::{MethodSystem, Survey, survey};
+use crate::plan::{Setting, Sweep};
+use crate::sweep_file::{MethodName, SweepFileError};
+
+/// Reads a sweep file and puts the methods asked for in place of its own; or chooses
+/// one, where it asks for an accuracy, telling what it tries unless `quiet`.
+///
+/// # Errors
+/// Where the file does not make sense, or no method is accurate enough.
+pub fn read_sweep(
+    file: &Path,
+    work: &WorkArguments,
+    full: bool,
+    quiet: bool,
+    terminal: Terminal,
+) -> Result<Sweep> {
+    let mut methods: Vec<MethodName> = Vec::new();
+    for &name in &work.methods {
+        if !methods.contains(&name) {
+            methods.push(name);
+        }
+    }
+    let sweep = Sweep::read_with_methods(file, &methods)?;
+    choose(sweep, full, &work.memory.limit(), quiet, terminal)
+}
+
+/// A look at every case before any is run.
+///
+/// # Errors
+/// Where a case cannot be, or an impulse of it is not felt.
+pub fn survey_cases(file: &Path, sweep: &Sweep) -> Result<Survey> {
+    let survey =
+        survey(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())))?;
+    if let Some((case, end)) = survey.first_end {
+        sweep.impulses_are_felt(case, end)?;
+    }
+    Ok(survey)
+}
+
+/// The linear system of every method, for a string and times up to the longest.
+///
+/// # Errors
+/// What a method cannot treat.
+pub fn build_systems(
+    file: &Path,
+    sweep: &Sweep,
+    setting: &Setting,
+    longest_time: f64,
+) -> Result<Vec<MethodSystem>> {
+    MethodSystem::build_all(sweep, setting, longest_time).map_err(|error| {
+        // An error in the file names its place already.
+        if error.is::<SweepFileError>() {
+            error
+        } else {
+            error.context(file.display().to_string())
+        }
+    })
+}

@@ -1,0 +1,109 @@
+//! `sweep run` over a folder that is complete: nothing to simulate, but a title or
+//! a map may have changed, and what follows from the labels may be lost.
+
+use anyhow::{Result, bail};
+
+use super::task::Task;
+use crate::commands::drawing::draw_and_note;
+use crate::commands::folder::{Found, MANIFEST, hold, in_words, tell_if_unverified, tidy};
+use crate::commands::outcome::{status_of, summary};
+use crate::commands::prepare::build_systems;
+use crate::commands::status::{Status, UsageError};
+use crate::commands::terminal::say;
+use crate::files::write_with_checksum;
+use crate::output::{Damage, FAILURES_HEADER, Manifest, PICTURES, boundary, write_boundary};
+
+/// Shows the results again, in order.
+///
+/// # Errors
+/// Where they cannot be put in order.
+pub fn show_again(task: &Task, manifest: Manifest) -> Result<Status> {
+    tell_if_unverified(&manifest, &task.folder, task.terminal);
+    let is_in_order = !looks_different(task, &manifest) && damage(task, &manifest)?.is_empty();
+    let manifest = if is_in_order {
+        tidy(&task.folder);
+        manifest
+    } else {
+        put_in_order(task)?
+    };
+    if !task.arguments.quiet {
+        let text = summary(&manifest, &task.folder, manifest.map.is_some())?;
+        say(&format!("complete already, nothing to run\n{text}"))?;
+    }
+    Ok(status_of(&manifest))
+}
+
+/// What is missing or damaged and can be made again; a folder of which more is
+/// lost was refused.
+///
+/// # Errors
+/// Where a file cannot be read.
+pub fn damage(task: &Task, manifest: &Manifest) -> Result<Vec<Damage>> {
+    let mut damage = manifest.damage(&task.folder, &["boundary.csv", "failures.csv"])?;
+    if manifest.draws() {
+        damage.extend(manifest.damage(&task.folder, &PICTURES)?);
+    }
+    Ok(damage)
+}
+
+fn looks_different(task: &Task, manifest: &Manifest) -> bool {
+    let sweep = &task.sweep;
+    let shown = (&manifest.title, &manifest.map, &manifest.sweep);
+    shown != (&sweep.title, &sweep.map, &sweep.content)
+}
+
+fn put_in_order(task: &Task) -> Result<Manifest> {
+    let folder = &task.folder;
+    let _lock = hold(folder, MANIFEST, task.terminal)?;
+    // What was found before the folder was locked may be another's work under way.
+    let Found::Complete(mut manifest) = task.look(false)? else {
+        bail!(
+            "{} was changed by another command: give this one again",
+            folder.display()
+        );
+    };
+    let damage = damage(task, &manifest)?;
+    if !damage.is_empty() {
+        let words = in_words(&damage);
+        (task.terminal).complain(&format!("warning: {words}: made again"));
+    }
+    let is_damaged =
+        |names: &[&str]| (damage.iter()).any(|damage| names.contains(&damage.name.as_str()));
+    if is_damaged(&["boundary.csv"]) {
+        replace(task, &mut manifest, "boundary.csv", &boundary_again(task)?)?;
+    }
+    if is_damaged(&["failures.csv"]) {
+        let none = format!("{FAILURES_HEADER}\n");
+        replace(task, &mut manifest, "failures.csv", none.as_bytes())?;
+    }
+    let draws = looks_different(task, &manifest) || is_damaged(&PICTURES);
+    if draws {
+        manifest.title.clone_from(&task.sweep.title);
+        manifest.map.clone_from(&task.sweep.map);
+        manifest.sweep = task.sweep.content.clone();
+        // Until they are drawn, there are none.
+        (PICTURES.iter()).for_each(|&name| drop(manifest.files.remove(name)));
+    }
+    if draws || !damage.is_empty() {
+        manifest.write(folder)?;
+    }
+    if draws && manifest.draws() {
+        draw_and_note(folder, &mut manifest)?;
+    }
+    Ok(*manifest)
+}
+
+fn replace(task: &Task, manifest: &mut Manifest, name: &str, content: &[u8]) -> Result<()> {
+    let checksum = write_with_checksum(&task.folder.join(name), content)?;
+    if manifest.has_checksums() {
+        manifest.files.insert(name.to_owned(), checksum);
+    }
+    Ok(())
+}
+
+fn boundary_again(task: &Task) -> Result<Vec<u8>> {
+    let (file, sweep) = (&task.arguments.file, &task.sweep);
+    let setting = sweep.setting.for_labels();
+    let systems = build_systems(file, sweep, &setting, task.survey.longest)?;
+    write_boundary(&boundary(sweep, &systems).map_err(UsageError)?)
+}

@@ -1,0 +1,210 @@
+//! A run of a sweep, or of a part of it, under way: its cases into the log, and the log
+//! into the results.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use anyhow::{Context, Result, anyhow, bail};
+
+use super::systems::Systems;
+use super::task::Task;
+use crate::commands::drawing::draw_and_note;
+use crate::commands::folder::{LOG, remove_page};
+use crate::commands::outcome::{status_of, summary};
+use crate::commands::progress::Progress;
+use crate::commands::status::Status;
+use crate::commands::stop;
+use crate::commands::terminal::say;
+use crate::commands::warnings::{warn_of_broken_lines, warn_of_unstable};
+use crate::engine::{Log, Record, Row, RowOutcome, Work, pairs_of};
+use crate::files::write_with_checksum;
+use crate::output::{About, Manifest, Repeat, labels_row, write_boundary, write_tables};
+use crate::words::counted;
+
+/// A run under way.
+pub struct Session<'a> {
+    task: &'a Task<'a>,
+    systems: &'a Systems,
+    log: Arc<Log>,
+    so_far: SoFar,
+    start: Instant,
+}
+
+/// What is said of a run that does not come to its end.
+#[derive(Clone)]
+struct SoFar {
+    /// Simulations in all.
+    total: usize,
+    /// Where they are kept.
+    place: String,
+}
+
+impl SoFar {
+    fn text(&self, done: usize) -> String {
+        let Self { total, place } = self;
+        format!(
+            "{done} of {total} simulations are done and kept in {place}: the same command goes on"
+        )
+    }
+}
+
+impl<'a> Session<'a> {
+    /// Opens the log of a folder that is held, and says what is worth knowing before the
+    /// work. The run began at `start`.
+    ///
+    /// # Errors
+    /// Where the log cannot be read or written.
+    pub fn open(task: &'a Task, systems: &'a Systems, start: Instant) -> Result<Self> {
+        let (sweep, shard) = (&task.sweep, task.shard);
+        let path = task.folder.join(LOG);
+        let log = Log::open(&path, sweep.design.cases(), sweep.methods.len())?;
+        let about = About::new(
+            sweep,
+            &task.arguments.file,
+            shard,
+            task.arguments.options(),
+            &systems.methods,
+        )?;
+        log.describe(about.text()?)?;
+        warn_of_unstable(&systems.methods, task.terminal);
+        warn_of_broken_lines(&log, task.terminal);
+        Ok(Self {
+            log: Arc::new(log),
+            so_far: SoFar {
+                total: pairs_of(sweep, shard),
+                place: task.folder.display().to_string(),
+            },
+            task,
+            systems,
+            start,
+        })
+    }
+
+    /// Simulates what is not in the log yet. A signal ends the program.
+    ///
+    /// # Errors
+    /// Where the log cannot be written; with `--fail-fast`, where a case has no answer.
+    pub fn simulate(&self) -> Result<()> {
+        let total = self.so_far.total;
+        let (quiet, terminal) = (self.task.arguments.quiet, self.task.terminal);
+        let progress = Progress::new(total, self.log.count(), quiet, terminal);
+        stop::before_end({
+            let log = Arc::clone(&self.log);
+            let (progress, so_far) = (Arc::clone(&progress), self.so_far.clone());
+            move || {
+                progress.finish();
+                log.close(|done| terminal.complain(&format!("stopped: {}", so_far.text(done))));
+            }
+        });
+        let worked = self.simulate_open_cases(&progress);
+        progress.finish();
+        let kept = self.log.sync();
+        worked.map_err(|error| self.with_so_far(&error))?;
+        kept.map_err(|error| self.with_so_far(&error.into()))?;
+        if self.log.count() < total
+            && let Some(status) = stop::asked()
+        {
+            stop::end(status);
+        }
+        Ok(())
+    }
+
+    fn simulate_open_cases(&self, progress: &Progress) -> Result<()> {
+        let (arguments, sweep, log) = (self.task.arguments, &self.task.sweep, &self.log);
+        if arguments.fail_fast && log.failed() > 0 {
+            bail!(
+                "{} without an answer already (--fail-fast)",
+                counted(log.failed(), "case")
+            );
+        }
+        let is_done = log.done();
+        let keep = |method: usize, row: Row| -> Result<()> {
+            let reason = match &row.outcome {
+                RowOutcome::Done(_) => None,
+                RowOutcome::Failed(reason) => Some(reason.clone()),
+            };
+            log.append(&Record {
+                case: row.case,
+                method,
+                row: labels_row(sweep, &row),
+                reason: reason.clone(),
+            })?;
+            progress.tick();
+            match reason {
+                Some(reason) if arguments.fail_fast => bail!(
+                    "case {} by {} has no answer: {reason} (--fail-fast)",
+                    row.case,
+                    row.method
+                ),
+                _ => Ok(()),
+            }
+        };
+        let work = Work {
+            sweep,
+            shard: self.task.shard,
+            options: arguments.options(),
+            strings_at_once: self.systems.strings_at_once,
+            is_open: &|case, method| !is_done(case, method),
+            stops: &|| stop::asked().is_some(),
+        };
+        work.run(&self.systems.methods, &keep)
+    }
+
+    /// From the log to the results. The log goes last: as long as it is there, the
+    /// same command does this again.
+    ///
+    /// # Errors
+    /// Where a file cannot be written.
+    pub fn finish(&self) -> Result<Status> {
+        stop::before_end({
+            let (terminal, so_far) = (self.task.terminal, self.so_far.clone());
+            move || terminal.complain(&format!("stopped: {}", so_far.text(so_far.total)))
+        });
+        let finished = self.write_results();
+        finished.map_err(|error| self.with_so_far(&error))
+    }
+
+    fn write_results(&self) -> Result<Status> {
+        let (arguments, folder) = (self.task.arguments, &self.task.folder);
+        let mut manifest = self.write_tables()?;
+        manifest.write(folder)?;
+        remove_page(folder)?;
+        let drawn = self.task.shard.is_whole() && draw_and_note(folder, &mut manifest)?;
+        let path = folder.join(LOG);
+        std::fs::remove_file(&path)
+            .with_context(|| format!("{} cannot be removed", path.display()))?;
+        if !arguments.quiet {
+            say(&summary(&manifest, folder, drawn)?)?;
+        }
+        Ok(status_of(&manifest))
+    }
+
+    /// The tables of the run, and the manifest that speaks of them.
+    fn write_tables(&self) -> Result<Manifest> {
+        let (arguments, sweep, folder) = (self.task.arguments, &self.task.sweep, &self.task.folder);
+        let repeat = Repeat {
+            sweep_file: &arguments.file,
+            chooses_method: sweep.choice.is_some(),
+            options: arguments.options(),
+        };
+        let tables = write_tables(sweep, &repeat, &self.log, folder)?;
+        let limit = write_boundary(&self.systems.limit)?;
+        let limit = write_with_checksum(&folder.join("boundary.csv"), &limit)?;
+        let seconds = self.start.elapsed().as_secs_f64();
+        let mut manifest = Manifest::new(
+            sweep,
+            self.task.shard,
+            arguments.options(),
+            &self.systems.methods,
+            tables.tally,
+            seconds,
+        )?;
+        manifest.files = tables.files;
+        manifest.files.insert("boundary.csv".to_owned(), limit);
+        Ok(manifest)
+    }
+
+    fn with_so_far(&self, error: &anyhow::Error) -> anyhow::Error {
+        anyhow!("{error:#}; {}", self.so_far.text(self.log.count()))
+    }
+}

@@ -1,0 +1,67 @@
+//! The linear systems of a run, and what follows from them alone.
+
+use anyhow::{Result, bail};
+use linear::Method;
+
+use super::task::Task;
+use crate::commands::prepare::build_systems;
+use crate::commands::status::UsageError;
+use crate::engine::MethodSystem;
+use crate::memory::{Purpose, admit};
+use crate::output::{Boundary, boundary};
+
+/// What is built before the first case.
+pub struct Systems {
+    /// By method.
+    pub methods: Vec<MethodSystem>,
+    /// As many strings as memory allows are built at once.
+    pub strings_at_once: usize,
+    /// The analytic limit.
+    pub limit: Boundary,
+}
+
+impl Systems {
+    /// Builds them, within the memory that is allowed.
+    ///
+    /// # Errors
+    /// Where they take more, or a method cannot treat the string.
+    pub fn build(task: &Task) -> Result<Self> {
+        let (arguments, sweep, survey) = (task.arguments, &task.sweep, &task.survey);
+        let setting = sweep.setting.for_labels();
+        let most = arguments.work.memory.limit();
+        let memory = admit(sweep, &setting, survey, Purpose::Labels, &most)?;
+        let methods = build_systems(&arguments.file, sweep, &setting, survey.longest)?;
+        if !arguments.allow_unstable && !sweep.design.varies_string() {
+            refuse_unstable(task, &methods)?;
+        }
+        Ok(Self {
+            limit: boundary(sweep, &methods).map_err(UsageError)?,
+            strings_at_once: memory.strings_at_once,
+            methods,
+        })
+    }
+}
+
+/// Refuses a method that chatters where a site sticks. Where axes change the
+/// string, each string's own margin counts, and its cases fail.
+fn refuse_unstable(task: &Task, systems: &[MethodSystem]) -> Result<()> {
+    let (arguments, sweep) = (task.arguments, &task.sweep);
+    let found = systems.iter().enumerate();
+    let first = found
+        .filter_map(|(index, system)| Some((index, system, system.instability()?)))
+        .next();
+    let Some((index, system, instability)) = first else {
+        return Ok(());
+    };
+    let remedy = match system.method {
+        Method::Hilbert(_) => "take another method or a longer transform",
+        Method::FiniteElement(_) => "take another method or a larger gamma",
+        Method::Quadrature | Method::Trapezoidal | Method::DirectIdft(_) => "take another method",
+    };
+    let message = format!("{instability}; {remedy}, or give --allow-unstable");
+    if arguments.work.methods.is_empty() {
+        let key = format!("methods[{index}]");
+        bail!(sweep.source.error(&key, message));
+    }
+    bail!(UsageError(format!("--methods: {message}")))
+}

@@ -1,0 +1,94 @@
+//! A run that is asked for, and what its folder holds of it.
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+
+use crate::cli::RunArguments;
+use crate::commands::folder::{Found, LOG, log_of_results, look, raise_log, results_folder};
+use crate::commands::prepare::{read_sweep, survey_cases};
+use crate::commands::terminal::Terminal;
+use crate::commands::warnings::warn_of_string;
+use crate::engine::{Header, Log, Shard, Survey};
+use crate::output::{Manifest, fingerprint};
+use crate::plan::Sweep;
+
+/// A run, as far as it is known before anything is built.
+pub struct Task<'a> {
+    /// What was asked for.
+    pub arguments: &'a RunArguments,
+    /// Where it is told of.
+    pub terminal: Terminal,
+    /// The sweep.
+    pub sweep: Sweep,
+    /// The part of it.
+    pub shard: Shard,
+    /// How long its cases take.
+    pub survey: Survey,
+    /// What a log of the run begins with.
+    pub header: Header,
+    /// Where the results are, or will be.
+    pub folder: PathBuf,
+}
+
+impl<'a> Task<'a> {
+    /// Reads the sweep and looks at its cases.
+    ///
+    /// # Errors
+    /// Where the sweep or a case does not make sense.
+    pub fn read(arguments: &'a RunArguments, terminal: Terminal) -> Result<Self> {
+        let RunArguments {
+            file, work, quiet, ..
+        } = arguments;
+        let sweep = read_sweep(file, work, arguments.full, *quiet, terminal)?;
+        if !quiet {
+            warn_of_string(&sweep, terminal);
+        }
+        let shard = arguments.shard.unwrap_or(Shard::WHOLE);
+        let survey = survey_cases(file, &sweep)?;
+        let mut folder = results_folder(arguments.out.as_ref(), &sweep);
+        if arguments.out.is_none() && !shard.is_whole() {
+            folder.push(format!("shard-{}-of-{}", shard.index, shard.of));
+        }
+        Ok(Self {
+            header: Header::new(shard, fingerprint(&sweep, arguments.options())?),
+            arguments,
+            terminal,
+            sweep,
+            shard,
+            survey,
+            folder,
+        })
+    }
+
+    /// Looks at the folder; a `fresh` run goes on from nothing.
+    ///
+    /// # Errors
+    /// As [`look`].
+    pub fn look(&self, fresh: bool) -> Result<Found> {
+        look(&self.folder, &self.header, &self.sweep, fresh)
+    }
+
+    /// Makes the log of the run, in a folder that is held, from what is there; or gives
+    /// the results that another run has finished there meanwhile.
+    ///
+    /// # Errors
+    /// As [`look`], and where a file cannot be read or written.
+    pub fn prepare_log(&self) -> Result<Option<Box<Manifest>>> {
+        let (folder, header, sweep) = (&self.folder, &self.header, &self.sweep);
+        let log = folder.join(LOG);
+        match self.look(self.arguments.fresh)? {
+            Found::Nothing(ours) => {
+                Log::begin(&log, header)?;
+                ours.remove_results(folder)?;
+            }
+            Found::Unfinished { had_fewer: false } => {}
+            Found::Unfinished { had_fewer: true } => {
+                raise_log(&log, header, sweep, self.terminal)?;
+            }
+            Found::Fewer(manifest) => log_of_results(folder, &manifest, header, sweep)?,
+            Found::Complete(manifest) => return Ok(Some(manifest)),
+        }
+        Ok(None)
+    }
+}

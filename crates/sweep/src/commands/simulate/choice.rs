@@ -1,0 +1,161 @@
+//! The cases that are asked for, with what the command line changes of them.
+
+use std::path::Path;
+
+use anyhow::{Result, bail};
+
+use crate::cli::SimulateArguments;
+use crate::commands::status::UsageError;
+use crate::engine::{Case, longest_beside};
+use crate::plan::{Conditions, Setting, Sweep};
+use crate::quantities::Axis;
+
+/// A case, and for how long its linear systems are built, s.
+pub struct ChosenCase {
+    /// The case.
+    pub case: Case,
+    /// That time.
+    pub longest: f64,
+}
+
+/// A case with what the command line changes of it.
+pub struct Choice {
+    /// Its number.
+    pub index: usize,
+    /// Its values on the axes.
+    pub values: Vec<f64>,
+    conditions: Conditions,
+    /// Quantities of the string, by axes and by `--set`.
+    string: Vec<(Axis, f64)>,
+    /// Whether `--set` gives one of them: no run has this string.
+    sets_string: bool,
+}
+
+impl Choice {
+    /// Every case that is asked for, once.
+    ///
+    /// # Errors
+    /// Where the sweep has no such case, or what is set does not fit it.
+    pub fn all(sweep: &Sweep, arguments: &SimulateArguments) -> Result<Vec<Self>> {
+        (unique(&arguments.case).into_iter())
+            .map(|index| Self::new(sweep, arguments, index))
+            .collect()
+    }
+
+    fn new(sweep: &Sweep, arguments: &SimulateArguments, index: usize) -> Result<Self> {
+        let cases = sweep.design.cases();
+        if index >= cases {
+            bail!(UsageError(format!(
+                "--case {index}: {} has cases 0 to {}",
+                arguments.file.display(),
+                cases - 1
+            )));
+        }
+        let mut values = sweep.design.values(index);
+        let mut conditions = sweep.conditions_at(&values);
+        let axes = sweep.design.axes();
+        for &(axis, value) in &arguments.set {
+            axis.check(value)
+                .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
+            refuse_idle(sweep, axis)?;
+            conditions = conditions.with(axis, value);
+            for (own, slot) in axes.iter().zip(&mut values) {
+                if *own == axis {
+                    *slot = value;
+                }
+            }
+        }
+        refuse_weight_without_rock(sweep, &conditions)?;
+        let of_axes = axes.iter().copied().zip(values.iter().copied());
+        let all = of_axes.chain(arguments.set.iter().copied());
+        let is_of_string = |(axis, _): &(Axis, f64)| axis.is_of_string();
+        Ok(Self {
+            index,
+            string: all.filter(is_of_string).collect(),
+            sets_string: arguments.set.iter().any(is_of_string),
+            values,
+            conditions,
+        })
+    }
+
+    /// The case under the setting of the sweep, which has its string by now.
+    ///
+    /// # Errors
+    /// Where the case cannot be, or an impulse of it is not felt.
+    pub fn case(self, sweep: &Sweep, file: &Path) -> Result<ChosenCase> {
+        let beside = if self.sets_string {
+            0.0
+        } else {
+            longest_beside(sweep, &sweep.setting, self.index)
+                .map_err(|reason| UsageError(format!("{}: {reason}", file.display())))?
+        };
+        let case = Case::under(
+            sweep,
+            &sweep.setting,
+            self.index,
+            self.values,
+            &self.conditions,
+        )
+        .map_err(UsageError)?;
+        sweep.impulses_are_felt(case.index, case.scene.timing.duration)?;
+        Ok(ChosenCase {
+            longest: beside.max(case.scene.timing.duration),
+            case,
+        })
+    }
+}
+
+/// Refuses to set what nothing in the sweep depends on.
+fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
+    let lateral = sweep.setting.lateral.as_ref();
+    let has_ratio =
+        lateral.is_some_and(|lateral| lateral.impulses.iter().any(|impulse| impulse.relative));
+    let why = match axis {
+        Axis::WeightOnBitKn | Axis::TorqueDynamicNm if sweep.bit.is_none() => {
+            "the bit is free in this sweep"
+        }
+        Axis::Friction if lateral.is_none() => "there is no wall in this sweep",
+        Axis::ImpulseRatio if !has_ratio => "no impulse of this sweep is in multiples of I₀",
+        _ => return Ok(()),
+    };
+    bail!(UsageError(format!("--set {}: {why}", axis.name())))
+}
+
+/// The string of all chosen cases, which are drawn in one picture, or why they have
+/// none.
+///
+/// # Errors
+/// Where they have not all the same, or what is set makes none.
+pub fn common_setting(sweep: &Sweep, choices: &[Choice]) -> Result<Result<Setting, String>> {
+    let string = choices.first().map_or(&[][..], |choice| &choice.string);
+    if choices.iter().any(|choice| choice.string != string) {
+        bail!(UsageError(
+            "--case: cases of different strings cannot be drawn beside each other".to_owned()
+        ));
+    }
+    match sweep.setting_with(string.iter().copied()) {
+        Ok(setting) => Ok(Ok(setting.into_owned())),
+        Err(error) if choices.iter().any(|choice| choice.sets_string) => Err(error.into()),
+        Err(error) => Ok(Err(error.to_string())),
+    }
+}
+
+fn refuse_weight_without_rock(sweep: &Sweep, conditions: &Conditions) -> Result<()> {
+    let has_rock = sweep.bit.as_ref().is_some_and(|bit| bit.rock.is_some());
+    if conditions.weight_on_bit_kn.is_some() && !has_rock {
+        bail!(UsageError(
+            "a weight on bit needs a rock to give a torque".to_owned()
+        ));
+    }
+    Ok(())
+}
+
+fn unique(indices: &[usize]) -> Vec<usize> {
+    let mut unique: Vec<usize> = Vec::new();
+    for &index in indices {
+        if !unique.contains(&index) {
+            unique.push(index);
+        }
+    }
+    unique
+}

@@ -1,0 +1,118 @@
+//! `sweep simulate`: a case in full (Figs. 7, 8, 10–13, 15 and 16), or a few
+//! beside each other. A case of the sweep is the case that `run` runs: the same
+//! linear systems, built for as long, and the same row; its history is followed to the
+//! end of its time.
+
+mod choice;
+mod systems;
+
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::drawing::save_picture;
+use super::folder::{make_folder, results_folder};
+use super::prepare::read_sweep;
+use super::status::Status;
+use super::terminal::{Terminal, say};
+use super::threads::use_threads;
+use super::warnings::warn_of_string;
+use crate::cli::SimulateArguments;
+use crate::engine::{Case, Row, RowOutcome, Survey};
+use crate::histories::{
+    Simulation, case_csv, case_lines, history_csv, history_picture, orbit_picture, string_picture,
+};
+use crate::memory::{Limit, Purpose, admit};
+use crate::output::write_atomically;
+use crate::plan::Sweep;
+use choice::{Choice, ChosenCase, common_setting};
+use systems::simulate_all;
+
+/// Simulates the chosen cases with every method and keeps their time histories.
+pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Status> {
+    let SimulateArguments {
+        file, work, full, ..
+    } = arguments;
+    use_threads(work.jobs, terminal)?;
+    let sweep = read_sweep(file, work, *full, false, terminal)?;
+    warn_of_string(&sweep, terminal);
+    let choices = Choice::all(&sweep, arguments)?;
+    let sweep = match common_setting(&sweep, &choices)? {
+        Ok(setting) => Sweep { setting, ..sweep },
+        Err(reason) => {
+            let rows = failed_rows(&sweep, &choices, &reason);
+            return Ok(tell_of_failures(&rows, terminal));
+        }
+    };
+    let cases = (choices.into_iter())
+        .map(|choice| choice.case(&sweep, file))
+        .collect::<Result<Vec<_>>>()?;
+    admit_histories(&sweep, &cases, &work.memory.limit())?;
+    let (rows, simulations) = simulate_all(&sweep, arguments, &cases, terminal)?;
+    let cases: Vec<Case> = cases.into_iter().map(|chosen| chosen.case).collect();
+    if !simulations.is_empty() {
+        let folder = results_folder(arguments.out.as_ref(), &sweep);
+        make_folder(&folder)?;
+        write_files(&sweep, &cases, &rows, &simulations, &folder)?;
+        say(&case_lines(&sweep, &cases, &simulations, &folder)?)?;
+    }
+    Ok(tell_of_failures(&rows, terminal))
+}
+
+/// Refuses what would take more memory than is allowed.
+fn admit_histories(sweep: &Sweep, cases: &[ChosenCase], limit: &Limit) -> Result<()> {
+    let longest = cases.iter().map(|chosen| chosen.longest);
+    let survey = Survey {
+        longest: longest.fold(0.0, f64::max),
+        ..Survey::default()
+    };
+    let purpose = Purpose::Histories(cases.len());
+    admit(sweep, &sweep.setting, &survey, purpose, limit)?;
+    Ok(())
+}
+
+/// `history.csv`, `case.csv` and the pictures.
+fn write_files(
+    sweep: &Sweep,
+    cases: &[Case],
+    rows: &[Row],
+    simulations: &[Simulation],
+    folder: &Path,
+) -> Result<()> {
+    let history = history_csv(sweep, simulations)?;
+    write_atomically(&folder.join("history.csv"), &history)?;
+    write_atomically(&folder.join("case.csv"), case_csv(sweep, rows).as_bytes())?;
+    let picture = history_picture(sweep, cases, simulations)?;
+    save_picture(folder, "history", &picture)?;
+    if let Some(lateral) = &sweep.setting.lateral {
+        save_picture(folder, "orbit", &orbit_picture(sweep, simulations)?)?;
+        let along = string_picture(sweep, lateral, simulations)?;
+        save_picture(folder, "string", &along)?;
+    }
+    Ok(())
+}
+
+/// Rows of cases whose string cannot be.
+fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &str) -> Vec<Row> {
+    let of_choice = |choice: &Choice| -> Vec<Row> {
+        let row = |name| Row::failed(choice.index, name, choice.values.clone(), reason.to_owned());
+        let methods = sweep.methods.iter();
+        methods.map(|method| row(method.name())).collect()
+    };
+    choices.iter().flat_map(of_choice).collect()
+}
+
+/// Says which cases have no answer, and why.
+fn tell_of_failures(rows: &[Row], terminal: Terminal) -> Status {
+    let mut status = Status::Complete;
+    for row in rows {
+        if let RowOutcome::Failed(reason) = &row.outcome {
+            let (case, method) = (row.case, row.method);
+            terminal.complain(&format!(
+                "error: case {case} by {method} has no answer: {reason}"
+            ));
+            status = Status::SomeFailed;
+        }
+    }
+    status
+}

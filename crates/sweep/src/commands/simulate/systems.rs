@@ -1,0 +1,99 @@
+//! The linear systems of the chosen string, and every case by each of them.
+
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::choice::ChosenCase;
+use crate::cli::SimulateArguments;
+use crate::commands::prepare::build_systems;
+use crate::commands::terminal::Terminal;
+use crate::commands::warnings::warn_of_unstable;
+use crate::engine::{MethodSystem, Row, RunOptions};
+use crate::histories::{FollowedMethod, Simulation};
+use crate::plan::Sweep;
+
+/// The row of every case and method, as a run has it, and the motion of each that has
+/// an answer.
+///
+/// # Errors
+/// Where a method cannot treat the string, or a case has no answer at its end.
+pub fn simulate_all(
+    sweep: &Sweep,
+    arguments: &SimulateArguments,
+    cases: &[ChosenCase],
+    terminal: Terminal,
+) -> Result<(Vec<Row>, Vec<Simulation>)> {
+    let options = RunOptions {
+        full: arguments.full,
+        // Where all cases share a string, a run refuses the method before any row:
+        // what it would do can be looked at here.
+        allow_unstable: arguments.allow_unstable || !sweep.design.varies_string(),
+    };
+    let mut built: Vec<Systems> = Vec::new();
+    let (mut rows, mut simulations) = (Vec::new(), Vec::new());
+    for ChosenCase { case, longest } in cases {
+        let known = built.iter().position(|systems| systems.longest == *longest);
+        let place = match known {
+            Some(place) => place,
+            None => {
+                let file = &arguments.file;
+                built.push(Systems::build(file, sweep, options, *longest, terminal)?);
+                built.len() - 1
+            }
+        };
+        for (system, method) in built[place].methods.iter().zip(&sweep.methods) {
+            match system {
+                Ok(system) => {
+                    let is_alone = cases.len() == 1;
+                    let (row, simulation) = system.simulate(sweep, case, options, is_alone)?;
+                    rows.push(row);
+                    simulations.extend(simulation);
+                }
+                Err(reason) => {
+                    let values = case.values.clone();
+                    let name = method.name();
+                    rows.push(Row::failed(case.index, name, values, reason.clone()));
+                }
+            }
+        }
+    }
+    Ok((rows, simulations))
+}
+
+/// The linear systems of the chosen string, or why a method has none.
+struct Systems {
+    /// What they are built for, s.
+    longest: f64,
+    methods: Vec<Result<FollowedMethod, String>>,
+}
+
+impl Systems {
+    fn build(
+        file: &Path,
+        sweep: &Sweep,
+        options: RunOptions,
+        longest: f64,
+        terminal: Terminal,
+    ) -> Result<Self> {
+        let setting = sweep.setting.for_labels();
+        let systems: Vec<Result<MethodSystem>> = if sweep.design.varies_string() {
+            MethodSystem::build_each(sweep, &setting, longest)
+        } else {
+            // A run would not begin.
+            let systems = build_systems(file, sweep, &setting, longest)?;
+            systems.into_iter().map(Ok).collect()
+        };
+        if options.allow_unstable {
+            warn_of_unstable(systems.iter().flatten(), terminal);
+        }
+        let methods = systems
+            .into_iter()
+            .map(|system| match system {
+                Ok(case) => FollowedMethod::new(sweep, case, longest).map(Ok),
+                Err(error) => Ok(Err(format!("{error:#}"))),
+            })
+            .collect::<Result<_>>()?;
+        Ok(Self { longest, methods })
+    }
+}

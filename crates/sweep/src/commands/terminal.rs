@@ -1,0 +1,60 @@
+//! What is said on standard output and told on the error stream. Nothing of it steers a
+//! terminal, whoever wrote the files it comes from.
+
+use std::io::{ErrorKind, Write};
+
+use anyhow::{Context, Result};
+use serde_json::json;
+
+use crate::cli::{Command, LogFormat};
+use crate::printable::{printable, printable_json};
+
+/// Prints lines to standard output. A reader who has seen enough
+/// (`sweep inspect FILE | head -1`) is no error, and no reason to panic.
+pub fn say(text: &str) -> Result<()> {
+    let mut output = std::io::stdout().lock();
+    match output
+        .write_all(printable(text).as_bytes())
+        .and_then(|()| output.flush())
+    {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        result => result.context("standard output cannot be written"),
+    }
+}
+
+/// The error stream: lines for people, or one JSON object a line.
+#[derive(Debug, Clone, Copy)]
+pub struct Terminal {
+    format: LogFormat,
+}
+
+impl Terminal {
+    /// As a command wants it.
+    pub fn of(command: &Command) -> Self {
+        let format = match command {
+            Command::Run(arguments) => arguments.log,
+            _ => LogFormat::Text,
+        };
+        Self { format }
+    }
+
+    /// Whether programs read it.
+    pub fn is_json(self) -> bool {
+        self.format == LogFormat::Json
+    }
+
+    /// Prints a line, where anybody listens.
+    pub fn complain(self, line: &str) {
+        if self.is_json() {
+            self.tell(&json!({ "event": "message", "text": line }));
+        } else {
+            let _ = writeln!(std::io::stderr(), "{}", printable(line));
+        }
+    }
+
+    /// Prints an event for programs.
+    pub fn tell(self, event: &serde_json::Value) {
+        let json = event.to_string();
+        let _ = writeln!(std::io::stderr(), "{}", printable_json(&json));
+    }
+}

@@ -1,0 +1,67 @@
+//! The chart of accuracy against speed.
+
+use anyhow::Result;
+
+use super::table::measures;
+use crate::plot::{Axis, Picture, Points, ScatterGrid, ScatterPanel, scatter_grid};
+use crate::study::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
+
+/// Smaller errors are drawn here: they are rounding.
+const SMALLEST_DRAWN: f64 = 1e-9;
+
+/// Draws each measure's configurations.
+///
+/// # Errors
+/// Where it cannot be drawn.
+pub fn chart(rows: &[Row]) -> Result<Picture> {
+    let panels = (measures(rows).into_iter())
+        .enumerate()
+        .map(|(index, measure)| panel(rows, measure, index % 3 == 0));
+    scatter_grid(&ScatterGrid {
+        title: "Accuracy against speed: what each configuration costs, and how far off it is"
+            .to_owned(),
+        front: "nothing is both cheaper and better".to_owned(),
+        floor: "the reference is no surer than this".to_owned(),
+        rim: "the paper's own: 640 Hz, filters of 10 s or 20 elements".to_owned(),
+        panels: panels.collect(),
+    })
+}
+
+fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
+    let point = |row: &Row| Some((row.cost(), row.error?.max(SMALLEST_DRAWN)));
+    let known = || rows.iter().filter(|row| row.measure == measure);
+    let mut kinds: Vec<Points> = Vec::new();
+    for row in known() {
+        let name = row.configuration.family();
+        let kind = match kinds.iter().position(|kind| kind.name == name) {
+            Some(kind) => kind,
+            None => {
+                kinds.push(Points {
+                    name: name.to_owned(),
+                    points: Vec::new(),
+                });
+                kinds.len() - 1
+            }
+        };
+        kinds[kind].points.extend(point(row));
+    }
+    let uncertainty = known().map(|row| row.reference.uncertainty).next();
+    let log_axis = |label: &str| Axis {
+        label: label.to_owned(),
+        logarithmic: true,
+    };
+    ScatterPanel {
+        title: measure.title().to_owned(),
+        x: log_axis(&format!("Time for {CASES} cases of {CASE_SECONDS} s (s)")),
+        y: log_axis(if is_first { "Relative error" } else { "" }),
+        kinds,
+        front: (front(rows, measure).into_iter())
+            .map(|(row, error)| (row.cost(), error.max(SMALLEST_DRAWN)))
+            .collect(),
+        rims: known()
+            .filter(|row| row.configuration.paper().is_some())
+            .filter_map(point)
+            .collect(),
+        floor: uncertainty.filter(|part| *part > 0.0),
+    }
+}

@@ -1,0 +1,33 @@
+//! What is worth knowing before the work, though nothing is wrong with it.
+
+use super::terminal::Terminal;
+use crate::engine::{Log, MethodSystem};
+use crate::plan::Sweep;
+use crate::words::counted;
+
+/// Warns of parts of the string such as none are made.
+pub fn warn_of_string(sweep: &Sweep, terminal: Terminal) {
+    for doubt in sweep.doubts_about_string() {
+        terminal.complain(&format!("warning: {doubt}"));
+    }
+}
+
+/// Warns of methods that chatter where a site sticks.
+pub fn warn_of_unstable<'a>(
+    systems: impl IntoIterator<Item = &'a MethodSystem>,
+    terminal: Terminal,
+) {
+    for instability in systems.into_iter().filter_map(MethodSystem::instability) {
+        terminal.complain(&format!("warning: {instability}"));
+    }
+}
+
+/// Says what of a log is lost.
+pub fn warn_of_broken_lines(log: &Log, terminal: Terminal) {
+    if log.broken_lines() > 0 {
+        terminal.complain(&format!(
+            "warning: {} of the log not whole; those cases are run again",
+            counted(log.broken_lines(), "line")
+        ));
+    }
+}

@@ -1,0 +1,93 @@
+//! Cases followed to the end of their time, against the linear systems of a run.
+
+use anyhow::{Context, Result};
+use sim::{Outcome, Stopping, Trajectory};
+
+use super::simulation::Simulation;
+use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions};
+use crate::plan::Sweep;
+use crate::words::short;
+
+/// The linear systems of one method.
+pub struct FollowedMethod {
+    /// What a run steps a case against.
+    case: MethodSystem,
+    /// The same with the places that are just looked at: they would change the mesh
+    /// of finite elements, and so the case.
+    watched: Option<MethodSystem>,
+}
+
+impl FollowedMethod {
+    /// Of what a run steps a case against, for cases up to the longest.
+    ///
+    /// # Errors
+    /// Where the method cannot treat the places that are just looked at.
+    pub fn new(sweep: &Sweep, case: MethodSystem, longest: f64) -> Result<Self> {
+        let is_watched = sweep.setting.sites.len() > case.setting.sites.len();
+        let watched = is_watched.then(|| {
+            MethodSystem::build(&sweep.setting, case.method, sweep.bit.is_some(), longest)
+        });
+        Ok(Self {
+            watched: watched.transpose()?,
+            case,
+        })
+    }
+
+    /// The row that a run has of a case, and its motion where it has an answer. In
+    /// pictures it is called by its method if the case is alone.
+    ///
+    /// # Errors
+    /// Where the case, followed to its end, has no answer after all.
+    pub fn simulate(
+        &self,
+        sweep: &Sweep,
+        case: &Case,
+        options: RunOptions,
+        is_alone: bool,
+    ) -> Result<(Row, Option<Simulation>)> {
+        let row = self.case.answer(case, options);
+        let RowOutcome::Done(answer) = row.outcome else {
+            return Ok((row, None));
+        };
+        let (trajectory, followed) = self.follow(case)?;
+        let simulation = Simulation {
+            case: case.index,
+            method: row.method,
+            name: name(sweep, case, row.method, is_alone),
+            trajectory,
+            answer,
+            site_from_bit_m: row.site_from_bit_m,
+            followed,
+        };
+        Ok((row, Some(simulation)))
+    }
+
+    /// The motion of a case to the end of its time.
+    fn follow(&self, case: &Case) -> Result<(Trajectory, Outcome)> {
+        let mut motion = Trajectory::default();
+        let simulated = self.case.simulate(case, Stopping::Full, Some(&mut motion));
+        let outcome = simulated.with_context(|| {
+            let method = self.case.method.name();
+            format!("case {} by {method}, followed to its end", case.index)
+        })?;
+        if let Some(watched) = &self.watched
+            && let Some(mut speeds) = watched.driven_speeds(case, &motion)
+        {
+            // The bit, which is the last, has been simulated.
+            speeds.pop();
+            speeds.append(&mut motion.speeds);
+            motion.speeds = speeds;
+        }
+        Ok((motion, outcome))
+    }
+}
+
+/// The method, and what sets the case apart where there are several.
+fn name(sweep: &Sweep, case: &Case, method: &str, is_alone: bool) -> String {
+    if is_alone {
+        return method.to_owned();
+    }
+    let axes = sweep.design.axes().iter().zip(&case.values);
+    let values = axes.map(|(axis, value)| format!("{} = {}", axis.symbol(), short(*value)));
+    format!("{}, {method}", values.collect::<Vec<_>>().join(", "))
+}

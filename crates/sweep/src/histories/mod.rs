@@ -1,0 +1,19 @@
+//! Cases in full: their motion to the end of their time, as tables, pictures (Figs. 7, 8,
+//! 10–13, 15 and 16) and words.
+
+mod follow;
+mod lines;
+mod marks;
+mod orbits;
+mod over_time;
+mod simulation;
+mod tables;
+mod whole_string;
+
+pub use follow::FollowedMethod;
+pub use lines::case_lines;
+pub use orbits::orbit_picture;
+pub use over_time::history_picture;
+pub use simulation::Simulation;
+pub use tables::{case_csv, history_csv};
+pub use whole_string::string_picture;

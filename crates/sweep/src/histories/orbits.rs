@@ -1,0 +1,46 @@
+//! The picture of the ways of sites across the borehole.
+
+use anyhow::Result;
+
+use super::marks::{axis, shows_wall};
+use super::simulation::Simulation;
+use crate::plan::Sweep;
+use crate::plot::{Orbit, Orbits, Picture, Series, orbits};
+use crate::words::site_title;
+
+/// The way of every site's centre, with the circle of its clearance where it comes
+/// near that.
+///
+/// # Errors
+/// Where it cannot be drawn.
+pub fn orbit_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Picture> {
+    let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
+    let walls = sweep
+        .setting
+        .lateral
+        .iter()
+        .flat_map(|lateral| &lateral.walls);
+    let of_sites = distances.zip(walls).map(|((site, &distance), wall)| {
+        let of_site = |simulation: &Simulation| Series {
+            name: simulation.name.clone(),
+            points: simulation.trajectory.positions[site]
+                .iter()
+                .map(|[x, y]| (1e3 * x, 1e3 * y))
+                .collect(),
+        };
+        let series: Vec<Series> = simulations.iter().map(of_site).collect();
+        let clearance = 1e3 * wall.clearance;
+        let points = series.iter().flat_map(|series| &series.points);
+        let furthest = points.fold(0.0, |most: f64, (x, y)| most.max(x.hypot(*y)));
+        Orbit {
+            x: axis(&format!("x at {} (mm)", site_title(distance))),
+            y: axis("y (mm)"),
+            series,
+            circle: shows_wall(furthest, clearance).then_some(clearance),
+        }
+    });
+    orbits(&Orbits {
+        title: sweep.title.clone(),
+        orbits: of_sites.collect(),
+    })
+}
