@@ -7,7 +7,6 @@ use anyhow::Result;
 
 use super::labels::{LabelReader, LabelRow};
 use super::motion::Motion;
-use crate::plot::Symbol;
 use crate::sweep_file::Axis;
 
 impl LabelRow {
@@ -57,23 +56,6 @@ pub struct CaseRows {
 }
 
 impl CaseRows {
-    /// The paper's symbols for a motion: a circle where every method finds sustained
-    /// vibration, a cross where none does, a square where they differ. None where a
-    /// method has no answer, or one that tells nothing.
-    pub fn symbol(&self, motion: Motion) -> Option<Symbol> {
-        let mut sustained = 0;
-        for row in &self.rows {
-            sustained += usize::from(row.is_sustained(motion)?);
-        }
-        Some(if sustained == self.rows.len() {
-            Symbol::Circle
-        } else if sustained == 0 {
-            Symbol::Cross
-        } else {
-            Symbol::Square
-        })
-    }
-
     /// Whether two methods that have an answer give different labels.
     pub fn differs(&self) -> bool {
         let mut answers = self.rows.iter().filter(|row| row.has_answer());
@@ -146,13 +128,6 @@ mod tests {
             .map(|case| (case.case, case.values[0], case.rows.len()))
             .collect();
         assert_eq!(numbers, [(3, 0.5, 2), (4, 1.0, 2), (5, 2.0, 2)]);
-        let symbols = |motion| -> Vec<_> { cases.iter().map(|case| case.symbol(motion)).collect() };
-        assert_eq!(
-            symbols(Motion::Lateral),
-            [Some(Symbol::Square), None, None],
-            "no answer of one method, no lateral motion"
-        );
-        assert_eq!(symbols(Motion::Torsion), [None, None, Some(Symbol::Cross)]);
         let differ: Vec<_> = cases.iter().map(CaseRows::differs).collect();
         assert_eq!(differ, [true, false, false]);
         assert_eq!(cases[0].rows[0].regime(), "stuck, backward_whirl");

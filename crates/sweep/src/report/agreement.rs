@@ -1,5 +1,6 @@
 //! Whether the methods say the same.
 
+use crate::map::symbol_of;
 use crate::output::{CaseRows, Motion};
 
 /// Cases on which methods differ that are kept to be listed.
@@ -77,7 +78,7 @@ impl Agreement {
             }
         }
         for shown in &mut self.shown {
-            match case.symbol(shown.motion) {
+            match symbol_of(case, shown.motion) {
                 Some(symbol) => shown.symbols[symbol as usize] += 1,
                 None => shown.untold += 1,
             }

@@ -8,7 +8,8 @@ use super::agreement::Agreement;
 use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
-use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, Motion, ResultTables};
+use crate::map::{Cells, Extent, symbol_of};
+use crate::output::{CaseReader, CaseRows, Manifest, Motion, ResultTables};
 use crate::sweep_file::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
@@ -132,7 +133,7 @@ impl MapCells {
 
     fn add(&mut self, case: &CaseRows) {
         for (motion, cells) in &mut self.cells {
-            if let Some(symbol) = case.symbol(*motion) {
+            if let Some(symbol) = symbol_of(case, *motion) {
                 cells.add(self.places.map(|place| case.values[place]), symbol);
             }
         }

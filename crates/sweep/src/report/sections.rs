@@ -1,7 +1,7 @@
 //! Results folders in words and tables: what came out.
 
 use super::comparison::Comparison;
-use super::document::{Block, Map, NOTHING, Section, Table};
+use super::document::{Block, Map, NOTHING, Section, Table, named, row_of, table_of};
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
@@ -30,29 +30,6 @@ pub fn sections(all: &[Results], comparisons: &[Comparison]) -> Vec<Section> {
 
 fn section(title: &'static str, blocks: Vec<Block>) -> Section {
     Section { title, blocks }
-}
-
-/// A table that says in its first column which folder a row is of, where there are
-/// several.
-pub fn table_of(all: &[Results], caption: &str, header: &[&str]) -> Table {
-    let folder = (all.len() > 1).then_some("folder");
-    let header: Vec<&str> = folder.into_iter().chain(header.iter().copied()).collect();
-    Table::new(caption, &header)
-}
-
-/// A row of such a table.
-pub fn row_of(all: &[Results], results: &Results, cells: Vec<String>) -> Vec<String> {
-    let folder = (all.len() > 1).then(|| results.name.clone());
-    folder.into_iter().chain(cells).collect()
-}
-
-/// `text`, with its folder before it where there are several.
-fn named(all: &[Results], results: &Results, text: impl std::fmt::Display) -> String {
-    if all.len() > 1 {
-        format!("{}: {text}", results.name)
-    } else {
-        text.to_string()
-    }
 }
 
 fn percentage(part: usize, whole: usize) -> String {
