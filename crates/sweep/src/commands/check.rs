@@ -7,7 +7,7 @@ use std::sync::Mutex;
 
 use anyhow::{Result, bail};
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
-use sim::{LateralRegime, Outcome, TorsionRegime};
+use sim::Label;
 
 use super::{
     Progress, Status, UsageError, build_systems, choose, say, survey_cases, use_threads,
@@ -15,10 +15,10 @@ use super::{
 };
 use crate::cli::CheckArguments;
 use crate::design::{Design, List};
-use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Shard, Work};
+use crate::engine::{Case, MethodSystem, Record, RunOptions, Shard, Work};
 use crate::memory::{Purpose, admit};
-use crate::output::{LabelRow, read_labels, rolling_bound};
-use crate::sweep_file::{Sweep, check_setting, nearest};
+use crate::output::{LabelRow, Labels, Motion, read_labels, rolling_bound};
+use crate::sweep_file::{Sweep, check_setting};
 use crate::words::counted;
 
 /// Reruns the cases of a reference file and compares their labels.
@@ -51,20 +51,16 @@ pub fn check(arguments: &CheckArguments) -> Result<Status> {
     let mut labels = 0;
     let mut text = String::new();
     for expected in &reference {
-        let Some(row) = found.get(&(expected.case, expected.method.as_str())) else {
+        let Some(record) = found.get(&(expected.case, expected.method.as_str())) else {
             continue;
         };
-        for (expected_label, label) in [
-            (&expected.torsion, label(row, torsion_label)),
-            (&expected.lateral, label(row, lateral_label)),
-        ] {
-            // A label that the reference leaves out is not checked.
-            if !expected_label.is_empty() {
-                labels += 1;
-                if label != *expected_label {
-                    different += 1;
-                    text += &difference(&sweep, &systems, expected, expected_label, row, &label);
-                }
+        // A label that the reference leaves out is not checked.
+        for expected_label in expected.labels.each() {
+            let label = label(record, Motion::of(expected_label));
+            labels += 1;
+            if label != expected_label.name() {
+                different += 1;
+                text += &difference(&sweep, &systems, expected, expected_label, record, &label);
             }
         }
     }
@@ -89,7 +85,7 @@ fn run_all(
     systems: &[MethodSystem],
     numbers: &[usize],
     strings_at_once: usize,
-) -> Result<BTreeMap<(usize, &'static str), Row>> {
+) -> Result<BTreeMap<(usize, &'static str), Record>> {
     let found = Mutex::new(BTreeMap::new());
     let progress = Progress::new(numbers.len() * systems.len(), 0, false);
     let work = Work {
@@ -103,9 +99,10 @@ fn run_all(
         is_open: &|_, _| true,
         stops: &|| false,
     };
-    let keep = |_, row: Row| {
+    let keep = |record: Record| {
         if let Ok(mut found) = found.lock() {
-            found.insert((numbers[row.case], row.method), row);
+            let method = sweep.methods[record.method].name();
+            found.insert((numbers[record.case], method), record);
         }
         progress.tick();
         Ok(())
@@ -143,16 +140,12 @@ fn cases_of(
     reference: &[LabelRow],
     path: &Path,
 ) -> Result<BTreeMap<usize, Vec<f64>>> {
-    let torsion = TorsionRegime::ALL.map(TorsionRegime::name);
-    let lateral = LateralRegime::ALL.map(LateralRegime::name);
     let mut cases: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     for row in reference {
         let at = |reason: String| UsageError(format!("{}:{}: {reason}", path.display(), row.line));
-        if row.torsion.is_empty() && row.lateral.is_empty() {
+        if !row.labels.is_answer() {
             bail!(at("has no label to compare with".to_owned()));
         }
-        refuse_unknown("torsion", &row.torsion, &torsion).map_err(at)?;
-        refuse_unknown("lateral", &row.lateral, &lateral).map_err(at)?;
         let axes = sweep.design.axes();
         for (&axis, &value) in axes.iter().zip(&row.values) {
             check_setting(axis, value)
@@ -171,53 +164,34 @@ fn cases_of(
     Ok(cases)
 }
 
-/// A word that is none of the regimes is a mistake in the reference, and no label
-/// that differs.
-fn refuse_unknown(column: &str, label: &str, known: &[&str]) -> Result<(), String> {
-    if label.is_empty() || known.contains(&label) {
-        return Ok(());
+fn label(record: &Record, motion: Motion) -> String {
+    match &record.outcome {
+        Ok(outcome) => Labels::of(outcome)
+            .get(motion)
+            .map_or_else(String::new, |label| label.name().to_owned()),
+        Err(reason) => format!("failed ({reason})"),
     }
-    let hint = nearest(label, known).map_or_else(
-        || format!("known: {}", known.join(", ")),
-        |known| format!("did you mean `{known}`?"),
-    );
-    Err(format!("{column}: `{label}` is no {column} regime; {hint}"))
-}
-
-fn label(row: &Row, of: fn(&Outcome) -> Option<&'static str>) -> String {
-    match &row.outcome {
-        RowOutcome::Done(outcome) => of(outcome).unwrap_or_default().to_owned(),
-        RowOutcome::Failed(reason) => format!("failed ({reason})"),
-    }
-}
-
-fn torsion_label(outcome: &Outcome) -> Option<&'static str> {
-    outcome.torsion.map(|torsion| torsion.regime.name())
-}
-
-fn lateral_label(outcome: &Outcome) -> Option<&'static str> {
-    outcome.lateral.map(|lateral| lateral.regime.name())
 }
 
 fn difference(
     sweep: &Sweep,
     systems: &[MethodSystem],
     expected: &LabelRow,
-    expected_label: &str,
-    row: &Row,
+    expected_label: Label,
+    record: &Record,
     label: &str,
 ) -> String {
     let values: Vec<String> = (sweep.design.axes().iter())
         .zip(&expected.values)
         .map(|(axis, value)| format!("{} = {value}", axis.name()))
         .collect();
-    let distance = distance_to_limit(sweep, systems, expected, row).unwrap_or_default();
+    let distance = distance_to_limit(sweep, systems, expected, record).unwrap_or_default();
     format!(
         "case {} by {}: {}: expected {}, found {label}{distance}\n",
         expected.case,
         expected.method,
         values.join(", "),
-        expected_label,
+        expected_label.name(),
     )
 }
 
@@ -226,7 +200,7 @@ fn distance_to_limit(
     sweep: &Sweep,
     systems: &[MethodSystem],
     expected: &LabelRow,
-    row: &Row,
+    record: &Record,
 ) -> Option<String> {
     let conditions = sweep.conditions_at(&expected.values);
     if let (Some(lateral), Some(friction)) = (&sweep.setting.lateral, conditions.friction) {
@@ -239,8 +213,8 @@ fn distance_to_limit(
             ", at {ratio:.3} times the least friction of steady rolling whirl"
         ));
     }
-    let system = (systems.iter()).find(|system| system.method.name() == row.method)?;
-    let torques = sweep.bit.as_ref()?.torques(row.torque_dynamic_nm?);
+    let system = systems.get(record.method)?;
+    let torques = sweep.bit.as_ref()?.torques(record.torque_dynamic_nm?);
     let limit = stick_slip_speed_limit(
         largest_undershoot(system.driving_point()?),
         torques.torque_static,

@@ -20,12 +20,11 @@ use super::{
     results_folder, say, stop, survey_cases, use_threads, warn_of_string, warn_of_unstable,
 };
 use crate::cli::{LogFormat, RunArguments};
-use crate::engine::{Header, Log, MethodSystem, Record, Row, RowOutcome, Shard, Work, pairs_of};
+use crate::engine::{Header, Log, MethodSystem, Record, Shard, Work, pairs_of};
 use crate::files::write_with_checksum;
 use crate::memory::{Purpose, admit};
 use crate::output::{
-    About, Boundary, Manifest, Repeat, Tally, boundary, fingerprint, labels_row, write_boundary,
-    write_tables,
+    About, Boundary, Manifest, Repeat, Tally, boundary, fingerprint, write_boundary, write_tables,
 };
 use crate::sweep_file::Sweep;
 use crate::words::{counted, together, wrapped};
@@ -222,23 +221,14 @@ impl Session<'_> {
             );
         }
         let is_done = log.done();
-        let keep = |method: usize, row: Row| -> Result<()> {
-            let reason = match &row.outcome {
-                RowOutcome::Done(_) => None,
-                RowOutcome::Failed(reason) => Some(reason.clone()),
-            };
-            log.append(&Record {
-                case: row.case,
-                method,
-                row: labels_row(sweep, &row),
-                reason: reason.clone(),
-            })?;
+        let keep = |record: Record| -> Result<()> {
+            log.append(&record)?;
             progress.tick();
-            match reason {
+            match record.reason() {
                 Some(reason) if arguments.fail_fast => bail!(
                     "case {} by {} has no answer: {reason} (--fail-fast)",
-                    row.case,
-                    row.method
+                    record.case,
+                    sweep.methods[record.method].name()
                 ),
                 _ => Ok(()),
             }
@@ -264,7 +254,7 @@ impl Session<'_> {
             chooses_method: sweep.choice.is_some(),
             options: arguments.options(),
         };
-        let tables = write_tables(sweep, &repeat, log, folder)?;
+        let tables = write_tables(sweep, repeat, log, folder)?;
         let limit = write_with_checksum(&folder.join("boundary.csv"), &write_boundary(limit)?)?;
         let seconds = self.start.elapsed().as_secs_f64();
         let mut manifest = Manifest::new(

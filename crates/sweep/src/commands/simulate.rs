@@ -17,9 +17,9 @@ use super::{
     use_threads, warn_of_string, warn_of_unstable,
 };
 use crate::cli::SimulateArguments;
-use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions, Survey, longest_beside};
+use crate::engine::{Case, MethodSystem, Record, RunOptions, Survey, longest_beside};
 use crate::memory::{Purpose, admit};
-use crate::output::{labels_header, labels_row, write_atomically};
+use crate::output::{LabelTable, write_atomically};
 use crate::plot::{orbits, panels};
 use crate::sweep_file::{Axis, Conditions, Setting, Sweep, check_setting};
 use crate::words::short;
@@ -52,7 +52,9 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
         .collect::<Result<Vec<_>>>()?;
     sweep.setting = match common_setting(&sweep, &choices)? {
         Ok(setting) => setting,
-        Err(reason) => return tell_of_failures(&failed_rows(&sweep, &choices, &reason)),
+        Err(reason) => {
+            return tell_of_failures(&sweep, &failed_rows(&sweep, &choices, &reason));
+        }
     };
     let cases = (choices.into_iter())
         .map(|choice| choice.case(&sweep, &arguments.file))
@@ -76,7 +78,7 @@ pub fn simulate(arguments: &SimulateArguments) -> Result<Status> {
         write_files(&sweep, &cases, &rows, &simulations, &folder)?;
         say(&case_lines(&sweep, &cases, &simulations, &folder)?)?;
     }
-    tell_of_failures(&rows)
+    tell_of_failures(&sweep, &rows)
 }
 
 /// The row of every case and method, as a run has it, and the motion of each that has
@@ -85,7 +87,7 @@ fn simulate_all(
     sweep: &Sweep,
     arguments: &SimulateArguments,
     cases: &[ChosenCase],
-) -> Result<(Vec<Row>, Vec<Simulation>)> {
+) -> Result<(Vec<Record>, Vec<Simulation>)> {
     let options = RunOptions {
         full: arguments.full,
         // Where all cases share a string, a run refuses the method before any row:
@@ -103,20 +105,21 @@ fn simulate_all(
                 built.len() - 1
             }
         };
-        for (system, method) in built[place].methods.iter().zip(&sweep.methods) {
+        for (place, system) in built[place].methods.iter().enumerate() {
             let row = match system {
-                Ok(systems) => systems.case.answer(case, options),
+                Ok(systems) => systems.case.answer(case, place, options),
                 Err(reason) => {
                     let values = case.values.clone();
-                    Row::failed(case.index, method.name(), values, reason.clone())
+                    Record::failed(case.index, place, values, reason)
                 }
             };
-            if let (Ok(systems), RowOutcome::Done(answer)) = (system, &row.outcome) {
+            if let (Ok(systems), Ok(answer)) = (system, &row.outcome) {
+                let method = sweep.methods[place].name();
                 let (trajectory, followed) = systems.follow(case)?;
                 simulations.push(Simulation {
                     case: case.index,
-                    method: row.method,
-                    name: name(sweep, case, row.method, cases.len()),
+                    method,
+                    name: name(sweep, case, method, cases.len()),
                     trajectory,
                     answer: *answer,
                     site_from_bit_m: row.site_from_bit_m,
@@ -203,7 +206,7 @@ impl MethodSystems {
 fn write_files(
     sweep: &Sweep,
     cases: &[Case],
-    rows: &[Row],
+    rows: &[Record],
     simulations: &[Simulation],
     folder: &Path,
 ) -> Result<()> {
@@ -223,28 +226,28 @@ fn write_files(
 }
 
 /// `case.csv`: the rows that `labels.csv` has of these cases.
-fn case_csv(sweep: &Sweep, rows: &[Row]) -> String {
-    let rows = rows.iter().map(|row| labels_row(sweep, row));
-    let lines = std::iter::once(labels_header(sweep)).chain(rows);
+fn case_csv(sweep: &Sweep, rows: &[Record]) -> String {
+    let table = LabelTable::of(sweep);
+    let rows = rows.iter().map(|row| table.row(row));
+    let lines = std::iter::once(table.header()).chain(rows);
     lines.map(|line| line + "\n").collect()
 }
 
 /// Rows of cases whose string cannot be.
-fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &str) -> Vec<Row> {
-    let of_choice = |choice: &Choice| -> Vec<Row> {
-        let row = |name| Row::failed(choice.index, name, choice.values.clone(), reason.to_owned());
-        let methods = sweep.methods.iter();
-        methods.map(|method| row(method.name())).collect()
+fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &str) -> Vec<Record> {
+    let of_choice = |choice: &Choice| -> Vec<Record> {
+        let row = |method| Record::failed(choice.index, method, choice.values.clone(), reason);
+        (0..sweep.methods.len()).map(row).collect()
     };
     choices.iter().flat_map(of_choice).collect()
 }
 
 /// Says which cases have no answer, and why.
-fn tell_of_failures(rows: &[Row]) -> Result<Status> {
+fn tell_of_failures(sweep: &Sweep, rows: &[Record]) -> Result<Status> {
     let mut status = Status::Complete;
     for row in rows {
-        if let RowOutcome::Failed(reason) = &row.outcome {
-            let (case, method) = (row.case, row.method);
+        if let Some(reason) = row.reason() {
+            let (case, method) = (row.case, sweep.methods[row.method].name());
             complain(&format!(
                 "error: case {case} by {method} has no answer: {reason}"
             ));

@@ -82,7 +82,9 @@ impl Content {
         let is_told = match (&mut self.drawn, symbol) {
             (Drawn::Parts(fractions), _) => {
                 let rows = case.rows.iter();
-                let told: Vec<bool> = rows.filter_map(|row| row.is_sustained(motion)).collect();
+                let told: Vec<bool> = rows
+                    .filter_map(|row| row.labels.is_sustained(motion))
+                    .collect();
                 let sustained = told.iter().filter(|sustained| **sustained).count();
                 fractions.add(place, [sustained, told.len()]);
                 !told.is_empty()

@@ -9,7 +9,7 @@ use crate::plot::Symbol;
 pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     let mut sustained = 0;
     for row in &case.rows {
-        sustained += usize::from(row.is_sustained(motion)?);
+        sustained += usize::from(row.labels.is_sustained(motion)?);
     }
     Some(if sustained == case.rows.len() {
         Symbol::Circle

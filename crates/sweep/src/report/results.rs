@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
+use sim::Label;
 
 use super::agreement::Agreement;
 use super::character_map::character_map;
@@ -92,10 +93,10 @@ impl Results {
     }
 
     /// Rows of a method with a label.
-    pub fn count(&self, method: &str, label: &str) -> usize {
+    pub fn count(&self, method: &str, label: Label) -> usize {
         let labels = self.manifest.tally.labels.get(method);
         labels
-            .and_then(|labels| labels.get(label))
+            .and_then(|labels| labels.get(&label))
             .map_or(0, |count| *count)
     }
 }
