@@ -8,7 +8,7 @@ use std::str::{FromStr, Split};
 use anyhow::{Context, Result, anyhow};
 use sim::{Ended, Label, LateralMeasures, LateralRegime, Outcome, TorsionMeasures, TorsionRegime};
 
-use super::labels::{LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
+use super::labels::{FAILED, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
 use super::motion::Labels;
 use crate::engine::Record;
 use crate::hand_table::{HandTable, Mistake, number};
@@ -103,7 +103,7 @@ impl LabelColumns {
                     Label::of_name(predicted).ok_or_else(|| format!("`{predicted}` is no regime"))
                 })
                 .transpose()?,
-            failed: optional(self.status) == "failed",
+            failed: optional(self.status) == FAILED,
         })
     }
 }

@@ -32,7 +32,11 @@ const RESULT_COLUMNS: [&str; 21] = [
     "status",
 ];
 
-/// The columns of `torsion` and of `lateral` measures among them.
+/// The status of a case with an answer, and of one without.
+const DONE: &str = "ok";
+pub(super) const FAILED: &str = "failed";
+
+/// How many of the columns are measures of torsion, and of lateral motion.
 pub(super) const TORSION_COLUMNS: usize = 6;
 pub(super) const LATERAL_COLUMNS: usize = 9;
 
@@ -83,7 +87,7 @@ impl<'a> LabelTable<'a> {
         row.add_optional(done.and_then(|outcome| outcome.predicted).map(Label::name));
         row.add_optional(done.map(|outcome| outcome.simulated));
         row.add_optional(done.map(|outcome| outcome.ended.name()));
-        row.add(if done.is_some() { "ok" } else { "failed" });
+        row.add(if done.is_some() { DONE } else { FAILED });
         row.0
     }
 }
