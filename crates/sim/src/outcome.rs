@@ -116,3 +116,16 @@ impl Outcome {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_label_has_a_word_of_its_own() {
+        let torsion = TorsionRegime::ALL.map(Label::Torsion).into_iter();
+        for label in torsion.chain(LateralRegime::ALL.map(Label::Lateral)) {
+            assert_eq!(Label::of_name(label.name()), Some(label));
+        }
+    }
+}

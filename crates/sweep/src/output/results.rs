@@ -83,6 +83,9 @@ pub struct Tables {
     pub files: BTreeMap<String, Checksum>,
 }
 
+/// Rows that all threads together put in words at once.
+const ROWS_AT_ONCE: usize = 1 << 12;
+
 /// `labels.csv` and `failures.csv` under way.
 pub struct TableWriter<'a> {
     table: LabelTable<'a>,
@@ -116,12 +119,12 @@ impl<'a> TableWriter<'a> {
     /// # Errors
     /// Where they cannot be written.
     pub fn add(&mut self, records: &[Record]) -> Result<()> {
-        let rows: Vec<String> = (records.par_iter())
-            .map(|record| self.table.row(record) + "\n")
-            .collect();
-        for (record, row) in records.iter().zip(rows) {
-            self.labels.write(row.as_bytes())?;
-            self.count(record)?;
+        for records in records.chunks(ROWS_AT_ONCE) {
+            let rows: Vec<String> = (records.par_iter())
+                .map(|record| self.table.row(record) + "\n")
+                .collect();
+            self.labels.write(rows.concat().as_bytes())?;
+            records.iter().try_for_each(|record| self.count(record))?;
         }
         Ok(())
     }

@@ -12,10 +12,13 @@ use super::line::Scan;
 use super::record::parse_record;
 use crate::engine::Record;
 
-/// Cases whose rows are put in order at once, in memory.
+/// Cases whose records are put in order at once, in memory.
 const CASES_PER_BLOCK: usize = 1 << 14;
 
-/// What is in a log, without its rows.
+/// Lines that all threads together parse at once.
+const LINES_AT_ONCE: usize = 1 << 12;
+
+/// What is in a log, without its records.
 #[derive(Debug)]
 pub(super) struct Content {
     cases: usize,
@@ -29,7 +32,7 @@ pub(super) struct Content {
     broken_lines: usize,
     /// What the run is shown by, as the last line about it says.
     about: Option<String>,
-    /// For each block of cases, the bytes of the log between which its rows are.
+    /// For each block of cases, the bytes of the log between which its records are.
     blocks: Vec<Option<(u64, u64)>>,
 }
 
@@ -141,17 +144,24 @@ impl Content {
         let unreadable = |error| file_error(path, "read", error);
         for (block, range) in self.blocks.iter().enumerate() {
             let Some((from, to)) = *range else { continue };
-            let mut lines: Vec<Vec<u8>> = Vec::new();
-            let mut scan = Scan::between(file, from, to).map_err(unreadable)?;
-            while let Some(line) = scan.next_line().map_err(unreadable)? {
-                lines.push(line.text.to_vec());
-            }
             let is_of_block = |record: &Record| {
                 record.case / CASES_PER_BLOCK == block && self.has_place_for(record)
             };
-            let mut records: Vec<Record> = (lines.par_iter())
-                .filter_map(|line| parse_record(line).filter(is_of_block))
-                .collect();
+            let (mut lines, mut records) = (Vec::with_capacity(LINES_AT_ONCE), Vec::new());
+            let mut scan = Scan::between(file, from, to).map_err(unreadable)?;
+            loop {
+                lines.clear();
+                while lines.len() < LINES_AT_ONCE
+                    && let Some(line) = scan.next_line().map_err(unreadable)?
+                {
+                    lines.push(line.text.to_vec());
+                }
+                if lines.is_empty() {
+                    break;
+                }
+                let parsed = lines.par_iter().filter_map(|line| parse_record(line));
+                records.par_extend(parsed.filter(is_of_block));
+            }
             records.sort_by_key(|record| (record.case, record.method));
             records.dedup_by_key(|record| (record.case, record.method));
             each(&records)?;
