@@ -128,8 +128,6 @@ fn nothing_of_a_foreign_folder_steers_the_terminal() {
     // Whoever changes labels may leave out their checksums.
     manifest.as_object_mut().unwrap().remove("files").unwrap();
     place.write("results/manifest.json", manifest.to_string());
-    let labels = text(&place, "results/labels.csv").replace("stick_slip", evil);
-    place.write("results/labels.csv", labels);
     place.write(
         &format!("{evil}.toml"),
         with(SMALL, "kind = \"grid\"", "kind = \"x\""),
@@ -138,6 +136,14 @@ fn nothing_of_a_foreign_folder_steers_the_terminal() {
     assert!(
         summary.contains("\\u{1b}[2J\\u{9b}31m\\u{7}\\u{202e}gnp"),
         "{summary}"
+    );
+    // A word that is no regime is named with its line.
+    let labels = text(&place, "results/labels.csv").replace("stick_slip", evil);
+    place.write("results/labels.csv", labels);
+    let errors = place.sweep(&["summary", "results"]).errors;
+    assert!(
+        errors.contains("labels.csv:") && errors.contains("gnp` is no torsion regime"),
+        "{errors}"
     );
     let strange = format!("{evil}.toml");
     for arguments in [

@@ -64,7 +64,7 @@ fn a_torn_log_goes_on_from_its_last_whole_line() {
 fn damaged_lines_are_run_again() {
     let (place, log) = stopped(20);
     let lines: Vec<&str> = log.split_inclusive('\n').collect();
-    let damaged = lines[7].replace(",ok\n", ",OK\n");
+    let damaged = lines[7].replace("\"Ok\":", "\"OK\":");
     assert_ne!(damaged, lines[7]);
     let mut text = lines.clone();
     text[7] = &damaged;
@@ -107,14 +107,14 @@ fn a_log_of_another_program_is_refused() {
             "another sweep (time_s: 100.0 → 1000.0)",
         ),
         (
-            "\"format\":2",
             "\"format\":3",
-            "results/cases.log is a log of format 3",
+            "\"format\":4",
+            "results/cases.log is a log of format 4",
         ),
         (
+            "\"format\":3",
             "\"format\":2",
-            "\"format\":1",
-            "results/cases.log is a log of format 1",
+            "results/cases.log is a log of format 2",
         ),
     ] {
         let other = with(text, piece, instead);

@@ -9,9 +9,11 @@ use crate::{finishes, logged, long, same_tables};
 /// Cases of which both methods are in the log of a stopped run.
 fn whole_cases(place: &Workplace) -> usize {
     let log = std::fs::read_to_string(place.path("stopped/cases.log")).unwrap();
-    let mut rows: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut rows: BTreeMap<u64, usize> = BTreeMap::new();
     for line in log.lines() {
-        if let Ok(case) = line.split('\t').nth(1).unwrap().parse() {
+        let (_, text) = line.split_once('\t').unwrap();
+        if let Ok(record) = serde_json::from_str::<serde_json::Value>(text) {
+            let case = record["case"].as_u64().unwrap();
             *rows.entry(case).or_default() += 1;
         }
     }

@@ -87,6 +87,7 @@ mod system;
 pub mod timing;
 pub mod trajectory;
 pub mod watch;
+mod words;
 
 pub use error::SimulationError;
 pub use excitation::{EccentricMass, Impulse};

@@ -5,45 +5,26 @@ use serde::{Deserialize, Serialize};
 
 use super::rules::Rules;
 use crate::laws::contact::{Contact, Touch};
+use crate::words::with_words;
 
-/// How the string moved laterally.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LateralRegime {
-    /// No site ever touched the wall.
-    NoContact,
-    /// Some site touched the wall; none whirls in the closing window: none is in
-    /// contact for most of it and goes round.
-    TransientContact,
-    /// Some site whirls against the rotation.
-    BackwardWhirl,
-    /// Some site whirls with the rotation.
-    ForwardWhirl,
-}
-
-impl LateralRegime {
-    /// Every one.
-    pub const ALL: [Self; 4] = [
-        Self::NoContact,
-        Self::TransientContact,
-        Self::BackwardWhirl,
-        Self::ForwardWhirl,
-    ];
-
-    /// The label in result files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            LateralRegime::NoContact => "no_contact",
-            LateralRegime::TransientContact => "transient_contact",
-            LateralRegime::BackwardWhirl => "backward_whirl",
-            LateralRegime::ForwardWhirl => "forward_whirl",
-        }
+with_words! {
+    /// How the string moved laterally.
+    pub enum LateralRegime {
+        /// No site ever touched the wall.
+        NoContact = "no_contact",
+        /// Some site touched the wall; none whirls in the closing window: none is in
+        /// contact for most of it and goes round.
+        TransientContact = "transient_contact",
+        /// Some site whirls against the rotation.
+        BackwardWhirl = "backward_whirl",
+        /// Some site whirls with the rotation.
+        ForwardWhirl = "forward_whirl",
     }
 }
 
 /// What a person would ask of the lateral motion: of the site that decides the
 /// label, the one that is in contact longest in the closing window.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LateralMeasures {
     /// The regime.
     pub regime: LateralRegime,

@@ -4,36 +4,23 @@ use serde::{Deserialize, Serialize};
 
 use super::rules::{AGREEING_CYCLES, Rules};
 use crate::laws::bit::BitMotion;
+use crate::words::with_words;
 
-/// How the bit turned.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum TorsionRegime {
-    /// Never slipped in the time simulated: undetermined.
-    Stuck,
-    /// Slipped and turned on, perhaps after a few recaptures.
-    Smooth,
-    /// Recaptured again and again, in the closing window too: the ringing of
-    /// the start may recapture the bit often before it dies away.
-    StickSlip,
-}
-
-impl TorsionRegime {
-    /// Every one.
-    pub const ALL: [Self; 3] = [Self::Stuck, Self::Smooth, Self::StickSlip];
-
-    /// The label in result files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            TorsionRegime::Stuck => "stuck",
-            TorsionRegime::Smooth => "smooth",
-            TorsionRegime::StickSlip => "stick_slip",
-        }
+with_words! {
+    /// How the bit turned.
+    pub enum TorsionRegime {
+        /// Never slipped in the time simulated: undetermined.
+        Stuck = "stuck",
+        /// Slipped and turned on, perhaps after a few recaptures.
+        Smooth = "smooth",
+        /// Recaptured again and again, in the closing window too: the ringing of
+        /// the start may recapture the bit often before it dies away.
+        StickSlip = "stick_slip",
     }
 }
 
 /// What a person would ask of the bit's motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TorsionMeasures {
     /// The regime.
     pub regime: TorsionRegime,

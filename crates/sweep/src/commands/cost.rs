@@ -203,8 +203,8 @@ fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, options: RunOpti
         let mut case = Case::of(sweep, &systems.first()?.setting, case).ok()?;
         let part = shorten(&mut case.scene, most);
         let begun = Instant::now();
-        for system in systems {
-            system.answer(&case, options);
+        for (method, system) in systems.iter().enumerate() {
+            system.answer(&case, method, options);
         }
         Some(begun.elapsed().as_secs_f64() / part)
     };

@@ -1,6 +1,6 @@
-//! One case: its values, its scene, its row.
+//! One case: its values and its scene.
 
-use sim::{Impulse, Lateral, Outcome, Scene, Timing, torsion_timing};
+use sim::{Impulse, Lateral, Scene, Timing, torsion_timing};
 
 use crate::plan::{Conditions, LateralSettings, Setting, Sweep, Time};
 
@@ -110,44 +110,4 @@ fn lateral_scene(settings: &LateralSettings, conditions: &Conditions) -> Result<
         impulses: impulses.collect(),
         eccentric_masses: settings.eccentric_masses.clone(),
     })
-}
-
-/// The answer of one case by one method.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Row {
-    /// Number of the case.
-    pub case: usize,
-    /// Name of the method.
-    pub method: &'static str,
-    /// The case's values along the axes.
-    pub values: Vec<f64>,
-    /// T_d, N m.
-    pub torque_dynamic_nm: Option<f64>,
-    /// The site that decides the lateral label, m from the bit.
-    pub site_from_bit_m: Option<f64>,
-    /// What came out.
-    pub outcome: RowOutcome,
-}
-
-impl Row {
-    /// The row of a case that could not be begun.
-    pub fn failed(case: usize, method: &'static str, values: Vec<f64>, reason: String) -> Self {
-        Self {
-            case,
-            method,
-            values,
-            torque_dynamic_nm: None,
-            site_from_bit_m: None,
-            outcome: RowOutcome::Failed(reason),
-        }
-    }
-}
-
-/// A case's outcome, or why it has none.
-#[derive(Debug, Clone, PartialEq)]
-pub enum RowOutcome {
-    /// Simulated.
-    Done(Outcome),
-    /// Kept aside with its reason.
-    Failed(String),
 }

@@ -1,17 +1,21 @@
-//! From a sweep to its rows: each distinct string's linear systems built once,
+//! From a sweep to its records: each distinct string's linear systems built once,
 //! every case stepped against them on all cores.
 
 mod case;
 mod log;
 mod memory;
+mod record;
 mod run_options;
 mod shard;
 mod survey;
 mod systems;
 
-pub use case::{Case, Row, RowOutcome};
-pub use log::{Header, Log, LogError, LogView, Place, Record, log_place, read_about, read_header};
+pub use case::Case;
+pub use log::{
+    Header, Log, LogError, LogView, Place, log_place, read_about, read_header, record_line,
+};
 pub use memory::StringMemory;
+pub use record::Record;
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
@@ -25,8 +29,8 @@ use rayon::prelude::*;
 
 use crate::plan::Sweep;
 
-/// What becomes of a row, by the method with a place in the sweep's list.
-pub type Keep<'a> = &'a (dyn Fn(usize, Row) -> Result<()> + Sync);
+/// What becomes of a record.
+pub type Keep<'a> = &'a (dyn Fn(Record) -> Result<()> + Sync);
 
 /// The part of a sweep that is to be run.
 pub struct Work<'a> {
@@ -65,9 +69,8 @@ struct Built<'a> {
 
 impl Work<'_> {
     /// Runs every open pair of case and method, in about the order of the cases,
-    /// and hands the method's place in the sweep's list and the row to `keep`; its
-    /// first error ends the work. `base` is the system of the string as the sweep
-    /// file says it.
+    /// and hands the record to `keep`; its first error ends the work. `base` is the
+    /// system of the string as the sweep file says it.
     ///
     /// # Errors
     /// What `keep` returned.
@@ -184,15 +187,14 @@ impl Work<'_> {
         if !self.wants(built.string, position, index, method) {
             return Ok(());
         }
-        let row = match built.systems[method] {
+        let record = match built.systems[method] {
             Ok(system) => Case::of(self.sweep, &system.setting, index)
-                .map(|case| system.answer(&case, self.options)),
+                .map(|case| system.answer(&case, method, self.options)),
             Err(reason) => Err(reason.to_owned()),
         };
-        let row = row.unwrap_or_else(|reason| {
-            let name = self.sweep.methods[method].name();
-            Row::failed(index, name, self.sweep.design.values(index), reason)
-        });
-        keep(method, row)
+        keep(record.unwrap_or_else(|reason| {
+            let values = self.sweep.design.values(index);
+            Record::failed(index, method, values, &reason)
+        }))
     }
 }

@@ -12,7 +12,8 @@ use rayon::prelude::*;
 use sim::excitation::least_impulse;
 use sim::{Outcome, Scene, SimulationError, Simulator, Stopping, Trajectory};
 
-use super::case::{Case, Row, RowOutcome};
+use super::case::Case;
+use super::record::Record;
 use super::run_options::RunOptions;
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
@@ -180,33 +181,35 @@ impl MethodSystem {
         scene
     }
 
-    /// The row that a run with these options writes of a case. A case that panics is one
-    /// without an answer, and not the end of the sweep.
-    pub fn answer(&self, case: &Case, options: RunOptions) -> Row {
+    /// What a run with these options comes to of a case; `method` is this one's place in
+    /// the sweep's list. A case that panics is one without an answer, and not the end of
+    /// the sweep.
+    pub fn answer(&self, case: &Case, method: usize, options: RunOptions) -> Record {
+        let failed = |reason: &str| Record::failed(case.index, method, case.values.clone(), reason);
         if let (Some(instability), false) = (self.instability(), options.allow_unstable) {
-            let reason = format!("{instability} (--allow-unstable simulates it)");
-            let method = self.method.name();
-            return Row::failed(case.index, method, case.values.clone(), reason);
+            return failed(&format!("{instability} (--allow-unstable simulates it)"));
         }
         let stopping = options.stopping(case.index);
         let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, stopping, None)));
-        let outcome = match simulated {
-            Ok(Ok(outcome)) => RowOutcome::Done(outcome),
-            Ok(Err(error)) => RowOutcome::Failed(self.in_words(&error)),
-            Err(_) => RowOutcome::Failed("the simulation panicked".to_owned()),
+        let torque_dynamic_nm = case.torque_dynamic_nm;
+        let reason = match simulated {
+            Ok(Ok(outcome)) => {
+                let distances = self.setting.sites.distances_from_bit();
+                return Record {
+                    case: case.index,
+                    method,
+                    values: case.values.clone(),
+                    torque_dynamic_nm,
+                    site_from_bit_m: outcome.lateral.map(|lateral| distances[lateral.site]),
+                    outcome: Ok(outcome),
+                };
+            }
+            Ok(Err(error)) => self.in_words(&error),
+            Err(_) => "the simulation panicked".to_owned(),
         };
-        let site_from_bit_m = match &outcome {
-            RowOutcome::Done(outcome) => (outcome.lateral)
-                .map(|lateral| self.setting.sites.distances_from_bit()[lateral.site]),
-            RowOutcome::Failed(_) => None,
-        };
-        Row {
-            case: case.index,
-            method: self.method.name(),
-            values: case.values.clone(),
-            torque_dynamic_nm: case.torque_dynamic_nm,
-            site_from_bit_m,
-            outcome,
+        Record {
+            torque_dynamic_nm,
+            ..failed(&reason)
         }
     }
 }

@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use sim::{Outcome, Stopping, Trajectory};
 
 use super::simulation::Simulation;
-use crate::engine::{Case, MethodSystem, Row, RowOutcome, RunOptions};
+use crate::engine::{Case, MethodSystem, Record, RunOptions};
 use crate::plan::Sweep;
 use crate::words::short;
 
@@ -33,8 +33,8 @@ impl FollowedMethod {
         })
     }
 
-    /// The row that a run has of a case, and its motion where it has an answer. In
-    /// pictures it is called by its method if the case is alone.
+    /// The row that a run has of a case by the method with a place in the sweep's list,
+    /// and its motion where it has an answer. In pictures it is called by its method if the case is alone.
     ///
     /// # Errors
     /// Where the case, followed to its end, has no answer after all.
@@ -42,18 +42,20 @@ impl FollowedMethod {
         &self,
         sweep: &Sweep,
         case: &Case,
+        method: usize,
         options: RunOptions,
         is_alone: bool,
-    ) -> Result<(Row, Option<Simulation>)> {
-        let row = self.case.answer(case, options);
-        let RowOutcome::Done(answer) = row.outcome else {
+    ) -> Result<(Record, Option<Simulation>)> {
+        let row = self.case.answer(case, method, options);
+        let Ok(answer) = row.outcome else {
             return Ok((row, None));
         };
         let (trajectory, followed) = self.follow(case)?;
+        let name_of_method = self.case.method.name();
         let simulation = Simulation {
             case: case.index,
-            method: row.method,
-            name: name(sweep, case, row.method, is_alone),
+            method: name_of_method,
+            name: name(sweep, case, name_of_method, is_alone),
             trajectory,
             answer,
             site_from_bit_m: row.site_from_bit_m,

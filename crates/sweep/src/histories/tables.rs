@@ -3,8 +3,8 @@
 use anyhow::Result;
 
 use super::simulation::{Simulation, has_positions, has_torque};
-use crate::engine::Row;
-use crate::output::{labels_header, labels_row};
+use crate::engine::Record;
+use crate::output::LabelTable;
 use crate::plan::{Sweep, to_rpm};
 
 fn site_name(distance: f64) -> String {
@@ -62,8 +62,9 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
 }
 
 /// `case.csv`: the rows that `labels.csv` has of these cases.
-pub fn case_csv(sweep: &Sweep, rows: &[Row]) -> String {
-    let rows = rows.iter().map(|row| labels_row(sweep, row));
-    let lines = std::iter::once(labels_header(sweep)).chain(rows);
+pub fn case_csv(sweep: &Sweep, rows: &[Record]) -> String {
+    let table = LabelTable::of(sweep);
+    let rows = rows.iter().map(|row| table.row(row));
+    let lines = std::iter::once(table.header()).chain(rows);
     lines.map(|line| line + "\n").collect()
 }

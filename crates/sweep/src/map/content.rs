@@ -3,8 +3,12 @@
 
 use anyhow::Result;
 
-use super::Map;
-use crate::output::{CaseReader, CaseRows, Cells, Extent, Fractions, Motion};
+use super::cases::MapCases;
+use super::cells::Cells;
+use super::extent::Extent;
+use super::fractions::Fractions;
+use super::symbol::symbol_of;
+use crate::output::{CaseReader, CaseRows, Motion};
 use crate::plot::{Ground, MapCell, MapPoint, Part, Symbol};
 
 /// Where a sheet would have more symbols than this, cells are drawn.
@@ -40,25 +44,24 @@ impl Content {
     ///
     /// # Errors
     /// Where labels cannot be read.
-    pub fn read(map: &Map, motion: Motion) -> Result<Vec<Content>> {
-        let mut contents: Vec<Content> = match map.combinations() {
-            None => vec![Content::new(Drawn::Parts(Fractions::new(&map.extent)))],
+    pub fn read(cases: &MapCases, motion: Motion) -> Result<Vec<Content>> {
+        let mut contents: Vec<Content> = match cases.combinations() {
+            None => vec![Content::new(Drawn::Parts(Fractions::new(&cases.extent)))],
             Some(combinations) => {
                 let count = combinations.len().max(1);
-                let drawn = || Drawn::of_cases(&map.extent, count);
+                let drawn = || Drawn::of_cases(&cases.extent, count);
                 (0..count).map(|_| Content::new(drawn())).collect()
             }
         };
-        let mut axes = vec![map.settings.x, map.settings.y];
-        axes.extend(&map.others);
-        for case in CaseReader::open(&map.labels, &axes)? {
+        let mut axes = cases.on_map.to_vec();
+        axes.extend(&cases.others);
+        for case in CaseReader::open(&cases.labels, &axes)? {
             let case = case?;
-            let combinations = map.combinations();
             let of_case = |combinations: &[Vec<f64>]| {
                 let values = &case.values[2..];
                 combinations.iter().position(|other| other == values)
             };
-            let index = combinations.and_then(of_case).unwrap_or(0);
+            let index = cases.combinations().and_then(of_case).unwrap_or(0);
             contents[index].add(&case, motion);
         }
         Ok(contents)
@@ -75,11 +78,13 @@ impl Content {
     fn add(&mut self, case: &CaseRows, motion: Motion) {
         self.cases += 1;
         let place = [case.values[0], case.values[1]];
-        let symbol = case.symbol(motion);
+        let symbol = symbol_of(case, motion);
         let is_told = match (&mut self.drawn, symbol) {
             (Drawn::Parts(fractions), _) => {
                 let rows = case.rows.iter();
-                let told: Vec<bool> = rows.filter_map(|row| row.is_sustained(motion)).collect();
+                let told: Vec<bool> = rows
+                    .filter_map(|row| row.labels.is_sustained(motion))
+                    .collect();
                 let sustained = told.iter().filter(|sustained| **sustained).count();
                 fractions.add(place, [sustained, told.len()]);
                 !told.is_empty()

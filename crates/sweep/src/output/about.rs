@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
-use super::labels::labels_header;
+use super::labels::{LabelTable, shows_torque};
 use super::manifest::Manifest;
 use super::results::Tally;
 use crate::engine::{MethodSystem, RunOptions, Shard, pairs_of};
@@ -17,8 +17,8 @@ use crate::plan::Sweep;
 pub struct About {
     /// What `manifest.json` will say, but for what comes out and how long it takes.
     pub manifest: Manifest,
-    /// The first line of `labels.csv`.
-    pub columns: String,
+    /// Whether `labels.csv` has a column of T_d beside the axes.
+    pub shows_torque: bool,
     /// The sweep file, as the command names it.
     pub sweep_file: String,
     /// Simulations in all.
@@ -45,10 +45,20 @@ impl About {
         }
         Ok(Self {
             manifest,
-            columns: labels_header(sweep),
+            shows_torque: shows_torque(sweep),
             sweep_file: sweep_file.display().to_string(),
             simulations: pairs_of(sweep, shard),
         })
+    }
+
+    /// What the rows of its `labels.csv` have in common.
+    pub fn label_table(&self) -> LabelTable<'_> {
+        let methods = self.manifest.methods.iter();
+        LabelTable {
+            methods: methods.map(|method| method.method.as_str()).collect(),
+            axes: &self.manifest.axes,
+            shows_torque: self.shows_torque,
+        }
     }
 
     /// As a line of text.

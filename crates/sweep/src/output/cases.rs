@@ -5,45 +5,9 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use super::labels::{LabelReader, LabelRow};
+use super::label_rows::{LabelReader, LabelRow};
 use super::motion::Motion;
-use crate::plot::Symbol;
 use crate::quantities::Axis;
-
-impl LabelRow {
-    /// Whether there is any label.
-    pub fn has_answer(&self) -> bool {
-        !(self.torsion.is_empty() && self.lateral.is_empty())
-    }
-
-    /// The label of a motion; empty where there is none.
-    pub fn label(&self, motion: Motion) -> &str {
-        match motion {
-            Motion::Torsion => &self.torsion,
-            Motion::Lateral => &self.lateral,
-        }
-    }
-
-    /// Whether a motion is sustained vibration; none where the row does not tell.
-    pub fn is_sustained(&self, motion: Motion) -> Option<bool> {
-        motion.is_sustained(self.label(motion))
-    }
-
-    /// Whether another row has the same labels, of torsion and lateral.
-    pub fn same_labels(&self, other: &LabelRow) -> bool {
-        (&self.torsion, &self.lateral) == (&other.torsion, &other.lateral)
-    }
-
-    /// Both labels, as a person reads them.
-    pub fn regime(&self) -> String {
-        match (self.torsion.as_str(), self.lateral.as_str()) {
-            ("", "") => "no answer".to_owned(),
-            (torsion, "") => torsion.to_owned(),
-            ("", lateral) => lateral.to_owned(),
-            (torsion, lateral) => format!("{torsion}, {lateral}"),
-        }
-    }
-}
 
 /// The rows of one case.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,33 +21,17 @@ pub struct CaseRows {
 }
 
 impl CaseRows {
-    /// The paper's symbols for a motion: a circle where every method finds sustained
-    /// vibration, a cross where none does, a square where they differ. None where a
-    /// method has no answer, or one that tells nothing.
-    pub fn symbol(&self, motion: Motion) -> Option<Symbol> {
-        let mut sustained = 0;
-        for row in &self.rows {
-            sustained += usize::from(row.is_sustained(motion)?);
-        }
-        Some(if sustained == self.rows.len() {
-            Symbol::Circle
-        } else if sustained == 0 {
-            Symbol::Cross
-        } else {
-            Symbol::Square
-        })
-    }
-
     /// Whether two methods that have an answer give different labels.
     pub fn differs(&self) -> bool {
-        let mut answers = self.rows.iter().filter(|row| row.has_answer());
+        let rows = self.rows.iter().map(|row| row.labels);
+        let mut answers = rows.filter(|labels| labels.is_answer());
         let first = answers.next();
-        answers.any(|row| first.is_some_and(|first| !row.same_labels(first)))
+        answers.any(|labels| Some(labels) != first)
     }
 
     /// Whether a method has a label of a motion.
     pub fn has(&self, motion: Motion) -> bool {
-        self.rows.iter().any(|row| !row.label(motion).is_empty())
+        (self.rows.iter()).any(|row| row.labels.get(motion).is_some())
     }
 }
 
@@ -146,16 +94,9 @@ mod tests {
             .map(|case| (case.case, case.values[0], case.rows.len()))
             .collect();
         assert_eq!(numbers, [(3, 0.5, 2), (4, 1.0, 2), (5, 2.0, 2)]);
-        let symbols = |motion| -> Vec<_> { cases.iter().map(|case| case.symbol(motion)).collect() };
-        assert_eq!(
-            symbols(Motion::Lateral),
-            [Some(Symbol::Square), None, None],
-            "no answer of one method, no lateral motion"
-        );
-        assert_eq!(symbols(Motion::Torsion), [None, None, Some(Symbol::Cross)]);
         let differ: Vec<_> = cases.iter().map(CaseRows::differs).collect();
         assert_eq!(differ, [true, false, false]);
-        assert_eq!(cases[0].rows[0].regime(), "stuck, backward_whirl");
+        assert_eq!(cases[0].rows[0].labels.to_string(), "stuck, backward_whirl");
     }
 
     #[test]

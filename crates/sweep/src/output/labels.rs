@@ -1,16 +1,12 @@
-//! `labels.csv`: one row per case and method, tidy.
+//! `labels.csv` as it is written: one row per case and method, tidy.
 
-use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::fmt::{Display, Write};
 
-use anyhow::{Context, Result, anyhow};
 use sim::{Label, LateralMeasures, TorsionMeasures};
 
-use crate::engine::{Row, RowOutcome};
-use crate::hand_table::{HandTable, Mistake, number};
+use crate::engine::Record;
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
-use crate::text_file::{LARGEST_TABLE, read_text};
 
 /// Columns that follow the axes.
 const RESULT_COLUMNS: [&str; 21] = [
@@ -37,227 +33,126 @@ const RESULT_COLUMNS: [&str; 21] = [
     "status",
 ];
 
-/// The first line of `labels.csv`.
-pub fn labels_header(sweep: &Sweep) -> String {
-    let mut header = vec!["case".to_owned(), "method".to_owned()];
-    header.extend(sweep.design.axes().iter().map(|axis| axis.name()));
-    header.extend(shows_torque(sweep).then(|| Axis::TorqueDynamicNm.name()));
-    header.extend(RESULT_COLUMNS.map(str::to_owned));
-    header.join(",")
+/// The status of a case with an answer, and of one without.
+const DONE: &str = "ok";
+pub(super) const FAILED: &str = "failed";
+
+/// How many of the columns are measures of torsion, and of lateral motion.
+pub(super) const TORSION_COLUMNS: usize = 6;
+pub(super) const LATERAL_COLUMNS: usize = 9;
+
+/// What the rows of a `labels.csv` have in common.
+pub struct LabelTable<'a> {
+    /// Names of the methods, in the sweep's order.
+    pub methods: Vec<&'a str>,
+    /// What differs between the cases.
+    pub axes: &'a [Axis],
+    /// Whether T_d has a column: where an axis is mapped to it on the way to the model.
+    pub shows_torque: bool,
 }
 
-/// A row of `labels.csv`. No field of it needs quotes: they are names and numbers.
-pub fn labels_row(sweep: &Sweep, row: &Row) -> String {
-    let mut fields = vec![labels_start(row.case, row.method, &row.values)];
-    if shows_torque(sweep) {
-        fields.push(optional(row.torque_dynamic_nm));
+impl<'a> LabelTable<'a> {
+    /// That of a sweep.
+    pub fn of(sweep: &'a Sweep) -> Self {
+        Self {
+            methods: sweep.methods.iter().map(|method| method.name()).collect(),
+            axes: sweep.design.axes(),
+            shows_torque: shows_torque(sweep),
+        }
     }
-    fields.extend(result_fields(row));
-    fields.join(",")
+
+    /// The first line.
+    pub fn header(&self) -> String {
+        let mut header = vec!["case".to_owned(), "method".to_owned()];
+        header.extend(self.axes.iter().map(|axis| axis.name()));
+        header.extend(self.shows_torque.then(|| Axis::TorqueDynamicNm.name()));
+        header.extend(RESULT_COLUMNS.map(str::to_owned));
+        header.join(",")
+    }
+
+    /// A row. No field of it needs quotes: they are names and numbers.
+    pub fn row(&self, record: &Record) -> String {
+        let mut row = Row(record.case.to_string());
+        row.add(self.methods[record.method]);
+        record.values.iter().for_each(|value| row.add(value));
+        if self.shows_torque {
+            row.add_optional(record.torque_dynamic_nm);
+        }
+        let done = record.outcome.as_ref().ok();
+        let torsion = done.and_then(|outcome| outcome.torsion.as_ref());
+        let lateral = done.and_then(|outcome| outcome.lateral.as_ref());
+        row.add_optional(torsion.map(|torsion| torsion.regime.name()));
+        row.add_optional(lateral.map(|lateral| lateral.regime.name()));
+        row.add_torsion(torsion);
+        row.add_lateral(lateral, record.site_from_bit_m);
+        row.add_optional(done.and_then(|outcome| outcome.predicted).map(Label::name));
+        row.add_optional(done.map(|outcome| outcome.simulated));
+        row.add_optional(done.map(|outcome| outcome.ended.name()));
+        row.add(if done.is_some() { DONE } else { FAILED });
+        row.0
+    }
 }
 
-/// The first fields of a row of `labels.csv`: case, method and values along the axes.
-pub fn labels_start(case: usize, method: &str, values: &[f64]) -> String {
-    let mut fields = vec![case.to_string(), method.to_owned()];
-    fields.extend(values.iter().map(f64::to_string));
-    fields.join(",")
-}
-
-/// What an axis is mapped to on the way to the model is a column too.
-fn shows_torque(sweep: &Sweep) -> bool {
+/// Whether T_d has a column in the table of a sweep.
+pub(super) fn shows_torque(sweep: &Sweep) -> bool {
     sweep.bit.is_some() && !sweep.design.axes().contains(&Axis::TorqueDynamicNm)
 }
 
-fn optional(value: Option<f64>) -> String {
-    value.map_or_else(String::new, |value| value.to_string())
-}
+/// A row as far as it is.
+struct Row(String);
 
-fn result_fields(row: &Row) -> Vec<String> {
-    let done = match &row.outcome {
-        RowOutcome::Done(outcome) => Some(outcome),
-        RowOutcome::Failed(_) => None,
-    };
-    let torsion = done.and_then(|outcome| outcome.torsion.as_ref());
-    let lateral = done.and_then(|outcome| outcome.lateral.as_ref());
-    let mut fields = vec![
-        torsion.map_or_else(String::new, |torsion| torsion.regime.name().to_owned()),
-        lateral.map_or_else(String::new, |lateral| lateral.regime.name().to_owned()),
-    ];
-    fields.extend(torsion.map_or_else(|| vec![String::new(); 6], torsion_fields));
-    let lateral_fields = |lateral| lateral_fields(row.site_from_bit_m, lateral);
-    fields.extend(lateral.map_or_else(|| vec![String::new(); 9], lateral_fields));
-    let predicted = done
-        .and_then(|outcome| outcome.predicted)
-        .map_or("", Label::name);
-    fields.push(predicted.to_owned());
-    let (ended, status) = match done {
-        Some(outcome) => (outcome.ended.name(), "ok"),
-        None => ("", "failed"),
-    };
-    fields.push(optional(done.map(|outcome| outcome.simulated)));
-    fields.extend([ended.to_owned(), status.to_owned()]);
-    fields
-}
-
-fn torsion_fields(torsion: &TorsionMeasures) -> Vec<String> {
-    vec![
-        optional(torsion.first_slip),
-        optional(torsion.period),
-        optional(torsion.slip_time),
-        torsion.sticks.to_string(),
-        to_rpm(torsion.peak_speed).to_string(),
-        to_rpm(torsion.closing_speed).to_string(),
-    ]
-}
-
-fn lateral_fields(site_from_bit_m: Option<f64>, lateral: &LateralMeasures) -> Vec<String> {
-    vec![
-        optional(site_from_bit_m),
-        optional(lateral.first_contact),
-        (1e3 * lateral.peak_radius).to_string(),
-        (1e3 * lateral.mean_radius).to_string(),
-        lateral.contact_fraction.to_string(),
-        lateral.rolling_fraction.to_string(),
-        (lateral.precession_rate / std::f64::consts::TAU).to_string(),
-        (1e-3 * lateral.mean_normal_force).to_string(),
-        lateral.ambiguous_steps.to_string(),
-    ]
-}
-
-/// What is read back of a row: enough to draw it or to run it again.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LabelRow {
-    /// Line of the file.
-    pub line: usize,
-    /// Number of the case.
-    pub case: usize,
-    /// Name of the method.
-    pub method: String,
-    /// Values along the given axes.
-    pub values: Vec<f64>,
-    /// The torsion label; empty where there is none.
-    pub torsion: String,
-    /// The lateral label; empty where there is none.
-    pub lateral: String,
-}
-
-/// Where the columns are that are read back: `case`, `method`, the axes asked
-/// for, `torsion` and, if it is there, `lateral`; others are passed over.
-struct Columns {
-    case: usize,
-    method: usize,
-    values: Vec<usize>,
-    torsion: usize,
-    lateral: Option<usize>,
-}
-
-impl Columns {
-    /// An error is the name of a missing column.
-    fn find(header: &csv::StringRecord, axes: &[Axis]) -> Result<Self, String> {
-        let column = |name: &str| {
-            let found = header.iter().position(|field| field == name);
-            found.ok_or_else(|| format!("has no column `{name}`"))
-        };
-        Ok(Self {
-            case: column("case")?,
-            method: column("method")?,
-            values: (axes.iter())
-                .map(|axis| column(&axis.name()))
-                .collect::<Result<_, _>>()?,
-            torsion: column("torsion")?,
-            lateral: column("lateral").ok(),
-        })
+impl Row {
+    fn add(&mut self, field: impl Display) {
+        // A string takes all that is written into it.
+        let _ = write!(self.0, ",{field}");
     }
 
-    /// An error is what is wrong with the record.
-    fn row(&self, record: &csv::StringRecord, line: usize) -> Result<LabelRow, String> {
-        let field = |column: usize| record.get(column).unwrap_or_default();
-        let case = field(self.case);
-        Ok(LabelRow {
-            line,
-            case: case
-                .parse()
-                .map_err(|_| format!("`{case}` is not a case number"))?,
-            method: field(self.method).to_owned(),
-            values: (self.values.iter())
-                .map(|&column| number(field(column)))
-                .collect::<Result<_, _>>()?,
-            torsion: field(self.torsion).to_owned(),
-            lateral: self
-                .lateral
-                .map_or_else(String::new, |column| field(column).to_owned()),
-        })
-    }
-}
-
-/// Reads labels that a person may have written or exported from a spreadsheet.
-///
-/// # Errors
-/// Where they cannot be read; the message names file and line.
-pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
-    let text = read_text(path, LARGEST_TABLE)
-        .with_context(|| format!("{} cannot be read", path.display()))?;
-    let parsed = HandTable::new(&text).and_then(|table| rows_of(&table, axes));
-    parsed.map_err(|mistake| anyhow!("{}:{mistake}", path.display()))
-}
-
-fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
-    let columns =
-        Columns::find(table.header(), axes).map_err(|reason| table.header_mistake(reason))?;
-    let rows = table.rows().map(|row| {
-        let row = row?;
-        (columns.row(&row.cells, row.line)).map_err(|message| Mistake {
-            line: row.line,
-            message,
-        })
-    });
-    rows.collect()
-}
-
-/// The rows of a `labels.csv`; only one is in memory at a time.
-pub struct LabelReader {
-    path: PathBuf,
-    reader: csv::Reader<File>,
-    record: csv::StringRecord,
-    columns: Columns,
-}
-
-impl LabelReader {
-    /// Opens a `labels.csv` of which the values along `axes` are wanted.
-    ///
-    /// # Errors
-    /// Where it cannot be read or lacks a column.
-    pub fn open(path: &Path, axes: &[Axis]) -> Result<Self> {
-        let unreadable = || format!("{} cannot be read", path.display());
-        let mut reader = csv::Reader::from_path(path).with_context(unreadable)?;
-        let header = reader.headers().with_context(unreadable)?.clone();
-        let columns = Columns::find(&header, axes)
-            .map_err(|reason| anyhow!("{}:1: {reason}", path.display()))?;
-        Ok(Self {
-            path: path.to_owned(),
-            reader,
-            record: csv::StringRecord::new(),
-            columns,
-        })
-    }
-
-    fn read(&mut self) -> Result<Option<LabelRow>> {
-        let is_row = self.reader.read_record(&mut self.record);
-        if !is_row.with_context(|| format!("{} cannot be read", self.path.display()))? {
-            return Ok(None);
+    fn add_optional(&mut self, field: Option<impl Display>) {
+        match field {
+            Some(field) => self.add(field),
+            None => self.add(""),
         }
-        let line = self.record.position().map_or(0, csv::Position::line) as usize;
-        let row = self.columns.row(&self.record, line);
-        row.map(Some)
-            .map_err(|reason| anyhow!("{}:{line}: {reason}", self.path.display()))
+    }
+
+    fn add_torsion(&mut self, torsion: Option<&TorsionMeasures>) {
+        let Some(torsion) = torsion else {
+            return self.0.extend([','; TORSION_COLUMNS]);
+        };
+        self.add_optional(torsion.first_slip);
+        self.add_optional(torsion.period);
+        self.add_optional(torsion.slip_time);
+        self.add(torsion.sticks);
+        self.add(to_rpm(torsion.peak_speed));
+        self.add(to_rpm(torsion.closing_speed));
+    }
+
+    fn add_lateral(&mut self, lateral: Option<&LateralMeasures>, site_from_bit_m: Option<f64>) {
+        let Some(lateral) = lateral else {
+            return self.0.extend([','; LATERAL_COLUMNS]);
+        };
+        self.add_optional(site_from_bit_m);
+        self.add_optional(lateral.first_contact);
+        self.add(to_mm(lateral.peak_radius));
+        self.add(to_mm(lateral.mean_radius));
+        self.add(lateral.contact_fraction);
+        self.add(lateral.rolling_fraction);
+        self.add(to_turns(lateral.precession_rate));
+        self.add(to_kn(lateral.mean_normal_force));
+        self.add(lateral.ambiguous_steps);
     }
 }
 
-/// The message of an error names file and line.
-impl Iterator for LabelReader {
-    type Item = Result<LabelRow>;
+/// A metre in mm.
+pub(super) fn to_mm(length: f64) -> f64 {
+    1e3 * length
+}
 
-    fn next(&mut self) -> Option<Self::Item> {
-        self.read().transpose()
-    }
+/// A newton in kN.
+pub(super) fn to_kn(force: f64) -> f64 {
+    1e-3 * force
+}
+
+/// A radian per second in turns per second.
+pub(super) fn to_turns(rate: f64) -> f64 {
+    rate / std::f64::consts::TAU
 }

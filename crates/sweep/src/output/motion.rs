@@ -1,7 +1,9 @@
 //! The two motions of a string and the labels of each: a scene with a bit has a
 //! torsion label, one with a wall a lateral label, one with both has two.
 
-use sim::{LateralRegime, TorsionRegime};
+use std::fmt;
+
+use sim::{Label, LateralRegime, Outcome, TorsionRegime};
 
 /// What a label is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,34 +35,19 @@ impl Motion {
     }
 
     /// Its labels.
-    pub fn labels(self) -> &'static [&'static str] {
-        const TORSION: [&str; 3] = [
-            TorsionRegime::Stuck.name(),
-            TorsionRegime::Smooth.name(),
-            TorsionRegime::StickSlip.name(),
-        ];
-        const LATERAL: [&str; 4] = [
-            LateralRegime::NoContact.name(),
-            LateralRegime::TransientContact.name(),
-            LateralRegime::BackwardWhirl.name(),
-            LateralRegime::ForwardWhirl.name(),
-        ];
+    pub fn labels(self) -> Vec<Label> {
         match self {
-            Motion::Torsion => &TORSION,
-            Motion::Lateral => &LATERAL,
+            Motion::Torsion => TorsionRegime::ALL.map(Label::Torsion).to_vec(),
+            Motion::Lateral => LateralRegime::ALL.map(Label::Lateral).to_vec(),
         }
     }
 
-    /// Whether a label says that vibration is sustained, which a map draws as a
-    /// circle; none for the label of a case too short to tell, or none at all.
-    pub fn is_sustained(self, label: &str) -> Option<bool> {
-        let tells = !label.is_empty() && label != TorsionRegime::Stuck.name();
-        let sustained = [
-            TorsionRegime::StickSlip.name(),
-            LateralRegime::BackwardWhirl.name(),
-            LateralRegime::ForwardWhirl.name(),
-        ];
-        tells.then(|| sustained.contains(&label))
+    /// What a label is about.
+    pub fn of(label: Label) -> Self {
+        match label {
+            Label::Torsion(_) => Motion::Torsion,
+            Label::Lateral(_) => Motion::Lateral,
+        }
     }
 
     /// Sustained vibration, and its absence, as a person reads them.
@@ -68,6 +55,70 @@ impl Motion {
         match self {
             Motion::Torsion => ["stick-slip", "smooth"],
             Motion::Lateral => ["sustained whirl", "no sustained whirl"],
+        }
+    }
+}
+
+/// The labels of a case by a method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Labels {
+    /// Of the bit's rotation.
+    pub torsion: Option<TorsionRegime>,
+    /// Of lateral motion.
+    pub lateral: Option<LateralRegime>,
+}
+
+impl Labels {
+    /// Those of an outcome.
+    pub fn of(outcome: &Outcome) -> Self {
+        Self {
+            torsion: outcome.torsion.map(|torsion| torsion.regime),
+            lateral: outcome.lateral.map(|lateral| lateral.regime),
+        }
+    }
+
+    /// That of a motion.
+    pub fn get(self, motion: Motion) -> Option<Label> {
+        match motion {
+            Motion::Torsion => self.torsion.map(Label::Torsion),
+            Motion::Lateral => self.lateral.map(Label::Lateral),
+        }
+    }
+
+    /// Every one.
+    pub fn each(self) -> impl Iterator<Item = Label> {
+        Motion::ALL
+            .into_iter()
+            .filter_map(move |motion| self.get(motion))
+    }
+
+    /// Whether there is any.
+    pub fn is_answer(self) -> bool {
+        self != Self::default()
+    }
+
+    /// Whether a motion is sustained vibration, which a map draws as a circle; none for
+    /// the label of a case too short to tell, or none at all.
+    pub fn is_sustained(self, motion: Motion) -> Option<bool> {
+        match self.get(motion)? {
+            Label::Torsion(TorsionRegime::Stuck) => None,
+            Label::Torsion(regime) => Some(regime == TorsionRegime::StickSlip),
+            Label::Lateral(regime) => Some(matches!(
+                regime,
+                LateralRegime::BackwardWhirl | LateralRegime::ForwardWhirl
+            )),
+        }
+    }
+}
+
+/// As a person reads them.
+impl fmt::Display for Labels {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names: Vec<&str> = self.each().map(Label::name).collect();
+        if names.is_empty() {
+            f.write_str("no answer")
+        } else {
+            f.write_str(&names.join(", "))
         }
     }
 }

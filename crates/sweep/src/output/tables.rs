@@ -12,11 +12,10 @@ use tempfile::TempDir;
 
 use super::about::About;
 use super::boundary::{Boundary, read_boundary};
-use super::failures::{FAILURES_HEADER, Repeat, failures_row};
+use super::failures::Repeat;
 use super::manifest::Manifest;
-use super::results::{Counted, Tally};
-use crate::engine::{LogView, Record, read_about};
-use crate::files::AtomicFile;
+use super::results::{TableWriter, Tally};
+use crate::engine::{LogView, read_about};
 
 /// A results folder, ready to be shown.
 pub struct ResultTables {
@@ -113,38 +112,17 @@ impl ResultTables {
 }
 
 fn write_so_far(about: &About, view: &LogView, folder: &Path) -> Result<Tally> {
-    let counted = Counted::new(&about.columns)?;
-    let methods = &about.manifest.methods;
     let repeat = Repeat {
         sweep_file: Path::new(&about.sweep_file),
         chooses_method: about.manifest.accuracy.is_some(),
         options: about.manifest.options,
     };
-    let mut tally = Tally::default();
-    let mut labels = AtomicFile::create(&folder.join("labels.csv"))?;
-    let mut failures = AtomicFile::create(&folder.join("failures.csv"))?;
-    labels.write(format!("{}\n", about.columns).as_bytes())?;
-    failures.write(format!("{FAILURES_HEADER}\n").as_bytes())?;
-    let mut write = |record: &Record| -> Result<()> {
-        counted.add(&record.row, &mut tally);
-        labels.write(format!("{}\n", record.row).as_bytes())?;
-        if let Some(reason) = &record.reason {
-            let method = &methods[record.method].method;
-            let command = repeat.command(record.case, method);
-            failures.write(&failures_row(record.case, method, reason, &command)?)?;
-        }
-        Ok(())
-    };
-    let mut case: Vec<Record> = Vec::new();
-    view.in_order(|record| {
-        case.retain(|other| other.case == record.case);
-        case.push(record.clone());
-        if case.len() == methods.len() {
-            case.drain(..).try_for_each(|record| write(&record))?;
-        }
-        Ok(())
+    let mut tables = TableWriter::create(about.label_table(), repeat, folder)?;
+    let methods = about.manifest.methods.len();
+    view.in_order(|records| {
+        let cases = records.chunk_by(|one, next| one.case == next.case);
+        let answered = cases.filter(|case| case.len() == methods);
+        tables.add(&answered.flatten().cloned().collect::<Vec<_>>())
     })?;
-    labels.finish()?;
-    failures.finish()?;
-    Ok(tally)
+    Ok(tables.finish()?.tally)
 }

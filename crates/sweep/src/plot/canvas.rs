@@ -1,7 +1,7 @@
 //! The drawing surface: shapes and text in picture pixels, written as SVG.
 
-use super::Picture;
 use super::geometry::Pixel;
+use super::picture::Picture;
 use super::text::{self, Block};
 use anyhow::{Context, Result};
 use plotters::coord::Shift;
@@ -210,7 +210,7 @@ pub(super) mod tests {
     /// Fails unless all ink of the picture's text lies inside the picture.
     pub fn assert_text_inside(picture: &Picture) {
         let options = usvg::Options {
-            fontdb: std::sync::Arc::new(super::super::fonts()),
+            fontdb: std::sync::Arc::new(super::super::picture::fonts()),
             ..usvg::Options::default()
         };
         let tree = usvg::Tree::from_str(&picture.svg, &options).expect("valid SVG");

@@ -1,13 +1,14 @@
 //! Charts of cells: what was predicted as the ground, what was seen as a symbol,
 //! the number that predicted it beside it. Panels stand in two columns.
 
-use super::Picture;
 use super::canvas::{Canvas, Stroke, draw_picture};
+use super::colours::{BLUE, PALE, SAND, SKY, VERMILION};
 use super::geometry::{Pixel, Rect};
+use super::picture::Picture;
 use super::text::{self, Block, SMALL_SIZE, TITLE_SIZE};
 use anyhow::Result;
+use plotters::style::BLACK;
 use plotters::style::text_anchor::HPos;
-use plotters::style::{BLACK, RGBColor};
 
 const WIDTH: f64 = 1500.0;
 const MARGIN: f64 = 16.0;
@@ -23,13 +24,6 @@ const PANEL_GAP: f64 = 20.0;
 const CELL_TEXT: f64 = 10.0;
 const LABEL_TEXT: f64 = 12.5;
 const RADIUS: f64 = 4.0;
-
-// Tints of Okabe and Ito's sky blue and orange, and their strong colours.
-const SKY: RGBColor = RGBColor(0xD3, 0xEA, 0xF8);
-const SAND: RGBColor = RGBColor(0xF8, 0xDD, 0xA6);
-const PALE: RGBColor = RGBColor(0xEE, 0xEE, 0xEE);
-const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xB2);
-const VERMILION: RGBColor = RGBColor(0xB0, 0x3A, 0x00);
 
 /// What was predicted of a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

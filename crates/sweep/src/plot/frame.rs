@@ -1,15 +1,14 @@
 //! The axes around a plotting area.
 
-use super::Axis;
 use super::canvas::{Canvas, Stroke};
+use super::colours::GRID;
 use super::geometry::{Pixel, Rect};
-use super::scale::{Scale, Tick};
+use super::scale::{Axis, Scale, Tick};
 use super::text::{self, Block, LABEL_SIZE, SMALL_SIZE};
 use anyhow::Result;
+use plotters::style::BLACK;
 use plotters::style::text_anchor::HPos;
-use plotters::style::{BLACK, RGBColor};
 
-const GRID: RGBColor = RGBColor(232, 232, 232);
 const MAJOR_TICK: f64 = 6.0;
 const MINOR_TICK: f64 = 3.0;
 /// Distance between ticks, tick labels and axis titles.

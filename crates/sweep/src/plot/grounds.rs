@@ -2,17 +2,11 @@
 //! colour vision nor colour print is needed.
 
 use super::canvas::{Canvas, Stroke};
+use super::colours::{BLUE_GROUND, GREY_GROUND, NO_CASE, ORANGE_GROUND, PARTS};
 use super::geometry::Rect;
 use super::symbols::Symbol;
 use anyhow::Result;
 use plotters::style::RGBColor;
-
-const BLUE_GROUND: RGBColor = RGBColor(0x9A, 0xCD, 0xEC);
-const GREY_GROUND: RGBColor = RGBColor(0xF3, 0xF3, 0xF3);
-const ORANGE_GROUND: RGBColor = RGBColor(0xB3, 0x50, 0x00);
-
-/// The stroke through a cell without a case.
-const NO_CASE: RGBColor = RGBColor(0x99, 0x99, 0x99);
 
 /// What the cases of a cell are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -79,14 +73,7 @@ impl Part {
 
     /// From light to dark.
     fn colour(self) -> RGBColor {
-        match self {
-            Part::None => RGBColor(0xF3, 0xF3, 0xF3),
-            Part::FirstQuarter => RGBColor(0xBF, 0xDA, 0xEE),
-            Part::SecondQuarter => RGBColor(0x8A, 0xBB, 0xDF),
-            Part::ThirdQuarter => RGBColor(0x50, 0x97, 0xC8),
-            Part::LastQuarter => RGBColor(0x24, 0x6A, 0xA8),
-            Part::All => RGBColor(0x0B, 0x35, 0x6B),
-        }
+        PARTS[self as usize]
     }
 }
 

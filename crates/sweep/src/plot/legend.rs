@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, Stroke};
 use super::geometry::Rect;
 use super::grounds::{Ground, draw_ground};
-use super::map::draw_hatching;
+use super::hatching::draw_hatching;
 use super::symbols::{Symbol, draw_marker, draw_rim, draw_symbol};
 use super::text::{Block, SMALL_SIZE};
 use anyhow::Result;

@@ -2,15 +2,15 @@
 //! with the circle it may not leave where it comes near that.
 
 use super::canvas::{Canvas, DASHES, Stroke, draw_picture};
+use super::colours::CLEARANCE;
 use super::frame::Frame;
 use super::geometry::Rect;
 use super::legend::{Key, Legend};
-use super::panels::series_stroke;
-use super::scale::Scale;
+use super::panels::{Series, series_stroke};
+use super::picture::Picture;
+use super::scale::{Axis, Scale};
 use super::text::{Block, TITLE_SIZE};
-use super::{Axis, Picture, Series};
 use anyhow::Result;
-use plotters::style::RGBColor;
 use plotters::style::text_anchor::HPos;
 
 const MARGIN: f64 = 14.0;
@@ -23,7 +23,7 @@ const ORBIT_GAP: f64 = 18.0;
 /// Corners of a circle that looks round.
 const CIRCLE_CORNERS: usize = 180;
 const CIRCLE: Stroke = Stroke {
-    colour: RGBColor(0x44, 0x44, 0x44),
+    colour: CLEARANCE,
     width: 1.2,
     dash: DASHES[1],
 };

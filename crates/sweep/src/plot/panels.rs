@@ -1,15 +1,15 @@
 //! Stacked panels of curves, such as time histories.
 
 use super::canvas::{Canvas, DASHES, Stroke, draw_picture};
+use super::colours::COLOURS;
 use super::frame::Frame;
 use super::geometry::{Rect, thin};
 use super::legend::{Key, Legend};
+use super::picture::Picture;
 use super::references::{Reference, draw_references};
-use super::scale::{Scale, visible};
+use super::scale::{Axis, Scale, visible};
 use super::text::{Block, TITLE_SIZE};
-use super::{Axis, Picture};
 use anyhow::Result;
-use plotters::style::RGBColor;
 use plotters::style::text_anchor::HPos;
 
 const WIDTH: f64 = 900.0;
@@ -22,16 +22,6 @@ const LEGEND_GAP: f64 = 22.0;
 /// Longer series are thinned.
 const MOST_POINTS: usize = 4000;
 
-/// Colours of Okabe and Ito, which colour-blind readers can tell apart.
-pub(super) const COLOURS: [RGBColor; 7] = [
-    RGBColor(0x00, 0x72, 0xB2),
-    RGBColor(0xE6, 0x9F, 0x00),
-    RGBColor(0x00, 0x9E, 0x73),
-    RGBColor(0xD5, 0x5E, 0x00),
-    RGBColor(0xCC, 0x79, 0xA7),
-    RGBColor(0x56, 0xB4, 0xE9),
-    RGBColor(0x00, 0x00, 0x00),
-];
 const FIRST_WIDTH: f64 = 2.4;
 const LATER_WIDTH: f64 = 1.8;
 const ALONE_WIDTH: f64 = 1.2;

@@ -1,17 +1,17 @@
 //! Reference lines of panels.
 
 use super::canvas::{Canvas, Stroke};
+use super::colours;
 use super::frame::Frame;
 use super::geometry::{Pixel, Rect};
 use super::names::Names;
 use anyhow::Result;
-use plotters::style::RGBColor;
 
 /// Distance between a reference line and its name.
 const NAME_GAP: f64 = 3.0;
 /// How a reference line looks.
 pub(super) const REFERENCE: Stroke = Stroke {
-    colour: RGBColor(0x55, 0x55, 0x55),
+    colour: colours::REFERENCE,
     width: 1.0,
     dash: &[5.0, 4.0],
 };

@@ -1,6 +1,5 @@
-//! Axis ranges, ticks and tick labels, without any drawing.
+//! Axes, their ranges, ticks and tick labels, without any drawing.
 
-use super::Axis;
 use super::numbers::{decade_label, linear_label, nice_step, power};
 
 /// Room around the data at each end of an axis, as a fraction of the range.
@@ -12,6 +11,15 @@ const SMALLEST: f64 = 1e-300;
 /// Ranges below this fraction of the values (or below [`SMALLEST`]) count as
 /// a single value.
 const RESOLUTION: f64 = 1e-9;
+
+/// One axis of a plot.
+pub struct Axis {
+    /// Title with the unit, e.g. `Weight on bit W (kN)`.
+    pub label: String,
+    /// Whether the axis has a logarithmic scale; it then skips values that are
+    /// not positive.
+    pub logarithmic: bool,
+}
 
 /// The mapping of values to an axis.
 #[derive(Clone, Copy)]

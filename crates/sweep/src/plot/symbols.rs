@@ -1,15 +1,10 @@
 //! The symbols of regime maps.
 
 use super::canvas::{Canvas, Stroke};
+use super::colours::{BLUE, COLOURS, GREY, ORANGE};
 use super::geometry::Pixel;
-use super::panels::COLOURS;
 use anyhow::Result;
-use plotters::style::{BLACK, RGBColor, WHITE};
-
-// Colours of Okabe and Ito, which colour-blind readers can tell apart.
-const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xB2);
-const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
-const ORANGE: RGBColor = RGBColor(0xE6, 0x9F, 0x00);
+use plotters::style::{BLACK, WHITE};
 
 /// Distance of a mark's corners from its centre.
 pub(super) const MARK_RADIUS: f64 = 7.0;

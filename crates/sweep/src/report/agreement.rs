@@ -1,5 +1,6 @@
 //! Whether the methods say the same.
 
+use crate::map::symbol_of;
 use crate::output::{CaseRows, Motion};
 
 /// Cases on which methods differ that are kept to be listed.
@@ -69,15 +70,15 @@ impl Agreement {
         for pair in &mut self.pairs {
             let answer = |name: &str| {
                 let mut rows = case.rows.iter();
-                rows.find(|row| row.method == name && row.has_answer())
+                rows.find(|row| row.method == name && row.labels.is_answer())
             };
             if let (Some(one), Some(other)) = (answer(&pair.methods[0]), answer(&pair.methods[1])) {
                 pair.compared += 1;
-                pair.same += usize::from(one.same_labels(other));
+                pair.same += usize::from(one.labels == other.labels);
             }
         }
         for shown in &mut self.shown {
-            match case.symbol(shown.motion) {
+            match symbol_of(case, shown.motion) {
                 Some(symbol) => shown.symbols[symbol as usize] += 1,
                 None => shown.untold += 1,
             }
@@ -94,7 +95,8 @@ impl Agreement {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::LabelRow;
+    use crate::output::{LabelRow, Labels};
+    use sim::TorsionRegime;
 
     fn case(labels: [&str; 3]) -> CaseRows {
         let rows = ["a", "b", "c"].iter().zip(labels);
@@ -107,8 +109,12 @@ mod tests {
                     case: 0,
                     method: (*method).to_owned(),
                     values: Vec::new(),
-                    torsion: label.to_owned(),
-                    lateral: String::new(),
+                    labels: Labels {
+                        torsion: TorsionRegime::of_name(label),
+                        lateral: None,
+                    },
+                    predicted: None,
+                    failed: false,
                 })
                 .collect(),
         }

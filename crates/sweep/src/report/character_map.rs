@@ -1,6 +1,7 @@
 //! A regime map in characters.
 
-use crate::output::{Cells, Extent, Motion};
+use crate::map::{Cells, Extent};
+use crate::output::Motion;
 use crate::plot::Symbol;
 use crate::quantities::Axis;
 use crate::words::short;

@@ -83,13 +83,13 @@ struct Counted {
 
 impl Counted {
     fn add(&mut self, ours: &CaseRows, theirs: &CaseRows) {
-        for our in ours.rows.iter().filter(|row| row.has_answer()) {
-            let mut answers = theirs.rows.iter().filter(|row| row.has_answer());
+        for our in ours.rows.iter().filter(|row| row.labels.is_answer()) {
+            let mut answers = theirs.rows.iter().filter(|row| row.labels.is_answer());
             let Some(their) = answers.find(|row| row.method == our.method) else {
                 continue;
             };
             self.compared += 1;
-            if our.same_labels(their) {
+            if our.labels == their.labels {
                 continue;
             }
             self.different += 1;
@@ -98,7 +98,7 @@ impl Counted {
                     case: ours.case,
                     method: our.method.clone(),
                     values: ours.values.clone(),
-                    regimes: [our.regime(), their.regime()],
+                    regimes: [our.labels.to_string(), their.labels.to_string()],
                 });
             }
         }

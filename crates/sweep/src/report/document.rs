@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use super::results::Results;
+
 /// A titled part.
 pub struct Section {
     /// Its heading.
@@ -87,5 +89,28 @@ pub const NOTHING: &str = "–";
 impl From<Table> for Block {
     fn from(table: Table) -> Self {
         Block::Table(table)
+    }
+}
+
+/// A table that says in its first column which folder a row is of, where there are
+/// several.
+pub fn table_of(all: &[Results], caption: &str, header: &[&str]) -> Table {
+    let folder = (all.len() > 1).then_some("folder");
+    let header: Vec<&str> = folder.into_iter().chain(header.iter().copied()).collect();
+    Table::new(caption, &header)
+}
+
+/// A row of such a table.
+pub fn row_of(all: &[Results], results: &Results, cells: Vec<String>) -> Vec<String> {
+    let folder = (all.len() > 1).then(|| results.name.clone());
+    folder.into_iter().chain(cells).collect()
+}
+
+/// `text`, with its folder before it where there are several.
+pub fn named(all: &[Results], results: &Results, text: impl std::fmt::Display) -> String {
+    if all.len() > 1 {
+        format!("{}: {text}", results.name)
+    } else {
+        text.to_string()
     }
 }

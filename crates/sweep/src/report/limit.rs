@@ -1,6 +1,10 @@
 //! Where the simulated boundary lies against the analytic limit.
 
-use crate::output::{Boundary, CaseRows, Envelope, LabelRow, StickSlipPoint, rolling_envelope};
+use sim::LateralRegime;
+
+use crate::output::{
+    Boundary, CaseRows, Envelope, LabelRow, Motion, StickSlipPoint, rolling_envelope,
+};
 use crate::quantities::Axis;
 
 /// How one method's labels lie about its limit. A case's place is its value in
@@ -98,11 +102,11 @@ impl Limits {
 impl Limited {
     /// Whether a row has the vibration that is limited.
     fn vibrates(self, row: &LabelRow) -> Option<bool> {
-        match (self, row.torsion.as_str(), row.lateral.as_str()) {
-            (Limited::StickSlip, "stick_slip", _) => Some(true),
-            (Limited::StickSlip, "smooth", _) => Some(false),
-            (Limited::StickSlip, _, _) | (Limited::Whirl, _, "") => None,
-            (Limited::Whirl, _, lateral) => Some(lateral == "backward_whirl"),
+        match self {
+            Limited::StickSlip => row.labels.is_sustained(Motion::Torsion),
+            Limited::Whirl => {
+                (row.labels.lateral).map(|regime| regime == LateralRegime::BackwardWhirl)
+            }
         }
     }
 }
@@ -151,6 +155,8 @@ impl LimitCheck {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output::Labels;
+    use sim::TorsionRegime;
 
     #[test]
     fn cases_are_counted_on_the_sides_of_the_limit() {
@@ -175,8 +181,12 @@ mod tests {
                 case: 0,
                 method: "a".to_owned(),
                 values: Vec::new(),
-                torsion: label.to_owned(),
-                lateral: String::new(),
+                labels: Labels {
+                    torsion: TorsionRegime::of_name(label),
+                    lateral: None,
+                },
+                predicted: None,
+                failed: false,
             };
             limits.add(&CaseRows {
                 case: 0,

@@ -1,8 +1,7 @@
 //! Results folders in words and tables: with what, and how long it took.
 
-use super::document::{Block, NOTHING, Table};
+use super::document::{Block, NOTHING, Table, row_of, table_of};
 use super::results::Results;
-use super::sections::{row_of, table_of};
 use crate::engine::is_unstable;
 use crate::output::MethodRecord;
 use crate::words::short;

@@ -3,12 +3,14 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
+use sim::Label;
 
 use super::agreement::Agreement;
 use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
-use crate::output::{CaseReader, CaseRows, Cells, Extent, Manifest, Motion, ResultTables};
+use crate::map::{Cells, Extent, symbol_of};
+use crate::output::{CaseReader, CaseRows, Manifest, Motion, ResultTables};
 use crate::quantities::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
@@ -91,10 +93,10 @@ impl Results {
     }
 
     /// Rows of a method with a label.
-    pub fn count(&self, method: &str, label: &str) -> usize {
+    pub fn count(&self, method: &str, label: Label) -> usize {
         let labels = self.manifest.tally.labels.get(method);
         labels
-            .and_then(|labels| labels.get(label))
+            .and_then(|labels| labels.get(&label))
             .map_or(0, |count| *count)
     }
 }
@@ -132,7 +134,7 @@ impl MapCells {
 
     fn add(&mut self, case: &CaseRows) {
         for (motion, cells) in &mut self.cells {
-            if let Some(symbol) = case.symbol(*motion) {
+            if let Some(symbol) = symbol_of(case, *motion) {
                 cells.add(self.places.map(|place| case.values[place]), symbol);
             }
         }

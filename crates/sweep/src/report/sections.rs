@@ -1,7 +1,9 @@
 //! Results folders in words and tables: what came out.
 
+use sim::Label;
+
 use super::comparison::Comparison;
-use super::document::{Block, Map, NOTHING, Section, Table};
+use super::document::{Block, Map, NOTHING, Section, Table, named, row_of, table_of};
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
@@ -30,29 +32,6 @@ pub fn sections(all: &[Results], comparisons: &[Comparison]) -> Vec<Section> {
 
 fn section(title: &'static str, blocks: Vec<Block>) -> Section {
     Section { title, blocks }
-}
-
-/// A table that says in its first column which folder a row is of, where there are
-/// several.
-pub fn table_of(all: &[Results], caption: &str, header: &[&str]) -> Table {
-    let folder = (all.len() > 1).then_some("folder");
-    let header: Vec<&str> = folder.into_iter().chain(header.iter().copied()).collect();
-    Table::new(caption, &header)
-}
-
-/// A row of such a table.
-pub fn row_of(all: &[Results], results: &Results, cells: Vec<String>) -> Vec<String> {
-    let folder = (all.len() > 1).then(|| results.name.clone());
-    folder.into_iter().chain(cells).collect()
-}
-
-/// `text`, with its folder before it where there are several.
-fn named(all: &[Results], results: &Results, text: impl std::fmt::Display) -> String {
-    if all.len() > 1 {
-        format!("{}: {text}", results.name)
-    } else {
-        text.to_string()
-    }
 }
 
 fn percentage(part: usize, whole: usize) -> String {
@@ -159,23 +138,22 @@ fn motions(all: &[Results]) -> Vec<Motion> {
 }
 
 fn regimes_of(all: &[Results], motion: Motion, caption: &str) -> Table {
-    let is_found = |label: &&str| {
+    let is_found = |label: &Label| {
         let mut methods = all
             .iter()
             .flat_map(|results| results.methods().map(move |method| (results, method)));
-        methods.any(|(results, method)| results.count(method, label) > 0)
+        methods.any(|(results, method)| results.count(method, *label) > 0)
     };
-    let labels = motion.labels().iter().copied();
-    let labels: Vec<&str> = labels.filter(is_found).collect();
+    let labels: Vec<Label> = motion.labels().into_iter().filter(is_found).collect();
     let header: Vec<&str> = ["method"]
         .into_iter()
-        .chain(labels.clone())
+        .chain(labels.iter().map(|label| label.name()))
         .chain(["no answer"])
         .collect();
     let mut table = table_of(all, caption, &header);
     for results in all {
         for method in results.methods() {
-            let counts = labels.iter().map(|label| results.count(method, label));
+            let counts = labels.iter().map(|label| results.count(method, *label));
             let failed = results.failures.by_method.get(method).copied().unwrap_or(0);
             let cells = counts.chain([failed]).map(|count| count.to_string());
             let cells = [method.to_owned()].into_iter().chain(cells).collect();
@@ -244,7 +222,7 @@ fn differing_cases(all: &[Results], results: &Results) -> Table {
         cells.extend(case.values.iter().map(|&value| short(value)));
         cells.extend(results.methods().map(|method| {
             let row = case.rows.iter().find(|row| row.method == method);
-            row.map_or_else(|| NOTHING.to_owned(), |row| row.regime())
+            row.map_or_else(|| NOTHING.to_owned(), |row| row.labels.to_string())
         }));
         table.rows.push(cells);
     }

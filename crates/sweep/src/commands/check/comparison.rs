@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
-use sim::Outcome;
+use sim::Label;
 
-use crate::engine::{MethodSystem, Row, RowOutcome};
-use crate::output::{LabelRow, rolling_bound};
+use crate::engine::{MethodSystem, Record};
+use crate::output::{LabelRow, Labels, Motion, rolling_bound};
 use crate::plan::Sweep;
 use crate::words::counted;
 
 /// Rows by the reference's numbers of cases and by method.
-pub type Found = BTreeMap<(usize, &'static str), Row>;
+pub type Found = BTreeMap<(usize, &'static str), Record>;
 
 /// What came out of a comparison.
 pub struct Compared {
@@ -45,45 +45,29 @@ pub fn compare(
     let mut labels = 0;
     let mut different = Vec::new();
     for expected in reference {
-        let Some(row) = found.get(&(expected.case, expected.method.as_str())) else {
+        let Some(record) = found.get(&(expected.case, expected.method.as_str())) else {
             continue;
         };
-        for (expected_label, label) in [
-            (&expected.torsion, label(row, torsion_label)),
-            (&expected.lateral, label(row, lateral_label)),
-        ] {
-            // A label that the reference leaves out is not checked.
-            if !expected_label.is_empty() {
-                labels += 1;
-                if label != *expected_label {
-                    different.push(difference(
-                        sweep,
-                        systems,
-                        expected,
-                        expected_label,
-                        row,
-                        &label,
-                    ));
-                }
+        // A label that the reference leaves out is not checked.
+        for expected_label in expected.labels.each() {
+            let label = label(record, Motion::of(expected_label));
+            labels += 1;
+            if label != expected_label.name() {
+                let line = difference(sweep, systems, expected, expected_label, record, &label);
+                different.push(line);
             }
         }
     }
     Compared { labels, different }
 }
 
-fn label(row: &Row, of: fn(&Outcome) -> Option<&'static str>) -> String {
-    match &row.outcome {
-        RowOutcome::Done(outcome) => of(outcome).unwrap_or_default().to_owned(),
-        RowOutcome::Failed(reason) => format!("failed ({reason})"),
+fn label(record: &Record, motion: Motion) -> String {
+    match &record.outcome {
+        Ok(outcome) => Labels::of(outcome)
+            .get(motion)
+            .map_or_else(String::new, |label| label.name().to_owned()),
+        Err(reason) => format!("failed ({reason})"),
     }
-}
-
-fn torsion_label(outcome: &Outcome) -> Option<&'static str> {
-    outcome.torsion.map(|torsion| torsion.regime.name())
-}
-
-fn lateral_label(outcome: &Outcome) -> Option<&'static str> {
-    outcome.lateral.map(|lateral| lateral.regime.name())
 }
 
 /// A line about a label that differs.
@@ -91,21 +75,21 @@ fn difference(
     sweep: &Sweep,
     systems: &[MethodSystem],
     expected: &LabelRow,
-    expected_label: &str,
-    row: &Row,
+    expected_label: Label,
+    record: &Record,
     label: &str,
 ) -> String {
     let values: Vec<String> = (sweep.design.axes().iter())
         .zip(&expected.values)
         .map(|(axis, value)| format!("{} = {value}", axis.name()))
         .collect();
-    let distance = distance_to_limit(sweep, systems, expected, row).unwrap_or_default();
+    let distance = distance_to_limit(sweep, systems, expected, record).unwrap_or_default();
     format!(
         "case {} by {}: {}: expected {}, found {label}{distance}\n",
         expected.case,
         expected.method,
         values.join(", "),
-        expected_label,
+        expected_label.name(),
     )
 }
 
@@ -114,7 +98,7 @@ fn distance_to_limit(
     sweep: &Sweep,
     systems: &[MethodSystem],
     expected: &LabelRow,
-    row: &Row,
+    record: &Record,
 ) -> Option<String> {
     let conditions = sweep.conditions_at(&expected.values);
     if let (Some(lateral), Some(friction)) = (&sweep.setting.lateral, conditions.friction) {
@@ -127,8 +111,8 @@ fn distance_to_limit(
             ", at {ratio:.3} times the least friction of steady rolling whirl"
         ));
     }
-    let system = (systems.iter()).find(|system| system.method.name() == row.method)?;
-    let torques = sweep.bit.as_ref()?.torques(row.torque_dynamic_nm?);
+    let system = systems.get(record.method)?;
+    let torques = sweep.bit.as_ref()?.torques(record.torque_dynamic_nm?);
     let limit = stick_slip_speed_limit(
         largest_undershoot(system.driving_point()?),
         torques.torque_static,

@@ -17,7 +17,7 @@ use super::threads::use_threads;
 use super::warnings::warn_of_unstable;
 use crate::cli::CheckArguments;
 use crate::design::{Design, List};
-use crate::engine::{MethodSystem, Row, RunOptions, Shard, Work};
+use crate::engine::{MethodSystem, Record, RunOptions, Shard, Work};
 use crate::memory::{Purpose, admit};
 use crate::plan::Sweep;
 use comparison::{Found, compare};
@@ -79,9 +79,10 @@ fn run_all(
         is_open: &|_, _| true,
         stops: &|| false,
     };
-    let keep = |_, row: Row| {
+    let keep = |record: Record| {
         if let Ok(mut found) = found.lock() {
-            found.insert((numbers[row.case], row.method), row);
+            let method = sweep.methods[record.method].name();
+            found.insert((numbers[record.case], method), record);
         }
         progress.tick();
         Ok(())

@@ -5,13 +5,11 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use linear::Method;
-use sim::{LateralRegime, TorsionRegime};
 
 use crate::commands::status::UsageError;
 use crate::engine::Case;
 use crate::output::{LabelRow, read_labels};
 use crate::plan::Sweep;
-use crate::sweep_file::nearest;
 
 /// Reads the reference, and which of the sweep's methods it has.
 ///
@@ -56,16 +54,12 @@ pub fn cases_of(
     reference: &[LabelRow],
     path: &Path,
 ) -> Result<BTreeMap<usize, Vec<f64>>> {
-    let torsion = TorsionRegime::ALL.map(TorsionRegime::name);
-    let lateral = LateralRegime::ALL.map(LateralRegime::name);
     let mut cases: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     for row in reference {
         let at = |reason: String| UsageError(format!("{}:{}: {reason}", path.display(), row.line));
-        if row.torsion.is_empty() && row.lateral.is_empty() {
+        if !row.labels.is_answer() {
             bail!(at("has no label to compare with".to_owned()));
         }
-        refuse_unknown("torsion", &row.torsion, &torsion).map_err(at)?;
-        refuse_unknown("lateral", &row.lateral, &lateral).map_err(at)?;
         let axes = sweep.design.axes();
         for (&axis, &value) in axes.iter().zip(&row.values) {
             axis.check(value)
@@ -82,17 +76,4 @@ pub fn cases_of(
         }
     }
     Ok(cases)
-}
-
-/// A word that is none of the regimes is a mistake in the reference, and no label
-/// that differs.
-fn refuse_unknown(column: &str, label: &str, known: &[&str]) -> Result<(), String> {
-    if label.is_empty() || known.contains(&label) {
-        return Ok(());
-    }
-    let hint = nearest(label, known).map_or_else(
-        || format!("known: {}", known.join(", ")),
-        |known| format!("did you mean `{known}`?"),
-    );
-    Err(format!("{column}: `{label}` is no {column} regime; {hint}"))
 }

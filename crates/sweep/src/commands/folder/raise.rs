@@ -11,9 +11,9 @@ use super::names::LOG;
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_broken_lines;
-use crate::engine::{Header, Log, Record};
+use crate::engine::{Header, Log, record_line};
 use crate::files::AtomicFile;
-use crate::output::{Manifest, labels_header, labels_start};
+use crate::output::{LabelTable, Manifest, record_of};
 use crate::plan::Sweep;
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
@@ -56,7 +56,10 @@ pub fn raise_log(path: &Path, header: &Header, sweep: &Sweep, terminal: Terminal
     let mut raised = AtomicFile::create(path)?;
     raised.write(header.line()?.as_bytes())?;
     warn_of_broken_lines(&log, terminal);
-    log.in_order(|record| raised.write(record.line().as_bytes()))?;
+    log.in_order(|records| {
+        let mut records = records.iter();
+        records.try_for_each(|record| raised.write(record_line(record)?.as_bytes()))
+    })?;
     raised.finish()?;
     Ok(())
 }
@@ -100,38 +103,21 @@ fn copy_rows(folder: &Path, sweep: &Sweep, log: &mut AtomicFile) -> Result<usize
     let file = std::fs::File::open(&path).with_context(unreadable)?;
     let mut lines = BufReader::new(file).lines();
     let header = lines.next().transpose().with_context(unreadable)?;
-    if header != Some(labels_header(sweep)) {
+    let table = LabelTable::of(sweep);
+    if header != Some(table.header()) {
         bail!(not_written(&path, "it has other columns"));
     }
     let mut rows = 0;
     for line in lines {
         let row = line.with_context(unreadable)?;
         let line = rows + 2;
-        let record = record_of(sweep, &reasons, row)
+        let reason = |case, method: &str| reasons.get(&(case, method.to_owned())).cloned();
+        let record = record_of(sweep, &table, &row, reason)
             .ok_or_else(|| not_written(&path, &format!("line {line} is no row of it")))?;
-        log.write(record.line().as_bytes())?;
+        log.write(record_line(&record)?.as_bytes())?;
         rows += 1;
     }
     Ok(rows)
-}
-
-/// The record that a row was written from: its case, method and values are those of
-/// the sweep, and a case without an answer has a reason.
-fn record_of(sweep: &Sweep, reasons: &Reasons, row: String) -> Option<Record> {
-    let mut fields = row.split(',');
-    let case: usize = fields.next()?.parse().ok()?;
-    let name = fields.next()?;
-    let method = (sweep.methods.iter()).position(|method| method.name() == name)?;
-    let start = |case| labels_start(case, name, &sweep.design.values(case)) + ",";
-    let is_ours = case < sweep.design.cases() && row.starts_with(&start(case));
-    let reason = reasons.get(&(case, name.to_owned())).cloned();
-    let is_whole = is_ours && reason.is_some() == row.ends_with(",failed");
-    is_whole.then(|| Record {
-        case,
-        method,
-        reason,
-        row: row.clone(),
-    })
 }
 
 /// Why a case has no answer by a method.

@@ -4,11 +4,11 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Lines};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 
 use super::parts::Part;
 use crate::files::{AtomicFile, SealedFile};
-use crate::output::{Counted, FAILURES_HEADER, Tally};
+use crate::output::{FAILURES_HEADER, LabelColumns, Tally};
 
 /// Tables on the disk, without their names yet.
 pub struct Joined {
@@ -89,14 +89,19 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
     if headers.iter().any(|header| *header != headers[0]) {
         bail!("the shards' labels.csv have different columns");
     }
-    let counted = Counted::new(&headers[0])?;
+    let columns = LabelColumns::find(headers[0].split(','), &[])
+        .map_err(|reason| anyhow!("the shards' labels.csv {reason}"))?;
     file.write(format!("{}\n", headers[0]).as_bytes())?;
     while let Some(table) = (tables.iter_mut())
         .filter(|table| table.next.is_some())
         .min_by_key(|table| table.next.as_ref().map(|(case, _)| *case))
     {
         if let Some(line) = table.advance()? {
-            counted.add(&line, &mut tally);
+            let fields: Vec<&str> = line.split(',').collect();
+            let row = columns.row(tally.rows, |column| fields.get(column).copied());
+            let row =
+                row.map_err(|reason| anyhow!("{}: `{line}`: {reason}", table.path.display()))?;
+            tally.add(&row.method, row.failed, row.labels, row.predicted);
             file.write(format!("{line}\n").as_bytes())?;
         }
     }

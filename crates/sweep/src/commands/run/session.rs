@@ -16,9 +16,9 @@ use crate::commands::status::Status;
 use crate::commands::stop;
 use crate::commands::terminal::say;
 use crate::commands::warnings::{warn_of_broken_lines, warn_of_unstable};
-use crate::engine::{Log, Record, Row, RowOutcome, Work, pairs_of};
+use crate::engine::{Log, Record, Work, pairs_of};
 use crate::files::write_with_checksum;
-use crate::output::{About, Manifest, Repeat, labels_row, write_boundary, write_tables};
+use crate::output::{About, Manifest, Repeat, write_boundary, write_tables};
 use crate::words::counted;
 
 /// A run under way.
@@ -118,23 +118,14 @@ impl<'a> Session<'a> {
             );
         }
         let is_done = log.done();
-        let keep = |method: usize, row: Row| -> Result<()> {
-            let reason = match &row.outcome {
-                RowOutcome::Done(_) => None,
-                RowOutcome::Failed(reason) => Some(reason.clone()),
-            };
-            log.append(&Record {
-                case: row.case,
-                method,
-                row: labels_row(sweep, &row),
-                reason: reason.clone(),
-            })?;
+        let keep = |record: Record| -> Result<()> {
+            log.append(&record)?;
             progress.tick();
-            match reason {
+            match record.reason() {
                 Some(reason) if arguments.fail_fast => bail!(
                     "case {} by {} has no answer: {reason} (--fail-fast)",
-                    row.case,
-                    row.method
+                    record.case,
+                    sweep.methods[record.method].name()
                 ),
                 _ => Ok(()),
             }
@@ -187,7 +178,7 @@ impl<'a> Session<'a> {
             chooses_method: sweep.choice.is_some(),
             options: arguments.options(),
         };
-        let tables = write_tables(sweep, &repeat, &self.log, folder)?;
+        let tables = write_tables(sweep, repeat, &self.log, folder)?;
         let limit = write_boundary(&self.systems.limit)?;
         let limit = write_with_checksum(&folder.join("boundary.csv"), &limit)?;
         let seconds = self.start.elapsed().as_secs_f64();

@@ -18,7 +18,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_string;
 use crate::cli::SimulateArguments;
-use crate::engine::{Case, Row, RowOutcome, Survey};
+use crate::engine::{Case, Record, Survey};
 use crate::histories::{
     Simulation, case_csv, case_lines, history_csv, history_picture, orbit_picture, string_picture,
 };
@@ -41,7 +41,7 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
         Ok(setting) => Sweep { setting, ..sweep },
         Err(reason) => {
             let rows = failed_rows(&sweep, &choices, &reason);
-            return Ok(tell_of_failures(&rows, terminal));
+            return Ok(tell_of_failures(&sweep, &rows, terminal));
         }
     };
     let cases = (choices.into_iter())
@@ -56,7 +56,7 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
         write_files(&sweep, &cases, &rows, &simulations, &folder)?;
         say(&case_lines(&sweep, &cases, &simulations, &folder)?)?;
     }
-    Ok(tell_of_failures(&rows, terminal))
+    Ok(tell_of_failures(&sweep, &rows, terminal))
 }
 
 /// Refuses what would take more memory than is allowed.
@@ -75,7 +75,7 @@ fn admit_histories(sweep: &Sweep, cases: &[ChosenCase], limit: &Limit) -> Result
 fn write_files(
     sweep: &Sweep,
     cases: &[Case],
-    rows: &[Row],
+    rows: &[Record],
     simulations: &[Simulation],
     folder: &Path,
 ) -> Result<()> {
@@ -93,21 +93,20 @@ fn write_files(
 }
 
 /// Rows of cases whose string cannot be.
-fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &str) -> Vec<Row> {
-    let of_choice = |choice: &Choice| -> Vec<Row> {
-        let row = |name| Row::failed(choice.index, name, choice.values.clone(), reason.to_owned());
-        let methods = sweep.methods.iter();
-        methods.map(|method| row(method.name())).collect()
+fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &str) -> Vec<Record> {
+    let of_choice = |choice: &Choice| -> Vec<Record> {
+        let row = |method| Record::failed(choice.index, method, choice.values.clone(), reason);
+        (0..sweep.methods.len()).map(row).collect()
     };
     choices.iter().flat_map(of_choice).collect()
 }
 
 /// Says which cases have no answer, and why.
-fn tell_of_failures(rows: &[Row], terminal: Terminal) -> Status {
+fn tell_of_failures(sweep: &Sweep, rows: &[Record], terminal: Terminal) -> Status {
     let mut status = Status::Complete;
     for row in rows {
-        if let RowOutcome::Failed(reason) = &row.outcome {
-            let (case, method) = (row.case, row.method);
+        if let Some(reason) = row.reason() {
+            let (case, method) = (row.case, sweep.methods[row.method].name());
             terminal.complain(&format!(
                 "error: case {case} by {method} has no answer: {reason}"
             ));

@@ -9,7 +9,7 @@ use crate::cli::SimulateArguments;
 use crate::commands::prepare::build_systems;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_unstable;
-use crate::engine::{MethodSystem, Row, RunOptions};
+use crate::engine::{MethodSystem, Record, RunOptions};
 use crate::histories::{FollowedMethod, Simulation};
 use crate::plan::Sweep;
 
@@ -23,7 +23,7 @@ pub fn simulate_all(
     arguments: &SimulateArguments,
     cases: &[ChosenCase],
     terminal: Terminal,
-) -> Result<(Vec<Row>, Vec<Simulation>)> {
+) -> Result<(Vec<Record>, Vec<Simulation>)> {
     let options = RunOptions {
         full: arguments.full,
         // Where all cases share a string, a run refuses the method before any row:
@@ -42,18 +42,18 @@ pub fn simulate_all(
                 built.len() - 1
             }
         };
-        for (system, method) in built[place].methods.iter().zip(&sweep.methods) {
+        for (method, system) in built[place].methods.iter().enumerate() {
             match system {
                 Ok(system) => {
                     let is_alone = cases.len() == 1;
-                    let (row, simulation) = system.simulate(sweep, case, options, is_alone)?;
+                    let (row, simulation) =
+                        system.simulate(sweep, case, method, options, is_alone)?;
                     rows.push(row);
                     simulations.extend(simulation);
                 }
                 Err(reason) => {
                     let values = case.values.clone();
-                    let name = method.name();
-                    rows.push(Row::failed(case.index, name, values, reason.clone()));
+                    rows.push(Record::failed(case.index, method, values, reason));
                 }
             }
         }

@@ -3,16 +3,22 @@
 use std::fs::File;
 use std::path::Path;
 
+use rayon::prelude::*;
+
 use super::about::parse_about;
 use super::error::{LogError, file_error};
 use super::header::{FirstLine, Header};
 use super::line::Scan;
-use super::record::Record;
+use super::record::parse_record;
+use crate::engine::Record;
 
-/// Cases whose rows are put in order at once, in memory.
+/// Cases whose records are put in order at once, in memory.
 const CASES_PER_BLOCK: usize = 1 << 14;
 
-/// What is in a log, without its rows.
+/// Lines that all threads together parse at once.
+const LINES_AT_ONCE: usize = 1 << 12;
+
+/// What is in a log, without its records.
 #[derive(Debug)]
 pub(super) struct Content {
     cases: usize,
@@ -26,7 +32,7 @@ pub(super) struct Content {
     broken_lines: usize,
     /// What the run is shown by, as the last line about it says.
     about: Option<String>,
-    /// For each block of cases, the bytes of the log between which its rows are.
+    /// For each block of cases, the bytes of the log between which its records are.
     blocks: Vec<Option<(u64, u64)>>,
 }
 
@@ -56,7 +62,7 @@ impl Content {
             _ => return Err(LogError::NotALog(path.to_owned())),
         }
         while let Some(line) = scan.next_line().map_err(unreadable)? {
-            match Record::parse(line.text) {
+            match parse_record(line.text) {
                 Some(record) if content.has_place_for(&record) => {
                     content.add(&record, line.from, line.to);
                 }
@@ -81,7 +87,7 @@ impl Content {
             return;
         }
         self.count += 1;
-        self.failed += usize::from(record.reason.is_some());
+        self.failed += usize::from(record.outcome.is_err());
         let block = &mut self.blocks[record.case / CASES_PER_BLOCK];
         let (start, end) = block.unwrap_or((from, to));
         *block = Some((start.min(from), end.max(to)));
@@ -124,8 +130,8 @@ impl Content {
         self.broken_lines
     }
 
-    /// Gives every record of the log to `each`, in the order of cases and methods;
-    /// only a block of cases is in memory at a time.
+    /// Gives all records of the log to `each`, in the order of cases and methods: a
+    /// block of whole cases at a time, so that no more is in memory.
     ///
     /// # Errors
     /// Where the log cannot be read, or what `each` returned.
@@ -133,21 +139,32 @@ impl Content {
         &self,
         path: &Path,
         file: &File,
-        mut each: impl FnMut(&Record) -> anyhow::Result<()>,
+        mut each: impl FnMut(&[Record]) -> anyhow::Result<()>,
     ) -> anyhow::Result<()> {
         let unreadable = |error| file_error(path, "read", error);
         for (block, range) in self.blocks.iter().enumerate() {
             let Some((from, to)) = *range else { continue };
-            let mut records: Vec<Record> = Vec::new();
+            let is_of_block = |record: &Record| {
+                record.case / CASES_PER_BLOCK == block && self.has_place_for(record)
+            };
+            let (mut lines, mut records) = (Vec::with_capacity(LINES_AT_ONCE), Vec::new());
             let mut scan = Scan::between(file, from, to).map_err(unreadable)?;
-            while let Some(line) = scan.next_line().map_err(unreadable)? {
-                records.extend(Record::parse(line.text).filter(|record| {
-                    record.case / CASES_PER_BLOCK == block && self.has_place_for(record)
-                }));
+            loop {
+                lines.clear();
+                while lines.len() < LINES_AT_ONCE
+                    && let Some(line) = scan.next_line().map_err(unreadable)?
+                {
+                    lines.push(line.text.to_vec());
+                }
+                if lines.is_empty() {
+                    break;
+                }
+                let parsed = lines.par_iter().filter_map(|line| parse_record(line));
+                records.par_extend(parsed.filter(is_of_block));
             }
             records.sort_by_key(|record| (record.case, record.method));
             records.dedup_by_key(|record| (record.case, record.method));
-            records.iter().try_for_each(&mut each)?;
+            each(&records)?;
         }
         Ok(())
     }

@@ -3,8 +3,7 @@
 //!
 //! Each line is `checksum TAB …`, the checksum (CRC-32, eight hexadecimal digits)
 //! being that of all that follows the first tab. The first line is the header; each
-//! other is `case TAB method TAB reason TAB row`, the reason empty but for a case
-//! without an answer, and the row as it will stand in `labels.csv`; or says after
+//! other is the JSON of a record, a case done by one method; or says after
 //! `sweep-run TAB` what an unfinished run is shown by. A line that was not written
 //! whole, or not as it was meant, does not match its checksum and counts as not
 //! there. The file itself appears with its whole header: one without is none of this
@@ -23,7 +22,7 @@ mod view;
 pub use about::read_about;
 pub use error::LogError;
 pub use header::{Header, Place, log_place, read_header};
-pub use record::Record;
+pub use record::record_line;
 pub use view::LogView;
 
 use std::fs::File;
@@ -36,6 +35,7 @@ use about::about_line;
 use content::Content;
 use error::file_error;
 
+use crate::engine::Record;
 use crate::files::{refuse_irregular, write_atomically};
 
 /// What is written reaches the disk at least this often. Less than this is lost
@@ -137,9 +137,11 @@ impl Log {
     /// # Errors
     /// Where it cannot be written.
     pub fn append(&self, record: &Record) -> Result<(), LogError> {
+        let line =
+            record_line(record).map_err(|error| file_error(&self.path, "written", error.into()))?;
         let mut state = self.state();
         let from = state.content.end();
-        let to = self.write(&mut state, &record.line())?;
+        let to = self.write(&mut state, &line)?;
         state.content.add(record, from, to);
         if state.synced.elapsed() >= BETWEEN_SYNCS {
             self.sync_state(&mut state)?;
@@ -181,12 +183,15 @@ impl Log {
         Ok(state.content.end() + line.len() as u64)
     }
 
-    /// Gives every record to `each`, in the order of cases and methods; only a
-    /// block of cases is in memory at a time.
+    /// Gives all records to `each`, in the order of cases and methods: a block of whole
+    /// cases at a time, so that no more is in memory.
     ///
     /// # Errors
     /// Where the log cannot be read, or what `each` returned.
-    pub fn in_order(&self, each: impl FnMut(&Record) -> anyhow::Result<()>) -> anyhow::Result<()> {
+    pub fn in_order(
+        &self,
+        each: impl FnMut(&[Record]) -> anyhow::Result<()>,
+    ) -> anyhow::Result<()> {
         let state = self.state();
         state.content.in_order(&self.path, &state.file, each)
     }

@@ -3,9 +3,9 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use super::Record;
 use super::content::Content;
 use super::error::{LogError, file_error};
+use crate::engine::Record;
 
 /// What a log had when it was opened; it is not locked, and stays as it is.
 #[derive(Debug)]
@@ -34,12 +34,15 @@ impl LogView {
         self.content.count()
     }
 
-    /// Gives every record to `each`, in the order of cases and methods; only a
-    /// block of cases is in memory at a time.
+    /// Gives all records to `each`, in the order of cases and methods: a block of whole
+    /// cases at a time, so that no more is in memory.
     ///
     /// # Errors
     /// Where the log cannot be read, or what `each` returned.
-    pub fn in_order(&self, each: impl FnMut(&Record) -> anyhow::Result<()>) -> anyhow::Result<()> {
+    pub fn in_order(
+        &self,
+        each: impl FnMut(&[Record]) -> anyhow::Result<()>,
+    ) -> anyhow::Result<()> {
         self.content.in_order(&self.path, &self.file, each)
     }
 }

@@ -8,9 +8,9 @@ mod tests;
 
 use super::geometry::Rect;
 use super::grounds::Ground;
-use super::{Axis, Symbol};
+use super::scale::Axis;
+use super::symbols::Symbol;
 
-pub(super) use panel::draw_hatching;
 pub use sheet::map_sheet;
 
 /// A symbol at a place of a map.

@@ -5,6 +5,7 @@ use crate::plot::canvas::{Canvas, DASHES, Stroke};
 use crate::plot::frame::Frame;
 use crate::plot::geometry::{Pixel, Rect};
 use crate::plot::grounds::{Ground, draw_ground};
+use crate::plot::hatching::{RIM, draw_hatching};
 use crate::plot::names::Names;
 use crate::plot::scale::{Scale, visible};
 use crate::plot::symbols::{HALO, MARK_RADIUS, draw_symbol, draw_triangle};
@@ -14,12 +15,6 @@ use plotters::style::{BLACK, WHITE};
 /// Widths of lines, one for each of [`DASHES`]: where lines coincide, wider
 /// dashes and dots still show on top of the thin solid line.
 const LINE_WIDTHS: [f64; 6] = [1.2, 2.2, 3.4, 1.8, 2.6, 2.2];
-
-/// Distance between the strokes of a hatching.
-const HATCH_STEP: f64 = 9.0;
-const HATCH_WIDTH: f64 = 0.7;
-/// How much wider the white line is below a black one that may be on a dark ground.
-const RIM: f64 = 1.5;
 
 /// The look of the line with this index.
 pub(super) fn line_stroke(index: usize) -> Stroke {
@@ -102,37 +97,6 @@ fn draw_band(canvas: &mut Canvas, frame: &Frame, band: &Band) -> Result<()> {
         return Ok(());
     };
     draw_hatching(canvas, area, frame.area)
-}
-
-/// Strokes across an area and a line around it, as far as they are `within`.
-pub(in crate::plot) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Rect) -> Result<()> {
-    let shown = Rect {
-        left: area.left.max(within.left),
-        top: area.top.max(within.top),
-        right: area.right.min(within.right),
-        bottom: area.bottom.min(within.bottom),
-    };
-    if shown.left >= shown.right || shown.top > shown.bottom {
-        return Ok(());
-    }
-    let strokes = (shown.width() + shown.height()) / HATCH_STEP;
-    for stroke in 1..=strokes as usize {
-        let along = shown.left + stroke as f64 * HATCH_STEP;
-        let across = [(along - shown.height(), shown.bottom), (along, shown.top)];
-        for part in shown.clip(&across) {
-            draw_rimmed(canvas, &part, HATCH_WIDTH)?;
-        }
-    }
-    let [first, second, third, fourth] = area.corners();
-    for part in within.clip(&[first, second, third, fourth, first]) {
-        draw_rimmed(canvas, &part, LINE_WIDTHS[0])?;
-    }
-    Ok(())
-}
-
-fn draw_rimmed(canvas: &mut Canvas, line: &[Pixel], width: f64) -> Result<()> {
-    canvas.line(line, Stroke::solid(WHITE, width + RIM))?;
-    canvas.line(line, Stroke::solid(BLACK, width))
 }
 
 fn draw_points(canvas: &mut Canvas, frame: &Frame, points: &[MapPoint]) -> Result<()> {

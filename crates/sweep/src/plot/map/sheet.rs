@@ -4,12 +4,12 @@
 
 use super::panel::{draw_panel, line_stroke, scales};
 use super::{MapGroup, MapSheet};
-use crate::plot::Picture;
 use crate::plot::canvas::{Canvas, draw_picture};
 use crate::plot::frame::Frame;
 use crate::plot::geometry::Rect;
 use crate::plot::grounds::Ground;
 use crate::plot::legend::{Key, Legend};
+use crate::plot::picture::Picture;
 use crate::plot::scale::Scale;
 use crate::plot::text::{Block, LABEL_SIZE, SMALL_SIZE, TITLE_SIZE};
 use anyhow::Result;

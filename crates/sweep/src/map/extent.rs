@@ -6,8 +6,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use super::cases::CaseReader;
-use super::motion::Motion;
+use crate::output::{CaseReader, Motion};
 use crate::quantities::Axis;
 
 /// Distinct values along an axis are kept up to this number.

@@ -1,0 +1,46 @@
+//! The symbol of a case.
+
+use crate::output::{CaseRows, Motion};
+use crate::plot::Symbol;
+
+/// The paper's symbols for a motion: a circle where every method finds sustained
+/// vibration, a cross where none does, a square where they differ. None where a
+/// method has no answer, or one that tells nothing.
+pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
+    let mut sustained = 0;
+    for row in &case.rows {
+        sustained += usize::from(row.labels.is_sustained(motion)?);
+    }
+    Some(if sustained == case.rows.len() {
+        Symbol::Circle
+    } else if sustained == 0 {
+        Symbol::Cross
+    } else {
+        Symbol::Square
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::CaseReader;
+
+    #[test]
+    fn a_case_has_a_symbol_where_every_method_tells() {
+        let file = tempfile::NamedTempFile::new().expect("a file");
+        let table = "case,method,torsion,lateral\n\
+                     3,a,stuck,backward_whirl\n3,b,stuck,no_contact\n\
+                     4,a,,\n4,b,,no_contact\n5,a,smooth,\n5,b,smooth,\n";
+        std::fs::write(file.path(), table).expect("written");
+        let cases = CaseReader::open(file.path(), &[]).expect("a table");
+        let cases: Vec<CaseRows> = cases.map(|case| case.expect("read")).collect();
+        let symbols =
+            |motion| -> Vec<_> { cases.iter().map(|case| symbol_of(case, motion)).collect() };
+        assert_eq!(
+            symbols(Motion::Lateral),
+            [Some(Symbol::Square), None, None],
+            "no answer of one method, no lateral motion"
+        );
+        assert_eq!(symbols(Motion::Torsion), [None, None, Some(Symbol::Cross)]);
+    }
+}

@@ -1,0 +1,345 @@
+//! `labels.csv` as it is read back, typed: every row for maps, reports and merges, what a
+//! run wrote of a case for a run with more cases, and what a person wrote for `check`.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::str::{FromStr, Split};
+
+use anyhow::{Context, Result, anyhow};
+use sim::{Ended, Label, LateralMeasures, LateralRegime, Outcome, TorsionMeasures, TorsionRegime};
+
+use super::labels::{FAILED, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
+use super::motion::Labels;
+use crate::engine::Record;
+use crate::hand_table::{HandTable, Mistake, number};
+use crate::plan::{Sweep, to_rpm};
+use crate::quantities::Axis;
+use crate::sweep_file::nearest;
+use crate::text_file::{LARGEST_TABLE, read_text};
+
+/// What is read back of a row: enough to draw it or to run it again.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LabelRow {
+    /// Line of the file.
+    pub line: usize,
+    /// Number of the case.
+    pub case: usize,
+    /// Name of the method.
+    pub method: String,
+    /// Values along the given axes.
+    pub values: Vec<f64>,
+    /// The labels.
+    pub labels: Labels,
+    /// The label predicted when motion settled, where it was followed to the end.
+    pub predicted: Option<Label>,
+    /// Whether the case failed.
+    pub failed: bool,
+}
+
+/// Where the columns are that are read back: `case`, `method`, the axes asked for,
+/// `torsion` and, if they are there, `lateral`, `predicted` and `status`; others are
+/// passed over.
+pub struct LabelColumns {
+    case: usize,
+    method: usize,
+    values: Vec<usize>,
+    torsion: usize,
+    lateral: Option<usize>,
+    predicted: Option<usize>,
+    status: Option<usize>,
+}
+
+impl LabelColumns {
+    /// From the names of all columns, the values along `axes` being wanted.
+    ///
+    /// # Errors
+    /// Where one is missing, in words.
+    pub fn find<'a>(
+        header: impl Iterator<Item = &'a str> + Clone,
+        axes: &[Axis],
+    ) -> Result<Self, String> {
+        let place = |name: &str| header.clone().position(|field| field == name);
+        let column = |name: &str| place(name).ok_or_else(|| format!("has no column `{name}`"));
+        Ok(Self {
+            case: column("case")?,
+            method: column("method")?,
+            values: (axes.iter())
+                .map(|axis| column(&axis.name()))
+                .collect::<Result<_, _>>()?,
+            torsion: column("torsion")?,
+            lateral: place("lateral"),
+            // As version 0.1.0 called it.
+            predicted: place("predicted").or_else(|| place("foretold")),
+            status: place("status"),
+        })
+    }
+
+    /// A row by its fields.
+    ///
+    /// # Errors
+    /// What is wrong with it, in words.
+    pub fn row<'a>(
+        &self,
+        line: usize,
+        field: impl Fn(usize) -> Option<&'a str>,
+    ) -> Result<LabelRow, String> {
+        let field = |column: usize| field(column).unwrap_or_default();
+        let optional = |column: Option<usize>| column.map_or("", field);
+        let case = field(self.case);
+        let predicted = optional(self.predicted);
+        Ok(LabelRow {
+            line,
+            case: case
+                .parse()
+                .map_err(|_| format!("`{case}` is not a case number"))?,
+            method: field(self.method).to_owned(),
+            values: (self.values.iter())
+                .map(|&column| number(field(column)))
+                .collect::<Result<_, _>>()?,
+            labels: Labels {
+                torsion: regime("torsion", field(self.torsion), &TorsionRegime::ALL)?,
+                lateral: regime("lateral", optional(self.lateral), &LateralRegime::ALL)?,
+            },
+            predicted: (!predicted.is_empty())
+                .then(|| {
+                    Label::of_name(predicted).ok_or_else(|| format!("`{predicted}` is no regime"))
+                })
+                .transpose()?,
+            failed: optional(self.status) == FAILED,
+        })
+    }
+}
+
+/// A regime of a motion, or none; a word that is none of them is a mistake, and no label
+/// that differs.
+fn regime<Regime: Copy + Into<Label>>(
+    column: &str,
+    word: &str,
+    all: &[Regime],
+) -> Result<Option<Regime>, String> {
+    let name = |regime: Regime| regime.into().name();
+    if word.is_empty() {
+        return Ok(None);
+    }
+    if let Some(regime) = all.iter().find(|regime| name(**regime) == word) {
+        return Ok(Some(*regime));
+    }
+    let known: Vec<&str> = all.iter().map(|regime| name(*regime)).collect();
+    let hint = nearest(word, &known).map_or_else(
+        || format!("known: {}", known.join(", ")),
+        |known| format!("did you mean `{known}`?"),
+    );
+    Err(format!("{column}: `{word}` is no {column} regime; {hint}"))
+}
+
+/// Reads labels that a person may have written or exported from a spreadsheet.
+///
+/// # Errors
+/// Where they cannot be read; the message names file and line.
+pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
+    let text = read_text(path, LARGEST_TABLE)
+        .with_context(|| format!("{} cannot be read", path.display()))?;
+    let parsed = HandTable::new(&text).and_then(|table| rows_of(&table, axes));
+    parsed.map_err(|mistake| anyhow!("{}:{mistake}", path.display()))
+}
+
+fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
+    let columns = LabelColumns::find(table.header().iter(), axes)
+        .map_err(|reason| table.header_mistake(reason))?;
+    let rows = table.rows().map(|row| {
+        let row = row?;
+        (columns.row(row.line, |column| row.cells.get(column))).map_err(|message| Mistake {
+            line: row.line,
+            message,
+        })
+    });
+    rows.collect()
+}
+
+/// The rows of a `labels.csv`; only one is in memory at a time.
+pub struct LabelReader {
+    path: PathBuf,
+    reader: csv::Reader<File>,
+    record: csv::StringRecord,
+    columns: LabelColumns,
+}
+
+impl LabelReader {
+    /// Opens a `labels.csv` of which the values along `axes` are wanted.
+    ///
+    /// # Errors
+    /// Where it cannot be read or lacks a column.
+    pub fn open(path: &Path, axes: &[Axis]) -> Result<Self> {
+        let unreadable = || format!("{} cannot be read", path.display());
+        let mut reader = csv::Reader::from_path(path).with_context(unreadable)?;
+        let header = reader.headers().with_context(unreadable)?.clone();
+        let columns = LabelColumns::find(header.iter(), axes)
+            .map_err(|reason| anyhow!("{}:1: {reason}", path.display()))?;
+        Ok(Self {
+            path: path.to_owned(),
+            reader,
+            record: csv::StringRecord::new(),
+            columns,
+        })
+    }
+
+    fn read(&mut self) -> Result<Option<LabelRow>> {
+        let is_row = self.reader.read_record(&mut self.record);
+        if !is_row.with_context(|| format!("{} cannot be read", self.path.display()))? {
+            return Ok(None);
+        }
+        let line = self.record.position().map_or(0, csv::Position::line) as usize;
+        let row = self.columns.row(line, |column| self.record.get(column));
+        row.map(Some)
+            .map_err(|reason| anyhow!("{}:{line}: {reason}", self.path.display()))
+    }
+}
+
+/// The message of an error names file and line.
+impl Iterator for LabelReader {
+    type Item = Result<LabelRow>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.read().transpose()
+    }
+}
+
+/// The record that a row of a sweep's table was written from; `reason` says why a case
+/// has no answer by a method. None where it is not a row as the sweep writes it.
+pub fn record_of(
+    sweep: &Sweep,
+    table: &LabelTable,
+    row: &str,
+    reason: impl Fn(usize, &str) -> Option<String>,
+) -> Option<Record> {
+    let mut fields = Fields(row.split(','));
+    let case = fields
+        .number()
+        .filter(|case| *case < sweep.design.cases())?;
+    let name = fields.word()?;
+    let method = table.methods.iter().position(|method| *method == name)?;
+    let values = sweep.design.values(case);
+    values.iter().try_for_each(|_| fields.word().map(drop))?;
+    let mut record = Record::failed(case, method, values, "");
+    if table.shows_torque {
+        record.torque_dynamic_nm = fields.optional()?;
+    }
+    record.outcome = match reason(case, name) {
+        Some(reason) => Err(reason),
+        None => Ok(fields.outcome(sweep, &mut record)?),
+    };
+    // What is left out above, such as the values, is compared here.
+    (table.row(&record) == row).then_some(record)
+}
+
+/// The fields of a row, in their order.
+struct Fields<'a>(Split<'a, char>);
+
+impl<'a> Fields<'a> {
+    fn word(&mut self) -> Option<&'a str> {
+        self.0.next()
+    }
+
+    fn number<Number: FromStr>(&mut self) -> Option<Number> {
+        self.word()?.parse().ok()
+    }
+
+    fn optional(&mut self) -> Option<Option<f64>> {
+        match self.word()? {
+            "" => Some(None),
+            word => word.parse().ok().map(Some),
+        }
+    }
+
+    /// A number that was written in a `unit`: the nearest of those that are written so.
+    /// Rounding there and back moves it by a few of its last bits at most.
+    fn of_unit(&mut self, unit: fn(f64) -> f64) -> Option<f64> {
+        const STEPS: i64 = 8;
+        let written: f64 = self.number()?;
+        let near = (written / unit(1.0)).to_bits();
+        (0..=STEPS)
+            .flat_map(|step| [step, -step])
+            .map(|step| f64::from_bits(near.wrapping_add_signed(step)))
+            .find(|&number| unit(number) == written)
+    }
+
+    fn outcome(&mut self, sweep: &Sweep, record: &mut Record) -> Option<Outcome> {
+        let (torsion, lateral) = (self.word()?, self.word()?);
+        Some(Outcome {
+            torsion: self.torsion(torsion)?,
+            lateral: self.lateral(lateral, sweep, record)?,
+            predicted: match self.word()? {
+                "" => None,
+                word => Some(Label::of_name(word)?),
+            },
+            simulated: self.number()?,
+            ended: Ended::of_name(self.word()?)?,
+        })
+    }
+
+    fn torsion(&mut self, regime: &str) -> Option<Option<TorsionMeasures>> {
+        if regime.is_empty() {
+            return self.0.nth(TORSION_COLUMNS - 1).map(|_| None);
+        }
+        Some(Some(TorsionMeasures {
+            regime: TorsionRegime::of_name(regime)?,
+            first_slip: self.optional()?,
+            period: self.optional()?,
+            slip_time: self.optional()?,
+            sticks: self.number()?,
+            peak_speed: self.of_unit(to_rpm)?,
+            closing_speed: self.of_unit(to_rpm)?,
+        }))
+    }
+
+    fn lateral(
+        &mut self,
+        regime: &str,
+        sweep: &Sweep,
+        record: &mut Record,
+    ) -> Option<Option<LateralMeasures>> {
+        if regime.is_empty() {
+            return self.0.nth(LATERAL_COLUMNS - 1).map(|_| None);
+        }
+        let distance = self.number()?;
+        record.site_from_bit_m = Some(distance);
+        let setting = sweep.setting_at(&record.values).ok()?;
+        let sites = setting.sites.distances_from_bit();
+        Some(Some(LateralMeasures {
+            regime: LateralRegime::of_name(regime)?,
+            site: sites.iter().position(|site| *site == distance)?,
+            first_contact: self.optional()?,
+            peak_radius: self.of_unit(to_mm)?,
+            mean_radius: self.of_unit(to_mm)?,
+            contact_fraction: self.number()?,
+            rolling_fraction: self.number()?,
+            precession_rate: self.of_unit(to_turns)?,
+            mean_normal_force: self.of_unit(to_kn)?,
+            ambiguous_steps: self.number()?,
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn a_number_in_another_unit_is_read_back_to_be_written_the_same(
+            number in prop_oneof![
+                Just(0.0),
+                -1e9..1e9,
+                prop::num::f64::NORMAL.prop_filter("in range", |it| it.abs() < 1e300),
+            ]
+        ) {
+            for unit in [to_rpm, to_mm, to_turns, to_kn] {
+                let text = unit(number).to_string();
+                let found = Fields(text.split(',')).of_unit(unit);
+                prop_assert_eq!(found.map(|found| unit(found).to_string()), Some(text));
+            }
+        }
+    }
+}

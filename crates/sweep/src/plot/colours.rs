@@ -1,0 +1,49 @@
+//! The colours of all pictures. Colour-blind readers can tell those of Okabe and Ito
+//! apart; grounds are told apart by how light they are, so that neither colour vision
+//! nor colour print is needed.
+
+use plotters::style::RGBColor;
+
+pub(super) const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xB2);
+pub(super) const ORANGE: RGBColor = RGBColor(0xE6, 0x9F, 0x00);
+pub(super) const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
+/// Darker than that of Okabe and Ito, for thin lines on a tinted ground.
+pub(super) const VERMILION: RGBColor = RGBColor(0xB0, 0x3A, 0x00);
+
+/// Of curves and markers, by Okabe and Ito, in the order in which they get them.
+pub(super) const COLOURS: [RGBColor; 7] = [
+    BLUE,
+    ORANGE,
+    RGBColor(0x00, 0x9E, 0x73),
+    RGBColor(0xD5, 0x5E, 0x00),
+    RGBColor(0xCC, 0x79, 0xA7),
+    RGBColor(0x56, 0xB4, 0xE9),
+    RGBColor(0x00, 0x00, 0x00),
+];
+
+/// Grounds below the symbols of their colours.
+pub(super) const BLUE_GROUND: RGBColor = RGBColor(0x9A, 0xCD, 0xEC);
+pub(super) const GREY_GROUND: RGBColor = RGBColor(0xF3, 0xF3, 0xF3);
+pub(super) const ORANGE_GROUND: RGBColor = RGBColor(0xB3, 0x50, 0x00);
+/// The stroke through a cell without a case.
+pub(super) const NO_CASE: RGBColor = RGBColor(0x99, 0x99, 0x99);
+
+/// Of parts of a whole, from none to all: from light to dark.
+pub(super) const PARTS: [RGBColor; 6] = [
+    GREY_GROUND,
+    RGBColor(0xBF, 0xDA, 0xEE),
+    RGBColor(0x8A, 0xBB, 0xDF),
+    RGBColor(0x50, 0x97, 0xC8),
+    RGBColor(0x24, 0x6A, 0xA8),
+    RGBColor(0x0B, 0x35, 0x6B),
+];
+
+// Tints of sky blue and orange, and of nothing.
+pub(super) const SKY: RGBColor = RGBColor(0xD3, 0xEA, 0xF8);
+pub(super) const SAND: RGBColor = RGBColor(0xF8, 0xDD, 0xA6);
+pub(super) const PALE: RGBColor = RGBColor(0xEE, 0xEE, 0xEE);
+
+// Lines that stay behind the curves.
+pub(super) const GRID: RGBColor = RGBColor(0xE8, 0xE8, 0xE8);
+pub(super) const REFERENCE: RGBColor = RGBColor(0x55, 0x55, 0x55);
+pub(super) const CLEARANCE: RGBColor = RGBColor(0x44, 0x44, 0x44);

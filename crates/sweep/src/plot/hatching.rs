@@ -1,0 +1,45 @@
+//! The hatching of a range, and lines that may lie on a dark ground.
+
+use super::canvas::{Canvas, Stroke};
+use super::geometry::{Pixel, Rect};
+use anyhow::Result;
+use plotters::style::{BLACK, WHITE};
+
+/// Distance between the strokes of a hatching.
+const STEP: f64 = 9.0;
+const WIDTH: f64 = 0.7;
+/// Width of the line around it.
+const OUTLINE: f64 = 1.2;
+/// How much wider the white line is below a black one that may be on a dark ground.
+pub(super) const RIM: f64 = 1.5;
+
+/// Strokes across an area and a line around it, as far as they are `within`.
+pub(super) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Rect) -> Result<()> {
+    let shown = Rect {
+        left: area.left.max(within.left),
+        top: area.top.max(within.top),
+        right: area.right.min(within.right),
+        bottom: area.bottom.min(within.bottom),
+    };
+    if shown.left >= shown.right || shown.top > shown.bottom {
+        return Ok(());
+    }
+    let strokes = (shown.width() + shown.height()) / STEP;
+    for stroke in 1..=strokes as usize {
+        let along = shown.left + stroke as f64 * STEP;
+        let across = [(along - shown.height(), shown.bottom), (along, shown.top)];
+        for part in shown.clip(&across) {
+            draw_rimmed(canvas, &part, WIDTH)?;
+        }
+    }
+    let [first, second, third, fourth] = area.corners();
+    for part in within.clip(&[first, second, third, fourth, first]) {
+        draw_rimmed(canvas, &part, OUTLINE)?;
+    }
+    Ok(())
+}
+
+fn draw_rimmed(canvas: &mut Canvas, line: &[Pixel], width: f64) -> Result<()> {
+    canvas.line(line, Stroke::solid(WHITE, width + RIM))?;
+    canvas.line(line, Stroke::solid(BLACK, width))
+}
