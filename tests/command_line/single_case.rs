@@ -1,6 +1,6 @@
 //! `sweep simulate`, `sweep inspect` and `sweep plot`.
 
-use crate::support::{SMALL, Workplace};
+use crate::support::{SMALL, Workplace, with};
 use crate::{PNG_SIGNATURE, columns, names, names_in, run, succeeds, table, text};
 
 #[test]
@@ -85,6 +85,32 @@ fn several_cases_are_kept_beside_each_other() {
         answer
             .errors
             .contains("--case 6: small.toml has cases 0 to 5")
+    );
+}
+
+/// Where the time follows from the case, each is drawn and kept for as long as it lasts.
+#[test]
+fn cases_of_different_length_are_kept_beside_each_other() {
+    let place = Workplace::with_small(&with(SMALL, "time_s = 12\n", ""));
+    let steps = |cases: &str| {
+        let arguments = ["simulate", "small.toml", "--out", "case", "--case", cases];
+        succeeds(&place, &arguments);
+        let history = table(&text(&place, "case/history.csv"));
+        let mut counts: Vec<(String, usize)> = Vec::new();
+        for row in columns(&history, ["case"]) {
+            match counts.last_mut() {
+                Some((case, count)) if *case == row[0] => *count += 1,
+                _ => counts.push((row[0].to_string(), 1)),
+            }
+        }
+        counts
+    };
+    let slow_first = steps("0,5");
+    assert!(slow_first[0].1 > 2 * slow_first[1].1, "{slow_first:?}");
+    let fast_first = steps("5,0");
+    assert_eq!(
+        [&fast_first[1], &fast_first[0]],
+        [&slow_first[0], &slow_first[1]]
     );
 }
 

@@ -55,14 +55,12 @@ impl Histories<'_> {
         }
     }
 
-    fn series(&self, name: &str, values: &dyn Fn(usize) -> f64) -> Series {
-        let steps = self.simulations.first().map_or(0, |simulation| {
-            let speeds = simulation.trajectory.speeds.first();
-            speeds.map_or(0, Vec::len)
-        });
+    /// A series over the time of a simulation; each case has its own.
+    fn series(&self, name: &str, of: &Simulation, values: &dyn Fn(usize) -> f64) -> Series {
+        let speeds = of.trajectory.speeds.first();
         Series {
             name: name.to_owned(),
-            points: (0..steps)
+            points: (0..speeds.map_or(0, Vec::len))
                 .map(|index| (index as f64 * self.step, values(index)))
                 .collect(),
         }
@@ -73,7 +71,7 @@ impl Histories<'_> {
         simulations
             .map(|simulation| {
                 let of_step = |index| values(&simulation.trajectory, index);
-                self.series(&simulation.name, &of_step)
+                self.series(&simulation.name, simulation, &of_step)
             })
             .collect()
     }
@@ -84,7 +82,7 @@ impl Histories<'_> {
             return None;
         };
         let name = format!("{} − {}", first.name, second.name);
-        let series = self.series(&name, &|index| {
+        let series = self.series(&name, first, &|index| {
             values(&first.trajectory, index) - values(&second.trajectory, index)
         });
         Some(self.panel(label, vec![series], Vec::new()))
