@@ -45,9 +45,7 @@ impl TorqueLaw for BitTorque {
     }
 
     fn largest_drop(&self) -> f64 {
-        let drop = self.torque_static - self.torque_dynamic;
-        // A bit that holds any torque never slips.
-        if drop.is_finite() { drop } else { 0.0 }
+        self.torque_static - self.torque_dynamic
     }
 
     fn check(&self) -> Result<(), SceneError> {

@@ -344,6 +344,8 @@ impl Press<'_> {
         let (gives, free_speed) = (approach.spin.compliance, approach.spin.free_speed);
         let spin = approach.spin.under(contact.torque);
         let jump = approach.spin.resistance.map_or(0.0, |law| law.jump);
+        // A bit that holds any torque never slips.
+        let jump = if jump.is_finite() { jump } else { 0.0 };
         let ([cos, sin], [px, py]) = (trial.direction, approach.previous_position);
         let drift = (px * sin - py * cos) * approach.sampling_frequency;
         let sliding_speed = wall.radius * spin + drift;
