@@ -98,7 +98,7 @@ struct ChannelCost {
     memory: Memory,
 }
 
-/// What [`crate::responses`] takes on the threads of the present pool.
+/// What [`crate::responses()`] takes on the threads of the present pool.
 pub fn responses(string: &Drillstring, method: &Method, request: &Request) -> ResponseCost {
     let mut cost = ResponseCost::default();
     for channel in &request.channels {

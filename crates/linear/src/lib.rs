@@ -28,9 +28,9 @@
 //! | paper | here |
 //! |---|---|
 //! | Table 2, Fig. 5: the string and its sites | [`drillstring`] |
-//! | Eqs. 1–3: waves in a tube | [`waves::torsion`] |
-//! | Eqs. 19–26: bending waves in a tube | [`waves::bending`] |
-//! | Eqs. 4–11, 25: the chain of sections | [`waves::chain`] |
+//! | Eqs. 1–3: waves in a tube | `waves/torsion.rs` |
+//! | Eqs. 19–26: bending waves in a tube | `waves/bending.rs` |
+//! | Eqs. 4–11, 25: the chain of sections | `waves/chain.rs` |
 //! | Eqs. 12–13, 41–48: surface and sites | [`waves::network`] |
 //! | Eqs. 50–58: bending at the sites | [`waves::lateral`] |
 //! | Section 2.4: digital filters | [`filters`] |

@@ -5,7 +5,7 @@
 //! one wave grows along the tube by e^(βL) and another decays as much. Soon the
 //! products hold nothing but the growing wave, and the difference that would be
 //! the answer is rounding; in the end they overflow. The stiffnesses of
-//! [`super::chain`] give the same response and do neither.
+//! `waves/chain.rs` give the same response and do neither.
 
 use std::ops::Mul;
 

@@ -13,7 +13,7 @@
 //! largest of
 //!
 //! - that of its linear responses, on smooth motions, from the exact ones
-//!   ([`linear::exact`]), which share no time step with anything,
+//!   ([`linear::deviation`]), which share no time step with anything,
 //! - the shift of the limit between regimes, by surface speed or by friction, near a
 //!   few of the sweep's cases ([`probes`]),
 //! - that of the numbers a person would quote of those cases ([`answer`]),
