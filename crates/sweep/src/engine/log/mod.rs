@@ -174,7 +174,8 @@ impl Log {
 
     /// Writes a line at the end; where the log then ends.
     fn write(&self, state: &mut State, line: &str) -> Result<u64, LogError> {
-        // One call a line: a program that is killed has written it or has not.
+        // One call a line: a program that is killed has written it, or torn it at the end
+        // of a page, or has not.
         state.file.write_all(line.as_bytes()).map_err(|error| {
             // A part of a line would run into the next.
             let _ = state.file.set_len(state.content.end());
