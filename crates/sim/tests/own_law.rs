@@ -1,12 +1,14 @@
-//! A torque law of one's own steps as the built-in one does, through the same stepper.
+//! A torque law and a wall of one's own step as the built-in ones do, through the same
+//! stepper.
 
-use linear::{ChannelRequest, Method, Request, Responses, Sites};
+use linear::{Bending, ChannelRequest, Method, Request, Responses, Sites, SurfaceSupport};
 use problems::pipes::row;
 use sim::laws::bit::BitMotion;
+use sim::laws::contact::{Approach, Contact, ContactError, Touch};
 use sim::laws::torque::TorqueStep;
 use sim::{
-    BitTorque, LoadLine, Scene, SimulationError, Simulator, Stepper, Stopping, System, Timing,
-    TorqueLaw, Trajectory, Wall,
+    BitTorque, Impulse, Lateral, LoadLine, Scene, SimulationError, Simulator, Stepper, Stopping,
+    System, Timing, TorqueLaw, Trajectory, Wall, WallLaw,
 };
 
 const DURATION: f64 = 20.0;
@@ -121,4 +123,103 @@ fn what_cannot_be_stepped_is_an_error() {
     assert!(
         matches!(found, Err(SimulationError::NotFinite { site: 0, time }) if (time - 0.5).abs() < 0.01)
     );
+}
+
+/// Rigid and smooth: the centre stays on the circle, pushed straight back.
+struct Smooth {
+    clearance: f64,
+}
+
+impl WallLaw for Smooth {
+    fn clearance(&self) -> f64 {
+        self.clearance
+    }
+
+    fn radius(&self) -> f64 {
+        0.1
+    }
+
+    fn meet(&self, approach: &Approach) -> Result<Contact, ContactError> {
+        let [x, y] = approach.free_position;
+        let distance = x.hypot(y);
+        if distance <= self.clearance {
+            return Contact::free(approach.free_position);
+        }
+        let force = (distance - self.clearance) / approach.compliance;
+        let along = |size: f64| [x / distance * size, y / distance * size];
+        Ok(Contact {
+            touch: Touch::Sliding,
+            position: along(self.clearance),
+            force: along(-force),
+            normal_force: force,
+            ..Contact::NONE
+        })
+    }
+}
+
+/// Every position of the bit, and how many steps touch.
+fn positions<W: WallLaw>(system: &System, wall: W) -> (Vec<[f64; 2]>, usize) {
+    let impulse = |start, direction| Impulse {
+        site: 0,
+        amount: 1000.0,
+        start,
+        duration: 0.02,
+        direction,
+    };
+    let scene: Scene<BitTorque, W> = Scene {
+        surface_speed: 6.0,
+        bit: None,
+        lateral: Some(Lateral {
+            walls: vec![wall],
+            impulses: vec![impulse(0.1, 0.0), impulse(0.5, 2.0)],
+            eccentric_masses: vec![],
+        }),
+        timing: Timing {
+            duration: 1.0,
+            closing_window: 0.5,
+        },
+    };
+    let mut stepper = Stepper::new(system, &scene).unwrap();
+    let (mut positions, mut touches) = (Vec::new(), 0);
+    while let Some(step) = stepper.step().unwrap() {
+        touches += usize::from(step.contacts[0].touches());
+        positions.push(step.contacts[0].position);
+    }
+    (positions, touches)
+}
+
+#[test]
+fn a_smooth_wall_of_ones_own_gives_the_motion_of_the_built_in_one() {
+    let bending = Bending {
+        youngs_modulus: 210e9,
+        damping: 2000.0,
+        compression: 0.0,
+    };
+    let support = SurfaceSupport::Free;
+    let request = Request {
+        sites: Sites::bit(),
+        channels: vec![
+            ChannelRequest::Torsion { torques: vec![0] },
+            ChannelRequest::Bending { bending, support },
+        ],
+        sampling_frequency: 640.0,
+        longest_time: 1.0,
+    };
+    let responses = linear::responses(&row(50, 1.0), &Method::Quadrature, &request).unwrap();
+    let system = System::new(&responses).unwrap();
+    let clearance = 0.015;
+    let (own, touches) = positions(&system, Smooth { clearance });
+    let built_in = Wall {
+        clearance,
+        stiffness: f64::INFINITY,
+        friction: 0.0,
+        radius: 0.1,
+    };
+    let (expected, expected_touches) = positions(&system, built_in);
+    assert!(touches > 10);
+    assert_eq!(touches, expected_touches);
+    for (found, expected) in own.iter().zip(&expected) {
+        let apart = (found[0] - expected[0]).hypot(found[1] - expected[1]);
+        assert!(apart < 1e-9 * clearance, "{found:?} {expected:?}");
+    }
 }
