@@ -2,6 +2,7 @@
 //! turn, each with the others' latest loads, until what has changed of these no longer
 //! matters.
 
+use crate::site::Load;
 use crate::system::System;
 
 /// Sites are solved in turn until no force would change by more than this fraction of
@@ -11,25 +12,12 @@ const COUPLING_TOLERANCE: f64 = 1e-12;
 /// Turns after which sites that do not settle are given up.
 const MOST_TURNS: usize = 200;
 
-/// What acts on a site in a step: a force, N, and a torque, N m.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Load {
-    pub(crate) force: [f64; 2],
-    pub(crate) torque: f64,
-}
-
 /// The loads of all sites that may bear one.
 #[derive(Debug)]
 pub(crate) struct Coupling {
     loads: Vec<Load>,
     /// How much they have changed in the last turn: force and torque.
     changes: Vec<(f64, f64)>,
-}
-
-/// What a site does to the turn that it is solved in.
-pub(crate) struct Solved {
-    pub(crate) load: Load,
-    pub(crate) normal_force: f64,
 }
 
 impl Coupling {
@@ -50,18 +38,24 @@ impl Coupling {
         self.loads.fill(Load::default());
     }
 
+    /// The torque on the one site that bears a load.
+    pub(crate) fn set_torque(&mut self, index: usize, torque: f64) {
+        self.loads[index].torque = torque;
+    }
+
     /// Solves a step by solving one site after the other, from the loads of the last
-    /// step on. Gives whether they settled; `radius` is that of the string at a site.
+    /// step on: `solve` gives the load of a site and its normal force, N. Gives whether
+    /// they settled; `radius` is that of the string at a site.
     pub(crate) fn settle<E>(
         &mut self,
         system: &System,
         radius: impl Fn(usize) -> f64,
-        mut solve: impl FnMut(usize, &[Load]) -> Result<Solved, E>,
+        mut solve: impl FnMut(usize, &[Load]) -> Result<(Load, f64), E>,
     ) -> Result<bool, E> {
         for _ in 0..MOST_TURNS {
             let mut largest: f64 = 0.0;
             for index in 0..self.loads.len() {
-                let Solved { load, normal_force } = solve(index, &self.loads)?;
+                let (load, normal_force) = solve(index, &self.loads)?;
                 let before = std::mem::replace(&mut self.loads[index], load);
                 self.changes[index] = (
                     (load.force[0] - before.force[0]).abs()

@@ -2,14 +2,14 @@
 //! local laws that meet them.
 
 use crate::convolution::Convolution;
-use crate::coupling::{Coupling, Load, Solved};
+use crate::coupling::Coupling;
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
 use crate::scene::{Lateral, Scene};
-use crate::site::{LateralLine, SiteLaws};
+use crate::site::{LateralLine, Load, SiteLaws};
 use crate::system::{BitLoad, System};
 
 /// One step of all sites that may bear a load.
@@ -154,13 +154,17 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         }
         self.now.time = self.system.time_of(self.next);
         self.find_free_motion();
-        self.meet()?;
+        match self.lateral {
+            None => self.meet_bit()?,
+            Some(_) => self.meet_walls()?,
+        }
         self.end_step();
         self.next += 1;
         Ok(Some(&self.now))
     }
 
     /// Speeds and displacements of this step if no law answered.
+    #[inline]
     fn find_free_motion(&mut self) {
         self.torques.write_past(&mut self.free_speeds);
         let (scene, step) = (self.scene, self.next);
@@ -180,79 +184,84 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         }
     }
 
-    /// All sites at once.
-    fn meet(&mut self) -> Result<(), SimulationError> {
+    /// The bit's law, where there is no wall: no other site has to agree.
+    #[inline]
+    fn meet_bit(&mut self) -> Result<(), SimulationError> {
+        let (from_torques, time) = (&self.system.from_torques, self.now.time);
+        let speeds = &mut self.now.speeds;
+        speeds.copy_from_slice(&self.free_speeds);
+        if let (Some(law), Some(BitLoad { load, .. })) = (&self.scene.bit, self.bit) {
+            let line = LoadLine {
+                time,
+                free_speed: self.free_speeds[load],
+                compliance: from_torques.instant(load, load),
+            };
+            let bit = law.meet(&self.bit_state, line);
+            for (index, speed) in speeds.iter_mut().enumerate() {
+                *speed += from_torques.instant(index, load) * bit.torque;
+            }
+            speeds[load] = bit.speed;
+            self.coupling.set_torque(load, bit.torque);
+            self.now.bit = Some(bit);
+        }
+        match speeds.iter().position(|speed| !speed.is_finite()) {
+            None => Ok(()),
+            Some(index) => Err(self.system.not_finite(index, time)),
+        }
+    }
+
+    /// All sites and their walls at once.
+    fn meet_walls(&mut self) -> Result<(), SimulationError> {
         let Self {
             system,
             scene,
             bit,
-            lateral,
+            lateral: Some(lateral),
             coupling,
             bit_state,
             free_speeds,
             now,
             ..
-        } = self;
-        let (system, lateral, time) = (*system, lateral.as_ref(), now.time);
-        let law_at = |index: usize| {
-            let at_bit = bit.is_some_and(|bit| bit.load == index);
-            scene.bit.as_ref().filter(|_| at_bit)
+        } = self
+        else {
+            return Ok(());
         };
-        let radius = |index: usize| match lateral {
-            None => f64::INFINITY,
-            Some(lateral) => lateral.scene.walls[index].radius(),
-        };
-        let (speeds, contacts, now_bit) = (&mut now.speeds, &mut now.contacts, &mut now.bit);
+        let (system, lateral, time) = (*system, &*lateral, now.time);
+        let radius = |index: usize| lateral.scene.walls[index].radius();
         let settled = coupling.settle(system, radius, |index, loads| {
+            let at_bit = bit.is_some_and(|bit| bit.load == index);
+            let law = scene.bit.as_ref().filter(|_| at_bit);
             let laws = SiteLaws {
-                bit: law_at(index).map(|law| (law, &*bit_state)),
-                wall: lateral.map(|lateral| lateral.line(system, index, loads)),
+                bit: law.map(|law| (law, &*bit_state)),
+                wall: &lateral.scene.walls[index],
             };
-            let compliance = system.from_torques.instant(index, index);
             let line = LoadLine {
                 time,
                 free_speed: turned_by_others(system, free_speeds[index], index, loads),
-                compliance,
+                compliance: system.from_torques.instant(index, index),
             };
-            let site = system.loaded[index];
-            let found = (laws.meet(line))
-                .map_err(|error| SimulationError::of_contact(error, site, time))?;
-            let torque = found.torque();
-            if !(found.speed.is_finite() && torque.is_finite()) {
-                return Err(SimulationError::NotFinite { site, time });
+            let found = laws
+                .meet(line, lateral.line(system, index, loads))
+                .map_err(|error| SimulationError::of_contact(error, system.loaded[index], time))?;
+            let (load, normal_force) = (found.load(), found.contact.normal_force);
+            if !(found.speed.is_finite() && load.torque.is_finite()) {
+                return Err(system.not_finite(index, time));
             }
-            let contact = found.contact;
-            speeds[index] = found.speed;
-            if let Some(slot) = contacts.get_mut(index) {
-                *slot = contact;
-            }
+            now.speeds[index] = found.speed;
+            now.contacts[index] = found.contact;
             if found.bit.is_some() {
-                *now_bit = found.bit;
+                now.bit = found.bit;
             }
-            Ok(Solved {
-                load: Load {
-                    force: contact.force,
-                    torque,
-                },
-                normal_force: contact.normal_force,
-            })
+            Ok((load, normal_force))
         })?;
-        if !settled {
-            return Err(SimulationError::NotSettled { time });
+        match settled {
+            true => Ok(()),
+            false => Err(SimulationError::NotSettled { time }),
         }
-        if lateral.is_none() && system.loaded.len() > 1 {
-            // Sites without a law have not heard of the last loads.
-            for index in 0..speeds.len() {
-                if law_at(index).is_none() {
-                    let loads = coupling.loads();
-                    speeds[index] = turned_by_others(system, free_speeds[index], index, loads);
-                }
-            }
-        }
-        Ok(())
     }
 
     /// From this step to the past.
+    #[inline]
     fn end_step(&mut self) {
         let held = match self.reference {
             Reference::Free => 0.0,
@@ -383,9 +392,9 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         }
     }
 
-    /// The wall of a site and its load line, the loads of the others given.
+    /// The load line of a site, the loads of the others given.
     #[inline]
-    fn line(&self, system: &System, site: usize, loads: &[Load]) -> (&'a W, LateralLine) {
+    fn line(&self, system: &System, site: usize, loads: &[Load]) -> LateralLine {
         let sites = system.sites;
         let mut free_position = [0, 1].map(|axis| self.free_positions[axis * sites + site]);
         let kernels = self.forces.kernels();
@@ -396,13 +405,12 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
                 free_position[1] += compliance * load.force[1];
             }
         }
-        let line = LateralLine {
+        LateralLine {
             free_position,
             previous_position: self.positions[site],
             compliance: kernels.instant(site, site),
             sampling_frequency: system.sampling_frequency,
-        };
-        (&self.scene.walls[site], line)
+        }
     }
 
     fn end_step<S>(&mut self, system: &System, now: &Step<S>) {

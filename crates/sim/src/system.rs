@@ -116,6 +116,12 @@ impl System {
         step as f64 / self.sampling_frequency
     }
 
+    /// What is said where the motion of a loaded site is no number.
+    pub(crate) fn not_finite(&self, index: usize, time: f64) -> SimulationError {
+        let site = self.loaded[index];
+        SimulationError::NotFinite { site, time }
+    }
+
     /// Refuses a case that lasts longer than this is prepared for.
     pub(crate) fn lasts_for(&self, duration: f64) -> Result<(), SimulationError> {
         let prepared = self.longest_time;

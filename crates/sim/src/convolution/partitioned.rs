@@ -246,14 +246,18 @@ impl<'a> Convolution<'a> {
         let within = self.steps % FIRST_BLOCK;
         let start = self.steps - within;
         kernels.arch.dispatch(|| {
-            for (channel, sum) in sums.iter_mut().enumerate() {
-                let (plane, output) = (channel / sites, channel % sites);
-                *sum = self.known[channel * FIRST_BLOCK + within];
-                for input in 0..sites {
-                    let channel = plane * sites + input;
-                    if self.is_active[channel] {
-                        let taps = &kernels.recent[output * sites + input];
-                        *sum += dot(&taps[taps.len() - within..], &self.inputs[channel][start..]);
+            // Nested, for a division of each place would cost as much as its sum.
+            let mut places = sums.iter_mut().zip(self.known.chunks_exact(FIRST_BLOCK));
+            for plane in 0..self.planes {
+                for (output, (sum, known)) in (0..sites).zip(&mut places) {
+                    *sum = known[within];
+                    for input in 0..sites {
+                        let channel = plane * sites + input;
+                        if self.is_active[channel] {
+                            let taps = &kernels.recent[output * sites + input];
+                            let inputs = &self.inputs[channel][start..];
+                            *sum += dot(&taps[taps.len() - within..], inputs);
+                        }
                     }
                 }
             }
