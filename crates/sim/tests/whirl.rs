@@ -1,9 +1,15 @@
-//! Validation of lateral motion: Figs. 10 to 15 of the paper, as checked with an
-//! independent program, and the balance of steady whirl.
+//! Validation of lateral motion against the balance of forces in steady whirl, with the
+//! exact dynamic stiffness of the string, and against what the paper shows in Figs. 10
+//! to 15.
 
 use linear::elements::reconstruction::WholeString;
 use linear::method::{FiniteElement, Transform};
-use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
+use linear::waves::inversion::time_response;
+use linear::waves::lateral::BendingNetwork;
+use linear::{
+    Bending, ChannelRequest, Complex64, Drillstring, Method, RaisedCosine, Request, Sites,
+    SurfaceSupport, responses,
+};
 use problems::academic;
 use sim::excitation::least_impulse;
 use sim::{
@@ -116,81 +122,130 @@ fn assert_close(found: f64, expected: f64, tolerance: f64) {
     );
 }
 
-const TURN: f64 = std::f64::consts::TAU;
+fn network(string: &Drillstring) -> BendingNetwork<'_> {
+    BendingNetwork::new(string, BENDING, SurfaceSupport::Free, &Sites::bit()).unwrap()
+}
 
+/// Fig. 10: the site is pushed along the wall against the rotation, and comes back. The
+/// wall is first met when the free motion, by the exact responses, reaches it.
 #[test]
 fn figure_10_touches_the_wall_and_comes_back() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let mut trajectory = Trajectory::default();
-    let found = case.run(case.at_bit(3.0, wall(0.5)), Some(&mut trajectory));
+    let lateral = case.at_bit(3.0, wall(0.5));
+    let amount = lateral.impulses[0].amount;
+    let found = case.run(lateral, Some(&mut trajectory));
     assert_eq!(found.regime, LateralRegime::TransientContact);
-    assert_close(found.first_contact.unwrap(), 1.022, 0.02);
-    let left = trajectory.wall_forces[0]
-        .iter()
-        .rposition(|force| *force != [0.0; 2])
-        .unwrap();
-    assert_close(left as f64 / academic::SAMPLING_FREQUENCY, 1.24, 0.02);
-    // Pushed along the wall against the rotation.
+
+    let (string, pulse, step) = (academic::string(), RaisedCosine { duration: PULSE }, 1e-4);
+    let network = network(&string);
+    let displaced = |s: Complex64| network.receptance(s)[(0, 0)] * pulse.transform(s) * amount;
+    let free = time_response(displaced, step, 400, 16);
+    let reached = free.iter().position(|x| *x >= CLEARANCE).unwrap();
+    assert_close(
+        found.first_contact.unwrap(),
+        1.0 + reached as f64 * step,
+        0.002,
+    );
+
+    let pushed = |force: &[f64; 2]| *force != [0.0; 2];
+    let left = trajectory.wall_forces[0].iter().rposition(pushed).unwrap();
+    assert!((left as f64) < 2.0 * academic::SAMPLING_FREQUENCY);
     let [x, y] = trajectory.positions[0][left];
     assert!(x > 0.0 && y < 0.0);
-    let [x, y] = trajectory.positions[0][(8.0 * academic::SAMPLING_FREQUENCY) as usize];
-    assert_close(x.hypot(y), 7.2e-3, 0.02);
 }
 
+/// Fig. 12, with the paper's wall and with a rigid one. In steady backward whirl the wall
+/// supplies the dynamic stiffness of the string at the rate of whirl: F_N = −Re K r and
+/// friction = |Im K| r, and a string that rolls goes round at Ω R₀ / r.
 #[test]
-fn figure_12_whirls_backward() {
-    for method in [
-        Method::Quadrature,
-        Method::FiniteElement(FiniteElement::default()),
-    ] {
-        let case = Case::new(&method, &[0.0]);
-        let found = case.run(case.at_bit(3.0, wall(2.0)), None);
-        assert_eq!(
-            found.regime,
-            LateralRegime::BackwardWhirl,
-            "{}",
-            method.name()
-        );
-        assert_close(found.mean_radius, 16.05e-3, 0.01);
-        assert_close(found.precession_rate, -9.35 * TURN, 0.01);
-        assert_close(found.mean_normal_force, 34.1e3, 0.01);
-        assert_eq!((found.contact_fraction, found.rolling_fraction), (1.0, 1.0));
-        assert_eq!(found.ambiguous_steps, 0);
-    }
-}
-
-#[test]
-fn a_rigid_wall_holds_the_string_at_its_clearance() {
-    let case = Case::new(&Method::Quadrature, &[0.0]);
+fn figure_12_whirls_backward_as_the_forces_balance() {
+    let string = academic::string();
+    let network = network(&string);
     let rigid = Wall {
         stiffness: f64::INFINITY,
         ..wall(2.0)
     };
-    let found = case.run(case.at_bit(3.0, rigid), None);
-    assert_eq!(found.regime, LateralRegime::BackwardWhirl);
-    assert_close(found.mean_radius, 15.0e-3, 1e-9);
-    assert_close(found.precession_rate, -10.01 * TURN, 0.01);
-    assert_close(found.mean_normal_force, 35.3e3, 0.01);
+    // On a rigid wall the speeds of Newmark's scheme jump to and fro: its differences
+    // of displacements are not passive.
+    let elements = Method::FiniteElement(FiniteElement::default());
+    for (method, wall) in [
+        (Method::Quadrature, wall(2.0)),
+        (Method::Quadrature, rigid),
+        (elements, wall(2.0)),
+    ] {
+        let case = Case::new(&method, &[0.0]);
+        let site = sim::WhirlingSite {
+            wall,
+            dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
+            decay_rate: linear::estimates::bending_decay_rate(&string, &BENDING),
+        };
+        let [steady] = site.rolling_at(SPEED)[..] else {
+            panic!("one steady whirl");
+        };
+        let mut trajectory = Trajectory::default();
+        let found = case.run(case.at_bit(3.0, wall), Some(&mut trajectory));
+        assert_eq!(found.regime, LateralRegime::BackwardWhirl);
+        assert_close(found.mean_radius, steady.radius, 0.01);
+        assert_close(found.precession_rate, -steady.rate, 0.01);
+        // At 64 steps a turn, schemes of second order miss the force by 1.3 %.
+        assert_close(found.mean_normal_force, steady.normal_force, 0.015);
+        assert_eq!((found.contact_fraction, found.rolling_fraction), (1.0, 1.0));
+        assert_eq!(found.ambiguous_steps, 0);
+
+        let ([x, y], [force_x, force_y]) = (
+            *trajectory.positions[0].last().unwrap(),
+            *trajectory.wall_forces[0].last().unwrap(),
+        );
+        let friction = (force_y * x - force_x * y) / x.hypot(y);
+        let [_, imaginary] = network.dynamic_stiffness(0, steady.rate);
+        assert_close(friction.abs(), imaginary.abs() * steady.radius, 0.015);
+    }
 }
 
+/// Fig. 15: forward whirl at the rate of rotation has the same kind of balance. The
+/// eccentric force, at an angle, is the dynamic stiffness times r, the normal force of a
+/// wall that yields by k_c (r − c)^(3/2), and the friction of sliding: one radius.
 #[test]
-fn figure_15_whirls_forward() {
+fn figure_15_whirls_forward_as_the_forces_balance() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
-    let lateral = Lateral {
-        walls: vec![wall(0.5)],
-        impulses: vec![],
-        eccentric_masses: vec![EccentricMass {
-            site: 0,
-            mass: 1000.0,
-            offset: 0.1,
-        }],
-    };
-    let found = case.run(lateral, None);
+    let (mass, offset, friction) = (1000.0, 0.1, 0.5);
+    let wall = wall(friction);
+    let found = case.run(
+        Lateral {
+            walls: vec![wall],
+            impulses: vec![],
+            eccentric_masses: vec![EccentricMass {
+                site: 0,
+                mass,
+                offset,
+            }],
+        },
+        None,
+    );
     assert_eq!(found.regime, LateralRegime::ForwardWhirl);
-    assert_close(found.precession_rate, TURN, 0.01);
-    assert_close(found.mean_normal_force, 3.50e3, 0.01);
-    assert_close(found.mean_radius, 15.23e-3, 0.01);
     assert_eq!(found.rolling_fraction, 0.0);
+    assert_close(found.precession_rate, SPEED, 0.01);
+
+    let string = academic::string();
+    let stiffness = network(&string).at_rate(SPEED)[(0, 0)].inv();
+    let normal_force = |radius: f64| wall.stiffness * (radius - CLEARANCE).powf(1.5);
+    let lacks = |radius: f64| {
+        let along = stiffness.re * radius + normal_force(radius);
+        let across = stiffness.im * radius + friction * normal_force(radius);
+        along.hypot(across) - mass * (offset + radius) * SPEED.powi(2)
+    };
+    let [mut inside, mut outside] = [CLEARANCE, 2.0 * CLEARANCE];
+    while outside - inside > 1e-9 {
+        let middle = 0.5 * (inside + outside);
+        *(if lacks(middle) < 0.0 {
+            &mut inside
+        } else {
+            &mut outside
+        }) = middle;
+    }
+    assert_close(found.mean_radius, inside, 0.01);
+    assert_close(found.mean_normal_force, normal_force(inside), 0.01);
 }
 
 #[test]
@@ -201,8 +256,8 @@ fn below_the_least_impulse_nothing_touches() {
     assert_ne!(label(1.01), LateralRegime::NoContact);
 }
 
-/// Fig. 14: the friction above which an impulse starts backward whirl falls
-/// with the impulse, to a little above the bound of steady whirl, 1.14.
+/// Fig. 14: the friction above which an impulse starts backward whirl falls with the
+/// impulse, to a little above the least that sustains it when it rolls.
 #[test]
 fn the_limit_of_whirl_falls_with_the_impulse() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
@@ -218,15 +273,18 @@ fn the_limit_of_whirl_falls_with_the_impulse() {
         0.5 * (low + high)
     };
     let limits = [1.5, 2.0, 3.0, 5.0].map(limit);
-    assert!(
-        limits.windows(2).all(|pair| pair[1] <= pair[0]),
-        "{limits:?}"
-    );
-    assert_close(limits[0], 1.95, 0.05);
-    assert!(
-        limits[2..].iter().all(|limit| (1.14..1.26).contains(limit)),
-        "{limits:?}"
-    );
+    let falls = limits.windows(2).all(|pair| pair[1] <= pair[0]);
+    assert!(falls && limits[0] > 1.2 * limits[3], "{limits:?}");
+    let string = academic::string();
+    let network = network(&string);
+    let site = sim::WhirlingSite {
+        wall: wall(0.0),
+        dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
+        decay_rate: linear::estimates::bending_decay_rate(&string, &BENDING),
+    };
+    let least = site.rolling_at(SPEED)[0].least_friction;
+    let above = |limit: &f64| (1.0..1.1).contains(&(limit / least));
+    assert!(limits[2..].iter().all(above), "{limits:?} {least}");
 }
 
 #[test]
@@ -254,49 +312,6 @@ fn turning_the_other_way_whirls_the_other_way() {
     let other = case.run_at(-SPEED, case.at_bit(3.0, wall(2.0)), None);
     assert_close(other.precession_rate, -one.precession_rate, 1e-9);
     assert_close(other.mean_normal_force, one.mean_normal_force, 1e-9);
-}
-
-/// In steady backward whirl the wall supplies the dynamic stiffness of the
-/// string at the rate of whirl: F_N = −Re K r and friction = |Im K| r. So no
-/// friction below |Im K / Re K| sustains it.
-#[test]
-fn steady_backward_whirl_balances_the_dynamic_stiffness() {
-    let case = Case::new(&Method::Quadrature, &[0.0]);
-    let mut trajectory = Trajectory::default();
-    let found = case.run(case.at_bit(3.0, wall(2.0)), Some(&mut trajectory));
-    let string = academic::string();
-    let network = linear::waves::lateral::BendingNetwork::new(
-        &string,
-        BENDING,
-        SurfaceSupport::Free,
-        &Sites::bit(),
-    )
-    .unwrap();
-    let dynamic_stiffness = |rate| network.dynamic_stiffness(0, rate);
-    let [real, imaginary] = dynamic_stiffness(found.precession_rate.abs());
-    let last = trajectory.positions[0].len() - 1;
-    let ([x, y], [fx, fy]) = (
-        trajectory.positions[0][last],
-        trajectory.wall_forces[0][last],
-    );
-    let radius = x.hypot(y);
-    let normal = -(fx * x + fy * y) / radius;
-    let friction = (fy * x - fx * y) / radius;
-    assert_close(normal, -real * radius, 0.01);
-    assert_close(friction.abs(), imaginary.abs() * radius, 0.01);
-    // The same from the balance alone, nothing simulated.
-    let site = sim::WhirlingSite {
-        wall: wall(2.0),
-        dynamic_stiffness,
-        decay_rate: linear::estimates::bending_decay_rate(&string, &BENDING),
-    };
-    let [steady] = site.rolling_at(SPEED)[..] else {
-        panic!("one steady whirl");
-    };
-    assert_close(radius, steady.radius, 0.01);
-    assert_close(found.precession_rate, -steady.rate, 0.01);
-    assert_close(found.mean_normal_force, steady.normal_force, 0.01);
-    assert_close(steady.least_friction, 1.14, 0.01);
 }
 
 /// The bit's torque and the wall act on one site in one step. A wall without
@@ -339,37 +354,6 @@ fn the_bit_cuts_and_touches_the_wall_at_once() {
         let sticks = *speed == 0.0 && torque.abs() <= 2400.0;
         assert!(slides || sticks, "{speed} {torque}");
     }
-}
-
-/// Forward whirl has the same kind of balance: the eccentric force, at an angle,
-/// less F_N and the friction of sliding, is the dynamic stiffness times r.
-#[test]
-fn steady_forward_whirl_balances_the_eccentric_force() {
-    let case = Case::new(&Method::Quadrature, &[0.0]);
-    let (mass, offset, friction) = (1000.0, 0.1, 0.5);
-    let lateral = Lateral {
-        walls: vec![wall(friction)],
-        impulses: vec![],
-        eccentric_masses: vec![EccentricMass {
-            site: 0,
-            mass,
-            offset,
-        }],
-    };
-    let found = case.run(lateral, None);
-    let string = academic::string();
-    let network = linear::waves::lateral::BendingNetwork::new(
-        &string,
-        BENDING,
-        SurfaceSupport::Free,
-        &Sites::bit(),
-    )
-    .unwrap();
-    let stiffness = network.at_rate(found.precession_rate)[(0, 0)].inv();
-    let real = stiffness.re * found.mean_radius + found.mean_normal_force;
-    let imaginary = stiffness.im * found.mean_radius + friction * found.mean_normal_force;
-    let eccentric = mass * (offset + found.mean_radius) * found.precession_rate.powi(2);
-    assert_close(real.hypot(imaginary), eccentric, 0.01);
 }
 
 #[test]
