@@ -8,7 +8,7 @@
 
 use rayon::current_num_threads;
 
-use crate::drillstring::{Drillstring, Sites};
+use crate::drillstring::Drillstring;
 use crate::elements::mesh::most_elements;
 use crate::estimates::torsional_settling_time;
 use crate::filters::quadrature::SAMPLES_PER_TAP;
@@ -16,6 +16,7 @@ use crate::method::{FiniteElement, Method};
 use crate::passivity::REFINEMENT;
 use crate::responses::length::{MOST_TAPS, needed_taps};
 use crate::responses::{ChannelRequest, Request, bending, decay, torsion};
+use crate::sites::Sites;
 
 /// Bytes of a real and of a complex number.
 const REAL: f64 = 8.0;

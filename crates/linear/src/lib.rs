@@ -80,17 +80,17 @@ pub mod method;
 pub mod passivity;
 pub mod pulse;
 pub mod responses;
+mod sites;
+mod spans;
 #[cfg(test)]
 mod validation;
 pub mod waves;
 
 pub use channel::{Channel, Port};
-pub use drillstring::{
-    Bending, Drillstring, Material, Section, Sites, StringId, SurfaceSupport, Tube,
-};
-pub use num_complex::Complex64;
-
+pub use drillstring::{Bending, Drillstring, Material, Section, StringId, SurfaceSupport, Tube};
 pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
+pub use num_complex::Complex64;
 pub use pulse::RaisedCosine;
 pub use responses::{ChannelRequest, ChannelResponses, Request, Responses, responses};
+pub use sites::Sites;

@@ -1,8 +1,10 @@
 //! The string divided into elements, with a node at every change of tube and
 //! at every site.
 
-use crate::drillstring::{Drillstring, Sites, Span, Tube};
+use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
+use crate::sites::Sites;
+use crate::spans::Span;
 
 /// The most elements: 16 million, some gigabytes with their matrices.
 const MOST_ELEMENTS: usize = 1 << 24;

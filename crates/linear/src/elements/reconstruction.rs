@@ -2,9 +2,10 @@
 
 use super::newmark::Weights;
 use super::reduction::CondensedBeam;
-use crate::drillstring::{Bending, Drillstring, Sites, SurfaceSupport};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::BuildError;
 use crate::method::FiniteElement;
+use crate::sites::Sites;
 
 /// Lateral displacement of every node of the mesh over a simulation.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,8 +10,9 @@ use super::beam;
 use super::mesh::Mesh;
 use super::newmark::{Integrator, Matrices, Motion, Weights};
 use super::torsion::{self, TorsionMatrices};
-use crate::drillstring::{Bending, Drillstring, Sites, SurfaceSupport};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::BuildError;
+use crate::sites::Sites;
 
 /// A finite-element model and the accelerations that loads at its sites cause.
 #[derive(Debug)]

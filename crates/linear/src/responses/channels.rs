@@ -2,10 +2,11 @@
 //! for a simulation (Eqs. 59–61).
 
 use crate::channel::{Channel, Port};
-use crate::drillstring::{Sites, StringId};
+use crate::drillstring::StringId;
 use crate::error::ResponseError;
 use crate::method::Method;
 use crate::passivity::Ending;
+use crate::sites::Sites;
 
 /// The responses of one string by one method, a block for each channel; where a scene
 /// needs no bending, there is none.

@@ -2,8 +2,9 @@
 
 use crate::channel::Channel;
 use crate::checks::{check_sampling, check_time};
-use crate::drillstring::{Bending, Drillstring, Sites, SurfaceSupport};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::BuildError;
+use crate::sites::Sites;
 
 /// What is wanted of one channel.
 #[derive(Debug, Clone, PartialEq)]

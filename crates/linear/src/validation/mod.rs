@@ -2,7 +2,7 @@
 //! it. What its public face gives is validated in `tests`.
 
 #[path = "../../../problems/src/academic.rs"]
-mod academic;
+pub(crate) mod academic;
 mod bending_waves;
 mod finite_elements;
 #[path = "../../../problems/src/oracles.rs"]

@@ -6,7 +6,8 @@
 //! log₂ N joins; only differences of stiffnesses occur, so no number of cells
 //! overflows.
 
-use crate::drillstring::{Section, Span, Tube};
+use crate::drillstring::{Section, Tube};
+use crate::spans::Span;
 
 /// Dynamic stiffness of a piece of string between its top and its bottom.
 pub trait Stiffness: Copy {

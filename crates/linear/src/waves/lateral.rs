@@ -9,8 +9,10 @@ use super::bending::{BeamStiffness, uniform};
 use super::block::Block;
 use super::chain;
 use super::matrix::ResponseMatrix;
-use crate::drillstring::{Bending, Drillstring, Sites, Span, SurfaceSupport};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::DrillstringError;
+use crate::sites::Sites;
+use crate::spans::Span;
 
 /// A string cut at its sites once, to be evaluated at many frequencies.
 #[derive(Debug, Clone)]

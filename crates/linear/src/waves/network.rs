@@ -8,8 +8,10 @@ use num_complex::Complex64;
 use super::chain;
 use super::matrix::ResponseMatrix;
 use super::torsion::uniform;
-use crate::drillstring::{Drillstring, Sites, Span};
+use crate::drillstring::Drillstring;
 use crate::error::DrillstringError;
+use crate::sites::Sites;
+use crate::spans::Span;
 
 /// The frequency response D of Eq. 48 between surface and sites, without its
 /// top row (the torque at the surface).

@@ -1,0 +1,102 @@
+//! The sites of a string (Table 2, Fig. 5): where something acts on it or it is looked
+//! at.
+
+use crate::drillstring::{Drillstring, SAME_PLACE};
+use crate::error::DrillstringError;
+
+/// The places where something acts on the string or is looked at, from the
+/// surface down.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sites {
+    /// Distances from the bit, m, strictly decreasing.
+    distances_from_bit: Vec<f64>,
+}
+
+impl Sites {
+    /// Sites at the given distances from the bit (m), in any order; they are
+    /// numbered from the surface down, so that the bit, if it is one, is last.
+    ///
+    /// # Errors
+    /// Where there is none, one is not between the bit and the surface, or
+    /// two are at one place.
+    pub fn new(string: &Drillstring, distances_from_bit: &[f64]) -> Result<Self, DrillstringError> {
+        let mut sorted = distances_from_bit.to_vec();
+        sorted.sort_by(|a, b| b.total_cmp(a));
+        let mut sites = Self {
+            distances_from_bit: sorted,
+        };
+        sites.check(string)?;
+        match sites.distances_from_bit.last_mut() {
+            None => return Err(DrillstringError::NoSites),
+            Some(last) if *last <= SAME_PLACE * string.length() => *last = 0.0,
+            Some(_) => {}
+        }
+        Ok(sites)
+    }
+
+    /// Checks that these are places of `string`, which may be another than that
+    /// they were made for.
+    ///
+    /// # Errors
+    /// Where one is not between the bit and the surface, or two are at one place.
+    pub fn check(&self, string: &Drillstring) -> Result<(), DrillstringError> {
+        let length = string.length();
+        let same_place = SAME_PLACE * length;
+        for &distance in &self.distances_from_bit {
+            if !(distance >= 0.0 && distance < length - same_place) {
+                return Err(DrillstringError::SiteOffString { distance, length });
+            }
+        }
+        let mut pairs = self.distances_from_bit.windows(2);
+        match pairs.find(|pair| pair[0] - pair[1] <= same_place) {
+            Some(pair) => Err(DrillstringError::SitesCoincide { distance: pair[1] }),
+            None => Ok(()),
+        }
+    }
+
+    /// The bit alone.
+    pub fn bit() -> Self {
+        Self {
+            distances_from_bit: vec![0.0],
+        }
+    }
+
+    /// Number of sites, at least one.
+    #[expect(clippy::len_without_is_empty, reason = "there is always one")]
+    pub fn len(&self) -> usize {
+        self.distances_from_bit.len()
+    }
+
+    /// Distances from the bit, m, from the surface down.
+    pub fn distances_from_bit(&self) -> &[f64] {
+        &self.distances_from_bit
+    }
+
+    /// The number of the site that is the bit itself: the last, if any.
+    pub fn bit_site(&self) -> Option<usize> {
+        let last = self.len() - 1;
+        (self.distances_from_bit[last] == 0.0).then_some(last)
+    }
+
+    /// Distances from the surface, m.
+    pub(crate) fn depths(&self, string: &Drillstring) -> impl Iterator<Item = f64> {
+        let length = string.length();
+        self.distances_from_bit
+            .iter()
+            .map(move |distance| length - distance)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::academic;
+
+    #[test]
+    fn what_is_no_place_of_the_string_is_refused() {
+        let string = academic::string();
+        for distances in [&[1000.0][..], &[-1.0], &[5.0, 5.0], &[]] {
+            assert!(Sites::new(&string, distances).is_err(), "{distances:?}");
+        }
+    }
+}

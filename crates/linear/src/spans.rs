@@ -1,0 +1,130 @@
+//! The string cut at its sites: what the waves and the elements join or assemble between
+//! two neighbouring nodes.
+
+use crate::drillstring::{Drillstring, SAME_PLACE, Section, Tube};
+use crate::error::DrillstringError;
+use crate::sites::Sites;
+
+/// The string between two neighbouring nodes, from the top down.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Span {
+    pub(crate) runs: Vec<Section>,
+}
+
+impl Drillstring {
+    /// The string cut at the sites: one span above each site, and one more
+    /// below the last where that is not the bit. Sites of another string may not
+    /// be places of this one.
+    pub(crate) fn spans(&self, sites: &Sites) -> Result<Vec<Span>, DrillstringError> {
+        sites.check(self)?;
+        let mut below: Vec<Section> = self.sections().iter().rev().cloned().collect();
+        let mut depth = 0.0;
+        let mut spans: Vec<Span> = Vec::with_capacity(sites.len() + 1);
+        for site in sites.depths(self) {
+            spans.push(cut_off_top(
+                &mut below,
+                site - depth,
+                SAME_PLACE * self.length(),
+            ));
+            depth = site;
+        }
+        if sites.bit_site().is_some() {
+            // Rounding may have left a sliver; the bit ends the string.
+            let left: f64 = below.iter().map(Section::length).sum();
+            debug_assert!(left <= sites.len() as f64 * SAME_PLACE * self.length());
+        } else {
+            below.reverse();
+            spans.push(Span { runs: below });
+        }
+        Ok(spans)
+    }
+}
+
+/// Takes `length` metres off the top of a string held upside down (its top
+/// section last, where it is cheap to take).
+fn cut_off_top(upside_down: &mut Vec<Section>, length: f64, same_place: f64) -> Span {
+    let mut runs = Vec::new();
+    let mut left = length;
+    while left > same_place {
+        let Some(section) = upside_down.pop() else {
+            break;
+        };
+        let cell = section.cell_length();
+        let whole = (((left + same_place) / cell).floor() as usize).min(section.repeat);
+        let Section { repeat, parts } = section;
+        if whole == 0 {
+            let (above, beneath) = cut_cell(&parts, left, same_place);
+            push_cells(upside_down, repeat - 1, parts);
+            push_cells(upside_down, 1, beneath);
+            push_cells(&mut runs, 1, above);
+            break;
+        }
+        push_cells(upside_down, repeat - whole, parts.clone());
+        push_cells(&mut runs, whole, parts);
+        left -= whole as f64 * cell;
+    }
+    Span { runs }
+}
+
+fn push_cells(runs: &mut Vec<Section>, repeat: usize, parts: Vec<Tube>) {
+    if repeat > 0 && !parts.is_empty() {
+        runs.push(Section { repeat, parts });
+    }
+}
+
+/// One cell cut `length` metres below its top, without slivers.
+fn cut_cell(parts: &[Tube], length: f64, same_place: f64) -> (Vec<Tube>, Vec<Tube>) {
+    let (mut above, mut beneath) = (Vec::new(), Vec::new());
+    let mut left = length;
+    for &part in parts {
+        let taken = left.clamp(0.0, part.length);
+        for (piece, side) in [(taken, &mut above), (part.length - taken, &mut beneath)] {
+            if piece > same_place {
+                side.push(Tube {
+                    length: piece,
+                    ..part
+                });
+            }
+        }
+        left -= part.length;
+    }
+    (above, beneath)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::academic;
+
+    fn spans(distances: &[f64]) -> Vec<Span> {
+        let string = academic::string();
+        let sites = Sites::new(&string, distances).unwrap();
+        string.spans(&sites).unwrap()
+    }
+
+    fn assert_lengths(spans: &[Span], expected: &[f64]) {
+        let length = |span: &Span| span.runs.iter().map(Section::length).sum::<f64>();
+        assert_eq!(spans.len(), expected.len());
+        for (span, expected) in spans.iter().zip(expected) {
+            assert!((length(span) - expected).abs() < 1e-9, "{span:?}");
+        }
+    }
+
+    #[test]
+    fn spans_between_sites_have_the_distances_between_them() {
+        assert_lengths(&spans(&[0.0, 33.3, 170.0]), &[830.0, 136.7, 33.3]);
+    }
+
+    #[test]
+    fn what_hangs_below_the_last_site_is_a_span_of_its_own() {
+        assert_lengths(&spans(&[25.0]), &[975.0, 25.0]);
+    }
+
+    #[test]
+    fn a_cut_at_a_joint_leaves_no_sliver() {
+        for span in spans(&[100.5, 0.0]) {
+            let mut parts = span.runs.iter().flat_map(|run| &run.parts);
+            assert!(parts.all(|part| part.length > 0.5 - 1e-9));
+        }
+    }
+}
