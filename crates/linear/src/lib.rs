@@ -27,20 +27,22 @@
 //!
 //! | paper | here |
 //! |---|---|
-//! | Table 2, Fig. 5: the string and its sites | [`drillstring`] |
+//! | Table 2, Fig. 5: the string, and its sites | [`drillstring`], [`Sites`] |
 //! | Eqs. 1–3: waves in a tube | `waves/torsion.rs` |
 //! | Eqs. 19–26: bending waves in a tube | `waves/bending.rs` |
 //! | Eqs. 4–11, 25: the chain of sections | `waves/chain.rs` |
 //! | Eqs. 12–13, 41–48: surface and sites | [`waves::network`] |
 //! | Eqs. 50–58: bending at the sites | [`waves::lateral`] |
 //! | Section 2.4: digital filters | [`filters`] |
+//! | which method, and its parameters | [`method`] |
 //! | where Eqs. 5–10 fail without their scaling | [`waves::transfer`] |
 //! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
 //! | Section 3: finite elements, Newmark | [`elements`] |
+//! | Section 5.2.2: the band-limited impulse | [`pulse`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
 //! | memory, before it is taken | [`cost`] |
 //! | how far responses are from the exact ones | [`deviation`] |
-//! | Eqs. 59–61: what a simulation needs | [`mod@responses`] |
+//! | Eqs. 59–61: what a simulation needs | [`mod@responses`], by [`Channel`] and [`Port`] |
 //!
 //! ```
 //! use linear::{Drillstring, Material, Method, Section, Sites, Tube};

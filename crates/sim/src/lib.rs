@@ -34,6 +34,8 @@
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`watch::torsion`] |
 //! | Section 5.2.2: transient contact or whirl | [`watch::lateral`], its bound in [`steady_whirl`] |
+//! | Section 5: what a case is, and what disturbs it | [`scene`], [`excitation`] |
+//! | one case from rest to its label | [`simulator`], [`Outcome`], [`trajectory`] |
 //! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`timing`] |
 //! | every tolerance of regimes and of ending early | [`watch::rules`] |

@@ -4,8 +4,10 @@
 //! reference that the other is held to.
 
 mod direct;
+mod kernels;
 pub(crate) mod partition;
 mod partitioned;
 
 pub use direct::Kernel;
-pub use partitioned::{Convolution, Kernels};
+pub use kernels::Kernels;
+pub use partitioned::Convolution;

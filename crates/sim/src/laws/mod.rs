@@ -2,8 +2,10 @@
 //! each of which meets a load line and answers with a force and a new state.
 
 pub mod bit;
+mod bracket;
 pub mod contact;
 mod newton;
+mod obeyed;
 mod press;
 pub mod rock;
 pub mod torque;

@@ -6,21 +6,12 @@
 //! the depth of penetration; α itself is ±μ in sliding, or the root of the
 //! sliding speed in rolling.
 
+use super::bracket::{RATIO_TOLERANCE, Trial, rolling_between};
 use super::contact::{Approach, Contact, ContactError, Touch, WallLaw};
 use super::newton::newton;
+use super::obeyed::Obeyed;
 use super::wall::Wall;
 use crate::ranges::SceneError;
-
-/// Rolling is solved to this fraction of the friction coefficient.
-const RATIO_TOLERANCE: f64 = 1e-15;
-
-/// Most halvings of a bracket of friction ratios: fifty-one take −μ … μ down to
-/// [`RATIO_TOLERANCE`].
-const MOST_HALVINGS: usize = 64;
-
-/// An answer obeys the laws of contact to this part of the distance |p_h|. Roots are
-/// found to rounding: only what is no answer is further off.
-const TOLERANCE: f64 = 1e-9;
 
 /// A step that carries the free position further than this many clearances may
 /// turn the centre so far that several friction ratios solve it.
@@ -69,16 +60,6 @@ struct Press<'a> {
     approach: &'a Approach<'a>,
     /// |p_h|, m.
     distance: f64,
-}
-
-/// The state of a step for one friction ratio.
-#[derive(Clone, Copy)]
-struct Trial {
-    ratio: f64,
-    normal_force: f64,
-    radius: f64,
-    direction: [f64; 2],
-    sliding_speed: f64,
 }
 
 impl Press<'_> {
@@ -299,73 +280,17 @@ impl Press<'_> {
             torque: self.wall.radius * friction,
             ambiguous,
         };
-        if self.is_met_by(&trial, &contact) {
+        let obeyed = Obeyed {
+            wall: self.wall,
+            approach: self.approach,
+            distance: self.distance,
+            trial: &trial,
+            contact: &contact,
+        };
+        if obeyed.laws() {
             Ok(contact)
         } else {
-            Err(self.refusal())
-        }
-    }
-
-    /// Whether an answer obeys the laws of contact; what is no number does not.
-    fn is_met_by(&self, trial: &Trial, contact: &Contact) -> bool {
-        let approach = self.approach;
-        let [cos, sin] = trial.direction;
-        let on_load_line = |axis: usize| {
-            let pushed = approach.free_position[axis] + approach.compliance * contact.force[axis];
-            (contact.position[axis] - pushed).abs() <= TOLERANCE * self.distance
-        };
-        (cos * cos + sin * sin - 1.0).abs() <= TOLERANCE
-            && self.distance.is_finite()
-            && on_load_line(0)
-            && on_load_line(1)
-            && trial.normal_force >= 0.0
-            && self.wall.clearance >= 0.0
-            && trial.ratio.abs() <= (1.0 + TOLERANCE) * self.wall.friction
-            && trial.sliding_speed.is_finite()
-            && contact.torque.is_finite()
-            && match contact.touch {
-                Touch::Rolling => self.rolls(trial, contact),
-                _ => self.turns_as_tried(trial, contact),
-            }
-    }
-
-    /// Whether friction turns the string as it did in the trial, which knows the way
-    /// of sliding: products of numbers far too small are not what they say.
-    fn turns_as_tried(&self, trial: &Trial, contact: &Contact) -> bool {
-        let tried = self.wall.radius * trial.ratio * trial.normal_force;
-        (tried - contact.torque).abs() <= TOLERANCE * contact.torque.abs()
-    }
-
-    /// Whether what rolls does not slide: by no more than a part of the speeds that
-    /// meet, what all friction adds to them included, or than what a bit jumps by
-    /// where it slips, for there its speed takes no value between.
-    fn rolls(&self, trial: &Trial, contact: &Contact) -> bool {
-        let (wall, approach) = (self.wall, self.approach);
-        let (gives, free_speed) = (approach.spin.compliance, approach.spin.free_speed);
-        let spin = approach.spin.under(contact.torque);
-        let jump = approach.spin.resistance.map_or(0.0, |law| law.jump);
-        // A bit that holds any torque never slips.
-        let jump = if jump.is_finite() { jump } else { 0.0 };
-        let ([cos, sin], [px, py]) = (trial.direction, approach.previous_position);
-        let drift = (px * sin - py * cos) * approach.sampling_frequency;
-        let sliding_speed = wall.radius * spin + drift;
-        let by_friction = gives * wall.radius * wall.friction * trial.normal_force;
-        let turns = wall.radius * (free_speed.abs() + by_friction);
-        let goes = (self.distance + px.abs() + py.abs()) * approach.sampling_frequency;
-        let speeds = turns.abs() + goes.abs();
-        let least = TOLERANCE * speeds + (1.0 + TOLERANCE) * (wall.radius * jump).abs();
-        speeds.is_finite() && sliding_speed.abs() <= least + f64::MIN_POSITIVE
-    }
-
-    /// Why there is no answer.
-    #[cold]
-    fn refusal(&self) -> ContactError {
-        let [px, py] = self.approach.previous_position;
-        let motion = [self.distance, px, py, self.approach.spin.free_speed];
-        if motion.iter().all(|number| number.is_finite()) {
-            ContactError::Unsolved
-        } else {
-            ContactError::NotFinite
+            Err(obeyed.refusal())
         }
     }
 }
@@ -377,94 +302,5 @@ fn start_from_above(gap: f64, steepness: f64) -> f64 {
         soft
     } else {
         soft.min((gap / steepness).cbrt() * (1.0 + f64::EPSILON))
-    }
-}
-
-/// The contact that rolls between two of opposite sliding speeds, to within
-/// `tolerance` of the friction ratio: false position, and a bisection after each.
-fn rolling_between(
-    mut low: Trial,
-    mut high: Trial,
-    tolerance: f64,
-    mut trial: impl FnMut(f64) -> Trial,
-) -> Trial {
-    let mut width = (high.ratio - low.ratio).abs();
-    for _ in 0..MOST_HALVINGS {
-        let slope = high.sliding_speed - low.sliding_speed;
-        let secant = high.ratio - high.sliding_speed * (high.ratio - low.ratio) / slope;
-        let found = trial(secant);
-        if found.sliding_speed == 0.0 {
-            return found;
-        }
-        replace(&mut low, &mut high, found);
-        let middle = trial(0.5 * (low.ratio + high.ratio));
-        replace(&mut low, &mut high, middle);
-        let next = (high.ratio - low.ratio).abs();
-        // As close as numbers get, or not numbers.
-        if !(next > tolerance && next < width) {
-            break;
-        }
-        width = next;
-    }
-    let closer = low.sliding_speed.abs() < high.sliding_speed.abs();
-    if closer { low } else { high }
-}
-
-/// Keeps the root between the two.
-fn replace(low: &mut Trial, high: &mut Trial, trial: Trial) {
-    if (trial.sliding_speed < 0.0) == (low.sliding_speed < 0.0) {
-        *low = trial;
-    } else {
-        *high = trial;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    /// Any of the 2⁶⁴ patterns of bits: subnormal, infinite and no numbers too.
-    fn any_number() -> impl Strategy<Value = f64> {
-        any::<u64>().prop_map(f64::from_bits)
-    }
-
-    fn place(ratio: f64, sliding_speed: f64) -> Trial {
-        Trial {
-            ratio,
-            normal_force: 1.0,
-            radius: 1.0,
-            direction: [1.0, 0.0],
-            sliding_speed,
-        }
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig { cases: 5000, failure_persistence: None, ..Default::default() })]
-
-        /// Answers without sense, one after the other and round again.
-        #[test]
-        fn a_bracket_is_tried_a_bounded_number_of_times(
-            ends in [any_number(), any_number(), any_number(), any_number()],
-            tolerance in any_number(),
-            answers in prop::collection::vec((any_number(), any_number()), 1..40),
-        ) {
-            let [a, b, c, d] = ends;
-            let mut tried = 0;
-            rolling_between(place(a, b), place(c, d), tolerance, |ratio| {
-                tried += 1;
-                assert!(tried <= 2 * MOST_HALVINGS);
-                let (elsewhere, sliding_speed) = answers[tried % answers.len()];
-                // As often as not, what was asked for.
-                place(if tried % 2 == 0 { ratio } else { elsewhere }, sliding_speed)
-            });
-        }
-
-        #[test]
-        fn the_ratio_that_rolls_is_found_in_its_bracket(root in -1.0..1.0f64, power in 0i32..4) {
-            let trial = |ratio: f64| place(ratio, (ratio - root).powi(2 * power + 1));
-            let found = rolling_between(trial(-1.0), trial(1.0), RATIO_TOLERANCE, trial);
-            prop_assert!((found.ratio - root).abs() <= 1e-14);
-        }
     }
 }

@@ -1,0 +1,135 @@
+//! Responses cut into blocks and transformed, once for all cases.
+
+use std::sync::Arc;
+
+use linear::ResponseError;
+use pulp::Arch;
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+
+use super::partition::{FIRST_BLOCK, partitions};
+
+/// Responses between the sites prepared for summing, shared by all cases.
+#[derive(Debug, Clone)]
+pub struct Kernels {
+    pub(super) sites: usize,
+    /// A(0), `[output × sites + input]`.
+    instants: Vec<f64>,
+    /// Taps B₀ − 1 … 1 of each pair, the latest first.
+    pub(super) recent: Vec<Vec<f64>>,
+    pub(super) levels: Vec<Level>,
+    /// Which instructions the processor has.
+    pub(super) arch: Arch,
+}
+
+/// The kernels cut into blocks of one length.
+#[derive(Clone)]
+pub(super) struct Level {
+    pub(super) block: usize,
+    pub(super) partitions: usize,
+    /// Of each pair and partition, block + 1 real parts, then the imaginary
+    /// ones.
+    pub(super) spectra: Vec<f64>,
+    pub(super) forward: Arc<dyn RealToComplex<f64>>,
+    pub(super) inverse: Arc<dyn ComplexToReal<f64>>,
+}
+
+impl std::fmt::Debug for Level {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Level")
+            .field("block", &self.block)
+            .field("partitions", &self.partitions)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Level {
+    /// Length of one spectrum, real and imaginary parts.
+    pub(super) fn stride(&self) -> usize {
+        2 * (self.block + 1)
+    }
+
+    fn new(taps: &[&[f64]], block: usize, partitions: usize) -> Self {
+        let mut planner = RealFftPlanner::new();
+        let forward = planner.plan_fft_forward(2 * block);
+        let inverse = planner.plan_fft_inverse(2 * block);
+        let mut level = Self {
+            block,
+            partitions,
+            spectra: Vec::new(),
+            forward,
+            inverse,
+        };
+        let mut window = level.forward.make_input_vec();
+        let mut spectrum = level.forward.make_output_vec();
+        let mut scratch = level.forward.make_scratch_vec();
+        level.spectra = vec![0.0; taps.len() * partitions * level.stride()];
+        let parts = level.spectra.chunks_exact_mut(2 * (block + 1));
+        for (index, part) in parts.enumerate() {
+            let (pair, partition) = (taps[index / partitions], index % partitions);
+            for (lag, value) in window.iter_mut().enumerate() {
+                let tap = pair.get(partition * block + lag).copied().unwrap_or(0.0);
+                *value = tap / (2 * block) as f64;
+            }
+            transform(&*level.forward, &mut window, &mut spectrum, &mut scratch);
+            split(&spectrum, part);
+        }
+        level
+    }
+}
+
+pub(super) fn transform(
+    plan: &dyn RealToComplex<f64>,
+    signal: &mut [f64],
+    spectrum: &mut [Complex<f64>],
+    scratch: &mut [Complex<f64>],
+) {
+    plan.process_with_scratch(signal, spectrum, scratch)
+        .expect("all buffers were made by the plan");
+}
+
+/// Real parts first, for products without shuffling.
+pub(super) fn split(spectrum: &[Complex<f64>], parts: &mut [f64]) {
+    let (real, imaginary) = parts.split_at_mut(spectrum.len());
+    for ((value, real), imaginary) in spectrum.iter().zip(real).zip(imaginary) {
+        (*real, *imaginary) = (value.re, value.im);
+    }
+}
+
+impl Kernels {
+    /// Prepares `taps[output][input]`, a square of responses.
+    ///
+    /// # Errors
+    /// Where there are none, or not equally many to each site as from it.
+    pub fn new(taps: &[Vec<impl AsRef<[f64]>>]) -> Result<Self, ResponseError> {
+        if taps.is_empty() || taps.iter().any(|inputs| inputs.len() != taps.len()) {
+            return Err(ResponseError::Shape);
+        }
+        Ok(Self::of(taps))
+    }
+
+    /// The same of responses that are known to be a square, or nothing.
+    pub(crate) fn of(taps: &[Vec<impl AsRef<[f64]>>]) -> Self {
+        let pairs: Vec<&[f64]> = taps.iter().flatten().map(AsRef::as_ref).collect();
+        let longest = pairs.iter().map(|taps| taps.len()).max().unwrap_or(0);
+        let levels = partitions(longest)
+            .map(|(block, partitions)| Level::new(&pairs, block, partitions))
+            .collect();
+        let tap = |taps: &[f64], lag: usize| taps.get(lag).copied().unwrap_or(0.0);
+        Self {
+            sites: taps.len(),
+            instants: pairs.iter().map(|taps| tap(taps, 0)).collect(),
+            recent: (pairs.iter())
+                .map(|taps| (1..FIRST_BLOCK).rev().map(|lag| tap(taps, lag)).collect())
+                .collect(),
+            levels,
+            arch: Arch::new(),
+        }
+    }
+
+    /// A(0): the response of a site within the step of an input at another.
+    #[inline]
+    pub(crate) fn instant(&self, output: usize, input: usize) -> f64 {
+        self.instants[output * self.sites + input]
+    }
+}
