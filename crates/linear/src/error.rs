@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::channel::Channel;
 
-/// A drillstring or a set of sites that cannot be.
+/// Why a drillstring or a set of sites is refused.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum DrillstringError {
     /// The string has no section.
@@ -92,8 +92,8 @@ pub enum DrillstringError {
     },
 }
 
-/// Impulse responses that cannot be used, for they are not what a string gives:
-/// put together by hand, or cut up.
+/// Why impulse responses are refused: put together by hand or cut up, they are not what
+/// a string gives.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ResponseError {
     /// There is no such sampling frequency.
@@ -143,7 +143,7 @@ pub enum ResponseError {
     },
 }
 
-/// Impulse responses that cannot be built.
+/// Why impulse responses are not built.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BuildError {
     /// The sites are not places of this string.
@@ -202,7 +202,7 @@ pub enum BuildError {
         most: usize,
     },
     /// The real part of a response without damping is zero between its
-    /// resonances and infinite at them: it cannot be sampled.
+    /// resonances and infinite at them: no samples describe it.
     #[error(
         "{method} needs a string with torsional damping; without it use quadrature or finite-element"
     )]

@@ -62,7 +62,7 @@ pub enum SimulationError {
         /// Time that the responses are good for, s.
         prepared: f64,
     },
-    /// The scene is not one that can be.
+    /// The scene is refused.
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// The responses are not those of a string.

@@ -22,7 +22,7 @@
 //!
 //! This crate knows nothing of files, threads or methods. A contact law of one's own
 //! goes through the same steps ([`Stepper`]): `examples/own_contact_law.rs` has one for
-//! the bit, `examples/own_wall.rs` one for the wall. A scene that cannot be, one that does
+//! the bit, `examples/own_wall.rs` one for the wall. A scene out of range, one that does
 //! not fit its system, and a motion that leaves all numbers are each a
 //! [`SimulationError`].
 //!

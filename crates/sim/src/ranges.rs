@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// A scene that cannot be.
+/// Why a scene is refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum SceneError {
     /// A number is out of its range.

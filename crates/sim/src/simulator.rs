@@ -51,7 +51,7 @@ impl Simulator {
     /// is left out of that.
     ///
     /// # Errors
-    /// Where the scene is not one that can be or does not fit the system, the motion is
+    /// Where the scene is refused or does not fit the system, the motion is
     /// not finite or coupled sites do not settle.
     pub fn simulate(
         &self,

@@ -76,7 +76,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     /// A scene at rest.
     ///
     /// # Errors
-    /// Where the scene is not one that can be, or does not fit the system.
+    /// Where the scene is refused, or does not fit the system.
     pub fn new(system: &'a System, scene: &'a Scene<B, W>) -> Result<Self, SimulationError> {
         Self::begin(system, scene, Reference::Free, 0)
     }

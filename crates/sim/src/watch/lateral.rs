@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::rules::Rules;
+use super::rules::{Rules, THROUGH_THE_MIDDLE};
 use crate::laws::contact::{Contact, Touch};
 use crate::words::with_words;
 
@@ -63,10 +63,6 @@ impl LateralMeasures {
         ]
     }
 }
-
-/// A centre that passes the middle this near, in parts of the largest radius, goes
-/// through it: far less than any wall is round to, and far more than rounding.
-const THROUGH_THE_MIDDLE: f64 = 1e-9;
 
 /// The angle by which a centre goes round from one position to the next, rad, its
 /// largest radius so far given. On a line through the middle, as in motion in a plane,

@@ -3,7 +3,11 @@
 /// Cycles of stick-slip that have to agree for it to be settled.
 pub(crate) const AGREEING_CYCLES: usize = 3;
 
-/// Every tolerance of regimes and of ending early.
+/// A centre that passes the middle this near, in parts of the largest radius, goes
+/// through it: far less than any wall is round to, and far more than rounding.
+pub(crate) const THROUGH_THE_MIDDLE: f64 = 1e-9;
+
+/// Every other tolerance of regimes and of ending early.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rules {
     /// Recaptures that make stick-slip: near the limit one may be the echo of the
