@@ -6,6 +6,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use anyhow::Result;
 use rayon::prelude::*;
 use sim::Scene;
 
@@ -43,14 +44,14 @@ pub struct Cost {
 }
 
 /// Wall time of a run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub enum WallTime {
     /// About so many seconds.
     About(f64),
     /// Not known: the probe was not done in its time.
     Unknown,
     /// It would not come to an end; why.
-    Refused(String),
+    Refused(anyhow::Error),
 }
 
 impl fmt::Display for Cost {
@@ -72,7 +73,7 @@ impl fmt::Display for Cost {
                 "wall time: not known; a probe of {} s was too short",
                 PROBE.as_secs()
             ),
-            WallTime::Refused(reason) => writeln!(f, "wall time: none, for {reason}"),
+            WallTime::Refused(reason) => writeln!(f, "wall time: none, for {reason:#}"),
         }
     }
 }
@@ -160,12 +161,11 @@ pub fn of_built(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem], built:
     WallTime::About(pace.seconds(sweep, sweep.design.cases() * sweep.methods.len()))
 }
 
-fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pace, String> {
+fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pace> {
     let setting = sweep.setting.for_labels();
     let prepared = longest.min(STEPS / setting.sampling_frequency);
     let start = Instant::now();
-    let systems =
-        MethodSystem::build_all(sweep, &setting, prepared).map_err(|error| format!("{error:#}"))?;
+    let systems = MethodSystem::build_all(sweep, &setting, prepared)?;
     let built = start.elapsed().as_secs_f64();
     Ok(Pace {
         // What takes so much more memory takes as much more time.

@@ -1,7 +1,11 @@
 //! Cases as listed in a CSV file whose header names the axes.
 
 use std::collections::HashMap;
+use std::fmt::Display;
+use std::io;
 use std::path::Path;
+
+use thiserror::Error;
 
 use super::axes::count_string_axes;
 use crate::hand_table::{HandTable, Mistake, number};
@@ -31,9 +35,8 @@ impl List {
             return Err(source.error("design", "a list needs `file`, a CSV file of cases"));
         };
         let path = source.folder_of("design.file").join(file);
-        let list = read(source, &path, text_of).map_err(|message| {
-            source.error("design.file", format!("{}{message}", path.display()))
-        })?;
+        let list = read(&path, text_of)
+            .map_err(|error| source.error("design.file", format!("{}{error}", path.display())))?;
         if list.cases.is_empty() {
             let message = format!("{} lists no case", path.display());
             return Err(source.error("design.file", message));
@@ -89,14 +92,21 @@ impl List {
     }
 }
 
-/// Reads a list; an error starts where the file's name ends.
-fn read(source: &Source, path: &Path, text_of: TextOf) -> Result<List, String> {
-    let text = text_of(path, LARGEST_TABLE).map_err(|error| format!(" cannot be read: {error}"))?;
-    let parsed = HandTable::new(&text).and_then(|table| cases_of(source, &table));
-    parsed.map_err(|mistake| format!(":{mistake}"))
+/// Why there is no list; the words follow the file's name.
+#[derive(Debug, Error)]
+enum ListError {
+    #[error(" cannot be read: {0}")]
+    File(#[from] io::Error),
+    #[error(":{0}")]
+    Mistake(#[from] Mistake),
 }
 
-fn cases_of(source: &Source, table: &HandTable) -> Result<List, Mistake> {
+fn read(path: &Path, text_of: TextOf) -> Result<List, ListError> {
+    let text = text_of(path, LARGEST_TABLE)?;
+    Ok(cases_of(&HandTable::new(&text)?)?)
+}
+
+fn cases_of(table: &HandTable) -> Result<List, Mistake> {
     let columns = axes_of(table)?;
     // Columns of results follow the order of the axes, whatever the file's.
     let mut order: Vec<usize> = (0..columns.len()).collect();
@@ -109,16 +119,14 @@ fn cases_of(source: &Source, table: &HandTable) -> Result<List, Mistake> {
     for row in table.rows() {
         let row = row?;
         let value = |&column: &usize| {
-            let (axis, text) = (columns[column], &row.cells[column]);
-            let value = number(text).and_then(|value| {
-                let checked = source.check_axis(&axis.name(), axis, value);
-                checked.map_err(|error| error.message().to_owned())?;
-                Ok(value)
-            });
-            value.map_err(|reason| Mistake {
+            let axis = columns[column];
+            let mistake = |reason: &dyn Display| Mistake {
                 line: row.line,
                 message: format!("{}: {reason}", axis.name()),
-            })
+            };
+            let value = number(&row.cells[column]).map_err(|error| mistake(&error))?;
+            axis.check(value).map_err(|error| mistake(&error))?;
+            Ok(value)
         };
         cases.push(order.iter().map(value).collect::<Result<_, Mistake>>()?);
     }

@@ -2,6 +2,7 @@
 //! every case stepped against them on all cores.
 
 mod case;
+mod case_error;
 mod log;
 mod memory;
 mod record;
@@ -11,11 +12,12 @@ mod survey;
 mod systems;
 
 pub use case::Case;
+pub use case_error::CaseError;
 pub use log::{
     Header, Log, LogError, LogView, Place, log_place, read_about, read_header, record_line,
 };
 pub use memory::StringMemory;
-pub use record::Record;
+pub use record::{Failure, Record};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
@@ -64,7 +66,7 @@ pub fn pairs_of(sweep: &Sweep, shard: Shard) -> usize {
 /// The linear system of each method for one string, or why it has none.
 struct Built<'a> {
     string: usize,
-    systems: Vec<Result<&'a MethodSystem, &'a str>>,
+    systems: Vec<Result<&'a MethodSystem, &'a CaseError>>,
 }
 
 impl Work<'_> {
@@ -90,8 +92,8 @@ impl Work<'_> {
             let built: Vec<Built> = (systems.iter())
                 .map(|(string, systems)| Built {
                     string: *string,
-                    systems: (systems.iter())
-                        .map(|system| system.as_ref().map_err(String::as_str))
+                    systems: (0..self.sweep.methods.len())
+                        .map(|method| systems.as_ref()?[method].as_ref())
                         .collect(),
                 })
                 .collect();
@@ -120,26 +122,14 @@ impl Work<'_> {
         self.shard.has(strings, string, cases, position) && (self.is_open)(case, method)
     }
 
-    fn build(&self, string: usize) -> Vec<Result<MethodSystem, String>> {
-        let build = || -> Result<_, String> {
-            let setting = survey::setting_of(self.sweep, string);
-            let setting = setting.map_err(|error| error.to_string())?;
-            let longest = survey::of_string(self.sweep, &setting, string)?.longest;
-            Ok(MethodSystem::build_each(
-                self.sweep,
-                &setting.for_labels(),
-                longest,
-            ))
-        };
-        match build() {
-            Ok(systems) => (systems.into_iter())
-                .map(|system| system.map_err(|error| format!("{error:#}")))
-                .collect(),
-            Err(reason) => {
-                let methods = self.sweep.methods.iter();
-                methods.map(|_| Err(reason.clone())).collect()
-            }
-        }
+    fn build(&self, string: usize) -> Result<Vec<Result<MethodSystem, CaseError>>, CaseError> {
+        let setting = setting_of(self.sweep, string)?;
+        let longest = survey::of_string(self.sweep, &setting, string)?.longest;
+        let systems = MethodSystem::build_each(self.sweep, &setting.for_labels(), longest);
+        let systems = systems.into_iter();
+        Ok(systems
+            .map(|system| system.map_err(CaseError::Responses))
+            .collect())
     }
 
     /// Threads take the next pair each until none is left, so that no thread is
@@ -189,12 +179,13 @@ impl Work<'_> {
         }
         let record = match built.systems[method] {
             Ok(system) => Case::of(self.sweep, &system.setting, index)
-                .map(|case| system.answer(&case, method, self.options)),
-            Err(reason) => Err(reason.to_owned()),
+                .map(|case| system.answer(&case, method, self.options))
+                .map_err(Failure::new),
+            Err(reason) => Err(Failure::new(reason)),
         };
         keep(record.unwrap_or_else(|reason| {
             let values = self.sweep.design.values(index);
-            Record::failed(index, method, values, &reason)
+            Record::failed(index, method, values, reason)
         }))
     }
 }

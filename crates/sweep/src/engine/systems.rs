@@ -13,7 +13,8 @@ use sim::excitation::least_impulse;
 use sim::{Outcome, Scene, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::Case;
-use super::record::Record;
+use super::case_error::CaseError;
+use super::record::{Failure, Record};
 use super::run_options::RunOptions;
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
@@ -185,46 +186,39 @@ impl MethodSystem {
     /// the sweep's list. A case that panics is one without an answer, and not the end of
     /// the sweep.
     pub fn answer(&self, case: &Case, method: usize, options: RunOptions) -> Record {
-        let failed = |reason: &str| Record::failed(case.index, method, case.values.clone(), reason);
+        let failed = |reason: CaseError| {
+            Record::failed(
+                case.index,
+                method,
+                case.values.clone(),
+                Failure::new(reason),
+            )
+        };
         if let (Some(instability), false) = (self.instability(), options.allow_unstable) {
-            return failed(&format!("{instability} (--allow-unstable simulates it)"));
+            return failed(CaseError::Unstable(instability));
         }
         let stopping = options.stopping(case.index);
         let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, stopping, None)));
-        let torque_dynamic_nm = case.torque_dynamic_nm;
-        let reason = match simulated {
-            Ok(Ok(outcome)) => {
-                let distances = self.setting.sites.distances_from_bit();
-                return Record {
-                    case: case.index,
-                    method,
-                    values: case.values.clone(),
-                    torque_dynamic_nm,
-                    site_from_bit_m: outcome.lateral.map(|lateral| distances[lateral.site]),
-                    outcome: Ok(outcome),
-                };
+        let distances = self.setting.sites.distances_from_bit();
+        let record = match simulated {
+            Ok(Ok(outcome)) => Record {
+                case: case.index,
+                method,
+                values: case.values.clone(),
+                torque_dynamic_nm: None,
+                site_from_bit_m: outcome.lateral.map(|lateral| distances[lateral.site]),
+                outcome: Ok(outcome),
+            },
+            Ok(Err(error)) => {
+                let site = error.site();
+                let site = site.and_then(|site| Some((site, *distances.get(site)?)));
+                failed(CaseError::Simulation { error, site })
             }
-            Ok(Err(error)) => self.in_words(&error),
-            Err(_) => "the simulation panicked".to_owned(),
+            Err(_) => failed(CaseError::Panicked),
         };
         Record {
-            torque_dynamic_nm,
-            ..failed(&reason)
-        }
-    }
-}
-
-impl MethodSystem {
-    /// Why a case has no answer, its site by its place on the string.
-    fn in_words(&self, error: &SimulationError) -> String {
-        let distances = self.setting.sites.distances_from_bit();
-        let site = error.site();
-        match site.and_then(|site| Some((site, *distances.get(site)?))) {
-            None => error.to_string(),
-            Some((site, 0.0)) => format!("{error} (site {site} is the bit)"),
-            Some((site, distance)) => {
-                format!("{error} (site {site} is {distance} m from the bit)")
-            }
+            torque_dynamic_nm: case.torque_dynamic_nm,
+            ..record
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use sim::laws::rock::{CuttingLaw, PoorCleaning, RockError};
 use sim::{BitTorque, Rock};
+use thiserror::Error;
 
 use super::conditions::Conditions;
 use crate::quantities::Axis;
@@ -16,34 +17,56 @@ pub struct Bit {
     pub static_ratio: f64,
 }
 
-impl Bit {
-    /// T_d (N m) under the given conditions, where they say enough; the error
-    /// is a sentence.
-    pub fn torque_dynamic(&self, conditions: &Conditions) -> Result<Option<f64>, String> {
-        match (
-            conditions.torque_dynamic_nm,
-            conditions.weight_on_bit_kn,
-            &self.rock,
-        ) {
-            (Some(torque), _, _) => Ok(Some(torque)),
-            (None, Some(weight), Some(rock)) => rock
-                .torque_dynamic(1e3 * weight)
-                .map(Some)
-                .map_err(|error| {
-                    let RockError::OutsideTable {
-                        value, from, to, ..
-                    } = error
-                    else {
-                        return error.to_string();
-                    };
-                    let [value, from, to] = [value, from, to].map(|weight| weight / 1e3);
-                    format!(
-                        "{value} kN is outside the rock's table, {from} to {to} kN; \
-                         it must reach as far as the weights"
-                    )
-                }),
-            _ => Ok(None),
+/// Why a rock gives no torque for a weight on bit.
+#[derive(Debug, Error)]
+pub enum TorqueError {
+    /// Its table is too short.
+    #[error(
+        "{weight} kN is outside the rock's table, {from} to {to} kN; \
+         it must reach as far as the weights"
+    )]
+    OutsideTable {
+        /// The weight on bit, kN.
+        weight: f64,
+        /// The least weight of the table, kN.
+        from: f64,
+        /// The greatest weight of the table, kN.
+        to: f64,
+    },
+    /// Another reason.
+    #[error(transparent)]
+    Rock(RockError),
+}
+
+impl From<RockError> for TorqueError {
+    /// With weights in kN, as the user gives them.
+    fn from(error: RockError) -> Self {
+        match error {
+            RockError::OutsideTable {
+                value, from, to, ..
+            } => Self::OutsideTable {
+                weight: value / 1e3,
+                from: from / 1e3,
+                to: to / 1e3,
+            },
+            other => Self::Rock(other),
         }
+    }
+}
+
+impl Bit {
+    /// T_d (N m) under the given conditions, where they say enough.
+    ///
+    /// # Errors
+    /// Where the rock gives none for the weight on bit.
+    pub fn torque_dynamic(&self, conditions: &Conditions) -> Result<Option<f64>, TorqueError> {
+        if let Some(torque) = conditions.torque_dynamic_nm {
+            return Ok(Some(torque));
+        }
+        let Some((weight, rock)) = conditions.weight_on_bit_kn.zip(self.rock.as_ref()) else {
+            return Ok(None);
+        };
+        Ok(Some(rock.torque_dynamic(1e3 * weight)?))
     }
 
     /// Both torque limits for a dynamic torque.

@@ -20,7 +20,7 @@ mod tests;
 mod texts;
 mod wall;
 
-pub use bit::Bit;
+pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
 pub use conditions::{Conditions, to_rpm};
 pub use impulses::{ImpulseSettings, LARGEST_IMPULSE};

@@ -121,8 +121,8 @@ impl<'a> Session<'a> {
         let keep = |record: Record| -> Result<()> {
             log.append(&record)?;
             progress.tick();
-            match record.reason() {
-                Some(reason) if arguments.fail_fast => bail!(
+            match &record.outcome {
+                Err(reason) if arguments.fail_fast => bail!(
                     "case {} by {} has no answer: {reason} (--fail-fast)",
                     record.case,
                     sweep.methods[record.method].name()

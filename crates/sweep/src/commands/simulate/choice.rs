@@ -9,6 +9,7 @@ use crate::commands::status::UsageError;
 use crate::engine::{Case, longest_beside};
 use crate::plan::{Conditions, Setting, Sweep};
 use crate::quantities::Axis;
+use crate::sweep_file::SweepFileError;
 
 /// A case, and for how long its linear systems are built, s.
 pub struct ChosenCase {
@@ -96,7 +97,7 @@ impl Choice {
             self.values,
             &self.conditions,
         )
-        .map_err(UsageError)?;
+        .map_err(|reason| UsageError(reason.to_string()))?;
         sweep.impulses_are_felt(case.index, case.scene.timing.duration)?;
         Ok(ChosenCase {
             longest: beside.max(case.scene.timing.duration),
@@ -126,7 +127,10 @@ fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
 ///
 /// # Errors
 /// Where they have not all the same, or what is set makes none.
-pub fn common_setting(sweep: &Sweep, choices: &[Choice]) -> Result<Result<Setting, String>> {
+pub fn common_setting(
+    sweep: &Sweep,
+    choices: &[Choice],
+) -> Result<Result<Setting, SweepFileError>> {
     let string = choices.first().map_or(&[][..], |choice| &choice.string);
     if choices.iter().any(|choice| choice.string != string) {
         bail!(UsageError(
@@ -136,7 +140,7 @@ pub fn common_setting(sweep: &Sweep, choices: &[Choice]) -> Result<Result<Settin
     match sweep.setting_with(string.iter().copied()) {
         Ok(setting) => Ok(Ok(setting.into_owned())),
         Err(error) if choices.iter().any(|choice| choice.sets_string) => Err(error.into()),
-        Err(error) => Ok(Err(error.to_string())),
+        Err(error) => Ok(Err(error)),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::cli::SimulateArguments;
 use crate::commands::prepare::build_systems;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_unstable;
-use crate::engine::{MethodSystem, Record, RunOptions};
+use crate::engine::{Failure, MethodSystem, Record, RunOptions};
 use crate::histories::{FollowedMethod, Simulation};
 use crate::plan::Sweep;
 
@@ -53,7 +53,7 @@ pub fn simulate_all(
                 }
                 Err(reason) => {
                     let values = case.values.clone();
-                    rows.push(Record::failed(case.index, method, values, reason));
+                    rows.push(Record::failed(case.index, method, values, reason.clone()));
                 }
             }
         }
@@ -65,7 +65,7 @@ pub fn simulate_all(
 struct Systems {
     /// What they are built for, s.
     longest: f64,
-    methods: Vec<Result<FollowedMethod, String>>,
+    methods: Vec<Result<FollowedMethod, Failure>>,
 }
 
 impl Systems {
@@ -91,7 +91,7 @@ impl Systems {
             .into_iter()
             .map(|system| match system {
                 Ok(case) => FollowedMethod::new(sweep, case, longest).map(Ok),
-                Err(error) => Ok(Err(format!("{error:#}"))),
+                Err(error) => Ok(Err(Failure::new(format_args!("{error:#}")))),
             })
             .collect::<Result<_>>()?;
         Ok(Self { longest, methods })

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 use sim::{Ended, Label, Outcome, TorsionMeasures, TorsionRegime};
 
 use super::*;
-use crate::engine::Shard;
+use crate::engine::{Failure, Shard};
 
 const CASES: usize = 40;
 const METHODS: usize = 2;
@@ -13,7 +13,8 @@ fn record(pair: usize) -> Record {
     // Numbers whose last bits count.
     let number = f64::sqrt(pair as f64);
     if pair.is_multiple_of(7) {
-        return Record::failed(case, method, vec![number], &format!("because\tof {pair}\n"));
+        let reason = Failure::new(format!("because\tof {pair}\n"));
+        return Record::failed(case, method, vec![number], reason);
     }
     let torsion = TorsionMeasures {
         regime: TorsionRegime::ALL[pair % 3],
@@ -33,7 +34,7 @@ fn record(pair: usize) -> Record {
             torsion: Some(torsion),
             lateral: None,
         }),
-        ..Record::failed(case, method, vec![1e300 * number], "")
+        ..Record::failed(case, method, vec![1e300 * number], Failure::new(""))
     }
 }
 
