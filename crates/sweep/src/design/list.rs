@@ -16,13 +16,11 @@ use crate::text_file::LARGEST_TABLE;
 /// Listed cases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct List {
-    axes: Vec<Axis>,
-    cases: Vec<Vec<f64>>,
+    pub(super) axes: Vec<Axis>,
+    pub(super) cases: Vec<Vec<f64>>,
     /// The numbers of the cases of each string, in the order in which the
     /// strings first appear.
-    strings: Vec<Vec<usize>>,
-    /// The string of each case.
-    string_of: Vec<usize>,
+    pub(super) strings: Vec<Vec<usize>>,
 }
 
 impl List {
@@ -44,35 +42,10 @@ impl List {
         Ok(list)
     }
 
-    pub(super) fn axes(&self) -> &[Axis] {
-        &self.axes
-    }
-
-    pub(super) fn cases(&self) -> usize {
-        self.cases.len()
-    }
-
-    pub(super) fn values(&self, index: usize) -> &[f64] {
-        &self.cases[index]
-    }
-
-    pub(super) fn strings(&self) -> usize {
-        self.strings.len()
-    }
-
-    pub(super) fn cases_of_string(&self, string: usize) -> &[usize] {
-        &self.strings[string]
-    }
-
-    pub(super) fn string_of(&self, index: usize) -> usize {
-        self.string_of[index]
-    }
-
     /// Cases with given values along given axes, which are in order.
     pub fn new(axes: Vec<Axis>, cases: Vec<Vec<f64>>) -> Self {
         let of_string = count_string_axes(&axes);
         let mut strings: Vec<Vec<usize>> = Vec::new();
-        let mut string_of = Vec::with_capacity(cases.len());
         let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
         for (index, values) in cases.iter().enumerate() {
             let key = values[..of_string].iter().map(|value| value.to_bits());
@@ -81,13 +54,11 @@ impl List {
                 strings.push(Vec::new());
             }
             strings[string].push(index);
-            string_of.push(string);
         }
         Self {
             axes,
             cases,
             strings,
-            string_of,
         }
     }
 }

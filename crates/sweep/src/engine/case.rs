@@ -3,7 +3,8 @@
 use sim::{Impulse, Lateral, Scene, Timing, torsion_timing};
 
 use super::case_error::CaseError;
-use crate::plan::{Conditions, LateralSettings, Setting, Sweep, Time};
+use crate::plan::{Conditions, LateralSettings, Setting, Sweep};
+use crate::sweep_file::AutoOr;
 
 /// One case of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,7 +62,7 @@ impl Case {
             ),
             (None, _) => BY_DEFAULT,
         };
-        if let Time::Given(duration) = sweep.time {
+        if let AutoOr::Given(duration) = sweep.time {
             timing.duration = duration;
         }
         Ok(Self {

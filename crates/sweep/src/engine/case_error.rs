@@ -3,7 +3,7 @@
 use sim::SimulationError;
 use thiserror::Error;
 
-use super::systems::Instability;
+use super::instability::Instability;
 use crate::plan::TorqueError;
 use crate::sweep_file::SweepFileError;
 

@@ -3,6 +3,7 @@
 
 mod case;
 mod case_error;
+mod instability;
 mod log;
 mod memory;
 mod record;
@@ -13,6 +14,7 @@ mod systems;
 
 pub use case::Case;
 pub use case_error::CaseError;
+pub use instability::is_unstable;
 pub use log::{
     Header, Log, LogError, LogView, Place, log_place, read_about, read_header, record_line,
 };
@@ -21,7 +23,7 @@ pub use record::{Failure, Record};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
-pub use systems::{MethodSystem, is_unstable};
+pub use systems::MethodSystem;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

@@ -36,10 +36,10 @@ pub struct Record {
     /// The case's values along the axes.
     pub values: Vec<f64>,
     /// T_d, N m, where the bit is modelled.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_dynamic_nm: Option<f64>,
     /// The site that decides the lateral label, m from the bit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub site_from_bit_m: Option<f64>,
     /// What came out, or why nothing did.
     pub outcome: Result<Outcome, Failure>,

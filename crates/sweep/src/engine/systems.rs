@@ -1,12 +1,10 @@
 //! The linear system of each method, built once for all cases.
 
 use std::borrow::Cow;
-use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
-use linear::passivity::STABLE_MARGIN;
 use linear::{ChannelRequest, ChannelResponses, Method, Request, Responses, responses};
 use rayon::prelude::*;
 use sim::excitation::least_impulse;
@@ -14,6 +12,7 @@ use sim::{Outcome, Scene, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::Case;
 use super::case_error::CaseError;
+use super::instability::{Instability, is_unstable};
 use super::record::{Failure, Record};
 use super::run_options::RunOptions;
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
@@ -221,33 +220,6 @@ impl MethodSystem {
             ..record
         }
     }
-}
-
-/// A method's responses that are not positive-real.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Instability {
-    /// Name of the method.
-    pub method: &'static str,
-    /// `torsion` or `bending`.
-    pub motion: &'static str,
-    /// Positive-real margin.
-    pub margin: f64,
-}
-
-impl fmt::Display for Instability {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the responses in {} by {} are not positive-real (margin {:.2e}): \
-             a stuck site chatters and labels mean little",
-            self.motion, self.method, self.margin
-        )
-    }
-}
-
-/// Whether a positive-real margin says that a stuck site chatters.
-pub fn is_unstable(margin: f64) -> bool {
-    margin < STABLE_MARGIN
 }
 
 /// What a system is built from; `cuts` says whether a torque acts on the bit.

@@ -9,8 +9,9 @@ use super::demand::{Cost, Demand};
 use super::{Limit, Size};
 use crate::design::Design;
 use crate::engine::Survey;
-use crate::plan::{Setting, Sweep, Time};
+use crate::plan::{Setting, Sweep};
 use crate::quantities::Axis;
+use crate::sweep_file::AutoOr;
 
 /// A usual time simulated, s.
 const TIME: f64 = 10.0;
@@ -60,7 +61,7 @@ pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> 
 
 /// The case that lasts longest, in words, where the file does not give its time.
 fn longest_case(sweep: &Sweep, survey: &Survey) -> String {
-    if sweep.time != Time::Auto {
+    if sweep.time != AutoOr::Auto {
         return String::new();
     }
     let Some(case) = survey.longest_case else {
@@ -196,7 +197,7 @@ fn suspects(sweep: &Sweep) -> Vec<Suspect> {
 
 /// What makes cases long: their time or, where that follows from them, their speed.
 fn time_key(sweep: &Sweep) -> String {
-    if sweep.time != Time::Auto {
+    if sweep.time != AutoOr::Auto {
         return "time_s".to_owned();
     }
     key_of(sweep, &Axis::SurfaceSpeedRpm.name(), "surface_speed_rpm")

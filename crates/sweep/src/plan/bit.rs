@@ -83,13 +83,8 @@ impl Bit {
 /// # Errors
 /// Where it can be none.
 pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
-    source.within(
-        "bit.torque_static_ratio",
-        bit.torque_static_ratio,
-        1.0,
-        10.0,
-        "",
-    )?;
+    let static_ratio = bit.torque_static_ratio;
+    source.within("bit.torque_static_ratio", static_ratio, 1.0, 10.0, "")?;
     let rock = match (bit.rock, bit.law, &bit.table_kn_nm) {
         (None, None, None) => None,
         (Some(RockName::Sandstone), None, None) => Some(Rock::sandstone()),
@@ -108,75 +103,56 @@ pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
             return Err(source.error("bit.rock", message));
         }
     };
-    Ok(Bit {
-        rock,
-        static_ratio: bit.torque_static_ratio,
-    })
+    Ok(Bit { rock, static_ratio })
 }
 
-fn law(source: &Source, law: &LawTable) -> Result<CuttingLaw, SweepFileError> {
-    let checks = [
-        ("bit_radius_m", law.bit_radius_m, 1e-3, 2.0, "m"),
-        (
-            "specific_energy_mpa",
-            law.specific_energy_mpa,
-            0.1,
-            1e4,
-            "MPa",
-        ),
-        ("cutting_ratio", law.cutting_ratio, 1e-2, 10.0, ""),
-        ("friction", law.friction, 0.0, 10.0, ""),
-        (
-            "contact_strength_mpa",
-            law.contact_strength_mpa,
-            0.1,
-            1e4,
-            "MPa",
-        ),
-        ("contact_growth", law.contact_growth, 1e-3, 1e3, ""),
-        ("wear_flat_mm", law.wear_flat_mm, 1e-3, 1e3, "mm"),
-    ];
-    for (key, value, least, most, unit) in checks {
+fn law(source: &Source, table: &LawTable) -> Result<CuttingLaw, SweepFileError> {
+    let within = |key: &str, value: f64, least: f64, most: f64, unit: &'static str| {
         source.within(&format!("bit.law.{key}"), value, least, most, unit)?;
-    }
-    let poor_cleaning = match (law.poor_cleaning_from_kn, law.poor_cleaning_nm_per_kn) {
-        (None, None) => None,
-        (Some(from), Some(slope)) => {
-            source.within("bit.law.poor_cleaning_from_kn", from, 1e-3, 1e5, "kN")?;
-            source.within(
-                "bit.law.poor_cleaning_nm_per_kn",
-                slope,
-                1e-6,
-                1e6,
-                "N m/kN",
-            )?;
-            Some(PoorCleaning {
-                weight_on_bit: 1e3 * from,
-                slope: 1e-3 * slope,
-            })
-        }
+        Ok(value)
+    };
+    let mut law = CuttingLaw {
+        bit_radius: within("bit_radius_m", table.bit_radius_m, 1e-3, 2.0, "m")?,
+        specific_energy: 1e6
+            * within(
+                "specific_energy_mpa",
+                table.specific_energy_mpa,
+                0.1,
+                1e4,
+                "MPa",
+            )?,
+        cutting_ratio: within("cutting_ratio", table.cutting_ratio, 1e-2, 10.0, "")?,
+        friction: within("friction", table.friction, 0.0, 10.0, "")?,
+        contact_strength: 1e6
+            * within(
+                "contact_strength_mpa",
+                table.contact_strength_mpa,
+                0.1,
+                1e4,
+                "MPa",
+            )?,
+        contact_growth: within("contact_growth", table.contact_growth, 1e-3, 1e3, "")?,
+        wear_flat: 1e-3 * within("wear_flat_mm", table.wear_flat_mm, 1e-3, 1e3, "mm")?,
+        poor_cleaning: None,
+    };
+    let (from, slope) = match (table.poor_cleaning_from_kn, table.poor_cleaning_nm_per_kn) {
+        (None, None) => return Ok(law),
+        (Some(from), Some(slope)) => (from, slope),
         _ => {
             let message = "poor cleaning needs both `poor_cleaning_from_kn` \
                            and `poor_cleaning_nm_per_kn`";
             return Err(source.error("bit.law", message));
         }
     };
-    let law = CuttingLaw {
-        bit_radius: law.bit_radius_m,
-        specific_energy: 1e6 * law.specific_energy_mpa,
-        cutting_ratio: law.cutting_ratio,
-        friction: law.friction,
-        contact_strength: 1e6 * law.contact_strength_mpa,
-        contact_growth: law.contact_growth,
-        wear_flat: 1e-3 * law.wear_flat_mm,
-        poor_cleaning,
-    };
-    if let Some(poor) = poor_cleaning
-        && poor.weight_on_bit <= law.end_of_phase_one().0
-    {
+    law.poor_cleaning = Some(PoorCleaning {
+        weight_on_bit: 1e3 * within("poor_cleaning_from_kn", from, 1e-3, 1e5, "kN")?,
+        slope: 1e-3 * within("poor_cleaning_nm_per_kn", slope, 1e-6, 1e6, "N m/kN")?,
+    });
+    let end = law.end_of_phase_one().0;
+    if 1e3 * from <= end {
         let message = format!(
             "poor cleaning begins in phase II, above {} kN here",
-            1e-3 * law.end_of_phase_one().0
+            1e-3 * end
         );
         return Err(source.error("bit.law.poor_cleaning_from_kn", message));
     }

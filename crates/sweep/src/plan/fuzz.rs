@@ -158,7 +158,7 @@ static SWEEPS: LazyLock<Vec<Vec<PathBuf>>> = LazyLock::new(|| {
 
 fn files_of(path: &Path) -> Vec<PathBuf> {
     let read = RefCell::new(Vec::new());
-    let sweep = Sweep::read_from(path, &|path, _| {
+    let sweep = Sweep::read_from(path, &[], &|path, _| {
         read.borrow_mut().push(path.to_owned());
         text_of(path, &BTreeMap::new())
     });
@@ -314,7 +314,7 @@ fn text_of(path: &Path, instead: &Texts) -> std::io::Result<String> {
 /// does what a run does before it simulates; tells whether there is something to
 /// run.
 fn read(path: &Path, instead: &Texts) -> bool {
-    let sweep = match Sweep::read_from(path, &|path, _| text_of(path, instead)) {
+    let sweep = match Sweep::read_from(path, &[], &|path, _| text_of(path, instead)) {
         Ok(sweep) => sweep,
         Err(error) => {
             is_a_sentence(&error, instead);

@@ -30,14 +30,8 @@ pub fn resolve(
         (MethodName::DirectIdft, content.method.direct_idft),
     ] {
         if let Some(seconds) = transform.seconds.filter(|_| counts(name)) {
-            let key = name.name();
-            source.within(
-                &format!("method.{key}.transform_s"),
-                seconds,
-                1e-2,
-                1e5,
-                "s",
-            )?;
+            let key = format!("method.{}.transform_s", name.name());
+            source.within(&key, seconds, 1e-2, 1e5, "s")?;
         }
     }
     for (index, name) in content.methods.iter().enumerate() {

@@ -28,4 +28,4 @@ pub use lateral::LateralSettings;
 pub use map::{MapMark, MapSettings};
 pub use setting::Setting;
 pub use sheet::{INCH, POUND_PER_FOOT};
-pub use sweep::{Sweep, Time};
+pub use sweep::Sweep;

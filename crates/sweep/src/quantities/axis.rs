@@ -62,6 +62,20 @@ pub enum TubeMeasure {
     OuterRadius,
 }
 
+impl TubeMeasure {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Length, Self::InnerRadius, Self::OuterRadius];
+
+    /// Its key in a sweep file.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Length => "length_m",
+            Self::InnerRadius => "inner_radius_m",
+            Self::OuterRadius => "outer_radius_m",
+        }
+    }
+}
+
 impl Axis {
     /// Whether it changes the string.
     pub fn is_of_string(self) -> bool {

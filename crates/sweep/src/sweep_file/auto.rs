@@ -5,22 +5,15 @@ use std::fmt;
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// A number, or `"auto"`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum AutoOr {
     /// By rule.
     #[default]
     Auto,
     /// As given.
+    #[serde(untagged)]
     Given(f64),
-}
-
-impl Serialize for AutoOr {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            AutoOr::Auto => serializer.serialize_str("auto"),
-            AutoOr::Given(value) => serializer.serialize_f64(*value),
-        }
-    }
 }
 
 impl<'de> Deserialize<'de> for AutoOr {
@@ -41,9 +34,6 @@ impl<'de> Deserialize<'de> for AutoOr {
                 Ok(AutoOr::Given(value))
             }
             fn visit_i64<E>(self, value: i64) -> Result<AutoOr, E> {
-                Ok(AutoOr::Given(value as f64))
-            }
-            fn visit_u64<E>(self, value: u64) -> Result<AutoOr, E> {
                 Ok(AutoOr::Given(value as f64))
             }
         }

@@ -29,13 +29,10 @@ pub struct DesignTable {
     #[serde(default)]
     pub axes: BTreeMap<Axis, AxisRange>,
     /// Number of Monte Carlo cases.
-    #[serde(default)]
     pub cases: Option<usize>,
     /// Seed of a Monte Carlo design. Default 0.
-    #[serde(default)]
     pub seed: Option<u64>,
     /// CSV file of a list, beside the file that names it.
-    #[serde(default)]
     pub file: Option<PathBuf>,
 }
 
@@ -44,19 +41,15 @@ pub struct DesignTable {
 #[serde(deny_unknown_fields)]
 pub struct AxisRange {
     /// First value, or lower end of a Monte Carlo range.
-    #[serde(default)]
     pub from: Option<f64>,
     /// Last value, or upper end.
-    #[serde(default)]
     pub to: Option<f64>,
     /// Number of grid values from `from` to `to`.
-    #[serde(default)]
     pub count: Option<usize>,
     /// Even steps in the value or in its logarithm. Default `linear`.
     #[serde(default)]
     pub spacing: Spacing,
     /// Grid values one by one, instead of `from`, `to` and `count`.
-    #[serde(default)]
     pub values: Option<Vec<f64>>,
 }
 

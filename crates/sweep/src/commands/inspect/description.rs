@@ -6,8 +6,8 @@ use linear::estimates::{
 };
 
 use crate::engine::{MethodSystem, Survey, is_unstable};
-use crate::plan::{Choice, INCH, POUND_PER_FOOT, Sweep, Time};
-use crate::sweep_file::per_cent;
+use crate::plan::{Choice, INCH, POUND_PER_FOOT, Sweep};
+use crate::sweep_file::{AutoOr, per_cent};
 use crate::words::{counted, short, wrapped};
 
 /// A title and a value below a heading.
@@ -153,8 +153,8 @@ pub fn describe_left_out(sweep: &Sweep) -> String {
 /// What the cases of a run take.
 pub fn describe_work(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem]) -> String {
     let rule = match sweep.time {
-        Time::Auto => "until the regime can be told",
-        Time::Given(_) => "given in the sweep file",
+        AutoOr::Auto => "until the regime can be told",
+        AutoOr::Given(_) => "given in the sweep file",
     };
     let mut text = format!(
         "\ncost\n  {} by {}, the longest {} s ({rule})\n",

@@ -30,7 +30,9 @@ impl Plan<'_> {
             Found::Complete(_) => total,
             Found::Unfinished { .. } => {
                 let log = self.task.folder.join(LOG);
-                LogView::open(&log, sweep.design.cases(), sweep.methods.len())?.count()
+                LogView::open(&log, sweep.design.cases(), sweep.methods.len())?
+                    .counts
+                    .done
             }
             Found::Fewer(manifest) => manifest.tally.rows,
             Found::Nothing(_) => 0,

@@ -87,7 +87,7 @@ impl<'a> Session<'a> {
     pub fn simulate(&self) -> Result<()> {
         let total = self.so_far.total;
         let (quiet, terminal) = (self.task.arguments.quiet, self.task.terminal);
-        let progress = Progress::new(total, self.log.count(), quiet, terminal);
+        let progress = Progress::new(total, self.log.counts().done, quiet, terminal);
         stop::before_end({
             let log = Arc::clone(&self.log);
             let (progress, so_far) = (Arc::clone(&progress), self.so_far.clone());
@@ -101,7 +101,7 @@ impl<'a> Session<'a> {
         let kept = self.log.sync();
         worked.map_err(|error| self.with_so_far(&error))?;
         kept.map_err(|error| self.with_so_far(&error.into()))?;
-        if self.log.count() < total
+        if self.log.counts().done < total
             && let Some(status) = stop::asked()
         {
             stop::end(status);
@@ -111,10 +111,10 @@ impl<'a> Session<'a> {
 
     fn simulate_open_cases(&self, progress: &Progress) -> Result<()> {
         let (arguments, sweep, log) = (self.task.arguments, &self.task.sweep, &self.log);
-        if arguments.fail_fast && log.failed() > 0 {
+        if arguments.fail_fast && log.counts().failed > 0 {
             bail!(
                 "{} without an answer already (--fail-fast)",
-                counted(log.failed(), "case")
+                counted(log.counts().failed, "case")
             );
         }
         let is_done = log.done();
@@ -196,6 +196,6 @@ impl<'a> Session<'a> {
     }
 
     fn with_so_far(&self, error: &anyhow::Error) -> anyhow::Error {
-        anyhow!("{error:#}; {}", self.so_far.text(self.log.count()))
+        anyhow!("{error:#}; {}", self.so_far.text(self.log.counts().done))
     }
 }

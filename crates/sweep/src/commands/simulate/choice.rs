@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::{Result, bail};
 
 use crate::cli::SimulateArguments;
+use crate::commands::prepare::unique;
 use crate::commands::status::UsageError;
 use crate::engine::{Case, longest_beside};
 use crate::plan::{Conditions, Setting, Sweep};
@@ -152,14 +153,4 @@ fn refuse_weight_without_rock(sweep: &Sweep, conditions: &Conditions) -> Result<
         ));
     }
     Ok(())
-}
-
-fn unique(indices: &[usize]) -> Vec<usize> {
-    let mut unique: Vec<usize> = Vec::new();
-    for &index in indices {
-        if !unique.contains(&index) {
-            unique.push(index);
-        }
-    }
-    unique
 }
