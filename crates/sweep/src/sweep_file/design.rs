@@ -29,16 +29,19 @@ pub struct DesignTable {
     #[serde(default)]
     pub axes: BTreeMap<Axis, AxisRange>,
     /// Number of Monte Carlo cases.
+    #[serde(default)]
     pub cases: Option<usize>,
     /// Seed of a Monte Carlo design. Default 0.
+    #[serde(default)]
     pub seed: Option<u64>,
     /// CSV file of a list, beside the file that names it.
+    #[serde(default)]
     pub file: Option<PathBuf>,
 }
 
 /// The values of one axis.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct AxisRange {
     /// First value, or lower end of a Monte Carlo range.
     pub from: Option<f64>,
@@ -47,7 +50,6 @@ pub struct AxisRange {
     /// Number of grid values from `from` to `to`.
     pub count: Option<usize>,
     /// Even steps in the value or in its logarithm. Default `linear`.
-    #[serde(default)]
     pub spacing: Spacing,
     /// Grid values one by one, instead of `from`, `to` and `count`.
     pub values: Option<Vec<f64>>,

@@ -1,7 +1,6 @@
 //! The first line of a log: what the log belongs to.
 
-use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -9,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::error::{FORMAT, LogError, file_error};
 use super::line::{LONGEST_LINE, checked, parse_line};
 use crate::engine::Shard;
-use crate::files::{is_absent, refuse_irregular};
+use crate::files::open_if_there;
 
 /// First word of a header.
 const HEADER: &str = "sweep-log";
@@ -98,16 +97,15 @@ pub enum Place {
 /// # Errors
 /// Where that is not a log, or cannot be read.
 pub fn log_place(path: &Path, ours: &Header) -> Result<Place, LogError> {
-    let unreadable = |error| file_error(path, "read", error);
-    refuse_irregular(path).map_err(unreadable)?;
-    let Some(line) = first_line(path).map_err(unreadable)? else {
+    let Some(line) = first_line(path)? else {
         return Ok(Place::Free);
     };
     match Header::parse(&line) {
         FirstLine::Header(header) => Ok(Place::Log(header)),
         FirstLine::OtherFormat(format) => Ok(Place::OtherFormat(format)),
         FirstLine::Other => {
-            let header = ours.line().map_err(|error| unreadable(error.into()))?;
+            let header = ours.line();
+            let header = header.map_err(|error| file_error(path, "read", error.into()))?;
             if header.as_bytes().starts_with(&line) {
                 Ok(Place::Torn)
             } else {
@@ -122,10 +120,7 @@ pub fn log_place(path: &Path, ours: &Header) -> Result<Place, LogError> {
 /// # Errors
 /// Where the file cannot be read, or is of another version of the format.
 pub fn read_header(path: &Path) -> Result<Option<Header>, LogError> {
-    let unreadable = |error| file_error(path, "read", error);
-    refuse_irregular(path).map_err(unreadable)?;
-    let line = first_line(path).map_err(unreadable)?;
-    match line.map(|line| Header::parse(&line)) {
+    match first_line(path)?.map(|line| Header::parse(&line)) {
         Some(FirstLine::Header(header)) => Ok(Some(*header)),
         Some(FirstLine::OtherFormat(format)) => Err(LogError::other_format(path, format)),
         Some(FirstLine::Other) | None => Ok(None),
@@ -133,13 +128,14 @@ pub fn read_header(path: &Path) -> Result<Option<Header>, LogError> {
 }
 
 /// The first line of a file, if it is there.
-fn first_line(path: &Path) -> io::Result<Option<Vec<u8>>> {
-    let file = match File::open(path) {
-        // A folder that is none is found when it is to be made.
-        Err(error) if is_absent(&error) => return Ok(None),
-        file => file?,
+fn first_line(path: &Path) -> Result<Option<Vec<u8>>, LogError> {
+    let read = || {
+        let Some(file) = open_if_there(path)? else {
+            return Ok(None);
+        };
+        let mut line = Vec::new();
+        (BufReader::new(file).take(LONGEST_LINE)).read_until(b'\n', &mut line)?;
+        Ok(Some(line))
     };
-    let mut line = Vec::new();
-    (BufReader::new(file).take(LONGEST_LINE)).read_until(b'\n', &mut line)?;
-    Ok(Some(line))
+    read().map_err(|error| file_error(path, "read", error))
 }
