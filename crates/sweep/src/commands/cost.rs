@@ -13,6 +13,7 @@ use sim::Scene;
 use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey};
 use crate::memory::{Estimate, Limit, Size};
 use crate::plan::{Setting, Sweep};
+use crate::words::counted;
 
 /// The probe builds and steps for no longer than this.
 const PROBE: Duration = Duration::from_secs(10);
@@ -58,10 +59,7 @@ impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (bytes, limit) = (Size(self.memory.bytes), &self.limit);
         writeln!(f, "memory: at most {bytes}; limit: {limit}")?;
-        let threads = match rayon::current_num_threads() {
-            1 => "1 thread".to_owned(),
-            threads => format!("{threads} threads"),
-        };
+        let threads = counted(rayon::current_num_threads(), "thread");
         match &self.time {
             WallTime::About(seconds) => writeln!(
                 f,
@@ -114,13 +112,13 @@ impl Pace {
     fn seconds(&self, sweep: &Sweep, simulations: usize) -> f64 {
         let all = (sweep.design.cases() * sweep.methods.len()).max(1);
         let part = simulations as f64 / all as f64;
-        let strings = if sweep.design.varies_string() {
-            1.0 + part * sweep.design.strings() as f64
+        let varied = if sweep.design.varies_string() {
+            part * sweep.design.strings() as f64
         } else {
-            1.0
+            0.0
         };
         let stepped = simulations as f64 * self.stepping / rayon::current_num_threads() as f64;
-        strings * self.building + stepped
+        (1.0 + varied) * self.building + stepped
     }
 }
 

@@ -22,18 +22,9 @@ pub fn read_reference(path: &Path, sweep: &Sweep) -> Result<(Vec<LabelRow>, Vec<
     if reference.is_empty() {
         bail!(UsageError(format!("{} has no rows", path.display())));
     }
-    let methods = methods_of(sweep, &reference, path)?;
-    Ok((reference, methods))
-}
-
-/// The reference says which methods it was made with.
-fn methods_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<Method>> {
-    for row in reference {
-        if !sweep
-            .methods
-            .iter()
-            .any(|method| method.name() == row.method)
-        {
+    for row in &reference {
+        let mut methods = sweep.methods.iter();
+        if !methods.any(|method| method.name() == row.method) {
             bail!(UsageError(format!(
                 "{}:{}: the sweep has no method `{}`",
                 path.display(),
@@ -43,7 +34,8 @@ fn methods_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<
         }
     }
     let is_named = |method: &&Method| reference.iter().any(|row| row.method == method.name());
-    Ok(sweep.methods.iter().filter(is_named).copied().collect())
+    let methods = sweep.methods.iter().filter(is_named).copied().collect();
+    Ok((reference, methods))
 }
 
 /// The values of each case number; its rows must agree on them.

@@ -58,13 +58,8 @@ impl<'a> Session<'a> {
         let (sweep, shard) = (&task.sweep, task.shard);
         let path = task.folder.join(LOG);
         let log = Log::open(&path, sweep.design.cases(), sweep.methods.len())?;
-        let about = About::new(
-            sweep,
-            &task.arguments.file,
-            shard,
-            task.arguments.options(),
-            &systems.methods,
-        )?;
+        let (file, options) = (&task.arguments.file, task.arguments.options());
+        let about = About::new(sweep, file, shard, options, &systems.methods)?;
         log.describe(about.text()?)?;
         warn_of_unstable(&systems.methods, task.terminal);
         warn_of_broken_lines(&log, task.terminal);

@@ -61,10 +61,8 @@ impl Choice {
                 .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
             refuse_idle(sweep, axis)?;
             conditions = conditions.with(axis, value);
-            for (own, slot) in axes.iter().zip(&mut values) {
-                if *own == axis {
-                    *slot = value;
-                }
+            if let Some(place) = axes.iter().position(|own| *own == axis) {
+                values[place] = value;
             }
         }
         refuse_weight_without_rock(sweep, &conditions)?;
@@ -91,14 +89,9 @@ impl Choice {
             longest_beside(sweep, &sweep.setting, self.index)
                 .map_err(|reason| UsageError(format!("{}: {reason}", file.display())))?
         };
-        let case = Case::under(
-            sweep,
-            &sweep.setting,
-            self.index,
-            self.values,
-            &self.conditions,
-        )
-        .map_err(|reason| UsageError(reason.to_string()))?;
+        let (index, values) = (self.index, self.values);
+        let case = Case::under(sweep, &sweep.setting, index, values, &self.conditions)
+            .map_err(|reason| UsageError(reason.to_string()))?;
         sweep.impulses_are_felt(case.index, case.scene.timing.duration)?;
         Ok(ChosenCase {
             longest: beside.max(case.scene.timing.duration),
@@ -110,8 +103,8 @@ impl Choice {
 /// Refuses to set what nothing in the sweep depends on.
 fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
     let lateral = sweep.setting.lateral.as_ref();
-    let has_ratio =
-        lateral.is_some_and(|lateral| lateral.impulses.iter().any(|impulse| impulse.relative));
+    let mut impulses = lateral.iter().flat_map(|lateral| &lateral.impulses);
+    let has_ratio = impulses.any(|impulse| impulse.relative);
     let why = match axis {
         Axis::WeightOnBitKn | Axis::TorqueDynamicNm if sweep.bit.is_none() => {
             "the bit is free in this sweep"
