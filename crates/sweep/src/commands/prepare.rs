@@ -44,7 +44,7 @@ pub fn unique<T: Copy + PartialEq>(list: &[T]) -> Vec<T> {
 /// A look at every case before any is run.
 ///
 /// # Errors
-/// Where a case cannot be, or an impulse of it is not felt.
+/// Where a case is refused, or an impulse of it is not felt.
 pub fn survey_cases(file: &Path, sweep: &Sweep) -> Result<Survey> {
     let survey =
         survey(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())))?;

@@ -109,13 +109,12 @@ impl Work<'_> {
 
     fn has_open_case(&self, string: usize) -> bool {
         let cases = self.sweep.design.cases_of_string(string);
-        !(self.stops)()
-            && (0..cases.len()).any(|position| {
-                let methods = 0..self.sweep.methods.len();
-                methods
-                    .into_iter()
-                    .any(|method| self.wants(string, position, cases.get(position), method))
-            })
+        let is_open = |position| {
+            let case = cases.get(position);
+            let mut methods = 0..self.sweep.methods.len();
+            methods.any(|method| self.wants(string, position, case, method))
+        };
+        !(self.stops)() && (0..cases.len()).any(is_open)
     }
 
     fn wants(&self, string: usize, position: usize, case: usize, method: usize) -> bool {
@@ -171,11 +170,8 @@ impl Work<'_> {
     }
 
     fn run_pair(&self, built: &Built, position: usize, method: usize, keep: Keep) -> Result<()> {
-        let index = self
-            .sweep
-            .design
-            .cases_of_string(built.string)
-            .get(position);
+        let cases = self.sweep.design.cases_of_string(built.string);
+        let index = cases.get(position);
         if !self.wants(built.string, position, index, method) {
             return Ok(());
         }

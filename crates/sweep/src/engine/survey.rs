@@ -29,7 +29,7 @@ pub struct Survey {
     pub first_end: Option<(usize, f64)>,
     /// The string that takes most memory, where axes change the string.
     pub heaviest: Option<Heaviest>,
-    /// Strings that cannot be; their cases will fail.
+    /// Values that make no string; their cases will fail.
     pub impossible_strings: usize,
 }
 

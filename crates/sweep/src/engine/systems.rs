@@ -35,8 +35,6 @@ pub struct MethodSystem {
     /// What it was built from.
     pub setting: Setting,
     simulator: Simulator,
-    /// Which impulses are given in multiples of I₀.
-    relative: Vec<bool>,
 }
 
 impl MethodSystem {
@@ -91,13 +89,11 @@ impl MethodSystem {
         let responses = responses(&setting.string, &method, &request)?;
         let simulator = Simulator::new(&responses)?;
         let build_seconds = start.elapsed().as_secs_f64();
-        let impulses = setting.lateral.iter().flat_map(|lateral| &lateral.impulses);
         Ok(Self {
             method,
             torsion_margin: responses.torsion_margin()?,
             bending_margin: responses.bending_margin()?,
             least_impulses: least_impulses(setting, &responses),
-            relative: impulses.map(|impulse| impulse.relative).collect(),
             build_seconds,
             setting: setting.clone(),
             simulator,
@@ -108,9 +104,18 @@ impl MethodSystem {
     /// The first impulse given in multiples of an I₀ that is larger than any
     /// impulse, for its site cannot reach the wall.
     fn unreachable_impulse(&self) -> Option<usize> {
-        let mut impulses = self.least_impulses.iter().zip(&self.relative);
-        impulses
-            .position(|(least, relative)| *relative && (least.is_nan() || *least > LARGEST_IMPULSE))
+        let mut impulses = self.relative_impulses();
+        let (index, _) = impulses.find(|(_, i0)| i0.is_nan() || *i0 > LARGEST_IMPULSE)?;
+        Some(index)
+    }
+
+    /// The impulses that are given in multiples of I₀, each with its I₀, N s.
+    fn relative_impulses(&self) -> impl Iterator<Item = (usize, f64)> {
+        let lateral = self.setting.lateral.iter();
+        let impulses = lateral.flat_map(|lateral| &lateral.impulses).enumerate();
+        (impulses.zip(&self.least_impulses))
+            .filter(|((_, impulse), _)| impulse.relative)
+            .map(|((index, _), least)| (index, *least))
     }
 
     /// Why labels by this method mean little, where its margin says so.
@@ -173,9 +178,9 @@ impl MethodSystem {
     /// The scene with its relative impulses in N s.
     fn with_amounts<'a>(&self, scene: &'a Scene) -> Cow<'a, Scene> {
         let mut scene = Cow::Borrowed(scene);
-        for index in (0..self.relative.len()).filter(|index| self.relative[*index]) {
+        for (index, least) in self.relative_impulses() {
             if let Some(lateral) = &mut scene.to_mut().lateral {
-                lateral.impulses[index].amount *= self.least_impulses[index];
+                lateral.impulses[index].amount *= least;
             }
         }
         scene

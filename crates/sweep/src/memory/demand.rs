@@ -81,7 +81,7 @@ impl<'a> Demand<'a> {
     /// Of a command that builds `setting`.
     ///
     /// # Errors
-    /// Where the string that takes most cannot be.
+    /// Where the values of the string that takes most make none.
     pub fn of(
         sweep: &'a Sweep,
         setting: &Setting,

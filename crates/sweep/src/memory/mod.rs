@@ -20,7 +20,7 @@ pub use limit::{Limit, Size};
 /// What a command takes that builds `setting` for the cases surveyed.
 ///
 /// # Errors
-/// Where the string that takes most cannot be.
+/// Where the values of the string that takes most make none.
 pub fn estimate(
     sweep: &Sweep,
     setting: &Setting,

@@ -81,7 +81,7 @@ impl Bit {
 /// The torque law of `[bit]`.
 ///
 /// # Errors
-/// Where it can be none.
+/// Where a key of it is refused.
 pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
     let static_ratio = bit.torque_static_ratio;
     source.within("bit.torque_static_ratio", static_ratio, 1.0, 10.0, "")?;

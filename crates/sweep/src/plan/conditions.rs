@@ -83,7 +83,7 @@ pub fn to_rpm(speed: f64) -> f64 {
 /// What the file says of the conditions.
 ///
 /// # Errors
-/// Where a value cannot be.
+/// Where a value is refused.
 pub fn resolve(source: &Source, content: &FileContent) -> Result<Conditions, SweepFileError> {
     let bit = content.bit.as_ref();
     let conditions = Conditions {

@@ -32,7 +32,7 @@ pub struct LateralSettings {
 /// The lateral part, where the file has a wall.
 ///
 /// # Errors
-/// Where it can be none.
+/// Where a key of it is refused.
 pub fn resolve(
     source: &Source,
     content: &FileContent,

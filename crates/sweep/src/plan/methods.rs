@@ -12,7 +12,7 @@ const MOST_ELEMENTS_PER_CELL: usize = 10_000;
 /// its methods itself.
 ///
 /// # Errors
-/// Where one cannot be.
+/// Where one is refused.
 pub fn resolve(
     source: &Source,
     content: &FileContent,

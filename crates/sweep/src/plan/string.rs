@@ -9,7 +9,7 @@ use crate::sweep_file::{FileContent, SectionTable, Source, SweepFileError};
 /// The drillstring that the file describes.
 ///
 /// # Errors
-/// Where it can be none.
+/// Where a number of it is refused.
 pub fn resolve(source: &Source, content: &FileContent) -> Result<Drillstring, SweepFileError> {
     let table = &content.string;
     let (modulus, density) = (table.shear_modulus_gpa, table.density_kg_m3);

@@ -33,7 +33,7 @@ impl WallSettings {
 /// The wall at a site of the file, where the string has an outer radius (m).
 ///
 /// # Errors
-/// Where a number cannot be, or is missing.
+/// Where a number is refused, or missing.
 pub fn resolve(
     source: &Source,
     content: &FileContent,

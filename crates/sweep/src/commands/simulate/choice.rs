@@ -81,7 +81,7 @@ impl Choice {
     /// The case under the setting of the sweep, which has its string by now.
     ///
     /// # Errors
-    /// Where the case cannot be, or an impulse of it is not felt.
+    /// Where there is no such case, or an impulse of it is not felt.
     pub fn case(self, sweep: &Sweep, file: &Path) -> Result<ChosenCase> {
         let beside = if self.sets_string {
             0.0

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::about::parse_about;
 use super::error::{LogError, file_error};
-use super::header::{FirstLine, Header};
+use super::header::{Header, Place};
 use super::line::Scan;
 use super::record::parse_record;
 use crate::engine::Record;
@@ -81,7 +81,7 @@ impl LogView {
         };
         let mut scan = Scan::new(&reader).map_err(unreadable)?;
         match scan.next_line().map_err(unreadable)? {
-            Some(line) if matches!(Header::parse(line.text), FirstLine::Header(_)) => {
+            Some(line) if matches!(Header::parse(line.text), Some(Place::Log(_))) => {
                 content.end = line.to;
             }
             _ => return Err(LogError::NotALog(path.to_owned())),

@@ -52,31 +52,15 @@ impl Header {
         Ok(checked(&format!("{HEADER}\t{json}")))
     }
 
-    /// What the first line of a log says.
-    pub(super) fn parse(line: &[u8]) -> FirstLine {
-        let json = parse_line(line)
-            .and_then(|text| text.strip_prefix(HEADER)?.strip_prefix('\t'))
-            .and_then(|json| serde_json::from_str::<serde_json::Value>(json).ok());
-        let format = json.as_ref().and_then(|json| json["format"].as_u64());
-        match (json, format) {
-            (Some(json), Some(FORMAT)) => serde_json::from_value(json)
-                .map_or(FirstLine::Other, |header| {
-                    FirstLine::Header(Box::new(header))
-                }),
-            (_, Some(format)) => FirstLine::OtherFormat(format),
-            _ => FirstLine::Other,
+    /// What the first line of a log says, if it is a whole header.
+    pub(super) fn parse(line: &[u8]) -> Option<Place> {
+        let json = parse_line(line)?.strip_prefix(HEADER)?.strip_prefix('\t')?;
+        let json: serde_json::Value = serde_json::from_str(json).ok()?;
+        match json["format"].as_u64()? {
+            FORMAT => Some(Place::Log(serde_json::from_value(json).ok()?)),
+            other => Some(Place::OtherFormat(other)),
         }
     }
-}
-
-/// What the first line of a log says.
-pub(super) enum FirstLine {
-    /// What the log belongs to.
-    Header(Box<Header>),
-    /// That it is of another version of the format.
-    OtherFormat(u64),
-    /// Nothing that a whole header says.
-    Other,
 }
 
 /// What is in the place of a log that is to be written.
@@ -100,18 +84,15 @@ pub fn log_place(path: &Path, ours: &Header) -> Result<Place, LogError> {
     let Some(line) = first_line(path)? else {
         return Ok(Place::Free);
     };
-    match Header::parse(&line) {
-        FirstLine::Header(header) => Ok(Place::Log(header)),
-        FirstLine::OtherFormat(format) => Ok(Place::OtherFormat(format)),
-        FirstLine::Other => {
-            let header = ours.line();
-            let header = header.map_err(|error| file_error(path, "read", error.into()))?;
-            if header.as_bytes().starts_with(&line) {
-                Ok(Place::Torn)
-            } else {
-                Err(LogError::NotALog(path.to_owned()))
-            }
-        }
+    if let Some(place) = Header::parse(&line) {
+        return Ok(place);
+    }
+    let header = ours.line();
+    let header = header.map_err(|error| file_error(path, "read", error.into()))?;
+    if header.as_bytes().starts_with(&line) {
+        Ok(Place::Torn)
+    } else {
+        Err(LogError::NotALog(path.to_owned()))
     }
 }
 
@@ -120,10 +101,10 @@ pub fn log_place(path: &Path, ours: &Header) -> Result<Place, LogError> {
 /// # Errors
 /// Where the file cannot be read, or is of another version of the format.
 pub fn read_header(path: &Path) -> Result<Option<Header>, LogError> {
-    match first_line(path)?.map(|line| Header::parse(&line)) {
-        Some(FirstLine::Header(header)) => Ok(Some(*header)),
-        Some(FirstLine::OtherFormat(format)) => Err(LogError::other_format(path, format)),
-        Some(FirstLine::Other) | None => Ok(None),
+    match first_line(path)?.and_then(|line| Header::parse(&line)) {
+        Some(Place::Log(header)) => Ok(Some(*header)),
+        Some(Place::OtherFormat(format)) => Err(LogError::other_format(path, format)),
+        _ => Ok(None),
     }
 }
 
