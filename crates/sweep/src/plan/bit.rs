@@ -111,26 +111,13 @@ fn law(source: &Source, table: &LawTable) -> Result<CuttingLaw, SweepFileError> 
         source.within(&format!("bit.law.{key}"), value, least, most, unit)?;
         Ok(value)
     };
+    let (energy, strength) = (table.specific_energy_mpa, table.contact_strength_mpa);
     let mut law = CuttingLaw {
         bit_radius: within("bit_radius_m", table.bit_radius_m, 1e-3, 2.0, "m")?,
-        specific_energy: 1e6
-            * within(
-                "specific_energy_mpa",
-                table.specific_energy_mpa,
-                0.1,
-                1e4,
-                "MPa",
-            )?,
+        specific_energy: 1e6 * within("specific_energy_mpa", energy, 0.1, 1e4, "MPa")?,
         cutting_ratio: within("cutting_ratio", table.cutting_ratio, 1e-2, 10.0, "")?,
         friction: within("friction", table.friction, 0.0, 10.0, "")?,
-        contact_strength: 1e6
-            * within(
-                "contact_strength_mpa",
-                table.contact_strength_mpa,
-                0.1,
-                1e4,
-                "MPa",
-            )?,
+        contact_strength: 1e6 * within("contact_strength_mpa", strength, 0.1, 1e4, "MPa")?,
         contact_growth: within("contact_growth", table.contact_growth, 1e-3, 1e3, "")?,
         wear_flat: 1e-3 * within("wear_flat_mm", table.wear_flat_mm, 1e-3, 1e3, "mm")?,
         poor_cleaning: None,
