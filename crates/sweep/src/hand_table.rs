@@ -2,9 +2,10 @@
 //! comments, empty lines and a byte-order mark, separated by commas, semicolons or
 //! tabs, with a decimal point or comma. What is ambiguous is refused.
 
-use std::fmt;
-
 use csv::{Position, StringRecord};
+use thiserror::Error;
+
+use crate::words::counted;
 
 /// Lines that begin with it are passed over.
 const COMMENT: char = '#';
@@ -27,18 +28,13 @@ pub struct HandRow {
 
 /// What is wrong with a table, and on which line. It follows the file's name and a
 /// colon.
-#[derive(Debug)]
+#[derive(Debug, Error)]
+#[error("{line}: {message}")]
 pub struct Mistake {
     /// The line, from 1.
     pub line: usize,
     /// A sentence.
     pub message: String,
-}
-
-impl fmt::Display for Mistake {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.line, self.message)
-    }
 }
 
 impl HandTable {
@@ -95,17 +91,13 @@ impl HandTable {
     }
 
     fn uneven(&self, values: usize, columns: usize) -> String {
-        let plural = |count: usize| if count == 1 { "" } else { "s" };
         let hint = if values > columns && self.separator == b',' {
             "; numbers with decimal commas need semicolons between them"
         } else {
             ""
         };
-        format!(
-            "{values} value{}, but {columns} column{}{hint}",
-            plural(values),
-            plural(columns)
-        )
+        let (values, columns) = (counted(values, "value"), counted(columns, "column"));
+        format!("{values}, but {columns}{hint}")
     }
 }
 
@@ -189,17 +181,35 @@ impl Iterator for Rows<'_> {
     }
 }
 
+/// Why a text is refused as a number.
+#[derive(Debug, PartialEq, Error)]
+pub enum NumberError {
+    /// It is none.
+    #[error("`{0}` is not a number")]
+    NotANumber(String),
+    /// Its comma may as well group thousands.
+    #[error("`{text}` may be {decimal} or {grouped}: write it without a comma")]
+    Ambiguous {
+        /// The text.
+        text: String,
+        /// The number with a decimal comma.
+        decimal: f64,
+        /// The number without a comma that groups.
+        grouped: String,
+    },
+}
+
 /// A number with a decimal point or comma.
 ///
 /// # Errors
-/// A sentence, where it is none, or the comma may as well group thousands.
-pub fn number(text: &str) -> Result<f64, String> {
+/// Where it is none, or ambiguous.
+pub fn number(text: &str) -> Result<f64, NumberError> {
     if let Ok(value) = text.parse() {
         return Ok(value);
     }
-    let not_a_number = || format!("`{text}` is not a number");
+    let not_a_number = || NumberError::NotANumber(text.to_owned());
     let (whole, fraction) = text.split_once(',').ok_or_else(not_a_number)?;
-    let value: f64 = format!("{whole}.{fraction}")
+    let decimal: f64 = format!("{whole}.{fraction}")
         .parse()
         .map_err(|_| not_a_number())?;
     let digits = whole.trim_start_matches(['+', '-']);
@@ -208,11 +218,13 @@ pub fn number(text: &str) -> Result<f64, String> {
         && (1..=3).contains(&digits.len())
         && !digits.starts_with('0');
     if may_group {
-        return Err(format!(
-            "`{text}` may be {value} or {whole}{fraction}: write it without a comma"
-        ));
+        return Err(NumberError::Ambiguous {
+            text: text.to_owned(),
+            decimal,
+            grouped: format!("{whole}{fraction}"),
+        });
     }
-    Ok(value)
+    Ok(decimal)
 }
 
 #[cfg(test)]
@@ -250,7 +262,7 @@ mod tests {
         ] {
             assert_eq!(number(text), Ok(value), "{text}");
         }
-        let refused = number("1,500").expect_err("ambiguous");
+        let refused = number("1,500").expect_err("ambiguous").to_string();
         assert!(refused.contains("may be 1.5 or 1500"), "{refused}");
         for text in ["1,500,000", "1.500,5", "1,500.5", ",", "", "1;5", "x,5"] {
             assert!(number(text).is_err(), "{text}");

@@ -125,7 +125,8 @@ impl<'a> Probes<'a> {
         {
             conditions = conditions.with(Axis::SurfaceSpeedRpm, factor * speed);
         }
-        let mut case = Case::under(self.sweep, setting, index, values, &conditions)?;
+        let mut case = Case::under(self.sweep, setting, index, values, &conditions)
+            .map_err(|error| error.to_string())?;
         let walls = case
             .scene
             .lateral

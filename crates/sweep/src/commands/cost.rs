@@ -6,12 +6,14 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use anyhow::Result;
 use rayon::prelude::*;
 use sim::Scene;
 
 use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey};
 use crate::memory::{Estimate, Limit, Size};
 use crate::plan::{Setting, Sweep};
+use crate::words::counted;
 
 /// The probe builds and steps for no longer than this.
 const PROBE: Duration = Duration::from_secs(10);
@@ -43,24 +45,21 @@ pub struct Cost {
 }
 
 /// Wall time of a run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub enum WallTime {
     /// About so many seconds.
     About(f64),
     /// Not known: the probe was not done in its time.
     Unknown,
     /// It would not come to an end; why.
-    Refused(String),
+    Refused(anyhow::Error),
 }
 
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (bytes, limit) = (Size(self.memory.bytes), &self.limit);
         writeln!(f, "memory: at most {bytes}; limit: {limit}")?;
-        let threads = match rayon::current_num_threads() {
-            1 => "1 thread".to_owned(),
-            threads => format!("{threads} threads"),
-        };
+        let threads = counted(rayon::current_num_threads(), "thread");
         match &self.time {
             WallTime::About(seconds) => writeln!(
                 f,
@@ -72,7 +71,7 @@ impl fmt::Display for Cost {
                 "wall time: not known; a probe of {} s was too short",
                 PROBE.as_secs()
             ),
-            WallTime::Refused(reason) => writeln!(f, "wall time: none, for {reason}"),
+            WallTime::Refused(reason) => writeln!(f, "wall time: none, for {reason:#}"),
         }
     }
 }
@@ -113,13 +112,13 @@ impl Pace {
     fn seconds(&self, sweep: &Sweep, simulations: usize) -> f64 {
         let all = (sweep.design.cases() * sweep.methods.len()).max(1);
         let part = simulations as f64 / all as f64;
-        let strings = if sweep.design.varies_string() {
-            1.0 + part * sweep.design.strings() as f64
+        let varied = if sweep.design.varies_string() {
+            part * sweep.design.strings() as f64
         } else {
-            1.0
+            0.0
         };
         let stepped = simulations as f64 * self.stepping / rayon::current_num_threads() as f64;
-        strings * self.building + stepped
+        (1.0 + varied) * self.building + stepped
     }
 }
 
@@ -160,12 +159,11 @@ pub fn of_built(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem], built:
     WallTime::About(pace.seconds(sweep, sweep.design.cases() * sweep.methods.len()))
 }
 
-fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pace, String> {
+fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pace> {
     let setting = sweep.setting.for_labels();
     let prepared = longest.min(STEPS / setting.sampling_frequency);
     let start = Instant::now();
-    let systems =
-        MethodSystem::build_all(sweep, &setting, prepared).map_err(|error| format!("{error:#}"))?;
+    let systems = MethodSystem::build_all(sweep, &setting, prepared)?;
     let built = start.elapsed().as_secs_f64();
     Ok(Pace {
         // What takes so much more memory takes as much more time.

@@ -25,10 +25,9 @@ fn label_counts(tally: &Tally) -> String {
         let lists = tally.by_motion(method);
         let has_two = lists.len() > 1;
         for (motion, labels) in lists {
-            let counts = labels
-                .iter()
-                .map(|(label, count)| together(&format!("{count} {label}")));
-            let counts: Vec<String> = counts.collect();
+            let counts: Vec<String> = (labels.iter())
+                .map(|(label, count)| together(&format!("{count} {label}")))
+                .collect();
             let of = if has_two {
                 format!(", {}", motion.adjective())
             } else {

@@ -10,7 +10,8 @@ use super::terminal::Terminal;
 use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
 use crate::plan::{Setting, Sweep};
-use crate::sweep_file::{MethodName, SweepFileError};
+use crate::sweep_file::SweepFileError;
+use crate::text_file::read_text;
 
 /// Reads a sweep file and puts the methods asked for in place of its own; or chooses
 /// one, where it asks for an accuracy, telling what it tries unless `quiet`.
@@ -24,20 +25,26 @@ pub fn read_sweep(
     quiet: bool,
     terminal: Terminal,
 ) -> Result<Sweep> {
-    let mut methods: Vec<MethodName> = Vec::new();
-    for &name in &work.methods {
-        if !methods.contains(&name) {
-            methods.push(name);
+    let methods = unique(&work.methods);
+    let sweep = Sweep::read_from(file, &methods, &read_text)?;
+    choose(sweep, full, &work.memory.limit(), quiet, terminal)
+}
+
+/// What is named in a list, once each.
+pub fn unique<T: Copy + PartialEq>(list: &[T]) -> Vec<T> {
+    let mut unique = Vec::new();
+    for item in list {
+        if !unique.contains(item) {
+            unique.push(*item);
         }
     }
-    let sweep = Sweep::read_with_methods(file, &methods)?;
-    choose(sweep, full, &work.memory.limit(), quiet, terminal)
+    unique
 }
 
 /// A look at every case before any is run.
 ///
 /// # Errors
-/// Where a case cannot be, or an impulse of it is not felt.
+/// Where a case is refused, or an impulse of it is not felt.
 pub fn survey_cases(file: &Path, sweep: &Sweep) -> Result<Survey> {
     let survey =
         survey(sweep).map_err(|reason| UsageError(format!("{}: {reason}", file.display())))?;

@@ -47,15 +47,20 @@ static BEFORE_END: Mutex<Option<Farewell>> = Mutex::new(None);
 /// Where the system does not let it.
 pub fn listen(terminal: Terminal) -> Result<()> {
     before_end(move || tell_unfinished(terminal));
-    let asked = ASKED.get_or_init(Arc::default);
+    let code = ASKED.get_or_init(Arc::default);
     let is_second = Arc::new(AtomicBool::new(false));
     let listen = || -> std::io::Result<()> {
         for (signal, status) in [(SIGINT, Status::Interrupted), (SIGTERM, Status::Terminated)] {
             flag::register_conditional_shutdown(signal, status as i32, Arc::clone(&is_second))?;
-            flag::register_usize(signal, Arc::clone(asked), status as usize)?;
+            flag::register_usize(signal, Arc::clone(code), status as usize)?;
         }
         thread::Builder::new().spawn(move || {
-            let status = wait();
+            let status = loop {
+                sleep(BETWEEN_LOOKS);
+                if let Some(status) = asked() {
+                    break status;
+                }
+            };
             sleep(SAME_SIGNAL);
             is_second.store(true, Ordering::Relaxed);
             sleep(GRACE);
@@ -64,15 +69,6 @@ pub fn listen(terminal: Terminal) -> Result<()> {
         Ok(())
     };
     listen().context("signals cannot be listened to")
-}
-
-fn wait() -> Status {
-    loop {
-        if let Some(status) = asked() {
-            break status;
-        }
-        sleep(BETWEEN_LOOKS);
-    }
 }
 
 /// How the program is to end, once it was asked to.

@@ -24,10 +24,11 @@ pub fn warn_of_unstable<'a>(
 
 /// Says what of a log is lost.
 pub fn warn_of_broken_lines(log: &Log, terminal: Terminal) {
-    if log.broken_lines() > 0 {
+    let broken = log.counts().broken_lines;
+    if broken > 0 {
         terminal.complain(&format!(
             "warning: {} of the log not whole; those cases are run again",
-            counted(log.broken_lines(), "line")
+            counted(broken, "line")
         ));
     }
 }

@@ -11,23 +11,27 @@ pub fn count_string_axes(axes: &[Axis]) -> usize {
     axes.iter().take_while(|axis| axis.is_of_string()).count()
 }
 
-/// Refuses ends of a range in the wrong order, or at zero on a logarithmic axis.
+/// Refuses ends of a range that the axis does not have, in the wrong order, or at zero
+/// with logarithmic spacing.
 ///
 /// # Errors
 /// Names the end.
 pub fn check_ends(
     source: &Source,
-    key: &str,
+    axis: Axis,
     range: &AxisRange,
     (from, to): (f64, f64),
 ) -> Result<(), SweepFileError> {
+    let key_of = |end: &str| format!("design.axes.{}.{end}", axis.name());
+    source.check_axis(&key_of("from"), axis, from)?;
+    source.check_axis(&key_of("to"), axis, to)?;
     if range.spacing == Spacing::Log && from <= 0.0 {
         let message = "logarithmic spacing starts above zero";
-        return Err(source.error(&format!("{key}.from"), message));
+        return Err(source.error(&key_of("from"), message));
     }
     if from < to || (from == to && range.count == Some(1)) {
         return Ok(());
     }
     let message = format!("{to} is not above `from`, {from}: the range is empty");
-    Err(source.error(&format!("{key}.to"), message))
+    Err(source.error(&key_of("to"), message))
 }

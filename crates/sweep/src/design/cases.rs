@@ -12,9 +12,7 @@ use crate::sweep_file::{DesignKind, DesignTable, Source, SweepFileError, TextOf}
 /// Cases over named axes, numbered from 0.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Design {
-    /// One case, as the file says.
-    Single,
-    /// Every combination.
+    /// Every combination; without axes the one case that the file says.
     Grid(Grid),
     /// Independent random values.
     MonteCarlo(MonteCarlo),
@@ -34,7 +32,7 @@ impl Design {
         text_of: TextOf,
     ) -> Result<Self, SweepFileError> {
         let Some(table) = table else {
-            return Ok(Design::Single);
+            return Ok(Design::Grid(Grid::default()));
         };
         refuse_foreign_keys(source, table)?;
         let design = match table.kind {
@@ -44,11 +42,7 @@ impl Design {
         };
         if design.cases() > MOST_CASES {
             let message = format!("{} cases are more than {MOST_CASES}", design.cases());
-            let key = if table.cases.is_some() {
-                "design.cases"
-            } else {
-                "design"
-            };
+            let key = table.cases.map_or("design", |_| "design.cases");
             return Err(source.error(key, message));
         }
         Ok(design)
@@ -57,38 +51,35 @@ impl Design {
     /// The axes, in the order of their columns.
     pub fn axes(&self) -> &[Axis] {
         match self {
-            Design::Single => &[],
-            Design::Grid(grid) => grid.axes(),
-            Design::MonteCarlo(monte_carlo) => monte_carlo.axes(),
-            Design::List(list) => list.axes(),
+            Design::Grid(grid) => &grid.axes,
+            Design::MonteCarlo(random) => &random.axes,
+            Design::List(list) => &list.axes,
         }
     }
 
     /// Seed of random cases.
     pub fn seed(&self) -> Option<u64> {
         match self {
-            Design::MonteCarlo(monte_carlo) => Some(monte_carlo.seed()),
-            _ => None,
+            Design::MonteCarlo(random) => Some(random.seed),
+            Design::Grid(_) | Design::List(_) => None,
         }
     }
 
     /// Number of cases.
     pub fn cases(&self) -> usize {
         match self {
-            Design::Single => 1,
             Design::Grid(grid) => grid.cases(),
-            Design::MonteCarlo(monte_carlo) => monte_carlo.cases(),
-            Design::List(list) => list.cases(),
+            Design::MonteCarlo(random) => random.cases,
+            Design::List(list) => list.cases.len(),
         }
     }
 
     /// The values of case `index` along the axes.
     pub fn values(&self, index: usize) -> Vec<f64> {
         match self {
-            Design::Single => Vec::new(),
             Design::Grid(grid) => grid.values(index),
-            Design::MonteCarlo(monte_carlo) => monte_carlo.values(index),
-            Design::List(list) => list.values(index).to_vec(),
+            Design::MonteCarlo(random) => random.values(index),
+            Design::List(list) => list.cases[index].clone(),
         }
     }
 }
@@ -128,66 +119,53 @@ impl Design {
 
     /// How many distinct strings the cases have. Random cases have one each.
     pub fn strings(&self) -> usize {
-        if !self.varies_string() {
-            return 1;
-        }
         match self {
-            Design::Single => 1,
-            Design::Grid(grid) => grid.cases() / grid.cases_per_string(),
-            Design::MonteCarlo(monte_carlo) => monte_carlo.cases(),
-            Design::List(list) => list.strings(),
+            Design::List(list) => list.strings.len(),
+            Design::Grid(_) | Design::MonteCarlo(_) => self.cases() / self.neighbours(),
         }
     }
 
     /// The cases of one of the strings.
     pub fn cases_of_string(&self, string: usize) -> CasesOfString<'_> {
-        if !self.varies_string() {
-            return CasesOfString::Range(0..self.cases());
-        }
         match self {
-            Design::Single => CasesOfString::Range(0..1),
-            Design::Grid(grid) => {
-                let cases = grid.cases_per_string();
+            Design::List(list) => CasesOfString::Listed(&list.strings[string]),
+            Design::Grid(_) | Design::MonteCarlo(_) => {
+                let cases = self.neighbours();
                 CasesOfString::Range(string * cases..(string + 1) * cases)
             }
-            Design::MonteCarlo(_) => CasesOfString::Range(string..string + 1),
-            Design::List(list) => CasesOfString::Listed(list.cases_of_string(string)),
         }
     }
 
     /// Which of the strings case `index` has.
     pub fn string_of(&self, index: usize) -> usize {
-        if !self.varies_string() {
-            return 0;
-        }
         match self {
-            Design::Single => 0,
-            Design::Grid(grid) => index / grid.cases_per_string(),
-            Design::MonteCarlo(_) => index,
-            Design::List(list) => list.string_of(index),
+            Design::List(list) => {
+                let has_case = |cases: &Vec<usize>| cases.binary_search(&index).is_ok();
+                list.strings.iter().position(has_case).unwrap_or(0)
+            }
+            Design::Grid(_) | Design::MonteCarlo(_) => index / self.neighbours(),
+        }
+    }
+
+    /// How many cases of one string follow one another; in a list they may be anywhere.
+    fn neighbours(&self) -> usize {
+        match self {
+            Design::Grid(grid) => grid.cases_per_string(),
+            Design::MonteCarlo(_) if self.varies_string() => 1,
+            Design::MonteCarlo(_) | Design::List(_) => self.cases(),
         }
     }
 }
 
 /// A key that belongs to another kind of design would be ignored: refuse it.
 fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), SweepFileError> {
+    let is_list = table.kind == DesignKind::List;
+    let is_random = table.kind == DesignKind::MonteCarlo;
     let given = [
-        (
-            "axes",
-            !table.axes.is_empty(),
-            table.kind != DesignKind::List,
-        ),
-        (
-            "cases",
-            table.cases.is_some(),
-            table.kind == DesignKind::MonteCarlo,
-        ),
-        (
-            "seed",
-            table.seed.is_some(),
-            table.kind == DesignKind::MonteCarlo,
-        ),
-        ("file", table.file.is_some(), table.kind == DesignKind::List),
+        ("axes", !table.axes.is_empty(), !is_list),
+        ("cases", table.cases.is_some(), is_random),
+        ("seed", table.seed.is_some(), is_random),
+        ("file", table.file.is_some(), is_list),
     ];
     for (key, is_given, belongs) in given {
         if is_given && !belongs {
@@ -195,7 +173,7 @@ fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), Sweep
             return Err(source.error(&format!("design.{key}"), message));
         }
     }
-    if table.axes.is_empty() && table.kind != DesignKind::List {
+    if table.axes.is_empty() && !is_list {
         return Err(source.error("design.axes", "names no axis, so there is nothing to vary"));
     }
     Ok(())

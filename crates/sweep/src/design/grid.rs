@@ -8,9 +8,9 @@ use crate::sweep_file::{AxisRange, DesignTable, Source, SweepFileError};
 const MOST_VALUES: usize = 1_000_000;
 
 /// A full grid.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Grid {
-    axes: Vec<Axis>,
+    pub(super) axes: Vec<Axis>,
     values: Vec<Vec<f64>>,
 }
 
@@ -28,10 +28,6 @@ impl Grid {
             }
         }
         Ok(grid)
-    }
-
-    pub(super) fn axes(&self) -> &[Axis] {
-        &self.axes
     }
 
     /// Of more cases than can be counted, as many as can be.
@@ -80,20 +76,15 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
                 let message = format!("{count} values are more than {MOST_VALUES}");
                 return Err(source.error(&format!("{key}.count"), message));
             }
-            source.check_axis(&format!("{key}.from"), axis, from)?;
-            source.check_axis(&format!("{key}.to"), axis, to)?;
-            check_ends(source, &key, range, (from, to))?;
+            check_ends(source, axis, range, (from, to))?;
             let last = count.saturating_sub(1).max(1) as f64;
-            (0..count)
-                .map(|step| range.spacing.between(from, to, step as f64 / last))
-                .map(|value| {
-                    if axis.is_counted() {
-                        snapped(value)
-                    } else {
-                        value
-                    }
-                })
-                .collect()
+            let value = |step| range.spacing.between(from, to, step as f64 / last);
+            let values = (0..count).map(value);
+            if axis.is_counted() {
+                values.map(snapped).collect()
+            } else {
+                values.collect()
+            }
         }
         _ => {
             let message = "a grid axis has `from`, `to` and `count`, or `values`";

@@ -1,7 +1,11 @@
 //! Cases as listed in a CSV file whose header names the axes.
 
 use std::collections::HashMap;
+use std::fmt::Display;
+use std::io;
 use std::path::Path;
+
+use thiserror::Error;
 
 use super::axes::count_string_axes;
 use crate::hand_table::{HandTable, Mistake, number};
@@ -12,13 +16,11 @@ use crate::text_file::LARGEST_TABLE;
 /// Listed cases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct List {
-    axes: Vec<Axis>,
-    cases: Vec<Vec<f64>>,
+    pub(super) axes: Vec<Axis>,
+    pub(super) cases: Vec<Vec<f64>>,
     /// The numbers of the cases of each string, in the order in which the
     /// strings first appear.
-    strings: Vec<Vec<usize>>,
-    /// The string of each case.
-    string_of: Vec<usize>,
+    pub(super) strings: Vec<Vec<usize>>,
 }
 
 impl List {
@@ -31,9 +33,8 @@ impl List {
             return Err(source.error("design", "a list needs `file`, a CSV file of cases"));
         };
         let path = source.folder_of("design.file").join(file);
-        let list = read(source, &path, text_of).map_err(|message| {
-            source.error("design.file", format!("{}{message}", path.display()))
-        })?;
+        let list = read(&path, text_of)
+            .map_err(|error| source.error("design.file", format!("{}{error}", path.display())))?;
         if list.cases.is_empty() {
             let message = format!("{} lists no case", path.display());
             return Err(source.error("design.file", message));
@@ -41,35 +42,10 @@ impl List {
         Ok(list)
     }
 
-    pub(super) fn axes(&self) -> &[Axis] {
-        &self.axes
-    }
-
-    pub(super) fn cases(&self) -> usize {
-        self.cases.len()
-    }
-
-    pub(super) fn values(&self, index: usize) -> &[f64] {
-        &self.cases[index]
-    }
-
-    pub(super) fn strings(&self) -> usize {
-        self.strings.len()
-    }
-
-    pub(super) fn cases_of_string(&self, string: usize) -> &[usize] {
-        &self.strings[string]
-    }
-
-    pub(super) fn string_of(&self, index: usize) -> usize {
-        self.string_of[index]
-    }
-
     /// Cases with given values along given axes, which are in order.
     pub fn new(axes: Vec<Axis>, cases: Vec<Vec<f64>>) -> Self {
         let of_string = count_string_axes(&axes);
         let mut strings: Vec<Vec<usize>> = Vec::new();
-        let mut string_of = Vec::with_capacity(cases.len());
         let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
         for (index, values) in cases.iter().enumerate() {
             let key = values[..of_string].iter().map(|value| value.to_bits());
@@ -78,25 +54,30 @@ impl List {
                 strings.push(Vec::new());
             }
             strings[string].push(index);
-            string_of.push(string);
         }
         Self {
             axes,
             cases,
             strings,
-            string_of,
         }
     }
 }
 
-/// Reads a list; an error starts where the file's name ends.
-fn read(source: &Source, path: &Path, text_of: TextOf) -> Result<List, String> {
-    let text = text_of(path, LARGEST_TABLE).map_err(|error| format!(" cannot be read: {error}"))?;
-    let parsed = HandTable::new(&text).and_then(|table| cases_of(source, &table));
-    parsed.map_err(|mistake| format!(":{mistake}"))
+/// Why there is no list; the words follow the file's name.
+#[derive(Debug, Error)]
+enum ListError {
+    #[error(" cannot be read: {0}")]
+    File(#[from] io::Error),
+    #[error(":{0}")]
+    Mistake(#[from] Mistake),
 }
 
-fn cases_of(source: &Source, table: &HandTable) -> Result<List, Mistake> {
+fn read(path: &Path, text_of: TextOf) -> Result<List, ListError> {
+    let text = text_of(path, LARGEST_TABLE)?;
+    Ok(cases_of(&HandTable::new(&text)?)?)
+}
+
+fn cases_of(table: &HandTable) -> Result<List, Mistake> {
     let columns = axes_of(table)?;
     // Columns of results follow the order of the axes, whatever the file's.
     let mut order: Vec<usize> = (0..columns.len()).collect();
@@ -109,16 +90,14 @@ fn cases_of(source: &Source, table: &HandTable) -> Result<List, Mistake> {
     for row in table.rows() {
         let row = row?;
         let value = |&column: &usize| {
-            let (axis, text) = (columns[column], &row.cells[column]);
-            let value = number(text).and_then(|value| {
-                let checked = source.check_axis(&axis.name(), axis, value);
-                checked.map_err(|error| error.message().to_owned())?;
-                Ok(value)
-            });
-            value.map_err(|reason| Mistake {
+            let axis = columns[column];
+            let mistake = |reason: &dyn Display| Mistake {
                 line: row.line,
                 message: format!("{}: {reason}", axis.name()),
-            })
+            };
+            let value = number(&row.cells[column]).map_err(|error| mistake(&error))?;
+            axis.check(value).map_err(|error| mistake(&error))?;
+            Ok(value)
         };
         cases.push(order.iter().map(value).collect::<Result<_, Mistake>>()?);
     }

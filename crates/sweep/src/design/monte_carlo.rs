@@ -11,10 +11,10 @@ use crate::sweep_file::{AxisRange, DesignTable, Source, Spacing, SweepFileError}
 /// Random cases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MonteCarlo {
-    axes: Vec<Axis>,
+    pub(super) axes: Vec<Axis>,
     ranges: Vec<Range>,
-    cases: usize,
-    seed: u64,
+    pub(super) cases: usize,
+    pub(super) seed: u64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -44,30 +44,18 @@ impl MonteCarlo {
         })
     }
 
-    pub(super) fn axes(&self) -> &[Axis] {
-        &self.axes
-    }
-
-    pub(super) fn seed(&self) -> u64 {
-        self.seed
-    }
-
-    pub(super) fn cases(&self) -> usize {
-        self.cases
-    }
-
     /// Points with every axis at an end of its range: a quantity that rises or falls
     /// along each axis is largest at one of them.
     pub fn corners(&self) -> Vec<Vec<f64>> {
         let mut corners = vec![Vec::new()];
         for range in &self.ranges {
+            let ends = [range.from, range.to].into_iter();
             let with = |end: f64| {
-                let of = corners
+                corners
                     .iter()
-                    .map(move |corner| [&corner[..], &[end]].concat());
-                of.collect::<Vec<_>>()
+                    .map(move |corner| [&corner[..], &[end]].concat())
             };
-            corners = [with(range.from), with(range.to)].concat();
+            corners = ends.flat_map(with).collect();
         }
         corners
     }
@@ -97,9 +85,7 @@ impl Range {
             let message = "is counted in whole numbers: make it an axis of a grid or a list";
             return Err(source.error(&key, message));
         }
-        source.check_axis(&format!("{key}.from"), axis, from)?;
-        source.check_axis(&format!("{key}.to"), axis, to)?;
-        check_ends(source, &key, range, (from, to))?;
+        check_ends(source, axis, range, (from, to))?;
         Ok(Self {
             from,
             to,
@@ -114,20 +100,14 @@ mod tests {
 
     #[test]
     fn a_case_draws_from_its_seed_and_index_alone() {
+        let range = |from: f64| Range {
+            from,
+            to: from + 1.0,
+            spacing: Spacing::Linear,
+        };
         let design = |seed| MonteCarlo {
             axes: vec![Axis::SurfaceSpeedRpm, Axis::TorqueDynamicNm],
-            ranges: vec![
-                Range {
-                    from: 1.0,
-                    to: 2.0,
-                    spacing: Default::default(),
-                },
-                Range {
-                    from: 5.0,
-                    to: 6.0,
-                    spacing: Default::default(),
-                },
-            ],
+            ranges: vec![range(1.0), range(5.0)],
             cases: 1000,
             seed,
         };

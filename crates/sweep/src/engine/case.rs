@@ -2,7 +2,9 @@
 
 use sim::{Impulse, Lateral, Scene, Timing, torsion_timing};
 
-use crate::plan::{Conditions, LateralSettings, Setting, Sweep, Time};
+use super::case_error::CaseError;
+use crate::plan::{Conditions, LateralSettings, Setting, Sweep};
+use crate::sweep_file::AutoOr;
 
 /// One case of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,12 +23,14 @@ impl Case {
     /// Case `index` of a sweep, whose string is that of `setting`.
     ///
     /// # Errors
-    /// Where a rock's table does not reach its weight on bit; a sentence.
-    pub fn of(sweep: &Sweep, setting: &Setting, index: usize) -> Result<Self, String> {
+    /// Where a rock's table does not reach its weight on bit.
+    pub fn of(sweep: &Sweep, setting: &Setting, index: usize) -> Result<Self, CaseError> {
         let values = sweep.design.values(index);
         let conditions = sweep.conditions_at(&values);
-        Self::under(sweep, setting, index, values, &conditions)
-            .map_err(|reason| format!("case {index}: {reason}"))
+        Self::under(sweep, setting, index, values, &conditions).map_err(|reason| {
+            let reason = Box::new(reason);
+            CaseError::Numbered { index, reason }
+        })
     }
 
     /// A case under given conditions, which may differ from the design's.
@@ -39,12 +43,14 @@ impl Case {
         index: usize,
         values: Vec<f64>,
         conditions: &Conditions,
-    ) -> Result<Self, String> {
-        let surface_speed = conditions.surface_speed().ok_or("has no surface speed")?;
+    ) -> Result<Self, CaseError> {
+        let surface_speed = conditions.surface_speed();
+        let surface_speed = surface_speed.ok_or(CaseError::Missing("surface speed"))?;
         let (torque_dynamic_nm, bit) = match &sweep.bit {
             None => (None, None),
             Some(bit) => {
-                let torque = bit.torque_dynamic(conditions)?.ok_or("has no torque")?;
+                let torque = bit.torque_dynamic(conditions)?;
+                let torque = torque.ok_or(CaseError::Missing("torque"))?;
                 (Some(torque), Some(bit.torques(torque)))
             }
         };
@@ -56,7 +62,7 @@ impl Case {
             ),
             (None, _) => BY_DEFAULT,
         };
-        if let Time::Given(duration) = sweep.time {
+        if let AutoOr::Given(duration) = sweep.time {
             timing.duration = duration;
         }
         Ok(Self {
@@ -93,10 +99,13 @@ fn longer(one: Timing, other: Timing) -> Timing {
 
 /// Walls with the case's friction, impulses with the case's ratio: amounts
 /// relative to I₀ stay so until a method says what its I₀ is.
-fn lateral_scene(settings: &LateralSettings, conditions: &Conditions) -> Result<Lateral, String> {
+fn lateral_scene(
+    settings: &LateralSettings,
+    conditions: &Conditions,
+) -> Result<Lateral, CaseError> {
     let walls = settings.walls.iter().map(|wall| {
         let friction = conditions.friction.or(wall.friction);
-        Ok(wall.with_friction(friction.ok_or("has no friction")?))
+        Ok(wall.with_friction(friction.ok_or(CaseError::Missing("friction"))?))
     });
     let impulses = settings.impulses.iter().map(|settings| Impulse {
         amount: match conditions.impulse_ratio {
@@ -106,7 +115,7 @@ fn lateral_scene(settings: &LateralSettings, conditions: &Conditions) -> Result<
         ..settings.impulse
     });
     Ok(Lateral {
-        walls: walls.collect::<Result<_, String>>()?,
+        walls: walls.collect::<Result<_, CaseError>>()?,
         impulses: impulses.collect(),
         eccentric_masses: settings.eccentric_masses.clone(),
     })

@@ -30,7 +30,7 @@ impl StringMemory {
             .fold(Self::default(), |all, one| Self {
                 systems: all.systems.beside(one.systems),
                 case: all.case.max(one.case),
-                too_long: longer(all.too_long, one.too_long),
+                too_long: (all.too_long.into_iter().chain(one.too_long)).reduce(f64::max),
             })
     }
 
@@ -66,11 +66,4 @@ impl StringMemory {
 /// What is taken and given back.
 fn passing(peak: f64) -> Memory {
     Memory { peak, kept: 0.0 }
-}
-
-fn longer(one: Option<f64>, other: Option<f64>) -> Option<f64> {
-    match (one, other) {
-        (Some(one), Some(other)) => Some(one.max(other)),
-        _ => one.or(other),
-    }
 }

@@ -2,6 +2,8 @@
 //! every case stepped against them on all cores.
 
 mod case;
+mod case_error;
+mod instability;
 mod log;
 mod memory;
 mod record;
@@ -11,15 +13,17 @@ mod survey;
 mod systems;
 
 pub use case::Case;
+pub use case_error::CaseError;
+pub use instability::is_unstable;
 pub use log::{
     Header, Log, LogError, LogView, Place, log_place, read_about, read_header, record_line,
 };
 pub use memory::StringMemory;
-pub use record::Record;
+pub use record::{Failure, Record};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
-pub use systems::{MethodSystem, is_unstable};
+pub use systems::MethodSystem;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -64,7 +68,7 @@ pub fn pairs_of(sweep: &Sweep, shard: Shard) -> usize {
 /// The linear system of each method for one string, or why it has none.
 struct Built<'a> {
     string: usize,
-    systems: Vec<Result<&'a MethodSystem, &'a str>>,
+    systems: Vec<Result<&'a MethodSystem, &'a CaseError>>,
 }
 
 impl Work<'_> {
@@ -90,8 +94,8 @@ impl Work<'_> {
             let built: Vec<Built> = (systems.iter())
                 .map(|(string, systems)| Built {
                     string: *string,
-                    systems: (systems.iter())
-                        .map(|system| system.as_ref().map_err(String::as_str))
+                    systems: (0..self.sweep.methods.len())
+                        .map(|method| systems.as_ref()?[method].as_ref())
                         .collect(),
                 })
                 .collect();
@@ -105,13 +109,12 @@ impl Work<'_> {
 
     fn has_open_case(&self, string: usize) -> bool {
         let cases = self.sweep.design.cases_of_string(string);
-        !(self.stops)()
-            && (0..cases.len()).any(|position| {
-                let methods = 0..self.sweep.methods.len();
-                methods
-                    .into_iter()
-                    .any(|method| self.wants(string, position, cases.get(position), method))
-            })
+        let is_open = |position| {
+            let case = cases.get(position);
+            let mut methods = 0..self.sweep.methods.len();
+            methods.any(|method| self.wants(string, position, case, method))
+        };
+        !(self.stops)() && (0..cases.len()).any(is_open)
     }
 
     fn wants(&self, string: usize, position: usize, case: usize, method: usize) -> bool {
@@ -120,26 +123,14 @@ impl Work<'_> {
         self.shard.has(strings, string, cases, position) && (self.is_open)(case, method)
     }
 
-    fn build(&self, string: usize) -> Vec<Result<MethodSystem, String>> {
-        let build = || -> Result<_, String> {
-            let setting = survey::setting_of(self.sweep, string);
-            let setting = setting.map_err(|error| error.to_string())?;
-            let longest = survey::of_string(self.sweep, &setting, string)?.longest;
-            Ok(MethodSystem::build_each(
-                self.sweep,
-                &setting.for_labels(),
-                longest,
-            ))
-        };
-        match build() {
-            Ok(systems) => (systems.into_iter())
-                .map(|system| system.map_err(|error| format!("{error:#}")))
-                .collect(),
-            Err(reason) => {
-                let methods = self.sweep.methods.iter();
-                methods.map(|_| Err(reason.clone())).collect()
-            }
-        }
+    fn build(&self, string: usize) -> Result<Vec<Result<MethodSystem, CaseError>>, CaseError> {
+        let setting = setting_of(self.sweep, string)?;
+        let longest = survey::of_string(self.sweep, &setting, string)?.longest;
+        let systems = MethodSystem::build_each(self.sweep, &setting.for_labels(), longest);
+        let systems = systems.into_iter();
+        Ok(systems
+            .map(|system| system.map_err(CaseError::Responses))
+            .collect())
     }
 
     /// Threads take the next pair each until none is left, so that no thread is
@@ -179,22 +170,20 @@ impl Work<'_> {
     }
 
     fn run_pair(&self, built: &Built, position: usize, method: usize, keep: Keep) -> Result<()> {
-        let index = self
-            .sweep
-            .design
-            .cases_of_string(built.string)
-            .get(position);
+        let cases = self.sweep.design.cases_of_string(built.string);
+        let index = cases.get(position);
         if !self.wants(built.string, position, index, method) {
             return Ok(());
         }
         let record = match built.systems[method] {
             Ok(system) => Case::of(self.sweep, &system.setting, index)
-                .map(|case| system.answer(&case, method, self.options)),
-            Err(reason) => Err(reason.to_owned()),
+                .map(|case| system.answer(&case, method, self.options))
+                .map_err(Failure::new),
+            Err(reason) => Err(Failure::new(reason)),
         };
         keep(record.unwrap_or_else(|reason| {
             let values = self.sweep.design.values(index);
-            Record::failed(index, method, values, &reason)
+            Record::failed(index, method, values, reason)
         }))
     }
 }

@@ -1,7 +1,30 @@
 //! What became of a case by a method: typed, until it is written into a table.
 
+use std::fmt::Display;
+
 use serde::{Deserialize, Serialize};
 use sim::Outcome;
+use thiserror::Error;
+
+/// Why a case has no answer, in a line of text. It is no enum: most of it are the words
+/// of a linear method, of the simulator or of the sweep file, and a log is read long after
+/// the errors themselves are gone.
+#[derive(Debug, Clone, PartialEq, Eq, Error, Serialize, Deserialize)]
+#[serde(transparent)]
+#[error("{0}")]
+pub struct Failure(String);
+
+impl Failure {
+    /// In the words of an error or of a table.
+    pub fn new(reason: impl Display) -> Self {
+        Self((reason.to_string()).replace(|letter: char| letter.is_control(), " "))
+    }
+
+    /// The line.
+    pub fn text(&self) -> &str {
+        &self.0
+    }
+}
 
 /// A case done by one method.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -13,30 +36,25 @@ pub struct Record {
     /// The case's values along the axes.
     pub values: Vec<f64>,
     /// T_d, N m, where the bit is modelled.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_dynamic_nm: Option<f64>,
     /// The site that decides the lateral label, m from the bit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub site_from_bit_m: Option<f64>,
     /// What came out, or why nothing did.
-    pub outcome: Result<Outcome, String>,
+    pub outcome: Result<Outcome, Failure>,
 }
 
 impl Record {
-    /// Of a case without an answer; the reason is a line of text.
-    pub fn failed(case: usize, method: usize, values: Vec<f64>, reason: &str) -> Self {
+    /// Of a case without an answer.
+    pub fn failed(case: usize, method: usize, values: Vec<f64>, reason: Failure) -> Self {
         Self {
             case,
             method,
             values,
             torque_dynamic_nm: None,
             site_from_bit_m: None,
-            outcome: Err(reason.replace(|letter: char| letter.is_control(), " ")),
+            outcome: Err(reason),
         }
-    }
-
-    /// Why there is no answer.
-    pub fn reason(&self) -> Option<&str> {
-        self.outcome.as_ref().err().map(String::as_str)
     }
 }

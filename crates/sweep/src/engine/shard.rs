@@ -66,16 +66,20 @@ impl FromStr for Shard {
 mod tests {
     use super::*;
 
+    /// Which of so many shards have a case.
+    fn holders(of: usize, strings: usize, string: usize, cases: usize, at: usize) -> Vec<usize> {
+        let has = |index: &usize| Shard { index: *index, of }.has(strings, string, cases, at);
+        (0..of).filter(has).collect()
+    }
+
     #[test]
     fn every_case_is_in_one_shard() {
         for (strings, cases) in [(1, 10), (3, 4), (12, 1)] {
             for of in [1, 2, 3, 5, 20] {
                 for string in 0..strings {
                     for position in 0..cases {
-                        let shards = (0..of).map(|index| Shard { index, of });
-                        let holders =
-                            shards.filter(|shard| shard.has(strings, string, cases, position));
-                        assert_eq!(holders.count(), 1);
+                        let holders = holders(of, strings, string, cases, position);
+                        assert_eq!(holders.len(), 1);
                     }
                 }
             }
@@ -85,18 +89,10 @@ mod tests {
     #[test]
     fn the_part_of_a_random_case_does_not_depend_on_their_number() {
         for of in [1, 2, 7] {
+            // All of one string, or each of its own.
             let parts = |cases: usize, case: usize| {
-                // All of one string, or each of its own.
-                [(1, 0, cases, case), (cases, case, 1, 0)].map(
-                    |(strings, string, cases, position)| {
-                        let shards = (0..of).map(|index| Shard { index, of });
-                        let has = |shard: &Shard| shard.has(strings, string, cases, position);
-                        shards
-                            .filter(has)
-                            .map(|shard| shard.index)
-                            .collect::<Vec<_>>()
-                    },
-                )
+                let of_one = holders(of, 1, 0, cases, case);
+                [of_one, holders(of, cases, case, 1, 0)]
             };
             for case in 0..3 {
                 assert_eq!(parts(3, case), parts(20, case), "{case} of {of}");

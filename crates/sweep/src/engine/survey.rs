@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use rayon::prelude::*;
 
 use super::case::Case;
+use super::case_error::CaseError;
 use super::memory::StringMemory;
 use crate::design::Design;
 use crate::plan::{Setting, Sweep};
@@ -28,7 +29,7 @@ pub struct Survey {
     pub first_end: Option<(usize, f64)>,
     /// The string that takes most memory, where axes change the string.
     pub heaviest: Option<Heaviest>,
-    /// Strings that cannot be; their cases will fail.
+    /// Values that make no string; their cases will fail.
     pub impossible_strings: usize,
 }
 
@@ -72,8 +73,8 @@ impl Survey {
 /// Looks at every case of a sweep.
 ///
 /// # Errors
-/// Where a case has conditions that make no sense; a sentence that names it.
-pub fn survey(sweep: &Sweep) -> Result<Survey, String> {
+/// Where a case has conditions that make no sense.
+pub fn survey(sweep: &Sweep) -> Result<Survey, CaseError> {
     first_error(sweep.design.strings(), |string| {
         match setting_of(sweep, string) {
             Ok(setting) => {
@@ -95,7 +96,7 @@ pub fn survey(sweep: &Sweep) -> Result<Survey, String> {
 ///
 /// # Errors
 /// As [`survey`].
-pub fn longest_beside(sweep: &Sweep, setting: &Setting, index: usize) -> Result<f64, String> {
+pub fn longest_beside(sweep: &Sweep, setting: &Setting, index: usize) -> Result<f64, CaseError> {
     Ok(of_string(sweep, setting, sweep.design.string_of(index))?.longest)
 }
 
@@ -103,7 +104,11 @@ pub fn longest_beside(sweep: &Sweep, setting: &Setting, index: usize) -> Result<
 ///
 /// # Errors
 /// As [`survey`].
-pub(super) fn of_string(sweep: &Sweep, setting: &Setting, string: usize) -> Result<Survey, String> {
+pub(super) fn of_string(
+    sweep: &Sweep,
+    setting: &Setting,
+    string: usize,
+) -> Result<Survey, CaseError> {
     let cases = sweep.design.cases_of_string(string);
     let mut survey = first_error(cases.len(), |position| {
         let case = Case::of(sweep, setting, cases.get(position))?;
@@ -121,7 +126,7 @@ pub(super) fn of_string(sweep: &Sweep, setting: &Setting, string: usize) -> Resu
         for corner in random.corners() {
             let conditions = sweep.conditions_at(&corner);
             let case = Case::under(sweep, setting, 0, corner, &conditions)
-                .map_err(|reason| format!("at an end of the random ranges: {reason}"))?;
+                .map_err(|reason| CaseError::AtAnEnd(Box::new(reason)))?;
             let duration = case.scene.timing.duration;
             if duration > survey.longest {
                 survey.longest = duration;
@@ -156,8 +161,8 @@ pub fn setting_of(sweep: &Sweep, string: usize) -> Result<Cow<'_, Setting>, Swee
 /// whatever the number of threads.
 fn first_error(
     count: usize,
-    part: impl Fn(usize) -> Result<Survey, String> + Sync,
-) -> Result<Survey, String> {
+    part: impl Fn(usize) -> Result<Survey, CaseError> + Sync,
+) -> Result<Survey, CaseError> {
     (0..count)
         .into_par_iter()
         .with_min_len(CASES_AT_ONCE)

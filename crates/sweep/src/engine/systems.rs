@@ -1,19 +1,19 @@
 //! The linear system of each method, built once for all cases.
 
 use std::borrow::Cow;
-use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
-use linear::passivity::STABLE_MARGIN;
 use linear::{ChannelRequest, ChannelResponses, Method, Request, Responses, responses};
 use rayon::prelude::*;
 use sim::excitation::least_impulse;
 use sim::{Outcome, Scene, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::Case;
-use super::record::Record;
+use super::case_error::CaseError;
+use super::instability::{Instability, is_unstable};
+use super::record::{Failure, Record};
 use super::run_options::RunOptions;
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
@@ -35,8 +35,6 @@ pub struct MethodSystem {
     /// What it was built from.
     pub setting: Setting,
     simulator: Simulator,
-    /// Which impulses are given in multiples of I₀.
-    relative: Vec<bool>,
 }
 
 impl MethodSystem {
@@ -91,13 +89,11 @@ impl MethodSystem {
         let responses = responses(&setting.string, &method, &request)?;
         let simulator = Simulator::new(&responses)?;
         let build_seconds = start.elapsed().as_secs_f64();
-        let impulses = setting.lateral.iter().flat_map(|lateral| &lateral.impulses);
         Ok(Self {
             method,
             torsion_margin: responses.torsion_margin()?,
             bending_margin: responses.bending_margin()?,
             least_impulses: least_impulses(setting, &responses),
-            relative: impulses.map(|impulse| impulse.relative).collect(),
             build_seconds,
             setting: setting.clone(),
             simulator,
@@ -108,9 +104,18 @@ impl MethodSystem {
     /// The first impulse given in multiples of an I₀ that is larger than any
     /// impulse, for its site cannot reach the wall.
     fn unreachable_impulse(&self) -> Option<usize> {
-        let mut impulses = self.least_impulses.iter().zip(&self.relative);
-        impulses
-            .position(|(least, relative)| *relative && (least.is_nan() || *least > LARGEST_IMPULSE))
+        let mut impulses = self.relative_impulses();
+        let (index, _) = impulses.find(|(_, i0)| i0.is_nan() || *i0 > LARGEST_IMPULSE)?;
+        Some(index)
+    }
+
+    /// The impulses that are given in multiples of I₀, each with its I₀, N s.
+    fn relative_impulses(&self) -> impl Iterator<Item = (usize, f64)> {
+        let lateral = self.setting.lateral.iter();
+        let impulses = lateral.flat_map(|lateral| &lateral.impulses).enumerate();
+        (impulses.zip(&self.least_impulses))
+            .filter(|((_, impulse), _)| impulse.relative)
+            .map(|((index, _), least)| (index, *least))
     }
 
     /// Why labels by this method mean little, where its margin says so.
@@ -173,9 +178,9 @@ impl MethodSystem {
     /// The scene with its relative impulses in N s.
     fn with_amounts<'a>(&self, scene: &'a Scene) -> Cow<'a, Scene> {
         let mut scene = Cow::Borrowed(scene);
-        for index in (0..self.relative.len()).filter(|index| self.relative[*index]) {
+        for (index, least) in self.relative_impulses() {
             if let Some(lateral) = &mut scene.to_mut().lateral {
-                lateral.impulses[index].amount *= self.least_impulses[index];
+                lateral.impulses[index].amount *= least;
             }
         }
         scene
@@ -185,75 +190,41 @@ impl MethodSystem {
     /// the sweep's list. A case that panics is one without an answer, and not the end of
     /// the sweep.
     pub fn answer(&self, case: &Case, method: usize, options: RunOptions) -> Record {
-        let failed = |reason: &str| Record::failed(case.index, method, case.values.clone(), reason);
+        let failed = |reason: CaseError| {
+            Record::failed(
+                case.index,
+                method,
+                case.values.clone(),
+                Failure::new(reason),
+            )
+        };
         if let (Some(instability), false) = (self.instability(), options.allow_unstable) {
-            return failed(&format!("{instability} (--allow-unstable simulates it)"));
+            return failed(CaseError::Unstable(instability));
         }
         let stopping = options.stopping(case.index);
         let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, stopping, None)));
-        let torque_dynamic_nm = case.torque_dynamic_nm;
-        let reason = match simulated {
-            Ok(Ok(outcome)) => {
-                let distances = self.setting.sites.distances_from_bit();
-                return Record {
-                    case: case.index,
-                    method,
-                    values: case.values.clone(),
-                    torque_dynamic_nm,
-                    site_from_bit_m: outcome.lateral.map(|lateral| distances[lateral.site]),
-                    outcome: Ok(outcome),
-                };
+        let distances = self.setting.sites.distances_from_bit();
+        let record = match simulated {
+            Ok(Ok(outcome)) => Record {
+                case: case.index,
+                method,
+                values: case.values.clone(),
+                torque_dynamic_nm: None,
+                site_from_bit_m: outcome.lateral.map(|lateral| distances[lateral.site]),
+                outcome: Ok(outcome),
+            },
+            Ok(Err(error)) => {
+                let site = error.site();
+                let site = site.and_then(|site| Some((site, *distances.get(site)?)));
+                failed(CaseError::Simulation { error, site })
             }
-            Ok(Err(error)) => self.in_words(&error),
-            Err(_) => "the simulation panicked".to_owned(),
+            Err(_) => failed(CaseError::Panicked),
         };
         Record {
-            torque_dynamic_nm,
-            ..failed(&reason)
+            torque_dynamic_nm: case.torque_dynamic_nm,
+            ..record
         }
     }
-}
-
-impl MethodSystem {
-    /// Why a case has no answer, its site by its place on the string.
-    fn in_words(&self, error: &SimulationError) -> String {
-        let distances = self.setting.sites.distances_from_bit();
-        let site = error.site();
-        match site.and_then(|site| Some((site, *distances.get(site)?))) {
-            None => error.to_string(),
-            Some((site, 0.0)) => format!("{error} (site {site} is the bit)"),
-            Some((site, distance)) => {
-                format!("{error} (site {site} is {distance} m from the bit)")
-            }
-        }
-    }
-}
-
-/// A method's responses that are not positive-real.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Instability {
-    /// Name of the method.
-    pub method: &'static str,
-    /// `torsion` or `bending`.
-    pub motion: &'static str,
-    /// Positive-real margin.
-    pub margin: f64,
-}
-
-impl fmt::Display for Instability {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the responses in {} by {} are not positive-real (margin {:.2e}): \
-             a stuck site chatters and labels mean little",
-            self.motion, self.method, self.margin
-        )
-    }
-}
-
-/// Whether a positive-real margin says that a stuck site chatters.
-pub fn is_unstable(margin: f64) -> bool {
-    margin < STABLE_MARGIN
 }
 
 /// What a system is built from; `cuts` says whether a torque acts on the bit.

@@ -122,10 +122,10 @@ pub fn write_atomically(path: &Path, content: &[u8]) -> Result<()> {
     write_with_checksum(path, content).map(drop)
 }
 
-/// Writes a whole file that is to be known again.
+/// The same of a file that is to be known again.
 ///
 /// # Errors
-/// Where it cannot be written; what was there before stays.
+/// As [`write_atomically`].
 pub fn write_with_checksum(path: &Path, content: &[u8]) -> Result<Checksum> {
     let mut file = AtomicFile::create(path)?;
     file.write(content)?;
@@ -154,6 +154,19 @@ pub fn refuse_irregular(path: &Path) -> io::Result<()> {
         Ok(_) => "a device or a pipe",
     };
     Err(io::Error::other(format!("it is {what}, not a file")))
+}
+
+/// Opens what is to be a file, if it is there. A folder that is none is found when it is
+/// to be made.
+///
+/// # Errors
+/// Where it cannot be opened, or is something else.
+pub fn open_if_there(path: &Path) -> io::Result<Option<File>> {
+    refuse_irregular(path)?;
+    match File::open(path) {
+        Err(error) if is_absent(&error) => Ok(None),
+        file => file.map(Some),
+    }
 }
 
 /// A temporary file is private; a result is for everybody the folder is for.

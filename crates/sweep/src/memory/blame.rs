@@ -9,8 +9,9 @@ use super::demand::{Cost, Demand};
 use super::{Limit, Size};
 use crate::design::Design;
 use crate::engine::Survey;
-use crate::plan::{Setting, Sweep, Time};
+use crate::plan::{Setting, Sweep};
 use crate::quantities::Axis;
+use crate::sweep_file::AutoOr;
 
 /// A usual time simulated, s.
 const TIME: f64 = 10.0;
@@ -33,26 +34,27 @@ pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> 
             Size(cost.bytes)
         ),
     };
-    let suspects = suspects(demand.sweep);
-    let changed = suspects.iter().map(|suspect| {
-        let cost = suspect.usual(demand).cost(1);
-        (cost.too_long.is_some(), cost.bytes, suspect)
+    let suspects = suspects(demand.sweep).into_iter();
+    let changed = suspects.map(|(key, change)| (change.usual(demand).cost(1), key, change));
+    let least = changed.min_by(|(one, ..), (other, ..)| {
+        let by_length = one.too_long.is_some().cmp(&other.too_long.is_some());
+        by_length.then(one.bytes.total_cmp(&other.bytes))
     });
-    let least = changed.min_by(|one, other| {
-        let by_length = one.0.cmp(&other.0);
-        by_length.then(one.1.total_cmp(&other.1))
-    });
-    let matters = |too_long: bool, bytes: f64| {
-        cost.too_long.is_some() != too_long || bytes < (1.0 - LEAST_PART) * cost.bytes
+    let matters = |usual: &Cost| {
+        cost.too_long.is_some() != usual.too_long.is_some()
+            || usual.bytes < (1.0 - LEAST_PART) * cost.bytes
     };
     match least {
-        Some((too_long, bytes, suspect)) if matters(too_long, bytes) => {
-            let why = match suspect.change {
+        Some((usual, key, change)) if matters(&usual) => {
+            let why = match change {
                 Change::Time => longest_case(demand.sweep, survey),
                 _ => String::new(),
             };
-            let message = format!("{why}{what}");
-            demand.sweep.source.error(&suspect.key, message).into()
+            demand
+                .sweep
+                .source
+                .error(&key, format!("{why}{what}"))
+                .into()
         }
         _ => demand.sweep.source.error_of_file(what).into(),
     }
@@ -60,7 +62,7 @@ pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> 
 
 /// The case that lasts longest, in words, where the file does not give its time.
 fn longest_case(sweep: &Sweep, survey: &Survey) -> String {
-    if sweep.time != Time::Auto {
+    if sweep.time != AutoOr::Auto {
         return String::new();
     }
     let Some(case) = survey.longest_case else {
@@ -78,12 +80,7 @@ fn longest_case(sweep: &Sweep, survey: &Survey) -> String {
     format!("case {case}{values} lasts {:.3e} s and ", survey.longest)
 }
 
-/// A key, and what it changes.
-struct Suspect {
-    key: String,
-    change: Change,
-}
-
+/// What a key changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Change {
     Time,
@@ -95,19 +92,19 @@ enum Change {
     Sections,
 }
 
-impl Suspect {
-    /// The demand with a usual value at the key.
-    fn usual<'a>(&self, demand: &Demand<'a>) -> Demand<'a> {
+impl Change {
+    /// The demand with a usual value.
+    fn usual<'a>(self, demand: &Demand<'a>) -> Demand<'a> {
         let mut usual = demand.clone();
         for (setting, longest) in &mut usual.strings {
-            if self.change == Change::Time {
+            if self == Change::Time {
                 *longest = longest.min(TIME);
             } else {
-                self.change.make_usual(setting);
+                self.make_usual(setting);
             }
         }
         for method in &mut usual.methods {
-            *method = match (self.change, *method) {
+            *method = match (self, *method) {
                 (Change::Transforms, Method::Hilbert(_)) => Method::Hilbert(Transform::default()),
                 (Change::Transforms, Method::DirectIdft(_)) => {
                     Method::DirectIdft(Transform::default())
@@ -120,9 +117,7 @@ impl Suspect {
         }
         usual
     }
-}
 
-impl Change {
     fn make_usual(self, setting: &mut Setting) {
         match self {
             Change::Sites => setting.sites = Sites::bit(),
@@ -130,34 +125,31 @@ impl Change {
                 let usual = linear::estimates::sampling_frequency(&setting.string);
                 *setting = setting.sampled_at(setting.sampling_frequency.min(usual));
             }
-            Change::Damping => change_string(setting, |sections| sections, DAMPING),
+            Change::Damping => {
+                let sections = setting.string.sections().to_vec();
+                change_string(setting, sections, DAMPING);
+            }
             Change::Sections => {
-                let damping = setting.string.torsional_damping();
-                change_string(setting, short, damping);
+                let mut sections = setting.string.sections().to_vec();
+                for section in &mut sections {
+                    section.repeat = section.repeat.min(CELLS);
+                }
+                change_string(setting, sections, setting.string.torsional_damping());
             }
             Change::Time | Change::Transforms | Change::Elements => {}
         }
     }
 }
 
-fn change_string(setting: &mut Setting, of: fn(Vec<Section>) -> Vec<Section>, damping: f64) {
-    let string = &setting.string;
-    let sections = of(string.sections().to_vec());
-    if let Ok(changed) = Drillstring::new(string.material(), sections, damping) {
+fn change_string(setting: &mut Setting, sections: Vec<Section>, damping: f64) {
+    if let Ok(changed) = Drillstring::new(setting.string.material(), sections, damping) {
         setting.string = changed;
     }
 }
 
-fn short(mut sections: Vec<Section>) -> Vec<Section> {
-    for section in &mut sections {
-        section.repeat = section.repeat.min(CELLS);
-    }
-    sections
-}
-
 /// Every key that a demand may grow with; where two matter alike, the first is to
 /// blame.
-fn suspects(sweep: &Sweep) -> Vec<Suspect> {
+fn suspects(sweep: &Sweep) -> Vec<(String, Change)> {
     let mut list = vec![(time_key(sweep), Change::Time)];
     if sweep.setting.sites.len() > 1 {
         list.push(("sites".to_owned(), Change::Sites));
@@ -177,26 +169,22 @@ fn suspects(sweep: &Sweep) -> Vec<Suspect> {
             Method::Quadrature | Method::Trapezoidal => {}
         }
     }
-    list.push((
-        key_of(
-            sweep,
+    for (begins, fixed, change) in [
+        (
             "torsional_damping",
             "string.torsional_damping_nms_rad_m",
+            Change::Damping,
         ),
-        Change::Damping,
-    ));
-    list.push((
-        key_of(sweep, "section", "string.sections"),
-        Change::Sections,
-    ));
-    list.into_iter()
-        .map(|(key, change)| Suspect { key, change })
-        .collect()
+        ("section", "string.sections", Change::Sections),
+    ] {
+        list.push((key_of(sweep, begins, fixed), change));
+    }
+    list
 }
 
 /// What makes cases long: their time or, where that follows from them, their speed.
 fn time_key(sweep: &Sweep) -> String {
-    if sweep.time != Time::Auto {
+    if sweep.time != AutoOr::Auto {
         return "time_s".to_owned();
     }
     key_of(sweep, &Axis::SurfaceSpeedRpm.name(), "surface_speed_rpm")

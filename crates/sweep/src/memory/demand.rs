@@ -55,11 +55,18 @@ pub struct Demand<'a> {
     pub methods: Vec<Method>,
     /// The string as the file says it and, where axes change the string, that of its
     /// cases which takes most.
-    pub strings: Vec<(Setting, Longest)>,
+    /// Each with the longest time of its cases, s.
+    pub strings: Vec<(Setting, f64)>,
 }
 
-/// The longest time of a string's cases, s.
-pub type Longest = f64;
+/// What a command is going to take.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The most at any time, bytes.
+    pub bytes: f64,
+    /// Distinct strings to build at once.
+    pub strings_at_once: usize,
+}
 
 /// What a demand takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,7 +81,7 @@ impl<'a> Demand<'a> {
     /// Of a command that builds `setting`.
     ///
     /// # Errors
-    /// Where the string that takes most cannot be.
+    /// Where the values of the string that takes most make none.
     pub fn of(
         sweep: &'a Sweep,
         setting: &Setting,
@@ -100,7 +107,8 @@ impl<'a> Demand<'a> {
         let mut case: f64 = 0.0;
         let mut too_long = None;
         for (index, (setting, longest)) in self.strings.iter().enumerate() {
-            let string = self.memory_of(setting, *longest);
+            let cuts = self.sweep.bit.is_some();
+            let string = StringMemory::of(setting, &self.methods, cuts, *longest);
             let count = if index == 0 { 1 } else { strings_at_once };
             systems = systems.then(string.systems.times(count));
             case = case.max(string.case);
@@ -108,10 +116,6 @@ impl<'a> Demand<'a> {
         }
         let bytes = self.own() + ALLOCATOR * systems.then(self.use_of(case)).peak;
         Cost { bytes, too_long }
-    }
-
-    fn memory_of(&self, setting: &Setting, longest: f64) -> StringMemory {
-        StringMemory::of(setting, &self.methods, self.sweep.bit.is_some(), longest)
     }
 
     /// What the program holds whatever it builds.
@@ -158,11 +162,15 @@ impl<'a> Demand<'a> {
             Purpose::Look => Memory::lasting(methods * line * steps),
         }
     }
-}
 
-/// How many of the strings of its cases may be built at once, within a limit.
-pub fn strings_at_once(demand: &Demand, limit: &Limit) -> usize {
-    let most = STRINGS_PER_THREAD * current_num_threads();
-    let fits = |count: &usize| demand.cost(*count).bytes <= limit.bytes;
-    (1..=most).rev().find(fits).unwrap_or(1)
+    /// With as many strings at once as a limit allows.
+    pub fn within(&self, limit: &Limit) -> Estimate {
+        let most = STRINGS_PER_THREAD * current_num_threads();
+        let fits = |count: &usize| self.cost(*count).bytes <= limit.bytes;
+        let strings_at_once = (1..=most).rev().find(fits).unwrap_or(1);
+        Estimate {
+            bytes: self.cost(strings_at_once).bytes,
+            strings_at_once,
+        }
+    }
 }

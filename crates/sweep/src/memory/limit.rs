@@ -63,43 +63,32 @@ impl fmt::Display for Size {
 pub struct Limit {
     /// Bytes.
     pub bytes: f64,
-    source: Source,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Source {
-    CommandLine,
-    Slurm,
-    Machine,
-    Unknown,
+    /// In words that follow the amount.
+    source: &'static str,
 }
 
 impl Limit {
     /// The limit given on the command line, or that of where this runs.
     pub fn of(given: Option<Size>) -> Self {
-        let limit = |bytes, source| Self { bytes, source };
-        if let Some(Size(bytes)) = given {
-            return limit(bytes, Source::CommandLine);
-        }
-        if let Some(bytes) = allotted() {
-            return limit(bytes, Source::Slurm);
-        }
-        match available() {
-            Some(bytes) => limit(PART * bytes, Source::Machine),
-            None => limit(UNKNOWN_MACHINE, Source::Unknown),
-        }
+        let (bytes, source) = if let Some(Size(bytes)) = given {
+            (bytes, "given by --memory")
+        } else if let Some(bytes) = allotted() {
+            (bytes, "allotted by Slurm")
+        } else if let Some(bytes) = available() {
+            (PART * bytes, "half of what this machine gives")
+        } else {
+            (
+                UNKNOWN_MACHINE,
+                "for this machine does not tell what it has",
+            )
+        };
+        Self { bytes, source }
     }
 }
 
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let whose = match self.source {
-            Source::CommandLine => "given by --memory",
-            Source::Slurm => "allotted by Slurm",
-            Source::Machine => "half of what this machine gives",
-            Source::Unknown => "for this machine does not tell what it has",
-        };
-        write!(f, "{}, {whose}", Size(self.bytes))
+        write!(f, "{}, {}", Size(self.bytes), self.source)
     }
 }
 
@@ -172,18 +161,8 @@ mod tests {
         ] {
             assert_eq!(text.parse(), Ok(Size(bytes)), "{text}");
         }
-        for text in [
-            "",
-            "G",
-            "8X",
-            "8 parsecs",
-            "-1G",
-            "nan",
-            "infG",
-            "0",
-            "1e400",
-            "8GB",
-        ] {
+        let wrong = "/G/8X/8 parsecs/-1G/nan/infG/0/1e400/8GB";
+        for text in wrong.split('/') {
             assert!(text.parse::<Size>().is_err(), "{text}");
         }
     }

@@ -13,23 +13,14 @@ use anyhow::Result;
 
 use crate::engine::Survey;
 use crate::plan::{Setting, Sweep};
-pub use demand::Purpose;
-use demand::{Demand, strings_at_once};
+use demand::Demand;
+pub use demand::{Estimate, Purpose};
 pub use limit::{Limit, Size};
 
-/// What a command is going to take.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Estimate {
-    /// The most at any time, bytes.
-    pub bytes: f64,
-    /// Distinct strings to build at once.
-    pub strings_at_once: usize,
-}
-
-/// Estimates what a command takes that builds `setting` for the cases surveyed.
+/// What a command takes that builds `setting` for the cases surveyed.
 ///
 /// # Errors
-/// Where the string that takes most cannot be.
+/// Where the values of the string that takes most make none.
 pub fn estimate(
     sweep: &Sweep,
     setting: &Setting,
@@ -37,8 +28,7 @@ pub fn estimate(
     purpose: Purpose,
     limit: &Limit,
 ) -> Result<Estimate> {
-    let demand = Demand::of(sweep, setting, survey, purpose)?;
-    Ok(within(&demand, limit))
+    Ok(Demand::of(sweep, setting, survey, purpose)?.within(limit))
 }
 
 /// The same, for a command that is about to begin.
@@ -58,14 +48,5 @@ pub fn admit(
     if cost.too_long.is_some() || cost.bytes > limit.bytes {
         return Err(blame::refusal(&demand, survey, &cost, limit));
     }
-    Ok(within(&demand, limit))
-}
-
-/// As many strings at once as the limit allows.
-fn within(demand: &Demand, limit: &Limit) -> Estimate {
-    let strings_at_once = strings_at_once(demand, limit);
-    Estimate {
-        bytes: demand.cost(strings_at_once).bytes,
-        strings_at_once,
-    }
+    Ok(demand.within(limit))
 }

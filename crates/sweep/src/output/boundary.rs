@@ -96,7 +96,10 @@ fn stick_slip_limit(
         let undershoot = largest_undershoot(taps);
         for value in along_axis(sweep, position) {
             let conditions = sweep.conditions.with(axis, value);
-            let Some(torque) = bit.torque_dynamic(&conditions)? else {
+            let Some(torque) = bit
+                .torque_dynamic(&conditions)
+                .map_err(|error| error.to_string())?
+            else {
                 continue;
             };
             let torques = bit.torques(torque);

@@ -10,7 +10,7 @@ use sim::{Ended, Label, LateralMeasures, LateralRegime, Outcome, TorsionMeasures
 
 use super::labels::{FAILED, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
 use super::motion::Labels;
-use crate::engine::Record;
+use crate::engine::{Failure, Record};
 use crate::hand_table::{HandTable, Mistake, number};
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
@@ -94,7 +94,7 @@ impl LabelColumns {
                 .map_err(|_| format!("`{case}` is not a case number"))?,
             method: field(self.method).to_owned(),
             values: (self.values.iter())
-                .map(|&column| number(field(column)))
+                .map(|&column| number(field(column)).map_err(|error| error.to_string()))
                 .collect::<Result<_, _>>()?,
             labels: Labels {
                 torsion: regime("torsion", field(self.torsion), &TorsionRegime::ALL)?,
@@ -220,12 +220,12 @@ pub fn record_of(
     let method = table.methods.iter().position(|method| *method == name)?;
     let values = sweep.design.values(case);
     values.iter().try_for_each(|_| fields.word().map(drop))?;
-    let mut record = Record::failed(case, method, values, "");
+    let mut record = Record::failed(case, method, values, Failure::new(""));
     if table.shows_torque {
         record.torque_dynamic_nm = fields.optional()?;
     }
     record.outcome = match reason(case, name) {
-        Some(reason) => Err(reason),
+        Some(reason) => Err(Failure::new(reason)),
         None => Ok(fields.outcome(sweep, &mut record)?),
     };
     // What is left out above, such as the values, is compared here.

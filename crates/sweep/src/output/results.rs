@@ -135,7 +135,7 @@ impl<'a> TableWriter<'a> {
             Ok(outcome) => (Labels::of(outcome), outcome.predicted),
             Err(reason) => {
                 let command = self.repeat.command(record.case, method);
-                let row = failures_row(record.case, method, reason, &command)?;
+                let row = failures_row(record.case, method, reason.text(), &command)?;
                 self.failures.write(&row)?;
                 Default::default()
             }

@@ -75,7 +75,7 @@ impl ResultTables {
         about.manifest.tally = write_so_far(&about, &view, &folder)?;
         Ok(Some(Self {
             so_far: Some(SoFar {
-                done: view.count(),
+                done: view.counts.done,
                 of: about.simulations,
             }),
             manifest: about.manifest,

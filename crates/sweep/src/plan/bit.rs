@@ -2,6 +2,7 @@
 
 use sim::laws::rock::{CuttingLaw, PoorCleaning, RockError};
 use sim::{BitTorque, Rock};
+use thiserror::Error;
 
 use super::conditions::Conditions;
 use crate::quantities::Axis;
@@ -16,34 +17,56 @@ pub struct Bit {
     pub static_ratio: f64,
 }
 
-impl Bit {
-    /// T_d (N m) under the given conditions, where they say enough; the error
-    /// is a sentence.
-    pub fn torque_dynamic(&self, conditions: &Conditions) -> Result<Option<f64>, String> {
-        match (
-            conditions.torque_dynamic_nm,
-            conditions.weight_on_bit_kn,
-            &self.rock,
-        ) {
-            (Some(torque), _, _) => Ok(Some(torque)),
-            (None, Some(weight), Some(rock)) => rock
-                .torque_dynamic(1e3 * weight)
-                .map(Some)
-                .map_err(|error| {
-                    let RockError::OutsideTable {
-                        value, from, to, ..
-                    } = error
-                    else {
-                        return error.to_string();
-                    };
-                    let [value, from, to] = [value, from, to].map(|weight| weight / 1e3);
-                    format!(
-                        "{value} kN is outside the rock's table, {from} to {to} kN; \
-                         it must reach as far as the weights"
-                    )
-                }),
-            _ => Ok(None),
+/// Why a rock gives no torque for a weight on bit.
+#[derive(Debug, Error)]
+pub enum TorqueError {
+    /// Its table is too short.
+    #[error(
+        "{weight} kN is outside the rock's table, {from} to {to} kN; \
+         it must reach as far as the weights"
+    )]
+    OutsideTable {
+        /// The weight on bit, kN.
+        weight: f64,
+        /// The least weight of the table, kN.
+        from: f64,
+        /// The greatest weight of the table, kN.
+        to: f64,
+    },
+    /// Another reason.
+    #[error(transparent)]
+    Rock(RockError),
+}
+
+impl From<RockError> for TorqueError {
+    /// With weights in kN, as the user gives them.
+    fn from(error: RockError) -> Self {
+        match error {
+            RockError::OutsideTable {
+                value, from, to, ..
+            } => Self::OutsideTable {
+                weight: value / 1e3,
+                from: from / 1e3,
+                to: to / 1e3,
+            },
+            other => Self::Rock(other),
         }
+    }
+}
+
+impl Bit {
+    /// T_d (N m) under the given conditions, where they say enough.
+    ///
+    /// # Errors
+    /// Where the rock gives none for the weight on bit.
+    pub fn torque_dynamic(&self, conditions: &Conditions) -> Result<Option<f64>, TorqueError> {
+        if let Some(torque) = conditions.torque_dynamic_nm {
+            return Ok(Some(torque));
+        }
+        let Some((weight, rock)) = conditions.weight_on_bit_kn.zip(self.rock.as_ref()) else {
+            return Ok(None);
+        };
+        Ok(Some(rock.torque_dynamic(1e3 * weight)?))
     }
 
     /// Both torque limits for a dynamic torque.
@@ -58,15 +81,10 @@ impl Bit {
 /// The torque law of `[bit]`.
 ///
 /// # Errors
-/// Where it can be none.
+/// Where a key of it is refused.
 pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
-    source.within(
-        "bit.torque_static_ratio",
-        bit.torque_static_ratio,
-        1.0,
-        10.0,
-        "",
-    )?;
+    let static_ratio = bit.torque_static_ratio;
+    source.within("bit.torque_static_ratio", static_ratio, 1.0, 10.0, "")?;
     let rock = match (bit.rock, bit.law, &bit.table_kn_nm) {
         (None, None, None) => None,
         (Some(RockName::Sandstone), None, None) => Some(Rock::sandstone()),
@@ -85,75 +103,43 @@ pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
             return Err(source.error("bit.rock", message));
         }
     };
-    Ok(Bit {
-        rock,
-        static_ratio: bit.torque_static_ratio,
-    })
+    Ok(Bit { rock, static_ratio })
 }
 
-fn law(source: &Source, law: &LawTable) -> Result<CuttingLaw, SweepFileError> {
-    let checks = [
-        ("bit_radius_m", law.bit_radius_m, 1e-3, 2.0, "m"),
-        (
-            "specific_energy_mpa",
-            law.specific_energy_mpa,
-            0.1,
-            1e4,
-            "MPa",
-        ),
-        ("cutting_ratio", law.cutting_ratio, 1e-2, 10.0, ""),
-        ("friction", law.friction, 0.0, 10.0, ""),
-        (
-            "contact_strength_mpa",
-            law.contact_strength_mpa,
-            0.1,
-            1e4,
-            "MPa",
-        ),
-        ("contact_growth", law.contact_growth, 1e-3, 1e3, ""),
-        ("wear_flat_mm", law.wear_flat_mm, 1e-3, 1e3, "mm"),
-    ];
-    for (key, value, least, most, unit) in checks {
+fn law(source: &Source, table: &LawTable) -> Result<CuttingLaw, SweepFileError> {
+    let within = |key: &str, value: f64, least: f64, most: f64, unit: &'static str| {
         source.within(&format!("bit.law.{key}"), value, least, most, unit)?;
-    }
-    let poor_cleaning = match (law.poor_cleaning_from_kn, law.poor_cleaning_nm_per_kn) {
-        (None, None) => None,
-        (Some(from), Some(slope)) => {
-            source.within("bit.law.poor_cleaning_from_kn", from, 1e-3, 1e5, "kN")?;
-            source.within(
-                "bit.law.poor_cleaning_nm_per_kn",
-                slope,
-                1e-6,
-                1e6,
-                "N m/kN",
-            )?;
-            Some(PoorCleaning {
-                weight_on_bit: 1e3 * from,
-                slope: 1e-3 * slope,
-            })
-        }
+        Ok(value)
+    };
+    let (energy, strength) = (table.specific_energy_mpa, table.contact_strength_mpa);
+    let mut law = CuttingLaw {
+        bit_radius: within("bit_radius_m", table.bit_radius_m, 1e-3, 2.0, "m")?,
+        specific_energy: 1e6 * within("specific_energy_mpa", energy, 0.1, 1e4, "MPa")?,
+        cutting_ratio: within("cutting_ratio", table.cutting_ratio, 1e-2, 10.0, "")?,
+        friction: within("friction", table.friction, 0.0, 10.0, "")?,
+        contact_strength: 1e6 * within("contact_strength_mpa", strength, 0.1, 1e4, "MPa")?,
+        contact_growth: within("contact_growth", table.contact_growth, 1e-3, 1e3, "")?,
+        wear_flat: 1e-3 * within("wear_flat_mm", table.wear_flat_mm, 1e-3, 1e3, "mm")?,
+        poor_cleaning: None,
+    };
+    let (from, slope) = match (table.poor_cleaning_from_kn, table.poor_cleaning_nm_per_kn) {
+        (None, None) => return Ok(law),
+        (Some(from), Some(slope)) => (from, slope),
         _ => {
             let message = "poor cleaning needs both `poor_cleaning_from_kn` \
                            and `poor_cleaning_nm_per_kn`";
             return Err(source.error("bit.law", message));
         }
     };
-    let law = CuttingLaw {
-        bit_radius: law.bit_radius_m,
-        specific_energy: 1e6 * law.specific_energy_mpa,
-        cutting_ratio: law.cutting_ratio,
-        friction: law.friction,
-        contact_strength: 1e6 * law.contact_strength_mpa,
-        contact_growth: law.contact_growth,
-        wear_flat: 1e-3 * law.wear_flat_mm,
-        poor_cleaning,
-    };
-    if let Some(poor) = poor_cleaning
-        && poor.weight_on_bit <= law.end_of_phase_one().0
-    {
+    law.poor_cleaning = Some(PoorCleaning {
+        weight_on_bit: 1e3 * within("poor_cleaning_from_kn", from, 1e-3, 1e5, "kN")?,
+        slope: 1e-3 * within("poor_cleaning_nm_per_kn", slope, 1e-6, 1e6, "N m/kN")?,
+    });
+    let end = law.end_of_phase_one().0;
+    if 1e3 * from <= end {
         let message = format!(
             "poor cleaning begins in phase II, above {} kN here",
-            1e-3 * law.end_of_phase_one().0
+            1e-3 * end
         );
         return Err(source.error("bit.law.poor_cleaning_from_kn", message));
     }

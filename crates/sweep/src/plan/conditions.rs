@@ -22,6 +22,15 @@ pub struct Conditions {
 }
 
 impl Conditions {
+    /// The axes that change them.
+    pub const AXES: [Axis; 5] = [
+        Axis::SurfaceSpeedRpm,
+        Axis::WeightOnBitKn,
+        Axis::TorqueDynamicNm,
+        Axis::ImpulseRatio,
+        Axis::Friction,
+    ];
+
     /// These conditions with one of them changed. Weight on bit and torque
     /// replace one another.
     pub fn with(mut self, axis: Axis, value: f64) -> Self {
@@ -74,7 +83,7 @@ pub fn to_rpm(speed: f64) -> f64 {
 /// What the file says of the conditions.
 ///
 /// # Errors
-/// Where a value cannot be.
+/// Where a value is refused.
 pub fn resolve(source: &Source, content: &FileContent) -> Result<Conditions, SweepFileError> {
     let bit = content.bit.as_ref();
     let conditions = Conditions {
@@ -114,12 +123,10 @@ pub fn are_complete(
         let message = "is needed: give a number, or make it an axis of the design";
         return Err(source.error("surface_speed_rpm", message));
     }
-    let torque = design
-        .axes()
-        .iter()
-        .find(|axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm));
+    let gives_torque = |axis: &&Axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
+    let mut torques = design.axes().iter().filter(gives_torque);
     let Some(bit) = bit else {
-        return torque.map_or(Ok(()), |axis| {
+        return torques.next().map_or(Ok(()), |axis| {
             let message = format!("the axis {} needs a table [bit]", axis.name());
             Err(source.error("design", message))
         });
@@ -129,9 +136,7 @@ pub fn are_complete(
                        `sandstone`, `shale`, `law` or `table`";
         return Err(source.error("bit.rock", message));
     }
-    if design.axes().contains(&Axis::WeightOnBitKn)
-        && design.axes().contains(&Axis::TorqueDynamicNm)
-    {
+    if torques.count() > 1 {
         let message = "weight on bit and torque cannot both be axes: one gives the other";
         return Err(source.error("design", message));
     }

@@ -1,7 +1,7 @@
 //! Whatever is done to a sweep file, reading it gives a sweep or a sentence.
 
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -158,7 +158,7 @@ static SWEEPS: LazyLock<Vec<Vec<PathBuf>>> = LazyLock::new(|| {
 
 fn files_of(path: &Path) -> Vec<PathBuf> {
     let read = RefCell::new(Vec::new());
-    let sweep = Sweep::read_from(path, &|path, _| {
+    let sweep = Sweep::read_from(path, &[], &|path, _| {
         read.borrow_mut().push(path.to_owned());
         text_of(path, &BTreeMap::new())
     });
@@ -169,13 +169,11 @@ fn files_of(path: &Path) -> Vec<PathBuf> {
 /// Every line of them.
 static LINES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let texts = SHIPPED.values().map(|text| String::from_utf8_lossy(text));
-    let mut lines: Vec<String> = texts
+    let lines: BTreeSet<String> = texts
         .flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>())
         .filter(|line| !line.starts_with('#') && !line.is_empty())
         .collect();
-    lines.sort();
-    lines.dedup();
-    lines
+    lines.into_iter().collect()
 });
 
 /// Every key and name in them.
@@ -186,18 +184,14 @@ static WORDS: LazyLock<Vec<String>> = LazyLock::new(|| {
             .map(str::to_owned)
             .collect()
     };
-    let mut words: Vec<String> = LINES.iter().flat_map(split).collect();
-    words.sort();
-    words.dedup();
-    words
+    let words: BTreeSet<String> = LINES.iter().flat_map(split).collect();
+    words.into_iter().collect()
 });
 
 /// A change at some place of a text.
 #[derive(Debug, Clone)]
 enum Change {
     DropLine(Index),
-    RepeatLine(Index, Index),
-    SwapLines(Index, Index),
     /// A line of any file.
     AddLine(Index, String),
     /// What follows the `=` of a line.
@@ -223,9 +217,7 @@ fn change() -> impl Strategy<Value = Change> {
     let place = any::<Index>;
     prop_oneof![
         1 => place().prop_map(Change::DropLine),
-        1 => (place(), place()).prop_map(|(line, to)| Change::RepeatLine(line, to)),
-        1 => (place(), place()).prop_map(|(one, other)| Change::SwapLines(one, other)),
-        2 => (place(), select(&LINES[..])).prop_map(|(to, line)| Change::AddLine(to, line)),
+        4 => (place(), select(&LINES[..])).prop_map(|(to, line)| Change::AddLine(to, line)),
         3 => (place(), piece()).prop_map(|(line, piece)| Change::SetValue(line, piece)),
         5 => (place(), piece()).prop_map(|(token, piece)| Change::SetToken(token, piece)),
         1 => (place(), 0..6usize, piece())
@@ -251,14 +243,6 @@ fn changed(text: &[u8], change: &Change) -> Vec<u8> {
     match change {
         Change::DropLine(line) => {
             lines.remove(line.index(count));
-            lines.concat()
-        }
-        Change::RepeatLine(line, to) => {
-            lines.insert(to.index(count), lines[line.index(count)]);
-            lines.concat()
-        }
-        Change::SwapLines(one, other) => {
-            lines.swap(one.index(count), other.index(count));
             lines.concat()
         }
         Change::AddLine(to, line) => {
@@ -314,7 +298,7 @@ fn text_of(path: &Path, instead: &Texts) -> std::io::Result<String> {
 /// does what a run does before it simulates; tells whether there is something to
 /// run.
 fn read(path: &Path, instead: &Texts) -> bool {
-    let sweep = match Sweep::read_from(path, &|path, _| text_of(path, instead)) {
+    let sweep = match Sweep::read_from(path, &[], &|path, _| text_of(path, instead)) {
         Ok(sweep) => sweep,
         Err(error) => {
             is_a_sentence(&error, instead);

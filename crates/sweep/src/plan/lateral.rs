@@ -7,7 +7,6 @@ use sim::EccentricMass;
 use super::conditions::Conditions;
 use super::impulses::{self, ImpulseSettings};
 use super::sites::site_of;
-use super::string::measure;
 use super::wall::{self, WallSettings};
 use crate::design::Design;
 use crate::quantities::{Axis, StringAxis};
@@ -33,7 +32,7 @@ pub struct LateralSettings {
 /// The lateral part, where the file has a wall.
 ///
 /// # Errors
-/// Where it can be none.
+/// Where a key of it is refused.
 pub fn resolve(
     source: &Source,
     content: &FileContent,
@@ -89,17 +88,12 @@ fn refuse_keys(
     content: &FileContent,
     design: &Design,
 ) -> Result<(), SweepFileError> {
+    let varies = |axis| design.axes().contains(&axis);
     let keys = [
         ("impulses", !content.impulses.is_empty()),
         ("eccentric_masses", !content.eccentric_masses.is_empty()),
-        (
-            "design.axes.impulse_ratio",
-            design.axes().contains(&Axis::ImpulseRatio),
-        ),
-        (
-            "design.axes.friction",
-            design.axes().contains(&Axis::Friction),
-        ),
+        ("design.axes.impulse_ratio", varies(Axis::ImpulseRatio)),
+        ("design.axes.friction", varies(Axis::Friction)),
     ];
     match keys.into_iter().find(|(_, given)| *given) {
         Some((key, _)) => Err(source.error(key, "needs a table [wall]")),
@@ -114,20 +108,13 @@ fn bending(
     let key = |name: &str| format!("string.bending.{name}");
     let modulus = table.youngs_modulus_gpa;
     source.within(&key("youngs_modulus_gpa"), modulus, 0.1, 1e3, "GPa")?;
-    let damping = table.damping_ns_m2;
-    measure(
-        source,
-        &key("damping_ns_m2"),
-        StringAxis::BendingDamping,
-        damping,
-    )?;
-    let compression = table.compression_kn;
-    measure(
-        source,
-        &key("compression_kn"),
-        StringAxis::Compression,
-        compression,
-    )?;
+    let (damping, compression) = (table.damping_ns_m2, table.compression_kn);
+    for (name, axis, value) in [
+        ("damping_ns_m2", StringAxis::BendingDamping, damping),
+        ("compression_kn", StringAxis::Compression, compression),
+    ] {
+        source.check_axis(&key(name), Axis::String(axis), value)?;
+    }
     let bending = Bending {
         youngs_modulus: 1e9 * modulus,
         damping,
@@ -148,12 +135,8 @@ fn eccentric_mass(
     sites: &Sites,
 ) -> Result<EccentricMass, SweepFileError> {
     let key = |name: &str| format!("eccentric_masses[{index}].{name}");
-    let site = site_of(
-        source,
-        &key("distance_from_bit_m"),
-        table.distance_from_bit_m,
-        sites,
-    )?;
+    let distance = table.distance_from_bit_m;
+    let site = site_of(source, &key("distance_from_bit_m"), distance, sites)?;
     source.within(&key("mass_kg"), table.mass_kg, 0.0, 1e6, "kg")?;
     source.within(&key("offset_m"), table.offset_m, 0.0, 10.0, "m")?;
     Ok(EccentricMass {

@@ -76,14 +76,15 @@ fn mark(
     (x, y): (Axis, Axis),
     bit: Option<&Bit>,
 ) -> Result<MapMark, SweepFileError> {
-    for (axis, value) in [
-        (Axis::SurfaceSpeedRpm, mark.surface_speed_rpm),
-        (Axis::WeightOnBitKn, mark.weight_on_bit_kn),
-        (Axis::TorqueDynamicNm, mark.torque_dynamic_nm),
-        (Axis::ImpulseRatio, mark.impulse_ratio),
-        (Axis::Friction, mark.friction),
-    ] {
-        if let Some(value) = value {
+    let mut conditions = Conditions {
+        surface_speed_rpm: mark.surface_speed_rpm,
+        weight_on_bit_kn: mark.weight_on_bit_kn,
+        torque_dynamic_nm: mark.torque_dynamic_nm,
+        impulse_ratio: mark.impulse_ratio,
+        friction: mark.friction,
+    };
+    for axis in Conditions::AXES {
+        if let Some(value) = conditions.value(axis) {
             let key = format!("map.marks[{index}].{}", axis.name());
             source.check_axis(&key, axis, value)?;
         }
@@ -92,13 +93,7 @@ fn mark(
         let rock = bit?.rock.as_ref()?;
         Some(1e-3 * rock.weight_on_bit(mark.torque_dynamic_nm?).ok()?)
     };
-    let conditions = Conditions {
-        surface_speed_rpm: mark.surface_speed_rpm,
-        weight_on_bit_kn: mark.weight_on_bit_kn.or_else(weight_for_torque),
-        torque_dynamic_nm: mark.torque_dynamic_nm,
-        impulse_ratio: mark.impulse_ratio,
-        friction: mark.friction,
-    };
+    conditions.weight_on_bit_kn = conditions.weight_on_bit_kn.or_else(weight_for_torque);
     let value = |axis: Axis| {
         conditions.value(axis).ok_or_else(|| {
             let message = format!("does not say its {}", axis.name());

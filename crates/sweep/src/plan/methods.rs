@@ -12,7 +12,7 @@ const MOST_ELEMENTS_PER_CELL: usize = 10_000;
 /// its methods itself.
 ///
 /// # Errors
-/// Where one cannot be.
+/// Where one is refused.
 pub fn resolve(
     source: &Source,
     content: &FileContent,
@@ -30,14 +30,8 @@ pub fn resolve(
         (MethodName::DirectIdft, content.method.direct_idft),
     ] {
         if let Some(seconds) = transform.seconds.filter(|_| counts(name)) {
-            let key = name.name();
-            source.within(
-                &format!("method.{key}.transform_s"),
-                seconds,
-                1e-2,
-                1e5,
-                "s",
-            )?;
+            let key = format!("method.{}.transform_s", name.name());
+            source.within(&key, seconds, 1e-2, 1e5, "s")?;
         }
     }
     for (index, name) in content.methods.iter().enumerate() {

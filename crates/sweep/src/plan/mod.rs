@@ -20,7 +20,7 @@ mod tests;
 mod texts;
 mod wall;
 
-pub use bit::Bit;
+pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
 pub use conditions::{Conditions, to_rpm};
 pub use impulses::{ImpulseSettings, LARGEST_IMPULSE};
@@ -28,4 +28,4 @@ pub use lateral::LateralSettings;
 pub use map::{MapMark, MapSettings};
 pub use setting::Setting;
 pub use sheet::{INCH, POUND_PER_FOOT};
-pub use sweep::{Sweep, Time};
+pub use sweep::Sweep;

@@ -54,7 +54,7 @@ impl Setting {
     /// The setting that a file describes.
     ///
     /// # Errors
-    /// Where there can be none.
+    /// Where a key of it is refused.
     pub(super) fn resolve(
         source: &Source,
         content: &FileContent,

@@ -101,7 +101,7 @@ mod tests {
              torsional_damping_nms_rad_m = 1\n[[string.sections]]\nrepeat = 3\nparts = [{}]\n",
             parts.join(", ")
         );
-        let sweep = Sweep::read_from(Path::new("a.toml"), &|_, _| Ok(text.clone())).unwrap();
+        let sweep = Sweep::read_from(Path::new("a.toml"), &[], &|_, _| Ok(text.clone())).unwrap();
         let doubts = sweep.doubts_about_string();
         doubts.iter().map(SweepFileError::to_string).collect()
     }

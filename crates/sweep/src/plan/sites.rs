@@ -21,12 +21,8 @@ pub fn resolve(
         if content.sites.is_empty() || (content.bit.is_some() && !bit_is_site) {
             let message = "a wall needs [[sites]] where it may be touched, \
                            the bit among them if it cuts";
-            let key = if content.sites.is_empty() {
-                "wall"
-            } else {
-                "sites"
-            };
-            return Err(source.error(key, message));
+            let is_empty = content.sites.is_empty();
+            return Err(source.error(if is_empty { "wall" } else { "sites" }, message));
         }
     }
     // How many distances there are with each site.
@@ -62,9 +58,7 @@ pub fn site_of(
     let index = distances.partition_point(|site| *site > distance);
     let found = distances.get(index).filter(|site| **site == distance);
     found.map(|_| index).ok_or_else(|| {
-        let known: Vec<String> = (sites.distances_from_bit().iter())
-            .map(|site| format!("{site}"))
-            .collect();
+        let known: Vec<String> = distances.iter().map(f64::to_string).collect();
         let message = format!(
             "no site is {distance} m from the bit; there are sites at {} m",
             known.join(", ")

@@ -9,30 +9,15 @@ use crate::sweep_file::{FileContent, SectionTable, Source, SweepFileError};
 /// The drillstring that the file describes.
 ///
 /// # Errors
-/// Where it can be none.
+/// Where a number of it is refused.
 pub fn resolve(source: &Source, content: &FileContent) -> Result<Drillstring, SweepFileError> {
     let table = &content.string;
-    source.within(
-        "string.shear_modulus_gpa",
-        table.shear_modulus_gpa,
-        0.1,
-        1e3,
-        "GPa",
-    )?;
-    source.within(
-        "string.density_kg_m3",
-        table.density_kg_m3,
-        100.0,
-        3e4,
-        "kg/m³",
-    )?;
+    let (modulus, density) = (table.shear_modulus_gpa, table.density_kg_m3);
+    source.within("string.shear_modulus_gpa", modulus, 0.1, 1e3, "GPa")?;
+    source.within("string.density_kg_m3", density, 100.0, 3e4, "kg/m³")?;
     let damping = table.torsional_damping_nms_rad_m;
-    measure(
-        source,
-        "string.torsional_damping_nms_rad_m",
-        StringAxis::TorsionalDamping,
-        damping,
-    )?;
+    let axis = Axis::String(StringAxis::TorsionalDamping);
+    source.check_axis("string.torsional_damping_nms_rad_m", axis, damping)?;
     for (section, data) in table.sections.iter().enumerate() {
         self::section(source, section, data)?;
     }
@@ -49,8 +34,8 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Drillstring, Sw
             .collect(),
     });
     let material = Material {
-        shear_modulus: 1e9 * table.shear_modulus_gpa,
-        density: table.density_kg_m3,
+        shear_modulus: 1e9 * modulus,
+        density,
     };
     let string = Drillstring::new(material, sections.collect(), damping)
         .map_err(|error| source.error(&key_of(&error), error.to_string()))?;
@@ -83,48 +68,23 @@ fn length(source: &Source, string: &Drillstring) -> Result<(), SweepFileError> {
     Err(source.error(&key, message))
 }
 
+/// A quantity that could be an axis too has one range for both.
 fn section(source: &Source, section: usize, table: &SectionTable) -> Result<(), SweepFileError> {
     let key = format!("string.sections[{section}]");
-    let repeat = table.repeat as f64;
-    measure(
-        source,
-        &format!("{key}.repeat"),
-        StringAxis::Repeat { section },
-        repeat,
-    )?;
+    let axis = Axis::String(StringAxis::Repeat { section });
+    source.check_axis(&format!("{key}.repeat"), axis, table.repeat as f64)?;
     for (part, tube) in table.parts.iter().enumerate() {
-        for (name, of_tube, value) in [
-            ("length_m", TubeMeasure::Length, tube.length_m),
-            (
-                "inner_radius_m",
-                TubeMeasure::InnerRadius,
-                tube.inner_radius_m,
-            ),
-            (
-                "outer_radius_m",
-                TubeMeasure::OuterRadius,
-                tube.outer_radius_m,
-            ),
-        ] {
-            let axis = StringAxis::Tube {
+        for measure in TubeMeasure::ALL {
+            let axis = Axis::String(StringAxis::Tube {
                 section,
                 part,
-                measure: of_tube,
-            };
-            measure(source, &format!("{key}.parts[{part}].{name}"), axis, value)?;
+                measure,
+            });
+            let key = format!("{key}.parts[{part}].{}", measure.key());
+            source.check_axis(&key, axis, *tube.clone().measure(measure))?;
         }
     }
     Ok(())
-}
-
-/// A quantity that could be an axis too has one range for both.
-pub fn measure(
-    source: &Source,
-    key: &str,
-    axis: StringAxis,
-    value: f64,
-) -> Result<(), SweepFileError> {
-    source.check_axis(key, Axis::String(axis), value)
 }
 
 /// An axis of the string must have something to change.

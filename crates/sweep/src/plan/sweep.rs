@@ -32,8 +32,8 @@ pub struct Sweep {
     pub methods: Vec<Method>,
     /// What was chosen for the accuracy asked for.
     pub choice: Option<Choice>,
-    /// Time simulated.
-    pub time: Time,
+    /// Time simulated, s; by default until the regime can be told.
+    pub time: AutoOr,
     /// Torque at the bit, where it is modelled.
     pub bit: Option<Bit>,
     /// What the file says of the quantities that axes may change.
@@ -48,43 +48,22 @@ pub struct Sweep {
     pub source: Source,
 }
 
-/// Time simulated.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Time {
-    /// Until the regime can be told.
-    Auto,
-    /// As given, s.
-    Given(f64),
-}
-
 impl Sweep {
     /// Reads and resolves a sweep file.
     ///
     /// # Errors
     /// Where the file, a base or a list of cases does not make sense.
     pub fn read(path: &Path) -> Result<Self, SweepFileError> {
-        Self::read_with_methods(path, &[])
+        Self::read_from(path, &[], &read_text)
     }
 
-    /// As [`Sweep::read`], with these methods, if there are any, in place of the
-    /// file's, whatever those are.
+    /// The same from any source of texts, with these methods, if there are any, in place
+    /// of the file's, whatever those are.
     ///
     /// # Errors
     /// As [`Sweep::read`], and where the file asks for an accuracy, which chooses the
     /// method.
-    pub fn read_with_methods(path: &Path, methods: &[MethodName]) -> Result<Self, SweepFileError> {
-        Self::resolve(path, methods, &read_text)
-    }
-
-    /// As [`Sweep::read`], from any source of texts.
-    ///
-    /// # Errors
-    /// As [`Sweep::read`].
-    pub fn read_from(path: &Path, text_of: TextOf) -> Result<Self, SweepFileError> {
-        Self::resolve(path, &[], text_of)
-    }
-
-    fn resolve(
+    pub fn read_from(
         path: &Path,
         methods: &[MethodName],
         text_of: TextOf,
@@ -109,7 +88,9 @@ impl Sweep {
             || "sweep".to_owned(),
             |stem| stem.to_string_lossy().into_owned(),
         );
-        let time = Time::resolve(&source, content.time_s)?;
+        if let AutoOr::Given(time) = content.time_s {
+            source.within("time_s", time, 1e-3, 1e6, "s")?;
+        }
         let setting = Setting::resolve(&source, &content, &conditions, &design)?;
         string::check_axes(&source, &content, &design)?;
         if let Some(accuracy) = content.accuracy {
@@ -124,7 +105,7 @@ impl Sweep {
             choice: None,
             map,
             name,
-            time,
+            time: content.time_s,
             bit,
             conditions,
             design,
@@ -216,17 +197,5 @@ impl Sweep {
     /// Names the impulse.
     pub fn impulses_are_felt(&self, case: usize, duration: f64) -> Result<(), SweepFileError> {
         impulses::are_felt(&self.source, &self.content.impulses, case, duration)
-    }
-}
-
-impl Time {
-    fn resolve(source: &Source, time: AutoOr) -> Result<Self, SweepFileError> {
-        match time {
-            AutoOr::Auto => Ok(Time::Auto),
-            AutoOr::Given(value) => {
-                source.within("time_s", value, 1e-3, 1e6, "s")?;
-                Ok(Time::Given(value))
-            }
-        }
     }
 }

@@ -9,7 +9,7 @@ use crate::sweep_file::SweepFileError;
 /// Reads a file on top of the paper's drillstring.
 fn read(text: &str) -> Result<Sweep, SweepFileError> {
     let text = format!("base = \"academic.toml\"\n{text}");
-    Sweep::read_from(Path::new("sweep.toml"), &|path, _| {
+    Sweep::read_from(Path::new("sweep.toml"), &[], &|path, _| {
         Ok(match path.to_str() {
             Some("sweep.toml") => text.clone(),
             _ => include_str!("../../../../sweeps/academic.toml").to_owned(),

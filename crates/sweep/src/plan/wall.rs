@@ -33,7 +33,7 @@ impl WallSettings {
 /// The wall at a site of the file, where the string has an outer radius (m).
 ///
 /// # Errors
-/// Where a number cannot be, or is missing.
+/// Where a number is refused, or missing.
 pub fn resolve(
     source: &Source,
     content: &FileContent,
@@ -54,11 +54,8 @@ pub fn resolve(
         return Err(source.error("wall", message));
     };
     source.within(&key, clearance, 1e-3, 1e3, "mm")?;
-    let (stiffness, key) = chosen(
-        site.stiffness_gn_m15,
-        common.stiffness_gn_m15,
-        "stiffness_gn_m15",
-    );
+    let (own, of_all) = (site.stiffness_gn_m15, common.stiffness_gn_m15);
+    let (stiffness, key) = chosen(own, of_all, "stiffness_gn_m15");
     if let Some(stiffness) = stiffness {
         source.within(&key, stiffness, 1e-6, 1e6, "GN/m^1.5")?;
     }

@@ -62,6 +62,20 @@ pub enum TubeMeasure {
     OuterRadius,
 }
 
+impl TubeMeasure {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Length, Self::InnerRadius, Self::OuterRadius];
+
+    /// Its key in a sweep file.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Length => "length_m",
+            Self::InnerRadius => "inner_radius_m",
+            Self::OuterRadius => "outer_radius_m",
+        }
+    }
+}
+
 impl Axis {
     /// Whether it changes the string.
     pub fn is_of_string(self) -> bool {
@@ -74,30 +88,27 @@ impl Axis {
     }
 
     /// The numbers in its name, and zeros.
-    pub(super) fn numbers(self) -> [usize; 2] {
-        match self {
-            Axis::String(StringAxis::Repeat { section }) => [section, 0],
-            Axis::String(StringAxis::Tube { section, part, .. }) => [section, part],
-            Axis::String(StringAxis::SitePlace { site }) => [site, 0],
-            _ => [0; 2],
-        }
+    pub(super) fn numbers(mut self) -> [usize; 2] {
+        self.numbers_mut()
+            .map(|number| number.map_or(0, |number| *number))
     }
 
     /// The axis of the same kind with these numbers in its name.
-    pub(super) fn with_numbers(self, [first, second]: [usize; 2]) -> Self {
+    pub(super) fn with_numbers(mut self, numbers: [usize; 2]) -> Self {
+        for (slot, number) in self.numbers_mut().into_iter().zip(numbers) {
+            if let Some(slot) = slot {
+                *slot = number;
+            }
+        }
+        self
+    }
+
+    fn numbers_mut(&mut self) -> [Option<&mut usize>; 2] {
         match self {
-            Axis::String(StringAxis::Repeat { .. }) => {
-                Axis::String(StringAxis::Repeat { section: first })
-            }
-            Axis::String(StringAxis::Tube { measure, .. }) => Axis::String(StringAxis::Tube {
-                section: first,
-                part: second,
-                measure,
-            }),
-            Axis::String(StringAxis::SitePlace { .. }) => {
-                Axis::String(StringAxis::SitePlace { site: first })
-            }
-            other => other,
+            Axis::String(StringAxis::Repeat { section }) => [Some(section), None],
+            Axis::String(StringAxis::Tube { section, part, .. }) => [Some(section), Some(part)],
+            Axis::String(StringAxis::SitePlace { site }) => [Some(site), None],
+            _ => [None, None],
         }
     }
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::axis::{Axis, StringAxis, TubeMeasure};
 use super::numbered::{numbered, numbers_in};
-use super::range::within;
+use super::range::{ValueError, within};
 
 /// Longer than any borehole, m.
 pub const LONGEST_STRING: f64 = 2e4;
@@ -138,19 +138,16 @@ impl Axis {
         self.quantity().most
     }
 
-    /// Refuses a value that it cannot have. Zero speed is no drilling, and every time
-    /// of a case would be infinite.
+    /// Refuses a value that the quantity does not have.
     ///
     /// # Errors
-    /// A sentence.
-    pub fn check(self, value: f64) -> Result<(), String> {
+    /// Why it does not.
+    pub fn check(self, value: f64) -> Result<(), ValueError> {
         if self == Axis::SurfaceSpeedRpm && value <= 0.0 {
-            return Err(format!(
-                "{value} rpm: the surface must turn, in the positive direction"
-            ));
+            return Err(ValueError::StandsStill(value));
         }
         if self.is_counted() && value.fract() != 0.0 {
-            return Err(format!("{value} is not a whole number"));
+            return Err(ValueError::NotWhole(value));
         }
         let Quantity {
             least, most, unit, ..

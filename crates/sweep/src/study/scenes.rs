@@ -35,7 +35,7 @@ const FILES: [(&str, &str); 6] = [
 /// # Errors
 /// Where it is not among those built in.
 pub fn shipped(name: &str) -> Result<Sweep, SweepFileError> {
-    Sweep::read_from(Path::new(name), &|path, _| {
+    Sweep::read_from(Path::new(name), &[], &|path, _| {
         let known = FILES.iter().find(|(name, _)| path == Path::new(name));
         known
             .map(|(_, text)| (*text).to_owned())

@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::number_or::NumberOr;
+
 /// The largest error wanted, relative: 0.01 is one per cent.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize)]
 #[serde(transparent)]
@@ -23,32 +25,13 @@ pub fn per_cent(part: f64) -> f64 {
 
 impl<'de> Deserialize<'de> for Accuracy {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Visitor)
-    }
-}
-
-struct Visitor;
-
-impl serde::de::Visitor<'_> for Visitor {
-    type Value = Accuracy;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("an accuracy such as \"1 %\" or 0.01")
-    }
-
-    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Accuracy, E> {
-        let number = text.strip_suffix('%').map(str::trim_end);
-        let per_cent = number.and_then(|number| number.parse::<f64>().ok());
-        per_cent
-            .map(|per_cent| Accuracy(per_cent / 100.0))
-            .ok_or_else(|| E::invalid_value(serde::de::Unexpected::Str(text), &self))
-    }
-
-    fn visit_f64<E>(self, value: f64) -> Result<Accuracy, E> {
-        Ok(Accuracy(value))
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<Accuracy, E> {
-        Ok(Accuracy(value as f64))
+        deserializer.deserialize_any(NumberOr {
+            expected: "an accuracy such as \"1 %\" or 0.01",
+            of_number: Accuracy,
+            of_text: |text| {
+                let number = text.strip_suffix('%')?.trim_end();
+                Some(Accuracy(number.parse::<f64>().ok()? / 100.0))
+            },
+        })
     }
 }

@@ -1,17 +1,47 @@
 //! Putting another value in the place of a quantity of the string: its damping, its
 //! sections, the places of its sites.
 
+use thiserror::Error;
+
 use super::file::FileContent;
 use super::lateral::BendingTable;
 use super::string::SectionTable;
 use crate::quantities::StringAxis;
 
+/// Why a file has no place for a quantity of the string.
+#[derive(Debug, Error)]
+pub enum NoPlace {
+    /// Its string has no bending constants.
+    #[error("needs a table [string.bending]")]
+    Bending,
+    /// Its string has fewer sections.
+    #[error("the string has {count} sections, from 0")]
+    Section {
+        /// How many there are.
+        count: usize,
+    },
+    /// The section has fewer parts.
+    #[error("section {section} has {count} parts, from 0")]
+    Part {
+        /// Which section.
+        section: usize,
+        /// How many parts it has.
+        count: usize,
+    },
+    /// It has fewer sites.
+    #[error("the file has {count} [[sites]], from 0")]
+    Site {
+        /// How many there are.
+        count: usize,
+    },
+}
+
 impl FileContent {
     /// Puts a value in the place of a quantity of the string.
     ///
     /// # Errors
-    /// Where the file has no such place; a sentence.
-    pub fn set(&mut self, axis: StringAxis, value: f64) -> Result<(), String> {
+    /// Where the file has no such place.
+    pub fn set(&mut self, axis: StringAxis, value: f64) -> Result<(), NoPlace> {
         match axis {
             StringAxis::TorsionalDamping => self.string.torsional_damping_nms_rad_m = value,
             StringAxis::BendingDamping => self.bending()?.damping_ns_m2 = value,
@@ -24,9 +54,8 @@ impl FileContent {
             } => {
                 let parts = &mut self.section(section)?.parts;
                 let count = parts.len();
-                let tube = parts
-                    .get_mut(part)
-                    .ok_or_else(|| format!("section {section} has {count} parts, from 0"))?;
+                let tube = parts.get_mut(part);
+                let tube = tube.ok_or(NoPlace::Part { section, count })?;
                 *tube.measure(measure) = value;
             }
             StringAxis::SitePlace { site } => self.move_site(site, value)?,
@@ -34,23 +63,22 @@ impl FileContent {
         Ok(())
     }
 
-    fn bending(&mut self) -> Result<&mut BendingTable, String> {
+    fn bending(&mut self) -> Result<&mut BendingTable, NoPlace> {
         let bending = self.string.bending.as_mut();
-        bending.ok_or_else(|| "needs a table [string.bending]".to_owned())
+        bending.ok_or(NoPlace::Bending)
     }
 
-    fn section(&mut self, section: usize) -> Result<&mut SectionTable, String> {
+    fn section(&mut self, section: usize) -> Result<&mut SectionTable, NoPlace> {
         let sections = &mut self.string.sections;
         let count = sections.len();
         let section = sections.get_mut(section);
-        section.ok_or_else(|| format!("the string has {count} sections, from 0"))
+        section.ok_or(NoPlace::Section { count })
     }
 
     /// Impulses and masses at a site go with it.
-    fn move_site(&mut self, site: usize, distance: f64) -> Result<(), String> {
+    fn move_site(&mut self, site: usize, distance: f64) -> Result<(), NoPlace> {
         let count = self.sites.len();
-        let table = (self.sites.get_mut(site))
-            .ok_or_else(|| format!("the file has {count} [[sites]], from 0"))?;
+        let table = (self.sites.get_mut(site)).ok_or(NoPlace::Site { count })?;
         let before = std::mem::replace(&mut table.distance_from_bit_m, distance);
         let impulses = self.impulses.iter_mut();
         let masses = self.eccentric_masses.iter_mut();

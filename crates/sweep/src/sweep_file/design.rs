@@ -40,23 +40,18 @@ pub struct DesignTable {
 }
 
 /// The values of one axis.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct AxisRange {
     /// First value, or lower end of a Monte Carlo range.
-    #[serde(default)]
     pub from: Option<f64>,
     /// Last value, or upper end.
-    #[serde(default)]
     pub to: Option<f64>,
     /// Number of grid values from `from` to `to`.
-    #[serde(default)]
     pub count: Option<usize>,
     /// Even steps in the value or in its logarithm. Default `linear`.
-    #[serde(default)]
     pub spacing: Spacing,
     /// Grid values one by one, instead of `from`, `to` and `count`.
-    #[serde(default)]
     pub values: Option<Vec<f64>>,
 }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::printable::steers;
 
-/// One clear sentence about a sweep file that cannot be used.
+/// One clear sentence about a sweep file that is refused.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SweepFileError {
     pub(super) file: PathBuf,

@@ -17,22 +17,18 @@ use super::string::StringTable;
 #[serde(deny_unknown_fields)]
 pub struct FileContent {
     /// One line for pictures and reports; by default the file's name.
-    #[serde(default)]
     pub title: Option<String>,
     /// The drillstring.
     pub string: StringTable,
     /// Surface speed from t = 0 on, unless an axis gives it.
-    #[serde(default)]
     pub surface_speed_rpm: Option<f64>,
     /// Torque at the bit; without it the bit is free.
-    #[serde(default)]
     pub bit: Option<BitTable>,
     /// Places on the string: with a wall, where it may touch; else, besides the
     /// bit, where it is looked at.
     #[serde(default)]
     pub sites: Vec<SiteTable>,
     /// The borehole wall; without it lateral motion is not modelled.
-    #[serde(default)]
     pub wall: Option<WallTable>,
     /// Lateral impulses.
     #[serde(default)]
@@ -42,7 +38,7 @@ pub struct FileContent {
     pub eccentric_masses: Vec<EccentricMassTable>,
     /// Largest error wanted, instead of methods and a sampling frequency: the
     /// cheapest that deliver it are chosen.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
     /// Linear methods, in the order of the results. Default: `quadrature`.
     #[serde(default = "default_methods")]
@@ -59,7 +55,6 @@ pub struct FileContent {
     #[serde(default)]
     pub time_s: AutoOr,
     /// The cases; without it there is one.
-    #[serde(default)]
     pub design: Option<DesignTable>,
     /// How the regime map is drawn.
     #[serde(default)]

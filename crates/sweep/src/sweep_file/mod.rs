@@ -13,6 +13,7 @@ mod guide;
 mod lateral;
 mod map;
 mod methods;
+mod number_or;
 mod placed;
 mod source;
 mod string;

@@ -51,12 +51,11 @@ impl Placed {
     /// Lays the table of a file over this one: tables key by key, anything else as a
     /// whole, and a `[design]` as a whole too.
     pub fn lay_over(&mut self, over: &DeTable, file: usize, lines: &LineNumbers) {
-        let layer = Layer { file, lines };
-        layer.lay(self, over, |key| match key {
-            "base" => Rule::Skip,
-            "design" => Rule::Replace,
-            _ => Rule::Merge,
-        });
+        if over.contains_key("design") {
+            self.remove("design");
+        }
+        Layer { file, lines }.lay(self, over);
+        self.remove("base");
     }
 }
 
@@ -80,13 +79,6 @@ fn key_of<'p, 'a>(
         .find_map(|end| Some((keys.get(&path[..end])?, &path[end..])))
 }
 
-/// What becomes of a key that both tables may have.
-enum Rule {
-    Skip,
-    Replace,
-    Merge,
-}
-
 /// A file that is laid over others.
 struct Layer<'a> {
     file: usize,
@@ -101,16 +93,12 @@ impl Layer<'_> {
         }
     }
 
-    fn lay(&self, under: &mut Placed, over: &DeTable, rule: impl Fn(&str) -> Rule) {
+    fn lay(&self, under: &mut Placed, over: &DeTable) {
         for (key, value) in over {
             let name = key.get_ref().as_ref();
-            let rule = rule(name);
-            if let Rule::Skip = rule {
-                continue;
-            }
             let below = under.table.remove(name).zip(under.places.remove(name));
-            let below = match (rule, below) {
-                (Rule::Merge, Some((toml::Value::Table(table), places))) => Placed {
+            let below = match below {
+                Some((toml::Value::Table(table), places)) => Placed {
                     table,
                     places: places.keys,
                 },
@@ -131,7 +119,7 @@ impl Layer<'_> {
         };
         let value = match value.get_ref() {
             DeValue::Table(table) => {
-                self.lay(&mut below, table, |_| Rule::Merge);
+                self.lay(&mut below, table);
                 places.keys = below.places;
                 toml::Value::Table(below.table)
             }

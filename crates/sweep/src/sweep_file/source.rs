@@ -1,9 +1,11 @@
 //! A sweep file and its bases as one table that still knows on which line of
 //! which file each value stands.
 
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
+use thiserror::Error;
 use toml::de::{DeTable, DeValue};
 
 use super::error::SweepFileError;
@@ -98,14 +100,18 @@ impl Source {
     ///
     /// # Errors
     /// What the check says, with the place.
-    pub fn checked<T>(&self, key: &str, result: Result<T, String>) -> Result<T, SweepFileError> {
-        result.map_err(|message| self.error(key, message))
+    pub fn checked<T>(
+        &self,
+        key: &str,
+        result: Result<T, impl Display>,
+    ) -> Result<T, SweepFileError> {
+        result.map_err(|error| self.error(key, error.to_string()))
     }
 
-    /// Refuses a value at `key` that a quantity cannot have.
+    /// Refuses a value at `key` that a quantity does not have.
     ///
     /// # Errors
-    /// Where it cannot.
+    /// Where it does not.
     pub fn check_axis(&self, key: &str, axis: Axis, value: f64) -> Result<(), SweepFileError> {
         self.checked(key, axis.check(value))
     }
@@ -120,7 +126,7 @@ impl Source {
         value: f64,
         least: f64,
         most: f64,
-        unit: &str,
+        unit: &'static str,
     ) -> Result<(), SweepFileError> {
         self.checked(key, within(value, least, most, unit))
     }
@@ -168,8 +174,8 @@ impl Source {
                 return Err(unusable(Some(line), Some("base"), message));
             };
             let base = path.parent().unwrap_or(Path::new("")).join(base.as_ref());
-            self.refuse_circle(&base)
-                .map_err(|message| unusable(Some(line), Some("base"), message))?;
+            self.check_base(&base)
+                .map_err(|error| unusable(Some(line), Some("base"), error.to_string()))?;
             self.add_file(&base, text_of)
                 .map_err(|error| match error.line {
                     None => unusable(Some(line), Some("base"), error.to_string()),
@@ -193,21 +199,24 @@ impl Source {
         Ok(())
     }
 
-    /// A file that is read already is no base of the last one.
-    fn refuse_circle(&self, base: &Path) -> Result<(), String> {
+    fn check_base(&self, base: &Path) -> Result<(), BaseError> {
         let same = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let file = same(base);
         if self.files.iter().any(|known| same(known) == file) {
-            let base = base.display();
-            return Err(format!(
-                "the bases go in a circle: {base} would be its own base"
-            ));
+            return Err(BaseError::Circle(base.to_owned()));
         }
         if self.files.len() >= MOST_FILES {
-            return Err(format!(
-                "there are more than {MOST_FILES} files, each the base of the one before"
-            ));
+            return Err(BaseError::TooMany);
         }
         Ok(())
     }
+}
+
+/// Why a file is refused as a base.
+#[derive(Debug, Error)]
+enum BaseError {
+    #[error("the bases go in a circle: {} would be its own base", .0.display())]
+    Circle(PathBuf),
+    #[error("there are more than {MOST_FILES} files, each the base of the one before")]
+    TooMany,
 }

@@ -1,7 +1,6 @@
 //! The labels of a reference beside those that were found.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use sim::Label;
@@ -9,39 +8,18 @@ use sim::Label;
 use crate::engine::{MethodSystem, Record};
 use crate::output::{LabelRow, Labels, Motion, rolling_bound};
 use crate::plan::Sweep;
-use crate::words::counted;
 
 /// Rows by the reference's numbers of cases and by method.
 pub type Found = BTreeMap<(usize, &'static str), Record>;
 
-/// What came out of a comparison.
-pub struct Compared {
-    /// How many labels the reference has.
-    labels: usize,
-    /// A line about each that differs.
-    pub different: Vec<String>,
-}
-
-impl Compared {
-    /// In lines, for the reference at `path`.
-    pub fn text(&self, path: &Path) -> String {
-        format!(
-            "{}{}: {} of {} as expected\n",
-            self.different.concat(),
-            path.display(),
-            self.labels - self.different.len(),
-            counted(self.labels, "label")
-        )
-    }
-}
-
-/// Compares every label of the reference with the one that was found.
+/// Compares every label of the reference with the one that was found: how many there
+/// are, and a line about each that differs.
 pub fn compare(
     sweep: &Sweep,
     systems: &[MethodSystem],
     reference: &[LabelRow],
     found: &Found,
-) -> Compared {
+) -> (usize, Vec<String>) {
     let mut labels = 0;
     let mut different = Vec::new();
     for expected in reference {
@@ -58,7 +36,7 @@ pub fn compare(
             }
         }
     }
-    Compared { labels, different }
+    (labels, different)
 }
 
 fn label(record: &Record, motion: Motion) -> String {

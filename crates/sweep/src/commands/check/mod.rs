@@ -20,6 +20,7 @@ use crate::design::{Design, List};
 use crate::engine::{MethodSystem, Record, RunOptions, Shard, Work};
 use crate::memory::{Purpose, admit};
 use crate::plan::Sweep;
+use crate::words::counted;
 use comparison::{Found, compare};
 use reference::{cases_of, read_reference};
 
@@ -27,13 +28,8 @@ use reference::{cases_of, read_reference};
 pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     use_threads(arguments.jobs, terminal)?;
     let limit = arguments.memory.limit();
-    let sweep = choose(
-        Sweep::read(&arguments.file)?,
-        false,
-        &limit,
-        false,
-        terminal,
-    )?;
+    let sweep = Sweep::read(&arguments.file)?;
+    let sweep = choose(sweep, false, &limit, false, terminal)?;
     let (reference, methods) = read_reference(&arguments.reference, &sweep)?;
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
     let numbers: Vec<usize> = cases.keys().copied().collect();
@@ -49,9 +45,15 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     warn_of_unstable(&systems, terminal);
     let found = run_all(&sweep, &systems, &numbers, memory.strings_at_once, terminal)?;
-    let compared = compare(&sweep, &systems, &reference, &found);
-    say(&compared.text(&arguments.reference))?;
-    Ok(if compared.different.is_empty() {
+    let (labels, different) = compare(&sweep, &systems, &reference, &found);
+    say(&format!(
+        "{}{}: {} of {} as expected\n",
+        different.concat(),
+        arguments.reference.display(),
+        labels - different.len(),
+        counted(labels, "label")
+    ))?;
+    Ok(if different.is_empty() {
         Status::Complete
     } else {
         Status::LabelsDiffer

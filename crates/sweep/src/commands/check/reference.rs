@@ -1,6 +1,7 @@
 //! The reference: labels of cases of a sweep, by some of its methods.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::path::Path;
 
 use anyhow::{Result, bail};
@@ -21,18 +22,9 @@ pub fn read_reference(path: &Path, sweep: &Sweep) -> Result<(Vec<LabelRow>, Vec<
     if reference.is_empty() {
         bail!(UsageError(format!("{} has no rows", path.display())));
     }
-    let methods = methods_of(sweep, &reference, path)?;
-    Ok((reference, methods))
-}
-
-/// The reference says which methods it was made with.
-fn methods_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<Method>> {
-    for row in reference {
-        if !sweep
-            .methods
-            .iter()
-            .any(|method| method.name() == row.method)
-        {
+    for row in &reference {
+        let mut methods = sweep.methods.iter();
+        if !methods.any(|method| method.name() == row.method) {
             bail!(UsageError(format!(
                 "{}:{}: the sweep has no method `{}`",
                 path.display(),
@@ -42,7 +34,8 @@ fn methods_of(sweep: &Sweep, reference: &[LabelRow], path: &Path) -> Result<Vec<
         }
     }
     let is_named = |method: &&Method| reference.iter().any(|row| row.method == method.name());
-    Ok(sweep.methods.iter().filter(is_named).copied().collect())
+    let methods = sweep.methods.iter().filter(is_named).copied().collect();
+    Ok((reference, methods))
 }
 
 /// The values of each case number; its rows must agree on them.
@@ -56,23 +49,26 @@ pub fn cases_of(
 ) -> Result<BTreeMap<usize, Vec<f64>>> {
     let mut cases: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
     for row in reference {
-        let at = |reason: String| UsageError(format!("{}:{}: {reason}", path.display(), row.line));
+        let at =
+            |reason: &dyn Display| UsageError(format!("{}:{}: {reason}", path.display(), row.line));
         if !row.labels.is_answer() {
-            bail!(at("has no label to compare with".to_owned()));
+            bail!(at(&"has no label to compare with"));
         }
         let axes = sweep.design.axes();
         for (&axis, &value) in axes.iter().zip(&row.values) {
             axis.check(value)
-                .map_err(|reason| at(format!("{}: {reason}", axis.name())))?;
+                .map_err(|reason| at(&format_args!("{}: {reason}", axis.name())))?;
         }
-        let setting = sweep
-            .setting_at(&row.values)
-            .map_err(|error| at(error.to_string()))?;
+        let setting = (sweep.setting_at(&row.values)).map_err(|error| at(&error))?;
         let conditions = sweep.conditions_at(&row.values);
-        let case = Case::under(sweep, &setting, row.case, row.values.clone(), &conditions);
-        sweep.impulses_are_felt(row.case, case.map_err(at)?.scene.timing.duration)?;
+        let case = Case::under(sweep, &setting, row.case, row.values.clone(), &conditions)
+            .map_err(|error| at(&error))?;
+        sweep.impulses_are_felt(row.case, case.scene.timing.duration)?;
         if *cases.entry(row.case).or_insert_with(|| row.values.clone()) != row.values {
-            bail!(at(format!("case {} has other values above", row.case)));
+            bail!(at(&format_args!(
+                "case {} has other values above",
+                row.case
+            )));
         }
     }
     Ok(cases)

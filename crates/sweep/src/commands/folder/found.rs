@@ -67,17 +67,25 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
 
 fn complete(folder: &Path, header: &Header) -> Result<Found> {
     let manifest = Manifest::read(folder)?;
-    let program = manifest.program.clone();
-    let there = Header::of(program, manifest.shard(), manifest.fingerprint()?);
+    let there = header_of(&manifest)?;
     let what = format!("{} holds the results of", folder.display());
     refuse_other(&what, &with_our_number(&what, &there, header)?, header)?;
-    let had_fewer = there.fingerprint != header.fingerprint;
     refuse_lost(&manifest, folder)?;
-    Ok(if had_fewer {
-        Found::Fewer(Box::new(manifest))
+    let manifest = Box::new(manifest);
+    Ok(if there.fingerprint == header.fingerprint {
+        Found::Complete(manifest)
     } else {
-        Found::Complete(Box::new(manifest))
+        Found::Fewer(manifest)
     })
+}
+
+/// The header that the log of finished results had.
+///
+/// # Errors
+/// Where the manifest is damaged.
+pub fn header_of(manifest: &Manifest) -> Result<Header> {
+    let (program, shard) = (manifest.program.clone(), manifest.shard());
+    Ok(Header::of(program, shard, manifest.fingerprint()?))
 }
 
 fn refuse_other(what: &str, there: &Header, ours: &Header) -> Result<()> {

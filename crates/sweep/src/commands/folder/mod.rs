@@ -11,7 +11,7 @@ mod raise;
 mod tables;
 
 pub use damage::{in_words, tell_if_unverified};
-pub use found::{Found, look};
+pub use found::{Found, header_of, look};
 pub use hold::{hold, tidy};
 pub use names::{LOG, MANIFEST, REPORT};
 pub use ours::{Ours, remove_page};

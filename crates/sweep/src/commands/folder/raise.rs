@@ -78,13 +78,10 @@ pub fn log_of_results(
     let mut log = AtomicFile::create(&folder.join(LOG))?;
     log.write(header.line()?.as_bytes())?;
     let rows = copy_rows(folder, sweep, &mut log)?;
-    if rows != manifest.tally.rows {
-        let path = folder.join("labels.csv");
-        let expected = manifest.tally.rows;
-        bail!(not_written(
-            &path,
-            &format!("it has {rows} rows, not {expected}")
-        ));
+    let expected = manifest.tally.rows;
+    if rows != expected {
+        let why = format!("it has {rows} rows, not {expected}");
+        bail!(not_written(&folder.join("labels.csv"), &why));
     }
     log.finish()?;
     Ok(())

@@ -6,8 +6,8 @@ use linear::estimates::{
 };
 
 use crate::engine::{MethodSystem, Survey, is_unstable};
-use crate::plan::{Choice, INCH, POUND_PER_FOOT, Sweep, Time};
-use crate::sweep_file::per_cent;
+use crate::plan::{Choice, INCH, POUND_PER_FOOT, Sweep};
+use crate::sweep_file::{AutoOr, per_cent};
 use crate::words::{counted, short, wrapped};
 
 /// A title and a value below a heading.
@@ -22,27 +22,38 @@ pub fn describe_string(sweep: &Sweep) -> String {
     text += &row("length", &format!("{:.3} m", string.length()));
     text += &part_lines(sweep);
     let stiffness = torsional_stiffness(string);
-    text += &row(
-        "torsional stiffness k_eff",
-        &format!("{stiffness:.1} N m/rad"),
-    );
     let speed = string.torsional_wave_speed();
-    text += &row("torsional wave speed", &format!("{speed:.1} m/s"));
     let travel = torsional_travel_time(string);
-    let both = format!("{travel:.4} s, and back {:.4} s", 2.0 * travel);
-    text += &row("travel time to the bit", &both);
     let decay = torsional_decay_rate(string);
-    text += &row("torsional decay rate", &format!("{decay:.3} 1/s"));
     let left = 100.0 * torsional_wave_left(string);
-    let of_wave = format!("{left:.3} % of its amplitude at the bit");
-    text += &row("of a wave, damping leaves", &of_wave);
+    let frequency = sweep.setting.sampling_frequency;
     let why = match sweep.choice {
         Some(_) => "by the accuracy asked for",
         None if sweep.setting.sampling_by_rule => "four times the first mode of one cell",
         None => "given in the sweep file",
     };
-    let sampling = format!("{:.2} Hz ({why})", sweep.setting.sampling_frequency);
-    text += &row("sampling frequency f_s", &sampling);
+    for (title, value) in [
+        (
+            "torsional stiffness k_eff",
+            format!("{stiffness:.1} N m/rad"),
+        ),
+        ("torsional wave speed", format!("{speed:.1} m/s")),
+        (
+            "travel time to the bit",
+            format!("{travel:.4} s, and back {:.4} s", 2.0 * travel),
+        ),
+        ("torsional decay rate", format!("{decay:.3} 1/s")),
+        (
+            "of a wave, damping leaves",
+            format!("{left:.3} % of its amplitude at the bit"),
+        ),
+        (
+            "sampling frequency f_s",
+            format!("{frequency:.2} Hz ({why})"),
+        ),
+    ] {
+        text += &row(title, &value);
+    }
     if let Some(choice) = &sweep.choice {
         text += &describe_choice(choice);
     }
@@ -153,8 +164,8 @@ pub fn describe_left_out(sweep: &Sweep) -> String {
 /// What the cases of a run take.
 pub fn describe_work(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem]) -> String {
     let rule = match sweep.time {
-        Time::Auto => "until the regime can be told",
-        Time::Given(_) => "given in the sweep file",
+        AutoOr::Auto => "until the regime can be told",
+        AutoOr::Given(_) => "given in the sweep file",
     };
     let mut text = format!(
         "\ncost\n  {} by {}, the longest {} s ({rule})\n",

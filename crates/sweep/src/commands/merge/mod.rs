@@ -23,10 +23,8 @@ use tables::Joined;
 pub fn merge(arguments: &MergeArguments, terminal: Terminal) -> Result<Status> {
     let (parts, unfinished) = read_parts(&arguments.folders)?;
     let of = division(&parts, &unfinished)?;
-    let missing: Vec<String> = (0..of)
-        .filter(|index| !parts.contains_key(index))
-        .map(|index| index.to_string())
-        .collect();
+    let missing = (0..of).filter(|index| !parts.contains_key(index));
+    let missing: Vec<String> = missing.map(|index| index.to_string()).collect();
     if !missing.is_empty() {
         terminal.complain(&format!(
             "incomplete: {} of {of} shards are finished\nrun again: {}",
@@ -94,10 +92,7 @@ fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
             )));
         }
     }
-    let pictures = if merged.map.is_some() {
-        &PICTURES[..]
-    } else {
-        &[]
-    };
-    ours.refuse_foreign(out, &[&TABLES, pictures].concat())
+    let mut written = TABLES.to_vec();
+    written.extend(merged.map.iter().flat_map(|_| PICTURES));
+    ours.refuse_foreign(out, &written)
 }

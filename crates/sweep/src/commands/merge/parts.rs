@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 
-use crate::commands::folder::{LOG, MANIFEST, in_words, tell_if_unverified};
+use crate::commands::folder::{LOG, MANIFEST, header_of, in_words, tell_if_unverified};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::engine::{Header, read_header};
@@ -56,11 +56,7 @@ pub fn read_parts(folders: &[PathBuf]) -> Result<(BTreeMap<usize, Part>, Vec<Hea
         let is_finished = log.is_none() && folder.join(MANIFEST).exists();
         let header = if is_finished {
             let manifest = Manifest::read(folder)?;
-            let header = Header::of(
-                manifest.program.clone(),
-                manifest.shard(),
-                manifest.fingerprint()?,
-            );
+            let header = header_of(&manifest)?;
             let part = Part {
                 folder: folder.clone(),
                 manifest,

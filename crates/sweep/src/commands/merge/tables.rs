@@ -1,7 +1,8 @@
 //! The tables of shards, joined.
 
 use std::fs::File;
-use std::io::{BufRead, BufReader, Lines};
+use std::io::{BufRead, BufReader};
+use std::iter::Peekable;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, bail};
@@ -34,45 +35,41 @@ impl Joined {
     }
 }
 
-/// Lines of a table, the header taken off, with the case of the next one.
+/// A row with the number of its case.
+type Row = (usize, String);
+
+/// Rows of a table, the header taken off.
 struct Table {
-    lines: Lines<BufReader<File>>,
-    next: Option<(usize, String)>,
     path: PathBuf,
+    rows: Peekable<Box<dyn Iterator<Item = Result<Row>>>>,
 }
 
 impl Table {
     /// Opens a table and gives its header.
     fn open(path: PathBuf) -> Result<(String, Self)> {
-        let unreadable = || format!("{} cannot be read", path.display());
-        let mut lines = BufReader::new(File::open(&path).with_context(unreadable)?).lines();
+        let unreadable = format!("{} cannot be read", path.display());
+        let file = File::open(&path).with_context(|| unreadable.clone())?;
+        let mut lines = BufReader::new(file).lines();
         let header = lines
             .next()
             .transpose()
-            .with_context(unreadable)?
-            .unwrap_or_default();
-        let mut table = Self {
-            lines,
-            next: None,
-            path,
-        };
-        table.advance()?;
-        Ok((header, table))
+            .with_context(|| unreadable.clone())?;
+        let name = path.display().to_string();
+        let rows = lines.map(move |line| {
+            let line = line.with_context(|| unreadable.clone())?;
+            let case = line.split(',').next().and_then(|case| case.parse().ok());
+            let case = case.with_context(|| format!("{name}: `{line}` has no case number"))?;
+            Ok((case, line))
+        });
+        let rows: Box<dyn Iterator<Item = _>> = Box::new(rows);
+        let rows = rows.peekable();
+        Ok((header.unwrap_or_default(), Self { path, rows }))
     }
 
-    fn advance(&mut self) -> Result<Option<String>> {
-        let unreadable = || format!("{} cannot be read", self.path.display());
-        let line = self.lines.next().transpose().with_context(unreadable)?;
-        let next = line
-            .map(|line| {
-                let case = line.split(',').next().and_then(|case| case.parse().ok());
-                let case = case.with_context(|| {
-                    format!("{}: `{line}` has no case number", self.path.display())
-                })?;
-                anyhow::Ok((case, line))
-            })
-            .transpose()?;
-        Ok(std::mem::replace(&mut self.next, next).map(|(_, line)| line))
+    /// The case of the next row; a mistake comes before any.
+    fn next_case(&mut self) -> Option<usize> {
+        let next = self.rows.peek()?;
+        Some(next.as_ref().map_or(0, |(case, _)| *case))
     }
 }
 
@@ -92,18 +89,18 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
     let columns = LabelColumns::find(headers[0].split(','), &[])
         .map_err(|reason| anyhow!("the shards' labels.csv {reason}"))?;
     file.write(format!("{}\n", headers[0]).as_bytes())?;
-    while let Some(table) = (tables.iter_mut())
-        .filter(|table| table.next.is_some())
-        .min_by_key(|table| table.next.as_ref().map(|(case, _)| *case))
+    while let Some((_, table)) = (tables.iter_mut())
+        .filter_map(|table| Some((table.next_case()?, table)))
+        .min_by_key(|(case, _)| *case)
     {
-        if let Some(line) = table.advance()? {
-            let fields: Vec<&str> = line.split(',').collect();
-            let row = columns.row(tally.rows, |column| fields.get(column).copied());
-            let row =
-                row.map_err(|reason| anyhow!("{}: `{line}`: {reason}", table.path.display()))?;
-            tally.add(&row.method, row.failed, row.labels, row.predicted);
-            file.write(format!("{line}\n").as_bytes())?;
-        }
+        let Some((_, line)) = table.rows.next().transpose()? else {
+            continue;
+        };
+        let fields: Vec<&str> = line.split(',').collect();
+        let row = columns.row(tally.rows, |column| fields.get(column).copied());
+        let row = row.map_err(|reason| anyhow!("{}: `{line}`: {reason}", table.path.display()))?;
+        tally.add(&row.method, row.failed, row.labels, row.predicted);
+        file.write(format!("{line}\n").as_bytes())?;
     }
     let expected: usize = parts.iter().map(|part| part.manifest.tally.rows).sum();
     if tally.rows != expected {

@@ -69,12 +69,17 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
     }
     let is_damaged =
         |names: &[&str]| (damage.iter()).any(|damage| names.contains(&damage.name.as_str()));
-    if is_damaged(&["boundary.csv"]) {
-        replace(task, &mut manifest, "boundary.csv", &boundary_again(task)?)?;
-    }
-    if is_damaged(&["failures.csv"]) {
-        let none = format!("{FAILURES_HEADER}\n");
-        replace(task, &mut manifest, "failures.csv", none.as_bytes())?;
+    for name in ["boundary.csv", "failures.csv"] {
+        if is_damaged(&[name]) {
+            let content = match name {
+                "boundary.csv" => boundary_again(task)?,
+                _ => format!("{FAILURES_HEADER}\n").into_bytes(),
+            };
+            let checksum = write_with_checksum(&folder.join(name), &content)?;
+            if manifest.has_checksums() {
+                manifest.files.insert(name.to_owned(), checksum);
+            }
+        }
     }
     let draws = looks_different(task, &manifest) || is_damaged(&PICTURES);
     if draws {
@@ -91,14 +96,6 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
         draw_and_note(folder, &mut manifest)?;
     }
     Ok(*manifest)
-}
-
-fn replace(task: &Task, manifest: &mut Manifest, name: &str, content: &[u8]) -> Result<()> {
-    let checksum = write_with_checksum(&task.folder.join(name), content)?;
-    if manifest.has_checksums() {
-        manifest.files.insert(name.to_owned(), checksum);
-    }
-    Ok(())
 }
 
 fn boundary_again(task: &Task) -> Result<Vec<u8>> {

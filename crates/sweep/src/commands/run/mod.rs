@@ -18,7 +18,6 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::RunArguments;
 use complete::show_again;
-use plan::Plan;
 use session::Session;
 use systems::Systems;
 use task::Task;
@@ -36,7 +35,7 @@ pub fn run(arguments: &RunArguments, terminal: Terminal) -> Result<Status> {
 }
 
 fn tell_plan(task: &Task, found: &Found) -> Result<Status> {
-    let text = Plan { task, found }.describe(&|| stop::asked().is_some())?;
+    let text = plan::describe(task, found, &|| stop::asked().is_some())?;
     if let Some(status) = stop::asked() {
         return Ok(status);
     }

@@ -58,13 +58,8 @@ impl<'a> Session<'a> {
         let (sweep, shard) = (&task.sweep, task.shard);
         let path = task.folder.join(LOG);
         let log = Log::open(&path, sweep.design.cases(), sweep.methods.len())?;
-        let about = About::new(
-            sweep,
-            &task.arguments.file,
-            shard,
-            task.arguments.options(),
-            &systems.methods,
-        )?;
+        let (file, options) = (&task.arguments.file, task.arguments.options());
+        let about = About::new(sweep, file, shard, options, &systems.methods)?;
         log.describe(about.text()?)?;
         warn_of_unstable(&systems.methods, task.terminal);
         warn_of_broken_lines(&log, task.terminal);
@@ -87,7 +82,7 @@ impl<'a> Session<'a> {
     pub fn simulate(&self) -> Result<()> {
         let total = self.so_far.total;
         let (quiet, terminal) = (self.task.arguments.quiet, self.task.terminal);
-        let progress = Progress::new(total, self.log.count(), quiet, terminal);
+        let progress = Progress::new(total, self.log.counts().done, quiet, terminal);
         stop::before_end({
             let log = Arc::clone(&self.log);
             let (progress, so_far) = (Arc::clone(&progress), self.so_far.clone());
@@ -101,7 +96,7 @@ impl<'a> Session<'a> {
         let kept = self.log.sync();
         worked.map_err(|error| self.with_so_far(&error))?;
         kept.map_err(|error| self.with_so_far(&error.into()))?;
-        if self.log.count() < total
+        if self.log.counts().done < total
             && let Some(status) = stop::asked()
         {
             stop::end(status);
@@ -111,18 +106,18 @@ impl<'a> Session<'a> {
 
     fn simulate_open_cases(&self, progress: &Progress) -> Result<()> {
         let (arguments, sweep, log) = (self.task.arguments, &self.task.sweep, &self.log);
-        if arguments.fail_fast && log.failed() > 0 {
+        if arguments.fail_fast && log.counts().failed > 0 {
             bail!(
                 "{} without an answer already (--fail-fast)",
-                counted(log.failed(), "case")
+                counted(log.counts().failed, "case")
             );
         }
         let is_done = log.done();
         let keep = |record: Record| -> Result<()> {
             log.append(&record)?;
             progress.tick();
-            match record.reason() {
-                Some(reason) if arguments.fail_fast => bail!(
+            match &record.outcome {
+                Err(reason) if arguments.fail_fast => bail!(
                     "case {} by {} has no answer: {reason} (--fail-fast)",
                     record.case,
                     sweep.methods[record.method].name()
@@ -196,6 +191,6 @@ impl<'a> Session<'a> {
     }
 
     fn with_so_far(&self, error: &anyhow::Error) -> anyhow::Error {
-        anyhow!("{error:#}; {}", self.so_far.text(self.log.count()))
+        anyhow!("{error:#}; {}", self.so_far.text(self.log.counts().done))
     }
 }

@@ -46,10 +46,8 @@ impl Systems {
 /// string, each string's own margin counts, and its cases fail.
 fn refuse_unstable(task: &Task, systems: &[MethodSystem]) -> Result<()> {
     let (arguments, sweep) = (task.arguments, &task.sweep);
-    let found = systems.iter().enumerate();
-    let first = found
-        .filter_map(|(index, system)| Some((index, system, system.instability()?)))
-        .next();
+    let mut found = systems.iter().enumerate();
+    let first = found.find_map(|(index, system)| Some((index, system, system.instability()?)));
     let Some((index, system, instability)) = first else {
         return Ok(());
     };

@@ -5,10 +5,12 @@ use std::path::Path;
 use anyhow::{Result, bail};
 
 use crate::cli::SimulateArguments;
+use crate::commands::prepare::unique;
 use crate::commands::status::UsageError;
 use crate::engine::{Case, longest_beside};
 use crate::plan::{Conditions, Setting, Sweep};
 use crate::quantities::Axis;
+use crate::sweep_file::SweepFileError;
 
 /// A case, and for how long its linear systems are built, s.
 pub struct ChosenCase {
@@ -59,10 +61,8 @@ impl Choice {
                 .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
             refuse_idle(sweep, axis)?;
             conditions = conditions.with(axis, value);
-            for (own, slot) in axes.iter().zip(&mut values) {
-                if *own == axis {
-                    *slot = value;
-                }
+            if let Some(place) = axes.iter().position(|own| *own == axis) {
+                values[place] = value;
             }
         }
         refuse_weight_without_rock(sweep, &conditions)?;
@@ -81,7 +81,7 @@ impl Choice {
     /// The case under the setting of the sweep, which has its string by now.
     ///
     /// # Errors
-    /// Where the case cannot be, or an impulse of it is not felt.
+    /// Where there is no such case, or an impulse of it is not felt.
     pub fn case(self, sweep: &Sweep, file: &Path) -> Result<ChosenCase> {
         let beside = if self.sets_string {
             0.0
@@ -89,14 +89,9 @@ impl Choice {
             longest_beside(sweep, &sweep.setting, self.index)
                 .map_err(|reason| UsageError(format!("{}: {reason}", file.display())))?
         };
-        let case = Case::under(
-            sweep,
-            &sweep.setting,
-            self.index,
-            self.values,
-            &self.conditions,
-        )
-        .map_err(UsageError)?;
+        let (index, values) = (self.index, self.values);
+        let case = Case::under(sweep, &sweep.setting, index, values, &self.conditions)
+            .map_err(|reason| UsageError(reason.to_string()))?;
         sweep.impulses_are_felt(case.index, case.scene.timing.duration)?;
         Ok(ChosenCase {
             longest: beside.max(case.scene.timing.duration),
@@ -108,8 +103,8 @@ impl Choice {
 /// Refuses to set what nothing in the sweep depends on.
 fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
     let lateral = sweep.setting.lateral.as_ref();
-    let has_ratio =
-        lateral.is_some_and(|lateral| lateral.impulses.iter().any(|impulse| impulse.relative));
+    let mut impulses = lateral.iter().flat_map(|lateral| &lateral.impulses);
+    let has_ratio = impulses.any(|impulse| impulse.relative);
     let why = match axis {
         Axis::WeightOnBitKn | Axis::TorqueDynamicNm if sweep.bit.is_none() => {
             "the bit is free in this sweep"
@@ -126,7 +121,10 @@ fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
 ///
 /// # Errors
 /// Where they have not all the same, or what is set makes none.
-pub fn common_setting(sweep: &Sweep, choices: &[Choice]) -> Result<Result<Setting, String>> {
+pub fn common_setting(
+    sweep: &Sweep,
+    choices: &[Choice],
+) -> Result<Result<Setting, SweepFileError>> {
     let string = choices.first().map_or(&[][..], |choice| &choice.string);
     if choices.iter().any(|choice| choice.string != string) {
         bail!(UsageError(
@@ -136,7 +134,7 @@ pub fn common_setting(sweep: &Sweep, choices: &[Choice]) -> Result<Result<Settin
     match sweep.setting_with(string.iter().copied()) {
         Ok(setting) => Ok(Ok(setting.into_owned())),
         Err(error) if choices.iter().any(|choice| choice.sets_string) => Err(error.into()),
-        Err(error) => Ok(Err(error.to_string())),
+        Err(error) => Ok(Err(error)),
     }
 }
 
@@ -148,14 +146,4 @@ fn refuse_weight_without_rock(sweep: &Sweep, conditions: &Conditions) -> Result<
         ));
     }
     Ok(())
-}
-
-fn unique(indices: &[usize]) -> Vec<usize> {
-    let mut unique: Vec<usize> = Vec::new();
-    for &index in indices {
-        if !unique.contains(&index) {
-            unique.push(index);
-        }
-    }
-    unique
 }

@@ -18,13 +18,14 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_string;
 use crate::cli::SimulateArguments;
-use crate::engine::{Case, Record, Survey};
+use crate::engine::{Case, Failure, Record, Survey};
 use crate::histories::{
     Simulation, case_csv, case_lines, history_csv, history_picture, orbit_picture, string_picture,
 };
 use crate::memory::{Limit, Purpose, admit};
 use crate::output::write_atomically;
 use crate::plan::Sweep;
+use crate::sweep_file::SweepFileError;
 use choice::{Choice, ChosenCase, common_setting};
 use systems::simulate_all;
 
@@ -92,10 +93,13 @@ fn write_files(
     Ok(())
 }
 
-/// Rows of cases whose string cannot be.
-fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &str) -> Vec<Record> {
+/// Rows of cases whose values make no string.
+fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &SweepFileError) -> Vec<Record> {
     let of_choice = |choice: &Choice| -> Vec<Record> {
-        let row = |method| Record::failed(choice.index, method, choice.values.clone(), reason);
+        let row = |method| {
+            let values = choice.values.clone();
+            Record::failed(choice.index, method, values, Failure::new(reason))
+        };
         (0..sweep.methods.len()).map(row).collect()
     };
     choices.iter().flat_map(of_choice).collect()
@@ -105,7 +109,7 @@ fn failed_rows(sweep: &Sweep, choices: &[Choice], reason: &str) -> Vec<Record> {
 fn tell_of_failures(sweep: &Sweep, rows: &[Record], terminal: Terminal) -> Status {
     let mut status = Status::Complete;
     for row in rows {
-        if let Some(reason) = row.reason() {
+        if let Err(reason) = &row.outcome {
             let (case, method) = (row.case, sweep.methods[row.method].name());
             terminal.complain(&format!(
                 "error: case {case} by {method} has no answer: {reason}"

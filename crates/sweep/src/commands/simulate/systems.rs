@@ -9,7 +9,7 @@ use crate::cli::SimulateArguments;
 use crate::commands::prepare::build_systems;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_unstable;
-use crate::engine::{MethodSystem, Record, RunOptions};
+use crate::engine::{Failure, MethodSystem, Record, RunOptions};
 use crate::histories::{FollowedMethod, Simulation};
 use crate::plan::Sweep;
 
@@ -30,19 +30,16 @@ pub fn simulate_all(
         // what it would do can be looked at here.
         allow_unstable: arguments.allow_unstable || !sweep.design.varies_string(),
     };
-    let mut built: Vec<Systems> = Vec::new();
+    // By the time (s) they are built for.
+    let mut built: Vec<(f64, Vec<Result<FollowedMethod, Failure>>)> = Vec::new();
     let (mut rows, mut simulations) = (Vec::new(), Vec::new());
     for ChosenCase { case, longest } in cases {
-        let known = built.iter().position(|systems| systems.longest == *longest);
-        let place = match known {
-            Some(place) => place,
-            None => {
-                let file = &arguments.file;
-                built.push(Systems::build(file, sweep, options, *longest, terminal)?);
-                built.len() - 1
-            }
-        };
-        for (method, system) in built[place].methods.iter().enumerate() {
+        if !built.iter().any(|(time, _)| time == longest) {
+            let systems = build(&arguments.file, sweep, options, *longest, terminal)?;
+            built.push((*longest, systems));
+        }
+        let systems = built.iter().filter(|(time, _)| time == longest);
+        for (method, system) in systems.flat_map(|(_, systems)| systems).enumerate() {
             match system {
                 Ok(system) => {
                     let is_alone = cases.len() == 1;
@@ -53,7 +50,7 @@ pub fn simulate_all(
                 }
                 Err(reason) => {
                     let values = case.values.clone();
-                    rows.push(Record::failed(case.index, method, values, reason));
+                    rows.push(Record::failed(case.index, method, values, reason.clone()));
                 }
             }
         }
@@ -61,39 +58,28 @@ pub fn simulate_all(
     Ok((rows, simulations))
 }
 
-/// The linear systems of the chosen string, or why a method has none.
-struct Systems {
-    /// What they are built for, s.
+/// The linear systems of the chosen string for a time (s), or why a method has none.
+fn build(
+    file: &Path,
+    sweep: &Sweep,
+    options: RunOptions,
     longest: f64,
-    methods: Vec<Result<FollowedMethod, String>>,
-}
-
-impl Systems {
-    fn build(
-        file: &Path,
-        sweep: &Sweep,
-        options: RunOptions,
-        longest: f64,
-        terminal: Terminal,
-    ) -> Result<Self> {
-        let setting = sweep.setting.for_labels();
-        let systems: Vec<Result<MethodSystem>> = if sweep.design.varies_string() {
-            MethodSystem::build_each(sweep, &setting, longest)
-        } else {
-            // A run would not begin.
-            let systems = build_systems(file, sweep, &setting, longest)?;
-            systems.into_iter().map(Ok).collect()
-        };
-        if options.allow_unstable {
-            warn_of_unstable(systems.iter().flatten(), terminal);
-        }
-        let methods = systems
-            .into_iter()
-            .map(|system| match system {
-                Ok(case) => FollowedMethod::new(sweep, case, longest).map(Ok),
-                Err(error) => Ok(Err(format!("{error:#}"))),
-            })
-            .collect::<Result<_>>()?;
-        Ok(Self { longest, methods })
+    terminal: Terminal,
+) -> Result<Vec<Result<FollowedMethod, Failure>>> {
+    let setting = sweep.setting.for_labels();
+    let systems: Vec<Result<MethodSystem>> = if sweep.design.varies_string() {
+        MethodSystem::build_each(sweep, &setting, longest)
+    } else {
+        // A run would not begin.
+        let systems = build_systems(file, sweep, &setting, longest)?;
+        systems.into_iter().map(Ok).collect()
+    };
+    if options.allow_unstable {
+        warn_of_unstable(systems.iter().flatten(), terminal);
     }
+    let followed = systems.into_iter().map(|system| match system {
+        Ok(case) => FollowedMethod::new(sweep, case, longest).map(Ok),
+        Err(error) => Ok(Err(Failure::new(format_args!("{error:#}")))),
+    });
+    followed.collect()
 }

@@ -1,12 +1,11 @@
 //! The line of a log that says what a run that is not finished is shown by, in words
 //! that mean nothing here. No run goes on from it; the last one counts.
 
-use std::fs::File;
 use std::path::Path;
 
 use super::error::{LogError, file_error};
 use super::line::{Scan, checked, parse_line};
-use crate::files::{is_absent, refuse_irregular};
+use crate::files::open_if_there;
 
 /// Its first word.
 const ABOUT: &str = "sweep-run";
@@ -29,10 +28,8 @@ pub(super) fn parse_about(line: &[u8]) -> Option<String> {
 /// Where the log cannot be read.
 pub fn read_about(path: &Path) -> Result<Option<String>, LogError> {
     let unreadable = |error| file_error(path, "read", error);
-    refuse_irregular(path).map_err(unreadable)?;
-    let file = match File::open(path) {
-        Err(error) if is_absent(&error) => return Ok(None),
-        file => file.map_err(unreadable)?,
+    let Some(file) = open_if_there(path).map_err(unreadable)? else {
+        return Ok(None);
     };
     let mut about = None;
     let mut scan = Scan::new(&file).map_err(unreadable)?;

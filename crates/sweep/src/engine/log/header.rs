@@ -1,7 +1,6 @@
 //! The first line of a log: what the log belongs to.
 
-use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -9,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::error::{FORMAT, LogError, file_error};
 use super::line::{LONGEST_LINE, checked, parse_line};
 use crate::engine::Shard;
-use crate::files::{is_absent, refuse_irregular};
+use crate::files::open_if_there;
 
 /// First word of a header.
 const HEADER: &str = "sweep-log";
@@ -53,31 +52,15 @@ impl Header {
         Ok(checked(&format!("{HEADER}\t{json}")))
     }
 
-    /// What the first line of a log says.
-    pub(super) fn parse(line: &[u8]) -> FirstLine {
-        let json = parse_line(line)
-            .and_then(|text| text.strip_prefix(HEADER)?.strip_prefix('\t'))
-            .and_then(|json| serde_json::from_str::<serde_json::Value>(json).ok());
-        let format = json.as_ref().and_then(|json| json["format"].as_u64());
-        match (json, format) {
-            (Some(json), Some(FORMAT)) => serde_json::from_value(json)
-                .map_or(FirstLine::Other, |header| {
-                    FirstLine::Header(Box::new(header))
-                }),
-            (_, Some(format)) => FirstLine::OtherFormat(format),
-            _ => FirstLine::Other,
+    /// What the first line of a log says, if it is a whole header.
+    pub(super) fn parse(line: &[u8]) -> Option<Place> {
+        let json = parse_line(line)?.strip_prefix(HEADER)?.strip_prefix('\t')?;
+        let json: serde_json::Value = serde_json::from_str(json).ok()?;
+        match json["format"].as_u64()? {
+            FORMAT => Some(Place::Log(serde_json::from_value(json).ok()?)),
+            other => Some(Place::OtherFormat(other)),
         }
     }
-}
-
-/// What the first line of a log says.
-pub(super) enum FirstLine {
-    /// What the log belongs to.
-    Header(Box<Header>),
-    /// That it is of another version of the format.
-    OtherFormat(u64),
-    /// Nothing that a whole header says.
-    Other,
 }
 
 /// What is in the place of a log that is to be written.
@@ -98,22 +81,18 @@ pub enum Place {
 /// # Errors
 /// Where that is not a log, or cannot be read.
 pub fn log_place(path: &Path, ours: &Header) -> Result<Place, LogError> {
-    let unreadable = |error| file_error(path, "read", error);
-    refuse_irregular(path).map_err(unreadable)?;
-    let Some(line) = first_line(path).map_err(unreadable)? else {
+    let Some(line) = first_line(path)? else {
         return Ok(Place::Free);
     };
-    match Header::parse(&line) {
-        FirstLine::Header(header) => Ok(Place::Log(header)),
-        FirstLine::OtherFormat(format) => Ok(Place::OtherFormat(format)),
-        FirstLine::Other => {
-            let header = ours.line().map_err(|error| unreadable(error.into()))?;
-            if header.as_bytes().starts_with(&line) {
-                Ok(Place::Torn)
-            } else {
-                Err(LogError::NotALog(path.to_owned()))
-            }
-        }
+    if let Some(place) = Header::parse(&line) {
+        return Ok(place);
+    }
+    let header = ours.line();
+    let header = header.map_err(|error| file_error(path, "read", error.into()))?;
+    if header.as_bytes().starts_with(&line) {
+        Ok(Place::Torn)
+    } else {
+        Err(LogError::NotALog(path.to_owned()))
     }
 }
 
@@ -122,24 +101,22 @@ pub fn log_place(path: &Path, ours: &Header) -> Result<Place, LogError> {
 /// # Errors
 /// Where the file cannot be read, or is of another version of the format.
 pub fn read_header(path: &Path) -> Result<Option<Header>, LogError> {
-    let unreadable = |error| file_error(path, "read", error);
-    refuse_irregular(path).map_err(unreadable)?;
-    let line = first_line(path).map_err(unreadable)?;
-    match line.map(|line| Header::parse(&line)) {
-        Some(FirstLine::Header(header)) => Ok(Some(*header)),
-        Some(FirstLine::OtherFormat(format)) => Err(LogError::other_format(path, format)),
-        Some(FirstLine::Other) | None => Ok(None),
+    match first_line(path)?.and_then(|line| Header::parse(&line)) {
+        Some(Place::Log(header)) => Ok(Some(*header)),
+        Some(Place::OtherFormat(format)) => Err(LogError::other_format(path, format)),
+        _ => Ok(None),
     }
 }
 
 /// The first line of a file, if it is there.
-fn first_line(path: &Path) -> io::Result<Option<Vec<u8>>> {
-    let file = match File::open(path) {
-        // A folder that is none is found when it is to be made.
-        Err(error) if is_absent(&error) => return Ok(None),
-        file => file?,
+fn first_line(path: &Path) -> Result<Option<Vec<u8>>, LogError> {
+    let read = || {
+        let Some(file) = open_if_there(path)? else {
+            return Ok(None);
+        };
+        let mut line = Vec::new();
+        (BufReader::new(file).take(LONGEST_LINE)).read_until(b'\n', &mut line)?;
+        Ok(Some(line))
     };
-    let mut line = Vec::new();
-    (BufReader::new(file).take(LONGEST_LINE)).read_until(b'\n', &mut line)?;
-    Ok(Some(line))
+    read().map_err(|error| file_error(path, "read", error))
 }

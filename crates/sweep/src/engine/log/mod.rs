@@ -17,22 +17,21 @@ mod line;
 mod record;
 #[cfg(test)]
 mod tests;
-mod view;
 
 pub use about::read_about;
+pub use content::LogView;
 pub use error::LogError;
 pub use header::{Header, Place, log_place, read_header};
 pub use record::record_line;
-pub use view::LogView;
 
 use std::fs::File;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::io::{self, Write};
+use std::path::Path;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use about::about_line;
-use content::Content;
+use content::Counts;
 use error::file_error;
 
 use crate::engine::Record;
@@ -45,15 +44,13 @@ const BETWEEN_SYNCS: Duration = Duration::from_secs(1);
 /// An open log. The folder is locked for whoever writes it.
 #[derive(Debug)]
 pub struct Log {
-    path: PathBuf,
     state: Mutex<State>,
 }
 
 #[derive(Debug)]
 struct State {
-    file: File,
     synced: Instant,
-    content: Content,
+    content: LogView,
 }
 
 impl Log {
@@ -75,13 +72,11 @@ impl Log {
         let unwritable = |error| file_error(path, "written", error);
         refuse_irregular(path).map_err(unwritable)?;
         let file = (File::options().read(true).append(true).open(path)).map_err(unwritable)?;
-        let content = Content::read(path, &file, cases, methods)?;
+        let content = LogView::read(path, file, cases, methods)?;
         // What follows the last whole line is the rest of a torn one.
-        file.set_len(content.end()).map_err(unwritable)?;
+        content.file.set_len(content.end).map_err(unwritable)?;
         Ok(Self {
-            path: path.to_owned(),
             state: Mutex::new(State {
-                file,
                 synced: Instant::now(),
                 content,
             }),
@@ -102,19 +97,9 @@ impl Log {
         self.state().content.done()
     }
 
-    /// How many pairs are done.
-    pub fn count(&self) -> usize {
-        self.state().content.count()
-    }
-
-    /// How many of them have no answer.
-    pub fn failed(&self) -> usize {
-        self.state().content.failed()
-    }
-
-    /// Lines that do not match their checksum: a torn last one, or damage.
-    pub fn broken_lines(&self) -> usize {
-        self.state().content.broken_lines()
+    /// How much it holds by now.
+    pub fn counts(&self) -> Counts {
+        self.state().content.counts
     }
 
     /// Says, in a line of text, what the run is shown by as long as it is not finished,
@@ -124,8 +109,8 @@ impl Log {
     /// Where it cannot be written.
     pub fn describe(&self, about: String) -> Result<(), LogError> {
         let mut state = self.state();
-        if state.content.about() != Some(about.as_str()) {
-            let to = self.write(&mut state, &about_line(&about))?;
+        if state.content.about.as_deref() != Some(&about) {
+            let to = state.write(&about_line(&about))?;
             state.content.set_about(about, to);
         }
         Ok(())
@@ -137,14 +122,14 @@ impl Log {
     /// # Errors
     /// Where it cannot be written.
     pub fn append(&self, record: &Record) -> Result<(), LogError> {
-        let line =
-            record_line(record).map_err(|error| file_error(&self.path, "written", error.into()))?;
+        let line = record_line(record);
         let mut state = self.state();
-        let from = state.content.end();
-        let to = self.write(&mut state, &line)?;
+        let line = line.map_err(|error| state.unwritable(error.into()))?;
+        let from = state.content.end;
+        let to = state.write(&line)?;
         state.content.add(record, from, to);
         if state.synced.elapsed() >= BETWEEN_SYNCS {
-            self.sync_state(&mut state)?;
+            state.sync()?;
         }
         Ok(())
     }
@@ -154,34 +139,17 @@ impl Log {
     /// # Errors
     /// Where that fails.
     pub fn sync(&self) -> Result<(), LogError> {
-        self.sync_state(&mut self.state())
+        self.state().sync()
     }
 
     /// For the end of the program while cases are under way: nothing is added any
     /// more, `tell` hears how many pairs are done, and they are put on the disk.
     pub fn close(&self, tell: impl FnOnce(usize)) {
         let mut state = self.state();
-        tell(state.content.count());
+        tell(state.content.counts.done);
         // The program ends whether this succeeds or not.
-        let _ = self.sync_state(&mut state);
+        let _ = state.sync();
         std::mem::forget(state);
-    }
-
-    fn sync_state(&self, state: &mut State) -> Result<(), LogError> {
-        state.synced = Instant::now();
-        (state.file.sync_data()).map_err(|error| file_error(&self.path, "written", error))
-    }
-
-    /// Writes a line at the end; where the log then ends.
-    fn write(&self, state: &mut State, line: &str) -> Result<u64, LogError> {
-        // One call a line: a program that is killed has written it, or torn it at the end
-        // of a page, or has not.
-        state.file.write_all(line.as_bytes()).map_err(|error| {
-            // A part of a line would run into the next.
-            let _ = state.file.set_len(state.content.end());
-            file_error(&self.path, "written", error)
-        })?;
-        Ok(state.content.end() + line.len() as u64)
     }
 
     /// Gives all records to `each`, in the order of cases and methods: a block of whole
@@ -193,7 +161,31 @@ impl Log {
         &self,
         each: impl FnMut(&[Record]) -> anyhow::Result<()>,
     ) -> anyhow::Result<()> {
-        let state = self.state();
-        state.content.in_order(&self.path, &state.file, each)
+        self.state().content.in_order(each)
+    }
+}
+
+impl State {
+    fn unwritable(&self, error: io::Error) -> LogError {
+        file_error(&self.content.path, "written", error)
+    }
+
+    fn sync(&mut self) -> Result<(), LogError> {
+        self.synced = Instant::now();
+        let synced = self.content.file.sync_data();
+        synced.map_err(|error| self.unwritable(error))
+    }
+
+    /// Writes a line at the end; where the log then ends.
+    fn write(&mut self, line: &str) -> Result<u64, LogError> {
+        // One call a line: a program that is killed has written it, or torn it at the end
+        // of a page, or has not.
+        let written = self.content.file.write_all(line.as_bytes());
+        written.map_err(|error| {
+            // A part of a line would run into the next.
+            let _ = self.content.file.set_len(self.content.end);
+            self.unwritable(error)
+        })?;
+        Ok(self.content.end + line.len() as u64)
     }
 }

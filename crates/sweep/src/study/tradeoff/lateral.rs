@@ -17,9 +17,10 @@ use super::measure::{Found, Measure, Reference};
 use super::measured::{Measured, References, build, seconds_per_second};
 use crate::engine::{Case, MethodSystem};
 use crate::output::rolling_whirls;
-use crate::plan::{LateralSettings, Sweep, Time};
+use crate::plan::{LateralSettings, Sweep};
 use crate::quantities::Axis;
 use crate::study::scenes::shipped;
+use crate::sweep_file::AutoOr;
 
 /// Where the limit of whirl is looked for, coefficient of friction.
 const LIMIT_BRACKET: [f64; 2] = [0.8, 3.0];
@@ -55,7 +56,7 @@ impl Lateral {
         let sweep = shipped("fig12.toml")?;
         let settings = sweep.setting.lateral.clone().context("fig12 has a wall")?;
         let impulse = settings.impulses.first().context("fig12 has an impulse")?;
-        let Time::Given(time) = sweep.time else {
+        let AutoOr::Given(time) = sweep.time else {
             anyhow::bail!("fig12 has a time");
         };
         let mut lateral = Self {

@@ -18,9 +18,10 @@ use super::limit::{extrapolated, limit_between};
 use super::measure::{Found, Measure, Reference};
 use super::measured::{Measured, References, build, seconds_per_second};
 use crate::engine::{Case, MethodSystem};
-use crate::plan::{Sweep, Time};
+use crate::plan::Sweep;
 use crate::quantities::Axis;
 use crate::study::scenes::shipped;
+use crate::sweep_file::AutoOr;
 
 /// A step is looked at through a window of this length, s: a jump is in no
 /// method's band, and its largest error would never fall.
@@ -296,7 +297,7 @@ fn case(sweep: &Sweep, setting: &crate::plan::Setting, ratio: Option<f64>) -> Re
             let torque = torque.context("the bit has no torque")?;
             let conditions = conditions.with(Axis::SurfaceSpeedRpm, ratio * torque / 1e3);
             let sweep = Sweep {
-                time: Time::Auto,
+                time: AutoOr::Auto,
                 ..sweep.clone()
             };
             Case::under(&sweep, setting, 0, Vec::new(), &conditions)

@@ -1,0 +1,59 @@
+//! What can go wrong with a case.
+
+use sim::SimulationError;
+use thiserror::Error;
+
+use super::instability::Instability;
+use crate::plan::TorqueError;
+use crate::sweep_file::SweepFileError;
+
+/// Why there is no case, or no answer to it.
+#[derive(Debug, Error)]
+pub enum CaseError {
+    /// Neither the file nor an axis gives a condition.
+    #[error("has no {0}")]
+    Missing(&'static str),
+    /// The rock gives no torque.
+    #[error(transparent)]
+    Torque(#[from] TorqueError),
+    /// One of the cases of a sweep.
+    #[error("case {index}: {reason}")]
+    Numbered {
+        /// Its number.
+        index: usize,
+        /// What is wrong with it.
+        reason: Box<CaseError>,
+    },
+    /// A case that the random ranges allow, though it may not be drawn.
+    #[error("at an end of the random ranges: {0}")]
+    AtAnEnd(Box<CaseError>),
+    /// Its values make no string.
+    #[error(transparent)]
+    String(#[from] SweepFileError),
+    /// A method has no responses of its string.
+    #[error("{0:#}")]
+    Responses(anyhow::Error),
+    /// Its labels would mean little.
+    #[error("{0} (--allow-unstable simulates it)")]
+    Unstable(Instability),
+    /// The simulation has no answer, at a site (number and distance from the bit, m) where
+    /// it is one site's doing.
+    #[error("{error}{}", in_words(*site))]
+    Simulation {
+        /// What the simulation says.
+        error: SimulationError,
+        /// The site.
+        site: Option<(usize, f64)>,
+    },
+    /// The simulation panicked.
+    #[error("the simulation panicked")]
+    Panicked,
+}
+
+fn in_words(site: Option<(usize, f64)>) -> String {
+    match site {
+        None => String::new(),
+        Some((site, 0.0)) => format!(" (site {site} is the bit)"),
+        Some((site, distance)) => format!(" (site {site} is {distance} m from the bit)"),
+    }
+}
