@@ -1,6 +1,6 @@
-//! What pictures of motion have in common: axes, levels, and whether the wall is shown.
+//! What pictures of motion have in common: levels, and whether the wall is shown.
 
-use crate::plot::{Axis, Reference};
+use crate::plot::{Across, Reference};
 
 /// The clearance is drawn where motion reaches this part of it.
 const CLEARANCE_SHOWN: f64 = 0.2;
@@ -10,18 +10,11 @@ pub fn shows_wall(furthest: f64, clearance: f64) -> bool {
     furthest > CLEARANCE_SHOWN * clearance
 }
 
-/// A linear axis.
-pub fn axis(label: &str) -> Axis {
-    Axis {
-        label: label.to_owned(),
-        logarithmic: false,
-    }
-}
-
 /// A level line.
-pub fn level(y: f64, name: &str) -> Reference {
-    Reference::Horizontal {
-        y,
+pub fn level(at: f64, name: &str) -> Reference {
+    Reference {
+        across: Across::Y,
+        at,
         name: name.to_owned(),
     }
 }

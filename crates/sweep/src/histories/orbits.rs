@@ -2,10 +2,10 @@
 
 use anyhow::Result;
 
-use super::marks::{axis, shows_wall};
+use super::marks::shows_wall;
 use super::simulation::Simulation;
 use crate::plan::Sweep;
-use crate::plot::{Orbit, Orbits, Picture, Series, orbits};
+use crate::plot::{Axis, Orbit, Orbits, Picture, Series, orbits};
 use crate::words::site_title;
 
 /// The way of every site's centre, with the circle of its clearance where it comes
@@ -33,8 +33,8 @@ pub fn orbit_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Pictur
         let points = series.iter().flat_map(|series| &series.points);
         let furthest = points.fold(0.0, |most: f64, (x, y)| most.max(x.hypot(*y)));
         Orbit {
-            x: axis(&format!("x at {} (mm)", site_title(distance))),
-            y: axis("y (mm)"),
+            x: Axis::linear(format!("x at {} (mm)", site_title(distance))),
+            y: Axis::linear("y (mm)"),
             series,
             circle: shows_wall(furthest, clearance).then_some(clearance),
         }

@@ -4,11 +4,11 @@ use anyhow::Result;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
-use super::marks::{axis, level, shows_wall};
+use super::marks::{level, shows_wall};
 use super::simulation::{Simulation, has_torque};
 use crate::engine::Case;
 use crate::plan::{LateralSettings, Sweep, to_rpm};
-use crate::plot::{Panel, Panels, Picture, Reference, Series, panels};
+use crate::plot::{Across, Axis, Panel, Panels, Picture, Reference, Series, panels};
 use crate::words::site_title;
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
@@ -48,8 +48,8 @@ struct Histories<'a> {
 impl Histories<'_> {
     fn panel(&self, label: &str, series: Vec<Series>, references: Vec<Reference>) -> Panel {
         Panel {
-            x: axis("Time t (s)"),
-            y: axis(label),
+            x: Axis::linear("Time t (s)"),
+            y: Axis::linear(label),
             series,
             references,
         }
@@ -154,8 +154,9 @@ impl Histories<'_> {
                 bit.torque_static,
                 bit.torque_dynamic,
             );
-            Some(Reference::Vertical {
-                x: times.first_slip,
+            Some(Reference {
+                across: Across::X,
+                at: times.first_slip,
                 name: "τ₁".to_owned(),
             })
         })

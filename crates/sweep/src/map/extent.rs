@@ -19,10 +19,8 @@ const MOST_COMBINATIONS: usize = 6;
 /// What a map spans.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Extent {
-    /// Least and greatest value to the right.
-    pub x: [f64; 2],
-    /// Least and greatest value upwards.
-    pub y: [f64; 2],
+    /// Least and greatest value to the right and upwards.
+    pub ranges: [[f64; 2]; 2],
     /// Cases.
     pub cases: usize,
     /// Motions that have labels; that of torsion where no case has any.
@@ -80,8 +78,7 @@ impl Extent {
         }
         let unwrapped = |values: Vec<Ordered>| values.into_iter().map(|value| value.0).collect();
         Ok(Self {
-            x: ranges[0],
-            y: ranges[1],
+            ranges: [ranges[0], ranges[1]],
             cases,
             motions: motions.into_iter().collect(),
             values: values.map(|values| unwrapped(values.into_iter().collect())),
@@ -89,6 +86,21 @@ impl Extent {
                 .then(|| combinations.into_iter().map(unwrapped).collect()),
             other_ranges: ranges.split_off(axes.len()),
         })
+    }
+}
+
+#[cfg(test)]
+impl Extent {
+    /// Of cases in torsion over these values, in ascending order.
+    pub fn example(values: [&[f64]; 2], cases: usize) -> Self {
+        Self {
+            ranges: values.map(|values| [values[0], values[values.len() - 1]]),
+            cases,
+            motions: vec![Motion::Torsion],
+            values: values.map(<[f64]>::to_vec),
+            others: Some(vec![Vec::new()]),
+            other_ranges: Vec::new(),
+        }
     }
 }
 
@@ -135,7 +147,7 @@ mod tests {
             &[],
         );
         assert_eq!(extent.motions, Motion::ALL);
-        assert_eq!((extent.x, extent.y), ([1.0, 2.0], [10.0, 20.0]));
+        assert_eq!(extent.ranges, [[1.0, 2.0], [10.0, 20.0]]);
         assert_eq!(extent.others, Some(vec![vec![]]));
     }
 

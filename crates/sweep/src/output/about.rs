@@ -53,9 +53,8 @@ impl About {
 
     /// What the rows of its `labels.csv` have in common.
     pub fn label_table(&self) -> LabelTable<'_> {
-        let methods = self.manifest.methods.iter();
         LabelTable {
-            methods: methods.map(|method| method.method.as_str()).collect(),
+            methods: self.manifest.method_names(),
             axes: &self.manifest.axes,
             shows_torque: self.shows_torque,
         }

@@ -36,6 +36,25 @@ pub struct LabelRow {
     pub failed: bool,
 }
 
+#[cfg(test)]
+impl LabelRow {
+    /// A row of a case in torsion; without a `regime` it has no answer.
+    pub fn example(method: &str, regime: &str) -> Self {
+        Self {
+            line: 0,
+            case: 0,
+            method: method.to_owned(),
+            values: Vec::new(),
+            labels: Labels {
+                torsion: TorsionRegime::of_name(regime),
+                lateral: None,
+            },
+            predicted: None,
+            failed: false,
+        }
+    }
+}
+
 /// Where the columns are that are read back: `case`, `method`, the axes asked for,
 /// `torsion` and, if they are there, `lateral`, `predicted` and `status`; others are
 /// passed over.
@@ -49,17 +68,45 @@ pub struct LabelColumns {
     status: Option<usize>,
 }
 
+/// What is wrong with a row of labels, or with the names of its columns.
+#[derive(Debug, thiserror::Error)]
+pub enum LabelError {
+    /// A column is missing.
+    #[error("has no column `{0}`")]
+    NoColumn(String),
+    /// The case is no number.
+    #[error("`{0}` is not a case number")]
+    NoCase(String),
+    /// A value along an axis is no number.
+    #[error("{0}")]
+    NoNumber(String),
+    /// What was predicted is no label.
+    #[error("`{0}` is no regime")]
+    NoRegime(String),
+    /// A label is none of those of its column.
+    #[error("{column}: `{word}` is no {column} regime; {hint}")]
+    NoRegimeOf {
+        /// The column.
+        column: &'static str,
+        /// What it holds.
+        word: String,
+        /// What is meant, or what is known.
+        hint: String,
+    },
+}
+
 impl LabelColumns {
     /// From the names of all columns, the values along `axes` being wanted.
     ///
     /// # Errors
-    /// Where one is missing, in words.
+    /// Where one is missing.
     pub fn find<'a>(
         header: impl Iterator<Item = &'a str> + Clone,
         axes: &[Axis],
-    ) -> Result<Self, String> {
+    ) -> Result<Self, LabelError> {
         let place = |name: &str| header.clone().position(|field| field == name);
-        let column = |name: &str| place(name).ok_or_else(|| format!("has no column `{name}`"));
+        let no_column = |name: &str| LabelError::NoColumn(name.to_owned());
+        let column = |name: &str| place(name).ok_or_else(|| no_column(name));
         Ok(Self {
             case: column("case")?,
             method: column("method")?,
@@ -77,34 +124,33 @@ impl LabelColumns {
     /// A row by its fields.
     ///
     /// # Errors
-    /// What is wrong with it, in words.
+    /// Where a field is not what its column holds.
     pub fn row<'a>(
         &self,
         line: usize,
         field: impl Fn(usize) -> Option<&'a str>,
-    ) -> Result<LabelRow, String> {
+    ) -> Result<LabelRow, LabelError> {
         let field = |column: usize| field(column).unwrap_or_default();
         let optional = |column: Option<usize>| column.map_or("", field);
         let case = field(self.case);
-        let predicted = optional(self.predicted);
         Ok(LabelRow {
             line,
-            case: case
-                .parse()
-                .map_err(|_| format!("`{case}` is not a case number"))?,
+            case: (case.parse()).map_err(|_| LabelError::NoCase(case.to_owned()))?,
             method: field(self.method).to_owned(),
             values: (self.values.iter())
-                .map(|&column| number(field(column)))
+                .map(|&column| number(field(column)).map_err(LabelError::NoNumber))
                 .collect::<Result<_, _>>()?,
             labels: Labels {
                 torsion: regime("torsion", field(self.torsion), &TorsionRegime::ALL)?,
                 lateral: regime("lateral", optional(self.lateral), &LateralRegime::ALL)?,
             },
-            predicted: (!predicted.is_empty())
-                .then(|| {
-                    Label::of_name(predicted).ok_or_else(|| format!("`{predicted}` is no regime"))
-                })
-                .transpose()?,
+            predicted: match optional(self.predicted) {
+                "" => None,
+                word => {
+                    let label = Label::of_name(word);
+                    Some(label.ok_or_else(|| LabelError::NoRegime(word.to_owned()))?)
+                }
+            },
             failed: optional(self.status) == FAILED,
         })
     }
@@ -113,10 +159,10 @@ impl LabelColumns {
 /// A regime of a motion, or none; a word that is none of them is a mistake, and no label
 /// that differs.
 fn regime<Regime: Copy + Into<Label>>(
-    column: &str,
+    column: &'static str,
     word: &str,
     all: &[Regime],
-) -> Result<Option<Regime>, String> {
+) -> Result<Option<Regime>, LabelError> {
     let name = |regime: Regime| regime.into().name();
     if word.is_empty() {
         return Ok(None);
@@ -129,7 +175,8 @@ fn regime<Regime: Copy + Into<Label>>(
         || format!("known: {}", known.join(", ")),
         |known| format!("did you mean `{known}`?"),
     );
-    Err(format!("{column}: `{word}` is no {column} regime; {hint}"))
+    let word = word.to_owned();
+    Err(LabelError::NoRegimeOf { column, word, hint })
 }
 
 /// Reads labels that a person may have written or exported from a spreadsheet.
@@ -145,12 +192,13 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
 
 fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
     let columns = LabelColumns::find(table.header().iter(), axes)
-        .map_err(|reason| table.header_mistake(reason))?;
+        .map_err(|error| table.header_mistake(error.to_string()))?;
     let rows = table.rows().map(|row| {
         let row = row?;
-        (columns.row(row.line, |column| row.cells.get(column))).map_err(|message| Mistake {
+        let cell = |column| row.cells.get(column);
+        columns.row(row.line, cell).map_err(|error| Mistake {
             line: row.line,
-            message,
+            message: error.to_string(),
         })
     });
     rows.collect()

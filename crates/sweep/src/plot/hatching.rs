@@ -32,8 +32,7 @@ pub(super) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Rect) -> Re
             draw_rimmed(canvas, &part, WIDTH)?;
         }
     }
-    let [first, second, third, fourth] = area.corners();
-    for part in within.clip(&[first, second, third, fourth, first]) {
+    for part in within.clip(&area.outline()) {
         draw_rimmed(canvas, &part, OUTLINE)?;
     }
     Ok(())

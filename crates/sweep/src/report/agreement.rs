@@ -95,8 +95,7 @@ impl Agreement {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::{LabelRow, Labels};
-    use sim::TorsionRegime;
+    use crate::output::LabelRow;
 
     fn case(labels: [&str; 3]) -> CaseRows {
         let rows = ["a", "b", "c"].iter().zip(labels);
@@ -104,18 +103,7 @@ mod tests {
             case: 0,
             values: Vec::new(),
             rows: rows
-                .map(|(method, label)| LabelRow {
-                    line: 0,
-                    case: 0,
-                    method: (*method).to_owned(),
-                    values: Vec::new(),
-                    labels: Labels {
-                        torsion: TorsionRegime::of_name(label),
-                        lateral: None,
-                    },
-                    predicted: None,
-                    failed: false,
-                })
+                .map(|(method, label)| LabelRow::example(method, label))
                 .collect(),
         }
     }

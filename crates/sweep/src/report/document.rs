@@ -51,10 +51,13 @@ pub struct Map {
 
 impl Table {
     /// A table with a header and no rows.
-    pub fn new(caption: impl Into<String>, header: &[&str]) -> Self {
+    pub fn new<Name: Into<String>>(
+        caption: impl Into<String>,
+        header: impl IntoIterator<Item = Name>,
+    ) -> Self {
         Self {
             caption: caption.into(),
-            header: header.iter().map(|name| (*name).to_owned()).collect(),
+            header: header.into_iter().map(Into::into).collect(),
             rows: Vec::new(),
         }
     }
@@ -74,9 +77,8 @@ impl Table {
 
     /// Whether a column holds sentences, commands or the like.
     pub fn is_long(&self, column: usize) -> bool {
-        self.rows
-            .iter()
-            .any(|row| row[column].chars().count() > LONG)
+        let mut rows = self.rows.iter();
+        rows.any(|row| row[column].chars().count() > LONG)
     }
 }
 
@@ -96,14 +98,18 @@ impl From<Table> for Block {
 /// several.
 pub fn table_of(all: &[Results], caption: &str, header: &[&str]) -> Table {
     let folder = (all.len() > 1).then_some("folder");
-    let header: Vec<&str> = folder.into_iter().chain(header.iter().copied()).collect();
-    Table::new(caption, &header)
+    Table::new(caption, folder.into_iter().chain(header.iter().copied()))
 }
 
 /// A row of such a table.
 pub fn row_of(all: &[Results], results: &Results, cells: Vec<String>) -> Vec<String> {
     let folder = (all.len() > 1).then(|| results.name.clone());
     folder.into_iter().chain(cells).collect()
+}
+
+/// A paragraph about a folder.
+pub fn note(all: &[Results], results: &Results, text: impl std::fmt::Display) -> Block {
+    Block::Text(named(all, results, text))
 }
 
 /// `text`, with its folder before it where there are several.
