@@ -5,9 +5,12 @@ use crate::plot::{Across, Reference};
 /// The clearance is drawn where motion reaches this part of it.
 const CLEARANCE_SHOWN: f64 = 0.2;
 
-/// Motion far from the wall would not be seen beside it.
-pub fn shows_wall(furthest: f64, clearance: f64) -> bool {
-    furthest > CLEARANCE_SHOWN * clearance
+/// A clearance (m) in mm, where motion comes so near, by its radii in mm, that it is seen
+/// beside it.
+pub fn shown_clearance(clearance: f64, radii: impl Iterator<Item = f64>) -> Option<f64> {
+    let clearance = 1e3 * clearance;
+    let furthest = radii.fold(0.0, f64::max);
+    (furthest > CLEARANCE_SHOWN * clearance).then_some(clearance)
 }
 
 /// A level line.

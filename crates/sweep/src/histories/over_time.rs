@@ -4,7 +4,7 @@ use anyhow::Result;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
-use super::marks::{level, shows_wall};
+use super::marks::{level, shown_clearance};
 use super::simulation::{Simulation, has_torque};
 use crate::engine::Case;
 use crate::plan::{LateralSettings, Sweep, to_rpm};
@@ -67,13 +67,11 @@ impl Histories<'_> {
     }
 
     fn of_each(&self, values: &dyn Fn(&Trajectory, usize) -> f64) -> Vec<Series> {
-        let simulations = self.simulations.iter();
-        simulations
-            .map(|simulation| {
-                let of_step = |index| values(&simulation.trajectory, index);
-                self.series(&simulation.name, simulation, &of_step)
-            })
-            .collect()
+        let series = self.simulations.iter().map(|simulation| {
+            let of_step = |index| values(&simulation.trajectory, index);
+            self.series(&simulation.name, simulation, &of_step)
+        });
+        series.collect()
     }
 
     /// Between the first two methods, where there is one case.
@@ -95,10 +93,9 @@ impl Histories<'_> {
             .enumerate()
             .map(|(site, (&distance, wall))| {
                 let radii = self.of_each(&|trajectory, index| radius_mm(trajectory, site, index));
-                let clearance = 1e3 * wall.clearance;
                 let points = radii.iter().flat_map(|series| &series.points);
-                let furthest = points.fold(0.0, |most: f64, point| most.max(point.1));
-                let wall = shows_wall(furthest, clearance).then(|| level(clearance, "clearance"));
+                let clearance = shown_clearance(wall.clearance, points.map(|point| point.1));
+                let wall = clearance.map(|clearance| level(clearance, "clearance"));
                 let label = format!("Radius at {} (mm)", site_title(distance));
                 self.panel(&label, radii, wall.into_iter().collect())
             })

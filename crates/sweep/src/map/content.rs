@@ -30,7 +30,7 @@ pub struct Content {
     pub cells: Vec<MapCell>,
     /// Its symbols.
     pub points: Vec<MapPoint>,
-    /// Cases that tell nothing of the motion.
+    /// Cases without a label of the motion, or whose label is undetermined.
     pub untold: usize,
     /// Cases.
     pub cases: usize,
@@ -192,7 +192,7 @@ fn filled(cells: &Cells) -> Vec<MapCell> {
     .collect()
 }
 
-/// A symbol here and there, for who cannot tell the colours.
+/// A symbol in some of the cells, for readers who cannot tell the colours apart.
 fn sparse_symbols(cells: &Cells) -> Vec<MapPoint> {
     let [columns, rows] = cells.size();
     let [step_x, step_y] = [columns, rows].map(|cells| cells.div_ceil(SYMBOLS_ACROSS).max(1));

@@ -18,7 +18,7 @@ const CASES_PER_CELL: f64 = 10.0;
 pub struct Fractions {
     /// The lines between cells, to the right and upwards.
     edges: [Vec<f64>; 2],
-    /// Simulations with the regime, and all that tell, column by column.
+    /// Simulations with the regime, and all with a determined label, column by column.
     counts: Vec<[usize; 2]>,
 }
 
@@ -46,7 +46,8 @@ impl Fractions {
         }
     }
 
-    /// Counts a case: how many of its simulations have the regime, of those that tell.
+    /// Counts a case: how many of its simulations have the regime, of those whose label is
+    /// determined.
     pub fn add(&mut self, place: [f64; 2], [sustained, told]: [usize; 2]) {
         let [column, row] = [0, 1].map(|axis| {
             let edges = &self.edges[axis];

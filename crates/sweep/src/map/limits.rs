@@ -8,7 +8,7 @@ use crate::output::{Curve, Motion};
 use crate::plot::{Band, Line, is_within};
 use crate::quantities::Axis;
 
-/// What a map shows.
+/// The part of the plane that a map shows.
 pub struct View {
     /// Its axes, to the right and upwards.
     pub axes: [Axis; 2],
@@ -27,7 +27,7 @@ pub struct Limits {
     pub notes: Vec<String>,
 }
 
-/// A limit out of view: how far, and what there is to say.
+/// A limit out of view: how far it is, and the note about it.
 struct Unseen {
     margin: f64,
     note: String,
@@ -39,7 +39,7 @@ const NARROW: f64 = 1e-6;
 impl Limits {
     /// The limits that `curves` are on a map, while quantities off the map are `held`
     /// within the ranges of its cases. Of the curves of one name, such as the branches
-    /// of a motion, the nearest is told, and only if none can be seen.
+    /// of a motion, a note tells the nearest, and only if none is drawn.
     pub fn of(curves: &[&Curve], view: &View, held: impl Fn(Axis) -> [f64; 2]) -> Limits {
         let mut limits = Limits::default();
         let curves = match Self::least_over_a_range(curves, view, &held) {

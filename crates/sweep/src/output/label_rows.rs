@@ -1,5 +1,5 @@
-//! `labels.csv` as it is read back, typed: every row for maps, reports and merges, what a
-//! run wrote of a case for a run with more cases, and what a person wrote for `check`.
+//! Reads `labels.csv`: rows for maps, reports and merges, rows of a person for `check`,
+//! and the full records that a run with more cases starts from.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -156,8 +156,8 @@ impl LabelColumns {
     }
 }
 
-/// A regime of a motion, or none; a word that is none of them is a mistake, and no label
-/// that differs.
+/// A regime of a motion, or none. A word that is no regime is an error, not a label that
+/// differs.
 fn regime<Regime: Copy + Into<Label>>(
     column: &'static str,
     word: &str,

@@ -1,4 +1,5 @@
-//! `manifest.json`: what was run, with what, and what came of it.
+//! `manifest.json`: what was run, with which settings and methods, and the counts of
+//! what came out.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

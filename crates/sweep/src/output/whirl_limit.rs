@@ -69,7 +69,7 @@ fn yes() -> bool {
     true
 }
 
-/// Parts of a number that rounding may hide.
+/// Numbers that differ by a smaller part are the same but for rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// A curve of whirls, each of which follows from the one before without a jump.
@@ -109,7 +109,7 @@ pub fn whirl_limit(
     Ok(points)
 }
 
-/// Ends of the range that the units have moved by rounding.
+/// Undoes the rounding of units at the ends of the range.
 fn snap(speed: &mut f64, range: [f64; 2]) {
     for end in range {
         if (*speed - end).abs() <= ROUNDING * end {

@@ -141,11 +141,7 @@ fn draw_panel(
     top: f64,
     width: f64,
 ) -> Result<()> {
-    let mut names: f64 = 0.0;
-    for name in &panel.rows {
-        names = names.max(text::width(name, LABEL_TEXT)?);
-    }
-    let grid_left = left + names + GAP;
+    let grid_left = left + text::widest(&panel.rows, LABEL_TEXT)? + GAP;
     let count = panel.columns.len().max(1) as f64;
     let cell_width = ((left + width - grid_left) / count).min(WIDEST_CELL);
     let grid_top = top + line(SMALL_SIZE) + GAP;

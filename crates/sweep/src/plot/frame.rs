@@ -176,11 +176,10 @@ fn tick_length(tick: &Tick) -> f64 {
 }
 
 fn widest_label(ticks: &[Tick]) -> Result<f64> {
-    let mut widest: f64 = 0.0;
-    for label in ticks.iter().filter_map(|tick| tick.label.as_ref()) {
-        widest = widest.max(text::width(label, SMALL_SIZE)?);
-    }
-    Ok(widest)
+    text::widest(
+        ticks.iter().filter_map(|tick| tick.label.as_ref()),
+        SMALL_SIZE,
+    )
 }
 
 /// The most ticks whose labels, of the given extents along an axis of `length`

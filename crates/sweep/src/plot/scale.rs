@@ -133,9 +133,8 @@ impl Scale {
         ticks
             .into_iter()
             .filter_map(|(value, label)| {
-                let fraction = self.fraction(value)?;
                 Some(Tick {
-                    fraction,
+                    fraction: self.fraction(value)?,
                     label: Some(label),
                 })
             })

@@ -1,5 +1,4 @@
-//! One results folder against another: where the same cases were run, which
-//! labels differ.
+//! Compares two results folders: which labels differ where the same cases were run.
 
 use anyhow::Result;
 

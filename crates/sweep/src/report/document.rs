@@ -1,4 +1,4 @@
-//! What a summary and a report are made of, whatever shows it.
+//! The parts of a summary or a report: paragraphs, tables and maps, without any layout.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ pub struct Section {
     pub blocks: Vec<Block>,
 }
 
-/// A piece of a section.
+/// A part of a section.
 pub enum Block {
     /// A paragraph.
     Text(String),
@@ -20,7 +20,7 @@ pub enum Block {
     Table(Table),
     /// The regime map of a results folder.
     Map(Map),
-    /// Something long that few will want: a page folds it, a terminal leaves it out.
+    /// A long text: a page folds it, a terminal leaves it out.
     Folded {
         /// What it is.
         title: String,
@@ -85,7 +85,7 @@ impl Table {
 /// Cells longer than this are broken into lines, where there are lines to break.
 const LONG: usize = 40;
 
-/// A cell with nothing to say.
+/// What an empty cell shows.
 pub const NOTHING: &str = "–";
 
 impl From<Table> for Block {

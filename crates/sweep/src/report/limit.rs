@@ -49,8 +49,8 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Of methods that have said nothing yet; none where there is no limit, or it is
-    /// of a quantity that is the same in all cases.
+    /// Of these methods, without a case; none where there is no limit, or it is of a
+    /// quantity that is the same in all cases.
     pub fn new(boundary: &Boundary, axes: &[Axis], methods: &[&str]) -> Option<Self> {
         let place = |axis| axes.iter().position(|&other| other == axis);
         let (limited, value, along, lines) = match boundary {
@@ -71,10 +71,7 @@ impl Limits {
         };
         Some(Self {
             limited,
-            checks: methods
-                .iter()
-                .map(|method| LimitCheck::new(method))
-                .collect(),
+            checks: methods.iter().map(LimitCheck::new).collect(),
             lines,
             value,
             along,
@@ -119,9 +116,9 @@ fn stick_slip_curve(points: &[StickSlipPoint], method: &str, torque: Axis) -> En
 }
 
 impl LimitCheck {
-    fn new(method: &str) -> Self {
+    fn new(method: &&str) -> Self {
         Self {
-            method: method.to_owned(),
+            method: (*method).to_owned(),
             below: [0; 2],
             above: [0; 2],
             last_vibrating: None,

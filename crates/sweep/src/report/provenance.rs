@@ -1,4 +1,5 @@
-//! Results folders in words and tables: with what, and how long it took.
+//! The sections on time and provenance: what the results depend on, and how long they
+//! took.
 
 use super::document::{Block, NOTHING, Table, row_of, table_of};
 use super::results::Results;
@@ -67,7 +68,7 @@ fn system_row(method: &MethodRecord) -> Vec<String> {
     ]
 }
 
-/// With what, and what exactly.
+/// What the results depend on.
 pub fn provenance(all: &[Results]) -> Vec<Block> {
     let names = all.iter().map(|results| results.name.as_str());
     let header = ["of"].into_iter().chain(names);

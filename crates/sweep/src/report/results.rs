@@ -24,7 +24,7 @@ pub struct Results {
     pub tables: ResultTables,
     /// What was run.
     pub manifest: Manifest,
-    /// Whether the methods say the same.
+    /// Whether the methods agree.
     pub agreement: Agreement,
     /// The boundary against the analytic limit, where there is one.
     pub limits: Option<Limits>,

@@ -1,4 +1,4 @@
-//! Results folders in words and tables: what came out.
+//! Results folders in words and tables, section by section.
 
 use sim::Label;
 

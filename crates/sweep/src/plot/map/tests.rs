@@ -146,7 +146,7 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
         heading: long.clone(),
         scale: Some(long.clone()),
         keys: vec![
-            (Ground::Part(Part::All), long.clone()),
+            (Ground::Part(Part::of(1.0)), long.clone()),
             (Ground::Symbol(Symbol::Circle), long.clone()),
         ],
         notes: vec![long.clone(); 2],
