@@ -69,9 +69,10 @@ impl Limits {
             }
             _ => return None,
         };
+        let checks = methods.iter().map(|method| LimitCheck::new(method));
         Some(Self {
             limited,
-            checks: methods.iter().map(LimitCheck::new).collect(),
+            checks: checks.collect(),
             lines,
             value,
             along,
@@ -116,9 +117,9 @@ fn stick_slip_curve(points: &[StickSlipPoint], method: &str, torque: Axis) -> En
 }
 
 impl LimitCheck {
-    fn new(method: &&str) -> Self {
+    fn new(method: &str) -> Self {
         Self {
-            method: (*method).to_owned(),
+            method: method.to_owned(),
             below: [0; 2],
             above: [0; 2],
             last_vibrating: None,
