@@ -68,7 +68,9 @@ impl Extent {
             }
             // One more than can be shown tells that there are too many.
             if combinations.len() <= MOST_COMBINATIONS {
-                insert(&mut combinations, beside.to_vec(), in_order);
+                insert(&mut combinations, beside.to_vec(), |one, other| {
+                    in_order(one, other)
+                });
             }
             cases += 1;
             motions.extend(Motion::ALL.into_iter().filter(|&motion| case.has(motion)));
@@ -114,7 +116,7 @@ fn insert<Value>(
 }
 
 /// By the first number that differs.
-fn in_order(one: &Vec<f64>, other: &Vec<f64>) -> Ordering {
+fn in_order(one: &[f64], other: &[f64]) -> Ordering {
     let mut orders = one
         .iter()
         .zip(other)

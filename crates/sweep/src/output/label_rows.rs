@@ -73,19 +73,19 @@ pub struct LabelColumns {
 pub enum LabelError {
     /// A column is missing.
     #[error("has no column `{0}`")]
-    NoColumn(String),
+    MissingColumn(String),
     /// The case is no number.
     #[error("`{0}` is not a case number")]
-    NoCase(String),
+    Case(String),
     /// A value along an axis is no number.
     #[error("{0}")]
-    NoNumber(String),
+    Value(String),
     /// What was predicted is no label.
     #[error("`{0}` is no regime")]
-    NoRegime(String),
+    Predicted(String),
     /// A label is none of those of its column.
     #[error("{column}: `{word}` is no {column} regime; {hint}")]
-    NoRegimeOf {
+    Regime {
         /// The column.
         column: &'static str,
         /// What it holds.
@@ -105,7 +105,7 @@ impl LabelColumns {
         axes: &[Axis],
     ) -> Result<Self, LabelError> {
         let place = |name: &str| header.clone().position(|field| field == name);
-        let no_column = |name: &str| LabelError::NoColumn(name.to_owned());
+        let no_column = |name: &str| LabelError::MissingColumn(name.to_owned());
         let column = |name: &str| place(name).ok_or_else(|| no_column(name));
         Ok(Self {
             case: column("case")?,
@@ -135,10 +135,10 @@ impl LabelColumns {
         let case = field(self.case);
         Ok(LabelRow {
             line,
-            case: (case.parse()).map_err(|_| LabelError::NoCase(case.to_owned()))?,
+            case: (case.parse()).map_err(|_| LabelError::Case(case.to_owned()))?,
             method: field(self.method).to_owned(),
             values: (self.values.iter())
-                .map(|&column| number(field(column)).map_err(LabelError::NoNumber))
+                .map(|&column| number(field(column)).map_err(LabelError::Value))
                 .collect::<Result<_, _>>()?,
             labels: Labels {
                 torsion: regime("torsion", field(self.torsion), &TorsionRegime::ALL)?,
@@ -148,7 +148,7 @@ impl LabelColumns {
                 "" => None,
                 word => {
                     let label = Label::of_name(word);
-                    Some(label.ok_or_else(|| LabelError::NoRegime(word.to_owned()))?)
+                    Some(label.ok_or_else(|| LabelError::Predicted(word.to_owned()))?)
                 }
             },
             failed: optional(self.status) == FAILED,
@@ -176,7 +176,7 @@ fn regime<Regime: Copy + Into<Label>>(
         |known| format!("did you mean `{known}`?"),
     );
     let word = word.to_owned();
-    Err(LabelError::NoRegimeOf { column, word, hint })
+    Err(LabelError::Regime { column, word, hint })
 }
 
 /// Reads labels that a person may have written or exported from a spreadsheet.
