@@ -5,6 +5,7 @@
 #[allow(dead_code, reason = "its small sweep is for other tests")]
 mod support;
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use linear::waves::lateral::BendingNetwork;
@@ -83,19 +84,24 @@ struct Row {
     least: String,
 }
 
-fn limit(sweep: &str) -> Vec<Row> {
+/// A finished run of a sweep in `results`.
+fn run(sweep: &str) -> Workplace {
     let place = Workplace::with_small(sweep);
     let answer = place.sweep(&["run", "small.toml", "--out", "results", "--quiet"]);
     assert_eq!(answer.code, 0, "{answer:?}");
-    let mut reader = csv::Reader::from_path(place.path("results/boundary.csv")).unwrap();
-    let header = reader.headers().unwrap().clone();
-    let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    let rows = records.iter().map(|record| {
-        let text = |name: &str| {
-            let column = header.iter().position(|field| field == name).unwrap();
-            record[column].to_owned()
-        };
-        let number = |name: &str| text(name).parse::<f64>().unwrap();
+    place
+}
+
+/// The rows of a table of a run, by the names of its columns.
+fn table(place: &Workplace, name: &str) -> Vec<BTreeMap<String, String>> {
+    let reader = csv::Reader::from_path(place.path("results").join(name));
+    let rows = reader.unwrap().into_deserialize();
+    rows.map(Result::unwrap).collect()
+}
+
+fn limit(place: &Workplace) -> Vec<Row> {
+    let rows = table(place, "boundary.csv").into_iter().map(|row| {
+        let number = |name: &str| row[name].parse::<f64>().unwrap();
         Row {
             speed: number("surface_speed_rpm") * TAU / 60.0,
             friction: number("friction"),
@@ -103,9 +109,9 @@ fn limit(sweep: &str) -> Vec<Row> {
             radius: 1e-3 * number("radius_mm"),
             rate: TAU * number("precession_turns_per_s"),
             force: 1e3 * number("normal_force_kn"),
-            branch: text("branch"),
-            motion: text("motion"),
-            least: text("least"),
+            branch: row["branch"].clone(),
+            motion: row["motion"].clone(),
+            least: row["least"].clone(),
         }
     });
     rows.collect()
@@ -134,7 +140,7 @@ fn least_at(rows: &[Row], speed: f64) -> Option<f64> {
 
 #[test]
 fn branches_are_continuous_and_balance_the_forces() {
-    let rows = limit(SWEEP);
+    let rows = limit(&run(SWEEP));
     let curves = rolling(&rows);
     for (site, _) in SITES {
         let branches = curves.iter().filter(|row| row.site == site);
@@ -193,11 +199,8 @@ fn branches_are_continuous_and_balance_the_forces() {
 /// the same friction.
 #[test]
 fn no_whirl_of_a_dense_scan_is_missed() {
-    let rows = limit(&with(
-        SWEEP,
-        "surface_speed_rpm = { values = [60, 180] }\n",
-        "",
-    ));
+    let speeds = "surface_speed_rpm = { values = [60, 180] }\n";
+    let rows = limit(&run(&with(SWEEP, speeds, "")));
     let found = rolling(&rows);
     let string = string();
     let speed = 120.0 * TAU / 60.0;
@@ -289,7 +292,8 @@ kind = "grid"
 friction = {{ values = [0.5, 1.1] }}
 "#
     );
-    let rows = limit(&sweep);
+    let place = run(&sweep);
+    let rows = limit(&place);
     let [rolling, any] = &rows[..] else {
         panic!("{rows:?}");
     };
@@ -297,19 +301,9 @@ friction = {{ values = [0.5, 1.1] }}
     assert!((any.friction - 0.572).abs() < 0.006, "{any:?}");
     assert_eq!(any.motion, "rolling_or_sliding");
 
-    let place = Workplace::with_small(&sweep);
-    place.sweep(&["run", "small.toml", "--out", "results", "--quiet"]);
-    let mut reader = csv::Reader::from_path(place.path("results/labels.csv")).unwrap();
-    let header = reader.headers().unwrap().clone();
-    let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    let column = |name: &str| header.iter().position(|field| field == name).unwrap();
-    let labels = records.iter().map(|record| &record[column("lateral")]);
-    assert_eq!(
-        labels.collect::<Vec<_>>(),
-        ["transient_contact", "backward_whirl"]
-    );
-    let rate: f64 = records[1][column("precession_turns_per_s")]
-        .parse()
-        .unwrap();
+    let labels = table(&place, "labels.csv");
+    let regimes: Vec<&str> = labels.iter().map(|row| row["lateral"].as_str()).collect();
+    assert_eq!(regimes, ["transient_contact", "backward_whirl"]);
+    let rate: f64 = labels[1]["precession_turns_per_s"].parse().unwrap();
     assert!(TAU * -rate < 0.9 * rolling.rate, "{rate}");
 }

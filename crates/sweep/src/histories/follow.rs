@@ -1,4 +1,4 @@
-//! Cases followed to the end of their time, against the linear systems of a run.
+//! Follows cases to the end of their time with the linear systems of a run.
 
 use anyhow::{Context, Result};
 use sim::{Outcome, Stopping, Trajectory};
@@ -12,8 +12,8 @@ use crate::words::short;
 pub struct FollowedMethod {
     /// What a run steps a case against.
     case: MethodSystem,
-    /// The same with the places that are just looked at: they would change the mesh
-    /// of finite elements, and so the case.
+    /// The same with the places that are only watched: in the first they would change the
+    /// mesh of finite elements, and so the case.
     watched: Option<MethodSystem>,
 }
 
@@ -21,7 +21,7 @@ impl FollowedMethod {
     /// Of what a run steps a case against, for cases up to the longest.
     ///
     /// # Errors
-    /// Where the method cannot treat the places that are just looked at.
+    /// Where the method does not treat the places that are only watched.
     pub fn new(sweep: &Sweep, case: MethodSystem, longest: f64) -> Result<Self> {
         let is_watched = sweep.setting.sites.len() > case.setting.sites.len();
         let watched = is_watched.then(|| {
@@ -33,8 +33,9 @@ impl FollowedMethod {
         })
     }
 
-    /// The row that a run has of a case by the method with a place in the sweep's list,
-    /// and its motion where it has an answer. In pictures it is called by its method if the case is alone.
+    /// The row that a run has of a case by a `method`, given by its place in the sweep's
+    /// list, and the motion where there is an answer. Pictures name it by its method alone
+    /// if the case is the only one.
     ///
     /// # Errors
     /// Where the case, followed to its end, has no answer after all.

@@ -1,4 +1,4 @@
-//! What `simulate` says of its cases, in a few lines each.
+//! What `simulate` prints of each case.
 
 use std::fmt::Write;
 use std::path::Path;

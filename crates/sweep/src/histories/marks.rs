@@ -1,27 +1,23 @@
-//! What pictures of motion have in common: axes, levels, and whether the wall is shown.
+//! What pictures of motion have in common: levels, and whether the wall is shown.
 
-use crate::plot::{Axis, Reference};
+use crate::plot::{Across, Reference};
 
 /// The clearance is drawn where motion reaches this part of it.
 const CLEARANCE_SHOWN: f64 = 0.2;
 
-/// Motion far from the wall would not be seen beside it.
-pub fn shows_wall(furthest: f64, clearance: f64) -> bool {
-    furthest > CLEARANCE_SHOWN * clearance
-}
-
-/// A linear axis.
-pub fn axis(label: &str) -> Axis {
-    Axis {
-        label: label.to_owned(),
-        logarithmic: false,
-    }
+/// A clearance (m) in mm, where motion comes so near, by its radii in mm, that it is seen
+/// beside it.
+pub fn shown_clearance(clearance: f64, radii: impl Iterator<Item = f64>) -> Option<f64> {
+    let clearance = 1e3 * clearance;
+    let furthest = radii.fold(0.0, f64::max);
+    (furthest > CLEARANCE_SHOWN * clearance).then_some(clearance)
 }
 
 /// A level line.
-pub fn level(y: f64, name: &str) -> Reference {
-    Reference::Horizontal {
-        y,
+pub fn level(at: f64, name: &str) -> Reference {
+    Reference {
+        across: Across::Y,
+        at,
         name: name.to_owned(),
     }
 }

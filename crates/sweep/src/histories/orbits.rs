@@ -1,25 +1,22 @@
-//! The picture of the ways of sites across the borehole.
+//! The picture of the paths of sites across the borehole.
 
 use anyhow::Result;
 
-use super::marks::{axis, shows_wall};
+use super::marks::shown_clearance;
 use super::simulation::Simulation;
 use crate::plan::Sweep;
-use crate::plot::{Orbit, Orbits, Picture, Series, orbits};
+use crate::plot::{Axis, Orbit, Orbits, Picture, Series, orbits};
 use crate::words::site_title;
 
-/// The way of every site's centre, with the circle of its clearance where it comes
+/// The path of every site's centre, with the circle of its clearance where it comes
 /// near that.
 ///
 /// # Errors
 /// Where it cannot be drawn.
 pub fn orbit_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Picture> {
     let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
-    let walls = sweep
-        .setting
-        .lateral
-        .iter()
-        .flat_map(|lateral| &lateral.walls);
+    let lateral = sweep.setting.lateral.iter();
+    let walls = lateral.flat_map(|lateral| &lateral.walls);
     let of_sites = distances.zip(walls).map(|((site, &distance), wall)| {
         let of_site = |simulation: &Simulation| Series {
             name: simulation.name.clone(),
@@ -29,14 +26,13 @@ pub fn orbit_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Pictur
                 .collect(),
         };
         let series: Vec<Series> = simulations.iter().map(of_site).collect();
-        let clearance = 1e3 * wall.clearance;
         let points = series.iter().flat_map(|series| &series.points);
-        let furthest = points.fold(0.0, |most: f64, (x, y)| most.max(x.hypot(*y)));
+        let circle = shown_clearance(wall.clearance, points.map(|(x, y)| x.hypot(*y)));
         Orbit {
-            x: axis(&format!("x at {} (mm)", site_title(distance))),
-            y: axis("y (mm)"),
+            x: Axis::linear(format!("x at {} (mm)", site_title(distance))),
+            y: Axis::linear("y (mm)"),
             series,
-            circle: shows_wall(furthest, clearance).then_some(clearance),
+            circle,
         }
     });
     orbits(&Orbits {

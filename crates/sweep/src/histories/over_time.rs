@@ -4,11 +4,11 @@ use anyhow::Result;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
-use super::marks::{axis, level, shows_wall};
+use super::marks::{level, shown_clearance};
 use super::simulation::{Simulation, has_torque};
 use crate::engine::Case;
 use crate::plan::{LateralSettings, Sweep, to_rpm};
-use crate::plot::{Panel, Panels, Picture, Reference, Series, panels};
+use crate::plot::{Across, Axis, Panel, Panels, Picture, Reference, Series, panels};
 use crate::words::site_title;
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
@@ -48,8 +48,8 @@ struct Histories<'a> {
 impl Histories<'_> {
     fn panel(&self, label: &str, series: Vec<Series>, references: Vec<Reference>) -> Panel {
         Panel {
-            x: axis("Time t (s)"),
-            y: axis(label),
+            x: Axis::linear("Time t (s)"),
+            y: Axis::linear(label),
             series,
             references,
         }
@@ -67,13 +67,11 @@ impl Histories<'_> {
     }
 
     fn of_each(&self, values: &dyn Fn(&Trajectory, usize) -> f64) -> Vec<Series> {
-        let simulations = self.simulations.iter();
-        simulations
-            .map(|simulation| {
-                let of_step = |index| values(&simulation.trajectory, index);
-                self.series(&simulation.name, simulation, &of_step)
-            })
-            .collect()
+        let series = self.simulations.iter().map(|simulation| {
+            let of_step = |index| values(&simulation.trajectory, index);
+            self.series(&simulation.name, simulation, &of_step)
+        });
+        series.collect()
     }
 
     /// Between the first two methods, where there is one case.
@@ -95,10 +93,9 @@ impl Histories<'_> {
             .enumerate()
             .map(|(site, (&distance, wall))| {
                 let radii = self.of_each(&|trajectory, index| radius_mm(trajectory, site, index));
-                let clearance = 1e3 * wall.clearance;
                 let points = radii.iter().flat_map(|series| &series.points);
-                let furthest = points.fold(0.0, |most: f64, point| most.max(point.1));
-                let wall = shows_wall(furthest, clearance).then(|| level(clearance, "clearance"));
+                let clearance = shown_clearance(wall.clearance, points.map(|point| point.1));
+                let wall = clearance.map(|clearance| level(clearance, "clearance"));
                 let label = format!("Radius at {} (mm)", site_title(distance));
                 self.panel(&label, radii, wall.into_iter().collect())
             })
@@ -154,8 +151,9 @@ impl Histories<'_> {
                 bit.torque_static,
                 bit.torque_dynamic,
             );
-            Some(Reference::Vertical {
-                x: times.first_slip,
+            Some(Reference {
+                across: Across::X,
+                at: times.first_slip,
                 name: "τ₁".to_owned(),
             })
         })

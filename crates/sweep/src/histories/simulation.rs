@@ -22,14 +22,12 @@ pub struct Simulation {
 
 /// Whether there is a torque at the bit.
 pub fn has_torque(simulations: &[Simulation]) -> bool {
-    simulations
-        .iter()
-        .any(|simulation| !simulation.trajectory.bit_torque.is_empty())
+    let mut motions = simulations.iter().map(|simulation| &simulation.trajectory);
+    motions.any(|motion| !motion.bit_torque.is_empty())
 }
 
 /// Whether it moves sideways.
 pub fn has_positions(simulations: &[Simulation]) -> bool {
-    simulations
-        .iter()
-        .any(|simulation| !simulation.trajectory.positions.is_empty())
+    let mut motions = simulations.iter().map(|simulation| &simulation.trajectory);
+    motions.any(|motion| !motion.positions.is_empty())
 }

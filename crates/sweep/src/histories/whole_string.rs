@@ -3,10 +3,10 @@
 use anyhow::Result;
 use linear::elements::reconstruction::WholeString;
 
-use super::marks::{axis, level};
+use super::marks::level;
 use super::simulation::Simulation;
 use crate::plan::{LateralSettings, Sweep};
-use crate::plot::{Panel, Panels, Picture, Series, panels};
+use crate::plot::{Axis, Panel, Panels, Picture, Series, panels};
 
 /// Fig. 13: the peak displacement of the whole string, reconstructed by finite
 /// elements from the forces at its sites, whatever method gave them.
@@ -41,8 +41,8 @@ pub fn string_picture(
     panels(&Panels {
         title: format!("{}: the whole string", sweep.title),
         panels: vec![Panel {
-            x: axis("Depth ξ (m)"),
-            y: axis("Peak radius (mm)"),
+            x: Axis::linear("Depth ξ (m)"),
+            y: Axis::linear("Peak radius (mm)"),
             series,
             references: vec![level(
                 1e3 * clearance.fold(f64::INFINITY, f64::min),

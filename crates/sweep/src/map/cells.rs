@@ -30,8 +30,8 @@ impl Cells {
             let fraction = (value - from) / (to - from).max(f64::MIN_POSITIVE);
             ((fraction * cells as f64) as usize).min(cells - 1)
         };
-        let column = place(self.extent.x, x, self.size[0]);
-        let row = place(self.extent.y, y, self.size[1]);
+        let column = place(self.extent.ranges[0], x, self.size[0]);
+        let row = place(self.extent.ranges[1], y, self.size[1]);
         self.counts[column * self.size[1] + row][symbol as usize] += 1;
     }
 
@@ -50,58 +50,51 @@ impl Cells {
         most.filter(|&most| counts[most as usize] > 0)
     }
 
-    /// Runs of neighbours to the right with the same symbol: row, first column and
-    /// the one after the last.
+    /// Runs of neighbours to the right with the same symbol, as [`runs`].
     pub fn runs(&self) -> Vec<(usize, [usize; 2], Symbol)> {
-        let mut runs: Vec<(usize, [usize; 2], Symbol)> = Vec::new();
-        for row in 0..self.size[1] {
-            for column in 0..self.size[0] {
-                let Some(symbol) = self.symbol(column, row) else {
-                    continue;
-                };
-                match runs.last_mut() {
-                    Some((of, [_, end], same)) if (*of, *end, *same) == (row, column, symbol) => {
-                        *end += 1;
-                    }
-                    _ => runs.push((row, [column, column + 1], symbol)),
-                }
-            }
-        }
-        runs
+        runs(self.size, |column, row| self.symbol(column, row))
     }
 
     /// A place to the right and upwards, counted in cells.
     pub fn place(&self, column: f64, row: f64) -> [f64; 2] {
-        let place = |[from, to]: [f64; 2], index: f64, cells: usize| {
-            from + (to - from) * index / cells as f64
-        };
-        [
-            place(self.extent.x, column, self.size[0]),
-            place(self.extent.y, row, self.size[1]),
-        ]
+        let index = [column, row];
+        [0, 1].map(|axis| {
+            let [from, to] = self.extent.ranges[axis];
+            from + (to - from) * index[axis] / self.size[axis] as f64
+        })
     }
+}
+
+/// Runs of neighbours to the right with the same class: row, first column and the one
+/// after the last. A cell without a class is in no run.
+pub fn runs<Class: PartialEq>(
+    [columns, rows]: [usize; 2],
+    class: impl Fn(usize, usize) -> Option<Class>,
+) -> Vec<(usize, [usize; 2], Class)> {
+    let mut runs: Vec<(usize, [usize; 2], Class)> = Vec::new();
+    for row in 0..rows {
+        for column in 0..columns {
+            let Some(class) = class(column, row) else {
+                continue;
+            };
+            match runs.last_mut() {
+                Some((of, [_, end], same)) if (*of, *end) == (row, column) && *same == class => {
+                    *end += 1;
+                }
+                _ => runs.push((row, [column, column + 1], class)),
+            }
+        }
+    }
+    runs
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::Motion;
-
-    fn extent(distinct: [usize; 2]) -> Extent {
-        Extent {
-            x: [0.0, 4.0],
-            y: [1.0, 2.0],
-            cases: 0,
-            motions: vec![Motion::Torsion],
-            values: distinct.map(|count| vec![0.0; count]),
-            others: Some(vec![Vec::new()]),
-            other_ranges: Vec::new(),
-        }
-    }
 
     #[test]
     fn a_cell_shows_what_most_of_its_cases_are() {
-        let mut cells = Cells::new(&extent([100, 100]), [2, 2]);
+        let mut cells = Cells::new(&Extent::example([&[0.0, 4.0], &[1.0, 2.0]], 4), [2, 2]);
         for (x, symbol) in [
             (0.0, Symbol::Circle),
             (1.0, Symbol::Circle),
@@ -120,9 +113,10 @@ mod tests {
 
     #[test]
     fn a_grid_gets_a_cell_for_each_of_its_values() {
-        let mut cells = Cells::new(&extent([5, 1]), [72, 54]);
+        let values = [0.0, 1.0, 2.0, 3.0, 4.0];
+        let mut cells = Cells::new(&Extent::example([&values, &[1.5]], 5), [72, 54]);
         assert_eq!(cells.size(), [5, 1]);
-        for x in [0.0, 1.0, 2.0, 3.0, 4.0] {
+        for x in values {
             cells.add([x, 1.5], Symbol::Cross);
         }
         assert_eq!(cells.runs(), [(0, [0, 5], Symbol::Cross)]);

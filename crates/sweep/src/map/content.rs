@@ -26,17 +26,14 @@ const SYMBOLS_ACROSS: usize = 12;
 
 /// The cases of one map.
 pub struct Content {
-    drawn: Drawn,
-    /// Cases that tell nothing of the motion.
+    /// Its cells; neighbours that are alike are one.
+    pub cells: Vec<MapCell>,
+    /// Its symbols.
+    pub points: Vec<MapPoint>,
+    /// Cases without a label of the motion, or whose label is undetermined.
     pub untold: usize,
     /// Cases.
     pub cases: usize,
-}
-
-enum Drawn {
-    Each(Vec<MapPoint>),
-    Crowd(Cells),
-    Parts(Fractions),
 }
 
 impl Content {
@@ -45,12 +42,12 @@ impl Content {
     /// # Errors
     /// Where labels cannot be read.
     pub fn read(cases: &MapCases, motion: Motion) -> Result<Vec<Content>> {
-        let mut contents: Vec<Content> = match cases.combinations() {
-            None => vec![Content::new(Drawn::Parts(Fractions::new(&cases.extent)))],
+        let mut counted: Vec<Counted> = match cases.combinations() {
+            None => vec![Counted::new(Drawn::Parts(Fractions::new(&cases.extent)))],
             Some(combinations) => {
                 let count = combinations.len().max(1);
                 let drawn = || Drawn::of_cases(&cases.extent, count);
-                (0..count).map(|_| Content::new(drawn())).collect()
+                (0..count).map(|_| Counted::new(drawn())).collect()
             }
         };
         let mut axes = cases.on_map.to_vec();
@@ -62,11 +59,42 @@ impl Content {
                 combinations.iter().position(|other| other == values)
             };
             let index = cases.combinations().and_then(of_case).unwrap_or(0);
-            contents[index].add(&case, motion);
+            counted[index].add(&case, motion);
         }
-        Ok(contents)
+        Ok(counted.into_iter().map(Counted::finish).collect())
     }
 
+    /// Whether a symbol, or its ground, is anywhere on the map.
+    pub fn has(&self, symbol: Symbol) -> bool {
+        self.points.iter().any(|point| point.symbol == symbol)
+            || self.has_ground(|ground| ground == Ground::Symbol(symbol))
+    }
+
+    /// Whether a cell has a ground of some kind.
+    pub fn has_ground(&self, is_of_kind: impl Fn(Ground) -> bool) -> bool {
+        self.cells.iter().any(|cell| is_of_kind(cell.ground))
+    }
+
+    /// Whether its cells show how large a part of the cases has the regime.
+    pub fn is_of_parts(&self) -> bool {
+        self.has_ground(|ground| !matches!(ground, Ground::Symbol(_)))
+    }
+}
+
+/// The cases of one map, being counted.
+struct Counted {
+    drawn: Drawn,
+    untold: usize,
+    cases: usize,
+}
+
+enum Drawn {
+    Each(Vec<MapPoint>),
+    Crowd(Cells),
+    Parts(Fractions),
+}
+
+impl Counted {
     fn new(drawn: Drawn) -> Self {
         Self {
             drawn,
@@ -77,73 +105,49 @@ impl Content {
 
     fn add(&mut self, case: &CaseRows, motion: Motion) {
         self.cases += 1;
-        let place = [case.values[0], case.values[1]];
+        let place @ [x, y] = [case.values[0], case.values[1]];
         let symbol = symbol_of(case, motion);
-        let is_told = match (&mut self.drawn, symbol) {
-            (Drawn::Parts(fractions), _) => {
+        let is_told = match &mut self.drawn {
+            Drawn::Parts(fractions) => {
                 let rows = case.rows.iter();
-                let told: Vec<bool> = rows
-                    .filter_map(|row| row.labels.is_sustained(motion))
-                    .collect();
+                let told = rows.filter_map(|row| row.labels.is_sustained(motion));
+                let told: Vec<bool> = told.collect();
                 let sustained = told.iter().filter(|sustained| **sustained).count();
                 fractions.add(place, [sustained, told.len()]);
                 !told.is_empty()
             }
-            (_, None) => false,
-            (Drawn::Each(points), Some(symbol)) => {
-                let [x, y] = place;
-                points.push(MapPoint { x, y, symbol });
-                true
+            Drawn::Each(points) => {
+                points.extend(symbol.map(|symbol| MapPoint { x, y, symbol }));
+                symbol.is_some()
             }
-            (Drawn::Crowd(cells), Some(symbol)) => {
-                cells.add(place, symbol);
-                true
+            Drawn::Crowd(cells) => {
+                symbol
+                    .into_iter()
+                    .for_each(|symbol| cells.add(place, symbol));
+                symbol.is_some()
             }
         };
         self.untold += usize::from(!is_told);
     }
 
-    /// Whether a symbol stands anywhere on the map.
-    pub fn has(&self, symbol: Symbol) -> bool {
-        match &self.drawn {
-            Drawn::Each(points) => points.iter().any(|point| point.symbol == symbol),
-            Drawn::Crowd(cells) => cells.runs().iter().any(|run| run.2 == symbol),
-            Drawn::Parts(_) => false,
-        }
-    }
-
-    /// Whether its cells show what most cases are.
-    pub fn is_crowd(&self) -> bool {
-        matches!(self.drawn, Drawn::Crowd(_))
-    }
-
-    /// Whether its cells show how large a part of the cases has the regime.
-    pub fn is_of_parts(&self) -> bool {
-        matches!(self.drawn, Drawn::Parts(_))
-    }
-
-    /// Its cells, neighbours that are alike as one.
-    pub fn cells(&self) -> Vec<MapCell> {
-        match &self.drawn {
-            Drawn::Each(_) => Vec::new(),
-            Drawn::Crowd(cells) => filled(cells),
+    fn finish(self) -> Content {
+        let (cells, points) = match self.drawn {
+            Drawn::Each(points) => (Vec::new(), points),
+            Drawn::Crowd(cells) => (filled(&cells), sparse_symbols(&cells)),
             Drawn::Parts(fractions) => {
                 let ground = |part: Option<f64>| {
                     part.map_or(Ground::NoCase, |part| Ground::Part(Part::of(part)))
                 };
                 let runs = fractions.runs(ground).into_iter();
-                runs.map(|([x, y], ground)| MapCell { x, y, ground })
-                    .collect()
+                let cells = runs.map(|([x, y], ground)| MapCell { x, y, ground });
+                (cells.collect(), Vec::new())
             }
-        }
-    }
-
-    /// Its symbols.
-    pub fn points(&self) -> Vec<MapPoint> {
-        match &self.drawn {
-            Drawn::Each(points) => points.clone(),
-            Drawn::Crowd(cells) => sparse_symbols(cells),
-            Drawn::Parts(_) => Vec::new(),
+        };
+        Content {
+            cells,
+            points,
+            untold: self.untold,
+            cases: self.cases,
         }
     }
 }
@@ -188,7 +192,7 @@ fn filled(cells: &Cells) -> Vec<MapCell> {
     .collect()
 }
 
-/// A symbol here and there, for who cannot tell the colours.
+/// A symbol in some of the cells, for readers who cannot tell the colours apart.
 fn sparse_symbols(cells: &Cells) -> Vec<MapPoint> {
     let [columns, rows] = cells.size();
     let [step_x, step_y] = [columns, rows].map(|cells| cells.div_ceil(SYMBOLS_ACROSS).max(1));

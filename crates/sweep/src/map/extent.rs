@@ -1,6 +1,7 @@
 //! What the cases of a results folder span: the range of a map's axes, which motions
 //! have labels, and which values the axes take that are not on the map.
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -19,10 +20,8 @@ const MOST_COMBINATIONS: usize = 6;
 /// What a map spans.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Extent {
-    /// Least and greatest value to the right.
-    pub x: [f64; 2],
-    /// Least and greatest value upwards.
-    pub y: [f64; 2],
+    /// Least and greatest value to the right and upwards.
+    pub ranges: [[f64; 2]; 2],
     /// Cases.
     pub cases: usize,
     /// Motions that have labels; that of torsion where no case has any.
@@ -51,8 +50,8 @@ impl Extent {
     /// Where it cannot be read.
     pub fn of(labels: &Path, axes: [Axis; 2], others: &[Axis]) -> Result<Self> {
         let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; axes.len() + others.len()];
-        let mut values = [BTreeSet::new(), BTreeSet::new()];
-        let mut combinations = BTreeSet::new();
+        let mut values = [Vec::new(), Vec::new()];
+        let mut combinations = Vec::new();
         let mut motions = BTreeSet::new();
         let mut cases = 0;
         let all: Vec<Axis> = axes.iter().chain(others).copied().collect();
@@ -64,13 +63,14 @@ impl Extent {
             let (on_map, beside) = case.values.split_at(axes.len());
             for (distinct, &value) in values.iter_mut().zip(on_map) {
                 if distinct.len() < MOST_DISTINCT {
-                    distinct.insert(Ordered(value));
+                    insert(distinct, value, f64::total_cmp);
                 }
             }
             // One more than can be shown tells that there are too many.
             if combinations.len() <= MOST_COMBINATIONS {
-                let beside: Vec<_> = beside.iter().map(|&value| Ordered(value)).collect();
-                combinations.insert(beside);
+                insert(&mut combinations, beside.to_vec(), |one, other| {
+                    in_order(one, other)
+                });
             }
             cases += 1;
             motions.extend(Motion::ALL.into_iter().filter(|&motion| case.has(motion)));
@@ -78,43 +78,53 @@ impl Extent {
         if motions.is_empty() {
             motions.insert(Motion::Torsion);
         }
-        let unwrapped = |values: Vec<Ordered>| values.into_iter().map(|value| value.0).collect();
         Ok(Self {
-            x: ranges[0],
-            y: ranges[1],
+            ranges: [ranges[0], ranges[1]],
             cases,
             motions: motions.into_iter().collect(),
-            values: values.map(|values| unwrapped(values.into_iter().collect())),
-            others: (combinations.len() <= MOST_COMBINATIONS)
-                .then(|| combinations.into_iter().map(unwrapped).collect()),
+            values,
+            others: (combinations.len() <= MOST_COMBINATIONS).then_some(combinations),
             other_ranges: ranges.split_off(axes.len()),
         })
     }
 }
 
-/// A number in its total order.
-#[derive(Debug, Clone, Copy)]
-struct Ordered(f64);
-
-impl Ord for Ordered {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
+#[cfg(test)]
+impl Extent {
+    /// Of cases in torsion over these values, in ascending order.
+    pub fn example(values: [&[f64]; 2], cases: usize) -> Self {
+        Self {
+            ranges: values.map(|values| [values[0], values[values.len() - 1]]),
+            cases,
+            motions: vec![Motion::Torsion],
+            values: values.map(<[f64]>::to_vec),
+            others: Some(vec![Vec::new()]),
+            other_ranges: Vec::new(),
+        }
     }
 }
 
-impl PartialOrd for Ordered {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
+/// Puts a value in its place among distinct ones in ascending order.
+fn insert<Value>(
+    sorted: &mut Vec<Value>,
+    value: Value,
+    compare: impl Fn(&Value, &Value) -> Ordering,
+) {
+    if let Err(place) = sorted.binary_search_by(|other| compare(other, &value)) {
+        sorted.insert(place, value);
     }
 }
 
-impl PartialEq for Ordered {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
+/// By the first number that differs.
+fn in_order(one: &[f64], other: &[f64]) -> Ordering {
+    let mut orders = one
+        .iter()
+        .zip(other)
+        .map(|(one, other)| one.total_cmp(other));
+    orders
+        .find(|order| order.is_ne())
+        .unwrap_or(Ordering::Equal)
 }
-
-impl Eq for Ordered {}
 
 #[cfg(test)]
 mod tests {
@@ -135,7 +145,7 @@ mod tests {
             &[],
         );
         assert_eq!(extent.motions, Motion::ALL);
-        assert_eq!((extent.x, extent.y), ([1.0, 2.0], [10.0, 20.0]));
+        assert_eq!(extent.ranges, [[1.0, 2.0], [10.0, 20.0]]);
         assert_eq!(extent.others, Some(vec![vec![]]));
     }
 

@@ -1,6 +1,7 @@
 //! How large a part of the cases has a regime, over two axes: what is drawn where
 //! cases that differ along further axes lie on top of one another.
 
+use super::cells::runs;
 use super::extent::Extent;
 
 /// Cells to the right and upwards at most.
@@ -17,7 +18,7 @@ const CASES_PER_CELL: f64 = 10.0;
 pub struct Fractions {
     /// The lines between cells, to the right and upwards.
     edges: [Vec<f64>; 2],
-    /// Simulations with the regime, and all that tell, column by column.
+    /// Simulations with the regime, and all with a determined label, column by column.
     counts: Vec<[usize; 2]>,
 }
 
@@ -33,10 +34,9 @@ impl Fractions {
             let most = MOST_CELLS.map(|cells| cells as f64);
             let wanted = extent.cases as f64 / CASES_PER_CELL;
             let scale = (wanted / (most[0] * most[1])).sqrt().min(1.0);
-            let ranges = [extent.x, extent.y];
             [0, 1].map(|axis| {
                 let cells = ((scale * most[axis]) as usize).max(FEWEST_CELLS[axis]);
-                even(ranges[axis], cells.min(sizes[axis]).max(1))
+                even(extent.ranges[axis], cells.min(sizes[axis]).max(1))
             })
         };
         let cells = (edges[0].len() - 1) * (edges[1].len() - 1);
@@ -46,7 +46,8 @@ impl Fractions {
         }
     }
 
-    /// Counts a case: how many of its simulations have the regime, of those that tell.
+    /// Counts a case: how many of its simulations have the regime, of those whose label is
+    /// determined.
     pub fn add(&mut self, place: [f64; 2], [sustained, told]: [usize; 2]) {
         let [column, row] = [0, 1].map(|axis| {
             let edges = &self.edges[axis];
@@ -58,29 +59,23 @@ impl Fractions {
         *count = [count[0] + sustained, count[1] + told];
     }
 
-    /// Each cell's ends to the right and upwards, with the part of its simulations
-    /// that has the regime; neighbours to the right with the same `class` are one.
+    /// The part of each cell's simulations that has the regime, as a class: neighbours to
+    /// the right of the same `class` as one, each with its ends to the right and upwards.
     pub fn runs<Class: PartialEq>(
         &self,
         class: impl Fn(Option<f64>) -> Class,
     ) -> Vec<([[f64; 2]; 2], Class)> {
-        let mut runs: Vec<([[f64; 2]; 2], Class)> = Vec::new();
-        for (row, y) in self.edges[1].windows(2).enumerate() {
-            for (column, x) in self.edges[0].windows(2).enumerate() {
-                let [sustained, told] = self.counts[column * self.rows() + row];
-                let part = (told > 0).then(|| sustained as f64 / told as f64);
-                let class = class(part);
-                match runs.last_mut() {
-                    Some(([before, of], same))
-                        if before[1] == x[0] && of[0] == y[0] && *same == class =>
-                    {
-                        before[1] = x[1];
-                    }
-                    _ => runs.push(([[x[0], x[1]], [y[0], y[1]]], class)),
-                }
-            }
-        }
-        runs
+        let [x, y] = &self.edges;
+        let runs = runs([x.len() - 1, self.rows()], |column, row| {
+            let [sustained, told] = self.counts[column * self.rows() + row];
+            let part = (told > 0).then(|| sustained as f64 / told as f64);
+            Some(class(part))
+        });
+        let ends =
+            |row: usize, [first, end]: [usize; 2]| [[x[first], x[end]], [y[row], y[row + 1]]];
+        runs.into_iter()
+            .map(|(row, columns, class)| (ends(row, columns), class))
+            .collect()
     }
 
     fn rows(&self) -> usize {
@@ -118,24 +113,10 @@ fn even([from, to]: [f64; 2], cells: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::Motion;
-
-    fn extent(values: [&[f64]; 2], cases: usize) -> Extent {
-        let range = |values: &[f64]| [values[0], values[values.len() - 1]];
-        Extent {
-            x: range(values[0]),
-            y: range(values[1]),
-            cases,
-            motions: vec![Motion::Torsion],
-            values: values.map(<[f64]>::to_vec),
-            others: None,
-            other_ranges: Vec::new(),
-        }
-    }
 
     #[test]
     fn every_value_of_an_uneven_grid_has_its_cell() {
-        let mut fractions = Fractions::new(&extent([&[1.0, 2.0, 10.0], &[5.0]], 9));
+        let mut fractions = Fractions::new(&Extent::example([&[1.0, 2.0, 10.0], &[5.0]], 9));
         for (x, sustained) in [(1.0, 1), (1.0, 0), (2.0, 0), (10.0, 1)] {
             fractions.add([x, 5.0], [sustained, 1]);
         }
@@ -152,7 +133,7 @@ mod tests {
     #[test]
     fn neighbours_of_a_class_are_one_and_empty_cells_are_told() {
         let values: Vec<f64> = (0..100).map(f64::from).collect();
-        let mut fractions = Fractions::new(&extent([&values, &[0.0, 1.0]], 100));
+        let mut fractions = Fractions::new(&Extent::example([&values, &[0.0, 1.0]], 100));
         fractions.add([99.0, 1.0], [1, 2]);
         let runs = fractions.runs(|part| part);
         assert_eq!(runs.len(), 3, "{runs:?}");

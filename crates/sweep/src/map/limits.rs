@@ -8,7 +8,7 @@ use crate::output::{Curve, Motion};
 use crate::plot::{Band, Line, is_within};
 use crate::quantities::Axis;
 
-/// What a map shows.
+/// The part of the plane that a map shows.
 pub struct View {
     /// Its axes, to the right and upwards.
     pub axes: [Axis; 2],
@@ -27,8 +27,7 @@ pub struct Limits {
     pub notes: Vec<String>,
 }
 
-/// A limit out of view: how far, and what there is to say.
-#[derive(Clone)]
+/// A limit out of view: how far it is, and the note about it.
 struct Unseen {
     margin: f64,
     note: String,
@@ -40,25 +39,25 @@ const NARROW: f64 = 1e-6;
 impl Limits {
     /// The limits that `curves` are on a map, while quantities off the map are `held`
     /// within the ranges of its cases. Of the curves of one name, such as the branches
-    /// of a motion, the nearest is told, and only if none can be seen.
+    /// of a motion, a note tells the nearest, and only if none is drawn.
     pub fn of(curves: &[&Curve], view: &View, held: impl Fn(Axis) -> [f64; 2]) -> Limits {
         let mut limits = Limits::default();
         let curves = match Self::least_over_a_range(curves, view, &held) {
             Some(least) => &[least][..],
             None => curves,
         };
-        let mut nearest: BTreeMap<&str, Option<Unseen>> = BTreeMap::new();
+        let mut unseen: BTreeMap<&str, Vec<Option<Unseen>>> = BTreeMap::new();
         for curve in curves {
-            let unseen = limits.add(curve, view, &held);
-            let nearest = nearest.entry(&curve.name).or_insert_with(|| unseen.clone());
-            *nearest = match (nearest.take(), unseen) {
-                (Some(one), Some(other)) if other.margin < one.margin => Some(other),
-                (Some(one), Some(_)) => Some(one),
-                // A curve that is drawn says enough of its name.
-                (None, _) | (_, None) => None,
-            };
+            let found = limits.add(curve, view, &held);
+            unseen.entry(&curve.name).or_default().push(found);
         }
-        let told = nearest.into_values().flatten();
+        let nearest = |of_name: Vec<Option<Unseen>>| {
+            // A curve that is drawn says enough of its name.
+            let all: Vec<Unseen> = of_name.into_iter().collect::<Option<_>>()?;
+            let by_margin = |one: &Unseen, other: &Unseen| one.margin.total_cmp(&other.margin);
+            all.into_iter().min_by(by_margin)
+        };
+        let told = unseen.into_values().filter_map(nearest);
         limits.notes = told.map(|unseen| unseen.note).collect();
         limits
     }
@@ -126,19 +125,8 @@ impl Limits {
             return None;
         }
         let range = view.ranges[places[1]];
-        let points = curve.pieces.iter().flatten();
-        let (margin, [along, limited]) = points
-            .map(|point| (margin(point[1], range), *point))
-            .min_by(|one, other| one.0.total_cmp(&other.0))?;
-        let note = format!(
-            "{}: limit {} at {}, {} this map; margin {}",
-            curve.name,
-            quantity(curve.limited, limited),
-            quantity(curve.along, along),
-            side(places[1], limited, range),
-            quantity(curve.limited, margin)
-        );
-        Some(Unseen { margin, note })
+        let side = |limited| side(places[1], limited, range).to_owned();
+        out_of_view(curve, range, side)
     }
 
     /// One quantity, 0 for what the limit depends on and 1 for what is limited, is the
@@ -192,12 +180,8 @@ impl Limits {
         } else {
             String::new()
         };
-        let nearest = whole.map(|end| (margin(end, range), end));
-        let (margin, end) = if nearest[0].0 <= nearest[1].0 {
-            nearest[0]
-        } else {
-            nearest[1]
-        };
+        let [low, high] = whole.map(|end| (margin(end, range), end));
+        let (margin, end) = if low.0 <= high.0 { low } else { high };
         let note = format!(
             "{}: limit {}{at}, {} this map; margin {}",
             curve.name,
@@ -218,23 +202,30 @@ fn beyond(curve: &Curve, shown: usize, held: [f64; 2]) -> Unseen {
     if shown == 1 {
         return none(ends(curve.along, held));
     }
+    let held_words = ends(curve.limited, held);
+    out_of_view(curve, held, |limited| {
+        let side = if limited < held[0] { "below" } else { "above" };
+        format!("{side} the {held_words} of")
+    })
+    .unwrap_or_else(|| none(held_words.clone()))
+}
+
+/// The point of a curve nearest to a range of the limited quantity, and on which `side` of
+/// the map it is.
+fn out_of_view(curve: &Curve, range: [f64; 2], side: impl Fn(f64) -> String) -> Option<Unseen> {
     let points = curve.pieces.iter().flatten();
-    let nearest = points
-        .map(|point| (margin(point[1], held), *point))
-        .min_by(|one, other| one.0.total_cmp(&other.0));
-    let Some((margin, [along, limited])) = nearest else {
-        return none(ends(curve.limited, held));
-    };
-    let side = if limited < held[0] { "below" } else { "above" };
+    let (margin, [along, limited]) = points
+        .map(|point| (margin(point[1], range), *point))
+        .min_by(|one, other| one.0.total_cmp(&other.0))?;
     let note = format!(
-        "{}: limit {} at {}, {side} the {} of this map; margin {}",
+        "{}: limit {} at {}, {} this map; margin {}",
         curve.name,
         quantity(curve.limited, limited),
         quantity(curve.along, along),
-        ends(curve.limited, held),
+        side(limited),
         quantity(curve.limited, margin)
     );
-    Unseen { margin, note }
+    Some(Unseen { margin, note })
 }
 
 /// From the least to the greatest of several ranges.
@@ -313,32 +304,28 @@ mod tests {
 
     #[test]
     fn a_limit_out_of_view_is_told_with_its_margin() {
-        let high = view(
-            (Axis::SurfaceSpeedRpm, SPEED.1),
-            (Axis::Friction, [2.5, 3.0]),
-        );
-        let curve = slope();
-        let limits = Limits::of(&[&curve], &high, |_| [0.0; 2]);
-        let note = "bound: limit 2 at 100 rpm, below this map; margin 0.5";
-        assert_eq!(
-            (limits.lines.len(), limits.notes),
-            (0, vec![note.to_owned()])
-        );
-
-        let right = view((Axis::Friction, [0.1, 0.5]), IMPULSE);
-        let limits = Limits::of(&[&curve], &right, |_| [50.0; 2]);
-        let note = "bound: limit 1.5 at 50 rpm, right of this map; margin 1";
-        assert_eq!(
-            (limits.lines.len(), limits.notes),
-            (0, vec![note.to_owned()])
-        );
-
-        let limits = Limits::of(&[&curve], &view(SPEED, IMPULSE), |_| [0.4, 0.7]);
-        let note = "bound: limit 1 at 0 rpm, above the 0.4 to 0.7 of this map; margin 0.3";
-        assert_eq!(
-            (limits.lines.len(), limits.notes),
-            (0, vec![note.to_owned()])
-        );
+        let friction = |range| (Axis::Friction, range);
+        for (map, held, note) in [
+            (
+                view(SPEED, friction([2.5, 3.0])),
+                [0.0; 2],
+                "bound: limit 2 at 100 rpm, below this map; margin 0.5",
+            ),
+            (
+                view(friction([0.1, 0.5]), IMPULSE),
+                [50.0; 2],
+                "bound: limit 1.5 at 50 rpm, right of this map; margin 1",
+            ),
+            (
+                view(SPEED, IMPULSE),
+                [0.4, 0.7],
+                "bound: limit 1 at 0 rpm, above the 0.4 to 0.7 of this map; margin 0.3",
+            ),
+        ] {
+            let limits = Limits::of(&[&slope()], &map, |_| held);
+            assert!(limits.lines.is_empty());
+            assert_eq!(limits.notes, [note]);
+        }
     }
 
     #[test]

@@ -19,3 +19,4 @@ pub use cells::Cells;
 pub use extent::Extent;
 pub use picture::picture;
 pub use symbol::symbol_of;
+pub use words::meanings;

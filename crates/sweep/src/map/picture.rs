@@ -8,8 +8,8 @@ use super::limits::{Limits, View};
 use super::words;
 use crate::output::{Curve, Manifest, Motion, ResultTables};
 use crate::plan::{MapMark, MapSettings};
-use crate::plot::{Axis, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
-use crate::quantities;
+use crate::plot::{self, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
+use crate::quantities::Axis;
 
 /// Draws the map of a results folder's tables; none where its design has no two axes.
 ///
@@ -21,18 +21,14 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
         return Ok(None);
     };
     let map = Map::read(tables, settings)?;
-    let axis = |axis: quantities::Axis| Axis {
-        label: axis.title(),
-        logarithmic: false,
-    };
     let motions = map.cases.extent.motions.iter();
     let sheet = MapSheet {
         title: match tables.so_far {
             None => manifest.title.clone(),
             Some(so_far) => format!("{} ({so_far})", manifest.title),
         },
-        x: axis(settings.x),
-        y: axis(settings.y),
+        x: plot::Axis::linear(settings.x.title()),
+        y: plot::Axis::linear(settings.y.title()),
         groups: motions
             .map(|&motion| map.group(motion))
             .collect::<Result<_>>()?,
@@ -67,34 +63,41 @@ impl<'a> Map<'a> {
         let mut notes = Vec::new();
         let mut panels = Vec::with_capacity(contents.len());
         let (marks, left_out) = self.marks();
-        for (index, content) in contents.iter().enumerate() {
+        let keys = words::keys(&contents, self.manifest, motion);
+        let scale = self.scale(motion, &contents);
+        let untold = words::untold(&contents, motion);
+        for (index, content) in contents.into_iter().enumerate() {
             let title = self.panel_title(index);
             let held = |axis| self.held(index, axis);
             let limits = Limits::of(&curves, &self.view(), held);
             notes.extend(limits.notes.into_iter().map(|note| (title.clone(), note)));
+            let marks = marks.iter().map(|mark| Mark {
+                name: mark.name.clone(),
+                x: mark.x,
+                y: mark.y,
+            });
             panels.push(MapPanel {
                 title,
-                cells: content.cells(),
-                points: content.points(),
+                cells: content.cells,
+                points: content.points,
                 lines: limits.lines,
                 bands: limits.bands,
-                marks: marks.iter().copied().map(drawn).collect(),
+                marks: marks.collect(),
             });
         }
         let mut notes = words::once_if_the_same(notes, panels.len());
         if curves.is_empty() && self.cases.extent.motions.len() > 1 {
             notes.push("boundary.csv has no limit of this motion".to_owned());
         }
-        notes.extend(words::untold(&contents, motion));
+        notes.extend(untold);
         notes.extend(left_out);
         Ok(MapGroup {
             heading: match self.cases.extent.motions.len() {
                 1 => String::new(),
                 _ => motion.title().to_owned(),
             },
-            scale: self.scale(motion, &contents),
-            symbols: words::symbols(&contents, self.manifest, motion),
-            grounds: words::grounds(&contents),
+            scale,
+            keys,
             notes,
             panels,
         })
@@ -104,7 +107,7 @@ impl<'a> Map<'a> {
     fn view(&self) -> View {
         View {
             axes: self.cases.on_map,
-            ranges: [self.cases.extent.x, self.cases.extent.y],
+            ranges: self.cases.extent.ranges,
         }
     }
 
@@ -122,9 +125,9 @@ impl<'a> Map<'a> {
     }
 
     /// The range of a quantity that is not on a map: of the cases that are.
-    fn held(&self, index: usize, axis: quantities::Axis) -> [f64; 2] {
+    fn held(&self, index: usize, axis: Axis) -> [f64; 2] {
         let of_sweep = self.manifest.sweep.surface_speed_rpm;
-        let fixed = of_sweep.filter(|_| axis == quantities::Axis::SurfaceSpeedRpm);
+        let fixed = of_sweep.filter(|_| axis == Axis::SurfaceSpeedRpm);
         let Some(place) = self.cases.others.iter().position(|&other| other == axis) else {
             return fixed.map_or([f64::NEG_INFINITY, f64::INFINITY], |speed| [speed; 2]);
         };
@@ -138,11 +141,8 @@ impl<'a> Map<'a> {
     /// What the grounds of cells tell, where they tell of parts.
     fn scale(&self, motion: Motion, contents: &[Content]) -> Option<String> {
         let is_of_parts = contents.iter().any(Content::is_of_parts);
-        let ranges = self
-            .cases
-            .others
-            .iter()
-            .zip(&self.cases.extent.other_ranges);
+        let others = self.cases.others.iter();
+        let ranges = others.zip(&self.cases.extent.other_ranges);
         let over = ranges.map(|(&axis, &range)| words::range(axis, range));
         is_of_parts.then(|| words::scale(motion, self.manifest, self.cases.extent.cases, over))
     }
@@ -162,13 +162,5 @@ impl<'a> Map<'a> {
         let (inside, outside): (Vec<_>, Vec<_>) = (self.settings.marks.iter())
             .partition(|mark| is_inside(0, mark.x) && is_inside(1, mark.y));
         (inside, words::left_out(&outside, axes))
-    }
-}
-
-fn drawn(mark: &MapMark) -> Mark {
-    Mark {
-        name: mark.name.clone(),
-        x: mark.x,
-        y: mark.y,
     }
 }

@@ -51,52 +51,52 @@ pub fn range(axis: Axis, range: [f64; 2]) -> String {
     format!("{name} from {}", ends(axis, range))
 }
 
-fn methods(manifest: &Manifest) -> Vec<&str> {
-    let methods = manifest.methods.iter();
-    methods.map(|method| method.method.as_str()).collect()
+/// What the symbols of a motion mean, `by_all` methods.
+pub fn meanings(motion: Motion, by_all: &str) -> [(Symbol, String); 3] {
+    let [regime, none] = motion.regimes();
+    [
+        (Symbol::Circle, format!("{regime}{by_all}")),
+        (Symbol::Cross, format!("{none}{by_all}")),
+        (Symbol::Square, "methods differ".to_owned()),
+    ]
 }
 
-/// The symbols that are on any of the maps.
-pub fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Symbol, String)> {
-    let methods = methods(manifest);
+/// The grounds and symbols that are on any of the maps: parts from all to none of the
+/// cases, then symbols.
+pub fn keys(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ground, String)> {
+    let classes = Part::EVERY.into_iter().rev();
+    let classes = classes.map(|part| (Ground::Part(part), part.text().to_owned()));
+    let mut keys: Vec<(Ground, String)> = classes
+        .chain([(Ground::NoCase, "no case, or undetermined".to_owned())])
+        .filter(|(ground, _)| {
+            let is_ground = |other| other == *ground;
+            contents.iter().any(|content| content.has_ground(is_ground))
+        })
+        .collect();
+    keys.extend(symbols(contents, manifest, motion));
+    keys
+}
+
+fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ground, String)> {
+    let methods = manifest.method_names();
     let by_all = if methods.len() == 1 {
         ""
     } else {
         " by all methods"
     };
-    let [regime, none] = motion.regimes();
-    let all = [
-        (Symbol::Circle, format!("{regime}{by_all}")),
-        (Symbol::Cross, format!("{none}{by_all}")),
-        (Symbol::Square, "methods differ".to_owned()),
-    ];
     let is_there = |symbol| contents.iter().any(|content| content.has(symbol));
-    let mut found: Vec<_> = (all.into_iter())
+    let mut found: Vec<_> = (meanings(motion, by_all).into_iter())
         .filter(|(symbol, _)| is_there(*symbol))
+        .map(|(symbol, meaning)| (Ground::Symbol(symbol), meaning))
         .collect();
     if let Some((_, first)) = found.first_mut() {
         *first += &format!(" ({})", methods.join(", "));
-        if contents.iter().any(Content::is_crowd) {
+        if contents.iter().any(|content| !content.cells.is_empty()) {
             let cases: usize = contents.iter().map(|content| content.cases).sum();
             *first += &format!("; a cell shows what most of its cases are, {cases} in all");
         }
     }
     found
-}
-
-/// The grounds of cells that are on any of the maps, from all to none of the cases.
-pub fn grounds(contents: &[Content]) -> Vec<(Ground, String)> {
-    let parts = contents.iter().filter(|content| content.is_of_parts());
-    let on_map: Vec<Ground> = parts
-        .flat_map(Content::cells)
-        .map(|cell| cell.ground)
-        .collect();
-    let classes = Part::EVERY.into_iter().rev();
-    let classes = classes.map(|part| (Ground::Part(part), part.text().to_owned()));
-    classes
-        .chain([(Ground::NoCase, "no case, or undetermined".to_owned())])
-        .filter(|(ground, _)| on_map.contains(ground))
-        .collect()
 }
 
 /// What the grounds of cells tell.
@@ -107,7 +107,7 @@ pub fn scale(
     over: impl Iterator<Item = String>,
 ) -> String {
     let [regime, _] = motion.regimes();
-    let methods = methods(manifest);
+    let methods = manifest.method_names();
     let mean = if methods.len() == 1 { "" } else { "mean of " };
     format!(
         "Cases with {regime} in each cell ({mean}{}), of {cases} cases over {}:",

@@ -1,5 +1,5 @@
-//! What a run that is not finished is shown by: the log keeps it, for whoever looks
-//! before there is a manifest.
+//! What describes a run that is not finished. The log keeps it until there is a
+//! manifest.
 
 use std::path::Path;
 
@@ -15,7 +15,7 @@ use crate::plan::Sweep;
 /// A run that is not finished.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct About {
-    /// What `manifest.json` will say, but for what comes out and how long it takes.
+    /// What `manifest.json` will say, without results and times.
     pub manifest: Manifest,
     /// Whether `labels.csv` has a column of T_d beside the axes.
     pub shows_torque: bool,
@@ -38,7 +38,7 @@ impl About {
         systems: &[MethodSystem],
     ) -> Result<Self> {
         let mut manifest = Manifest::new(sweep, shard, options, systems, Tally::default(), 0.0)?;
-        // The same words however often the run is stopped.
+        // The same text however often the run is stopped.
         manifest.threads = 0;
         for method in &mut manifest.methods {
             method.build_seconds = None;
@@ -53,9 +53,8 @@ impl About {
 
     /// What the rows of its `labels.csv` have in common.
     pub fn label_table(&self) -> LabelTable<'_> {
-        let methods = self.manifest.methods.iter();
         LabelTable {
-            methods: methods.map(|method| method.method.as_str()).collect(),
+            methods: self.manifest.method_names(),
             axes: &self.manifest.axes,
             shows_torque: self.shows_torque,
         }

@@ -5,12 +5,13 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
+use linear::DrillstringError;
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::whirl_limit::{WhirlPoint, whirl_limit};
 use crate::engine::MethodSystem;
-use crate::plan::{Bit, LateralSettings, Sweep, to_rpm};
+use crate::plan::{Bit, LateralSettings, Sweep, TorqueError, to_rpm};
 use crate::quantities::Axis;
 
 /// Points of the line between the ends of an axis.
@@ -26,7 +27,7 @@ pub enum Boundary {
 }
 
 /// One point of the limit of stick-slip.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct StickSlipPoint {
     /// Weight on bit, kN; empty where the design varies the torque itself.
     pub weight_on_bit_kn: Option<f64>,
@@ -38,12 +39,33 @@ pub struct StickSlipPoint {
     pub method: String,
 }
 
+impl StickSlipPoint {
+    /// Its place along an axis, of the weight on bit or of the torque.
+    pub fn along(&self, axis: Axis) -> Option<f64> {
+        match axis {
+            Axis::WeightOnBitKn => self.weight_on_bit_kn,
+            _ => Some(self.torque_dynamic_nm),
+        }
+    }
+}
+
+/// Why the limit of a map is not known.
+#[derive(Debug, thiserror::Error)]
+pub enum BoundaryError {
+    /// A rock has no torque at a weight.
+    #[error("{0}")]
+    Rock(TorqueError),
+    /// A site is not on the string.
+    #[error(transparent)]
+    Site(#[from] DrillstringError),
+}
+
 /// The limit over the range of the design's axes: of whirl where friction is
 /// one of them, else of stick-slip; without points where neither applies.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
-pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, String> {
+pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
     // Every string has limits of its own.
     if sweep.design.varies_string() {
         return Ok(Boundary::StickSlip(Vec::new()));
@@ -52,7 +74,7 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Str
         &sweep.setting.lateral,
         position(sweep, |axis| axis == Axis::Friction),
     ) {
-        return whirl_points(sweep, lateral).map(Boundary::Whirl);
+        return Ok(Boundary::Whirl(whirl_points(sweep, lateral)?));
     }
     let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     match (&sweep.bit, position(sweep, is_torque)) {
@@ -86,7 +108,7 @@ fn stick_slip_limit(
     systems: &[MethodSystem],
     bit: &Bit,
     position: usize,
-) -> Result<Vec<StickSlipPoint>, String> {
+) -> Result<Vec<StickSlipPoint>, BoundaryError> {
     let axis = sweep.design.axes()[position];
     let mut points = Vec::with_capacity(systems.len() * (POINTS + 1));
     for system in systems {
@@ -96,10 +118,9 @@ fn stick_slip_limit(
         let undershoot = largest_undershoot(taps);
         for value in along_axis(sweep, position) {
             let conditions = sweep.conditions.with(axis, value);
-            let Some(torque) = bit
-                .torque_dynamic(&conditions)
-                .map_err(|error| error.to_string())?
-            else {
+            let torque = bit.torque_dynamic(&conditions);
+            let torque = torque.map_err(BoundaryError::Rock)?;
+            let Some(torque) = torque else {
                 continue;
             };
             let torques = bit.torques(torque);
@@ -117,7 +138,10 @@ fn stick_slip_limit(
 }
 
 /// The limit of whirl over all surface speeds of the design.
-fn whirl_points(sweep: &Sweep, lateral: &LateralSettings) -> Result<Vec<WhirlPoint>, String> {
+fn whirl_points(
+    sweep: &Sweep,
+    lateral: &LateralSettings,
+) -> Result<Vec<WhirlPoint>, DrillstringError> {
     let range = match position(sweep, |axis| axis == Axis::SurfaceSpeedRpm) {
         Some(position) => Some(range_of_axis(sweep, position)),
         None => sweep.conditions.surface_speed_rpm.map(|speed| [speed; 2]),
@@ -125,65 +149,50 @@ fn whirl_points(sweep: &Sweep, lateral: &LateralSettings) -> Result<Vec<WhirlPoi
     let Some(range) = range else {
         return Ok(Vec::new());
     };
-    whirl_limit(&sweep.setting, lateral, range).map_err(|error| error.to_string())
+    whirl_limit(&sweep.setting, lateral, range)
 }
 
-/// The whole of `boundary.csv`; numbers spelt as in `labels.csv`.
-pub fn write_boundary(boundary: &Boundary) -> Result<Vec<u8>> {
-    let mut writer = csv::WriterBuilder::new()
-        .has_headers(false)
-        .from_writer(Vec::new());
+/// The whole of `boundary.csv`; numbers spelt as in `labels.csv`. No field needs quotes:
+/// they are names and numbers.
+pub fn boundary_csv(boundary: &Boundary) -> String {
     match boundary {
         Boundary::StickSlip(points) => {
-            writer.write_record([
-                "weight_on_bit_kn",
-                "torque_dynamic_nm",
-                "surface_speed_rpm",
-                "method",
-            ])?;
-            for point in points {
+            let header = "weight_on_bit_kn,torque_dynamic_nm,surface_speed_rpm,method\n";
+            let row = |point: &StickSlipPoint| {
                 let weight = point.weight_on_bit_kn.map(|weight| weight.to_string());
-                writer.write_record([
+                format!(
+                    "{},{},{},{}\n",
                     weight.unwrap_or_default(),
-                    point.torque_dynamic_nm.to_string(),
-                    point.surface_speed_rpm.to_string(),
-                    point.method.clone(),
-                ])?;
-            }
+                    point.torque_dynamic_nm,
+                    point.surface_speed_rpm,
+                    point.method
+                )
+            };
+            header.to_owned() + &points.iter().map(row).collect::<String>()
         }
         Boundary::Whirl(points) => {
-            writer.write_record([
-                "surface_speed_rpm",
-                "friction",
-                ONLY_OF_WHIRL,
-                "radius_mm",
-                "precession_turns_per_s",
-                "normal_force_kn",
-                "branch",
-                "motion",
-                "least",
-            ])?;
-            for point in points {
-                let numbers = [
+            let header = format!(
+                "surface_speed_rpm,friction,{ONLY_OF_WHIRL},radius_mm,precession_turns_per_s,\
+                 normal_force_kn,branch,motion,least\n"
+            );
+            let row = |point: &WhirlPoint| {
+                let branch = point.branch.map(|branch| branch.to_string());
+                format!(
+                    "{},{},{},{},{},{},{},{},{}\n",
                     point.surface_speed_rpm,
                     point.friction,
                     point.site_from_bit_m,
                     point.radius_mm,
                     point.precession_turns_per_s,
                     point.normal_force_kn,
-                ];
-                let branch = point.branch.map(|branch| branch.to_string());
-                let rest = [
                     branch.unwrap_or_default(),
-                    point.motion.name().to_owned(),
-                    point.least.to_string(),
-                ];
-                writer
-                    .write_record(numbers.map(|number| number.to_string()).iter().chain(&rest))?;
-            }
+                    point.motion.name(),
+                    point.least
+                )
+            };
+            header + &points.iter().map(row).collect::<String>()
         }
     }
-    Ok(writer.into_inner()?)
 }
 
 /// A column that only the limit of whirl has.
@@ -222,8 +231,7 @@ mod tests {
              60,1.5,0,16,9,34,0,rolling,true\n\
              60,1.2,0,16,9,34,,rolling_or_sliding,true\n",
         );
-        let written = write_boundary(&boundary).expect("written");
-        assert_eq!(read(&String::from_utf8(written).expect("text")), boundary);
+        assert_eq!(read(&boundary_csv(&boundary)), boundary);
     }
 
     #[test]

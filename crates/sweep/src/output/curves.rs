@@ -52,10 +52,6 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
     } else {
         Axis::TorqueDynamicNm
     };
-    let place = |point: &StickSlipPoint| match along {
-        Axis::WeightOnBitKn => point.weight_on_bit_kn,
-        _ => Some(point.torque_dynamic_nm),
-    };
     let methods = points.chunk_by(|one, next| one.method == next.method);
     methods
         .map(|points| Curve {
@@ -65,7 +61,7 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
             limited: Axis::SurfaceSpeedRpm,
             pieces: vec![
                 (points.iter())
-                    .filter_map(|point| Some([place(point)?, point.surface_speed_rpm]))
+                    .filter_map(|point| Some([point.along(along)?, point.surface_speed_rpm]))
                     .collect(),
             ],
         })

@@ -1,6 +1,6 @@
 //! The least of several lines at each place of an axis.
 
-/// The least of several lines, which begin and end where they like.
+/// The least of several lines, each with its own ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Envelope {
     /// Where any line has a point, in ascending order.
@@ -12,7 +12,7 @@ pub struct Envelope {
     least: Option<f64>,
 }
 
-/// A place is still the same one by rounding this part away.
+/// Places that differ by a smaller part are the same but for rounding.
 const SAME_PLACE: f64 = 1e-9;
 
 impl Envelope {

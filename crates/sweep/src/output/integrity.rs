@@ -1,4 +1,4 @@
-//! Whether the files of a results folder are those that its manifest speaks of.
+//! Whether the files of a results folder are those that its manifest lists.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -20,30 +20,13 @@ pub struct Damage {
     /// The file's name.
     pub name: String,
     path: PathBuf,
-    how: How,
-}
-
-#[derive(Debug, Clone, PartialEq, Eq)]
-enum How {
-    Missing,
-    OtherLength { bytes: u64, expected: u64 },
-    OtherContent,
+    /// What is wrong with it, after its path.
+    how: String,
 }
 
 impl fmt::Display for Damage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let path = self.path.display();
-        match self.how {
-            How::Missing => write!(f, "{path} is missing"),
-            How::OtherLength { bytes, expected } => write!(
-                f,
-                "{path} is damaged: it has {bytes} bytes, and the one that was written {expected}"
-            ),
-            How::OtherContent => write!(
-                f,
-                "{path} is damaged: its SHA-256 is not that of the one that was written"
-            ),
-        }
+        write!(f, "{} {}", self.path.display(), self.how)
     }
 }
 
@@ -88,26 +71,28 @@ impl Manifest {
     }
 }
 
-/// How a file differs from what was noted of it. Where others were noted and it
-/// was not, it was never finished.
+/// How a file differs from what was noted of it, in words. Where others were noted and
+/// it was not, it was never finished.
 fn damage_of(
     path: &Path,
     expected: Option<&Checksum>,
     has_checksums: bool,
-) -> std::io::Result<Option<How>> {
-    let length = match std::fs::metadata(path) {
-        Err(error) if is_absent(&error) => return Ok(Some(How::Missing)),
+) -> std::io::Result<Option<String>> {
+    let missing = || "is missing".to_owned();
+    let bytes = match std::fs::metadata(path) {
+        Err(error) if is_absent(&error) => return Ok(Some(missing())),
         found => found?.len(),
     };
     let Some(expected) = expected else {
-        return Ok(has_checksums.then_some(How::Missing));
+        return Ok(has_checksums.then(missing));
     };
-    if length != expected.bytes {
-        return Ok(Some(How::OtherLength {
-            bytes: length,
-            expected: expected.bytes,
-        }));
+    if bytes != expected.bytes {
+        return Ok(Some(format!(
+            "is damaged: it has {bytes} bytes, and the one that was written {}",
+            expected.bytes
+        )));
     }
     let is_same = Checksum::of_file(path)? == *expected;
-    Ok((!is_same).then_some(How::OtherContent))
+    let other = "is damaged: its SHA-256 is not that of the one that was written";
+    Ok((!is_same).then(|| other.to_owned()))
 }

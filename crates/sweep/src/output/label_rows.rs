@@ -1,5 +1,5 @@
-//! `labels.csv` as it is read back, typed: every row for maps, reports and merges, what a
-//! run wrote of a case for a run with more cases, and what a person wrote for `check`.
+//! Reads `labels.csv`: rows for maps, reports and merges, rows of a person for `check`,
+//! and the full records that a run with more cases starts from.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use sim::{Ended, Label, LateralMeasures, LateralRegime, Outcome, TorsionMeasures
 use super::labels::{FAILED, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
 use super::motion::Labels;
 use crate::engine::{Failure, Record};
-use crate::hand_table::{HandTable, Mistake, number};
+use crate::hand_table::{HandTable, Mistake, NumberError, number};
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
 use crate::sweep_file::nearest;
@@ -36,6 +36,25 @@ pub struct LabelRow {
     pub failed: bool,
 }
 
+#[cfg(test)]
+impl LabelRow {
+    /// A row of a case in torsion; without a `regime` it has no answer.
+    pub fn example(method: &str, regime: &str) -> Self {
+        Self {
+            line: 0,
+            case: 0,
+            method: method.to_owned(),
+            values: Vec::new(),
+            labels: Labels {
+                torsion: TorsionRegime::of_name(regime),
+                lateral: None,
+            },
+            predicted: None,
+            failed: false,
+        }
+    }
+}
+
 /// Where the columns are that are read back: `case`, `method`, the axes asked for,
 /// `torsion` and, if they are there, `lateral`, `predicted` and `status`; others are
 /// passed over.
@@ -49,17 +68,45 @@ pub struct LabelColumns {
     status: Option<usize>,
 }
 
+/// What is wrong with a row of labels, or with the names of its columns.
+#[derive(Debug, thiserror::Error)]
+pub enum LabelError {
+    /// A column is missing.
+    #[error("has no column `{0}`")]
+    MissingColumn(String),
+    /// The case is no number.
+    #[error("`{0}` is not a case number")]
+    Case(String),
+    /// A value along an axis is no number.
+    #[error("{0}")]
+    Value(NumberError),
+    /// What was predicted is no label.
+    #[error("`{0}` is no regime")]
+    Predicted(String),
+    /// A label is none of those of its column.
+    #[error("{column}: `{word}` is no {column} regime; {hint}")]
+    Regime {
+        /// The column.
+        column: &'static str,
+        /// What it holds.
+        word: String,
+        /// What is meant, or what is known.
+        hint: String,
+    },
+}
+
 impl LabelColumns {
     /// From the names of all columns, the values along `axes` being wanted.
     ///
     /// # Errors
-    /// Where one is missing, in words.
+    /// Where one is missing.
     pub fn find<'a>(
         header: impl Iterator<Item = &'a str> + Clone,
         axes: &[Axis],
-    ) -> Result<Self, String> {
+    ) -> Result<Self, LabelError> {
         let place = |name: &str| header.clone().position(|field| field == name);
-        let column = |name: &str| place(name).ok_or_else(|| format!("has no column `{name}`"));
+        let no_column = |name: &str| LabelError::MissingColumn(name.to_owned());
+        let column = |name: &str| place(name).ok_or_else(|| no_column(name));
         Ok(Self {
             case: column("case")?,
             method: column("method")?,
@@ -77,46 +124,45 @@ impl LabelColumns {
     /// A row by its fields.
     ///
     /// # Errors
-    /// What is wrong with it, in words.
+    /// Where a field is not what its column holds.
     pub fn row<'a>(
         &self,
         line: usize,
         field: impl Fn(usize) -> Option<&'a str>,
-    ) -> Result<LabelRow, String> {
+    ) -> Result<LabelRow, LabelError> {
         let field = |column: usize| field(column).unwrap_or_default();
         let optional = |column: Option<usize>| column.map_or("", field);
         let case = field(self.case);
-        let predicted = optional(self.predicted);
         Ok(LabelRow {
             line,
-            case: case
-                .parse()
-                .map_err(|_| format!("`{case}` is not a case number"))?,
+            case: (case.parse()).map_err(|_| LabelError::Case(case.to_owned()))?,
             method: field(self.method).to_owned(),
             values: (self.values.iter())
-                .map(|&column| number(field(column)).map_err(|error| error.to_string()))
+                .map(|&column| number(field(column)).map_err(LabelError::Value))
                 .collect::<Result<_, _>>()?,
             labels: Labels {
                 torsion: regime("torsion", field(self.torsion), &TorsionRegime::ALL)?,
                 lateral: regime("lateral", optional(self.lateral), &LateralRegime::ALL)?,
             },
-            predicted: (!predicted.is_empty())
-                .then(|| {
-                    Label::of_name(predicted).ok_or_else(|| format!("`{predicted}` is no regime"))
-                })
-                .transpose()?,
+            predicted: match optional(self.predicted) {
+                "" => None,
+                word => {
+                    let label = Label::of_name(word);
+                    Some(label.ok_or_else(|| LabelError::Predicted(word.to_owned()))?)
+                }
+            },
             failed: optional(self.status) == FAILED,
         })
     }
 }
 
-/// A regime of a motion, or none; a word that is none of them is a mistake, and no label
-/// that differs.
+/// A regime of a motion, or none. A word that is no regime is an error, not a label that
+/// differs.
 fn regime<Regime: Copy + Into<Label>>(
-    column: &str,
+    column: &'static str,
     word: &str,
     all: &[Regime],
-) -> Result<Option<Regime>, String> {
+) -> Result<Option<Regime>, LabelError> {
     let name = |regime: Regime| regime.into().name();
     if word.is_empty() {
         return Ok(None);
@@ -129,7 +175,8 @@ fn regime<Regime: Copy + Into<Label>>(
         || format!("known: {}", known.join(", ")),
         |known| format!("did you mean `{known}`?"),
     );
-    Err(format!("{column}: `{word}` is no {column} regime; {hint}"))
+    let word = word.to_owned();
+    Err(LabelError::Regime { column, word, hint })
 }
 
 /// Reads labels that a person may have written or exported from a spreadsheet.
@@ -145,12 +192,13 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
 
 fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
     let columns = LabelColumns::find(table.header().iter(), axes)
-        .map_err(|reason| table.header_mistake(reason))?;
+        .map_err(|error| table.header_mistake(error.to_string()))?;
     let rows = table.rows().map(|row| {
         let row = row?;
-        (columns.row(row.line, |column| row.cells.get(column))).map_err(|message| Mistake {
+        let cell = |column| row.cells.get(column);
+        columns.row(row.line, cell).map_err(|error| Mistake {
             line: row.line,
-            message,
+            message: error.to_string(),
         })
     });
     rows.collect()

@@ -47,7 +47,7 @@ pub struct LabelTable<'a> {
     pub methods: Vec<&'a str>,
     /// What differs between the cases.
     pub axes: &'a [Axis],
-    /// Whether T_d has a column: where an axis is mapped to it on the way to the model.
+    /// Whether T_d has a column: it has where it follows from an axis and is none itself.
     pub shows_torque: bool,
 }
 
@@ -98,7 +98,7 @@ pub(super) fn shows_torque(sweep: &Sweep) -> bool {
     sweep.bit.is_some() && !sweep.design.axes().contains(&Axis::TorqueDynamicNm)
 }
 
-/// A row as far as it is.
+/// A row being written.
 struct Row(String);
 
 impl Row {

@@ -1,4 +1,5 @@
-//! `manifest.json`: what was run, with what, and what came of it.
+//! `manifest.json`: what was run, with which settings and methods, and the counts of
+//! what came out.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -11,8 +12,7 @@ use super::results::Tally;
 use crate::design::Design;
 use crate::engine::{MethodSystem, RunOptions, Shard};
 use crate::files::{Checksum, hexadecimal, write_atomically};
-use crate::plan::Choice;
-use crate::plan::{MapSettings, Sweep};
+use crate::plan::{Choice, MapSettings, Sweep};
 use crate::quantities::Axis;
 use crate::sweep_file::FileContent;
 
@@ -141,6 +141,12 @@ impl Manifest {
             map: sweep.map.clone(),
             sweep: sweep.content.clone(),
         })
+    }
+
+    /// Names of the methods.
+    pub fn method_names(&self) -> Vec<&str> {
+        let methods = self.methods.iter();
+        methods.map(|method| method.method.as_str()).collect()
     }
 
     /// What tells the run that it records from others.

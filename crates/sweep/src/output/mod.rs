@@ -17,7 +17,7 @@ mod whirl_limit;
 
 pub use crate::files::write_atomically;
 pub use about::About;
-pub use boundary::{Boundary, StickSlipPoint, boundary, write_boundary};
+pub use boundary::{Boundary, StickSlipPoint, boundary, boundary_csv};
 pub use cases::{CaseReader, CaseRows};
 pub use curves::Curve;
 pub use envelope::Envelope;

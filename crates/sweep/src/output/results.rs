@@ -1,5 +1,4 @@
-//! From the log of a finished run to the tables of its results folder, row by
-//! row.
+//! Writes the tables of a results folder from the log of its run, row by row.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -83,10 +82,10 @@ pub struct Tables {
     pub files: BTreeMap<String, Checksum>,
 }
 
-/// Rows that all threads together put in words at once.
+/// Rows that all threads together format at once.
 const ROWS_AT_ONCE: usize = 1 << 12;
 
-/// `labels.csv` and `failures.csv` under way.
+/// `labels.csv` and `failures.csv` being written.
 pub struct TableWriter<'a> {
     table: LabelTable<'a>,
     repeat: Repeat<'a>,

@@ -1,8 +1,8 @@
 //! The tables of a results folder, of a run that is finished or of one that is not.
 //!
-//! A run that is not finished has its rows in its log, as they came. They are put in
-//! order into tables of a temporary folder, so that the run's own folder stays as it
-//! is, and memory does not grow with them.
+//! A run that is not finished has its rows in its log, in the order in which they were
+//! done. They are sorted into tables of a temporary folder: the run's own folder does not
+//! change, and memory does not grow with the rows.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -57,8 +57,8 @@ impl ResultTables {
         })
     }
 
-    /// Those of a run that has the given log, as far as it is; nothing where there is
-    /// no such log, or the run has only just begun. Cases that some method has not
+    /// Those of a run that has the given log, up to now; none where there is no such log,
+    /// or the run has only just begun. Cases that some method has not
     /// answered yet are left out.
     ///
     /// # Errors

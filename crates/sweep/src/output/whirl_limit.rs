@@ -9,7 +9,7 @@ use linear::estimates::bending_decay_rate;
 use linear::waves::lateral::BendingNetwork;
 use linear::{DrillstringError, Sites};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use sim::steady_whirl::MOST_FRICTION;
 use sim::{SteadyWhirl, WhirlingSite};
 
@@ -17,7 +17,7 @@ use super::envelope::Envelope;
 use crate::plan::{LateralSettings, Setting, to_rpm};
 
 /// How the surfaces meet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum WhirlMotion {
     /// The string rolls along the wall.
@@ -38,7 +38,7 @@ impl WhirlMotion {
 }
 
 /// One point of the limit of backward whirl: steady whirl at one site alone.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct WhirlPoint {
     /// Surface speed, rpm.
     pub surface_speed_rpm: f64,
@@ -69,7 +69,7 @@ fn yes() -> bool {
     true
 }
 
-/// Parts of a number that rounding may hide.
+/// Numbers that differ by a smaller part are the same but for rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// A curve of whirls, each of which follows from the one before without a jump.
@@ -109,7 +109,7 @@ pub fn whirl_limit(
     Ok(points)
 }
 
-/// Ends of the range that the units have moved by rounding.
+/// Undoes the rounding of units at the ends of the range.
 fn snap(speed: &mut f64, range: [f64; 2]) {
     for end in range {
         if (*speed - end).abs() <= ROUNDING * end {
@@ -133,16 +133,10 @@ pub fn rolling_bound(
 
 /// The least friction of steady rolling whirl over surface speed (rpm).
 pub fn rolling_envelope(points: &[WhirlPoint]) -> Envelope {
-    let curves: Vec<Vec<(f64, f64)>> = branches(points)
-        .filter(|curve| curve[0].motion == WhirlMotion::Rolling)
-        .map(|curve| {
-            (curve
-                .iter()
-                .map(|point| (point.surface_speed_rpm, point.friction)))
-            .collect()
-        })
-        .collect();
-    Envelope::new(&curves)
+    let rolling = branches(points).filter(|curve| curve[0].motion == WhirlMotion::Rolling);
+    let place = |point: &WhirlPoint| (point.surface_speed_rpm, point.friction);
+    let curves = rolling.map(|curve| curve.iter().map(place).collect());
+    Envelope::new(&curves.collect::<Vec<_>>())
 }
 
 /// The points by curve.
@@ -153,10 +147,8 @@ pub fn branches(points: &[WhirlPoint]) -> impl Iterator<Item = &[WhirlPoint]> {
 
 fn mark_least(points: &mut [WhirlPoint]) {
     let envelope = rolling_envelope(points);
-    let rolling = points
-        .iter_mut()
-        .filter(|point| point.motion == WhirlMotion::Rolling);
-    for point in rolling {
+    let points = points.iter_mut();
+    for point in points.filter(|point| point.motion == WhirlMotion::Rolling) {
         let least = envelope.at(point.surface_speed_rpm);
         point.least = least.is_none_or(|least| point.friction <= least * (1.0 + ROUNDING));
     }
@@ -168,15 +160,11 @@ fn of_site(
     site: usize,
     [slowest, fastest]: [f64; 2],
 ) -> Result<SiteWhirls, DrillstringError> {
-    let alone = alone(setting, site)?;
-    let network = network(setting, lateral, &alone)?;
-    let whirling = whirling(setting, lateral, site, &network);
+    let whirling = whirling(setting, lateral, site)?;
     let rolling = if slowest < fastest {
         let branches = whirling.branches([slowest, fastest]);
-        let parts = branches
-            .iter()
-            .map(|branch| part_within(branch, [slowest, fastest]));
-        parts.flatten().collect()
+        let parts = |branch: &Curve| part_within(branch, [slowest, fastest]);
+        branches.iter().flat_map(parts).collect()
     } else {
         let whirls = whirling.rolling_at(fastest).into_iter();
         let sustained = whirls.filter(|whirl| whirl.least_friction <= MOST_FRICTION);
@@ -199,37 +187,24 @@ pub fn rolling_whirls(
     site: usize,
     surface_speed: f64,
 ) -> Result<Vec<SteadyWhirl>, DrillstringError> {
-    let alone = alone(setting, site)?;
-    let network = network(setting, lateral, &alone)?;
-    Ok(whirling(setting, lateral, site, &network).rolling_at(surface_speed))
+    Ok(whirling(setting, lateral, site)?.rolling_at(surface_speed))
 }
 
 /// A site as the only one: others that are free change nothing.
-fn alone(setting: &Setting, site: usize) -> Result<Sites, DrillstringError> {
-    let distance = setting.sites.distances_from_bit()[site];
-    Sites::new(&setting.string, &[distance])
-}
-
-fn network<'a>(
-    setting: &'a Setting,
-    lateral: &LateralSettings,
-    site: &Sites,
-) -> Result<BendingNetwork<'a>, DrillstringError> {
-    BendingNetwork::new(&setting.string, lateral.bending, lateral.support, site)
-}
-
 fn whirling(
     setting: &Setting,
     lateral: &LateralSettings,
     site: usize,
-    network: &BendingNetwork<'_>,
-) -> WhirlingSite<impl Fn(f64) -> [f64; 2]> {
-    WhirlingSite {
+) -> Result<WhirlingSite<impl Fn(f64) -> [f64; 2]>, DrillstringError> {
+    let distance = setting.sites.distances_from_bit()[site];
+    let alone = Sites::new(&setting.string, &[distance])?;
+    let network = BendingNetwork::new(&setting.string, lateral.bending, lateral.support, &alone)?;
+    Ok(WhirlingSite {
         // Friction plays no part.
         wall: lateral.walls[site].with_friction(0.0),
-        dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
+        dynamic_stiffness: move |rate| network.dynamic_stiffness(0, rate),
         decay_rate: bending_decay_rate(&setting.string, &lateral.bending),
-    }
+    })
 }
 
 /// The parts of a curve within a range of surface speeds.

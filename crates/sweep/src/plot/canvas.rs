@@ -1,8 +1,8 @@
 //! The drawing surface: shapes and text in picture pixels, written as SVG.
 
-use super::geometry::Pixel;
+use super::geometry::{Pixel, Rect};
 use super::picture::Picture;
-use super::text::{self, Block};
+use super::text::{self, Block, TITLE_SIZE};
 use anyhow::{Context, Result};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -54,8 +54,46 @@ pub(super) struct Canvas<'a> {
     dashes: Vec<Dash>,
 }
 
+/// The title of a picture, centred above it and as wide as it is, and the margin around
+/// both.
+pub(super) struct Title {
+    text: Block,
+    width: f64,
+    margin: f64,
+}
+
+impl Title {
+    /// Breaks the text to fit a picture of this width.
+    pub fn new(text: &str, width: f64, margin: f64) -> Result<Title> {
+        let text = Block::new(text, TITLE_SIZE, width - 2.0 * margin)?;
+        Ok(Title {
+            text,
+            width,
+            margin,
+        })
+    }
+
+    /// Where the picture below it begins.
+    pub fn bottom(&self) -> f64 {
+        2.0 * self.margin + self.text.height()
+    }
+}
+
+/// Draws a title and, with `draw`, what is below it, on a picture of this height in pixels.
+pub(super) fn draw_titled(
+    title: &Title,
+    height: f64,
+    draw: impl FnOnce(&mut Canvas) -> Result<()>,
+) -> Result<Picture> {
+    draw_picture(title.width, height, |canvas| {
+        let first_row = title.margin + title.text.line_height() / 2.0;
+        canvas.text(&title.text, title.width / 2.0, first_row, HPos::Center)?;
+        draw(canvas)
+    })
+}
+
 /// Draws a picture of the given size in pixels with `draw`.
-pub(super) fn draw_picture(
+fn draw_picture(
     width: f64,
     height: f64,
     draw: impl FnOnce(&mut Canvas) -> Result<()>,
@@ -92,6 +130,11 @@ impl Canvas<'_> {
         let style = stroke.colour.stroke_width(units(stroke.width) as u32);
         self.area.draw(&PathElement::new(points, style))?;
         Ok(())
+    }
+
+    /// The line around a rectangle.
+    pub fn outline(&mut self, area: Rect, stroke: Stroke) -> Result<()> {
+        self.line(&area.outline(), stroke)
     }
 
     /// The outline of a circle.

@@ -1,14 +1,15 @@
 //! Charts of cells: what was predicted as the ground, what was seen as a symbol,
 //! the number that predicted it beside it. Panels stand in two columns.
 
-use super::canvas::{Canvas, Stroke, draw_picture};
+use super::canvas::{Canvas, Stroke, Title, draw_titled};
 use super::colours::{BLUE, PALE, SAND, SKY, VERMILION};
 use super::geometry::{Pixel, Rect};
 use super::picture::Picture;
-use super::text::{self, Block, SMALL_SIZE, TITLE_SIZE};
+use super::symbols::draw_cross;
+use super::text::{self, Block, SMALL_SIZE};
 use anyhow::Result;
-use plotters::style::BLACK;
 use plotters::style::text_anchor::HPos;
+use plotters::style::{BLACK, RGBColor};
 
 const WIDTH: f64 = 1500.0;
 const MARGIN: f64 = 16.0;
@@ -24,6 +25,12 @@ const PANEL_GAP: f64 = 20.0;
 const CELL_TEXT: f64 = 10.0;
 const LABEL_TEXT: f64 = 12.5;
 const RADIUS: f64 = 4.0;
+/// The frame of a cell that is not as predicted.
+const WRONG: Stroke = Stroke {
+    colour: BLACK,
+    width: 2.0,
+    dash: &[],
+};
 
 /// What was predicted of a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -87,14 +94,11 @@ pub struct CellChart {
 
 /// Draws a chart of cells.
 pub fn cell_chart(chart: &CellChart) -> Result<Picture> {
-    let title = Block::new(&chart.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
-    let top = 2.0 * MARGIN + title.height();
+    let title = Title::new(&chart.title, WIDTH, MARGIN)?;
     let column_width = (WIDTH - 2.0 * MARGIN - GUTTER) / 2.0;
-    let (places, bottom) = places(&chart.panels, top);
+    let (places, bottom) = places(&chart.panels, title.bottom());
     let height = bottom + LEGEND_HEIGHT + MARGIN;
-    draw_picture(WIDTH, height, |canvas| {
-        let title_row = MARGIN + title.line_height() / 2.0;
-        canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
+    draw_titled(&title, height, |canvas| {
         for (panel, (column, top)) in chart.panels.iter().zip(&places) {
             let left = MARGIN + *column as f64 * (column_width + GUTTER);
             draw_panel(canvas, panel, left, *top, column_width)?;
@@ -137,34 +141,17 @@ fn draw_panel(
     top: f64,
     width: f64,
 ) -> Result<()> {
-    let mut names: f64 = 0.0;
-    for name in &panel.rows {
-        names = names.max(text::width(name, LABEL_TEXT)?);
-    }
-    let grid_left = left + names + GAP;
+    let grid_left = left + text::widest(&panel.rows, LABEL_TEXT)? + GAP;
     let count = panel.columns.len().max(1) as f64;
     let cell_width = ((left + width - grid_left) / count).min(WIDEST_CELL);
     let grid_top = top + line(SMALL_SIZE) + GAP;
-    let write = |canvas: &Canvas, words: &str, size: f64, (x, y): Pixel, align: HPos| {
-        canvas.text(&Block::new(words, size, f64::INFINITY)?, x, y, align)
-    };
     let title_row = top + 0.5 * line(SMALL_SIZE);
-    write(
-        canvas,
-        &panel.title,
-        SMALL_SIZE,
-        (grid_left, title_row),
-        HPos::Left,
-    )?;
+    let title = (panel.title.as_str(), SMALL_SIZE);
+    write(canvas, title, (grid_left, title_row), HPos::Left)?;
     for (row, name) in panel.rows.iter().enumerate() {
         let middle = grid_top + (row as f64 + 0.5) * CELL_HEIGHT;
-        write(
-            canvas,
-            name,
-            LABEL_TEXT,
-            (grid_left - GAP, middle),
-            HPos::Right,
-        )?;
+        let place = (grid_left - GAP, middle);
+        write(canvas, (name, LABEL_TEXT), place, HPos::Right)?;
     }
     for cell in &panel.cells {
         let rect = Rect {
@@ -179,11 +166,19 @@ fn draw_panel(
     for (column, name) in panel.columns.iter().enumerate() {
         let middle = grid_left + (column as f64 + 0.5) * cell_width;
         let place = (middle, below + 0.5 * line(LABEL_TEXT));
-        write(canvas, name, LABEL_TEXT, place, HPos::Center)?;
+        write(canvas, (name, LABEL_TEXT), place, HPos::Center)?;
     }
     let centre = grid_left + 0.5 * count * cell_width;
     let place = (centre, below + 1.5 * line(LABEL_TEXT));
-    write(canvas, &panel.x, LABEL_TEXT, place, HPos::Center)
+    write(canvas, (&panel.x, LABEL_TEXT), place, HPos::Center)?;
+    Ok(())
+}
+
+/// Writes words of a size on one line, and returns their width.
+fn write(canvas: &Canvas, (words, size): (&str, f64), (x, y): Pixel, align: HPos) -> Result<f64> {
+    let block = Block::new(words, size, f64::INFINITY)?;
+    canvas.text(&block, x, y, align)?;
+    Ok(block.width)
 }
 
 fn draw_cell(canvas: &mut Canvas, cell: &ChartCell, rect: Rect) -> Result<()> {
@@ -202,30 +197,18 @@ fn draw_cell(canvas: &mut Canvas, cell: &ChartCell, rect: Rect) -> Result<()> {
         (Predicted::Stable, Seen::Provoked | Seen::Failed) | (Predicted::Unstable, Seen::Sound)
     );
     if was_wrong {
-        let [first, second, third, fourth] = inner.corners();
-        let closed = [first, second, third, fourth, first];
-        canvas.line(&closed, Stroke::solid(BLACK, 2.0))?;
+        canvas.outline(inner, WRONG)?;
     }
-    let number = Block::new(&cell.text, CELL_TEXT, f64::INFINITY)?;
-    canvas.text(&number, inner.right - 3.0, middle, HPos::Right)
+    let place = (inner.right - 3.0, middle);
+    write(canvas, (&cell.text, CELL_TEXT), place, HPos::Right)?;
+    Ok(())
 }
 
-fn draw_seen(canvas: &mut Canvas, seen: Seen, (x, y): Pixel) -> Result<()> {
+fn draw_seen(canvas: &mut Canvas, seen: Seen, centre: Pixel) -> Result<()> {
     match seen {
-        Seen::Sound => canvas.ring((x, y), RADIUS, Stroke::solid(BLUE, 1.5)),
-        Seen::Provoked => canvas.disc((x, y), RADIUS, VERMILION),
-        Seen::Failed => {
-            let [left, right] = [x - RADIUS, x + RADIUS];
-            let [top, bottom] = [y - RADIUS, y + RADIUS];
-            let path = [
-                (left, top),
-                (right, bottom),
-                (x, y),
-                (right, top),
-                (left, bottom),
-            ];
-            canvas.line(&path, Stroke::solid(VERMILION, 2.0))
-        }
+        Seen::Sound => canvas.ring(centre, RADIUS, Stroke::solid(BLUE, 1.5)),
+        Seen::Provoked => canvas.disc(centre, RADIUS, VERMILION),
+        Seen::Failed => draw_cross(canvas, centre, RADIUS, Stroke::solid(VERMILION, 2.0)),
     }
 }
 
@@ -235,54 +218,47 @@ const LEGEND_ROW: f64 = 26.0;
 const KEY_WIDTH: f64 = 26.0;
 const KEY_GAP: f64 = 28.0;
 
-fn draw_legend(canvas: &mut Canvas, chart: &CellChart, top: f64) -> Result<()> {
-    let grounds = [
-        (Some(SKY), "predicted: stable"),
-        (Some(SAND), "predicted: unstable"),
-        (Some(PALE), "the margin says nothing of it"),
-        (None, chart.number.as_str()),
-    ];
-    let first_row = top + 0.5 * LEGEND_ROW;
-    let mut left = MARGIN;
-    for (ground, words) in grounds {
-        if let Some(ground) = ground {
-            let key = Rect::centred((left + 0.5 * KEY_WIDTH, first_row), KEY_WIDTH, 16.0);
-            canvas.polygon(&key.corners(), ground)?;
-            left += KEY_WIDTH + GAP;
-        }
-        left = legend_text(canvas, words, left, first_row)?;
-    }
-    let symbols = [
-        (Some(Seen::Sound), "nothing wrong was seen"),
-        (Some(Seen::Failed), "failed in an ordinary scene"),
-        (
-            Some(Seen::Provoked),
-            "fails under a load tuned to the margin",
-        ),
-        (None, "framed: not as predicted"),
-    ];
-    let second_row = top + 1.5 * LEGEND_ROW;
-    let mut left = MARGIN;
-    for (seen, words) in symbols {
-        match seen {
-            Some(seen) => draw_seen(canvas, seen, (left + 0.5 * KEY_WIDTH, second_row))?,
-            None => {
-                let key = Rect::centred((left + 0.5 * KEY_WIDTH, second_row), KEY_WIDTH, 16.0);
-                let [first, second, third, fourth] = key.corners();
-                let closed = [first, second, third, fourth, first];
-                canvas.line(&closed, Stroke::solid(BLACK, 2.0))?;
-            }
-        }
-        left = legend_text(canvas, words, left + KEY_WIDTH + GAP, second_row)?;
-    }
-    Ok(())
+/// What stands before the words of a key.
+#[derive(Clone, Copy)]
+enum Key {
+    Ground(RGBColor),
+    Seen(Seen),
+    Frame,
 }
 
-/// Writes a key's words and returns where the next key begins.
-fn legend_text(canvas: &Canvas, words: &str, left: f64, row: f64) -> Result<f64> {
-    let block = Block::new(words, SMALL_SIZE, f64::INFINITY)?;
-    canvas.text(&block, left, row, HPos::Left)?;
-    Ok(left + block.width + KEY_GAP)
+fn draw_legend(canvas: &mut Canvas, chart: &CellChart, top: f64) -> Result<()> {
+    let grounds = [
+        (Some(Key::Ground(SKY)), "predicted: stable"),
+        (Some(Key::Ground(SAND)), "predicted: unstable"),
+        (Some(Key::Ground(PALE)), "the margin says nothing of it"),
+        (None, chart.number.as_str()),
+    ];
+    let symbols = [
+        (Some(Key::Seen(Seen::Sound)), "nothing wrong was seen"),
+        (Some(Key::Seen(Seen::Failed)), "failed in an ordinary scene"),
+        (
+            Some(Key::Seen(Seen::Provoked)),
+            "fails under a load tuned to the margin",
+        ),
+        (Some(Key::Frame), "framed: not as predicted"),
+    ];
+    for (keys, row) in [(grounds, 0.5), (symbols, 1.5)] {
+        let row = top + row * LEGEND_ROW;
+        let mut left = MARGIN;
+        for (key, words) in keys {
+            let centre = (left + 0.5 * KEY_WIDTH, row);
+            let area = Rect::centred(centre, KEY_WIDTH, 16.0);
+            match key {
+                Some(Key::Ground(ground)) => canvas.polygon(&area.corners(), ground)?,
+                Some(Key::Seen(seen)) => draw_seen(canvas, seen, centre)?,
+                Some(Key::Frame) => canvas.outline(area, WRONG)?,
+                None => {}
+            }
+            left += key.map_or(0.0, |_| KEY_WIDTH + GAP);
+            left += write(canvas, (words, SMALL_SIZE), (left, row), HPos::Left)? + KEY_GAP;
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

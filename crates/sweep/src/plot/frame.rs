@@ -64,29 +64,21 @@ impl Frame {
 
     /// The horizontal place of a value, as [`Frame::pixel`] gives it.
     pub fn pixel_x(&self, value: f64) -> Option<f64> {
-        self.x
-            .fraction(value)
-            .map(|fraction| self.along_x(fraction))
+        Some(self.along_x(self.x.fraction(value)?))
     }
 
     /// The vertical place of a value, as [`Frame::pixel`] gives it.
     pub fn pixel_y(&self, value: f64) -> Option<f64> {
-        self.y
-            .fraction(value)
-            .map(|fraction| self.along_y(fraction))
+        Some(self.along_y(self.y.fraction(value)?))
     }
 
     /// The pixels of a curve, cut into pieces where points cannot be shown.
     pub fn curve(&self, points: &[(f64, f64)]) -> Vec<Vec<Pixel>> {
-        points
-            .split(|&point| self.pixel(point).is_none())
-            .map(|piece| {
-                piece
-                    .iter()
-                    .filter_map(|&point| self.pixel(point))
-                    .collect()
-            })
-            .filter(|piece: &Vec<_>| !piece.is_empty())
+        let pixels: Vec<_> = points.iter().map(|&point| self.pixel(point)).collect();
+        let pieces = pixels.split(Option::is_none);
+        pieces
+            .filter(|piece| !piece.is_empty())
+            .map(|piece| piece.iter().copied().flatten().collect())
             .collect()
     }
 
@@ -96,70 +88,35 @@ impl Frame {
             text::width(label, SMALL_SIZE)
         })?;
         self.draw_grid(canvas, &x_ticks)?;
-        self.draw_border(canvas)?;
+        canvas.outline(self.area, Stroke::solid(BLACK, 1.0))?;
+        let Rect { left, bottom, .. } = self.area;
         for tick in &x_ticks {
-            self.draw_x_tick(canvas, tick)?;
+            let x = self.along_x(tick.fraction);
+            let below = bottom + MAJOR_TICK + GAP + SMALL_SIZE / 2.0;
+            let ends = [(x, bottom), (x, bottom + tick_length(tick))];
+            draw_tick(canvas, tick, ends, ((x, below), HPos::Center))?;
         }
         for tick in &self.y_ticks {
-            self.draw_y_tick(canvas, tick)?;
+            let y = self.along_y(tick.fraction);
+            let beside = left - MAJOR_TICK - GAP;
+            let ends = [(left, y), (left - tick_length(tick), y)];
+            draw_tick(canvas, tick, ends, ((beside, y), HPos::Right))?;
         }
         self.draw_titles(canvas)
     }
 
     fn draw_grid(&self, canvas: &mut Canvas, x_ticks: &[Tick]) -> Result<()> {
-        let Rect {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.area;
+        let [upper_left, _, lower_right, _] = self.area.corners();
         let stroke = Stroke::solid(GRID, 1.0);
         for tick in x_ticks.iter().filter(|tick| tick.label.is_some()) {
             let x = self.along_x(tick.fraction);
-            canvas.line(&[(x, top), (x, bottom)], stroke)?;
+            canvas.line(&[(x, upper_left.1), (x, lower_right.1)], stroke)?;
         }
         for tick in self.y_ticks.iter().filter(|tick| tick.label.is_some()) {
             let y = self.along_y(tick.fraction);
-            canvas.line(&[(left, y), (right, y)], stroke)?;
+            canvas.line(&[(upper_left.0, y), (lower_right.0, y)], stroke)?;
         }
         Ok(())
-    }
-
-    fn draw_border(&self, canvas: &mut Canvas) -> Result<()> {
-        let [first, second, third, fourth] = self.area.corners();
-        let closed = [first, second, third, fourth, first];
-        canvas.line(&closed, Stroke::solid(BLACK, 1.0))
-    }
-
-    fn draw_x_tick(&self, canvas: &mut Canvas, tick: &Tick) -> Result<()> {
-        let (x, y) = (self.along_x(tick.fraction), self.area.bottom);
-        canvas.line(
-            &[(x, y), (x, y + tick_length(tick))],
-            Stroke::solid(BLACK, 1.0),
-        )?;
-        let Some(label) = &tick.label else {
-            return Ok(());
-        };
-        let label = Block::new(label, SMALL_SIZE, f64::INFINITY)?;
-        canvas.text(
-            &label,
-            x,
-            y + MAJOR_TICK + GAP + SMALL_SIZE / 2.0,
-            HPos::Center,
-        )
-    }
-
-    fn draw_y_tick(&self, canvas: &mut Canvas, tick: &Tick) -> Result<()> {
-        let (x, y) = (self.area.left, self.along_y(tick.fraction));
-        canvas.line(
-            &[(x, y), (x - tick_length(tick), y)],
-            Stroke::solid(BLACK, 1.0),
-        )?;
-        let Some(label) = &tick.label else {
-            return Ok(());
-        };
-        let label = Block::new(label, SMALL_SIZE, f64::INFINITY)?;
-        canvas.text(&label, x - MAJOR_TICK - GAP, y, HPos::Right)
     }
 
     fn draw_titles(&self, canvas: &mut Canvas) -> Result<()> {
@@ -184,6 +141,32 @@ impl Frame {
     }
 }
 
+/// Aligns the left sides of frames with the one furthest to the right.
+pub(super) fn align_left(frames: &mut [&mut Frame]) {
+    let lefts = frames.iter().map(|frame| frame.area.left);
+    let left = lefts.fold(0.0, f64::max);
+    for frame in frames {
+        frame.area.left = left;
+    }
+}
+
+/// Draws a tick between its ends, and its label at a place.
+fn draw_tick(
+    canvas: &mut Canvas,
+    tick: &Tick,
+    ends: [Pixel; 2],
+    ((x, y), align): (Pixel, HPos),
+) -> Result<()> {
+    canvas.line(&ends, Stroke::solid(BLACK, 1.0))?;
+    match &tick.label {
+        Some(label) => {
+            let label = Block::new(label, SMALL_SIZE, f64::INFINITY)?;
+            canvas.text(&label, x, y, align)
+        }
+        None => Ok(()),
+    }
+}
+
 fn tick_length(tick: &Tick) -> f64 {
     if tick.label.is_some() {
         MAJOR_TICK
@@ -193,11 +176,10 @@ fn tick_length(tick: &Tick) -> f64 {
 }
 
 fn widest_label(ticks: &[Tick]) -> Result<f64> {
-    let mut widest: f64 = 0.0;
-    for label in ticks.iter().filter_map(|tick| tick.label.as_ref()) {
-        widest = widest.max(text::width(label, SMALL_SIZE)?);
-    }
-    Ok(widest)
+    text::widest(
+        ticks.iter().filter_map(|tick| tick.label.as_ref()),
+        SMALL_SIZE,
+    )
 }
 
 /// The most ticks whose labels, of the given extents along an axis of `length`
@@ -241,12 +223,8 @@ mod tests {
             right: 500.0,
             bottom: 240.0,
         };
-        let axis = |label: &str| Axis {
-            label: label.to_string(),
-            logarithmic: false,
-        };
         let scale = |high| Scale::new(false, [0.0, high].into_iter());
-        let (x, y) = (axis("Time t (s)"), axis(label));
+        let (x, y) = (Axis::linear("Time t (s)"), Axis::linear(label));
         Frame::new(outer, (&x, scale(50.0)), (&y, scale(0.5))).expect("laid out")
     }
 

@@ -48,6 +48,12 @@ impl Rect {
         ]
     }
 
+    /// The closed line around it.
+    pub fn outline(&self) -> [Pixel; 5] {
+        let [first, second, third, fourth] = self.corners();
+        [first, second, third, fourth, first]
+    }
+
     pub fn overlaps(&self, other: &Rect) -> bool {
         self.left < other.right
             && other.left < self.right
@@ -111,21 +117,14 @@ pub(super) fn thin(polyline: &[Pixel]) -> Vec<Pixel> {
 }
 
 fn thin_column(run: &[Pixel]) -> Vec<Pixel> {
-    let index_of = |better: fn(f64, f64) -> bool| {
-        (1..run.len()).fold(0, |best, i| {
-            if better(run[i].1, run[best].1) {
-                i
-            } else {
-                best
-            }
-        })
-    };
-    let mut kept = vec![
-        0,
-        index_of(|a, b| a < b),
-        index_of(|a, b| a > b),
-        run.len() - 1,
+    let by_height = |a: &usize, b: &usize| run[*a].1.total_cmp(&run[*b].1);
+    let extremes = [
+        (0..run.len()).min_by(by_height),
+        // Of several maxima, `max_by` keeps the last it meets.
+        (0..run.len()).rev().max_by(by_height),
     ];
+    let mut kept = vec![0, run.len() - 1];
+    kept.extend(extremes.into_iter().flatten());
     kept.sort_unstable();
     kept.dedup();
     kept.into_iter().map(|i| run[i]).collect()

@@ -19,61 +19,38 @@ pub enum Ground {
     NoCase,
 }
 
-/// A class of parts of a whole.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Part {
-    /// Not one.
-    None,
-    /// Up to a quarter.
-    FirstQuarter,
-    /// More, up to a half.
-    SecondQuarter,
-    /// More, up to three quarters.
-    ThirdQuarter,
-    /// More, but not all.
-    LastQuarter,
-    /// Every one.
-    All,
-}
+/// A class of parts of a whole: none of it, each quarter with its upper end, and all.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Part(usize);
+
+/// The upper ends of the classes up to the third quarter; all of it is a class of its own.
+const ENDS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 
 impl Part {
     /// All classes, in ascending order.
-    pub const EVERY: [Part; 6] = [
-        Part::None,
-        Part::FirstQuarter,
-        Part::SecondQuarter,
-        Part::ThirdQuarter,
-        Part::LastQuarter,
-        Part::All,
-    ];
+    pub const EVERY: [Part; 6] = [Part(0), Part(1), Part(2), Part(3), Part(4), Part(5)];
 
     /// The class of a part between 0 and 1.
     pub fn of(part: f64) -> Part {
-        match part {
-            part if part <= 0.0 => Part::None,
-            part if part <= 0.25 => Part::FirstQuarter,
-            part if part <= 0.5 => Part::SecondQuarter,
-            part if part <= 0.75 => Part::ThirdQuarter,
-            part if part < 1.0 => Part::LastQuarter,
-            _ => Part::All,
-        }
+        let passed = ENDS.iter().filter(|end| part > **end).count();
+        Part(passed + usize::from(part >= 1.0))
     }
 
     /// As a person reads it.
     pub fn text(self) -> &'static str {
-        match self {
-            Part::None => "none",
-            Part::FirstQuarter => "up to 25 %",
-            Part::SecondQuarter => "25 to 50 %",
-            Part::ThirdQuarter => "50 to 75 %",
-            Part::LastQuarter => "over 75 %",
-            Part::All => "all",
-        }
+        [
+            "none",
+            "up to 25 %",
+            "25 to 50 %",
+            "50 to 75 %",
+            "over 75 %",
+            "all",
+        ][self.0]
     }
 
     /// From light to dark.
     fn colour(self) -> RGBColor {
-        PARTS[self as usize]
+        PARTS[self.0]
     }
 }
 
@@ -116,8 +93,9 @@ mod tests {
     #[test]
     fn classes_take_their_upper_ends() {
         let classes = [0.0, 1e-6, 0.25, 0.5, 0.75, 0.999, 1.0].map(Part::of);
-        let first = [Part::None, Part::FirstQuarter, Part::FirstQuarter];
-        assert_eq!(classes[..3], first);
-        assert_eq!(classes[3..], Part::EVERY[2..]);
+        assert_eq!(
+            classes,
+            [0, 1, 1, 2, 3, 4, 5].map(|class| Part::EVERY[class])
+        );
     }
 }

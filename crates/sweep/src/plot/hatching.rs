@@ -13,7 +13,7 @@ const OUTLINE: f64 = 1.2;
 /// How much wider the white line is below a black one that may be on a dark ground.
 pub(super) const RIM: f64 = 1.5;
 
-/// Strokes across an area and a line around it, as far as they are `within`.
+/// Hatches an area and draws a line around it, clipped to `within`.
 pub(super) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Rect) -> Result<()> {
     let shown = Rect {
         left: area.left.max(within.left),
@@ -32,8 +32,7 @@ pub(super) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Rect) -> Re
             draw_rimmed(canvas, &part, WIDTH)?;
         }
     }
-    let [first, second, third, fourth] = area.corners();
-    for part in within.clip(&[first, second, third, fourth, first]) {
+    for part in within.clip(&area.outline()) {
         draw_rimmed(canvas, &part, OUTLINE)?;
     }
     Ok(())

@@ -36,24 +36,42 @@ pub(super) enum Key {
     Rim,
 }
 
-/// Keys and their texts, top to bottom.
+/// Keys and their texts, in rows.
 pub(super) struct Legend {
     entries: Vec<(Key, Block)>,
+    columns: usize,
+    /// Width of all columns; the one column of a legend at the side needs none.
+    room: f64,
 }
 
 impl Legend {
-    /// A legend of the given keys and texts.
-    pub fn new<'a>(entries: impl Iterator<Item = (Key, &'a str)>) -> Result<Legend> {
+    /// A legend of the given keys and texts, top to bottom.
+    pub fn new<'a>(entries: impl IntoIterator<Item = (Key, &'a str)>) -> Result<Legend> {
         let entries = entries
+            .into_iter()
             .map(|(key, text)| {
                 let width = TEXT_WIDTH + KEY_WIDTH + KEY_GAP - indent(&key);
                 Ok((key, Block::new(text, SMALL_SIZE, width)?))
             })
             .collect::<Result<_>>()?;
-        Ok(Legend { entries })
+        Ok(Legend {
+            entries,
+            columns: 1,
+            room: 0.0,
+        })
     }
 
-    /// Width in pixels; zero for an empty legend.
+    /// The same with as many entries beside each other as a width has room for.
+    pub fn in_rows(self, room: f64) -> Legend {
+        let column = self.width() + 2.0 * KEY_GAP;
+        Legend {
+            columns: ((room / column) as usize).clamp(1, self.entries.len().max(1)),
+            room,
+            ..self
+        }
+    }
+
+    /// Width of the widest entry in pixels; zero for an empty legend.
     pub fn width(&self) -> f64 {
         let entries = self.entries.iter();
         let widths = entries.map(|(key, text)| indent(key) + text.width);
@@ -62,45 +80,15 @@ impl Legend {
 
     /// Height in pixels.
     pub fn height(&self) -> f64 {
-        self.entries
-            .iter()
-            .map(|(_, text)| entry_height(text))
-            .sum()
+        self.entries.chunks(self.columns).map(tallest).sum()
     }
 
     /// Draws the legend with its upper left corner at the given place.
     pub fn draw(&self, canvas: &mut Canvas, left: f64, top: f64) -> Result<()> {
         let mut top = top;
-        for (key, text) in &self.entries {
-            let middle = top + text.line_height() / 2.0;
-            draw_key(canvas, key, left, middle)?;
-            canvas.text(text, left + indent(key), middle, HPos::Left)?;
-            top += entry_height(text);
-        }
-        Ok(())
-    }
-}
-
-impl Legend {
-    /// Entries beside each other, in columns as wide as the legend is.
-    fn columns(&self, width: f64) -> usize {
-        let column = self.width() + 2.0 * KEY_GAP;
-        ((width / column) as usize).clamp(1, self.entries.len().max(1))
-    }
-
-    /// Height in pixels where entries stand beside each other.
-    pub fn row_height(&self, width: f64) -> f64 {
-        let rows = self.entries.chunks(self.columns(width));
-        rows.map(tallest).sum()
-    }
-
-    /// Draws the entries beside each other, in as many rows as they need.
-    pub fn draw_row(&self, canvas: &mut Canvas, left: f64, top: f64, width: f64) -> Result<()> {
-        let columns = self.columns(width);
-        let mut top = top;
-        for row in self.entries.chunks(columns) {
+        for row in self.entries.chunks(self.columns) {
             for (column, (key, text)) in row.iter().enumerate() {
-                let left = left + column as f64 * width / columns as f64;
+                let left = left + column as f64 * self.room / self.columns as f64;
                 let middle = top + text.line_height() / 2.0;
                 draw_key(canvas, key, left, middle)?;
                 canvas.text(text, left + indent(key), middle, HPos::Left)?;
@@ -111,6 +99,23 @@ impl Legend {
     }
 }
 
+/// Distinct names, in order of appearance: what has the same name looks the same.
+pub(super) fn distinct<'a>(names: impl Iterator<Item = &'a String>) -> Vec<&'a str> {
+    let mut found: Vec<&str> = Vec::new();
+    for name in names {
+        if !found.contains(&name.as_str()) {
+            found.push(name);
+        }
+    }
+    found
+}
+
+/// The place of a name among those of [`distinct`].
+pub(super) fn place_of(name: &str, names: &[&str]) -> usize {
+    let place = names.iter().position(|&other| other == name);
+    place.unwrap_or(0)
+}
+
 /// Where an entry's text begins.
 fn indent(key: &Key) -> f64 {
     match key {
@@ -119,49 +124,35 @@ fn indent(key: &Key) -> f64 {
     }
 }
 
+/// Height of a row. An entry is one line high even if its text is empty.
 fn tallest(row: &[(Key, Block)]) -> f64 {
-    let heights = row.iter().map(|(_, text)| entry_height(text));
-    heights.fold(0.0, f64::max)
-}
-
-/// An entry is one line high even if its text is empty.
-fn entry_height(text: &Block) -> f64 {
-    text.height().max(text.line_height()) + ENTRY_GAP
+    let heights = row
+        .iter()
+        .map(|(_, text)| text.height().max(text.line_height()));
+    heights.fold(0.0, f64::max) + ENTRY_GAP
 }
 
 fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) -> Result<()> {
+    let centre = (left + KEY_WIDTH / 2.0, y);
+    let cell = Rect::centred(centre, 2.0 * CELL_HEIGHT, CELL_HEIGHT);
     match key {
-        Key::Symbol(symbol) => {
-            draw_symbol(canvas, *symbol, (left + KEY_WIDTH / 2.0, y), SYMBOL_RADIUS)
-        }
+        Key::Symbol(symbol) => draw_symbol(canvas, *symbol, centre, SYMBOL_RADIUS),
         Key::Cell(ground) => {
-            let area = cell(left, y);
-            draw_ground(canvas, *ground, area)?;
+            draw_ground(canvas, *ground, cell)?;
             match ground {
                 Ground::Symbol(symbol) => {
-                    draw_symbol(canvas, *symbol, area.centre(), SYMBOL_RADIUS)
+                    draw_symbol(canvas, *symbol, cell.centre(), SYMBOL_RADIUS)
                 }
-                Ground::Part(_) | Ground::NoCase => draw_border(canvas, area),
+                // A ground may be as light as the paper.
+                Ground::Part(_) | Ground::NoCase => canvas.outline(cell, Stroke::solid(BLACK, 0.5)),
             }
         }
-        Key::Hatching => draw_hatching(canvas, cell(left, y), cell(left, y)),
+        Key::Hatching => draw_hatching(canvas, cell, cell),
         Key::Nothing => Ok(()),
         Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY_WIDTH, y)], *stroke),
-        Key::Marker(kind) => draw_marker(canvas, *kind, (left + KEY_WIDTH / 2.0, y), SYMBOL_RADIUS),
-        Key::Rim => draw_rim(canvas, (left + KEY_WIDTH / 2.0, y), 1.5 * SYMBOL_RADIUS),
+        Key::Marker(kind) => draw_marker(canvas, *kind, centre, SYMBOL_RADIUS),
+        Key::Rim => draw_rim(canvas, centre, 1.5 * SYMBOL_RADIUS),
     }
-}
-
-/// Where a ground is shown.
-fn cell(left: f64, y: f64) -> Rect {
-    Rect::centred((left + KEY_WIDTH / 2.0, y), 2.0 * CELL_HEIGHT, CELL_HEIGHT)
-}
-
-/// A thin line around a ground that may be as light as the paper.
-fn draw_border(canvas: &mut Canvas, area: Rect) -> Result<()> {
-    let [first, second, third, fourth] = area.corners();
-    let closed = [first, second, third, fourth, first];
-    canvas.line(&closed, Stroke::solid(BLACK, 0.5))
 }
 
 #[cfg(test)]
@@ -169,10 +160,8 @@ mod tests {
     use super::*;
 
     fn legend(texts: &[&'static str]) -> Legend {
-        let keys = texts
-            .iter()
-            .map(|&text| (Key::Symbol(Symbol::Circle), text));
-        Legend::new(keys).expect("measured")
+        let key = |&text| (Key::Symbol(Symbol::Circle), text);
+        Legend::new(texts.iter().map(key)).expect("measured")
     }
 
     #[test]

@@ -36,7 +36,7 @@ pub use map::{
 pub use orbits::{Orbit, Orbits, orbits};
 pub use panels::{Panel, Panels, Series, panels};
 pub use picture::Picture;
-pub use references::Reference;
+pub use references::{Across, Reference};
 pub use scale::Axis;
 pub use scatter::{Points, ScatterGrid, ScatterPanel, scatter_grid};
 pub use symbols::Symbol;

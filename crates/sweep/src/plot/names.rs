@@ -10,7 +10,7 @@ use plotters::style::{Color, WHITE};
 /// Opacity of the ground that keeps a name legible above data.
 const GROUND: f64 = 0.8;
 
-/// Names inside a plotting area, kept off one another and, where possible, off
+/// Names inside a plotting area that overlap neither one another nor, where possible,
 /// the data.
 pub(super) struct Names {
     within: Rect,
@@ -75,12 +75,14 @@ impl Names {
     /// The rectangle of a name near `centre`, moved into the plotting area.
     fn inside(&self, name: &Block, (x, y): Pixel) -> Rect {
         let (half_width, half_height) = (name.width / 2.0, name.height() / 2.0);
-        let x = x
-            .min(self.within.right - half_width)
-            .max(self.within.left + half_width);
-        let y = y
-            .min(self.within.bottom - half_height)
-            .max(self.within.top + half_height);
+        let Rect {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.within;
+        let x = x.min(right - half_width).max(left + half_width);
+        let y = y.min(bottom - half_height).max(top + half_height);
         Rect::centred((x, y), name.width, name.height())
     }
 }

@@ -1,17 +1,15 @@
 //! Orbits: curves in a plane with the same scale both ways, side by side, each
 //! with the circle it may not leave where it comes near that.
 
-use super::canvas::{Canvas, DASHES, Stroke, draw_picture};
+use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
 use super::colours::CLEARANCE;
 use super::frame::Frame;
 use super::geometry::Rect;
-use super::legend::{Key, Legend};
+use super::legend::{Key, Legend, distinct, place_of};
 use super::panels::{Series, series_stroke};
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
-use super::text::{Block, TITLE_SIZE};
 use anyhow::Result;
-use plotters::style::text_anchor::HPos;
 
 const MARGIN: f64 = 14.0;
 /// Side of the square each orbit is drawn in, its labels included.
@@ -50,12 +48,8 @@ pub struct Orbits {
 
 /// Draws orbits side by side.
 pub fn orbits(p: &Orbits) -> Result<Picture> {
-    let mut names: Vec<&str> = Vec::new();
-    for series in p.orbits.iter().flat_map(|orbit| &orbit.series) {
-        if !names.contains(&series.name.as_str()) {
-            names.push(&series.name);
-        }
-    }
+    let series = p.orbits.iter().flat_map(|orbit| &orbit.series);
+    let names = distinct(series.map(|series| &series.name));
     let keys = names.iter().enumerate();
     let curves = keys.map(|(index, &name)| (Key::Line(series_stroke(index)), name));
     let has_circle = p.orbits.iter().any(|orbit| orbit.circle.is_some());
@@ -63,12 +57,10 @@ pub fn orbits(p: &Orbits) -> Result<Picture> {
     let legend = Legend::new(curves.chain(circle))?;
     let plots = p.orbits.len() as f64 * SIDE;
     let width = MARGIN + plots + LEGEND_GAP + legend.width() + MARGIN;
-    let title = Block::new(&p.title, TITLE_SIZE, width - 2.0 * MARGIN)?;
-    let top = 2.0 * MARGIN + title.height();
+    let title = Title::new(&p.title, width, MARGIN)?;
+    let top = title.bottom();
     let height = top + SIDE.max(legend.height()) + MARGIN;
-    draw_picture(width, height, |canvas| {
-        let title_row = MARGIN + title.line_height() / 2.0;
-        canvas.text(&title, width / 2.0, title_row, HPos::Center)?;
+    draw_titled(&title, height, |canvas| {
         for (index, orbit) in p.orbits.iter().enumerate() {
             let left = MARGIN + index as f64 * SIDE;
             draw_orbit(canvas, orbit, (left, top), &names)?;
@@ -101,10 +93,9 @@ fn draw_orbit(
         canvas.line(&piece, CIRCLE)?;
     }
     for series in &orbit.series {
-        let index = names.iter().position(|&name| name == series.name);
         let stroke = Stroke {
             width: 1.2,
-            ..series_stroke(index.unwrap_or(0))
+            ..series_stroke(place_of(&series.name, names))
         };
         for piece in frame.curve(&series.points) {
             canvas.line(&piece, stroke)?;
@@ -139,13 +130,9 @@ mod tests {
 
     #[test]
     fn an_orbit_has_one_scale_both_ways_and_its_labels_inside() {
-        let axis = |label: &str| Axis {
-            label: label.to_owned(),
-            logarithmic: false,
-        };
         let orbit = || Orbit {
-            x: axis("x (mm)"),
-            y: axis("y (mm)"),
+            x: Axis::linear("x (mm)"),
+            y: Axis::linear("y (mm)"),
             series: vec![Series {
                 name: "hilbert".to_owned(),
                 points: vec![(0.0, 0.0), (3.0, f64::NAN), (20.0, -1.0)],

@@ -1,16 +1,14 @@
 //! Stacked panels of curves, such as time histories.
 
-use super::canvas::{Canvas, DASHES, Stroke, draw_picture};
+use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
 use super::colours::COLOURS;
-use super::frame::Frame;
+use super::frame::{Frame, align_left};
 use super::geometry::{Rect, thin};
-use super::legend::{Key, Legend};
+use super::legend::{Key, Legend, distinct, place_of};
 use super::picture::Picture;
-use super::references::{Reference, draw_references};
+use super::references::{Across, Reference, draw_references, places};
 use super::scale::{Axis, Scale, visible};
-use super::text::{Block, TITLE_SIZE};
 use anyhow::Result;
-use plotters::style::text_anchor::HPos;
 
 const WIDTH: f64 = 900.0;
 const PANEL_HEIGHT: f64 = 230.0;
@@ -58,35 +56,23 @@ pub struct Panels {
 
 /// Draws stacked panels of the same width.
 pub fn panels(p: &Panels) -> Result<Picture> {
-    let names = series_names(p);
-    let title = Block::new(&p.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
+    let series = p.panels.iter().flat_map(|panel| &panel.series);
+    let names = distinct(series.map(|series| &series.name));
+    let title = Title::new(&p.title, WIDTH, MARGIN)?;
     let strokes = strokes(p, &names);
     let keys = strokes.iter().map(|&stroke| Key::Line(stroke));
     let legend = Legend::new(keys.zip(names.iter().copied()))?;
-    let top = 2.0 * MARGIN + title.height();
+    let top = title.bottom();
     let stacked = p.panels.len() as f64 * PANEL_HEIGHT;
     let height = top + stacked.max(legend.height() + MARGIN);
     let legend_left = WIDTH - MARGIN - legend.width();
     let frames = frames(p, top, legend_left - LEGEND_GAP)?;
-    draw_picture(WIDTH, height, |canvas| {
-        let title_row = MARGIN + title.line_height() / 2.0;
-        canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
+    draw_titled(&title, height, |canvas| {
         for (panel, frame) in p.panels.iter().zip(&frames) {
             draw_panel(canvas, panel, frame, (&names, &strokes))?;
         }
         legend.draw(canvas, legend_left, top)
     })
-}
-
-/// The distinct names of all series, in order of appearance.
-fn series_names(p: &Panels) -> Vec<&str> {
-    let mut names = Vec::new();
-    for series in p.panels.iter().flat_map(|panel| &panel.series) {
-        if !names.contains(&series.name.as_str()) {
-            names.push(&series.name);
-        }
-    }
-    names
 }
 
 /// The looks of all series. One that is always alone needs no dashes, which would
@@ -135,13 +121,7 @@ fn frames(p: &Panels, top: f64, right: f64) -> Result<Vec<Frame>> {
         let (x, y) = (x_scale(panel, p), y_scale(panel));
         frames.push(Frame::new(outer, (&panel.x, x), (&panel.y, y))?);
     }
-    let left = frames
-        .iter()
-        .map(|frame| frame.area.left)
-        .fold(0.0, f64::max);
-    for frame in &mut frames {
-        frame.area.left = left;
-    }
+    align_left(&mut frames.iter_mut().collect::<Vec<_>>());
     Ok(frames)
 }
 
@@ -151,33 +131,25 @@ fn x_scale(panel: &Panel, all: &Panels) -> Scale {
         other.x.label == panel.x.label && other.x.logarithmic == panel.x.logarithmic
     });
     let values = sharing.flat_map(|other| {
-        let lines = other
-            .references
-            .iter()
-            .filter_map(|reference| match reference {
-                Reference::Vertical { x, .. } => Some(*x),
-                Reference::Horizontal { .. } => None,
-            });
-        shown_points(other).map(|(x, _)| x).chain(lines)
+        let shown = shown_points(other).map(|(x, _)| x);
+        shown.chain(places(&other.references, Across::X))
     });
     Scale::new(panel.x.logarithmic, values)
 }
 
 fn y_scale(panel: &Panel) -> Scale {
-    let lines: Vec<f64> = (panel.references.iter())
-        .filter_map(|reference| match reference {
-            Reference::Horizontal { y, .. } => Some(*y),
-            Reference::Vertical { .. } => None,
-        })
-        .collect();
+    let lines = || places(&panel.references, Across::Y);
     let shown = shown_points(panel).map(|(_, y)| y);
-    let mut values: Vec<f64> = shown.chain(lines.iter().copied()).collect();
+    let mut values: Vec<f64> = shown.chain(lines()).collect();
     if !panel.y.logarithmic {
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let room = NAME_ROOM * (high - low);
-        let above = lines.iter().filter(|&&line| line + room > high);
-        values.extend(above.map(|line| line + room));
+        values.extend(
+            lines()
+                .map(|line| line + room)
+                .filter(|&above| above > high),
+        );
     }
     Scale::new(panel.y.logarithmic, values.into_iter())
 }
@@ -195,8 +167,8 @@ fn draw_panel(
 ) -> Result<()> {
     frame.draw(canvas)?;
     for series in &panel.series {
-        let index = names.iter().position(|&name| name == series.name);
-        draw_series(canvas, frame, series, strokes[index.unwrap_or(0)])?;
+        let stroke = strokes[place_of(&series.name, names)];
+        draw_series(canvas, frame, series, stroke)?;
     }
     let curves = panel.series.iter();
     let curves = curves.flat_map(|series| frame.curve(&series.points));
@@ -221,34 +193,24 @@ mod tests {
     use super::super::canvas::tests::assert_text_inside;
     use super::*;
 
-    fn axis(label: &str, logarithmic: bool) -> Axis {
-        Axis {
-            label: label.to_string(),
-            logarithmic,
-        }
-    }
-
     fn panel(name: &str, points: Vec<(f64, f64)>, logarithmic: bool) -> Panel {
         Panel {
-            x: axis("Time t (s)", false),
-            y: axis(
-                "Difference in the angular speed of the bit (rad/s)",
+            x: Axis::linear("Time t (s)"),
+            y: Axis {
+                label: "Difference in the angular speed of the bit (rad/s)".to_string(),
                 logarithmic,
-            ),
+            },
             series: vec![Series {
                 name: name.to_string(),
                 points,
             }],
-            references: vec![
-                Reference::Horizontal {
-                    y: 2.0,
-                    name: "set point".to_string(),
-                },
-                Reference::Vertical {
-                    x: 9.0,
-                    name: "onset".to_string(),
-                },
-            ],
+            references: [(Across::Y, 2.0, "set point"), (Across::X, 9.0, "onset")]
+                .map(|(across, at, name)| Reference {
+                    across,
+                    at,
+                    name: name.to_string(),
+                })
+                .into(),
         }
     }
 

@@ -1,4 +1,4 @@
-//! From the SVG of a plot to a finished picture.
+//! Makes a finished picture of the SVG of a plot.
 
 use super::text::{FAMILY, FONT};
 use anyhow::{Context, Result};

@@ -17,21 +17,30 @@ pub(super) const REFERENCE: Stroke = Stroke {
 };
 
 /// A thin dashed line across a panel, with its name beside it.
-pub enum Reference {
-    /// A line at one height.
-    Horizontal {
-        /// Its place along the vertical axis.
-        y: f64,
-        /// The name beside it.
-        name: String,
-    },
-    /// A line from top to bottom.
-    Vertical {
-        /// Its place along the horizontal axis.
-        x: f64,
-        /// The name beside it.
-        name: String,
-    },
+pub struct Reference {
+    /// The axis with the value at which it stands.
+    pub across: Across,
+    /// Its place along that axis.
+    pub at: f64,
+    /// The name beside it.
+    pub name: String,
+}
+
+/// The axis that a reference line crosses.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Across {
+    /// The horizontal one: the line runs from top to bottom.
+    X,
+    /// The vertical one: the line runs from left to right.
+    Y,
+}
+
+/// Where the reference lines across an axis stand.
+pub(super) fn places(references: &[Reference], across: Across) -> impl Iterator<Item = f64> {
+    let lines = references.iter();
+    lines
+        .filter(move |line| line.across == across)
+        .map(|line| line.at)
 }
 
 /// Draws reference lines, keeping their names off the given curves.
@@ -42,63 +51,37 @@ pub(super) fn draw_references(
     references: &[Reference],
 ) -> Result<()> {
     let mut names = Names::new(frame.area, curves);
-    for reference in references {
-        match reference {
-            Reference::Horizontal { y, name } => {
-                draw_horizontal(canvas, frame, &mut names, *y, name)?;
+    let Rect {
+        left,
+        top,
+        right,
+        bottom,
+    } = frame.area;
+    for line in references {
+        let name = names.block(&line.name)?;
+        let [width, height] = [name.width, name.height()].map(|size| size / 2.0 + NAME_GAP);
+        let (ends, centres): (_, Vec<Pixel>) = match line.across {
+            Across::X => {
+                let Some(x) = frame.pixel_x(line.at) else {
+                    continue;
+                };
+                let along = spread(top + height, bottom - height);
+                let beside = along.flat_map(|y| [(x + width, y), (x - width, y)]);
+                ([(x, top), (x, bottom)], beside.collect())
             }
-            Reference::Vertical { x, name } => {
-                draw_vertical(canvas, frame, &mut names, *x, name)?;
+            Across::Y => {
+                let Some(y) = frame.pixel_y(line.at) else {
+                    continue;
+                };
+                let along = spread(right - width, left + width);
+                let beside = along.flat_map(|x| [(x, y - height), (x, y + height)]);
+                ([(left, y), (right, y)], beside.collect())
             }
-        }
+        };
+        canvas.line(&ends, REFERENCE)?;
+        names.write(canvas, &name, &centres)?;
     }
     Ok(())
-}
-
-/// A horizontal line with its name above or below it.
-fn draw_horizontal(
-    canvas: &mut Canvas,
-    frame: &Frame,
-    names: &mut Names,
-    y: f64,
-    name: &str,
-) -> Result<()> {
-    let Some(y) = frame.pixel_y(y) else {
-        return Ok(());
-    };
-    let Rect { left, right, .. } = frame.area;
-    canvas.line(&[(left, y), (right, y)], REFERENCE)?;
-    let name = names.block(name)?;
-    let aside = name.height() / 2.0 + NAME_GAP;
-    let inset = name.width / 2.0 + NAME_GAP;
-    let along = spread(right - inset, left + inset);
-    let centres: Vec<_> = along
-        .flat_map(|x| [(x, y - aside), (x, y + aside)])
-        .collect();
-    names.write(canvas, &name, &centres)
-}
-
-/// A vertical line with its name right or left of it.
-fn draw_vertical(
-    canvas: &mut Canvas,
-    frame: &Frame,
-    names: &mut Names,
-    x: f64,
-    name: &str,
-) -> Result<()> {
-    let Some(x) = frame.pixel_x(x) else {
-        return Ok(());
-    };
-    let Rect { top, bottom, .. } = frame.area;
-    canvas.line(&[(x, top), (x, bottom)], REFERENCE)?;
-    let name = names.block(name)?;
-    let aside = name.width / 2.0 + NAME_GAP;
-    let inset = name.height() / 2.0 + NAME_GAP;
-    let along = spread(top + inset, bottom - inset);
-    let centres: Vec<_> = along
-        .flat_map(|y| [(x + aside, y), (x - aside, y)])
-        .collect();
-    names.write(canvas, &name, &centres)
 }
 
 /// Places to try along a reference line, the preferred end first.

@@ -21,6 +21,24 @@ pub struct Axis {
     pub logarithmic: bool,
 }
 
+impl Axis {
+    /// An axis with a linear scale.
+    pub fn linear(label: impl Into<String>) -> Self {
+        Self {
+            label: label.into(),
+            logarithmic: false,
+        }
+    }
+
+    /// An axis with a logarithmic scale.
+    pub fn logarithmic(label: impl Into<String>) -> Self {
+        Self {
+            label: label.into(),
+            logarithmic: true,
+        }
+    }
+}
+
 /// The mapping of values to an axis.
 #[derive(Clone, Copy)]
 pub(super) struct Scale {
@@ -115,9 +133,8 @@ impl Scale {
         ticks
             .into_iter()
             .filter_map(|(value, label)| {
-                let fraction = self.fraction(value)?;
                 Some(Tick {
-                    fraction,
+                    fraction: self.fraction(value)?,
                     label: Some(label),
                 })
             })

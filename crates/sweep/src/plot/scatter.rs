@@ -1,14 +1,14 @@
 //! A grid of panels of points with their Pareto fronts, such as error over cost.
 
-use super::canvas::{Canvas, Stroke, draw_picture};
-use super::frame::Frame;
+use super::canvas::{Canvas, Stroke, Title, draw_titled};
+use super::frame::{Frame, align_left};
 use super::geometry::{Pixel, Rect};
-use super::legend::{Key, Legend};
+use super::legend::{Key, Legend, distinct, place_of};
 use super::picture::Picture;
 use super::references::REFERENCE;
 use super::scale::{Axis, Scale, visible};
 use super::symbols::{draw_marker, draw_rim};
-use super::text::{Block, LABEL_SIZE, TITLE_SIZE};
+use super::text::{Block, LABEL_SIZE};
 use anyhow::Result;
 use plotters::style::BLACK;
 use plotters::style::text_anchor::HPos;
@@ -70,8 +70,9 @@ pub struct ScatterGrid {
 
 /// Draws the grid, its legend in a row below.
 pub fn scatter_grid(grid: &ScatterGrid) -> Result<Picture> {
-    let names = kinds(grid);
-    let title = Block::new(&grid.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
+    let kinds = grid.panels.iter().flat_map(|panel| &panel.kinds);
+    let names = distinct(kinds.map(|kind| &kind.name));
+    let title = Title::new(&grid.title, WIDTH, MARGIN)?;
     let entries = (names.iter().enumerate())
         .map(|(index, name)| (Key::Marker(index), *name))
         .chain([
@@ -79,31 +80,18 @@ pub fn scatter_grid(grid: &ScatterGrid) -> Result<Picture> {
             (Key::Line(REFERENCE), grid.floor.as_str()),
             (Key::Rim, grid.rim.as_str()),
         ]);
-    let legend = Legend::new(entries)?;
-    let top = 2.0 * MARGIN + title.height();
+    let legend = Legend::new(entries)?.in_rows(WIDTH - 2.0 * MARGIN);
+    let top = title.bottom();
     let rows = grid.panels.len().div_ceil(COLUMNS);
     let legend_top = top + rows as f64 * PANEL_HEIGHT;
-    let height = legend_top + legend.row_height(WIDTH - 2.0 * MARGIN) + MARGIN;
+    let height = legend_top + legend.height() + MARGIN;
     let frames = frames(grid, top)?;
-    draw_picture(WIDTH, height, |canvas| {
-        let title_row = MARGIN + title.line_height() / 2.0;
-        canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
+    draw_titled(&title, height, |canvas| {
         for (panel, frame) in grid.panels.iter().zip(&frames) {
             draw_panel(canvas, panel, frame, &names)?;
         }
-        legend.draw_row(canvas, MARGIN, legend_top, WIDTH - 2.0 * MARGIN)
+        legend.draw(canvas, MARGIN, legend_top)
     })
-}
-
-/// The distinct kinds of points, in order of appearance.
-fn kinds(grid: &ScatterGrid) -> Vec<&str> {
-    let mut names: Vec<&str> = Vec::new();
-    for kind in grid.panels.iter().flat_map(|panel| &panel.kinds) {
-        if !names.contains(&kind.name.as_str()) {
-            names.push(&kind.name);
-        }
-    }
-    names
 }
 
 /// The frames of all panels, the sides of each column aligned.
@@ -114,29 +102,21 @@ fn frames(grid: &ScatterGrid, top: f64) -> Result<Vec<Frame>> {
     let mut frames = Vec::with_capacity(grid.panels.len());
     for (index, panel) in grid.panels.iter().enumerate() {
         let (row, column) = (index / COLUMNS, index % COLUMNS);
-        let (left, top) = (
-            MARGIN + column as f64 * width,
-            top + row as f64 * PANEL_HEIGHT,
-        );
+        let left = MARGIN + column as f64 * width;
+        let top = top + row as f64 * PANEL_HEIGHT;
         let outer = Rect {
             left,
             top: top + LABEL_SIZE + GAP / 2.0,
             right: left + width - GAP,
             bottom: top + PANEL_HEIGHT - GAP,
         };
-        let y = Scale::new(
-            panel.y.logarithmic,
-            shown_points(panel).map(|(_, y)| y).chain(panel.floor),
-        );
+        let shown = shown_points(panel).map(|(_, y)| y);
+        let y = Scale::new(panel.y.logarithmic, shown.chain(panel.floor));
         frames.push(Frame::new(outer, (&panel.x, x), (&panel.y, y))?);
     }
     for column in 0..COLUMNS {
-        let left = (frames.iter().skip(column).step_by(COLUMNS))
-            .map(|frame| frame.area.left)
-            .fold(0.0, f64::max);
-        for frame in frames.iter_mut().skip(column).step_by(COLUMNS) {
-            frame.area.left = left;
-        }
+        let in_column = frames.iter_mut().skip(column).step_by(COLUMNS);
+        align_left(&mut in_column.collect::<Vec<_>>());
     }
     Ok(frames)
 }
@@ -158,17 +138,12 @@ fn draw_panel(
         let Rect { left, right, .. } = frame.area;
         canvas.line(&[(left, y), (right, y)], REFERENCE)?;
     }
-    let middle = 0.5 * (frame.area.left + frame.area.right);
-    canvas.text(
-        &title,
-        middle,
-        frame.area.top - GAP / 2.0 - 2.0,
-        HPos::Center,
-    )?;
+    let above = frame.area.top - GAP / 2.0 - 2.0;
+    canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
     for kind in &panel.kinds {
-        let index = names.iter().position(|&name| name == kind.name);
+        let index = place_of(&kind.name, names);
         for pixel in kind.points.iter().filter_map(|&point| frame.pixel(point)) {
-            draw_marker(canvas, index.unwrap_or(0), pixel, MARKER_RADIUS)?;
+            draw_marker(canvas, index, pixel, MARKER_RADIUS)?;
         }
     }
     canvas.line(&steps(frame, &panel.front), FRONT)?;
@@ -200,14 +175,10 @@ mod tests {
     use super::*;
 
     fn panel(points: Vec<(f64, f64)>) -> ScatterPanel {
-        let axis = |label: &str| Axis {
-            label: label.to_string(),
-            logarithmic: true,
-        };
         ScatterPanel {
             title: "Normal force of whirl, Fig. 12".to_string(),
-            x: axis("Time for 1000 cases of 10 s (s)"),
-            y: axis("Relative error"),
+            x: Axis::logarithmic("Time for 1000 cases of 10 s (s)"),
+            y: Axis::logarithmic("Relative error"),
             kinds: vec![Points {
                 name: "finite-element, γ = 0.52".to_string(),
                 points: points.clone(),

@@ -2,7 +2,7 @@
 
 use super::canvas::{Canvas, Stroke};
 use super::colours::{BLUE, COLOURS, GREY, ORANGE};
-use super::geometry::Pixel;
+use super::geometry::{Pixel, Rect};
 use anyhow::Result;
 use plotters::style::{BLACK, WHITE};
 
@@ -31,12 +31,7 @@ pub(super) fn draw_symbol(
 ) -> Result<()> {
     match symbol {
         Symbol::Circle => canvas.ring((x, y), r, Stroke::solid(BLUE, 0.28 * r)),
-        Symbol::Cross => {
-            let (a, b) = (x - 0.85 * r, x + 0.85 * r);
-            let (c, d) = (y - 0.85 * r, y + 0.85 * r);
-            let path = [(a, c), (b, d), (x, y), (b, c), (a, d)];
-            canvas.line(&path, Stroke::solid(GREY, 0.26 * r))
-        }
+        Symbol::Cross => draw_cross(canvas, (x, y), 0.85 * r, Stroke::solid(GREY, 0.26 * r)),
         Symbol::Square => {
             let (a, b, c, d) = (x - r, x + r, y - r, y + r);
             // Starting within a side leaves no notch at a corner.
@@ -46,41 +41,26 @@ pub(super) fn draw_symbol(
     }
 }
 
-/// Draws the marker of a kind of points: told apart by shape as well as by colour.
+/// Draws the marker of a kind of points: kinds differ in shape and in colour.
 pub(super) fn draw_marker(canvas: &mut Canvas, kind: usize, (x, y): Pixel, r: f64) -> Result<()> {
     let colour = COLOURS[kind % COLOURS.len()];
+    let far = 1.3 * r;
     match kind % 5 {
         0 => canvas.disc((x, y), r, colour),
-        1 => canvas.polygon(
-            &[
-                (x, y - 1.3 * r),
-                (x + 1.3 * r, y),
-                (x, y + 1.3 * r),
-                (x - 1.3 * r, y),
-            ],
-            colour,
-        ),
-        2 => canvas.polygon(&triangle((x, y), 1.3 * r), colour),
-        3 => canvas.polygon(
-            &[
-                (x - r, y - r),
-                (x + r, y - r),
-                (x + r, y + r),
-                (x - r, y + r),
-            ],
-            colour,
-        ),
-        _ => {
-            let path = [
-                (x - r, y - r),
-                (x + r, y + r),
-                (x, y),
-                (x + r, y - r),
-                (x - r, y + r),
-            ];
-            canvas.line(&path, Stroke::solid(colour, 0.55 * r))
+        1 => {
+            let diamond = [(x, y - far), (x + far, y), (x, y + far), (x - far, y)];
+            canvas.polygon(&diamond, colour)
         }
+        2 => canvas.polygon(&triangle((x, y), far), colour),
+        3 => canvas.polygon(&Rect::centred((x, y), 2.0 * r, 2.0 * r).corners(), colour),
+        _ => draw_cross(canvas, (x, y), r, Stroke::solid(colour, 0.55 * r)),
     }
+}
+
+/// Both diagonals of a square of side 2r, as one line.
+pub(super) fn draw_cross(canvas: &mut Canvas, centre: Pixel, r: f64, stroke: Stroke) -> Result<()> {
+    let [first, second, third, fourth] = Rect::centred(centre, 2.0 * r, 2.0 * r).corners();
+    canvas.line(&[first, third, centre, second, fourth], stroke)
 }
 
 /// A ring around a point.

@@ -32,12 +32,18 @@ pub(super) fn font(size: f64) -> Result<FontDesc<'static>> {
     Ok((FAMILY, size * PLOTTERS_SIZE_FACTOR).into_font())
 }
 
-/// The width of a line of text in pixels, a few per cent on the safe side.
+/// The width of a line of text in pixels, overestimated by a few per cent.
 pub(super) fn width(text: &str, size: f64) -> Result<f64> {
     let (extent, _) = font(size * MEASURE_SCALE)?
         .box_size(text)
         .map_err(|error| anyhow!("cannot measure '{text}': {error}"))?;
     Ok(f64::from(extent) / MEASURE_SCALE)
+}
+
+/// The width of the widest of several lines.
+pub(super) fn widest<'a>(lines: impl IntoIterator<Item = &'a String>, size: f64) -> Result<f64> {
+    let mut lines = lines.into_iter();
+    lines.try_fold(0.0, |widest: f64, line| Ok(widest.max(width(line, size)?)))
 }
 
 /// A text broken into lines that fit a width.
@@ -54,14 +60,10 @@ impl Block {
     /// Breaks `text` so that no line is wider than `max_width`.
     pub fn new(text: &str, size: f64, max_width: f64) -> Result<Block> {
         let lines = wrap(&without_controls(text), size, max_width)?;
-        let mut widest: f64 = 0.0;
-        for line in &lines {
-            widest = widest.max(width(line, size)?);
-        }
         Ok(Block {
+            width: widest(&lines, size)?,
             lines,
             size,
-            width: widest,
         })
     }
 

@@ -1,4 +1,4 @@
-//! Whether the methods say the same.
+//! Whether the methods agree.
 
 use crate::map::symbol_of;
 use crate::output::{CaseRows, Motion};
@@ -6,7 +6,7 @@ use crate::output::{CaseRows, Motion};
 /// Cases on which methods differ that are kept to be listed.
 const MOST_LISTED: usize = 30;
 
-/// What the methods say of the same cases.
+/// How far the methods agree on the same cases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Agreement {
     /// Every two methods.
@@ -42,7 +42,7 @@ pub struct Pair {
 }
 
 impl Agreement {
-    /// Of methods that have said nothing yet of these motions.
+    /// Of these methods and motions, without a case.
     pub fn new(methods: &[&str], motions: &[Motion]) -> Self {
         let pairs = methods.iter().enumerate().flat_map(|(index, one)| {
             methods[index + 1..].iter().map(move |other| Pair {
@@ -95,8 +95,7 @@ impl Agreement {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::{LabelRow, Labels};
-    use sim::TorsionRegime;
+    use crate::output::LabelRow;
 
     fn case(labels: [&str; 3]) -> CaseRows {
         let rows = ["a", "b", "c"].iter().zip(labels);
@@ -104,18 +103,7 @@ mod tests {
             case: 0,
             values: Vec::new(),
             rows: rows
-                .map(|(method, label)| LabelRow {
-                    line: 0,
-                    case: 0,
-                    method: (*method).to_owned(),
-                    values: Vec::new(),
-                    labels: Labels {
-                        torsion: TorsionRegime::of_name(label),
-                        lateral: None,
-                    },
-                    predicted: None,
-                    failed: false,
-                })
+                .map(|(method, label)| LabelRow::example(method, label))
                 .collect(),
         }
     }

@@ -1,6 +1,6 @@
 //! A regime map in characters.
 
-use crate::map::{Cells, Extent};
+use crate::map::{Cells, Extent, meanings};
 use crate::output::Motion;
 use crate::plot::Symbol;
 use crate::quantities::Axis;
@@ -9,7 +9,7 @@ use crate::words::short;
 /// The map with its axes and what the characters mean.
 pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Axis; 2]) -> String {
     let [columns, rows] = cells.size();
-    let [bottom, top] = extent.y.map(short);
+    let [bottom, top] = extent.ranges[1].map(short);
     let margin = bottom.len().max(top.len());
     let mut text = format!("{}\n", y.title());
     for row in (0..rows).rev() {
@@ -23,7 +23,7 @@ pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Ax
             .collect();
         text += &format!("{label:>margin$} |{}\n", line.trim_end());
     }
-    let [left, right] = extent.x.map(short);
+    let [left, right] = extent.ranges[0].map(short);
     let room = columns.saturating_sub(left.len() + right.len()).max(1);
     let indent = " ".repeat(margin);
     text += &format!("{indent} +{}\n", "-".repeat(columns));
@@ -40,13 +40,7 @@ pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Ax
 /// What the characters on the map mean.
 fn legend(cells: &Cells, motion: Motion) -> String {
     let runs = cells.runs();
-    let [regime, none] = motion.regimes();
-    let meanings = [
-        (Symbol::Circle, format!("{regime} by all methods")),
-        (Symbol::Cross, format!("{none} by all methods")),
-        (Symbol::Square, "methods differ".to_owned()),
-    ];
-    let keys: String = (meanings.into_iter())
+    let keys: String = (meanings(motion, " by all methods").into_iter())
         .filter(|(symbol, _)| runs.iter().any(|run| run.2 == *symbol))
         .map(|(symbol, meaning)| format!("{} {meaning}\n", character(symbol)))
         .collect();
@@ -71,15 +65,7 @@ mod tests {
 
     #[test]
     fn the_map_has_its_first_row_at_the_bottom() {
-        let extent = Extent {
-            x: [0.02, 0.6],
-            y: [5.0, 100.0],
-            cases: 3,
-            motions: vec![Motion::Torsion],
-            values: [vec![0.02, 0.6], vec![5.0, 100.0]],
-            others: Some(vec![Vec::new()]),
-            other_ranges: Vec::new(),
-        };
+        let extent = Extent::example([&[0.02, 0.6], &[5.0, 100.0]], 3);
         let mut cells = Cells::new(&extent, [64, 20]);
         cells.add([0.02, 100.0], Symbol::Circle);
         cells.add([0.6, 100.0], Symbol::Square);

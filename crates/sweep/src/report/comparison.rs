@@ -1,5 +1,4 @@
-//! One results folder against another: where the same cases were run, which
-//! labels differ.
+//! Compares two results folders: which labels differ where the same cases were run.
 
 use anyhow::Result;
 
@@ -15,14 +14,18 @@ pub enum Comparison {
     /// They did not run the same cases; why that is known.
     OtherCases(String),
     /// They did, at least in part.
-    SameCases {
-        /// Rows of the same case and method with an answer in both.
-        compared: usize,
-        /// Those of them whose labels are not the same.
-        different: usize,
-        /// The first of these.
-        listed: Vec<Difference>,
-    },
+    SameCases(Compared),
+}
+
+/// What two folders say of the cases that both answer.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Compared {
+    /// Rows of the same case and method with an answer in both.
+    pub rows: usize,
+    /// Those of them whose labels are not the same.
+    pub different: usize,
+    /// The first of these.
+    pub listed: Vec<Difference>,
 }
 
 /// A case and method that has another label in another folder.
@@ -47,17 +50,15 @@ impl Comparison {
         if one.manifest.axes != other.manifest.axes {
             return Ok(Self::OtherCases("their axes are different".to_owned()));
         }
-        let mut comparison = Counted::default();
+        let mut compared = Compared::default();
         let cases = |of: &Results| CaseReader::open(&of.tables.labels(), &one.manifest.axes);
         let mut others = cases(other)?;
         let mut theirs = others.next().transpose()?;
         for ours in cases(one)? {
             let ours = ours?;
             // A shard has only some of the cases.
-            while theirs
-                .as_ref()
-                .is_some_and(|theirs| theirs.case < ours.case)
-            {
+            let is_before = |theirs: &CaseRows| theirs.case < ours.case;
+            while theirs.as_ref().is_some_and(is_before) {
                 theirs = others.next().transpose()?;
             }
             let Some(theirs) = theirs.as_ref().filter(|theirs| theirs.case == ours.case) else {
@@ -67,28 +68,24 @@ impl Comparison {
                 let case = ours.case;
                 return Ok(Self::OtherCases(format!("case {case} has other values")));
             }
-            comparison.add(&ours, theirs);
+            compared.add(&ours, theirs);
         }
-        Ok(comparison.finish())
+        if compared.rows == 0 {
+            let why = "no case was answered by the same method in both";
+            return Ok(Self::OtherCases(why.to_owned()));
+        }
+        Ok(Self::SameCases(compared))
     }
 }
 
-/// A comparison under way.
-#[derive(Default)]
-struct Counted {
-    compared: usize,
-    different: usize,
-    listed: Vec<Difference>,
-}
-
-impl Counted {
+impl Compared {
     fn add(&mut self, ours: &CaseRows, theirs: &CaseRows) {
         for our in ours.rows.iter().filter(|row| row.labels.is_answer()) {
             let mut answers = theirs.rows.iter().filter(|row| row.labels.is_answer());
             let Some(their) = answers.find(|row| row.method == our.method) else {
                 continue;
             };
-            self.compared += 1;
+            self.rows += 1;
             if our.labels == their.labels {
                 continue;
             }
@@ -101,18 +98,6 @@ impl Counted {
                     regimes: [our.labels.to_string(), their.labels.to_string()],
                 });
             }
-        }
-    }
-
-    fn finish(self) -> Comparison {
-        if self.compared == 0 {
-            let why = "no case was answered by the same method in both";
-            return Comparison::OtherCases(why.to_owned());
-        }
-        Comparison::SameCases {
-            compared: self.compared,
-            different: self.different,
-            listed: self.listed,
         }
     }
 }

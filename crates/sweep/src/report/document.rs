@@ -1,4 +1,4 @@
-//! What a summary and a report are made of, whatever shows it.
+//! The parts of a summary or a report: paragraphs, tables and maps, without any layout.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ pub struct Section {
     pub blocks: Vec<Block>,
 }
 
-/// A piece of a section.
+/// A part of a section.
 pub enum Block {
     /// A paragraph.
     Text(String),
@@ -20,7 +20,7 @@ pub enum Block {
     Table(Table),
     /// The regime map of a results folder.
     Map(Map),
-    /// Something long that few will want: a page folds it, a terminal leaves it out.
+    /// A long text: a page folds it, a terminal leaves it out.
     Folded {
         /// What it is.
         title: String,
@@ -51,10 +51,13 @@ pub struct Map {
 
 impl Table {
     /// A table with a header and no rows.
-    pub fn new(caption: impl Into<String>, header: &[&str]) -> Self {
+    pub fn new<Name: Into<String>>(
+        caption: impl Into<String>,
+        header: impl IntoIterator<Item = Name>,
+    ) -> Self {
         Self {
             caption: caption.into(),
-            header: header.iter().map(|name| (*name).to_owned()).collect(),
+            header: header.into_iter().map(Into::into).collect(),
             rows: Vec::new(),
         }
     }
@@ -74,16 +77,15 @@ impl Table {
 
     /// Whether a column holds sentences, commands or the like.
     pub fn is_long(&self, column: usize) -> bool {
-        self.rows
-            .iter()
-            .any(|row| row[column].chars().count() > LONG)
+        let mut rows = self.rows.iter();
+        rows.any(|row| row[column].chars().count() > LONG)
     }
 }
 
 /// Cells longer than this are broken into lines, where there are lines to break.
 const LONG: usize = 40;
 
-/// A cell with nothing to say.
+/// What an empty cell shows.
 pub const NOTHING: &str = "–";
 
 impl From<Table> for Block {
@@ -96,14 +98,18 @@ impl From<Table> for Block {
 /// several.
 pub fn table_of(all: &[Results], caption: &str, header: &[&str]) -> Table {
     let folder = (all.len() > 1).then_some("folder");
-    let header: Vec<&str> = folder.into_iter().chain(header.iter().copied()).collect();
-    Table::new(caption, &header)
+    Table::new(caption, folder.into_iter().chain(header.iter().copied()))
 }
 
 /// A row of such a table.
 pub fn row_of(all: &[Results], results: &Results, cells: Vec<String>) -> Vec<String> {
     let folder = (all.len() > 1).then(|| results.name.clone());
     folder.into_iter().chain(cells).collect()
+}
+
+/// A paragraph about a folder.
+pub fn note(all: &[Results], results: &Results, text: impl std::fmt::Display) -> Block {
+    Block::Text(named(all, results, text))
 }
 
 /// `text`, with its folder before it where there are several.

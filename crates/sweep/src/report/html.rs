@@ -1,4 +1,4 @@
-//! HTML, by hand: every text is escaped where it goes in, and nowhere else.
+//! HTML elements. Every text is escaped when it is put in, and only then.
 
 use super::document::Table;
 use crate::printable::steers;

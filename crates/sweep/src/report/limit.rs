@@ -49,8 +49,8 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Of methods that have said nothing yet; none where there is no limit, or it is
-    /// of a quantity that is the same in all cases.
+    /// Of these methods, without a case; none where there is no limit, or it is of a
+    /// quantity that is the same in all cases.
     pub fn new(boundary: &Boundary, axes: &[Axis], methods: &[&str]) -> Option<Self> {
         let place = |axis| axes.iter().position(|&other| other == axis);
         let (limited, value, along, lines) = match boundary {
@@ -69,12 +69,10 @@ impl Limits {
             }
             _ => return None,
         };
+        let checks = methods.iter().map(|method| LimitCheck::new(method));
         Some(Self {
             limited,
-            checks: methods
-                .iter()
-                .map(|method| LimitCheck::new(method))
-                .collect(),
+            checks: checks.collect(),
             lines,
             value,
             along,
@@ -114,13 +112,7 @@ impl Limited {
 /// The limiting speed of one method over the torque or the weight on bit.
 fn stick_slip_curve(points: &[StickSlipPoint], method: &str, torque: Axis) -> Envelope {
     let own = points.iter().filter(|point| point.method == method);
-    let line = own.filter_map(|point| {
-        let along = match torque {
-            Axis::WeightOnBitKn => point.weight_on_bit_kn?,
-            _ => point.torque_dynamic_nm,
-        };
-        Some((along, point.surface_speed_rpm))
-    });
+    let line = own.filter_map(|point| Some((point.along(torque)?, point.surface_speed_rpm)));
     Envelope::new(&[line.collect()])
 }
 
@@ -155,8 +147,6 @@ impl LimitCheck {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::Labels;
-    use sim::TorsionRegime;
 
     #[test]
     fn cases_are_counted_on_the_sides_of_the_limit() {
@@ -176,22 +166,10 @@ mod tests {
             (3.0, "smooth"),
             (0.1, "stuck"),
         ] {
-            let row = LabelRow {
-                line: 0,
-                case: 0,
-                method: "a".to_owned(),
-                values: Vec::new(),
-                labels: Labels {
-                    torsion: TorsionRegime::of_name(label),
-                    lateral: None,
-                },
-                predicted: None,
-                failed: false,
-            };
             limits.add(&CaseRows {
                 case: 0,
                 values: vec![speed, 15.0],
-                rows: vec![row],
+                rows: vec![LabelRow::example("a", label)],
             });
         }
         let check = &limits.checks[0];

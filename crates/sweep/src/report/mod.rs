@@ -1,9 +1,8 @@
 //! What results folders say, for people: `sweep summary` and `sweep report`.
 //!
-//! `results` reads a folder into numbers in one pass over its cases, so that
-//! memory does not grow with them; `comparison` holds one folder against another.
-//! `sections` says both in words and tables, once, so that a terminal (`text`) and
-//! a page (`page`) show the same numbers.
+//! `results` reads a folder in one pass over its cases, so that memory does not grow
+//! with them; `comparison` compares two folders. `sections` makes words and tables of
+//! both, which a terminal (`text`) and a page (`page`) show alike.
 
 mod agreement;
 mod character_map;

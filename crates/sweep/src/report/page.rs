@@ -11,7 +11,7 @@ use super::document::{Block, Map, Section};
 use super::html::{element, escaped, table};
 use crate::files::is_absent;
 
-/// By which a page is known to be made here.
+/// The mark of a page that this program made.
 const MADE_BY: &str = "<footer><p>Made by ";
 
 /// The mark is among the last bytes of a page, this many at most.

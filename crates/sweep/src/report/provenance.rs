@@ -1,4 +1,5 @@
-//! Results folders in words and tables: with what, and how long it took.
+//! The sections on time and provenance: what the results depend on, and how long they
+//! took.
 
 use super::document::{Block, NOTHING, Table, row_of, table_of};
 use super::results::Results;
@@ -54,33 +55,27 @@ fn system_row(method: &MethodRecord) -> Vec<String> {
         Some(margin) => short(margin),
     };
     let impulses = method.least_impulses_ns.iter();
-    let impulses: Vec<String> = impulses
-        .map(|least| format!("{} N s", short(*least)))
-        .collect();
+    let impulses = impulses.map(|least| format!("{} N s", short(*least)));
+    let impulses = impulses.collect::<Vec<_>>().join(", ");
+    let known = |text: Option<String>| text.unwrap_or_else(|| NOTHING.to_owned());
     vec![
         method.method.clone(),
-        (method.build_seconds).map_or_else(|| NOTHING.to_owned(), |time| format!("{time:.3} s")),
+        known(method.build_seconds.map(|time| format!("{time:.3} s"))),
         method.taps.to_string(),
         margin(method.positive_real_margin),
         margin(method.bending_margin),
-        if impulses.is_empty() {
-            NOTHING.to_owned()
-        } else {
-            impulses.join(", ")
-        },
+        known(Some(impulses).filter(|list| !list.is_empty())),
     ]
 }
 
-/// With what, and what exactly.
+/// What the results depend on.
 pub fn provenance(all: &[Results]) -> Vec<Block> {
     let names = all.iter().map(|results| results.name.as_str());
-    let header: Vec<&str> = ["of"].into_iter().chain(names).collect();
-    let mut table = Table::new("What the results depend on", &header);
+    let header = ["of"].into_iter().chain(names);
+    let mut table = Table::new("What the results depend on", header);
     let mut row = |name: &str, cell: &dyn Fn(&Results) -> String| {
-        let cells = all.iter().map(cell);
-        table
-            .rows
-            .push([name.to_owned()].into_iter().chain(cells).collect());
+        let cells = [name.to_owned()].into_iter().chain(all.iter().map(cell));
+        table.rows.push(cells.collect());
     };
     row("program", &|results| results.manifest.program.clone());
     row("platform", &|results| results.manifest.platform.clone());

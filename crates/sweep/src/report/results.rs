@@ -24,7 +24,7 @@ pub struct Results {
     pub tables: ResultTables,
     /// What was run.
     pub manifest: Manifest,
-    /// Whether the methods say the same.
+    /// Whether the methods agree.
     pub agreement: Agreement,
     /// The boundary against the analytic limit, where there is one.
     pub limits: Option<Limits>,
@@ -42,8 +42,7 @@ impl Results {
     pub fn read(folder: &Path, tables: ResultTables) -> Result<Self> {
         let manifest = tables.manifest.clone();
         let labels = tables.labels();
-        let methods = manifest.methods.iter().map(|method| method.method.as_str());
-        let methods: Vec<&str> = methods.collect();
+        let methods = manifest.method_names();
         let boundary = tables.boundary()?;
         let mut limits = Limits::new(&boundary, &manifest.axes, &methods);
         let motions = manifest.tally.motions();
@@ -87,17 +86,15 @@ impl Results {
     }
 
     /// Names of the methods.
-    pub fn methods(&self) -> impl Iterator<Item = &str> {
-        let methods = self.manifest.methods.iter();
-        methods.map(|method| method.method.as_str())
+    pub fn methods(&self) -> Vec<&str> {
+        self.manifest.method_names()
     }
 
     /// Rows of a method with a label.
     pub fn count(&self, method: &str, label: Label) -> usize {
         let labels = self.manifest.tally.labels.get(method);
-        labels
-            .and_then(|labels| labels.get(&label))
-            .map_or(0, |count| *count)
+        let count = labels.and_then(|labels| labels.get(&label));
+        count.copied().unwrap_or(0)
     }
 }
 

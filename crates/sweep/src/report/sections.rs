@@ -1,14 +1,13 @@
-//! Results folders in words and tables: what came out.
+//! Results folders in words and tables, section by section.
 
 use sim::Label;
 
 use super::comparison::Comparison;
-use super::document::{Block, Map, NOTHING, Section, Table, named, row_of, table_of};
+use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, table_of};
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
 use crate::output::Motion;
-use crate::quantities::Axis;
 use crate::words::{counted, short};
 
 /// Everything there is to say of one folder, or of several side by side;
@@ -45,7 +44,7 @@ fn overview(all: &[Results]) -> Vec<Block> {
     let paragraphs = all.iter().map(|results| {
         let manifest = &results.manifest;
         let tally = &manifest.tally;
-        let methods: Vec<&str> = results.methods().collect();
+        let methods = results.methods();
         let part = manifest.shard.map_or_else(String::new, |shard| {
             format!(" This is shard {shard}, a part of it.")
         });
@@ -90,7 +89,7 @@ fn maps(all: &[Results]) -> Vec<Block> {
             } else {
                 "No map: the cases differ in fewer than two quantities."
             };
-            blocks.push(Block::Text(named(all, results, text)));
+            blocks.push(note(all, results, text));
             continue;
         };
         let svg = results.tables.pictures().join("map.svg");
@@ -105,7 +104,7 @@ fn maps(all: &[Results]) -> Vec<Block> {
             ))
         };
         let svg = missing.is_none().then_some(svg);
-        blocks.extend(missing.map(|text| Block::Text(named(all, results, text))));
+        blocks.extend(missing.map(|text| note(all, results, text)));
         blocks.push(Block::Map(Map {
             caption: named(all, results, &results.manifest.title),
             svg,
@@ -139,10 +138,10 @@ fn motions(all: &[Results]) -> Vec<Motion> {
 
 fn regimes_of(all: &[Results], motion: Motion, caption: &str) -> Table {
     let is_found = |label: &Label| {
-        let mut methods = all
-            .iter()
-            .flat_map(|results| results.methods().map(move |method| (results, method)));
-        methods.any(|(results, method)| results.count(method, *label) > 0)
+        all.iter().any(|results| {
+            let mut methods = results.methods().into_iter();
+            methods.any(|method| results.count(method, *label) > 0)
+        })
     };
     let labels: Vec<Label> = motion.labels().into_iter().filter(is_found).collect();
     let header: Vec<&str> = ["method"]
@@ -204,23 +203,18 @@ fn agreement(all: &[Results]) -> Vec<Block> {
 
 fn differing_cases(all: &[Results], results: &Results) -> Table {
     let agreement = &results.agreement;
-    let axes = &results.manifest.axes;
-    let axis_names: Vec<String> = axes.iter().map(|axis| axis.name()).collect();
-    let names = axis_names.iter().map(String::as_str);
-    let header: Vec<&str> = ["case"]
-        .into_iter()
-        .chain(names)
-        .chain(results.methods())
-        .collect();
+    let mut header = vec!["case".to_owned()];
+    header.extend(results.manifest.axes.iter().map(|axis| axis.name()));
+    header.extend(results.methods().into_iter().map(str::to_owned));
     let caption = format!(
         "Cases on which the methods differ{}",
         extent(agreement.listed.len(), agreement.differing)
     );
-    let mut table = Table::new(named(all, results, caption), &header);
+    let mut table = Table::new(named(all, results, caption), header);
     for case in &agreement.listed {
         let mut cells = vec![case.case.to_string()];
         cells.extend(case.values.iter().map(|&value| short(value)));
-        cells.extend(results.methods().map(|method| {
+        cells.extend(results.methods().into_iter().map(|method| {
             let row = case.rows.iter().find(|row| row.method == method);
             row.map_or_else(|| NOTHING.to_owned(), |row| row.labels.to_string())
         }));
@@ -246,7 +240,7 @@ fn limits(all: &[Results]) -> Vec<Block> {
                 None => "No limit is known for these cases.",
                 Some(_) => "The limit is told when the run is finished.",
             };
-            blocks.push(Block::Text(named(all, results, text)));
+            blocks.push(note(all, results, text));
             continue;
         };
         let (caption, last) = match limits.limited {
@@ -262,7 +256,7 @@ fn limits(all: &[Results]) -> Vec<Block> {
             ),
         };
         let header = ["method", "below the limit", "above it", last[0], last[1]];
-        let mut table = Table::new(named(all, results, caption), &header);
+        let mut table = Table::new(named(all, results, caption), header);
         table.rows.extend(limits.checks.iter().map(limit_row));
         blocks.push(table.into());
     }
@@ -288,13 +282,12 @@ fn failures(all: &[Results]) -> Vec<Block> {
     for results in all {
         let (listed, count) = (&results.failures.listed, results.failures.count());
         if count == 0 {
-            let text = "None.";
-            blocks.push(Block::Text(named(all, results, text)));
+            blocks.push(note(all, results, "None."));
             continue;
         }
         let caption = format!("Failed simulations{}", extent(listed.len(), count));
         let header = ["case", "method", "reason", "repeat with"];
-        let mut table = Table::new(named(all, results, caption), &header);
+        let mut table = Table::new(named(all, results, caption), header);
         table.rows.extend(listed.iter().map(|failure| {
             vec![
                 failure.case.to_string(),
@@ -315,40 +308,29 @@ fn between(all: &[Results], comparisons: &[Comparison]) -> Vec<Block> {
     };
     for (other, comparison) in others.iter().zip(comparisons) {
         let folders = format!("{} and {}", first.name, other.name);
-        let (compared, different, listed) = match comparison {
+        let compared = match comparison {
             Comparison::OtherCases(why) => {
                 let text = format!("{folders} are not of the same cases: {why}.");
                 blocks.push(Block::Text(text));
                 continue;
             }
-            Comparison::SameCases {
-                compared,
-                different,
-                listed,
-            } => (*compared, *different, listed),
+            Comparison::SameCases(compared) => compared,
         };
+        let same = compared.rows - compared.different;
         blocks.push(Block::Text(format!(
-            "{folders} have the same labels for {} of {compared} simulations ({}).",
-            compared - different,
-            percentage(compared - different, compared)
+            "{folders} have the same labels for {same} of {} simulations ({}).",
+            compared.rows,
+            percentage(same, compared.rows)
         )));
-        if listed.is_empty() {
+        if compared.listed.is_empty() {
             continue;
         }
-        let axis_names: Vec<String> = first
-            .manifest
-            .axes
-            .iter()
-            .map(|axis: &Axis| axis.name())
-            .collect();
-        let names = axis_names.iter().map(String::as_str);
-        let header: Vec<&str> = (["case", "method"].into_iter())
-            .chain(names)
-            .chain([first.name.as_str(), other.name.as_str()])
-            .collect();
-        let caption = format!("Labels that differ{}", extent(listed.len(), different));
-        let mut table = Table::new(caption, &header);
-        table.rows.extend(listed.iter().map(|difference| {
+        let mut header = ["case", "method"].map(str::to_owned).to_vec();
+        header.extend(first.manifest.axes.iter().map(|axis| axis.name()));
+        header.extend([&first.name, &other.name].map(String::clone));
+        let listed = extent(compared.listed.len(), compared.different);
+        let mut table = Table::new(format!("Labels that differ{listed}"), header);
+        table.rows.extend(compared.listed.iter().map(|difference| {
             let mut cells = vec![difference.case.to_string(), difference.method.clone()];
             cells.extend(difference.values.iter().map(|&value| short(value)));
             cells.extend(difference.regimes.clone());

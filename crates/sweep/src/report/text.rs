@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     fn table(cells: [[&str; 2]; 2]) -> Table {
-        let mut table = Table::new("Of things", &["name", "number"]);
+        let mut table = Table::new("Of things", ["name", "number"]);
         table.rows = cells.map(|row| row.map(str::to_owned).to_vec()).to_vec();
         table
     }

@@ -79,8 +79,8 @@ fn time_panel(
         })
     };
     Panel {
-        x: axis(&format!("Time {time} (s)"), false),
-        y: axis(label, false),
+        x: Axis::linear(format!("Time {time} (s)")),
+        y: Axis::linear(label),
         series: systems.iter().filter_map(of_method).collect(),
         references: Vec::new(),
     }
@@ -120,20 +120,13 @@ fn exact_panel(label: &str, sweep: &Sweep, response: &dyn Fn(f64) -> f64) -> Pan
         (frequency, response(frequency))
     });
     Panel {
-        x: axis("Frequency f (Hz)", false),
-        y: axis(label, true),
+        x: Axis::linear("Frequency f (Hz)"),
+        y: Axis::logarithmic(label),
         series: vec![Series {
             name: "exact".to_owned(),
             points: points.collect(),
         }],
         references: Vec::new(),
-    }
-}
-
-fn axis(label: &str, logarithmic: bool) -> Axis {
-    Axis {
-        label: label.to_owned(),
-        logarithmic,
     }
 }
 

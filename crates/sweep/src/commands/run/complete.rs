@@ -11,7 +11,7 @@ use crate::commands::prepare::build_systems;
 use crate::commands::status::{Status, UsageError};
 use crate::commands::terminal::say;
 use crate::files::write_with_checksum;
-use crate::output::{Damage, FAILURES_HEADER, Manifest, PICTURES, boundary, write_boundary};
+use crate::output::{Damage, FAILURES_HEADER, Manifest, PICTURES, boundary, boundary_csv};
 
 /// Shows the results again, in order.
 ///
@@ -102,5 +102,6 @@ fn boundary_again(task: &Task) -> Result<Vec<u8>> {
     let (file, sweep) = (&task.arguments.file, &task.sweep);
     let setting = sweep.setting.for_labels();
     let systems = build_systems(file, sweep, &setting, task.survey.longest)?;
-    write_boundary(&boundary(sweep, &systems).map_err(UsageError)?)
+    let limit = boundary(sweep, &systems).map_err(|error| UsageError(error.to_string()))?;
+    Ok(boundary_csv(&limit).into_bytes())
 }

@@ -18,7 +18,7 @@ use crate::commands::terminal::say;
 use crate::commands::warnings::{warn_of_broken_lines, warn_of_unstable};
 use crate::engine::{Log, Record, Work, pairs_of};
 use crate::files::write_with_checksum;
-use crate::output::{About, Manifest, Repeat, write_boundary, write_tables};
+use crate::output::{About, Manifest, Repeat, boundary_csv, write_tables};
 use crate::words::counted;
 
 /// A run under way.
@@ -174,8 +174,8 @@ impl<'a> Session<'a> {
             options: arguments.options(),
         };
         let tables = write_tables(sweep, repeat, &self.log, folder)?;
-        let limit = write_boundary(&self.systems.limit)?;
-        let limit = write_with_checksum(&folder.join("boundary.csv"), &limit)?;
+        let limit = boundary_csv(&self.systems.limit);
+        let limit = write_with_checksum(&folder.join("boundary.csv"), limit.as_bytes())?;
         let seconds = self.start.elapsed().as_secs_f64();
         let mut manifest = Manifest::new(
             sweep,

@@ -35,7 +35,7 @@ impl Systems {
             refuse_unstable(task, &methods)?;
         }
         Ok(Self {
-            limit: boundary(sweep, &methods).map_err(UsageError)?,
+            limit: boundary(sweep, &methods).map_err(|error| UsageError(error.to_string()))?,
             strings_at_once: memory.strings_at_once,
             methods,
         })

@@ -46,14 +46,10 @@ fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
         kinds[kind].points.extend(point(row));
     }
     let uncertainty = known().map(|row| row.reference.uncertainty).next();
-    let log_axis = |label: &str| Axis {
-        label: label.to_owned(),
-        logarithmic: true,
-    };
     ScatterPanel {
         title: measure.title().to_owned(),
-        x: log_axis(&format!("Time for {CASES} cases of {CASE_SECONDS} s (s)")),
-        y: log_axis(if is_first { "Relative error" } else { "" }),
+        x: Axis::logarithmic(format!("Time for {CASES} cases of {CASE_SECONDS} s (s)")),
+        y: Axis::logarithmic(if is_first { "Relative error" } else { "" }),
         kinds,
         front: (front(rows, measure).into_iter())
             .map(|(row, error)| (row.cost(), error.max(SMALLEST_DRAWN)))

@@ -8,6 +8,7 @@ mod tests;
 
 use super::geometry::Rect;
 use super::grounds::Ground;
+use super::legend::distinct;
 use super::scale::Axis;
 use super::symbols::Symbol;
 
@@ -86,10 +87,9 @@ pub struct MapGroup {
     pub heading: String,
     /// What the grounds of cells tell, above their keys in the legend.
     pub scale: Option<String>,
-    /// Keys of the legend: symbols, grounds, and what they mean.
-    pub symbols: Vec<(Symbol, String)>,
-    /// The same of grounds without a symbol.
-    pub grounds: Vec<(Ground, String)>,
+    /// Keys of the legend and what they mean; a symbol has its ground where cells are
+    /// drawn.
+    pub keys: Vec<(Ground, String)>,
     /// What a reader has to know besides.
     pub notes: Vec<String>,
     /// The maps.
@@ -120,33 +120,9 @@ pub fn is_within(points: &[(f64, f64)], x: [f64; 2], y: [f64; 2]) -> bool {
 }
 
 impl MapGroup {
-    /// The distinct names of all lines, in order of appearance.
+    /// The distinct names of all lines.
     fn line_names(&self) -> Vec<&str> {
-        distinct(self.panels.iter().flat_map(|panel| &panel.lines), |line| {
-            &line.name
-        })
+        let lines = self.panels.iter().flat_map(|panel| &panel.lines);
+        distinct(lines.map(|line| &line.name))
     }
-
-    /// The same of bands.
-    fn band_names(&self) -> Vec<&str> {
-        distinct(self.panels.iter().flat_map(|panel| &panel.bands), |band| {
-            &band.name
-        })
-    }
-}
-
-fn distinct<'a, T>(
-    all: impl Iterator<Item = &'a T>,
-    name: impl Fn(&'a T) -> &'a str,
-) -> Vec<&'a str>
-where
-    T: 'a,
-{
-    let mut names = Vec::new();
-    for name in all.map(name) {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    names
 }

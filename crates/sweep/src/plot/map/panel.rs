@@ -1,11 +1,12 @@
 //! One map of a sheet.
 
-use super::{Band, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark};
+use super::{MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark};
 use crate::plot::canvas::{Canvas, DASHES, Stroke};
 use crate::plot::frame::Frame;
 use crate::plot::geometry::{Pixel, Rect};
 use crate::plot::grounds::{Ground, draw_ground};
 use crate::plot::hatching::{RIM, draw_hatching};
+use crate::plot::legend::place_of;
 use crate::plot::names::Names;
 use crate::plot::scale::{Scale, visible};
 use crate::plot::symbols::{HALO, MARK_RADIUS, draw_symbol, draw_triangle};
@@ -57,7 +58,9 @@ pub(super) fn draw_panel(
     frame.draw(canvas)?;
     draw_cells(canvas, frame, &panel.cells)?;
     for band in &panel.bands {
-        draw_band(canvas, frame, band)?;
+        if let Some(area) = area(frame, band.x, band.y) {
+            draw_hatching(canvas, area, frame.area)?;
+        }
     }
     draw_points(canvas, frame, &panel.points)?;
     draw_lines(canvas, frame, &group.line_names(), panel)?;
@@ -92,13 +95,6 @@ fn area(frame: &Frame, x: [f64; 2], y: [f64; 2]) -> Option<Rect> {
     })
 }
 
-fn draw_band(canvas: &mut Canvas, frame: &Frame, band: &Band) -> Result<()> {
-    let Some(area) = area(frame, band.x, band.y) else {
-        return Ok(());
-    };
-    draw_hatching(canvas, area, frame.area)
-}
-
 fn draw_points(canvas: &mut Canvas, frame: &Frame, points: &[MapPoint]) -> Result<()> {
     let radius = symbol_radius(frame.area, points.len());
     for point in points {
@@ -120,8 +116,7 @@ fn draw_lines(canvas: &mut Canvas, frame: &Frame, names: &[&str], panel: &MapPan
     let mut grounds = panel.cells.iter().map(|cell| cell.ground);
     let may_be_dark = grounds.any(|ground| matches!(ground, Ground::Part(_)));
     for line in &panel.lines {
-        let index = names.iter().position(|name| *name == line.name);
-        let stroke = line_stroke(index.unwrap_or(0));
+        let stroke = line_stroke(place_of(&line.name, names));
         for piece in frame.curve(&line.points) {
             for part in frame.area.clip(&piece) {
                 if may_be_dark {
@@ -166,9 +161,7 @@ fn drawn_lines(frame: &Frame, panel: &MapPanel) -> Vec<Vec<Pixel>> {
     let radius = symbol_radius(frame.area, panel.points.len());
     let centres = panel.points.iter().filter_map(|p| frame.pixel((p.x, p.y)));
     let symbols = centres.map(|(x, y)| vec![(x - radius, y), (x + radius, y)]);
-    let lines = panel
-        .lines
-        .iter()
-        .flat_map(|line| frame.curve(&line.points));
+    let lines = panel.lines.iter();
+    let lines = lines.flat_map(|line| frame.curve(&line.points));
     symbols.chain(lines).collect()
 }

@@ -4,11 +4,11 @@
 
 use super::panel::{draw_panel, line_stroke, scales};
 use super::{MapGroup, MapSheet};
-use crate::plot::canvas::{Canvas, draw_picture};
+use crate::plot::canvas::{Canvas, Title, draw_titled};
 use crate::plot::frame::Frame;
 use crate::plot::geometry::Rect;
 use crate::plot::grounds::Ground;
-use crate::plot::legend::{Key, Legend};
+use crate::plot::legend::{Key, Legend, distinct};
 use crate::plot::picture::Picture;
 use crate::plot::scale::Scale;
 use crate::plot::text::{Block, LABEL_SIZE, SMALL_SIZE, TITLE_SIZE};
@@ -45,39 +45,32 @@ pub fn map_sheet(sheet: &MapSheet) -> Result<Picture> {
     }
 }
 
-/// The legend of a group. Where cells are drawn, keys show symbol and ground.
+/// The legend of a group.
 fn keys(group: &MapGroup) -> Vec<(Key, &str)> {
     let has_grounds = group.panels.iter().any(|panel| !panel.cells.is_empty());
-    let grounds = group.grounds.iter();
-    let mut keys: Vec<(Key, &str)> = grounds
-        .map(|(ground, text)| (Key::Cell(*ground), text.as_str()))
+    let key = |ground: &Ground| match ground {
+        Ground::Symbol(symbol) if !has_grounds => Key::Symbol(*symbol),
+        ground => Key::Cell(*ground),
+    };
+    let keys = group.keys.iter();
+    let mut keys: Vec<(Key, &str)> = keys
+        .map(|(ground, text)| (key(ground), text.as_str()))
         .collect();
-    keys.extend(group.symbols.iter().map(|(symbol, text)| {
-        let key = if has_grounds {
-            Key::Cell(Ground::Symbol(*symbol))
-        } else {
-            Key::Symbol(*symbol)
-        };
-        (key, text.as_str())
-    }));
     let lines = group.line_names().into_iter().enumerate();
     keys.extend(lines.map(|(index, name)| (Key::Line(line_stroke(index)), name)));
-    keys.extend(
-        group
-            .band_names()
-            .into_iter()
-            .map(|name| (Key::Hatching, name)),
-    );
+    let bands = group.panels.iter().flat_map(|panel| &panel.bands);
+    let bands = distinct(bands.map(|band| &band.name));
+    keys.extend(bands.into_iter().map(|name| (Key::Hatching, name)));
     keys
 }
 
 fn alone(sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
-    let title = Block::new(&sheet.title, TITLE_SIZE, WIDTH_ALONE - 2.0 * MARGIN)?;
+    let title = Title::new(&sheet.title, WIDTH_ALONE, MARGIN)?;
     let text = |text| (Key::Nothing, text);
     let scale = group.scale.iter().map(String::as_str).map(text);
     let notes = group.notes.iter().map(String::as_str).map(text);
     let legend = Legend::new(scale.chain(keys(group)).chain(notes))?;
-    let top = 2.0 * MARGIN + title.height();
+    let top = title.bottom();
     let height = HEIGHT_ALONE.max(top + legend.height() + MARGIN);
     let legend_left = WIDTH_ALONE - MARGIN - legend.width();
     let outer = Rect {
@@ -88,9 +81,7 @@ fn alone(sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
     };
     let (x, y) = scales(sheet);
     let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
-    draw_picture(WIDTH_ALONE, height, |canvas| {
-        let title_row = MARGIN + title.line_height() / 2.0;
-        canvas.text(&title, WIDTH_ALONE / 2.0, title_row, HPos::Center)?;
+    draw_titled(&title, height, |canvas| {
         for panel in &group.panels {
             draw_panel(canvas, &frame, group, panel)?;
         }
@@ -99,13 +90,13 @@ fn alone(sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
 }
 
 fn arranged(sheet: &MapSheet, groups: &[MapGroup]) -> Result<Picture> {
-    let title = Block::new(&sheet.title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)?;
+    let title = Title::new(&sheet.title, WIDTH, MARGIN)?;
     let all_alone = groups.iter().all(|group| group.panels.len() == 1);
     let columns = if all_alone { groups.len().max(1) } else { 1 };
     let gaps = (columns - 1) as f64 * GAP;
     let width = (WIDTH - 2.0 * MARGIN - gaps) / columns as f64;
     let scales = scales(sheet);
-    let (mut blocks, mut bottom) = (Vec::new(), 2.0 * MARGIN + title.height());
+    let (mut blocks, mut bottom) = (Vec::new(), title.bottom());
     let (mut left, mut top) = (MARGIN, bottom);
     for group in groups {
         let block = GroupBlock::new(sheet, scales, group, [left, top, width])?;
@@ -117,13 +108,8 @@ fn arranged(sheet: &MapSheet, groups: &[MapGroup]) -> Result<Picture> {
         }
         blocks.push(block);
     }
-    draw_picture(WIDTH, bottom + MARGIN, |canvas| {
-        let title_row = MARGIN + title.line_height() / 2.0;
-        canvas.text(&title, WIDTH / 2.0, title_row, HPos::Center)?;
-        for block in &blocks {
-            block.draw(canvas)?;
-        }
-        Ok(())
+    draw_titled(&title, bottom + MARGIN, |canvas| {
+        blocks.iter().try_for_each(|block| block.draw(canvas))
     })
 }
 
@@ -135,8 +121,9 @@ struct GroupBlock<'a> {
     width: f64,
     heading: Block,
     frames: Vec<(Block, Frame)>,
+    /// Where the texts below the maps begin.
+    texts_top: f64,
     scale: Option<Block>,
-    scale_top: f64,
     legend: Legend,
     notes: Vec<Block>,
     bottom: f64,
@@ -151,25 +138,22 @@ impl<'a> GroupBlock<'a> {
     ) -> Result<Self> {
         let heading = Block::new(&group.heading, TITLE_SIZE, width)?;
         let maps_top = top + heading.height() + 0.3 * GAP;
-        let (frames, scale_top) = frames(sheet, scales, group, [left, maps_top, width])?;
-        let legend = Legend::new(keys(group).into_iter())?;
-        let notes: Vec<Block> = (group.notes.iter())
-            .map(|note| Block::new(note, SMALL_SIZE, width))
-            .collect::<Result<_>>()?;
-        let scale = group.scale.as_ref();
-        let scale = scale.map(|text| Block::new(text, SMALL_SIZE, width));
-        let scale = scale.transpose()?;
+        let (frames, texts_top) = frames(sheet, scales, group, [left, maps_top, width])?;
+        let legend = Legend::new(keys(group))?.in_rows(width);
+        let small = |text: &String| Block::new(text, SMALL_SIZE, width);
+        let notes: Vec<Block> = group.notes.iter().map(small).collect::<Result<_>>()?;
+        let scale = group.scale.as_ref().map(small).transpose()?;
         let texts = scale.iter().chain(&notes);
         let texts: f64 = texts.map(|text| text.height() + TEXT_GAP).sum();
         Ok(Self {
-            scale_top,
-            bottom: scale_top + legend.row_height(width) + texts + 0.5 * GAP,
+            bottom: texts_top + legend.height() + texts + 0.5 * GAP,
             group,
             left,
             top,
             width,
             heading,
             frames,
+            texts_top,
             scale,
             legend,
             notes,
@@ -188,21 +172,20 @@ impl<'a> GroupBlock<'a> {
             canvas.text(title, middle, first_row, HPos::Center)?;
             draw_panel(canvas, frame, self.group, panel)?;
         }
-        let mut row = self.scale_top;
-        let write = |canvas: &Canvas, text: &Block, row: &mut f64| {
-            let first_row = *row + 0.5 * text.line_height();
-            *row += text.height() + TEXT_GAP;
-            canvas.text(text, self.left, first_row, HPos::Left)
-        };
-        if let Some(text) = &self.scale {
-            write(canvas, text, &mut row)?;
-        }
-        self.legend.draw_row(canvas, self.left, row, self.width)?;
-        row += self.legend.row_height(self.width);
-        for text in &self.notes {
-            write(canvas, text, &mut row)?;
-        }
+        let row = self.write(canvas, self.scale.as_slice(), self.texts_top)?;
+        self.legend.draw(canvas, self.left, row)?;
+        self.write(canvas, &self.notes, row + self.legend.height())?;
         Ok(())
+    }
+
+    /// Writes texts below one another and returns where the last ends.
+    fn write(&self, canvas: &Canvas, texts: &[Block], mut row: f64) -> Result<f64> {
+        for text in texts {
+            let first_row = row + 0.5 * text.line_height();
+            canvas.text(text, self.left, first_row, HPos::Left)?;
+            row += text.height() + TEXT_GAP;
+        }
+        Ok(row)
     }
 }
 

@@ -8,11 +8,11 @@ fn group(panels: Vec<MapPanel>) -> MapGroup {
     MapGroup {
         heading: String::new(),
         scale: None,
-        symbols: [Symbol::Circle, Symbol::Cross, Symbol::Square]
+        keys: [Symbol::Circle, Symbol::Cross, Symbol::Square]
+            .map(Ground::Symbol)
             .into_iter()
             .zip(texts)
             .collect(),
-        grounds: Vec::new(),
         notes: Vec::new(),
         panels,
     }
@@ -145,7 +145,10 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
     let group = || MapGroup {
         heading: long.clone(),
         scale: Some(long.clone()),
-        grounds: vec![(Ground::Part(Part::All), long.clone())],
+        keys: vec![
+            (Ground::Part(Part::of(1.0)), long.clone()),
+            (Ground::Symbol(Symbol::Circle), long.clone()),
+        ],
         notes: vec![long.clone(); 2],
         ..group((0..panels).map(|_| panel()).collect())
     };
