@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use super::refuse_irregular;
+use super::regular::refuse_irregular;
 
 /// The file that is locked, there as long as a command writes; a command that is
 /// killed leaves it behind, without the lock.

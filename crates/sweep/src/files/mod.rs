@@ -3,10 +3,12 @@
 
 mod checksum;
 mod lock;
+mod regular;
 mod temporary;
 
 pub use checksum::{Checksum, Summing, hexadecimal};
 pub use lock::{FolderLock, LockError};
+pub use regular::{is_absent, refuse_irregular};
 pub use temporary::{has_left, remove_left};
 
 use std::fs::{self, File};
@@ -130,30 +132,6 @@ pub fn write_with_checksum(path: &Path, content: &[u8]) -> Result<Checksum> {
     let mut file = AtomicFile::create(path)?;
     file.write(content)?;
     file.finish()
-}
-
-/// Whether an error says that nothing has this name, be it that what should be
-/// its folder is none.
-pub fn is_absent(error: &io::Error) -> bool {
-    use io::ErrorKind::{NotADirectory, NotFound};
-    matches!(error.kind(), NotFound | NotADirectory)
-}
-
-/// Refuses what is neither a file nor nothing: a link would lead elsewhere, a
-/// device or a pipe would not end.
-///
-/// # Errors
-/// What it is instead.
-pub fn refuse_irregular(path: &Path) -> io::Result<()> {
-    let what = match fs::symlink_metadata(path) {
-        Err(error) if is_absent(&error) => return Ok(()),
-        Err(error) => return Err(error),
-        Ok(there) if there.is_file() => return Ok(()),
-        Ok(there) if there.is_symlink() => "a symbolic link",
-        Ok(there) if there.is_dir() => "a folder",
-        Ok(_) => "a device or a pipe",
-    };
-    Err(io::Error::other(format!("it is {what}, not a file")))
 }
 
 /// Opens what is to be a file, if it is there. A folder that is none is found when it is
