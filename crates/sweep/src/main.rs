@@ -27,7 +27,6 @@
 //! sweep help                     # everything else
 //! ```
 
-mod accuracy;
 mod cli;
 mod commands;
 mod design;
@@ -44,7 +43,7 @@ mod printable;
 mod program;
 mod quantities;
 mod report;
-mod study;
+mod studies;
 mod sweep_file;
 mod text_file;
 mod words;

@@ -11,7 +11,7 @@ use super::threads::use_threads;
 use crate::cli::StabilityArguments;
 use crate::output::write_atomically;
 use crate::plot::cell_chart;
-use crate::study::stability::{Cell, Family, cells, chart, run, summary, to_csv};
+use crate::studies::stability::{Cell, Family, cells, chart, run, summary, to_csv};
 
 /// Computes the atlas and writes its table and chart.
 pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<Status> {

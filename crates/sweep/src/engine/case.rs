@@ -1,8 +1,8 @@
 //! One case: its values and its scene.
 
-use sim::{Impulse, Lateral, Scene, Timing, torsion_timing};
+use sim::{Lateral, Scene, Timing, torsion_timing};
 
-use crate::plan::{Conditions, LateralSettings, Setting, Sweep, Time};
+use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Sweep, Time};
 
 /// One case of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,18 +96,19 @@ fn longer(one: Timing, other: Timing) -> Timing {
 fn lateral_scene(settings: &LateralSettings, conditions: &Conditions) -> Result<Lateral, String> {
     let walls = settings.walls.iter().map(|wall| {
         let friction = conditions.friction.or(wall.friction);
-        Ok(wall.with_friction(friction.ok_or("has no friction")?))
+        let factor = conditions.friction_factor.unwrap_or(1.0);
+        Ok(wall.with_friction(factor * friction.ok_or("has no friction")?))
     });
-    let impulses = settings.impulses.iter().map(|settings| Impulse {
-        amount: match conditions.impulse_ratio {
-            Some(ratio) if settings.relative => ratio,
-            _ => settings.impulse.amount,
-        },
-        ..settings.impulse
+    let impulses = settings.impulses.iter().map(|impulse| {
+        let amount = match impulse.amount {
+            ImpulseAmount::NewtonSeconds(amount) => Some(amount),
+            ImpulseAmount::Ratio(ratio) => conditions.impulse_ratio.or(ratio),
+        };
+        Ok(impulse.with_amount(amount.ok_or("has no ratio of impulse")?))
     });
     Ok(Lateral {
         walls: walls.collect::<Result<_, String>>()?,
-        impulses: impulses.collect(),
+        impulses: impulses.collect::<Result<_, String>>()?,
         eccentric_masses: settings.eccentric_masses.clone(),
     })
 }

@@ -19,7 +19,7 @@ pub use record::Record;
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
-pub use systems::{MethodSystem, is_unstable};
+pub use systems::{Instability, MethodSystem, is_unstable};
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

@@ -97,7 +97,7 @@ impl MethodSystem {
             torsion_margin: responses.torsion_margin()?,
             bending_margin: responses.bending_margin()?,
             least_impulses: least_impulses(setting, &responses),
-            relative: impulses.map(|impulse| impulse.relative).collect(),
+            relative: impulses.map(ImpulseSettings::is_relative).collect(),
             build_seconds,
             setting: setting.clone(),
             simulator,
@@ -283,8 +283,7 @@ fn least_impulses(setting: &Setting, responses: &Responses) -> Vec<f64> {
     let Some((lateral, bending)) = setting.lateral.as_ref().zip(responses.bending()) else {
         return Vec::new();
     };
-    let of = |settings: &ImpulseSettings| {
-        let impulse = &settings.impulse;
+    let of = |impulse: &ImpulseSettings| {
         least_impulse(
             &bending.from_loads[impulse.site][impulse.site],
             setting.sampling_frequency,

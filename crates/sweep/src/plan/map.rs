@@ -98,6 +98,7 @@ fn mark(
         torque_dynamic_nm: mark.torque_dynamic_nm,
         impulse_ratio: mark.impulse_ratio,
         friction: mark.friction,
+        ..Conditions::default()
     };
     let value = |axis: Axis| {
         conditions.value(axis).ok_or_else(|| {

@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 use crate::cli::SimulateArguments;
 use crate::commands::status::UsageError;
 use crate::engine::{Case, longest_beside};
-use crate::plan::{Conditions, Setting, Sweep};
+use crate::plan::{Conditions, ImpulseSettings, Setting, Sweep};
 use crate::quantities::Axis;
 
 /// A case, and for how long its linear systems are built, s.
@@ -109,7 +109,7 @@ impl Choice {
 fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
     let lateral = sweep.setting.lateral.as_ref();
     let has_ratio =
-        lateral.is_some_and(|lateral| lateral.impulses.iter().any(|impulse| impulse.relative));
+        lateral.is_some_and(|lateral| lateral.impulses.iter().any(ImpulseSettings::is_relative));
     let why = match axis {
         Axis::WeightOnBitKn | Axis::TorqueDynamicNm if sweep.bit.is_none() => {
             "the bit is free in this sweep"

@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result};
 
-use crate::study::tradeoff::{Measure, Row, front};
+use crate::studies::tradeoff::{Measure, Row, front};
 
 /// Measures that were studied, in order.
 pub fn measures(rows: &[Row]) -> Vec<Measure> {
@@ -36,16 +36,17 @@ pub fn table(rows: &[Row]) -> Result<Vec<u8>> {
     ])?;
     let optional = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
     for row in rows {
-        let (gamma, elements, transform) = row.configuration.parameters();
+        let parameters = row.configuration.parameters();
         let on_front = fronts.iter().any(|front| std::ptr::eq(*front, row));
         // Of a whole history there is no one value, nor a reference for it.
         let reference = row.value.map(|_| row.reference.value);
         writer.write_record([
             row.measure.name().to_owned(),
             row.configuration.method().to_owned(),
-            optional(gamma),
-            elements.map_or_else(String::new, |elements| elements.to_string()),
-            optional(transform),
+            optional(parameters.gamma),
+            (parameters.elements_per_cell)
+                .map_or_else(String::new, |elements| elements.to_string()),
+            optional(parameters.transform_s),
             row.configuration.sampling_frequency.to_string(),
             optional(row.value),
             optional(reference),

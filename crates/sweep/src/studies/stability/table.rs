@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use anyhow::{Context, Result};
-use linear::Method;
 
 use super::families::{Approach, Cell, Family};
 use super::verdict::{Findings, explanation};
+use crate::studies::methods::Parameters;
 use crate::words::wrapped;
 
 /// A cell and what it shows.
@@ -45,28 +45,19 @@ const HEADER: [&str; 23] = [
 ];
 
 impl Entry {
-    /// Length of the transform, s, where the method has one that is given.
-    pub fn transform(&self) -> Option<f64> {
+    /// The parameters of its method.
+    pub fn parameters(&self) -> Parameters {
         match self.cell.approach {
-            Approach::Method(Method::Hilbert(transform) | Method::DirectIdft(transform)) => {
-                transform.seconds
-            }
-            _ => None,
-        }
-    }
-
-    /// Newmark's γ, where the method has one.
-    pub fn gamma(&self) -> Option<f64> {
-        match self.cell.approach {
-            Approach::Method(Method::FiniteElement(parameters)) => Some(parameters.gamma),
-            _ => None,
+            Approach::Method(method) => Parameters::of(&method),
+            _ => Parameters::none(),
         }
     }
 
     /// The method, with its parameter where that is not the usual one.
     pub fn method_name(&self) -> String {
         let name = self.cell.approach.name();
-        match (self.transform(), self.gamma()) {
+        let parameters = self.parameters();
+        match (parameters.transform_s, parameters.gamma) {
             (Some(seconds), _) => format!("{name}, {seconds} s"),
             (None, Some(gamma)) => format!("{name}, γ = {gamma}"),
             (None, None) => name.to_owned(),
@@ -81,7 +72,7 @@ impl Entry {
     }
 
     fn fields(&self) -> [String; 23] {
-        let (cell, findings) = (&self.cell, &self.findings);
+        let (cell, findings, parameters) = (&self.cell, &self.findings, self.parameters());
         let number = |value: Option<f64>| value.map_or_else(String::new, exactly);
         let count =
             |value: Option<usize>| value.map_or_else(String::new, |value| value.to_string());
@@ -93,11 +84,11 @@ impl Entry {
             (None, false) => "wrong".to_owned(),
         };
         [
-            cell.family.name().to_owned(),
+            cell.family.name(),
             cell.approach.name().to_owned(),
             cell.sampling_frequency.to_string(),
-            number(self.transform()),
-            number(self.gamma()),
+            number(parameters.transform_s),
+            number(parameters.gamma),
             number(cell.stiffness),
             number(cell.site_spacing),
             count(cell.sections),
@@ -188,7 +179,7 @@ pub fn summary(entries: &[Entry]) -> String {
             .filter(|entry| entry.cell.family == *family)
             .collect();
         if !of.is_empty() {
-            line(family.name(), &of);
+            line(&family.name(), &of);
         }
     }
     line("all", &entries.iter().collect::<Vec<_>>());

@@ -1,31 +1,35 @@
 //! Backward whirl: Fig. 12 against softer and harder walls, at two sites, for a
 //! long time.
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result};
 use linear::Method;
 use sim::diagnosis::roughness;
 use sim::oscillator::worst_load_gain;
 use sim::{LateralRegime, Outcome, SteadyWhirl, Stopping, Trajectory};
 
 use super::families::Cell;
-use super::scenes::Scenes;
 use super::verdict::Findings;
 use crate::engine::{Case, MethodSystem};
 use crate::output::rolling_whirls;
 use crate::plan::{Setting, Sweep};
 use crate::quantities::Axis;
+use crate::studies::scenes::shipped;
+use crate::studies::trial::case;
 
 /// Cells that differ in their wall alone.
-pub fn examine(scenes: &Scenes, group: &[Cell], method: Method) -> Result<Vec<Findings>> {
+pub fn examine(group: &[Cell], method: Method) -> Result<Vec<Findings>> {
     let first = &group[0];
     let sweep = match first.site_spacing {
-        Some(_) => &scenes.two_sites,
-        None => &scenes.whirl,
+        Some(_) => shipped("two_sites.toml")?,
+        None => shipped("fig12.toml")?,
     };
     let place = Axis::from_name("site_0_distance_from_bit_m").zip(first.site_spacing);
     let setting = sweep.setting_with(place.into_iter())?;
     let mut setting = setting.sampled_at(first.sampling_frequency);
-    let mut duration = case_of(sweep, &setting)?.scene.timing.duration;
+    let mut duration = case(&sweep, &setting, &sweep.conditions)?
+        .scene
+        .timing
+        .duration;
     if let Some(steps) = first.steps {
         duration = steps as f64 / first.sampling_frequency;
     }
@@ -37,24 +41,20 @@ pub fn examine(scenes: &Scenes, group: &[Cell], method: Method) -> Result<Vec<Fi
             for wall in walls.flat_map(|lateral| &mut lateral.walls) {
                 wall.stiffness = cell.stiffness.unwrap_or(wall.stiffness);
             }
-            let mut case = case_of(sweep, &setting)?;
+            let mut case = case(&sweep, &setting, &sweep.conditions)?;
             case.scene.timing.duration = duration;
             let mut findings = loads.clone();
             let mut record = Trajectory::default();
             match system.simulate(&case, Stopping::Full, Some(&mut record)) {
                 Err(error) => findings.no_answer = Some(error.to_string()),
                 Ok(outcome) => {
-                    let steady = steady_whirls(sweep, &setting)?;
+                    let steady = steady_whirls(&sweep, &setting)?;
                     watch(&case, cell, &outcome, &record, &steady, &mut findings);
                 }
             }
             Ok(findings)
         })
         .collect()
-}
-
-fn case_of(sweep: &Sweep, setting: &Setting) -> Result<Case> {
-    Case::under(sweep, setting, 0, Vec::new(), &sweep.conditions).map_err(|reason| anyhow!(reason))
 }
 
 /// What the margins and the loads tuned to them say.

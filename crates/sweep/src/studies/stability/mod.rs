@@ -12,7 +12,6 @@
 mod bending;
 mod chart;
 mod families;
-mod scenes;
 mod sticking;
 mod table;
 mod verdict;
@@ -31,11 +30,10 @@ use rayon::prelude::*;
 /// # Errors
 /// Where a scene or a linear system cannot be built.
 pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
-    let scenes = scenes::Scenes::read()?;
     let groups: Vec<&[Cell]> = cells.chunk_by(Cell::shares_responses).collect();
     let entries: Vec<Result<Vec<Entry>>> = (groups.par_iter().with_max_len(1))
         .map(|group| {
-            let findings = examine(&scenes, group)?;
+            let findings = examine(group)?;
             group.iter().for_each(|_| done());
             let entries = group.iter().zip(findings);
             Ok(entries
@@ -51,23 +49,23 @@ pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
 }
 
 /// Cells of the same responses.
-fn examine(scenes: &scenes::Scenes, group: &[Cell]) -> Result<Vec<Findings>> {
-    let Some(first) = group.first() else {
-        return Ok(Vec::new());
+fn examine(group: &[Cell]) -> Result<Vec<Findings>> {
+    let whirls = |cell: &Cell| {
+        matches!(
+            cell.family,
+            Family::Stiffness | Family::Sites | Family::LongWhirl
+        )
     };
-    match (first.family, first.approach) {
-        (Family::Stiffness | Family::Sites | Family::LongWhirl, Approach::Method(method)) => {
-            whirl::examine(scenes, group, method)
-        }
-        (Family::Tail, Approach::Method(method)) => (group.iter())
-            .map(|cell| bending::tail(scenes, cell, method))
-            .collect(),
-        (_, Approach::TransferProducts | Approach::JoinedStiffnesses) => group
-            .iter()
-            .map(|cell| bending::chain(scenes, cell))
-            .collect(),
-        (_, Approach::Method(method)) => (group.iter())
-            .map(|cell| sticking::examine(scenes, cell, method))
-            .collect(),
+    match group.first().map(|first| (first, first.approach)) {
+        Some((first, Approach::Method(method))) if whirls(first) => whirl::examine(group, method),
+        _ => group.iter().map(examine_alone).collect(),
+    }
+}
+
+fn examine_alone(cell: &Cell) -> Result<Findings> {
+    match (cell.family, cell.approach) {
+        (Family::Tail, Approach::Method(method)) => bending::tail(cell, method),
+        (_, Approach::TransferProducts | Approach::JoinedStiffnesses) => bending::chain(cell),
+        (_, Approach::Method(method)) => sticking::examine(cell, method),
     }
 }

@@ -11,7 +11,7 @@ use linear::method::FiniteElement;
 use sim::convolution::Kernel;
 
 use super::configuration::{PAPER_FREQUENCY, PAPER_TRANSFORM};
-use crate::study::scenes::shipped;
+use crate::studies::scenes::shipped;
 
 /// Steps timed.
 const STEPS: usize = 2000;

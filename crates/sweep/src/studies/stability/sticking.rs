@@ -1,16 +1,17 @@
 //! A bit that is held, and one that sticks and slips.
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result};
 use linear::estimates::{torsional_settling_time, torsional_stiffness};
 use linear::{Drillstring, Method, Section, Sites};
 use sim::oscillator::worst_load_gain;
 use sim::{Stopping, diagnosis};
 
 use super::families::Cell;
-use super::scenes::Scenes;
 use super::verdict::Findings;
-use crate::engine::{Case, MethodSystem};
+use crate::engine::MethodSystem;
 use crate::plan::{Setting, Sweep};
+use crate::studies::scenes::shipped;
+use crate::studies::trial::outcome;
 
 /// The bit is held for this time, s, as long as Fig. 8(b) is simulated: every
 /// wave of the paper's string has died away by half of it.
@@ -21,9 +22,9 @@ const HELD_FOR: f64 = 40.0;
 const SETTLING_TIMES: f64 = 2.5;
 
 /// Holds the bit, lets it stick and slip, and hangs the worst load on it.
-pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings> {
-    let sweep = &scenes.stick_slip;
-    let setting = setting_of(sweep, cell)?;
+pub fn examine(cell: &Cell, method: Method) -> Result<Findings> {
+    let sweep = shipped("fig08b.toml")?;
+    let setting = setting_of(&sweep, cell)?;
     let settled = SETTLING_TIMES * torsional_settling_time(&setting.string);
     let by_scene = (HELD_FOR.max(settled) * cell.sampling_frequency) as usize;
     let longest = cell.steps.unwrap_or(by_scene) as f64 / cell.sampling_frequency;
@@ -45,7 +46,10 @@ pub fn examine(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings>
     };
     // Other strings have another stick-slip.
     if cell.sections.is_none() {
-        stick_and_slip(sweep, &setting, &system, &mut findings)?;
+        match outcome(&sweep, &system, &sweep.conditions, Stopping::Full) {
+            Ok(outcome) => findings.recaptures = outcome.torsion.map(|torsion| torsion.sticks),
+            Err(error) => findings.no_answer = Some(error.to_string()),
+        }
     }
     Ok(findings)
 }
@@ -64,19 +68,4 @@ fn setting_of(sweep: &Sweep, cell: &Cell) -> Result<Setting> {
         setting.sites = Sites::bit();
     }
     Ok(setting)
-}
-
-fn stick_and_slip(
-    sweep: &Sweep,
-    setting: &Setting,
-    system: &MethodSystem,
-    findings: &mut Findings,
-) -> Result<()> {
-    let case = Case::under(sweep, setting, 0, Vec::new(), &sweep.conditions)
-        .map_err(|reason| anyhow!(reason))?;
-    match system.simulate(&case, Stopping::Full, None) {
-        Ok(outcome) => findings.recaptures = outcome.torsion.map(|torsion| torsion.sticks),
-        Err(error) => findings.no_answer = Some(error.to_string()),
-    }
-    Ok(())
 }

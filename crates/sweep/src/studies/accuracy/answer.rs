@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 
 use sim::{LateralRegime, Outcome, TorsionRegime};
 
+use super::error::AccuracyError;
+
 /// What a method answers to one probe.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
@@ -19,9 +21,9 @@ pub struct Answer {
     pub measures: Vec<(&'static str, f64)>,
 }
 
-/// An error relative to the reference, and what it is of.
+/// A relative difference from the reference, and what it is of.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Error {
+pub struct Difference {
     /// A part of one.
     pub part: f64,
     /// In words.
@@ -82,24 +84,28 @@ pub fn measures(outcome: &Outcome, sites: usize) -> Vec<(&'static str, f64)> {
     found
 }
 
-/// The largest error of some answers from those of a reference: of each quantity the
+/// The largest difference of some answers from those of a reference: of each quantity the
 /// root mean square over the probes, for here and there a limit is ragged or a cycle
 /// sits on the edge of another, and moves with anything. Where the regime differs, a
 /// case within the accuracy of the reference's limit counts by the shift of that limit
 /// alone.
 ///
 /// # Errors
-/// Where regimes differ, or a limit is not found; a sentence.
-pub fn largest_error(found: &[Answer], reference: &[Answer], asked: f64) -> Result<Error, String> {
+/// Where regimes differ, or a limit is not found.
+pub fn largest_difference(
+    found: &[Answer],
+    reference: &[Answer],
+    asked: f64,
+) -> Result<Difference, AccuracyError> {
     if found.is_empty() || found.len() != reference.len() {
-        return Err("there is nothing to compare".to_owned());
+        return Err(AccuracyError::NoAnswers);
     }
     // Sums of squares, and how many.
     let mut sums: BTreeMap<&str, (f64, f64)> = BTreeMap::new();
     for (found, expected) in found.iter().zip(reference) {
-        for (name, error) in errors(found, expected, asked)? {
+        for (name, part) in differences(found, expected, asked)? {
             let (sum, count) = sums.entry(name).or_default();
-            *sum += error * error;
+            *sum += part * part;
             *count += 1.0;
         }
     }
@@ -107,28 +113,28 @@ pub fn largest_error(found: &[Answer], reference: &[Answer], asked: f64) -> Resu
     let (part, of) = means.fold((0.0, "nothing"), |worst, mean| {
         if mean.0 > worst.0 { mean } else { worst }
     });
-    Ok(Error {
+    Ok(Difference {
         part,
         of: format!("the {of}"),
     })
 }
 
-/// The relative errors of one probe, with what they are of.
-fn errors(
+/// The relative differences of one probe, with what they are of.
+fn differences(
     found: &Answer,
     expected: &Answer,
     asked: f64,
-) -> Result<Vec<(&'static str, f64)>, String> {
+) -> Result<Vec<(&'static str, f64)>, AccuracyError> {
     let case = expected.case;
     let relative = |found: f64, expected: f64| {
         (found - expected).abs() / expected.abs().max(f64::MIN_POSITIVE)
     };
-    let mut errors = Vec::new();
+    let mut differences = Vec::new();
     match (found.limit, expected.limit) {
         (Some(found), Some(expected)) => {
-            errors.push(("limit between regimes", relative(found, expected)));
+            differences.push(("limit between regimes", relative(found, expected)));
         }
-        (None, Some(_)) => return Err(format!("the limit near case {case} is not found")),
+        (None, Some(_)) => return Err(AccuracyError::NoLimit { case }),
         (_, None) => {}
     }
     if found.regimes != expected.regimes {
@@ -136,12 +142,16 @@ fn errors(
             .limit
             .map_or(f64::INFINITY, |limit| limit.ln().abs());
         if distance > asked {
-            let (found, expected) = (&found.regimes, &expected.regimes);
-            return Err(format!("case {case} is {found} instead of {expected}"));
+            return Err(AccuracyError::OtherRegimes {
+                case,
+                found: found.regimes.clone(),
+                expected: expected.regimes.clone(),
+            });
         }
-        return Ok(errors);
+        return Ok(differences);
     }
     let pairs = found.measures.iter().zip(&expected.measures);
-    errors.extend(pairs.map(|((name, found), (_, expected))| (*name, relative(*found, *expected))));
-    Ok(errors)
+    differences
+        .extend(pairs.map(|((name, found), (_, expected))| (*name, relative(*found, *expected))));
+    Ok(differences)
 }

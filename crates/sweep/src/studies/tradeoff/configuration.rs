@@ -1,8 +1,9 @@
 //! The ways to compute responses that are compared.
 
 use linear::Method;
-use linear::method::{FiniteElement, Transform};
+use linear::method::FiniteElement;
 
+use crate::studies::methods::{Parameters, hilbert};
 use crate::words::counted;
 
 /// Transforms behind the digital filter, s. The paper's filters last 10 s, from
@@ -41,22 +42,17 @@ pub struct Configuration {
 
 /// Every configuration over a ladder of sampling frequencies (Hz).
 pub fn configurations(ladder: &[f64]) -> Vec<Configuration> {
-    let hilbert = TRANSFORMS.map(|seconds| {
-        Method::Hilbert(Transform {
-            seconds: Some(seconds),
-        })
-    });
     let elements = GAMMAS.into_iter().flat_map(|gamma| {
         ELEMENTS.map(|elements_per_cell| {
             Method::FiniteElement(FiniteElement {
                 elements_per_cell,
                 gamma,
-                beta: None,
+                ..FiniteElement::default()
             })
         })
     });
     std::iter::once(Method::Quadrature)
-        .chain(hilbert)
+        .chain(TRANSFORMS.map(hilbert))
         .chain(elements)
         .map(Scheme::Method)
         .chain([Scheme::Radau])
@@ -90,31 +86,21 @@ impl Configuration {
         }
     }
 
-    /// Newmark's γ, elements in a cell, and the transform in seconds, of methods
-    /// that have them.
-    pub fn parameters(&self) -> (Option<f64>, Option<usize>, Option<f64>) {
+    /// The parameters of its method.
+    pub fn parameters(&self) -> Parameters {
         match self.scheme {
-            Scheme::Method(Method::FiniteElement(parameters)) => (
-                Some(parameters.gamma),
-                Some(parameters.elements_per_cell),
-                None,
-            ),
-            Scheme::Method(Method::Hilbert(transform) | Method::DirectIdft(transform)) => {
-                (None, None, transform.seconds)
-            }
-            _ => (None, None, None),
+            Scheme::Radau => Parameters::none(),
+            Scheme::Method(method) => Parameters::of(&method),
         }
     }
 
     /// Method and parameters, without f_s.
     pub fn title(&self) -> String {
-        match self.parameters() {
-            (Some(gamma), Some(elements), _) => {
-                let elements = counted(elements, "element");
-                format!("finite-element, γ = {gamma}, {elements}")
-            }
-            (_, _, Some(seconds)) => format!("{} of {seconds} s", self.family()),
-            _ => self.family().to_owned(),
+        let (family, parameters) = (self.family(), self.parameters());
+        match (parameters.elements_per_cell, parameters.transform_s) {
+            (Some(elements), _) => format!("{family}, {}", counted(elements, "element")),
+            (_, Some(seconds)) => format!("{family} of {seconds} s"),
+            _ => family.to_owned(),
         }
     }
 
@@ -123,9 +109,12 @@ impl Configuration {
         if self.sampling_frequency != PAPER_FREQUENCY {
             return None;
         }
-        match self.parameters() {
-            (_, _, Some(PAPER_TRANSFORM)) => Some(Paper::Filter),
-            (Some(gamma), Some(20), _) if gamma == GAMMAS[1] => Some(Paper::Elements),
+        match self.scheme {
+            Scheme::Method(method) if method == hilbert(PAPER_TRANSFORM) => Some(Paper::Filter),
+            // Those by default are the paper's.
+            Scheme::Method(Method::FiniteElement(elements)) => {
+                (elements == FiniteElement::default()).then_some(Paper::Elements)
+            }
             _ => None,
         }
     }

@@ -4,6 +4,8 @@ use clap::ValueEnum;
 use linear::Method;
 use linear::method::{FiniteElement, Transform};
 
+use crate::studies::methods::hilbert;
+
 /// A part of the atlas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Family {
@@ -36,19 +38,9 @@ impl Family {
     }
 
     /// The name in the table and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Family::Hilbert => "hilbert",
-            Family::DirectIdft => "direct-idft",
-            Family::Newmark => "newmark",
-            Family::Formulas => "formulas",
-            Family::Sections => "sections",
-            Family::Stiffness => "stiffness",
-            Family::Sites => "sites",
-            Family::LongSticking => "long-sticking",
-            Family::LongWhirl => "long-whirl",
-            Family::Tail => "tail",
-        }
+    pub fn name(self) -> String {
+        let value = self.to_possible_value();
+        value.map_or_else(String::new, |value| value.get_name().to_owned())
     }
 }
 
@@ -124,12 +116,6 @@ const USUAL_STIFFNESS: f64 = 1e9;
 
 const MILLION: usize = 1_000_000;
 
-fn hilbert(seconds: f64) -> Method {
-    Method::Hilbert(Transform {
-        seconds: Some(seconds),
-    })
-}
-
 fn elements(gamma: f64) -> Method {
     Method::FiniteElement(FiniteElement {
         gamma,
@@ -159,78 +145,72 @@ fn long_methods() -> impl Iterator<Item = Method> {
         .filter(|method| *method != elements(0.5))
 }
 
-/// The cells of a part of the atlas.
+/// The cells of a part of the atlas: each of its methods, with each setting that strains
+/// it.
 pub fn cells(family: Family) -> Vec<Cell> {
-    let usual = |method: Method| Cell {
+    let direct = |seconds| {
+        let seconds = Some(seconds);
+        Method::DirectIdft(Transform { seconds })
+    };
+    let methods = match family {
+        Family::Sections => return sections(),
+        Family::Hilbert => TRANSFORMS.map(hilbert).to_vec(),
+        Family::DirectIdft => TRANSFORMS.map(direct).to_vec(),
+        Family::Newmark => GAMMAS.map(elements).to_vec(),
+        Family::Formulas => vec![Method::Quadrature, Method::Trapezoidal],
+        Family::Stiffness | Family::Sites => all_methods().to_vec(),
+        Family::LongSticking | Family::LongWhirl => long_methods().collect(),
+        Family::Tail => (TAIL_TRANSFORMS.map(hilbert).into_iter())
+            .chain([elements(0.52)])
+            .collect(),
+    };
+    (methods.into_iter())
+        .flat_map(|method| strained(usual(family, Approach::Method(method))))
+        .collect()
+}
+
+fn usual(family: Family, approach: Approach) -> Cell {
+    Cell {
         family,
-        approach: Approach::Method(method),
+        approach,
         sampling_frequency: USUAL_FREQUENCY,
         stiffness: None,
         site_spacing: None,
         sections: None,
         steps: None,
-    };
-    let at_frequencies = |methods: Vec<Method>| -> Vec<Cell> {
-        let pairs = (methods.into_iter())
-            .flat_map(|method| SAMPLING_FREQUENCIES.map(|frequency| (method, frequency)));
-        pairs
-            .map(|(method, sampling_frequency)| Cell {
-                sampling_frequency,
-                ..usual(method)
-            })
-            .collect()
-    };
-    match family {
-        Family::Hilbert => at_frequencies(TRANSFORMS.map(hilbert).to_vec()),
-        Family::DirectIdft => at_frequencies(
-            TRANSFORMS
-                .map(|seconds| {
-                    Method::DirectIdft(Transform {
-                        seconds: Some(seconds),
-                    })
-                })
-                .to_vec(),
-        ),
-        Family::Newmark => at_frequencies(GAMMAS.map(elements).to_vec()),
-        Family::Formulas => at_frequencies(vec![Method::Quadrature, Method::Trapezoidal]),
-        Family::Sections => sections(usual),
-        Family::Stiffness => (all_methods().into_iter())
-            .flat_map(|method| STIFFNESSES.map(|stiffness| (method, stiffness)))
-            .map(|(method, stiffness)| Cell {
-                stiffness: Some(stiffness),
-                ..usual(method)
-            })
-            .collect(),
-        Family::Sites => (all_methods().into_iter())
-            .flat_map(|method| SPACINGS.map(|spacing| (method, spacing)))
-            .map(|(method, spacing)| Cell {
-                stiffness: Some(USUAL_STIFFNESS),
-                site_spacing: Some(spacing),
-                ..usual(method)
-            })
-            .collect(),
-        Family::LongSticking => long_methods()
-            .map(|method| Cell {
-                steps: Some(MILLION),
-                ..usual(method)
-            })
-            .collect(),
-        Family::LongWhirl => long_methods()
-            .map(|method| Cell {
-                stiffness: Some(USUAL_STIFFNESS),
-                steps: Some(MILLION),
-                ..usual(method)
-            })
-            .collect(),
-        Family::Tail => (TAIL_TRANSFORMS.into_iter())
-            .map(hilbert)
-            .chain([elements(0.52)])
-            .map(usual)
-            .collect(),
     }
 }
 
-fn sections(usual: impl Fn(Method) -> Cell) -> Vec<Cell> {
+/// A cell in the settings of its family, one after the other.
+fn strained(cell: Cell) -> Vec<Cell> {
+    let at_frequency = |sampling_frequency| Cell {
+        sampling_frequency,
+        ..cell
+    };
+    let against = |stiffness| Cell {
+        stiffness: Some(stiffness),
+        ..cell
+    };
+    let apart = |site_spacing| Cell {
+        site_spacing: Some(site_spacing),
+        ..against(USUAL_STIFFNESS)
+    };
+    let long = |cell| Cell {
+        steps: Some(MILLION),
+        ..cell
+    };
+    match cell.family {
+        Family::Stiffness => STIFFNESSES.map(against).to_vec(),
+        Family::Sites => SPACINGS.map(apart).to_vec(),
+        Family::LongSticking => vec![long(cell)],
+        Family::LongWhirl => vec![long(against(USUAL_STIFFNESS))],
+        Family::Sections | Family::Tail => vec![cell],
+        _ => SAMPLING_FREQUENCIES.map(at_frequency).to_vec(),
+    }
+}
+
+/// Every approach to strings of ever more sections.
+fn sections() -> Vec<Cell> {
     let methods = [
         Method::Quadrature,
         Method::Hilbert(Transform::default()),
@@ -247,9 +227,8 @@ fn sections(usual: impl Fn(Method) -> Cell) -> Vec<Cell> {
             !by_elements || *sections <= MOST_SECTIONS_OF_ELEMENTS
         })
         .map(|(approach, sections)| Cell {
-            approach,
             sections: Some(sections),
-            ..usual(Method::Quadrature)
+            ..usual(Family::Sections, approach)
         })
         .collect()
 }

@@ -98,8 +98,8 @@ fn titles(family: Family) -> (&'static str, &'static str) {
 fn column_name(family: Family, entry: &Entry) -> String {
     let cell = &entry.cell;
     let value = match family {
-        Family::Hilbert | Family::DirectIdft => entry.transform(),
-        Family::Newmark => entry.gamma(),
+        Family::Hilbert | Family::DirectIdft => entry.parameters().transform_s,
+        Family::Newmark => entry.parameters().gamma,
         Family::Stiffness => cell.stiffness,
         Family::Sites => cell.site_spacing,
         Family::Sections => cell.sections.map(|count| count as f64),

@@ -6,13 +6,15 @@ use linear::cost::Memory;
 use linear::deviation::{bending_error, torsion_error};
 use linear::method::Transform;
 use rayon::prelude::*;
-use sim::{Outcome, Stopping};
+use sim::Stopping;
 
-use super::answer::{Answer, Error, is_inside, measures, regimes};
-use crate::engine::{Case, MethodSystem, StringMemory};
+use super::answer::{Answer, Difference, is_inside, measures, regimes};
+use super::error::AccuracyError;
+use crate::engine::{MethodSystem, StringMemory};
 use crate::memory::{Limit, Size};
-use crate::plan::{Setting, Sweep};
-use crate::quantities::Axis;
+use crate::plan::{Conditions, Setting, Sweep};
+use crate::studies::limit::{bisected, geometric};
+use crate::studies::trial;
 
 /// Cases compared, evenly spread over the design.
 const MOST_PROBES: usize = 8;
@@ -54,8 +56,8 @@ impl<'a> Probes<'a> {
     /// Chooses the probes of a sweep that asks for an accuracy.
     ///
     /// # Errors
-    /// Where none of them can be; a sentence.
-    pub fn of(sweep: &'a Sweep, asked: f64, limit: &Limit) -> Result<Self, String> {
+    /// Where none of them can be.
+    pub fn of(sweep: &'a Sweep, asked: f64, limit: &Limit) -> Result<Self, AccuracyError> {
         let mut found = Self {
             sweep,
             probes: Vec::new(),
@@ -66,7 +68,7 @@ impl<'a> Probes<'a> {
         };
         let cases = sweep.design.cases();
         let count = cases.min(MOST_PROBES);
-        let mut reason = String::new();
+        let mut reason = AccuracyError::NoAnswers;
         for case in (0..count).map(|index| (2 * index + 1) * cases / (2 * count)) {
             // A string that cannot be has cases that fail, and nothing to compare.
             match found.longest_of(case) {
@@ -85,30 +87,11 @@ impl<'a> Probes<'a> {
         self.probes.iter().map(|probe| probe.case).collect()
     }
 
-    fn longest_of(&self, case: usize) -> Result<f64, String> {
-        let values = self.sweep.design.values(case);
-        let setting = self
-            .sweep
-            .setting_at(&values)
-            .map_err(|error| error.to_string())?;
-        let mut longest = 0.0f64;
-        for exponent in [-DOUBLINGS, 0, DOUBLINGS] {
-            let case = self.case_at(&setting, case, 2f64.powi(exponent))?;
-            longest = longest.max(case.scene.timing.duration);
-        }
-        Ok(longest)
-    }
-
     fn add(&mut self, case: usize, longest: f64) {
-        let quantities = |case: usize| -> Vec<f64> {
-            let axes = self.sweep.design.axes().iter();
-            axes.zip(self.sweep.design.values(case))
-                .filter(|(axis, _)| axis.is_of_string())
-                .map(|(_, value)| value)
-                .collect()
-        };
-        let known = (self.strings.iter()).position(|&other| quantities(other) == quantities(case));
-        let string = known.unwrap_or_else(|| {
+        let design = &self.sweep.design;
+        let has_its_string = |other: &usize| design.string_of(*other) == design.string_of(case);
+        let string = self.strings.iter().position(has_its_string);
+        let string = string.unwrap_or_else(|| {
             self.strings.push(case);
             self.strings.len() - 1
         });
@@ -116,23 +99,32 @@ impl<'a> Probes<'a> {
         self.longest = self.longest.max(longest);
     }
 
-    /// A case, its surface speed, or friction where there is a wall, multiplied.
-    fn case_at(&self, setting: &Setting, index: usize, factor: f64) -> Result<Case, String> {
-        let values = self.sweep.design.values(index);
-        let mut conditions = self.sweep.conditions_at(&values);
-        if setting.lateral.is_none()
-            && let Some(speed) = conditions.surface_speed_rpm
-        {
-            conditions = conditions.with(Axis::SurfaceSpeedRpm, factor * speed);
+    fn longest_of(&self, case: usize) -> Result<f64, AccuracyError> {
+        let values = self.sweep.design.values(case);
+        let setting = self.sweep.setting_at(&values)?;
+        let mut longest = 0.0f64;
+        for exponent in [-DOUBLINGS, 0, DOUBLINGS] {
+            let conditions = self.conditions(case, 2f64.powi(exponent));
+            let case = trial::case(self.sweep, &setting, &conditions)?;
+            longest = longest.max(case.scene.timing.duration);
         }
-        let mut case = Case::under(self.sweep, setting, index, values, &conditions)?;
-        let walls = case
-            .scene
-            .lateral
-            .iter_mut()
-            .flat_map(|lateral| &mut lateral.walls);
-        walls.for_each(|wall| wall.friction *= factor);
-        Ok(case)
+        Ok(longest)
+    }
+
+    /// The conditions of a case with its surface speed, or its friction where there is a
+    /// wall, multiplied.
+    fn conditions(&self, case: usize, factor: f64) -> Conditions {
+        let conditions = self.sweep.conditions_at(&self.sweep.design.values(case));
+        if self.sweep.setting.lateral.is_some() {
+            return Conditions {
+                friction_factor: Some(factor),
+                ..conditions
+            };
+        }
+        Conditions {
+            surface_speed_rpm: conditions.surface_speed_rpm.map(|speed| factor * speed),
+            ..conditions
+        }
     }
 
     /// The method of the reference. In torsion alone the limit of stick-slip hangs on
@@ -152,10 +144,10 @@ impl<'a> Probes<'a> {
     }
 
     /// The setting of a string's case, sampled at another frequency.
-    fn setting(&self, case: usize, frequency: f64) -> Result<Setting, String> {
+    fn setting(&self, case: usize, frequency: f64) -> Result<Setting, AccuracyError> {
         let values = self.sweep.design.values(case);
         let setting = self.sweep.setting_sampled(&values, frequency);
-        setting.map_err(|error| error.message().to_owned())
+        setting.map_err(AccuracyError::Sampling)
     }
 
     /// The memory that a method's systems keep, bytes, where they can be built beside
@@ -163,7 +155,7 @@ impl<'a> Probes<'a> {
     ///
     /// # Errors
     /// Where building and stepping them would take more than the limit.
-    pub fn fits(&self, method: Method, frequency: f64, held: f64) -> Result<f64, String> {
+    pub fn fits(&self, method: Method, frequency: f64, held: f64) -> Result<f64, AccuracyError> {
         let cuts = self.sweep.bit.is_some();
         // A string that cannot be is told when it is to be built.
         let settings = (self.strings.iter()).filter_map(|&case| self.setting(case, frequency).ok());
@@ -182,10 +174,8 @@ impl<'a> Probes<'a> {
         let stepped = Memory::lasting(rayon::current_num_threads() as f64 * case);
         let bytes = held + systems.then(stepped).peak;
         if bytes > self.limit.bytes {
-            let (bytes, limit) = (Size(bytes), &self.limit);
-            return Err(format!(
-                "is too large for the memory: {bytes}, more than {limit}; --memory changes that"
-            ));
+            let (bytes, limit) = (Size(bytes), self.limit);
+            return Err(AccuracyError::TooLarge { bytes, limit });
         }
         Ok(systems.kept)
     }
@@ -193,19 +183,20 @@ impl<'a> Probes<'a> {
     /// A method's system of every string.
     ///
     /// # Errors
-    /// Where it cannot treat one, or a stuck site chatters; a sentence.
-    pub fn systems(&self, method: Method, frequency: f64) -> Result<Systems, String> {
+    /// Where it cannot treat one, or a stuck site chatters.
+    pub fn systems(&self, method: Method, frequency: f64) -> Result<Systems, AccuracyError> {
         let build = |&case: &usize| {
             let setting = self.setting(case, frequency)?;
             let cuts = self.sweep.bit.is_some();
             let system = MethodSystem::build(&setting, method, cuts, self.longest)
-                .map_err(|error| format!("{error:#}"))?;
+                .map_err(AccuracyError::Build)?;
             match system.instability() {
-                Some(instability) => Err(instability.to_string()),
+                Some(instability) => Err(AccuracyError::Unstable(instability)),
                 None => Ok(system),
             }
         };
-        let systems: Vec<Result<MethodSystem, String>> =
+        // The first string's error, whichever was found first.
+        let systems: Vec<Result<MethodSystem, AccuracyError>> =
             self.strings.par_iter().map(build).collect();
         systems.into_iter().collect()
     }
@@ -234,7 +225,7 @@ impl<'a> Probes<'a> {
             limit: None,
             measures: Vec::new(),
         };
-        match self.simulate(system, case, 1.0, stopping) {
+        match trial::outcome(self.sweep, system, &self.conditions(case, 1.0), stopping) {
             Ok(outcome) => {
                 found.regimes = regimes(&outcome);
                 found.measures = measures(&outcome, system.setting.sites.len());
@@ -242,26 +233,10 @@ impl<'a> Probes<'a> {
             }
             Err(reason) => found.regimes = format!("without an answer ({reason})"),
         }
-        let least = system
-            .least_impulses
-            .iter()
-            .filter(|least| least.is_finite());
+        let least = (system.least_impulses.iter()).filter(|least| least.is_finite());
+        let least = least.map(|&least| ("least impulse", least));
+        found.measures.extend(least);
         found
-            .measures
-            .extend(least.map(|&least| ("least impulse", least)));
-        found
-    }
-
-    fn simulate(
-        &self,
-        system: &MethodSystem,
-        case: usize,
-        factor: f64,
-        stopping: Stopping,
-    ) -> Result<Outcome, String> {
-        let case = self.case_at(&system.setting, case, factor)?;
-        let outcome = system.simulate(&case, stopping, None);
-        outcome.map_err(|error| error.to_string())
     }
 
     /// Where the regime changes, in multiples of a case's speed or friction: near a
@@ -274,70 +249,53 @@ impl<'a> Probes<'a> {
         near: Option<f64>,
     ) -> Option<f64> {
         let is_inside_at = |factor: f64| {
-            let outcome = self.simulate(system, case, factor, Stopping::Early);
+            let conditions = self.conditions(case, factor);
+            let outcome = trial::outcome(self.sweep, system, &conditions, Stopping::Early);
             outcome.ok().map(|outcome| is_inside(&outcome))
         };
-        let around = near.map(|limit| (limit / NEAR, limit * NEAR));
+        let around = near.map(|limit| [limit / NEAR, limit * NEAR]);
         let outwards = (1..=DOUBLINGS).flat_map(|exponent| [exponent, -exponent]);
         let octaves = outwards.map(|exponent| {
             let inner = exponent - exponent.signum();
-            (2f64.powi(inner), 2f64.powi(exponent))
+            [2f64.powi(inner), 2f64.powi(exponent)]
         });
-        for (from, to) in around.into_iter().chain(octaves) {
+        for [from, to] in around.into_iter().chain(octaves) {
             // Inside an octave looked through already nothing has changed.
             let inside = match near {
                 Some(_) => is_inside_at(from)?,
                 None => inside,
             };
             if is_inside_at(to)? != inside {
-                return self.bisect((from, to), inside, is_inside_at);
+                let width = (to / from).ln().abs();
+                let halvings = (width / (LIMIT_PART * self.asked)).log2().ceil() as usize;
+                return bisected([from, to], inside, halvings, geometric, is_inside_at);
             }
         }
         None
     }
 
-    /// The limit between two factors, of which the first is inside or not.
-    fn bisect(
-        &self,
-        (mut from, mut to): (f64, f64),
-        inside: bool,
-        is_inside_at: impl Fn(f64) -> Option<bool>,
-    ) -> Option<f64> {
-        while (to / from).ln().abs() > LIMIT_PART * self.asked {
-            let middle = (from * to).sqrt();
-            if is_inside_at(middle)? == inside {
-                from = middle;
-            } else {
-                to = middle;
-            }
-        }
-        Some((from * to).sqrt())
-    }
-
-    /// The error of the linear responses of all strings, on smooth motions; a
-    /// sentence where they are none of these strings'.
-    pub fn linear_error(&self, systems: &Systems) -> Result<Error, String> {
-        let mut worst = Error {
+    /// The error of the linear responses of all strings, on smooth motions.
+    ///
+    /// # Errors
+    /// Where they are none of these strings'.
+    pub fn linear_error(&self, systems: &Systems) -> Result<Difference, AccuracyError> {
+        let mut worst = Difference {
             part: 0.0,
             of: "the linear responses".to_owned(),
         };
         for system in systems {
-            let setting = &system.setting;
-            let torsion = torsion_error(&setting.string, &system.responses);
-            let bending = setting.lateral.as_ref().map_or(Ok(0.0), |lateral| {
-                let durations = lateral.impulses.iter().map(|known| known.impulse.duration);
-                let shortest = durations.reduce(f64::min).unwrap_or(DURATION);
-                let (string, responses) = (&setting.string, &system.responses);
-                bending_error(
-                    string,
-                    &lateral.bending,
-                    lateral.support,
-                    shortest,
-                    responses,
-                )
-            });
+            let (string, responses) = (&system.setting.string, &system.responses);
+            let torsion = torsion_error(string, responses)?;
+            let bending = match &system.setting.lateral {
+                None => 0.0,
+                Some(lateral) => {
+                    let durations = lateral.impulses.iter().map(|impulse| impulse.duration);
+                    let shortest = durations.reduce(f64::min).unwrap_or(DURATION);
+                    let (bending, support) = (&lateral.bending, lateral.support);
+                    bending_error(string, bending, support, shortest, responses)?
+                }
+            };
             for (part, of) in [(torsion, "torsion"), (bending, "bending")] {
-                let part = part.map_err(|error| error.to_string())?;
                 if part > worst.part {
                     worst.part = part;
                     worst.of = format!("the linear responses in {of}");

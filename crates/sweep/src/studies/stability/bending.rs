@@ -10,8 +10,8 @@ use linear::waves::transfer::tip_receptance;
 use linear::{ChannelRequest, Drillstring, Method, Port, Request, Section};
 
 use super::families::{Approach, Cell};
-use super::scenes::Scenes;
 use super::verdict::Findings;
+use crate::studies::scenes::shipped;
 
 /// When the displacement after an impulse is looked at, s.
 const LOOKED_AT: f64 = 9.0;
@@ -24,8 +24,8 @@ const NO_BENDING: &str = "the scene has no lateral motion";
 
 /// How much of the displacement at the bit is left 9 s after an impulse, against
 /// quadrature.
-pub fn tail(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings> {
-    let setting = &scenes.whirl.setting;
+pub fn tail(cell: &Cell, method: Method) -> Result<Findings> {
+    let setting = &shipped("fig12.toml")?.setting;
     let lateral = setting.lateral.as_ref().context(NO_BENDING)?;
     let (bending, support) = (lateral.bending, lateral.support);
     let request = Request {
@@ -54,8 +54,8 @@ pub fn tail(scenes: &Scenes, cell: &Cell, method: Method) -> Result<Findings> {
 /// Receptance at the end of a row of drillpipe, by products of transfer matrices
 /// against joined stiffnesses; of these, doubled, against the same row joined one
 /// section at a time.
-pub fn chain(scenes: &Scenes, cell: &Cell) -> Result<Findings> {
-    let setting = &scenes.whirl.setting;
+pub fn chain(cell: &Cell) -> Result<Findings> {
+    let setting = &shipped("fig12.toml")?.setting;
     let lateral = setting.lateral.as_ref().context(NO_BENDING)?;
     let count = cell.sections.unwrap_or(1);
     let pipe = &setting.string.sections()[0];
