@@ -11,7 +11,7 @@ pub fn hilbert(seconds: f64) -> Method {
 }
 
 /// The parameters of a method, where it has them.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Parameters {
     /// Newmark's γ.
     pub gamma: Option<f64>,
@@ -24,22 +24,17 @@ pub struct Parameters {
 impl Parameters {
     /// Those of a method.
     pub fn of(method: &Method) -> Self {
-        let elements = match method {
-            Method::FiniteElement(elements) => Some(elements),
-            _ => None,
-        };
-        Self {
-            gamma: elements.map(|elements| elements.gamma),
-            elements_per_cell: elements.map(|elements| elements.elements_per_cell),
-            transform_s: match method {
-                Method::Hilbert(transform) | Method::DirectIdft(transform) => transform.seconds,
-                _ => None,
+        match method {
+            Method::FiniteElement(elements) => Self {
+                gamma: Some(elements.gamma),
+                elements_per_cell: Some(elements.elements_per_cell),
+                transform_s: None,
             },
+            Method::Hilbert(transform) | Method::DirectIdft(transform) => Self {
+                transform_s: transform.seconds,
+                ..Self::default()
+            },
+            _ => Self::default(),
         }
-    }
-
-    /// Those of what is no method that can simulate.
-    pub fn none() -> Self {
-        Self::of(&Method::Quadrature)
     }
 }

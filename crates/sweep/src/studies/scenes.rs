@@ -12,23 +12,18 @@ const TWO_SITES: &str = r#"base = "fig12.toml"
 sites = [{ distance_from_bit_m = 10 }, { distance_from_bit_m = 0 }]
 "#;
 
-const FILES: [(&str, &str); 6] = [
-    ("two_sites.toml", TWO_SITES),
-    (
-        "academic.toml",
-        include_str!("../../../../sweeps/academic.toml"),
-    ),
-    (
-        "fig08a.toml",
-        include_str!("../../../../sweeps/fig08a.toml"),
-    ),
-    (
-        "fig08b.toml",
-        include_str!("../../../../sweeps/fig08b.toml"),
-    ),
-    ("fig10.toml", include_str!("../../../../sweeps/fig10.toml")),
-    ("fig12.toml", include_str!("../../../../sweeps/fig12.toml")),
-];
+/// The text of a shipped file.
+fn text_of(path: &Path) -> Option<&'static str> {
+    Some(match path.to_str()? {
+        "two_sites.toml" => TWO_SITES,
+        "academic.toml" => include_str!("../../../../sweeps/academic.toml"),
+        "fig08a.toml" => include_str!("../../../../sweeps/fig08a.toml"),
+        "fig08b.toml" => include_str!("../../../../sweeps/fig08b.toml"),
+        "fig10.toml" => include_str!("../../../../sweeps/fig10.toml"),
+        "fig12.toml" => include_str!("../../../../sweeps/fig12.toml"),
+        _ => return None,
+    })
+}
 
 /// A shipped sweep by the name of its file.
 ///
@@ -36,9 +31,7 @@ const FILES: [(&str, &str); 6] = [
 /// Where it is not among those built in.
 pub fn shipped(name: &str) -> Result<Sweep, SweepFileError> {
     Sweep::read_from(Path::new(name), &|path, _| {
-        let known = FILES.iter().find(|(name, _)| path == Path::new(name));
-        known
-            .map(|(_, text)| (*text).to_owned())
-            .ok_or_else(|| Error::from(ErrorKind::NotFound))
+        let text = text_of(path).map(str::to_owned);
+        text.ok_or_else(|| Error::from(ErrorKind::NotFound))
     })
 }

@@ -8,7 +8,7 @@ use sim::{LateralRegime, Outcome, TorsionRegime};
 use super::error::AccuracyError;
 
 /// What a method answers to one probe.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Answer {
     /// Number of the case.
     pub case: usize,
@@ -134,7 +134,7 @@ fn differences(
         (Some(found), Some(expected)) => {
             differences.push(("limit between regimes", relative(found, expected)));
         }
-        (None, Some(_)) => return Err(AccuracyError::NoLimit { case }),
+        (None, Some(_)) => return Err(AccuracyError::NoLimit(case)),
         (_, None) => {}
     }
     if found.regimes != expected.regimes {

@@ -30,45 +30,24 @@ pub enum AccuracyError {
     /// The linear responses are not those of the string.
     #[error(transparent)]
     Linear(#[from] BuildError),
-    /// Systems take too much memory.
-    #[error("is too large for the memory: {bytes}, more than {limit}; --memory changes that")]
-    TooLarge {
-        /// What they take.
-        bytes: Size,
-        /// What they may.
-        limit: Limit,
-    },
+    /// Systems take this much memory, more than the limit.
+    #[error("is too large for the memory: {0}, more than {1}; --memory changes that")]
+    TooLarge(Size, Limit),
     /// A candidate cannot be tried.
-    #[error("{candidate} {source}")]
-    Untried {
-        /// Which.
-        candidate: Candidate,
-        /// Why.
-        source: Box<AccuracyError>,
-    },
-    /// The reference cannot be built.
-    #[error("at {frequency} Hz the reference {source}")]
-    NoReference {
-        /// Its sampling frequency, Hz.
-        frequency: f64,
-        /// Why.
-        source: Box<AccuracyError>,
-    },
+    #[error("{0} {1}")]
+    Untried(Candidate, #[source] Box<AccuracyError>),
+    /// The reference cannot be built at a frequency, Hz.
+    #[error("at {0} Hz the reference {1}")]
+    NoReference(f64, #[source] Box<AccuracyError>),
     /// The reference has no uncertainty.
     #[error("the reference: {0}")]
     Reference(#[source] Box<AccuracyError>),
     /// There are no answers.
     #[error("there is nothing to compare")]
     NoAnswers,
-    /// The uncertainty of a reference takes two doublings.
-    #[error("there are not three frequencies to compare")]
-    TooFewFrequencies,
-    /// Only the reference has a limit.
-    #[error("the limit near case {case} is not found")]
-    NoLimit {
-        /// The case.
-        case: usize,
-    },
+    /// Only the reference has a limit near a case.
+    #[error("the limit near case {0} is not found")]
+    NoLimit(usize),
     /// The regimes of a case differ.
     #[error("case {case} is {found} instead of {expected}")]
     OtherRegimes {
@@ -79,21 +58,15 @@ pub enum AccuracyError {
         /// Those of the reference.
         expected: String,
     },
-    /// No frequency is high enough for a reference.
-    #[error(
-        "{} % cannot be told: the reference is to be certain to {} %, but {best}",
-        per_cent(*asked),
-        per_cent(*certain)
-    )]
+    /// No frequency is high enough for a reference of the accuracy asked for.
+    #[error("{} % cannot be told: the reference is to be {best}", per_cent(*asked))]
     Uncertain {
         /// The accuracy.
         asked: f64,
-        /// What the uncertainty may be.
-        certain: f64,
-        /// The last change, or why there is none.
+        /// How certain the reference has to be, and what it is at best.
         best: String,
     },
-    /// Everything tried is too far from the reference.
+    /// Everything tried is further from the reference than the accuracy asked for.
     #[error("nothing delivers {} %{best}", per_cent(*asked))]
     NothingDelivers {
         /// The accuracy.

@@ -174,8 +174,7 @@ impl<'a> Probes<'a> {
         let stepped = Memory::lasting(rayon::current_num_threads() as f64 * case);
         let bytes = held + systems.then(stepped).peak;
         if bytes > self.limit.bytes {
-            let (bytes, limit) = (Size(bytes), self.limit);
-            return Err(AccuracyError::TooLarge { bytes, limit });
+            return Err(AccuracyError::TooLarge(Size(bytes), self.limit));
         }
         Ok(systems.kept)
     }
@@ -221,9 +220,7 @@ impl<'a> Probes<'a> {
     ) -> Answer {
         let mut found = Answer {
             case,
-            regimes: String::new(),
-            limit: None,
-            measures: Vec::new(),
+            ..Answer::default()
         };
         match trial::outcome(self.sweep, system, &self.conditions(case, 1.0), stopping) {
             Ok(outcome) => {

@@ -33,6 +33,6 @@ pub fn memory_of(rungs: &[Rung]) -> f64 {
 pub fn uncertainty_of(rungs: &[Rung], asked: f64) -> Result<Difference, AccuracyError> {
     match rungs {
         [.., quarter, _, whole] => largest_difference(&quarter.answers, &whole.answers, asked),
-        _ => Err(AccuracyError::TooFewFrequencies),
+        _ => Err(AccuracyError::NoAnswers),
     }
 }

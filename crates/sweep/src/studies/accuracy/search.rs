@@ -106,10 +106,7 @@ impl Search<'_> {
                 None
             } else {
                 let fits = self.probes.fits(method, rung.frequency, held);
-                fits.map_err(|reason| AccuracyError::Untried {
-                    candidate: candidate.clone(),
-                    source: Box::new(reason),
-                })?;
+                fits.map_err(|why| AccuracyError::Untried(candidate.clone(), Box::new(why)))?;
                 Some(self.probes.systems(method, rung.frequency))
             };
             let systems = built.as_ref().unwrap_or(&rung.systems);
@@ -180,11 +177,8 @@ impl Search<'_> {
             };
             best = format!("from a quarter of {frequency} Hz to that, {change}");
         }
-        Err(AccuracyError::Uncertain {
-            asked,
-            certain,
-            best,
-        })
+        let best = format!("certain to {} %, but {best}", per_cent(certain));
+        Err(AccuracyError::Uncertain { asked, best })
     }
 
     /// Finer frequencies only take more memory: an error ends the search.
@@ -192,10 +186,7 @@ impl Search<'_> {
         let probes = self.probes;
         let method = probes.reference();
         let fits = probes.fits(method, frequency, memory_of(before));
-        let kept = fits.map_err(|reason| AccuracyError::NoReference {
-            frequency,
-            source: Box::new(reason),
-        })?;
+        let kept = fits.map_err(|why| AccuracyError::NoReference(frequency, Box::new(why)))?;
         (self.tell)(Attempt {
             candidate: candidate(&method, frequency),
             is_reference: true,

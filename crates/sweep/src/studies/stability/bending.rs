@@ -4,13 +4,13 @@
 use std::f64::consts::TAU;
 
 use anyhow::{Context, Result};
-use linear::Channel;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::transfer::tip_receptance;
-use linear::{ChannelRequest, Drillstring, Method, Port, Request, Section};
+use linear::{Drillstring, Method, Section};
 
 use super::families::{Approach, Cell};
 use super::verdict::Findings;
+use crate::engine::MethodSystem;
 use crate::studies::scenes::shipped;
 
 /// When the displacement after an impulse is looked at, s.
@@ -20,32 +20,18 @@ const LOOKED_AT: f64 = 9.0;
 /// enough that waves in bending are short.
 const CHAIN_FREQUENCY: f64 = 100.0;
 
-const NO_BENDING: &str = "the scene has no lateral motion";
-
 /// How much of the displacement at the bit is left 9 s after an impulse, against
 /// quadrature.
 pub fn tail(cell: &Cell, method: Method) -> Result<Findings> {
-    let setting = &shipped("fig12.toml")?.setting;
-    let lateral = setting.lateral.as_ref().context(NO_BENDING)?;
-    let (bending, support) = (lateral.bending, lateral.support);
-    let request = Request {
-        sites: setting.sites.clone(),
-        channels: vec![ChannelRequest::Bending { bending, support }],
-        sampling_frequency: cell.sampling_frequency,
-        longest_time: LOOKED_AT,
-    };
-    let responses = |method: &Method| linear::responses(&setting.string, method, &request);
-    let first = Port {
-        site: 0,
-        channel: Channel::Bending,
-    };
-    let (found, reference) = (responses(&method)?, responses(&Method::Quadrature)?);
-    let [found_last, true_last] = [&found, &reference].map(|responses| {
-        let taps = responses.taps(first, first);
+    let setting = (shipped("fig12.toml")?.setting).sampled_at(cell.sampling_frequency);
+    let build = |method| MethodSystem::build(&setting, method, false, LOOKED_AT);
+    let (found, reference) = (build(method)?, build(Method::Quadrature)?);
+    let [found_last, true_last] = [&found, &reference].map(|system| {
+        let taps = (system.responses.bending()).and_then(|bending| bending.taps_between(0, 0));
         taps.and_then(<[f64]>::last).copied().unwrap_or(f64::NAN)
     });
     Ok(Findings {
-        margin_bending: found.bending_margin()?,
+        margin_bending: found.bending_margin,
         error: Some((found_last / true_last - 1.0).abs()),
         ..Findings::default()
     })
@@ -56,7 +42,8 @@ pub fn tail(cell: &Cell, method: Method) -> Result<Findings> {
 /// section at a time.
 pub fn chain(cell: &Cell) -> Result<Findings> {
     let setting = &shipped("fig12.toml")?.setting;
-    let lateral = setting.lateral.as_ref().context(NO_BENDING)?;
+    let lateral = setting.lateral.as_ref();
+    let lateral = lateral.context("the scene has no lateral motion")?;
     let count = cell.sections.unwrap_or(1);
     let pipe = &setting.string.sections()[0];
     let row = |sections: Vec<Section>| Drillstring::new(setting.string.material(), sections, 0.0);

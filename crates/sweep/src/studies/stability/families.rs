@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use linear::Method;
 use linear::method::{FiniteElement, Transform};
 
-use crate::studies::methods::hilbert;
+use crate::studies::methods::{Parameters, hilbert};
 
 /// A part of the atlas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -86,6 +86,24 @@ pub struct Cell {
 }
 
 impl Cell {
+    /// The parameters of its method.
+    pub fn parameters(&self) -> Parameters {
+        match self.approach {
+            Approach::Method(method) => Parameters::of(&method),
+            _ => Parameters::default(),
+        }
+    }
+
+    /// The method, with its parameter where that is not the usual one.
+    pub fn method_name(&self) -> String {
+        let (name, parameters) = (self.approach.name(), self.parameters());
+        match (parameters.transform_s, parameters.gamma) {
+            (Some(seconds), _) => format!("{name}, {seconds} s"),
+            (None, Some(gamma)) => format!("{name}, γ = {gamma}"),
+            (None, None) => name.to_owned(),
+        }
+    }
+
     /// Whether another cell, its neighbour, has the same linear responses: only
     /// its wall differs.
     pub fn shares_responses(&self, other: &Cell) -> bool {

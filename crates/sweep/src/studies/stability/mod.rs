@@ -10,20 +10,28 @@
 //! shows a symptom; a cell predicted stable is right only if none does.
 
 mod bending;
-mod chart;
 mod families;
+mod loads;
 mod sticking;
-mod table;
 mod verdict;
 mod whirl;
 
-pub use chart::chart;
-pub use families::{Approach, Cell, Family, cells};
-pub use table::{Entry, summary, to_csv};
-pub use verdict::Findings;
+pub use families::{Cell, Family, cells};
+pub use verdict::{Findings, Symptom, explanation};
 
 use anyhow::Result;
 use rayon::prelude::*;
+
+use families::Approach;
+
+/// A cell and what it shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// The cell.
+    pub cell: Cell,
+    /// What it shows.
+    pub findings: Findings,
+}
 
 /// Runs cells on all cores; `done` is called after each.
 ///
@@ -35,12 +43,9 @@ pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
         .map(|group| {
             let findings = examine(group)?;
             group.iter().for_each(|_| done());
-            let entries = group.iter().zip(findings);
+            let entries = group.iter().copied().zip(findings);
             Ok(entries
-                .map(|(cell, findings)| Entry {
-                    cell: *cell,
-                    findings,
-                })
+                .map(|(cell, findings)| Entry { cell, findings })
                 .collect())
         })
         .collect();

@@ -3,10 +3,10 @@
 use anyhow::{Context, Result};
 use linear::estimates::{torsional_settling_time, torsional_stiffness};
 use linear::{Drillstring, Method, Section, Sites};
-use sim::oscillator::worst_load_gain;
 use sim::{Stopping, diagnosis};
 
 use super::families::Cell;
+use super::loads;
 use super::verdict::Findings;
 use crate::engine::MethodSystem;
 use crate::plan::{Setting, Sweep};
@@ -30,19 +30,15 @@ pub fn examine(cell: &Cell, method: Method) -> Result<Findings> {
     let longest = cell.steps.unwrap_or(by_scene) as f64 / cell.sampling_frequency;
     let system = MethodSystem::build(&setting, method, true, longest)?;
     let no_bit = "the scene has no torque at the bit";
-    let torsion = system.responses.torsion().context(no_bit)?;
-    let gain = worst_load_gain(&torsion.driving_points())?;
     let held = system.stuck_torque().context(no_bit)?;
     let instant = system.driving_point().context(no_bit)?[0];
     let stiffness = torsional_stiffness(&setting.string);
     let sticking = diagnosis::sticking(held, cell.sampling_frequency, stiffness, instant);
     let mut findings = Findings {
-        margin_torsion: system.torsion_margin,
-        energy_gained: Some(gain),
         chatter: Some(sticking.chatter),
         growth: Some(sticking.growth),
         drift: Some(sticking.drift),
-        ..Findings::default()
+        ..loads::worst(&system)?
     };
     // Other strings have another stick-slip.
     if cell.sections.is_none() {

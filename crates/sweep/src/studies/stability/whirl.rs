@@ -1,13 +1,13 @@
 //! Backward whirl: Fig. 12 against softer and harder walls, at two sites, for a
 //! long time.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use linear::Method;
 use sim::diagnosis::roughness;
-use sim::oscillator::worst_load_gain;
 use sim::{LateralRegime, Outcome, SteadyWhirl, Stopping, Trajectory};
 
 use super::families::Cell;
+use super::loads;
 use super::verdict::Findings;
 use crate::engine::{Case, MethodSystem};
 use crate::output::rolling_whirls;
@@ -34,7 +34,7 @@ pub fn examine(group: &[Cell], method: Method) -> Result<Vec<Findings>> {
         duration = steps as f64 / first.sampling_frequency;
     }
     let system = MethodSystem::build(&setting, method, false, duration)?;
-    let loads = loads(&system)?;
+    let worst_loads = loads::worst(&system)?;
     (group.iter())
         .map(|cell| {
             let walls = setting.lateral.iter_mut();
@@ -43,7 +43,7 @@ pub fn examine(group: &[Cell], method: Method) -> Result<Vec<Findings>> {
             }
             let mut case = case(&sweep, &setting, &sweep.conditions)?;
             case.scene.timing.duration = duration;
-            let mut findings = loads.clone();
+            let mut findings = worst_loads.clone();
             let mut record = Trajectory::default();
             match system.simulate(&case, Stopping::Full, Some(&mut record)) {
                 Err(error) => findings.no_answer = Some(error.to_string()),
@@ -55,27 +55,6 @@ pub fn examine(group: &[Cell], method: Method) -> Result<Vec<Findings>> {
             Ok(findings)
         })
         .collect()
-}
-
-/// What the margins and the loads tuned to them say.
-fn loads(system: &MethodSystem) -> Result<Findings> {
-    let torsion = (system.responses.torsion()).context("there are no responses in torsion")?;
-    let torsion = worst_load_gain(&torsion.driving_points())?;
-    let mut findings = Findings {
-        margin_torsion: system.torsion_margin,
-        energy_gained: Some(torsion),
-        ..Findings::default()
-    };
-    if let Some(velocities) = system.responses.velocities() {
-        let taps: Vec<Vec<&[f64]>> = (velocities.iter())
-            .map(|inputs| inputs.iter().map(Vec::as_slice).collect())
-            .collect();
-        let gain = worst_load_gain(&taps)?;
-        findings.margin_bending = system.bending_margin;
-        findings.energy_gained = Some(torsion.max(gain));
-        findings.margin_wall = system.responses.margin_of_differences()?;
-    }
-    Ok(findings)
 }
 
 /// The motion in the closing window, where the bit whirls.

@@ -183,7 +183,7 @@ mod tests {
     use linear::Method;
 
     use super::super::configuration::{Configuration, Scheme};
-    use super::super::measure::Reference;
+    use super::super::row::Reference;
     use super::*;
 
     fn row(sampling_frequency: f64, error: f64, step_seconds: f64) -> Row {

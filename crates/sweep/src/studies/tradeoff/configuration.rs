@@ -89,7 +89,7 @@ impl Configuration {
     /// The parameters of its method.
     pub fn parameters(&self) -> Parameters {
         match self.scheme {
-            Scheme::Radau => Parameters::none(),
+            Scheme::Radau => Parameters::default(),
             Scheme::Method(method) => Parameters::of(&method),
         }
     }

@@ -158,7 +158,7 @@ fn number(
 fn stick_slip_limit(sweep: &Sweep, system: &MethodSystem) -> Option<f64> {
     let sweep = until_regime_is_told(sweep);
     limit_between(LIMIT_BRACKET, |ratio| {
-        let conditions = at_ratio(&sweep, ratio).ok()?;
+        let conditions = at_ratio(&sweep, ratio)?;
         let outcome = trial::outcome(&sweep, system, &conditions, Stopping::Early).ok()?;
         Some(outcome.torsion?.regime == TorsionRegime::Smooth)
     })
@@ -172,10 +172,9 @@ fn until_regime_is_told(sweep: &Sweep) -> Sweep {
 }
 
 /// The same torque with another ratio of speed to it, rpm per kN m.
-fn at_ratio(sweep: &Sweep, ratio: f64) -> Result<Conditions> {
-    let torque = sweep.conditions.torque_dynamic_nm;
-    let torque = torque.context("the bit has no torque")?;
-    Ok((sweep.conditions).with(Axis::SurfaceSpeedRpm, ratio * torque / 1e3))
+fn at_ratio(sweep: &Sweep, ratio: f64) -> Option<Conditions> {
+    let torque = sweep.conditions.torque_dynamic_nm?;
+    Some((sweep.conditions).with(Axis::SurfaceSpeedRpm, ratio * torque / 1e3))
 }
 
 /// The longest time that any case lasts, s.
@@ -184,7 +183,8 @@ fn longest_time(sweep: &Sweep) -> Result<f64> {
     let mut longest = own.scene.timing.duration;
     let sweep = until_regime_is_told(sweep);
     for ratio in LIMIT_BRACKET {
-        let case = trial::case(&sweep, &sweep.setting, &at_ratio(&sweep, ratio)?)?;
+        let conditions = at_ratio(&sweep, ratio).context("the bit has no torque")?;
+        let case = trial::case(&sweep, &sweep.setting, &conditions)?;
         longest = longest.max(case.scene.timing.duration);
     }
     Ok(longest)

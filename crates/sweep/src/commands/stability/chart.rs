@@ -1,9 +1,7 @@
 //! The atlas as panels of cells.
 
-use super::families::Family;
-use super::table::Entry;
-use super::verdict::Symptom;
 use crate::plot::{CellChart, CellPanel, ChartCell, Predicted, Seen};
+use crate::studies::stability::{Entry, Family, Symptom};
 
 /// All families that have cells, each in a panel.
 pub fn chart(entries: &[Entry]) -> CellChart {
@@ -98,8 +96,8 @@ fn titles(family: Family) -> (&'static str, &'static str) {
 fn column_name(family: Family, entry: &Entry) -> String {
     let cell = &entry.cell;
     let value = match family {
-        Family::Hilbert | Family::DirectIdft => entry.parameters().transform_s,
-        Family::Newmark => entry.parameters().gamma,
+        Family::Hilbert | Family::DirectIdft => cell.parameters().transform_s,
+        Family::Newmark => cell.parameters().gamma,
         Family::Stiffness => cell.stiffness,
         Family::Sites => cell.site_spacing,
         Family::Sections => cell.sections.map(|count| count as f64),
@@ -120,7 +118,7 @@ fn row_name(family: Family, entry: &Entry) -> String {
         Family::Hilbert | Family::DirectIdft | Family::Newmark => {
             format!("{} Hz", entry.cell.sampling_frequency)
         }
-        _ => entry.method_name(),
+        _ => entry.cell.method_name(),
     }
 }
 

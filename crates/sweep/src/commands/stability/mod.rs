@@ -1,5 +1,8 @@
 //! `sweep stability`: where methods fail, and whether their margins predict it.
 
+mod chart;
+mod table;
+
 use anyhow::Result;
 
 use super::drawing::save_picture;
@@ -11,7 +14,9 @@ use super::threads::use_threads;
 use crate::cli::StabilityArguments;
 use crate::output::write_atomically;
 use crate::plot::cell_chart;
-use crate::studies::stability::{Cell, Family, cells, chart, run, summary, to_csv};
+use crate::studies::stability::{Cell, Family, cells, run};
+use chart::chart;
+use table::{summary, to_csv};
 
 /// Computes the atlas and writes its table and chart.
 pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<Status> {
