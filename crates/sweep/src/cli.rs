@@ -8,8 +8,8 @@ use clap_complete::Shell;
 use crate::engine::{RunOptions, Shard};
 use crate::memory::{Limit, Size};
 use crate::quantities::Axis;
-use crate::study::stability::Family;
-use crate::study::tradeoff::{LADDER, Measure};
+use crate::studies::stability::Family;
+use crate::studies::tradeoff::{LADDER, Measure};
 use crate::sweep_file::{MethodName, nearest};
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.

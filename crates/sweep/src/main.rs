@@ -14,10 +14,10 @@
 //! ```
 //!
 //! There is no equation here: the string is the business of `linear`, its
-//! motion that of `sim`. `quantities` is the table of what a design may vary. `accuracy`
-//! chooses a method where a sweep asks for an accuracy, a `study` looks at the methods
-//! themselves, `histories` follows single cases to their end. `files` writes whole files
-//! or none, in folders that are locked meanwhile.
+//! motion that of `sim`. `quantities` is the table of what a design may vary. `studies`
+//! hold methods against one another, and choose one where a sweep asks for an accuracy;
+//! `histories` follows single cases to their end. `files` writes whole files or none, in
+//! folders that are locked meanwhile.
 //! `commands` has one file or folder for each thing a user can ask, calls all of the rest,
 //! and is called by nothing; `cli` are their arguments, `words` are for people. To see it
 //! at work:
@@ -28,7 +28,6 @@
 //! sweep help                     # everything else
 //! ```
 
-mod accuracy;
 mod cli;
 mod commands;
 mod design;
@@ -45,7 +44,7 @@ mod printable;
 mod program;
 mod quantities;
 mod report;
-mod study;
+mod studies;
 mod sweep_file;
 mod text_file;
 mod words;

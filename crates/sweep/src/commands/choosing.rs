@@ -14,9 +14,9 @@ use serde_json::json;
 use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, BETWEEN_TICKS};
 use super::stop;
 use super::terminal::Terminal;
-use crate::accuracy::{self, Attempt};
 use crate::memory::Limit;
 use crate::plan::{Candidate, Sweep};
+use crate::studies::accuracy::{self, Attempt};
 
 /// The sweep or, where it asks for an accuracy, that with what is chosen for it; tells
 /// of that unless `quiet`.

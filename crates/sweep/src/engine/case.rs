@@ -1,9 +1,9 @@
 //! One case: its values and its scene.
 
-use sim::{Impulse, Lateral, Scene, Timing, torsion_timing};
+use sim::{Lateral, Scene, Timing, torsion_timing};
 
 use super::case_error::CaseError;
-use crate::plan::{Conditions, LateralSettings, Setting, Sweep};
+use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Sweep};
 use crate::sweep_file::AutoOr;
 
 /// One case of a sweep.
@@ -105,18 +105,20 @@ fn lateral_scene(
 ) -> Result<Lateral, CaseError> {
     let walls = settings.walls.iter().map(|wall| {
         let friction = conditions.friction.or(wall.friction);
-        Ok(wall.with_friction(friction.ok_or(CaseError::Missing("friction"))?))
+        let factor = conditions.friction_factor.unwrap_or(1.0);
+        let friction = friction.ok_or(CaseError::Missing("friction"))?;
+        Ok(wall.with_friction(factor * friction))
     });
-    let impulses = settings.impulses.iter().map(|settings| Impulse {
-        amount: match conditions.impulse_ratio {
-            Some(ratio) if settings.relative => ratio,
-            _ => settings.impulse.amount,
-        },
-        ..settings.impulse
+    let impulses = settings.impulses.iter().map(|impulse| {
+        let amount = match impulse.amount {
+            ImpulseAmount::NewtonSeconds(amount) => Some(amount),
+            ImpulseAmount::Ratio(ratio) => conditions.impulse_ratio.or(ratio),
+        };
+        Ok(impulse.with_amount(amount.ok_or(CaseError::Missing("ratio of impulse"))?))
     });
     Ok(Lateral {
         walls: walls.collect::<Result<_, CaseError>>()?,
-        impulses: impulses.collect(),
+        impulses: impulses.collect::<Result<_, CaseError>>()?,
         eccentric_masses: settings.eccentric_masses.clone(),
     })
 }

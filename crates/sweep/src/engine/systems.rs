@@ -114,7 +114,7 @@ impl MethodSystem {
         let lateral = self.setting.lateral.iter();
         let impulses = lateral.flat_map(|lateral| &lateral.impulses).enumerate();
         (impulses.zip(&self.least_impulses))
-            .filter(|((_, impulse), _)| impulse.relative)
+            .filter(|((_, impulse), _)| impulse.is_relative())
             .map(|((index, _), least)| (index, *least))
     }
 
@@ -254,8 +254,7 @@ fn least_impulses(setting: &Setting, responses: &Responses) -> Vec<f64> {
     let Some((lateral, bending)) = setting.lateral.as_ref().zip(responses.bending()) else {
         return Vec::new();
     };
-    let of = |settings: &ImpulseSettings| {
-        let impulse = &settings.impulse;
+    let of = |impulse: &ImpulseSettings| {
         least_impulse(
             &bending.from_loads[impulse.site][impulse.site],
             setting.sampling_frequency,

@@ -19,6 +19,8 @@ pub struct Conditions {
     pub impulse_ratio: Option<f64>,
     /// Friction of the wall, by an axis.
     pub friction: Option<f64>,
+    /// What the friction of every wall is multiplied by, whoever gives it.
+    pub friction_factor: Option<f64>,
 }
 
 impl Conditions {

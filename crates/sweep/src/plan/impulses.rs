@@ -15,13 +15,46 @@ const LONGEST_IMPULSE: f64 = 100.0;
 /// The samples of a raised cosine have its area from two on.
 const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
 
-/// An impulse whose amount may be relative to what reaches the wall.
+/// An impulse, but for what a case says of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpulseSettings {
-    /// The impulse; its amount in N s, or in multiples of I₀.
-    pub impulse: sim::Impulse,
-    /// Whether the amount is in multiples of I₀.
-    pub relative: bool,
+    /// The site it acts on.
+    pub site: usize,
+    /// Its amount.
+    pub amount: ImpulseAmount,
+    /// When it begins, s.
+    pub start: f64,
+    /// How long it lasts, s.
+    pub duration: f64,
+    /// Its direction, rad.
+    pub direction: f64,
+}
+
+/// How strong an impulse is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ImpulseAmount {
+    /// In N s.
+    NewtonSeconds(f64),
+    /// In multiples of I₀; none where every case gives it.
+    Ratio(Option<f64>),
+}
+
+impl ImpulseSettings {
+    /// Whether its amount is in multiples of I₀.
+    pub fn is_relative(&self) -> bool {
+        matches!(self.amount, ImpulseAmount::Ratio(_))
+    }
+
+    /// The impulse of this amount.
+    pub fn with_amount(&self, amount: f64) -> sim::Impulse {
+        sim::Impulse {
+            site: self.site,
+            amount,
+            start: self.start,
+            duration: self.duration,
+            direction: self.direction,
+        }
+    }
 }
 
 /// An impulse of the file.
@@ -61,30 +94,28 @@ pub fn resolve(
         360.0,
         "°",
     )?;
-    let (amount, relative) = match (table.amount_ns, table.ratio) {
-        (Some(amount), None) => (amount, false),
-        (None, Some(ratio)) => (ratio, true),
-        (None, None) if ratio_by_axis => (0.0, true),
+    let within = |name, value, unit| source.within(&key(name), value, 0.0, LARGEST_IMPULSE, unit);
+    let amount = match (table.amount_ns, table.ratio) {
+        (Some(amount), None) => {
+            within("amount_ns", amount, "N s")?;
+            ImpulseAmount::NewtonSeconds(amount)
+        }
+        (None, Some(ratio)) => {
+            within("ratio", ratio, "")?;
+            ImpulseAmount::Ratio(Some(ratio))
+        }
+        (None, None) if ratio_by_axis => ImpulseAmount::Ratio(None),
         _ => {
             let message = "needs either `amount_ns` or `ratio`, or the axis impulse_ratio";
             return Err(source.error(&format!("impulses[{index}]"), message));
         }
     };
-    let (name, unit) = if relative {
-        ("ratio", "")
-    } else {
-        ("amount_ns", "N s")
-    };
-    source.within(&key(name), amount, 0.0, LARGEST_IMPULSE, unit)?;
     Ok(ImpulseSettings {
-        impulse: sim::Impulse {
-            site,
-            amount,
-            start: table.start_s,
-            duration: table.duration_s,
-            direction: table.direction_deg.to_radians(),
-        },
-        relative,
+        site,
+        amount,
+        start: table.start_s,
+        duration: table.duration_s,
+        direction: table.direction_deg.to_radians(),
     })
 }
 
@@ -98,7 +129,7 @@ pub fn are_sampled(
     sampling_frequency: f64,
 ) -> Result<(), SweepFileError> {
     for (index, settings) in impulses.iter().enumerate() {
-        let duration = settings.impulse.duration;
+        let duration = settings.duration;
         if duration * sampling_frequency < LEAST_SAMPLES_OF_IMPULSE {
             let message =
                 format!("{duration} s is shorter than two samples at {sampling_frequency} Hz");

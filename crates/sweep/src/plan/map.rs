@@ -82,6 +82,7 @@ fn mark(
         torque_dynamic_nm: mark.torque_dynamic_nm,
         impulse_ratio: mark.impulse_ratio,
         friction: mark.friction,
+        ..Conditions::default()
     };
     for axis in Conditions::AXES {
         if let Some(value) = conditions.value(axis) {

@@ -23,7 +23,7 @@ mod wall;
 pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
 pub use conditions::{Conditions, to_rpm};
-pub use impulses::{ImpulseSettings, LARGEST_IMPULSE};
+pub use impulses::{ImpulseAmount, ImpulseSettings, LARGEST_IMPULSE};
 pub use lateral::LateralSettings;
 pub use map::{MapMark, MapSettings};
 pub use setting::Setting;

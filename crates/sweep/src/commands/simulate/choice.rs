@@ -8,7 +8,7 @@ use crate::cli::SimulateArguments;
 use crate::commands::prepare::unique;
 use crate::commands::status::UsageError;
 use crate::engine::{Case, longest_beside};
-use crate::plan::{Conditions, Setting, Sweep};
+use crate::plan::{Conditions, ImpulseSettings, Setting, Sweep};
 use crate::quantities::Axis;
 use crate::sweep_file::SweepFileError;
 
@@ -104,7 +104,7 @@ impl Choice {
 fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
     let lateral = sweep.setting.lateral.as_ref();
     let mut impulses = lateral.iter().flat_map(|lateral| &lateral.impulses);
-    let has_ratio = impulses.any(|impulse| impulse.relative);
+    let has_ratio = impulses.any(ImpulseSettings::is_relative);
     let why = match axis {
         Axis::WeightOnBitKn | Axis::TorqueDynamicNm if sweep.bit.is_none() => {
             "the bit is free in this sweep"

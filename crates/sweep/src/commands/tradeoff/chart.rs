@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use super::table::measures;
 use crate::plot::{Axis, Picture, Points, ScatterGrid, ScatterPanel, scatter_grid};
-use crate::study::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
+use crate::studies::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
 
 /// Smaller errors are drawn here: they are rounding.
 const SMALLEST_DRAWN: f64 = 1e-9;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::table::measures;
-use crate::study::tradeoff::{
+use crate::studies::tradeoff::{
     CASE_SECONDS, CASES, Cheapest, PaperRatio, PaperSteps, Row, cheapest, orders,
 };
 use crate::words::wrapped;

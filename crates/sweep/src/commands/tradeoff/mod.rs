@@ -14,7 +14,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::TradeoffArguments;
 use crate::output::write_atomically;
-use crate::study::tradeoff::{Measure, PaperSteps, configurations, study};
+use crate::studies::tradeoff::{Measure, PaperSteps, configurations, study};
 use chart::chart;
 use description::{describe_cheapest, describe_orders};
 use table::table;

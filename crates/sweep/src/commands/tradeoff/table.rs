@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result};
 
-use crate::study::tradeoff::{Measure, Row, front};
+use crate::studies::tradeoff::{Measure, Row, front};
 
 /// Measures that were studied, in order.
 pub fn measures(rows: &[Row]) -> Vec<Measure> {
@@ -18,44 +18,44 @@ pub fn table(rows: &[Row]) -> Result<Vec<u8>> {
         .map(|(row, _)| row)
         .collect();
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
-        "measure",
-        "method",
-        "gamma",
-        "elements_per_cell",
-        "transform_s",
-        "sampling_frequency_hz",
-        "value",
-        "reference",
-        "reference_uncertainty",
-        "relative_error",
-        "build_s",
-        "step_s_per_simulated_s",
-        "cost_1000_cases_s",
-        "on_front",
-    ])?;
-    let optional = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
-    for row in rows {
-        let (gamma, elements, transform) = row.configuration.parameters();
-        let on_front = fronts.iter().any(|front| std::ptr::eq(*front, row));
-        // Of a whole history there is no one value, nor a reference for it.
-        let reference = row.value.map(|_| row.reference.value);
-        writer.write_record([
-            row.measure.name().to_owned(),
-            row.configuration.method().to_owned(),
-            optional(gamma),
-            elements.map_or_else(String::new, |elements| elements.to_string()),
-            optional(transform),
-            row.configuration.sampling_frequency.to_string(),
-            optional(row.value),
-            optional(reference),
-            row.reference.uncertainty.to_string(),
-            optional(row.error),
-            row.build_seconds.to_string(),
-            row.step_seconds.to_string(),
-            row.cost().to_string(),
-            if on_front { "yes" } else { "no" }.to_owned(),
-        ])?;
+    for (index, row) in rows.iter().enumerate() {
+        let is_on_front = fronts.iter().any(|front| std::ptr::eq(*front, row));
+        let columns = columns(row, is_on_front);
+        if index == 0 {
+            writer.write_record(columns.each_ref().map(|(name, _)| name))?;
+        }
+        writer.write_record(columns.map(|(_, field)| field))?;
     }
     writer.into_inner().context("the table cannot be written")
+}
+
+/// The columns of the table: their names, and what a row has there.
+fn columns(row: &Row, is_on_front: bool) -> [(&'static str, String); 14] {
+    fn optional(value: Option<impl ToString>) -> String {
+        value.map_or_else(String::new, |value| value.to_string())
+    }
+    let (configuration, parameters) = (&row.configuration, row.configuration.parameters());
+    let frequency = configuration.sampling_frequency;
+    // Of a whole history there is no one value, nor a reference for it.
+    let reference = row.value.map(|_| row.reference.value);
+    let uncertainty = row.reference.uncertainty;
+    [
+        ("measure", row.measure.name().to_owned()),
+        ("method", configuration.method().to_owned()),
+        ("gamma", optional(parameters.gamma)),
+        ("elements_per_cell", optional(parameters.elements_per_cell)),
+        ("transform_s", optional(parameters.transform_s)),
+        ("sampling_frequency_hz", frequency.to_string()),
+        ("value", optional(row.value)),
+        ("reference", optional(reference)),
+        ("reference_uncertainty", uncertainty.to_string()),
+        ("relative_error", optional(row.error)),
+        ("build_s", row.build_seconds.to_string()),
+        ("step_s_per_simulated_s", row.step_seconds.to_string()),
+        ("cost_1000_cases_s", row.cost().to_string()),
+        (
+            "on_front",
+            if is_on_front { "yes" } else { "no" }.to_owned(),
+        ),
+    ]
 }

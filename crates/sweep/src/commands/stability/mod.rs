@@ -1,0 +1,42 @@
+//! `sweep stability`: where methods fail, and whether their margins predict it.
+
+mod chart;
+mod table;
+
+use anyhow::Result;
+
+use super::drawing::save_picture;
+use super::folder::make_folder;
+use super::progress::Progress;
+use super::status::Status;
+use super::terminal::{Terminal, say};
+use super::threads::use_threads;
+use crate::cli::StabilityArguments;
+use crate::output::write_atomically;
+use crate::plot::cell_chart;
+use crate::studies::stability::{Cell, Family, cells, run};
+use chart::chart;
+use table::{summary, to_csv};
+
+/// Computes the atlas and writes its table and chart.
+pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<Status> {
+    use_threads(arguments.jobs, terminal)?;
+    make_folder(&arguments.out)?;
+    let is_wanted =
+        |family: &Family| arguments.family.is_empty() || arguments.family.contains(family);
+    let cells: Vec<Cell> = (Family::all().iter().copied())
+        .filter(is_wanted)
+        .flat_map(cells)
+        .collect();
+    let progress = Progress::new(cells.len(), 0, arguments.quiet, terminal);
+    let entries = run(&cells, &|| progress.tick());
+    progress.finish();
+    let entries = entries?;
+    write_atomically(&arguments.out.join("stability.csv"), &to_csv(&entries)?)?;
+    let picture = cell_chart(&chart(&entries))?;
+    save_picture(&arguments.out, "stability", &picture)?;
+    if !arguments.quiet {
+        say(&summary(&entries))?;
+    }
+    Ok(Status::Complete)
+}

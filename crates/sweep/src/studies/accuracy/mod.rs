@@ -1,0 +1,72 @@
+//! `accuracy`: the cheapest method and sampling frequency whose error, estimated on
+//! the sweep's own string and cases, is within what was asked for.
+//!
+//! What a case costs grows with f_s and hardly depends on the method, for all are
+//! stepped alike; so the ladder goes up in f_s, and at each of its frequencies from
+//! the method that is built the fastest to the slowest. Nothing is timed: the same
+//! sweep chooses the same on any machine, or is refused where that has too little memory
+//! for what is to be tried.
+//!
+//! The reference is one method ([`Probes::reference`]) at a frequency where the last
+//! two doublings changed the answers by no more than a part of the accuracy; that
+//! change is its uncertainty, and counts in full. The error of a candidate is the
+//! largest of
+//!
+//! - that of its linear responses, on smooth motions, from the exact ones
+//!   ([`linear::deviation`]), which share no time step with anything,
+//! - the shift of the limit between regimes, by surface speed or by friction, near a
+//!   few of the sweep's cases ([`probes`]),
+//! - that of the numbers a person would quote of those cases ([`answer`]),
+//!
+//! the last two as root mean squares over these cases.
+
+mod answer;
+mod candidates;
+mod error;
+mod probes;
+mod rung;
+mod search;
+
+use linear::Method;
+use sim::Stopping;
+
+use crate::memory::Limit;
+use crate::plan::{Choice, Sweep};
+use crate::sweep_file::{Accuracy, SweepFileError};
+use probes::Probes;
+pub use search::Attempt;
+use search::Search;
+
+/// Where the sweep asks for an accuracy, the method chosen for it and the choice, which
+/// has the sampling frequency. `tell` hears of each attempt before it is made, which may
+/// take minutes.
+///
+/// # Errors
+/// Where nothing delivers the accuracy within the memory, or the sweep's cases cannot
+/// be.
+pub fn choose(
+    sweep: &Sweep,
+    full: bool,
+    limit: &Limit,
+    tell: &dyn Fn(Attempt),
+) -> Result<Option<(Method, Choice)>, SweepFileError> {
+    let Some(Accuracy(asked)) = sweep.content.accuracy else {
+        return Ok(None);
+    };
+    let stopping = if full {
+        Stopping::Full
+    } else {
+        Stopping::Early
+    };
+    let chosen = Probes::of(sweep, asked, limit).and_then(|probes| {
+        let search = Search {
+            probes: &probes,
+            asked,
+            stopping,
+            tell,
+        };
+        search.run()
+    });
+    let chosen = chosen.map_err(|reason| sweep.source.error("accuracy", reason.to_string()))?;
+    Ok(Some(chosen))
+}

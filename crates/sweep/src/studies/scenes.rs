@@ -1,0 +1,37 @@
+//! The sweeps that are shipped, for studies: built in, so that an installed
+//! program needs no file.
+
+use std::io::{Error, ErrorKind};
+use std::path::Path;
+
+use crate::plan::Sweep;
+use crate::sweep_file::SweepFileError;
+
+/// Fig. 12 with a second site.
+const TWO_SITES: &str = r#"base = "fig12.toml"
+sites = [{ distance_from_bit_m = 10 }, { distance_from_bit_m = 0 }]
+"#;
+
+/// The text of a shipped file.
+fn text_of(path: &Path) -> Option<&'static str> {
+    Some(match path.to_str()? {
+        "two_sites.toml" => TWO_SITES,
+        "academic.toml" => include_str!("../../../../sweeps/academic.toml"),
+        "fig08a.toml" => include_str!("../../../../sweeps/fig08a.toml"),
+        "fig08b.toml" => include_str!("../../../../sweeps/fig08b.toml"),
+        "fig10.toml" => include_str!("../../../../sweeps/fig10.toml"),
+        "fig12.toml" => include_str!("../../../../sweeps/fig12.toml"),
+        _ => return None,
+    })
+}
+
+/// A shipped sweep by the name of its file.
+///
+/// # Errors
+/// Where it is not among those built in.
+pub fn shipped(name: &str) -> Result<Sweep, SweepFileError> {
+    Sweep::read_from(Path::new(name), &[], &|path, _| {
+        let text = text_of(path).map(str::to_owned);
+        text.ok_or_else(|| Error::from(ErrorKind::NotFound))
+    })
+}

@@ -1,0 +1,76 @@
+//! The atlas of failures: every method in settings that strain it, what its
+//! positive-real margin predicts before anything is simulated, and what
+//! simulations then show.
+//!
+//! Positive-realness is what makes a string stable against *every* passive load.
+//! A margin below zero promises that some load draws energy from it, not that
+//! each does. So every cell meets two kinds of load: ordinary scenes, a bit that
+//! is held, stick-slip, whirl, and one oscillator without loss, tuned to where
+//! the margin is smallest (`sim::oscillator`). A cell is unstable if any of them
+//! shows a symptom; a cell predicted stable is right only if none does.
+
+mod bending;
+mod families;
+mod loads;
+mod sticking;
+mod verdict;
+mod whirl;
+
+pub use families::{Cell, Family, cells};
+pub use verdict::{Findings, Symptom, explanation};
+
+use anyhow::Result;
+use rayon::prelude::*;
+
+use families::Approach;
+
+/// A cell and what it shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// The cell.
+    pub cell: Cell,
+    /// What it shows.
+    pub findings: Findings,
+}
+
+/// Runs cells on all cores; `done` is called after each.
+///
+/// # Errors
+/// Where a scene or a linear system cannot be built.
+pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
+    let groups: Vec<&[Cell]> = cells.chunk_by(Cell::shares_responses).collect();
+    let entries: Vec<Result<Vec<Entry>>> = (groups.par_iter().with_max_len(1))
+        .map(|group| {
+            let findings = examine(group)?;
+            group.iter().for_each(|_| done());
+            let entries = group.iter().copied().zip(findings);
+            Ok(entries
+                .map(|(cell, findings)| Entry { cell, findings })
+                .collect())
+        })
+        .collect();
+    let entries: Result<Vec<Vec<Entry>>> = entries.into_iter().collect();
+    Ok(entries?.concat())
+}
+
+/// Cells of the same responses.
+fn examine(group: &[Cell]) -> Result<Vec<Findings>> {
+    let whirls = |cell: &Cell| {
+        matches!(
+            cell.family,
+            Family::Stiffness | Family::Sites | Family::LongWhirl
+        )
+    };
+    match group.first().map(|first| (first, first.approach)) {
+        Some((first, Approach::Method(method))) if whirls(first) => whirl::examine(group, method),
+        _ => group.iter().map(examine_alone).collect(),
+    }
+}
+
+fn examine_alone(cell: &Cell) -> Result<Findings> {
+    match (cell.family, cell.approach) {
+        (Family::Tail, Approach::Method(method)) => bending::tail(cell, method),
+        (_, Approach::TransferProducts | Approach::JoinedStiffnesses) => bending::chain(cell),
+        (_, Approach::Method(method)) => sticking::examine(cell, method),
+    }
+}

@@ -1,0 +1,85 @@
+//! What is asked of each configuration.
+
+/// A quantity whose error is charted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Measure {
+    /// Fig. 7(a): the bit's speed after a step of the surface's.
+    SurfaceStep,
+    /// The bit's speed in the end, of the surface's.
+    SteadySpeed,
+    /// k_eff, N m/rad.
+    StaticStiffness,
+    /// Δ of Eq. 75, rad/s per N m.
+    Undershoot,
+    /// Fig. 8(b): time of the first slip, s.
+    FirstSlip,
+    /// Fig. 8(b): time from slip to slip, s.
+    Period,
+    /// Fig. 9: Ω/T_d below which stick-slip sustains itself, rpm per kN m.
+    StickSlipLimit,
+    /// Fig. 7(b): the bit's displacement after a band-limited impulse.
+    LateralImpulse,
+    /// Fig. 12: radius of backward whirl, m.
+    WhirlRadius,
+    /// Fig. 12: its rate, turns a second.
+    WhirlRate,
+    /// Fig. 12: its normal force, N.
+    WhirlForce,
+    /// Fig. 14: friction above which an impulse of 3 I₀ starts whirl.
+    WhirlLimit,
+}
+
+impl Measure {
+    /// All, in the order of the chart.
+    pub const ALL: [Measure; 12] = [
+        Measure::SurfaceStep,
+        Measure::SteadySpeed,
+        Measure::StaticStiffness,
+        Measure::Undershoot,
+        Measure::FirstSlip,
+        Measure::Period,
+        Measure::StickSlipLimit,
+        Measure::LateralImpulse,
+        Measure::WhirlRadius,
+        Measure::WhirlRate,
+        Measure::WhirlForce,
+        Measure::WhirlLimit,
+    ];
+
+    /// The name in the table, with the unit of its value.
+    pub fn name(self) -> &'static str {
+        self.words().0
+    }
+
+    /// The title of its chart.
+    pub fn title(self) -> &'static str {
+        self.words().1
+    }
+
+    fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Measure::SurfaceStep => ("surface_step", "Step of surface speed, Fig. 7(a)"),
+            Measure::SteadySpeed => ("steady_speed_ratio", "Bit speed in the end"),
+            Measure::StaticStiffness => ("static_stiffness_nm_rad", "Static stiffness k_eff"),
+            Measure::Undershoot => ("undershoot_rad_s_nm", "Undershoot Δ, Eq. 75"),
+            Measure::FirstSlip => ("first_slip_s", "First slip, Fig. 8(b)"),
+            Measure::Period => ("stick_slip_period_s", "Stick-slip period, Fig. 8(b)"),
+            Measure::StickSlipLimit => ("stick_slip_limit_rpm_knm", "Limit of stick-slip, Fig. 9"),
+            Measure::LateralImpulse => ("lateral_impulse", "Lateral impulse, Fig. 7(b)"),
+            Measure::WhirlRadius => ("whirl_radius_m", "Radius of whirl, Fig. 12"),
+            Measure::WhirlRate => ("whirl_rate_turns_s", "Rate of whirl, Fig. 12"),
+            Measure::WhirlForce => ("whirl_normal_force_n", "Normal force of whirl, Fig. 12"),
+            Measure::WhirlLimit => ("whirl_limit_friction", "Limit of whirl at 3 I₀, Fig. 14"),
+        }
+    }
+
+    /// Whether it is of the string in bending.
+    pub fn is_lateral(self) -> bool {
+        self >= Measure::LateralImpulse
+    }
+
+    /// The measure of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|measure| measure.name() == name)
+    }
+}

@@ -1,0 +1,61 @@
+//! Accuracy against speed: what each configuration of each method gives for a
+//! dozen measures, how far that is from references that none of them made, and
+//! what it costs.
+
+mod analysis;
+mod configuration;
+mod history;
+mod lateral;
+mod measure;
+mod paper;
+mod part;
+mod row;
+mod torsion;
+
+use anyhow::Result;
+
+pub use analysis::{Cheapest, PaperRatio, cheapest, front, orders};
+pub use configuration::{Configuration, configurations};
+pub use measure::Measure;
+pub use paper::PaperSteps;
+pub use row::{CASE_SECONDS, CASES, Row};
+
+use part::Part;
+
+/// Sampling frequencies compared, Hz.
+pub const LADDER: [f64; 10] = [
+    20.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0, 2560.0, 5120.0, 10_240.0,
+];
+
+/// Measures configurations one after the other, so that timings mean something;
+/// the highest of their frequencies is a multiple of all. `tell` hears of each that
+/// is done.
+///
+/// # Errors
+/// Where a reference or a configuration cannot be built.
+pub fn study(
+    configurations: &[Configuration],
+    wanted: &[Measure],
+    tell: &dyn Fn(),
+) -> Result<Vec<Row>> {
+    let frequencies = configurations.iter().map(|one| one.sampling_frequency);
+    let highest = frequencies.fold(0.0, f64::max);
+    let (lateral, torsion): (Vec<Measure>, Vec<Measure>) =
+        wanted.iter().partition(|measure| measure.is_lateral());
+    let mut parts: Vec<Part> = Vec::new();
+    if !torsion.is_empty() {
+        parts.push(torsion::part(&torsion, highest)?);
+    }
+    if !lateral.is_empty() {
+        parts.push(lateral::part(&lateral, highest)?);
+    }
+    let mut rows = Vec::new();
+    for configuration in configurations {
+        for part in parts.iter().filter(|part| part.has(configuration)) {
+            part.measure(configuration, &mut rows)?;
+        }
+        tell();
+    }
+    rows.sort_by_key(|row| row.measure);
+    Ok(rows)
+}
