@@ -5,6 +5,7 @@
 mod regression;
 
 use problems::academic;
+use problems::oracles::assert_close;
 use std::process::Command;
 
 use linear::estimates::{
@@ -82,14 +83,6 @@ fn simulate(
         .unwrap()
         .torsion
         .unwrap()
-}
-
-#[track_caller]
-fn assert_close(found: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (found / expected - 1.0).abs() <= tolerance,
-        "found {found}, expected {expected} to {tolerance}"
-    );
 }
 
 #[test]

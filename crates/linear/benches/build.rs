@@ -3,7 +3,7 @@
 
 use divan::Bencher;
 use linear::method::{FiniteElement, Transform};
-use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
+use linear::{Method, Request, responses};
 use problems::academic;
 
 fn main() {
@@ -29,20 +29,9 @@ fn torsion(bencher: Bencher, name: &str) {
 
 fn bending(bencher: Bencher, name: &str, distances: &[f64]) {
     let string = academic::string();
-    let material = Bending {
-        youngs_modulus: 210e9,
-        damping: 2000.0,
-        compression: 0.0,
-    };
-    let channel = ChannelRequest::Bending {
-        bending: material,
-        support: SurfaceSupport::Free,
-    };
     let request = Request {
-        sites: Sites::new(&string, distances).unwrap(),
-        channels: vec![channel],
-        sampling_frequency: academic::SAMPLING_FREQUENCY,
-        longest_time: 10.0,
+        channels: vec![academic::free_in_bending()],
+        ..academic::lateral_request(&string, distances, 10.0)
     };
     bencher.bench(|| responses(&string, &method(name), &request));
 }

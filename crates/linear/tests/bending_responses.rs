@@ -9,14 +9,8 @@ use linear::{
     Bending, ChannelRequest, ChannelResponses, Complex64, Drillstring, Method, RaisedCosine,
     Request, Responses, Section, Sites, SurfaceSupport,
 };
-use problems::academic::{self, SAMPLING_FREQUENCY, tube};
-use problems::oracles;
-
-const BENDING: Bending = Bending {
-    youngs_modulus: 210e9,
-    damping: 2000.0,
-    compression: 0.0,
-};
+use problems::academic::{self, BENDING, SAMPLING_FREQUENCY, tube};
+use problems::oracles::{self, assert_close};
 
 const PULSE: RaisedCosine = RaisedCosine { duration: 0.02 };
 
@@ -32,15 +26,9 @@ fn elements() -> Method {
 
 fn of_method(method: &Method, distances: &[f64], longest_time: f64) -> Responses {
     let string = academic::string();
-    let channel = ChannelRequest::Bending {
-        bending: BENDING,
-        support: SurfaceSupport::Free,
-    };
     let request = Request {
-        sites: Sites::new(&string, distances).unwrap(),
-        channels: vec![channel],
-        sampling_frequency: SAMPLING_FREQUENCY,
-        longest_time,
+        channels: vec![academic::free_in_bending()],
+        ..academic::lateral_request(&string, distances, longest_time)
     };
     linear::responses(&string, method, &request).unwrap()
 }
@@ -60,14 +48,6 @@ fn pulse_response(taps: &[f64]) -> Vec<f64> {
 
 fn peak(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
-}
-
-#[track_caller]
-fn assert_close(found: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (found / expected - 1.0).abs() <= tolerance,
-        "found {found}, expected {expected} to {tolerance}"
-    );
 }
 
 /// The exact response to the impulse at one of `distances`, there, at the times of the

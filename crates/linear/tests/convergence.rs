@@ -6,9 +6,7 @@ use linear::method::{FiniteElement, Transform};
 use linear::waves::inversion::time_response;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
-use linear::{
-    Bending, ChannelRequest, Method, RaisedCosine, Request, Sites, SurfaceSupport, responses,
-};
+use linear::{ChannelRequest, Method, RaisedCosine, Request, Sites, SurfaceSupport, responses};
 use problems::{academic, oracles};
 
 /// Duration of the ramp, s: its spectrum is far below the lowest f_s.
@@ -90,19 +88,14 @@ fn quadrature_is_of_second_order() {
 fn quadrature_is_of_second_order_in_bending() {
     let string = academic::string();
     let sites = Sites::bit();
-    let bending = Bending {
-        youngs_modulus: 210e9,
-        damping: 2000.0,
-        compression: 0.0,
-    };
-    let network = BendingNetwork::new(&string, bending, SurfaceSupport::Free, &sites).unwrap();
+    let network =
+        BendingNetwork::new(&string, academic::BENDING, SurfaceSupport::Free, &sites).unwrap();
     let pulse = RaisedCosine { duration: 0.02 };
     let errors = [1280.0, 2560.0, 5120.0].map(|sampling_frequency| {
         let steps = (2.0 * sampling_frequency) as usize;
-        let support = SurfaceSupport::Free;
         let request = Request {
             sites: sites.clone(),
-            channels: vec![ChannelRequest::Bending { bending, support }],
+            channels: vec![academic::free_in_bending()],
             sampling_frequency,
             longest_time: 2.0,
         };

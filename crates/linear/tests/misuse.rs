@@ -12,13 +12,8 @@ use linear::{
     ResponseError, Responses, Section, Sites, SurfaceSupport, responses,
 };
 
+use problems::academic::BENDING;
 use problems::pipes::{STEEL, pipe, row};
-
-const BENDING: Bending = Bending {
-    youngs_modulus: 210e9,
-    damping: 2000.0,
-    compression: 0.0,
-};
 
 /// A string of so many pipes of ten metres.
 fn string(pipes: usize) -> Drillstring {

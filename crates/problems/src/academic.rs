@@ -1,9 +1,18 @@
 //! The drillstring of the paper's Table 2, built without the sweep file.
 
-use linear::{ChannelRequest, Drillstring, Material, Request, Section, Sites, Tube};
+use linear::{
+    Bending, ChannelRequest, Drillstring, Material, Request, Section, Sites, SurfaceSupport, Tube,
+};
 
 /// The sampling frequency the paper works with, Hz.
 pub const SAMPLING_FREQUENCY: f64 = 640.0;
+
+/// Its constants in bending.
+pub const BENDING: Bending = Bending {
+    youngs_modulus: 210e9,
+    damping: 2000.0,
+    compression: 0.0,
+};
 
 /// A tube of the string, of a length and an external radius (m).
 pub fn tube(length: f64, outer_radius: f64) -> Tube {
@@ -42,6 +51,26 @@ pub fn bit_request(longest_time: f64) -> Request {
     Request {
         sites: Sites::bit(),
         channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+        sampling_frequency: SAMPLING_FREQUENCY,
+        longest_time,
+    }
+}
+
+/// Displacements by a force at each site, nothing held at the surface.
+pub fn free_in_bending() -> ChannelRequest {
+    ChannelRequest::Bending {
+        bending: BENDING,
+        support: SurfaceSupport::Free,
+    }
+}
+
+/// Sites of a string at these distances from the bit (m), in bending, with a torque at
+/// each.
+pub fn lateral_request(string: &Drillstring, distances: &[f64], longest_time: f64) -> Request {
+    let torques = (0..distances.len()).collect();
+    Request {
+        sites: Sites::new(string, distances).expect("these are places of the string"),
+        channels: vec![ChannelRequest::Torsion { torques }, free_in_bending()],
         sampling_frequency: SAMPLING_FREQUENCY,
         longest_time,
     }

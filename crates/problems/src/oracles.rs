@@ -79,6 +79,15 @@ pub fn eigenvector_chain(cell: &Mat<Complex64>, count: usize) -> [Complex64; 3] 
     [-relation[(0, 0)], -relation[(0, 1)], relation[(1, 1)]]
 }
 
+/// Fails unless one number is another, to a part of it.
+#[track_caller]
+pub fn assert_close(found: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (found / expected - 1.0).abs() <= tolerance,
+        "found {found}, expected {expected} to {tolerance}"
+    );
+}
+
 /// Largest |a − b| over the largest |b|.
 pub fn relative_difference(a: &[f64], b: &[f64]) -> f64 {
     let scale = b.iter().fold(0.0, |most: f64, x| most.max(x.abs()));

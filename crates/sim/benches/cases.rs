@@ -2,7 +2,7 @@
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
 use divan::{Bencher, black_box};
-use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
+use linear::{Method, responses};
 use problems::academic;
 use sim::convolution::{Convolution, Kernel, Kernels};
 use sim::{Impulse, Lateral, Scene, Simulator, Stopping, Timing, Wall};
@@ -17,22 +17,7 @@ const SPEED: f64 = std::f64::consts::TAU;
 fn simulator(sites: usize, longest_time: f64) -> Simulator {
     let string = academic::string();
     let distances: Vec<f64> = (0..sites).map(|site| 10.0 * site as f64).collect();
-    let bending = Bending {
-        youngs_modulus: 210e9,
-        damping: 2000.0,
-        compression: 0.0,
-    };
-    let in_bending = ChannelRequest::Bending {
-        bending,
-        support: SurfaceSupport::Free,
-    };
-    let torques = (0..sites).collect();
-    let request = Request {
-        sites: Sites::new(&string, &distances).unwrap(),
-        channels: vec![ChannelRequest::Torsion { torques }, in_bending],
-        sampling_frequency: academic::SAMPLING_FREQUENCY,
-        longest_time,
-    };
+    let request = academic::lateral_request(&string, &distances, longest_time);
     Simulator::new(&responses(&string, &Method::Quadrature, &request).unwrap()).unwrap()
 }
 

@@ -2,10 +2,8 @@
 //! discrete string gives back no more than was fed in, however long it rattles.
 
 use linear::method::FiniteElement;
-use linear::{
-    Bending, ChannelRequest, Drillstring, Material, Method, Request, Section, Sites,
-    SurfaceSupport, Tube, responses,
-};
+use linear::{Bending, ChannelRequest, Method, Request, Sites, SurfaceSupport, responses};
+use problems::{academic, pipes};
 use sim::{Impulse, Lateral, Scene, Simulator, Stopping, Timing, Trajectory, Wall};
 
 const SAMPLING_FREQUENCY: f64 = 640.0;
@@ -24,24 +22,10 @@ fn impulse(index: u32) -> Impulse {
 
 /// A short string without lateral damping.
 fn rattle(method: &Method, wall: Wall, sampling_frequency: f64, steps: usize) -> Trajectory {
-    let part = Tube {
-        length: 10.0,
-        inner_radius: 0.05,
-        outer_radius: 0.15,
-    };
-    let section = Section {
-        repeat: 4,
-        parts: vec![part],
-    };
-    let steel = Material {
-        shear_modulus: 80e9,
-        density: 7840.0,
-    };
-    let string = Drillstring::new(steel, vec![section], 10.0).unwrap();
+    let string = pipes::row(4, 10.0);
     let bending = Bending {
-        youngs_modulus: 210e9,
         damping: 0.0,
-        compression: 0.0,
+        ..academic::BENDING
     };
     let duration = steps as f64 / sampling_frequency;
     let support = SurfaceSupport::Pinned;

@@ -1,11 +1,9 @@
-//! Systems and scenes that do not fit, and scenes that cannot be: each is refused by
+//! Systems and scenes that do not fit, and scenes out of range: each is refused by
 //! name, none gives an answer without a word.
 
 use linear::passivity::Ending;
-use linear::{
-    Bending, ChannelRequest, Method, Request, ResponseError, Responses, Sites, SurfaceSupport,
-    responses,
-};
+use linear::{ChannelRequest, Method, Request, ResponseError, Responses, Sites, responses};
+use problems::academic;
 use problems::pipes::row;
 use proptest::prelude::*;
 use sim::excitation::least_impulse;
@@ -33,14 +31,8 @@ const WALL: Wall = Wall {
 /// Responses in torsion to some torques, and in bending where asked for.
 fn built(distances: &[f64], torques: Vec<usize>, bends: bool, longest_time: f64) -> Responses {
     let string = row(5, 10.0);
-    let bending = Bending {
-        youngs_modulus: 210e9,
-        damping: 2000.0,
-        compression: 0.0,
-    };
-    let support = SurfaceSupport::Free;
     let mut channels = vec![ChannelRequest::Torsion { torques }];
-    channels.extend(bends.then_some(ChannelRequest::Bending { bending, support }));
+    channels.extend(bends.then(academic::free_in_bending));
     let request = Request {
         sites: Sites::new(&string, distances).unwrap(),
         channels,
@@ -196,7 +188,7 @@ fn lateral(scene: &mut Scene) -> &mut Lateral {
 }
 
 #[test]
-fn scenes_that_cannot_be_are_refused() {
+fn scenes_out_of_range_are_refused() {
     let changes: [Change; 19] = [
         |it| it.surface_speed = f64::NAN,
         |it| it.surface_speed = f64::INFINITY,

@@ -1,7 +1,8 @@
 //! A torque law and a wall of one's own step as the built-in ones do, through the same
 //! stepper.
 
-use linear::{Bending, ChannelRequest, Method, Request, Responses, Sites, SurfaceSupport};
+use linear::{ChannelRequest, Method, Request, Responses, Sites};
+use problems::academic;
 use problems::pipes::row;
 use sim::laws::bit::BitMotion;
 use sim::laws::contact::{Approach, Contact, ContactError, Touch};
@@ -190,22 +191,9 @@ fn positions<W: WallLaw>(system: &System, wall: W) -> (Vec<[f64; 2]>, usize) {
 
 #[test]
 fn a_smooth_wall_of_ones_own_gives_the_motion_of_the_built_in_one() {
-    let bending = Bending {
-        youngs_modulus: 210e9,
-        damping: 2000.0,
-        compression: 0.0,
-    };
-    let support = SurfaceSupport::Free;
-    let request = Request {
-        sites: Sites::bit(),
-        channels: vec![
-            ChannelRequest::Torsion { torques: vec![0] },
-            ChannelRequest::Bending { bending, support },
-        ],
-        sampling_frequency: 640.0,
-        longest_time: 1.0,
-    };
-    let responses = linear::responses(&row(50, 1.0), &Method::Quadrature, &request).unwrap();
+    let string = row(50, 1.0);
+    let request = academic::lateral_request(&string, &[0.0], 1.0);
+    let responses = linear::responses(&string, &Method::Quadrature, &request).unwrap();
     let system = System::new(&responses).unwrap();
     let clearance = 0.015;
     let (own, touches) = positions(&system, Smooth { clearance });

@@ -6,22 +6,15 @@ use linear::elements::reconstruction::WholeString;
 use linear::method::{FiniteElement, Transform};
 use linear::waves::inversion::time_response;
 use linear::waves::lateral::BendingNetwork;
-use linear::{
-    Bending, ChannelRequest, Complex64, Drillstring, Method, RaisedCosine, Request, Sites,
-    SurfaceSupport, responses,
-};
-use problems::academic;
+use linear::{Complex64, Drillstring, Method, RaisedCosine, Sites, SurfaceSupport, responses};
+use problems::academic::{self, BENDING};
+use problems::oracles::assert_close;
 use sim::excitation::least_impulse;
 use sim::{
     EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Scene, Simulator, Stopping,
     Timing, Trajectory, Wall,
 };
 
-const BENDING: Bending = Bending {
-    youngs_modulus: 210e9,
-    damping: 2000.0,
-    compression: 0.0,
-};
 const DURATION: f64 = 10.0;
 const PULSE: f64 = 0.02;
 const SPEED: f64 = std::f64::consts::TAU;
@@ -45,18 +38,7 @@ struct Case {
 impl Case {
     fn new(method: &Method, distances: &[f64]) -> Self {
         let string = academic::string();
-        let sites = Sites::new(&string, distances).unwrap();
-        let torques = (0..sites.len()).collect();
-        let in_bending = ChannelRequest::Bending {
-            bending: BENDING,
-            support: SurfaceSupport::Free,
-        };
-        let request = Request {
-            sites,
-            channels: vec![ChannelRequest::Torsion { torques }, in_bending],
-            sampling_frequency: academic::SAMPLING_FREQUENCY,
-            longest_time: DURATION,
-        };
+        let request = academic::lateral_request(&string, distances, DURATION);
         let responses = responses(&string, method, &request).unwrap();
         let bending = responses.bending().unwrap();
         let least_impulses = (0..distances.len())
@@ -112,14 +94,6 @@ impl Case {
             eccentric_masses: vec![],
         }
     }
-}
-
-#[track_caller]
-fn assert_close(found: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (found / expected - 1.0).abs() <= tolerance,
-        "found {found}, expected {expected} to {tolerance}"
-    );
 }
 
 fn network(string: &Drillstring) -> BendingNetwork<'_> {

@@ -1,7 +1,7 @@
 //! Validation of the bending waves: closed forms of beams, static deflection,
 //! reciprocity, passivity, tension and compression.
 
-use super::academic::{self, tube};
+use super::academic::{self, BENDING, tube};
 use linear::waves::bending::uniform;
 use linear::waves::block::Block;
 use linear::waves::lateral::BendingNetwork;
@@ -9,13 +9,6 @@ use linear::waves::transfer::tip_receptance;
 use linear::{Bending, Drillstring, Section, Sites, SurfaceSupport, Tube};
 use num_complex::Complex64;
 use proptest::prelude::*;
-
-/// Table 2.
-const BENDING: Bending = Bending {
-    youngs_modulus: 210e9,
-    damping: 2000.0,
-    compression: 0.0,
-};
 
 fn uniform_string(length: f64) -> Drillstring {
     let section = Section {
