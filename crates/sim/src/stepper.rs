@@ -10,7 +10,7 @@ use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
 use crate::scene::{Lateral, Scene};
 use crate::site::{LateralLine, Load, SiteLaws};
-use crate::system::{BitLoad, System};
+use crate::system::System;
 
 /// One step of all sites that may bear a load.
 #[derive(Debug, Clone)]
@@ -30,8 +30,11 @@ pub struct Step<S> {
 pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     system: &'a System,
     scene: &'a Scene<B, W>,
-    bit: Option<BitLoad>,
+    /// The law of the bit, and which of the loads is its.
+    bit: Option<(&'a B, usize)>,
     reference: Reference<'a>,
+    /// The torque that holds the bit fast in this step, N m, where it is held.
+    held: f64,
     /// The next step, and how many there are.
     next: usize,
     steps: usize,
@@ -102,7 +105,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         system.lasts_for(scene.timing.duration)?;
         let bit = match &scene.bit {
             None => None,
-            Some(_) => Some(system.bit_load().ok_or(SimulationError::NoTorqueInput)?),
+            Some(law) => {
+                let bit = system.bit_load().ok_or(SimulationError::NoTorqueInput)?;
+                Some((law, bit.load))
+            }
         };
         let steps = system.steps_of(scene.timing.duration);
         let lateral = (scene.lateral.as_ref())
@@ -115,6 +121,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             scene,
             bit,
             reference,
+            held: 0.0,
             next: first,
             steps,
             torques: Convolution::new(&system.from_torques, 1, steps - first.min(steps)),
@@ -175,8 +182,8 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 }
             }
             Reference::Stuck(stuck) => {
-                let held = scene.surface_speed * stuck[step];
-                self.free_speeds[0] -= self.system.from_torques.instant(0, 0) * held;
+                self.held = scene.surface_speed * stuck[step];
+                self.free_speeds[0] -= self.system.from_torques.instant(0, 0) * self.held;
             }
         }
         if let Some(lateral) = &mut self.lateral {
@@ -189,20 +196,23 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     fn meet_bit(&mut self) -> Result<(), SimulationError> {
         let (from_torques, time) = (&self.system.from_torques, self.now.time);
         let speeds = &mut self.now.speeds;
-        speeds.copy_from_slice(&self.free_speeds);
-        if let (Some(law), Some(BitLoad { load, .. })) = (&self.scene.bit, self.bit) {
-            let line = LoadLine {
-                time,
-                free_speed: self.free_speeds[load],
-                compliance: from_torques.instant(load, load),
-            };
-            let bit = law.meet(&self.bit_state, line);
-            for (index, speed) in speeds.iter_mut().enumerate() {
-                *speed += from_torques.instant(index, load) * bit.torque;
+        match self.bit {
+            None => speeds.copy_from_slice(&self.free_speeds),
+            Some((law, load)) => {
+                let line = LoadLine {
+                    time,
+                    free_speed: self.free_speeds[load],
+                    compliance: from_torques.instant(load, load),
+                };
+                let bit = law.meet(&self.bit_state, line);
+                let free = self.free_speeds.iter().enumerate();
+                for (speed, (index, free)) in speeds.iter_mut().zip(free) {
+                    *speed = free + from_torques.instant(index, load) * bit.torque;
+                }
+                speeds[load] = bit.speed;
+                self.coupling.set_torque(load, bit.torque);
+                self.now.bit = Some(bit);
             }
-            speeds[load] = bit.speed;
-            self.coupling.set_torque(load, bit.torque);
-            self.now.bit = Some(bit);
         }
         match speeds.iter().position(|speed| !speed.is_finite()) {
             None => Ok(()),
@@ -214,7 +224,6 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     fn meet_walls(&mut self) -> Result<(), SimulationError> {
         let Self {
             system,
-            scene,
             bit,
             lateral: Some(lateral),
             coupling,
@@ -229,10 +238,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         let (system, lateral, time) = (*system, &*lateral, now.time);
         let radius = |index: usize| lateral.scene.walls[index].radius();
         let settled = coupling.settle(system, radius, |index, loads| {
-            let at_bit = bit.is_some_and(|bit| bit.load == index);
-            let law = scene.bit.as_ref().filter(|_| at_bit);
+            let at_bit = bit.filter(|(_, load)| *load == index);
             let laws = SiteLaws {
-                bit: law.map(|law| (law, &*bit_state)),
+                bit: at_bit.map(|(law, _)| (law, &*bit_state)),
                 wall: &lateral.scene.walls[index],
             };
             let line = LoadLine {
@@ -263,13 +271,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     /// From this step to the past.
     #[inline]
     fn end_step(&mut self) {
-        let held = match self.reference {
-            Reference::Free => 0.0,
-            Reference::Stuck(stuck) => self.scene.surface_speed * stuck[self.next],
-        };
         let loads = self.coupling.loads();
         for (torque, load) in self.step_torques.iter_mut().zip(loads) {
-            *torque = load.torque - held;
+            *torque = load.torque - self.held;
         }
         self.torques.add(&self.step_torques);
         if let Some(lateral) = &mut self.lateral {

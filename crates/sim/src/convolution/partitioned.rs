@@ -322,7 +322,9 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     for (sum, (x, y)) in sums.iter_mut().zip(a_rest.iter().zip(b_rest)) {
         *sum += x * y;
     }
-    sums.iter().sum()
+    // In pairs, for each of eight additions in a row would wait for the last.
+    let [a, b, c, d, e, f, g, h] = sums;
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
 }
 
 #[cfg(test)]
