@@ -55,21 +55,20 @@ impl Names {
             let place = self.inside(name, centre);
             let moved = place.centre() != centre;
             let crowded = self.taken.iter().any(|rect| rect.overlaps(&place));
-            (
-                usize::from(moved) + usize::from(crowded),
-                self.hidden(&place),
-                place,
-            )
+            let conflicts = u8::from(moved) + u8::from(crowded);
+            (conflicts, self.hidden(&place), place)
         });
-        places
-            .min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)))
-            .map(|(_, _, place)| place)
+        let best = places.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        best.map(|(_, _, place)| place)
     }
 
     /// The length of all data lines inside a rectangle.
     fn hidden(&self, place: &Rect) -> f64 {
         let parts = self.data.iter().flat_map(|line| place.clip(line));
-        parts.map(|part| length(&part)).sum()
+        let length = |side: &[Pixel]| (side[1].0 - side[0].0).hypot(side[1].1 - side[0].1);
+        parts
+            .map(|part| part.windows(2).map(length).sum::<f64>())
+            .sum()
     }
 
     /// The rectangle of a name near `centre`, moved into the plotting area.
@@ -85,13 +84,6 @@ impl Names {
         let y = y.min(bottom - half_height).max(top + half_height);
         Rect::centred((x, y), name.width, name.height())
     }
-}
-
-fn length(line: &[Pixel]) -> f64 {
-    let sides = line.windows(2);
-    sides
-        .map(|side| (side[1].0 - side[0].0).hypot(side[1].1 - side[0].1))
-        .sum()
 }
 
 #[cfg(test)]

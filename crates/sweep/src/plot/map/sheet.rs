@@ -79,11 +79,10 @@ fn alone(sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
         right: legend_left - LEGEND_GAP,
         bottom: height - MARGIN,
     };
-    let (x, y) = scales(sheet);
-    let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
+    let frame = Frame::new(outer, &sheet.axes, scales(sheet))?;
     draw_titled(&title, height, |canvas| {
         for panel in &group.panels {
-            draw_panel(canvas, &frame, group, panel)?;
+            draw_panel(canvas, &frame, &sheet.marks, group, panel)?;
         }
         legend.draw(canvas, legend_left, top)
     })
@@ -115,6 +114,7 @@ fn arranged(sheet: &MapSheet, groups: &[MapGroup]) -> Result<Picture> {
 
 /// The maps of a group in rows, its legend and its notes below.
 struct GroupBlock<'a> {
+    sheet: &'a MapSheet,
     group: &'a MapGroup,
     left: f64,
     top: f64,
@@ -131,8 +131,8 @@ struct GroupBlock<'a> {
 
 impl<'a> GroupBlock<'a> {
     fn new(
-        sheet: &MapSheet,
-        scales: (Scale, Scale),
+        sheet: &'a MapSheet,
+        scales: [Scale; 2],
         group: &'a MapGroup,
         [left, top, width]: [f64; 3],
     ) -> Result<Self> {
@@ -147,6 +147,7 @@ impl<'a> GroupBlock<'a> {
         let texts: f64 = texts.map(|text| text.height() + TEXT_GAP).sum();
         Ok(Self {
             bottom: texts_top + legend.height() + texts + 0.5 * GAP,
+            sheet,
             group,
             left,
             top,
@@ -170,7 +171,7 @@ impl<'a> GroupBlock<'a> {
             let furthest = frame.area.right - 0.5 * title.width;
             let middle = frame.area.centre().0.min(furthest);
             canvas.text(title, middle, first_row, HPos::Center)?;
-            draw_panel(canvas, frame, self.group, panel)?;
+            draw_panel(canvas, frame, &self.sheet.marks, self.group, panel)?;
         }
         let row = self.write(canvas, self.scale.as_slice(), self.texts_top)?;
         self.legend.draw(canvas, self.left, row)?;
@@ -192,7 +193,7 @@ impl<'a> GroupBlock<'a> {
 /// The maps of a group in rows, each with its title above, and where the last row ends.
 fn frames(
     sheet: &MapSheet,
-    (x, y): (Scale, Scale),
+    scales: [Scale; 2],
     group: &MapGroup,
     [left, top, width]: [f64; 3],
 ) -> Result<(Vec<(Block, Frame)>, f64)> {
@@ -218,8 +219,7 @@ fn frames(
                 right: left + map_width - LABEL_ROOM,
                 bottom: bottom - 0.5 * GAP,
             };
-            let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
-            frames.push((title, frame));
+            frames.push((title, Frame::new(outer, &sheet.axes, scales)?));
         }
         row_top = bottom;
     }
