@@ -19,18 +19,14 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// Names inside `within`, where the given polylines are drawn.
-    pub fn new(within: Rect, data: Vec<Vec<Pixel>>) -> Names {
+    /// Names inside `within`, off rectangles that are `taken`, where the given polylines
+    /// are drawn.
+    pub fn new(within: Rect, taken: Vec<Rect>, data: Vec<Vec<Pixel>>) -> Names {
         Names {
             within,
-            taken: Vec::new(),
+            taken,
             data,
         }
-    }
-
-    /// Keeps names off a rectangle.
-    pub fn keep_off(&mut self, rect: Rect) {
-        self.taken.push(rect);
     }
 
     /// Breaks a name so that it fits into the plotting area.
@@ -105,17 +101,21 @@ mod tests {
 
     #[test]
     fn the_first_place_wins_unless_data_or_names_are_there() {
-        let mut names = Names::new(AREA, Vec::new());
-        assert!((best(&names, &CENTRES).0 - 100.0).abs() < 1e-9);
-        names.keep_off(Rect::centred(CENTRES[0], 10.0, 10.0));
-        assert!((best(&names, &CENTRES).0 - 300.0).abs() < 1e-9);
-        let names = Names::new(AREA, vec![vec![(100.0, 0.0), (100.0, 100.0)]]);
-        assert!((best(&names, &CENTRES).0 - 300.0).abs() < 1e-9);
+        let taken = vec![Rect::centred(CENTRES[0], 10.0, 10.0)];
+        let data = vec![vec![(100.0, 0.0), (100.0, 100.0)]];
+        for (taken, data, middle) in [
+            (vec![], vec![], 100.0),
+            (taken, vec![], 300.0),
+            (vec![], data, 300.0),
+        ] {
+            let names = Names::new(AREA, taken, data);
+            assert!((best(&names, &CENTRES).0 - middle).abs() < 1e-9);
+        }
     }
 
     #[test]
     fn a_name_never_leaves_the_area() {
-        let names = Names::new(AREA, Vec::new());
+        let names = Names::new(AREA, Vec::new(), Vec::new());
         let name = names.block("8(a)").expect("measured");
         let place = names.best_place(&name, &[(399.0, -5.0)]).expect("a place");
         assert!(place.right <= 400.0 + 1e-9 && place.top >= -1e-9);

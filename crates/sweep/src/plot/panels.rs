@@ -172,14 +172,11 @@ mod tests {
     use super::*;
 
     fn panel(name: &str, points: Vec<(f64, f64)>, logarithmic: bool) -> Panel {
+        let difference = "Difference in the angular speed of the bit (rad/s)";
+        let mut axes = ["Time t (s)", difference].map(Axis::linear);
+        axes[1].logarithmic = logarithmic;
         Panel {
-            axes: [
-                Axis::linear("Time t (s)"),
-                Axis {
-                    label: "Difference in the angular speed of the bit (rad/s)".to_string(),
-                    logarithmic,
-                },
-            ],
+            axes,
             series: vec![Series {
                 name: name.to_string(),
                 points,

@@ -124,12 +124,13 @@ fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPan
     let places = marks.iter();
     let places = places.filter_map(|mark| Some((mark, frame.pixel(mark.at)?)));
     let places: Vec<_> = places.collect();
-    let mut names = Names::new(frame.area, drawn_lines(frame, panel));
     for &(_, centre) in &places {
         draw_triangle(canvas, centre)?;
-        let size = 2.0 * MARK_RADIUS;
-        names.keep_off(Rect::centred(centre, size, size));
     }
+    let size = 2.0 * MARK_RADIUS;
+    let centres = places.iter().map(|&(_, centre)| centre);
+    let taken = centres.map(|centre| Rect::centred(centre, size, size));
+    let mut names = Names::new(frame.area, taken.collect(), drawn_lines(frame, panel));
     for (mark, (x, y)) in places {
         let name = names.block(&mark.name)?;
         let beside = MARK_RADIUS + HALO + 2.0 + name.width / 2.0;
