@@ -5,7 +5,7 @@ use anyhow::Result;
 use super::marks::shown_clearance;
 use super::simulation::Simulation;
 use crate::plan::Sweep;
-use crate::plot::{Axis, Orbit, Orbits, Picture, Series, orbits};
+use crate::plot::{Axis, Orbit, Picture, Series, orbits};
 use crate::words::site_title;
 
 /// The path of every site's centre, with the circle of its clearance where it comes
@@ -29,14 +29,10 @@ pub fn orbit_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Pictur
         let points = series.iter().flat_map(|series| &series.points);
         let circle = shown_clearance(wall.clearance, points.map(|(x, y)| x.hypot(*y)));
         Orbit {
-            x: Axis::linear(format!("x at {} (mm)", site_title(distance))),
-            y: Axis::linear("y (mm)"),
+            axes: [&format!("x at {} (mm)", site_title(distance)), "y (mm)"].map(Axis::linear),
             series,
             circle,
         }
     });
-    orbits(&Orbits {
-        title: sweep.title.clone(),
-        orbits: of_sites.collect(),
-    })
+    orbits(&sweep.title, &of_sites.collect::<Vec<_>>())
 }

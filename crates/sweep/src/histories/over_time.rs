@@ -8,7 +8,7 @@ use super::marks::{level, shown_clearance};
 use super::simulation::{Simulation, has_torque};
 use crate::engine::Case;
 use crate::plan::{LateralSettings, Sweep, to_rpm};
-use crate::plot::{Across, Axis, Panel, Panels, Picture, Reference, Series, panels};
+use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
 use crate::words::site_title;
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
@@ -26,15 +26,12 @@ pub fn history_picture(
         sweep,
         cases,
         simulations,
-        step: 1.0 / sweep.setting.sampling_frequency,
     };
-    panels(&Panels {
-        title: sweep.title.clone(),
-        panels: match &sweep.setting.lateral {
-            Some(lateral) => histories.radii(lateral),
-            None => histories.speeds_and_torque(),
-        },
-    })
+    let list = match &sweep.setting.lateral {
+        Some(lateral) => histories.radii(lateral),
+        None => histories.speeds_and_torque(),
+    };
+    panels(&sweep.title, &list)
 }
 
 /// What is drawn over time.
@@ -42,57 +39,58 @@ struct Histories<'a> {
     sweep: &'a Sweep,
     cases: &'a [Case],
     simulations: &'a [Simulation],
-    step: f64,
 }
 
 impl Histories<'_> {
     fn panel(&self, label: &str, series: Vec<Series>, references: Vec<Reference>) -> Panel {
         Panel {
-            x: Axis::linear("Time t (s)"),
-            y: Axis::linear(label),
+            axes: ["Time t (s)", label].map(Axis::linear),
             series,
             references,
         }
     }
 
-    /// A series over the time of a simulation; each case has its own.
-    fn series(&self, name: &str, of: &Simulation, values: &dyn Fn(usize) -> f64) -> Series {
-        let speeds = of.trajectory.speeds.first();
-        Series {
-            name: name.to_owned(),
-            points: (0..speeds.map_or(0, Vec::len))
-                .map(|index| (index as f64 * self.step, values(index)))
-                .collect(),
-        }
-    }
-
+    /// A series of each simulation, over its own time.
     fn of_each(&self, values: &dyn Fn(&Trajectory, usize) -> f64) -> Vec<Series> {
+        let step = 1.0 / self.sweep.setting.sampling_frequency;
         let series = self.simulations.iter().map(|simulation| {
-            let of_step = |index| values(&simulation.trajectory, index);
-            self.series(&simulation.name, simulation, &of_step)
+            let motion = &simulation.trajectory;
+            let steps = 0..motion.speeds.first().map_or(0, Vec::len);
+            Series {
+                name: simulation.name.clone(),
+                points: steps
+                    .map(|index| (index as f64 * step, values(motion, index)))
+                    .collect(),
+            }
         });
         series.collect()
     }
 
-    /// Between the first two methods, where there is one case.
-    fn difference(&self, label: &str, values: &dyn Fn(&Trajectory, usize) -> f64) -> Option<Panel> {
-        let ([_], [first, second, ..]) = (self.cases, self.simulations) else {
+    /// Between the first two methods of a panel, where there is one case.
+    fn difference(&self, label: &str, panel: Option<&Panel>) -> Option<Panel> {
+        let ([_], [first, second, ..]) = (self.cases, &panel?.series[..]) else {
             return None;
         };
-        let name = format!("{} − {}", first.name, second.name);
-        let series = self.series(&name, first, &|index| {
-            values(&first.trajectory, index) - values(&second.trajectory, index)
-        });
+        let points = first.points.iter().zip(&second.points);
+        let series = Series {
+            name: format!("{} − {}", first.name, second.name),
+            points: points
+                .map(|(one, other)| (one.0, one.1 - other.1))
+                .collect(),
+        };
         Some(self.panel(label, vec![series], Vec::new()))
     }
 
     fn radii(&self, lateral: &LateralSettings) -> Vec<Panel> {
-        let distances = self.sweep.setting.sites.distances_from_bit().iter();
-        let mut list: Vec<Panel> = distances
+        let distances = self.sweep.setting.sites.distances_from_bit();
+        let mut list: Vec<Panel> = (distances.iter())
             .zip(&lateral.walls)
             .enumerate()
             .map(|(site, (&distance, wall))| {
-                let radii = self.of_each(&|trajectory, index| radius_mm(trajectory, site, index));
+                let radii = self.of_each(&|trajectory, index| {
+                    let [x, y] = trajectory.positions[site][index];
+                    1e3 * x.hypot(y)
+                });
                 let points = radii.iter().flat_map(|series| &series.points);
                 let clearance = shown_clearance(wall.clearance, points.map(|point| point.1));
                 let wall = clearance.map(|clearance| level(clearance, "clearance"));
@@ -100,12 +98,9 @@ impl Histories<'_> {
                 self.panel(&label, radii, wall.into_iter().collect())
             })
             .collect();
-        let lowest = self.sweep.setting.sites.len() - 1;
-        let distance = self.sweep.setting.sites.distances_from_bit()[lowest];
-        list.extend(self.difference(
-            &format!("Difference in radius at {} (mm)", site_title(distance)),
-            &|trajectory, index| radius_mm(trajectory, lowest, index),
-        ));
+        let lowest = site_title(distances[distances.len() - 1]);
+        let label = format!("Difference in radius at {lowest} (mm)");
+        list.extend(self.difference(&label, list.last()));
         list
     }
 
@@ -129,15 +124,11 @@ impl Histories<'_> {
         if let Some(bit_speed) = list.first_mut() {
             bit_speed.references.extend(self.first_slips());
         }
+        let difference = self.difference("Difference in bit speed (rpm)", list.first());
         if has_torque(self.simulations) {
             list.push(self.torque());
         }
-        let bit = self.sweep.setting.sites.len() - 1;
-        list.extend(
-            self.difference("Difference in bit speed (rpm)", &|trajectory, index| {
-                to_rpm(trajectory.speeds[bit][index])
-            }),
-        );
+        list.extend(difference);
         list
     }
 
@@ -169,11 +160,6 @@ impl Histories<'_> {
             limits,
         )
     }
-}
-
-fn radius_mm(trajectory: &Trajectory, site: usize, index: usize) -> f64 {
-    let [x, y] = trajectory.positions[site][index];
-    1e3 * x.hypot(y)
 }
 
 /// A level of every case, each value once.

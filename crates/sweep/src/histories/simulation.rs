@@ -25,9 +25,3 @@ pub fn has_torque(simulations: &[Simulation]) -> bool {
     let mut motions = simulations.iter().map(|simulation| &simulation.trajectory);
     motions.any(|motion| !motion.bit_torque.is_empty())
 }
-
-/// Whether it moves sideways.
-pub fn has_positions(simulations: &[Simulation]) -> bool {
-    let mut motions = simulations.iter().map(|simulation| &simulation.trajectory);
-    motions.any(|motion| !motion.positions.is_empty())
-}

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-use super::simulation::{Simulation, has_positions, has_torque};
+use super::simulation::{Simulation, has_torque};
 use crate::engine::Record;
 use crate::output::LabelTable;
 use crate::plan::{Sweep, to_rpm};
@@ -26,7 +26,8 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
     let distances = sites.distances_from_bit().iter();
     header.extend(distances.map(|&distance| format!("{}_speed_rpm", site_name(distance))));
     header.extend(with_torque.then(|| "torque_on_bit_nm".to_owned()));
-    let with_positions = has_positions(simulations);
+    let mut motions = simulations.iter().map(|simulation| &simulation.trajectory);
+    let with_positions = motions.any(|motion| !motion.positions.is_empty());
     if with_positions {
         for &distance in sites.distances_from_bit() {
             let site = site_name(distance);
@@ -49,8 +50,8 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
                 fields.push((-trajectory.bit_torque[index]).to_string());
             }
             if with_positions {
-                for (positions, forces) in trajectory.positions.iter().zip(&trajectory.wall_forces)
-                {
+                let forces = &trajectory.wall_forces;
+                for (positions, forces) in trajectory.positions.iter().zip(forces) {
                     fields.extend(positions[index].map(|value| (1e3 * value).to_string()));
                     fields.extend(forces[index].map(|value| value.to_string()));
                 }

@@ -6,7 +6,7 @@ use linear::elements::reconstruction::WholeString;
 use super::marks::level;
 use super::simulation::Simulation;
 use crate::plan::{LateralSettings, Sweep};
-use crate::plot::{Axis, Panel, Panels, Picture, Series, panels};
+use crate::plot::{Axis, Panel, Picture, Series, panels};
 
 /// Fig. 13: the peak displacement of the whole string, reconstructed by finite
 /// elements from the forces at its sites, whatever method gave them.
@@ -38,16 +38,11 @@ pub fn string_picture(
         })
         .collect::<Result<Vec<_>>>()?;
     let clearance = lateral.walls.iter().map(|wall| wall.clearance);
-    panels(&Panels {
-        title: format!("{}: the whole string", sweep.title),
-        panels: vec![Panel {
-            x: Axis::linear("Depth ξ (m)"),
-            y: Axis::linear("Peak radius (mm)"),
-            series,
-            references: vec![level(
-                1e3 * clearance.fold(f64::INFINITY, f64::min),
-                "least clearance",
-            )],
-        }],
-    })
+    let least = 1e3 * clearance.fold(f64::INFINITY, f64::min);
+    let panel = Panel {
+        axes: ["Depth ξ (m)", "Peak radius (mm)"].map(Axis::linear),
+        series,
+        references: vec![level(least, "least clearance")],
+    };
+    panels(&format!("{}: the whole string", sweep.title), &[panel])
 }

@@ -2,12 +2,11 @@
 //! than can be told apart.
 
 use super::extent::Extent;
-use crate::plot::Symbol;
+use crate::plot::{Ground, MapCell, Symbol};
 
 /// Symbols counted in cells.
-#[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
-    extent: Extent,
+    ranges: [[f64; 2]; 2],
     size: [usize; 2],
     counts: Vec<[usize; 3]>,
 }
@@ -18,7 +17,7 @@ impl Cells {
     pub fn new(extent: &Extent, most: [usize; 2]) -> Self {
         let size = [0, 1].map(|axis| most[axis].min(extent.values[axis].len()).max(1));
         Self {
-            extent: extent.clone(),
+            ranges: extent.ranges,
             size,
             counts: vec![[0; 3]; size[0] * size[1]],
         }
@@ -30,8 +29,8 @@ impl Cells {
             let fraction = (value - from) / (to - from).max(f64::MIN_POSITIVE);
             ((fraction * cells as f64) as usize).min(cells - 1)
         };
-        let column = place(self.extent.ranges[0], x, self.size[0]);
-        let row = place(self.extent.ranges[1], y, self.size[1]);
+        let column = place(self.ranges[0], x, self.size[0]);
+        let row = place(self.ranges[1], y, self.size[1]);
         self.counts[column * self.size[1] + row][symbol as usize] += 1;
     }
 
@@ -50,42 +49,42 @@ impl Cells {
         most.filter(|&most| counts[most as usize] > 0)
     }
 
-    /// Runs of neighbours to the right with the same symbol, as [`runs`].
-    pub fn runs(&self) -> Vec<(usize, [usize; 2], Symbol)> {
-        runs(self.size, |column, row| self.symbol(column, row))
+    /// Neighbours to the right that are alike as one.
+    pub fn joined(&self) -> Vec<MapCell> {
+        let corner = |column, row| self.place(column as f64, row as f64);
+        joined(self.size, corner, |column, row| {
+            self.symbol(column, row).map(Ground::Symbol)
+        })
     }
 
     /// A place to the right and upwards, counted in cells.
     pub fn place(&self, column: f64, row: f64) -> [f64; 2] {
         let index = [column, row];
         [0, 1].map(|axis| {
-            let [from, to] = self.extent.ranges[axis];
+            let [from, to] = self.ranges[axis];
             from + (to - from) * index[axis] / self.size[axis] as f64
         })
     }
 }
 
-/// Runs of neighbours to the right with the same class: row, first column and the one
-/// after the last. A cell without a class is in no run.
-pub fn runs<Class: PartialEq>(
+/// Cells of a `ground`, neighbours to the right that are alike as one, by the lower left
+/// `corner` of each. A cell without a ground is left out.
+pub fn joined(
     [columns, rows]: [usize; 2],
-    class: impl Fn(usize, usize) -> Option<Class>,
-) -> Vec<(usize, [usize; 2], Class)> {
-    let mut runs: Vec<(usize, [usize; 2], Class)> = Vec::new();
+    corner: impl Fn(usize, usize) -> [f64; 2],
+    ground: impl Fn(usize, usize) -> Option<Ground>,
+) -> Vec<MapCell> {
+    let columns: Vec<usize> = (0..columns).collect();
+    let mut cells = Vec::new();
     for row in 0..rows {
-        for column in 0..columns {
-            let Some(class) = class(column, row) else {
-                continue;
-            };
-            match runs.last_mut() {
-                Some((of, [_, end], same)) if (*of, *end) == (row, column) && *same == class => {
-                    *end += 1;
-                }
-                _ => runs.push((row, [column, column + 1], class)),
-            }
+        for run in columns.chunk_by(|&one, &next| ground(one, row) == ground(next, row)) {
+            let [left, bottom] = corner(run[0], row);
+            let [right, top] = corner(run[run.len() - 1] + 1, row + 1);
+            let ends = [[left, right], [bottom, top]];
+            cells.extend(ground(run[0], row).map(|ground| MapCell { ends, ground }));
         }
     }
-    runs
+    cells
 }
 
 #[cfg(test)]
@@ -107,8 +106,15 @@ mod tests {
         assert_eq!(bottom, [Some(Symbol::Circle), Some(Symbol::Square)]);
         assert_eq!(cells.symbol(0, 1), None);
         assert_eq!(cells.place(1.5, 0.5), [3.0, 1.25]);
-        let runs = [(0, [0, 1], Symbol::Circle), (0, [1, 2], Symbol::Square)];
-        assert_eq!(cells.runs(), runs);
+        let cell = |x, symbol| MapCell {
+            ends: [x, [1.0, 1.5]],
+            ground: Ground::Symbol(symbol),
+        };
+        let expected = [
+            cell([0.0, 2.0], Symbol::Circle),
+            cell([2.0, 4.0], Symbol::Square),
+        ];
+        assert_eq!(cells.joined(), expected);
     }
 
     #[test]
@@ -119,6 +125,9 @@ mod tests {
         for x in values {
             cells.add([x, 1.5], Symbol::Cross);
         }
-        assert_eq!(cells.runs(), [(0, [0, 5], Symbol::Cross)]);
+        let [cell] = &cells.joined()[..] else {
+            panic!("{:?}", cells.joined());
+        };
+        assert_eq!(cell.ends[0], [0.0, 4.0]);
     }
 }

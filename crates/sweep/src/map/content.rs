@@ -1,15 +1,16 @@
 //! What the cases of one map are drawn as: symbols, cells of what most of them are, or
 //! cells of how large a part has the regime.
 
+use std::path::Path;
+
 use anyhow::Result;
 
-use super::cases::MapCases;
 use super::cells::Cells;
 use super::extent::Extent;
 use super::fractions::Fractions;
 use super::symbol::symbol_of;
 use crate::output::{CaseReader, CaseRows, Motion};
-use crate::plot::{Ground, MapCell, MapPoint, Part, Symbol};
+use crate::plot::{Ground, MapCell, MapPoint, Symbol};
 
 /// Where a sheet would have more symbols than this, cells are drawn.
 const MOST_SYMBOLS: usize = 4000;
@@ -25,6 +26,7 @@ const CASES_PER_CELL: f64 = 5.0;
 const SYMBOLS_ACROSS: usize = 12;
 
 /// The cases of one map.
+#[derive(Default)]
 pub struct Content {
     /// Its cells; neighbours that are alike are one.
     pub cells: Vec<MapCell>,
@@ -34,34 +36,46 @@ pub struct Content {
     pub untold: usize,
     /// Cases.
     pub cases: usize,
+    counted: Counted,
+}
+
+/// Cases that become cells when all are counted.
+#[derive(Default)]
+enum Counted {
+    #[default]
+    None,
+    Crowd(Cells),
+    Parts(Fractions),
 }
 
 impl Content {
-    /// The cases of all maps of a motion.
+    /// The cases of a `labels.csv` on all maps of a motion.
     ///
     /// # Errors
     /// Where labels cannot be read.
-    pub fn read(cases: &MapCases, motion: Motion) -> Result<Vec<Content>> {
-        let mut counted: Vec<Counted> = match cases.combinations() {
-            None => vec![Counted::new(Drawn::Parts(Fractions::new(&cases.extent)))],
-            Some(combinations) => {
-                let count = combinations.len().max(1);
-                let drawn = || Drawn::of_cases(&cases.extent, count);
-                (0..count).map(|_| Counted::new(drawn())).collect()
-            }
+    pub fn read(labels: &Path, extent: &Extent, motion: Motion) -> Result<Vec<Content>> {
+        let combinations = extent.combinations();
+        let count = combinations.map_or(1, |combinations| combinations.len().max(1));
+        let empty = || Content {
+            counted: match combinations {
+                None => Counted::Parts(Fractions::new(extent)),
+                Some(_) => Counted::of_cases(extent, count),
+            },
+            ..Content::default()
         };
-        let mut axes = cases.on_map.to_vec();
-        axes.extend(&cases.others);
-        for case in CaseReader::open(&cases.labels, &axes)? {
+        let mut contents: Vec<Content> = (0..count).map(|_| empty()).collect();
+        let axes: Vec<_> = extent.axes.iter().chain(&extent.others).copied().collect();
+        for case in CaseReader::open(labels, &axes)? {
             let case = case?;
             let of_case = |combinations: &[Vec<f64>]| {
                 let values = &case.values[2..];
                 combinations.iter().position(|other| other == values)
             };
-            let index = cases.combinations().and_then(of_case).unwrap_or(0);
-            counted[index].add(&case, motion);
+            let index = combinations.and_then(of_case).unwrap_or(0);
+            contents[index].add(&case, motion);
         }
-        Ok(counted.into_iter().map(Counted::finish).collect())
+        contents.iter_mut().for_each(Content::finish);
+        Ok(contents)
     }
 
     /// Whether a symbol, or its ground, is anywhere on the map.
@@ -79,36 +93,13 @@ impl Content {
     pub fn is_of_parts(&self) -> bool {
         self.has_ground(|ground| !matches!(ground, Ground::Symbol(_)))
     }
-}
-
-/// The cases of one map, being counted.
-struct Counted {
-    drawn: Drawn,
-    untold: usize,
-    cases: usize,
-}
-
-enum Drawn {
-    Each(Vec<MapPoint>),
-    Crowd(Cells),
-    Parts(Fractions),
-}
-
-impl Counted {
-    fn new(drawn: Drawn) -> Self {
-        Self {
-            drawn,
-            untold: 0,
-            cases: 0,
-        }
-    }
 
     fn add(&mut self, case: &CaseRows, motion: Motion) {
         self.cases += 1;
         let place @ [x, y] = [case.values[0], case.values[1]];
         let symbol = symbol_of(case, motion);
-        let is_told = match &mut self.drawn {
-            Drawn::Parts(fractions) => {
+        let is_told = match &mut self.counted {
+            Counted::Parts(fractions) => {
                 let rows = case.rows.iter();
                 let told = rows.filter_map(|row| row.labels.is_sustained(motion));
                 let told: Vec<bool> = told.collect();
@@ -116,50 +107,37 @@ impl Counted {
                 fractions.add(place, [sustained, told.len()]);
                 !told.is_empty()
             }
-            Drawn::Each(points) => {
-                points.extend(symbol.map(|symbol| MapPoint { x, y, symbol }));
-                symbol.is_some()
-            }
-            Drawn::Crowd(cells) => {
-                symbol
-                    .into_iter()
-                    .for_each(|symbol| cells.add(place, symbol));
+            Counted::Crowd(cells) => symbol.inspect(|symbol| cells.add(place, *symbol)).is_some(),
+            Counted::None => {
+                let point = symbol.map(|symbol| MapPoint { at: (x, y), symbol });
+                self.points.extend(point);
                 symbol.is_some()
             }
         };
         self.untold += usize::from(!is_told);
     }
 
-    fn finish(self) -> Content {
-        let (cells, points) = match self.drawn {
-            Drawn::Each(points) => (Vec::new(), points),
-            Drawn::Crowd(cells) => (filled(&cells), sparse_symbols(&cells)),
-            Drawn::Parts(fractions) => {
-                let ground = |part: Option<f64>| {
-                    part.map_or(Ground::NoCase, |part| Ground::Part(Part::of(part)))
-                };
-                let runs = fractions.runs(ground).into_iter();
-                let cells = runs.map(|([x, y], ground)| MapCell { x, y, ground });
-                (cells.collect(), Vec::new())
+    /// Makes cells, and symbols on them, of what was counted.
+    fn finish(&mut self) {
+        match &self.counted {
+            Counted::None => {}
+            Counted::Crowd(cells) => {
+                self.cells = cells.joined();
+                self.points = sparse_symbols(cells);
             }
-        };
-        Content {
-            cells,
-            points,
-            untold: self.untold,
-            cases: self.cases,
+            Counted::Parts(fractions) => self.cells = fractions.joined(),
         }
     }
 }
 
-impl Drawn {
+impl Counted {
     /// Of the cases of one of `count` maps of a motion, before there are any.
     fn of_cases(extent: &Extent, count: usize) -> Self {
         let motions = extent.motions.len();
         if extent.cases * motions > MOST_SYMBOLS {
-            Drawn::Crowd(Cells::new(extent, most_cells(extent, count, motions)))
+            Counted::Crowd(Cells::new(extent, most_cells(extent, count, motions)))
         } else {
-            Drawn::Each(Vec::new())
+            Counted::None
         }
     }
 }
@@ -177,21 +155,6 @@ fn most_cells(extent: &Extent, count: usize, motions: usize) -> [usize; 2] {
     most.map(|most| (scale * most) as usize)
 }
 
-/// Neighbours that are alike as one.
-fn filled(cells: &Cells) -> Vec<MapCell> {
-    let runs = cells.runs().into_iter();
-    runs.map(|(row, [first, end], symbol)| {
-        let [left, bottom] = cells.place(first as f64, row as f64);
-        let [right, top] = cells.place(end as f64, row as f64 + 1.0);
-        MapCell {
-            x: [left, right],
-            y: [bottom, top],
-            ground: Ground::Symbol(symbol),
-        }
-    })
-    .collect()
-}
-
 /// A symbol in some of the cells, for readers who cannot tell the colours apart.
 fn sparse_symbols(cells: &Cells) -> Vec<MapPoint> {
     let [columns, rows] = cells.size();
@@ -204,7 +167,7 @@ fn sparse_symbols(cells: &Cells) -> Vec<MapPoint> {
         .filter_map(|(column, row)| {
             let [x, y] = cells.place(column as f64 + 0.5, row as f64 + 0.5);
             let symbol = cells.symbol(column, row)?;
-            Some(MapPoint { x, y, symbol })
+            Some(MapPoint { at: (x, y), symbol })
         })
         .collect()
 }

@@ -18,8 +18,11 @@ const MOST_DISTINCT: usize = 200;
 const MOST_COMBINATIONS: usize = 6;
 
 /// What a map spans.
-#[derive(Debug, Clone, PartialEq)]
 pub struct Extent {
+    /// Its axes, to the right and upwards.
+    pub axes: [Axis; 2],
+    /// The axes of the design that are not on it.
+    pub others: Vec<Axis>,
     /// Least and greatest value to the right and upwards.
     pub ranges: [[f64; 2]; 2],
     /// Cases.
@@ -31,7 +34,7 @@ pub struct Extent {
     pub values: [Vec<f64>; 2],
     /// Distinct combinations of values along the further axes, in ascending order;
     /// none where there are more than `MOST_COMBINATIONS`.
-    pub others: Option<Vec<Vec<f64>>>,
+    combinations: Option<Vec<Vec<f64>>>,
     /// Least and greatest value along each further axis.
     pub other_ranges: Vec<[f64; 2]>,
 }
@@ -43,18 +46,25 @@ impl Extent {
         x.max(y) < MOST_DISTINCT && x * y <= self.cases
     }
 
+    /// The combinations of values of the other axes that have a map each; none of
+    /// many, or of such that hardly two cases share: their cases are put together.
+    pub fn combinations(&self) -> Option<&[Vec<f64>]> {
+        let few = self.combinations.as_deref()?;
+        (few.len() <= 1 || 2 * few.len() <= self.cases).then_some(few)
+    }
+
     /// Of a `labels.csv`: along the `axes` of a map, to the right and upwards, with
     /// `others` beside them.
     ///
     /// # Errors
     /// Where it cannot be read.
-    pub fn of(labels: &Path, axes: [Axis; 2], others: &[Axis]) -> Result<Self> {
+    pub fn of(labels: &Path, axes: [Axis; 2], others: Vec<Axis>) -> Result<Self> {
         let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; axes.len() + others.len()];
         let mut values = [Vec::new(), Vec::new()];
         let mut combinations = Vec::new();
         let mut motions = BTreeSet::new();
         let mut cases = 0;
-        let all: Vec<Axis> = axes.iter().chain(others).copied().collect();
+        let all: Vec<Axis> = axes.iter().chain(&others).copied().collect();
         for case in CaseReader::open(labels, &all)? {
             let case = case?;
             for (range, &value) in ranges.iter_mut().zip(&case.values) {
@@ -63,14 +73,12 @@ impl Extent {
             let (on_map, beside) = case.values.split_at(axes.len());
             for (distinct, &value) in values.iter_mut().zip(on_map) {
                 if distinct.len() < MOST_DISTINCT {
-                    insert(distinct, value, f64::total_cmp);
+                    insert(distinct, value);
                 }
             }
             // One more than can be shown tells that there are too many.
             if combinations.len() <= MOST_COMBINATIONS {
-                insert(&mut combinations, beside.to_vec(), |one, other| {
-                    in_order(one, other)
-                });
+                insert(&mut combinations, beside.to_vec());
             }
             cases += 1;
             motions.extend(Motion::ALL.into_iter().filter(|&motion| case.has(motion)));
@@ -79,11 +87,13 @@ impl Extent {
             motions.insert(Motion::Torsion);
         }
         Ok(Self {
+            axes,
+            others,
             ranges: [ranges[0], ranges[1]],
             cases,
             motions: motions.into_iter().collect(),
             values,
-            others: (combinations.len() <= MOST_COMBINATIONS).then_some(combinations),
+            combinations: (combinations.len() <= MOST_COMBINATIONS).then_some(combinations),
             other_ranges: ranges.split_off(axes.len()),
         })
     }
@@ -94,43 +104,31 @@ impl Extent {
     /// Of cases in torsion over these values, in ascending order.
     pub fn example(values: [&[f64]; 2], cases: usize) -> Self {
         Self {
+            axes: [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn],
+            others: Vec::new(),
             ranges: values.map(|values| [values[0], values[values.len() - 1]]),
             cases,
             motions: vec![Motion::Torsion],
             values: values.map(<[f64]>::to_vec),
-            others: Some(vec![Vec::new()]),
+            combinations: Some(vec![Vec::new()]),
             other_ranges: Vec::new(),
         }
     }
 }
 
 /// Puts a value in its place among distinct ones in ascending order.
-fn insert<Value>(
-    sorted: &mut Vec<Value>,
-    value: Value,
-    compare: impl Fn(&Value, &Value) -> Ordering,
-) {
-    if let Err(place) = sorted.binary_search_by(|other| compare(other, &value)) {
+fn insert<Value: PartialOrd>(sorted: &mut Vec<Value>, value: Value) {
+    let order = |other: &Value| other.partial_cmp(&value).unwrap_or(Ordering::Equal);
+    if let Err(place) = sorted.binary_search_by(order) {
         sorted.insert(place, value);
     }
-}
-
-/// By the first number that differs.
-fn in_order(one: &[f64], other: &[f64]) -> Ordering {
-    let mut orders = one
-        .iter()
-        .zip(other)
-        .map(|(one, other)| one.total_cmp(other));
-    orders
-        .find(|order| order.is_ne())
-        .unwrap_or(Ordering::Equal)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn extent(rows: &str, others: &[Axis]) -> Extent {
+    fn extent(rows: &str, others: Vec<Axis>) -> Extent {
         let file = tempfile::NamedTempFile::new().expect("a file");
         let header = "case,method,surface_speed_rpm,weight_on_bit_kn,friction,torsion,lateral";
         std::fs::write(file.path(), format!("{header}\n{rows}")).expect("written");
@@ -142,11 +140,11 @@ mod tests {
     fn both_motions_are_found_wherever_a_case_has_a_label() {
         let extent = extent(
             "0,a,1,10,1,,\n1,a,2,20,1,smooth,\n2,a,1,20,1,,no_contact\n",
-            &[],
+            vec![],
         );
         assert_eq!(extent.motions, Motion::ALL);
         assert_eq!(extent.ranges, [[1.0, 2.0], [10.0, 20.0]]);
-        assert_eq!(extent.others, Some(vec![vec![]]));
+        assert_eq!(extent.combinations, Some(vec![vec![]]));
     }
 
     #[test]
@@ -155,10 +153,11 @@ mod tests {
             let row = |case| format!("{case},a,1,10,{},smooth,\n", 9 - case % count);
             (0..20).map(row).collect()
         };
-        let of_three = extent(&rows(3), &[Axis::Friction]);
-        assert_eq!(of_three.others, Some(vec![vec![7.0], vec![8.0], vec![9.0]]));
+        let of_three = extent(&rows(3), vec![Axis::Friction]);
+        let expected = [[7.0], [8.0], [9.0]].map(Vec::from);
+        assert_eq!(of_three.combinations(), Some(&expected[..]));
         assert_eq!(of_three.motions, [Motion::Torsion]);
         assert_eq!(of_three.other_ranges, [[7.0, 9.0]]);
-        assert_eq!(extent(&rows(7), &[Axis::Friction]).others, None);
+        assert_eq!(extent(&rows(7), vec![Axis::Friction]).combinations, None);
     }
 }

@@ -1,8 +1,9 @@
 //! How large a part of the cases has a regime, over two axes: what is drawn where
 //! cases that differ along further axes lie on top of one another.
 
-use super::cells::runs;
+use super::cells::joined;
 use super::extent::Extent;
+use crate::plot::{Ground, MapCell, Part};
 
 /// Cells to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [60, 45];
@@ -14,7 +15,6 @@ const FEWEST_CELLS: [usize; 2] = [8, 6];
 const CASES_PER_CELL: f64 = 10.0;
 
 /// Counts in cells.
-#[derive(Debug, Clone, PartialEq)]
 pub struct Fractions {
     /// The lines between cells, to the right and upwards.
     edges: [Vec<f64>; 2],
@@ -59,23 +59,18 @@ impl Fractions {
         *count = [count[0] + sustained, count[1] + told];
     }
 
-    /// The part of each cell's simulations that has the regime, as a class: neighbours to
-    /// the right of the same `class` as one, each with its ends to the right and upwards.
-    pub fn runs<Class: PartialEq>(
-        &self,
-        class: impl Fn(Option<f64>) -> Class,
-    ) -> Vec<([[f64; 2]; 2], Class)> {
+    /// The part of each cell's simulations that has the regime, neighbours to the right in
+    /// the same class as one.
+    pub fn joined(&self) -> Vec<MapCell> {
         let [x, y] = &self.edges;
-        let runs = runs([x.len() - 1, self.rows()], |column, row| {
+        let corner = |column, row| [x[column], y[row]];
+        joined([x.len() - 1, self.rows()], corner, |column, row| {
             let [sustained, told] = self.counts[column * self.rows() + row];
-            let part = (told > 0).then(|| sustained as f64 / told as f64);
-            Some(class(part))
-        });
-        let ends =
-            |row: usize, [first, end]: [usize; 2]| [[x[first], x[end]], [y[row], y[row + 1]]];
-        runs.into_iter()
-            .map(|(row, columns, class)| (ends(row, columns), class))
-            .collect()
+            Some(match told {
+                0 => Ground::NoCase,
+                _ => Ground::Part(Part::of(sustained as f64 / told as f64)),
+            })
+        })
     }
 
     fn rows(&self) -> usize {
@@ -120,14 +115,16 @@ mod tests {
         for (x, sustained) in [(1.0, 1), (1.0, 0), (2.0, 0), (10.0, 1)] {
             fractions.add([x, 5.0], [sustained, 1]);
         }
-        let runs = fractions.runs(|part| part);
-        let parts: Vec<_> = runs.iter().map(|(ends, part)| (ends[0], *part)).collect();
+        let cell = |x, part| MapCell {
+            ends: [x, [4.75, 5.25]],
+            ground: Ground::Part(Part::of(part)),
+        };
         let expected = [
-            ([0.5, 1.5], Some(0.5)),
-            ([1.5, 6.0], Some(0.0)),
-            ([6.0, 14.0], Some(1.0)),
+            cell([0.5, 1.5], 0.5),
+            cell([1.5, 6.0], 0.0),
+            cell([6.0, 14.0], 1.0),
         ];
-        assert_eq!(parts, expected);
+        assert_eq!(fractions.joined(), expected);
     }
 
     #[test]
@@ -135,9 +132,10 @@ mod tests {
         let values: Vec<f64> = (0..100).map(f64::from).collect();
         let mut fractions = Fractions::new(&Extent::example([&values, &[0.0, 1.0]], 100));
         fractions.add([99.0, 1.0], [1, 2]);
-        let runs = fractions.runs(|part| part);
-        assert_eq!(runs.len(), 3, "{runs:?}");
-        assert_eq!(runs[0].0[0], [0.0, 99.0]);
-        assert_eq!((runs[1].1, runs[2].1), (None, Some(0.5)));
+        let cells = fractions.joined();
+        assert_eq!(cells.len(), 3, "{cells:?}");
+        assert_eq!(cells[0].ends[0], [0.0, 99.0]);
+        let grounds = [&cells[1], &cells[2]].map(|cell| cell.ground);
+        assert_eq!(grounds, [Ground::NoCase, Ground::Part(Part::of(0.5))]);
     }
 }

@@ -3,24 +3,17 @@
 
 use std::collections::BTreeMap;
 
+use super::extent::Extent;
 use super::words::{ends, quantity};
 use crate::output::{Curve, Motion};
-use crate::plot::{Band, Line, is_within};
+use crate::plot::{Band, Series, is_within};
 use crate::quantities::Axis;
-
-/// The part of the plane that a map shows.
-pub struct View {
-    /// Its axes, to the right and upwards.
-    pub axes: [Axis; 2],
-    /// Their ranges: those of the cases.
-    pub ranges: [[f64; 2]; 2],
-}
 
 /// The limit on a map.
 #[derive(Default)]
 pub struct Limits {
     /// What is drawn as a line.
-    pub lines: Vec<Line>,
+    pub lines: Vec<Series>,
     /// What is drawn as a range.
     pub bands: Vec<Band>,
     /// What is out of view.
@@ -28,10 +21,7 @@ pub struct Limits {
 }
 
 /// A limit out of view: how far it is, and the note about it.
-struct Unseen {
-    margin: f64,
-    note: String,
-}
+type Unseen = (f64, String);
 
 /// Ranges narrower than this part of their value are lines.
 const NARROW: f64 = 1e-6;
@@ -40,25 +30,26 @@ impl Limits {
     /// The limits that `curves` are on a map, while quantities off the map are `held`
     /// within the ranges of its cases. Of the curves of one name, such as the branches
     /// of a motion, a note tells the nearest, and only if none is drawn.
-    pub fn of(curves: &[&Curve], view: &View, held: impl Fn(Axis) -> [f64; 2]) -> Limits {
+    pub fn of(curves: &[&Curve], extent: &Extent, held: impl Fn(Axis) -> [f64; 2]) -> Limits {
         let mut limits = Limits::default();
-        let curves = match Self::least_over_a_range(curves, view, &held) {
+        let curves = match Self::least_over_a_range(curves, extent, &held) {
             Some(least) => &[least][..],
             None => curves,
         };
         let mut unseen: BTreeMap<&str, Vec<Option<Unseen>>> = BTreeMap::new();
         for curve in curves {
-            let found = limits.add(curve, view, &held);
+            let found = limits.add(curve, extent, &held);
             unseen.entry(&curve.name).or_default().push(found);
         }
         let nearest = |of_name: Vec<Option<Unseen>>| {
             // A curve that is drawn says enough of its name.
             let all: Vec<Unseen> = of_name.into_iter().collect::<Option<_>>()?;
-            let by_margin = |one: &Unseen, other: &Unseen| one.margin.total_cmp(&other.margin);
-            all.into_iter().min_by(by_margin)
+            let nearest = all
+                .into_iter()
+                .min_by(|one, other| one.0.total_cmp(&other.0));
+            nearest.map(|(_, note)| note)
         };
-        let told = unseen.into_values().filter_map(nearest);
-        limits.notes = told.map(|unseen| unseen.note).collect();
+        limits.notes = unseen.into_values().filter_map(nearest).collect();
         limits
     }
 
@@ -66,14 +57,14 @@ impl Limits {
     /// on, the range of the least limit counts, not that of each branch.
     fn least_over_a_range<'a>(
         curves: &[&'a Curve],
-        view: &View,
+        extent: &Extent,
         held: impl Fn(Axis) -> [f64; 2],
     ) -> Option<&'a Curve> {
         let least = *curves.last()?;
         let [low, high] = held(least.along);
         let is_range = least.motion == Motion::Lateral
-            && view.axes.contains(&least.limited)
-            && !view.axes.contains(&least.along)
+            && extent.axes.contains(&least.limited)
+            && !extent.axes.contains(&least.along)
             && low < high;
         is_range.then_some(least)
     }
@@ -82,51 +73,41 @@ impl Limits {
     fn add(
         &mut self,
         curve: &Curve,
-        view: &View,
+        extent: &Extent,
         held: impl Fn(Axis) -> [f64; 2],
     ) -> Option<Unseen> {
-        let place = |axis| view.axes.iter().position(|&other| other == axis);
+        let place = |axis| extent.axes.iter().position(|&other| other == axis);
         match (place(curve.along), place(curve.limited)) {
-            (Some(along), Some(limited)) => self.add_line(curve, view, [along, limited]),
-            (None, Some(on_map)) => self.add_across(curve, view, on_map, 1, held(curve.along)),
-            (Some(on_map), None) => self.add_across(curve, view, on_map, 0, held(curve.limited)),
+            (Some(_), Some(limited)) => self.add_line(curve, extent, limited),
+            (None, Some(on_map)) => self.add_across(curve, extent, on_map, 1, held(curve.along)),
+            (Some(on_map), None) => self.add_across(curve, extent, on_map, 0, held(curve.limited)),
             (None, None) => {
-                let values = curve.ranges(1, held(curve.along));
-                let note = format!(
-                    "{}: {}, on neither axis of this map",
-                    curve.name,
-                    ends(curve.limited, span(&values)?)
-                );
-                let margin = f64::INFINITY;
-                Some(Unseen { margin, note })
+                let values = span(&curve.ranges(1, held(curve.along)))?;
+                let values = ends(curve.limited, values);
+                let note = format!("{}: {values}, on neither axis of this map", curve.name);
+                Some((f64::INFINITY, note))
             }
         }
     }
 
-    /// Both quantities are axes of the map, at the given places.
-    fn add_line(&mut self, curve: &Curve, view: &View, places: [usize; 2]) -> Option<Unseen> {
-        let on_map = |point: &[f64; 2]| match places {
-            [0, _] => (point[0], point[1]),
-            _ => (point[1], point[0]),
+    /// Both quantities are axes of the map, the limited one at the given place.
+    fn add_line(&mut self, curve: &Curve, extent: &Extent, limited: usize) -> Option<Unseen> {
+        let on_map = |&[along, value]: &[f64; 2]| match limited {
+            0 => (value, along),
+            _ => (along, value),
         };
-        let gap = (f64::NAN, f64::NAN);
-        let [x, y] = view.ranges;
-        let mut points = Vec::new();
-        let mut is_seen = false;
-        for piece in &curve.pieces {
-            let piece: Vec<_> = piece.iter().map(on_map).collect();
-            is_seen |= is_within(&piece, x, y);
-            points.extend(piece.into_iter().chain([gap]));
-        }
-        points.pop();
-        if is_seen {
-            let name = curve.name.clone();
-            self.lines.push(Line { name, points });
+        let pieces = curve.pieces.iter();
+        let pieces = pieces.map(|piece| piece.iter().map(on_map).collect());
+        let pieces: Vec<Vec<_>> = pieces.collect();
+        if pieces.iter().any(|piece| is_within(piece, extent.ranges)) {
+            self.lines.push(Series {
+                name: curve.name.clone(),
+                points: pieces.join(&(f64::NAN, f64::NAN)),
+            });
             return None;
         }
-        let range = view.ranges[places[1]];
-        let side = |limited| side(places[1], limited, range).to_owned();
-        out_of_view(curve, range, side)
+        let range = extent.ranges[limited];
+        out_of_view(curve, range, |value| side(limited, value, range).to_owned())
     }
 
     /// One quantity, 0 for what the limit depends on and 1 for what is limited, is the
@@ -134,7 +115,7 @@ impl Limits {
     fn add_across(
         &mut self,
         curve: &Curve,
-        view: &View,
+        extent: &Extent,
         on_map: usize,
         shown: usize,
         held: [f64; 2],
@@ -143,18 +124,18 @@ impl Limits {
         let Some(whole) = span(&stretches) else {
             return Some(beyond(curve, shown, held));
         };
-        let range = view.ranges[on_map];
+        let range = extent.ranges[on_map];
         let is_seen = |[low, high]: &[f64; 2]| *low <= range[1] && *high >= range[0];
         let seen: Vec<_> = stretches.into_iter().filter(is_seen).collect();
         for [low, high] in &seen {
-            let across = view.ranges[1 - on_map];
+            let across = extent.ranges[1 - on_map];
             if high - low <= NARROW * high.abs() {
                 let at = 0.5 * (low + high);
                 let points = across.map(|across| match on_map {
                     0 => (at, across),
                     _ => (across, at),
                 });
-                self.lines.push(Line {
+                self.lines.push(Series {
                     name: curve.name.clone(),
                     points: points.to_vec(),
                 });
@@ -163,8 +144,7 @@ impl Limits {
                 ends[on_map] = [*low, *high];
                 self.bands.push(Band {
                     name: format!("{}: its range over these cases", curve.name),
-                    x: ends[0],
-                    y: ends[1],
+                    ends,
                 });
             }
         }
@@ -182,32 +162,31 @@ impl Limits {
         };
         let [low, high] = whole.map(|end| (margin(end, range), end));
         let (margin, end) = if low.0 <= high.0 { low } else { high };
-        let note = format!(
-            "{}: limit {}{at}, {} this map; margin {}",
-            curve.name,
-            ends(axis, whole),
+        let limit = ends(axis, whole) + &at;
+        Some(unseen(
+            curve,
+            &limit,
             side(on_map, end, range),
-            quantity(axis, margin)
-        );
-        Some(Unseen { margin, note })
+            axis,
+            margin,
+        ))
     }
 }
 
 /// A curve that never reaches what is held: `shown` is the quantity on the map.
 fn beyond(curve: &Curve, shown: usize, held: [f64; 2]) -> Unseen {
-    let none = |at: String| Unseen {
-        margin: f64::INFINITY,
-        note: format!("{}: none at {at}", curve.name),
+    let held_words = ends([curve.limited, curve.along][shown], held);
+    let nearest = || {
+        out_of_view(curve, held, |limited| {
+            let side = if limited < held[0] { "below" } else { "above" };
+            format!("{side} the {held_words} of")
+        })
     };
-    if shown == 1 {
-        return none(ends(curve.along, held));
-    }
-    let held_words = ends(curve.limited, held);
-    out_of_view(curve, held, |limited| {
-        let side = if limited < held[0] { "below" } else { "above" };
-        format!("{side} the {held_words} of")
+    let nearest = (shown == 0).then(nearest).flatten();
+    nearest.unwrap_or_else(|| {
+        let note = format!("{}: none at {held_words}", curve.name);
+        (f64::INFINITY, note)
     })
-    .unwrap_or_else(|| none(held_words.clone()))
 }
 
 /// The point of a curve nearest to a range of the limited quantity, and on which `side` of
@@ -217,15 +196,17 @@ fn out_of_view(curve: &Curve, range: [f64; 2], side: impl Fn(f64) -> String) -> 
     let (margin, [along, limited]) = points
         .map(|point| (margin(point[1], range), *point))
         .min_by(|one, other| one.0.total_cmp(&other.0))?;
-    let note = format!(
-        "{}: limit {} at {}, {} this map; margin {}",
-        curve.name,
-        quantity(curve.limited, limited),
-        quantity(curve.along, along),
-        side(limited),
-        quantity(curve.limited, margin)
-    );
-    Some(Unseen { margin, note })
+    let [along, at] =
+        [(curve.along, along), (curve.limited, limited)].map(|(axis, value)| quantity(axis, value));
+    let limit = format!("{at} at {along}");
+    Some(unseen(curve, &limit, &side(limited), curve.limited, margin))
+}
+
+/// A limit that is on a `side` of the map, by a margin along an axis.
+fn unseen(curve: &Curve, limit: &str, side: &str, axis: Axis, margin: f64) -> Unseen {
+    let (name, words) = (&curve.name, quantity(axis, margin));
+    let note = format!("{name}: limit {limit}, {side} this map; margin {words}");
+    (margin, note)
 }
 
 /// From the least to the greatest of several ranges.
@@ -263,11 +244,10 @@ mod tests {
         }
     }
 
-    fn view(x: (Axis, [f64; 2]), y: (Axis, [f64; 2])) -> View {
-        View {
-            axes: [x.0, y.0],
-            ranges: [x.1, y.1],
-        }
+    fn view(x: (Axis, [f64; 2]), y: (Axis, [f64; 2])) -> Extent {
+        let mut extent = Extent::example([&x.1, &y.1], 1);
+        extent.axes = [x.0, y.0];
+        extent
     }
 
     const IMPULSE: (Axis, [f64; 2]) = (Axis::ImpulseRatio, [1.0, 5.0]);
@@ -284,9 +264,9 @@ mod tests {
         let curve = slope();
         let all = Limits::of(&[&curve], &map, |_| [20.0, 60.0]);
         assert_eq!((all.lines.len(), all.bands.len()), (0, 1));
-        let [low, high] = all.bands[0].y;
+        let [x, [low, high]] = all.bands[0].ends;
         assert!((low - 1.2).abs() < 1e-6 && (high - 1.6).abs() < 1e-6);
-        assert_eq!(all.bands[0].x, [1.0, 5.0]);
+        assert_eq!(x, [1.0, 5.0]);
         let one = Limits::of(&[&curve], &map, |_| [50.0; 2]);
         assert_eq!((one.lines.len(), one.bands.len()), (1, 0));
         assert!((one.lines[0].points[0].1 - 1.5).abs() < 1e-6);

@@ -5,7 +5,6 @@
 //! `extent` says what the cases span, `symbol`, `cells` and `fractions` what they are
 //! drawn as, `limits` where their limit is; `picture` puts them together.
 
-mod cases;
 mod cells;
 mod content;
 mod extent;

@@ -1,13 +1,15 @@
 //! The picture of a results folder: its maps with their legends and notes.
 
+use std::path::PathBuf;
+
 use anyhow::Result;
 
-use super::cases::MapCases;
 use super::content::Content;
-use super::limits::{Limits, View};
+use super::extent::Extent;
+use super::limits::Limits;
 use super::words;
 use crate::output::{Curve, Manifest, Motion, ResultTables};
-use crate::plan::{MapMark, MapSettings};
+use crate::plan::MapMark;
 use crate::plot::{self, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
 use crate::quantities::Axis;
 
@@ -20,17 +22,26 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
     let Some(settings) = &manifest.map else {
         return Ok(None);
     };
-    let map = Map::read(tables, settings)?;
-    let motions = map.cases.extent.motions.iter();
+    let axes = [settings.x, settings.y];
+    let others = manifest.axes.iter().copied();
+    let others = others.filter(|axis| !axes.contains(axis)).collect();
+    let map = Map {
+        manifest,
+        labels: tables.labels(),
+        extent: Extent::of(&tables.labels(), axes, others)?,
+        curves: tables.boundary()?.curves(&manifest.axes),
+    };
+    let (marks, left_out) = map.marks(&settings.marks);
+    let motions = map.extent.motions.iter();
     let sheet = MapSheet {
         title: match tables.so_far {
             None => manifest.title.clone(),
             Some(so_far) => format!("{} ({so_far})", manifest.title),
         },
-        x: plot::Axis::linear(settings.x.title()),
-        y: plot::Axis::linear(settings.y.title()),
+        axes: axes.map(|axis| plot::Axis::linear(axis.title())),
+        marks,
         groups: motions
-            .map(|&motion| map.group(motion))
+            .map(|&motion| map.group(motion, left_out.as_ref()))
             .collect::<Result<_>>()?,
     };
     map_sheet(&sheet).map(Some)
@@ -39,63 +50,45 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
 /// What a map is made from.
 struct Map<'a> {
     manifest: &'a Manifest,
-    settings: &'a MapSettings,
-    cases: MapCases,
+    /// Its `labels.csv`.
+    labels: PathBuf,
+    extent: Extent,
     curves: Vec<Curve>,
 }
 
-impl<'a> Map<'a> {
-    fn read(tables: &'a ResultTables, settings: &'a MapSettings) -> Result<Self> {
-        let manifest = &tables.manifest;
-        Ok(Self {
-            cases: MapCases::read(tables, settings)?,
-            curves: tables.boundary()?.curves(&manifest.axes),
-            manifest,
-            settings,
-        })
-    }
-
-    /// The maps of a motion.
-    fn group(&self, motion: Motion) -> Result<MapGroup> {
-        let contents = Content::read(&self.cases, motion)?;
+impl Map<'_> {
+    /// The maps of a motion, with a note on marks that are on none.
+    fn group(&self, motion: Motion, left_out: Option<&String>) -> Result<MapGroup> {
+        let contents = Content::read(&self.labels, &self.extent, motion)?;
         let curves = self.curves.iter().filter(|curve| curve.motion == motion);
         let curves: Vec<&Curve> = curves.collect();
-        let mut notes = Vec::new();
-        let mut panels = Vec::with_capacity(contents.len());
-        let (marks, left_out) = self.marks();
         let keys = words::keys(&contents, self.manifest, motion);
         let scale = self.scale(motion, &contents);
         let untold = words::untold(&contents, motion);
-        for (index, content) in contents.into_iter().enumerate() {
+        let mut notes = Vec::new();
+        let panels = contents.into_iter().enumerate().map(|(index, content)| {
             let title = self.panel_title(index);
-            let held = |axis| self.held(index, axis);
-            let limits = Limits::of(&curves, &self.view(), held);
+            let limits = Limits::of(&curves, &self.extent, |axis| self.held(index, axis));
             notes.extend(limits.notes.into_iter().map(|note| (title.clone(), note)));
-            let marks = marks.iter().map(|mark| Mark {
-                name: mark.name.clone(),
-                x: mark.x,
-                y: mark.y,
-            });
-            panels.push(MapPanel {
+            MapPanel {
                 title,
                 cells: content.cells,
                 points: content.points,
                 lines: limits.lines,
                 bands: limits.bands,
-                marks: marks.collect(),
-            });
-        }
+            }
+        });
+        let panels: Vec<MapPanel> = panels.collect();
         let mut notes = words::once_if_the_same(notes, panels.len());
-        if curves.is_empty() && self.cases.extent.motions.len() > 1 {
+        let is_alone = self.extent.motions.len() == 1;
+        if curves.is_empty() && !is_alone {
             notes.push("boundary.csv has no limit of this motion".to_owned());
         }
         notes.extend(untold);
-        notes.extend(left_out);
+        notes.extend(left_out.cloned());
+        let heading = if is_alone { "" } else { motion.title() };
         Ok(MapGroup {
-            heading: match self.cases.extent.motions.len() {
-                1 => String::new(),
-                _ => motion.title().to_owned(),
-            },
+            heading: heading.to_owned(),
             scale,
             keys,
             notes,
@@ -103,21 +96,13 @@ impl<'a> Map<'a> {
         })
     }
 
-    /// What the maps show along their axes.
-    fn view(&self) -> View {
-        View {
-            axes: self.cases.on_map,
-            ranges: self.cases.extent.ranges,
-        }
-    }
-
     /// The values of the other axes that a map is of.
     fn panel_title(&self, index: usize) -> String {
-        let values = match self.cases.combinations() {
+        let values = match self.extent.combinations() {
             Some(combinations) if combinations.len() > 1 => &combinations[index],
             _ => return String::new(),
         };
-        let axes = self.cases.others.iter().zip(values);
+        let axes = self.extent.others.iter().zip(values);
         let titles: Vec<String> = axes
             .map(|(&axis, &value)| words::equation(axis, value))
             .collect();
@@ -128,29 +113,29 @@ impl<'a> Map<'a> {
     fn held(&self, index: usize, axis: Axis) -> [f64; 2] {
         let of_sweep = self.manifest.sweep.surface_speed_rpm;
         let fixed = of_sweep.filter(|_| axis == Axis::SurfaceSpeedRpm);
-        let Some(place) = self.cases.others.iter().position(|&other| other == axis) else {
+        let Some(place) = self.extent.others.iter().position(|&other| other == axis) else {
             return fixed.map_or([f64::NEG_INFINITY, f64::INFINITY], |speed| [speed; 2]);
         };
-        let combination = self.cases.combinations().and_then(|all| all.get(index));
+        let combination = self.extent.combinations().and_then(|all| all.get(index));
         match combination {
             Some(values) => [values[place]; 2],
-            None => self.cases.extent.other_ranges[place],
+            None => self.extent.other_ranges[place],
         }
     }
 
     /// What the grounds of cells tell, where they tell of parts.
     fn scale(&self, motion: Motion, contents: &[Content]) -> Option<String> {
         let is_of_parts = contents.iter().any(Content::is_of_parts);
-        let others = self.cases.others.iter();
-        let ranges = others.zip(&self.cases.extent.other_ranges);
+        let others = self.extent.others.iter();
+        let ranges = others.zip(&self.extent.other_ranges);
         let over = ranges.map(|(&axis, &range)| words::range(axis, range));
-        is_of_parts.then(|| words::scale(motion, self.manifest, self.cases.extent.cases, over))
+        is_of_parts.then(|| words::scale(motion, self.manifest, self.extent.cases, over))
     }
 
     /// The marks within the range of the design, and a note on those that are not,
     /// such as a base's that were meant for other ranges.
-    fn marks(&self) -> (Vec<&MapMark>, Option<String>) {
-        let View { axes, ranges } = self.view();
+    fn marks(&self, marks: &[MapMark]) -> (Vec<Mark>, Option<String>) {
+        let Extent { axes, ranges, .. } = &self.extent;
         let table = self.manifest.sweep.design.as_ref();
         let is_inside = |axis: usize, value: f64| {
             let of_design = table.and_then(|table| table.axes.get(&axes[axis])?.ends());
@@ -159,8 +144,12 @@ impl<'a> Map<'a> {
             let room = 1e-9 * low.abs().max(high.abs());
             (low - room..=high + room).contains(&value)
         };
-        let (inside, outside): (Vec<_>, Vec<_>) = (self.settings.marks.iter())
-            .partition(|mark| is_inside(0, mark.x) && is_inside(1, mark.y));
-        (inside, words::left_out(&outside, axes))
+        let (inside, outside): (Vec<_>, Vec<_>) =
+            (marks.iter()).partition(|mark| is_inside(0, mark.x) && is_inside(1, mark.y));
+        let inside = inside.into_iter().map(|mark| Mark {
+            name: mark.name.clone(),
+            at: (mark.x, mark.y),
+        });
+        (inside.collect(), words::left_out(&outside, *axes))
     }
 }

@@ -38,7 +38,7 @@ pub(super) struct Stroke {
 
 impl Stroke {
     /// An undashed line.
-    pub fn solid(colour: RGBColor, width: f64) -> Stroke {
+    pub const fn solid(colour: RGBColor, width: f64) -> Stroke {
         Stroke {
             colour,
             width,
@@ -47,7 +47,7 @@ impl Stroke {
     }
 }
 
-/// The surface that [`draw_picture`] hands to its caller.
+/// The surface that [`draw_titled`] hands to its caller.
 pub(super) struct Canvas<'a> {
     area: DrawingArea<SVGBackend<'a>, Shift>,
     /// The dash pattern of every line drawn so far; see [`add_dashes`].
@@ -85,41 +85,22 @@ pub(super) fn draw_titled(
     height: f64,
     draw: impl FnOnce(&mut Canvas) -> Result<()>,
 ) -> Result<Picture> {
-    draw_picture(title.width, height, |canvas| {
+    let size = (units(title.width) as u32, units(height) as u32);
+    let mut svg = String::new();
+    let dashes = {
+        let mut canvas = Canvas {
+            area: SVGBackend::with_string(&mut svg, size).into_drawing_area(),
+            dashes: Vec::new(),
+        };
+        canvas.area.fill(&WHITE)?;
         let first_row = title.margin + title.text.line_height() / 2.0;
         canvas.text(&title.text, title.width / 2.0, first_row, HPos::Center)?;
-        draw(canvas)
-    })
-}
-
-/// Draws a picture of the given size in pixels with `draw`.
-fn draw_picture(
-    width: f64,
-    height: f64,
-    draw: impl FnOnce(&mut Canvas) -> Result<()>,
-) -> Result<Picture> {
-    let size = (units(width) as u32, units(height) as u32);
-    let mut svg = String::new();
-    let dashes = draw_with_plotters(&mut svg, size, draw)?;
+        draw(&mut canvas)?;
+        canvas.area.present()?;
+        canvas.dashes
+    };
     let svg = with_subscripts(&with_pixel_size(&svg, size)?);
     Picture::from_svg(add_dashes(&svg, &dashes))
-}
-
-/// Writes the document as plotters makes it and returns the dash patterns of
-/// its polylines.
-fn draw_with_plotters(
-    svg: &mut String,
-    size: (u32, u32),
-    draw: impl FnOnce(&mut Canvas) -> Result<()>,
-) -> Result<Vec<Dash>> {
-    let mut canvas = Canvas {
-        area: SVGBackend::with_string(svg, size).into_drawing_area(),
-        dashes: Vec::new(),
-    };
-    canvas.area.fill(&WHITE)?;
-    draw(&mut canvas)?;
-    canvas.area.present()?;
-    Ok(canvas.dashes)
 }
 
 impl Canvas<'_> {
@@ -162,19 +143,26 @@ impl Canvas<'_> {
     /// Lines of text, the first one's middle at `y`, aligned at `x`.
     pub fn text(&self, block: &Block, x: f64, y: f64, align: HPos) -> Result<()> {
         let style = text_style(block, align, FontTransform::None)?;
-        for (row, line) in block.lines.iter().enumerate() {
-            let top = y + row as f64 * block.line_height() - TOP_TO_MIDDLE * block.size;
-            self.area.draw_text(line, &style, in_units((x, top)))?;
-        }
-        Ok(())
+        self.lines_of_text(block, &style, y, |top| (x, top))
     }
 
     /// Text that reads upwards, centred at `y`, its first line's middle at `x`.
     pub fn upward_text(&self, block: &Block, x: f64, y: f64) -> Result<()> {
         let style = text_style(block, HPos::Center, FontTransform::Rotate270)?;
+        self.lines_of_text(block, &style, x, |left| (left, y))
+    }
+
+    /// Lines each at the `place` of its top, the first one's middle at `middle`.
+    fn lines_of_text(
+        &self,
+        block: &Block,
+        style: &TextStyle,
+        middle: f64,
+        place: impl Fn(f64) -> Pixel,
+    ) -> Result<()> {
         for (row, line) in block.lines.iter().enumerate() {
-            let left = x + row as f64 * block.line_height() - TOP_TO_MIDDLE * block.size;
-            self.area.draw_text(line, &style, in_units((left, y)))?;
+            let top = middle + row as f64 * block.line_height() - TOP_TO_MIDDLE * block.size;
+            self.area.draw_text(line, style, in_units(place(top)))?;
         }
         Ok(())
     }
@@ -285,9 +273,17 @@ pub(super) mod tests {
         found
     }
 
+    fn draw_on(
+        (width, height): (f64, f64),
+        draw: impl FnOnce(&mut Canvas) -> Result<()>,
+    ) -> Picture {
+        let title = Title::new("", width, 0.0).expect("laid out");
+        draw_titled(&title, height, draw).expect("drawn")
+    }
+
     #[test]
     fn the_png_has_twice_the_size_of_the_svg() {
-        let picture = draw_picture(90.0, 62.0, |_| Ok(())).expect("drawn");
+        let picture = draw_on((90.0, 62.0), |_| Ok(()));
         assert!(picture.svg.starts_with("<svg width=\"90\" height=\"62\""));
         let pixels = Pixmap::decode_png(&picture.png).expect("valid PNG");
         assert_eq!((pixels.width(), pixels.height()), (180, 124));
@@ -295,11 +291,10 @@ pub(super) mod tests {
 
     #[test]
     fn the_index_of_the_dynamic_torque_is_below_the_line() {
-        let picture = draw_picture(200.0, 62.0, |canvas| {
+        let picture = draw_on((200.0, 62.0), |canvas| {
             let text = Block::new("T_d < 2 kN m, T_d", 14.0, 200.0)?;
             canvas.text(&text, 5.0, 30.0, HPos::Left)
         });
-        let picture = picture.expect("drawn");
         assert!(!picture.svg.contains("T_d"));
         let index = "T<tspan dy=\"0.3em\" font-size=\"70%\">d</tspan>";
         let text = format!("{index}<tspan dy=\"-0.21em\"> &lt; 2 kN m, </tspan>{index}\n");
@@ -309,7 +304,7 @@ pub(super) mod tests {
 
     #[test]
     fn each_line_gets_its_own_dashes() {
-        let picture = draw_picture(90.0, 62.0, |canvas| {
+        let picture = draw_on((90.0, 62.0), |canvas| {
             for dash in [DASHES[0], DASHES[1], DASHES[0], DASHES[2]] {
                 let stroke = Stroke {
                     dash,
@@ -319,8 +314,9 @@ pub(super) mod tests {
             }
             Ok(())
         });
-        let svg = picture.expect("drawn").svg;
-        let lines: Vec<_> = svg.lines().filter(|l| l.contains("<polyline")).collect();
+        let lines: Vec<_> = (picture.svg.lines())
+            .filter(|l| l.contains("<polyline"))
+            .collect();
         let dashed: Vec<_> = lines.iter().map(|l| l.contains("dasharray")).collect();
         assert_eq!(dashed, [false, true, false, true]);
         assert!(lines[1].contains("stroke-dasharray=\"90,50\""));

@@ -26,22 +26,7 @@ const CELL_TEXT: f64 = 10.0;
 const LABEL_TEXT: f64 = 12.5;
 const RADIUS: f64 = 4.0;
 /// The frame of a cell that is not as predicted.
-const WRONG: Stroke = Stroke {
-    colour: BLACK,
-    width: 2.0,
-    dash: &[],
-};
-
-/// What was predicted of a cell.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Predicted {
-    /// That it is stable.
-    Stable,
-    /// That it is unstable.
-    Unstable,
-    /// Nothing.
-    Nothing,
-}
+const WRONG: Stroke = Stroke::solid(BLACK, 2.0);
 
 /// What was seen of a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -60,8 +45,8 @@ pub struct ChartCell {
     pub column: usize,
     /// Its row, from the top, from 0.
     pub row: usize,
-    /// What was predicted: its ground.
-    pub predicted: Predicted,
+    /// Whether it was predicted to be stable, its ground; none where nothing was predicted.
+    pub predicted_stable: Option<bool>,
     /// What was seen: its symbol.
     pub seen: Seen,
     /// A number of a few characters.
@@ -82,28 +67,19 @@ pub struct CellPanel {
     pub cells: Vec<ChartCell>,
 }
 
-/// Panels with one title and one legend.
-pub struct CellChart {
-    /// Title above everything.
-    pub title: String,
-    /// What is printed in cells, for the legend.
-    pub number: String,
-    /// Panels; they fill the left column first, then the right one.
-    pub panels: Vec<CellPanel>,
-}
-
-/// Draws a chart of cells.
-pub fn cell_chart(chart: &CellChart) -> Result<Picture> {
-    let title = Title::new(&chart.title, WIDTH, MARGIN)?;
+/// Draws panels with one title and one legend, which tells what the `number` in cells is.
+/// They fill the left column first, then the right one.
+pub fn cell_chart(title: &str, number: &str, panels: &[CellPanel]) -> Result<Picture> {
+    let title = Title::new(title, WIDTH, MARGIN)?;
     let column_width = (WIDTH - 2.0 * MARGIN - GUTTER) / 2.0;
-    let (places, bottom) = places(&chart.panels, title.bottom());
+    let (places, bottom) = places(panels, title.bottom());
     let height = bottom + LEGEND_HEIGHT + MARGIN;
     draw_titled(&title, height, |canvas| {
-        for (panel, (column, top)) in chart.panels.iter().zip(&places) {
+        for (panel, (column, top)) in panels.iter().zip(&places) {
             let left = MARGIN + *column as f64 * (column_width + GUTTER);
             draw_panel(canvas, panel, left, *top, column_width)?;
         }
-        draw_legend(canvas, chart, bottom)
+        draw_legend(canvas, number, bottom)
     })
 }
 
@@ -182,10 +158,10 @@ fn write(canvas: &Canvas, (words, size): (&str, f64), (x, y): Pixel, align: HPos
 }
 
 fn draw_cell(canvas: &mut Canvas, cell: &ChartCell, rect: Rect) -> Result<()> {
-    let ground = match cell.predicted {
-        Predicted::Stable => SKY,
-        Predicted::Unstable => SAND,
-        Predicted::Nothing => PALE,
+    let ground = match cell.predicted_stable {
+        Some(true) => SKY,
+        Some(false) => SAND,
+        None => PALE,
     };
     // White lines between cells.
     let inner = Rect::centred(rect.centre(), rect.width() - 2.0, CELL_HEIGHT - 2.0);
@@ -193,8 +169,8 @@ fn draw_cell(canvas: &mut Canvas, cell: &ChartCell, rect: Rect) -> Result<()> {
     let middle = rect.centre().1;
     draw_seen(canvas, cell.seen, (inner.left + RADIUS + 3.0, middle))?;
     let was_wrong = matches!(
-        (cell.predicted, cell.seen),
-        (Predicted::Stable, Seen::Provoked | Seen::Failed) | (Predicted::Unstable, Seen::Sound)
+        (cell.predicted_stable, cell.seen),
+        (Some(true), Seen::Provoked | Seen::Failed) | (Some(false), Seen::Sound)
     );
     if was_wrong {
         canvas.outline(inner, WRONG)?;
@@ -219,28 +195,26 @@ const KEY_WIDTH: f64 = 26.0;
 const KEY_GAP: f64 = 28.0;
 
 /// What stands before the words of a key.
-#[derive(Clone, Copy)]
 enum Key {
     Ground(RGBColor),
     Seen(Seen),
     Frame,
+    Nothing,
 }
 
-fn draw_legend(canvas: &mut Canvas, chart: &CellChart, top: f64) -> Result<()> {
+fn draw_legend(canvas: &mut Canvas, number: &str, top: f64) -> Result<()> {
+    let tuned = "fails under a load tuned to the margin";
     let grounds = [
-        (Some(Key::Ground(SKY)), "predicted: stable"),
-        (Some(Key::Ground(SAND)), "predicted: unstable"),
-        (Some(Key::Ground(PALE)), "the margin says nothing of it"),
-        (None, chart.number.as_str()),
+        (Key::Ground(SKY), "predicted: stable"),
+        (Key::Ground(SAND), "predicted: unstable"),
+        (Key::Ground(PALE), "the margin says nothing of it"),
+        (Key::Nothing, number),
     ];
     let symbols = [
-        (Some(Key::Seen(Seen::Sound)), "nothing wrong was seen"),
-        (Some(Key::Seen(Seen::Failed)), "failed in an ordinary scene"),
-        (
-            Some(Key::Seen(Seen::Provoked)),
-            "fails under a load tuned to the margin",
-        ),
-        (Some(Key::Frame), "framed: not as predicted"),
+        (Key::Seen(Seen::Sound), "nothing wrong was seen"),
+        (Key::Seen(Seen::Failed), "failed in an ordinary scene"),
+        (Key::Seen(Seen::Provoked), tuned),
+        (Key::Frame, "framed: not as predicted"),
     ];
     for (keys, row) in [(grounds, 0.5), (symbols, 1.5)] {
         let row = top + row * LEGEND_ROW;
@@ -249,12 +223,14 @@ fn draw_legend(canvas: &mut Canvas, chart: &CellChart, top: f64) -> Result<()> {
             let centre = (left + 0.5 * KEY_WIDTH, row);
             let area = Rect::centred(centre, KEY_WIDTH, 16.0);
             match key {
-                Some(Key::Ground(ground)) => canvas.polygon(&area.corners(), ground)?,
-                Some(Key::Seen(seen)) => draw_seen(canvas, seen, centre)?,
-                Some(Key::Frame) => canvas.outline(area, WRONG)?,
-                None => {}
+                Key::Ground(ground) => canvas.polygon(&area.corners(), ground)?,
+                Key::Seen(seen) => draw_seen(canvas, seen, centre)?,
+                Key::Frame => canvas.outline(area, WRONG)?,
+                Key::Nothing => {}
             }
-            left += key.map_or(0.0, |_| KEY_WIDTH + GAP);
+            if !matches!(key, Key::Nothing) {
+                left += KEY_WIDTH + GAP;
+            }
             left += write(canvas, (words, SMALL_SIZE), (left, row), HPos::Left)? + KEY_GAP;
         }
     }
@@ -266,8 +242,8 @@ mod tests {
     use super::super::canvas::tests::assert_text_inside;
     use super::*;
 
-    fn chart(predicted: Predicted, seen: Seen) -> CellChart {
-        let panel = || CellPanel {
+    fn panels(predicted_stable: Option<bool>, seen: Seen) -> [CellPanel; 3] {
+        [(); 3].map(|()| CellPanel {
             title: "Newmark in sticking".to_owned(),
             x: "γ".to_owned(),
             columns: (50..60).map(|n| format!("0.{n}")).collect(),
@@ -275,43 +251,32 @@ mod tests {
             cells: vec![ChartCell {
                 column: 9,
                 row: 1,
-                predicted,
+                predicted_stable,
                 seen,
                 text: "−0.055".to_owned(),
             }],
-        };
-        CellChart {
-            title: "The atlas".to_owned(),
-            number: "number: the margin".to_owned(),
-            panels: vec![panel(), panel(), panel()],
-        }
+        })
     }
 
     #[test]
     fn every_label_lies_inside_and_only_wrong_cells_are_framed() {
         let lines = |predicted, seen| {
-            let picture = cell_chart(&chart(predicted, seen)).expect("drawn");
+            let panels = panels(predicted, seen);
+            let picture = cell_chart("The atlas", "number: the margin", &panels).expect("drawn");
             assert_text_inside(&picture);
             picture.svg.matches("<polyline").count()
         };
-        let right = lines(Predicted::Stable, Seen::Sound);
-        assert_eq!(lines(Predicted::Unstable, Seen::Sound), right + 3);
-        assert_eq!(lines(Predicted::Stable, Seen::Provoked), right + 3);
-        assert_eq!(lines(Predicted::Nothing, Seen::Provoked), right);
+        let right = lines(Some(true), Seen::Sound);
+        assert_eq!(lines(Some(false), Seen::Sound), right + 3);
+        assert_eq!(lines(Some(true), Seen::Provoked), right + 3);
+        assert_eq!(lines(None, Seen::Provoked), right);
     }
 
     #[test]
     fn panels_share_the_height() {
-        let panels = chart(Predicted::Stable, Seen::Sound).panels;
-        let columns: Vec<usize> = places(&panels, 0.0).0.iter().map(|place| place.0).collect();
+        let (places, _) = places(&panels(None, Seen::Sound), 0.0);
+        let columns: Vec<usize> = places.into_iter().map(|(column, _)| column).collect();
         assert_eq!(columns, [0, 0, 1]);
-        assert!(
-            cell_chart(&CellChart {
-                title: String::new(),
-                number: String::new(),
-                panels: vec![]
-            })
-            .is_ok()
-        );
+        assert!(cell_chart("", "", &[]).is_ok());
     }
 }

@@ -22,37 +22,36 @@ const MOST_TICKS: usize = 9;
 pub(super) struct Frame {
     /// Where the data are drawn.
     pub area: Rect,
-    x: Scale,
-    y: Scale,
+    scales: [Scale; 2],
     x_title: Block,
     y_title: Block,
     y_ticks: Vec<Tick>,
+    /// Width of the widest label of those.
+    y_labels: f64,
 }
 
 impl Frame {
     /// A frame that fills `outer` with its plotting area, ticks and titles.
-    pub fn new(
-        outer: Rect,
-        (x_axis, x): (&Axis, Scale),
-        (y_axis, y): (&Axis, Scale),
-    ) -> Result<Frame> {
+    pub fn new(outer: Rect, axes: &[Axis; 2], scales: [Scale; 2]) -> Result<Frame> {
         // The left margin is not known yet; the title may be a bit narrower.
-        let x_title = Block::new(&x_axis.label, LABEL_SIZE, 0.75 * outer.width())?;
+        let x_title = Block::new(&axes[0].label, LABEL_SIZE, 0.75 * outer.width())?;
         let below = MAJOR_TICK + SMALL_SIZE + 2.0 * GAP + x_title.height();
         let mut area = Rect {
             bottom: outer.bottom - below,
             ..outer
         };
-        let y_title = Block::new(&y_axis.label, LABEL_SIZE, area.height())?;
-        let y_ticks = roomy_ticks(&y, area.height(), |_| Ok(SMALL_SIZE))?;
-        area.left += y_title.height() + widest_label(&y_ticks)? + MAJOR_TICK + 2.0 * GAP;
+        let y_title = Block::new(&axes[1].label, LABEL_SIZE, area.height())?;
+        let y_ticks = roomy_ticks(&scales[1], area.height(), |_| Ok(SMALL_SIZE))?;
+        let y_labels = y_ticks.iter().filter_map(|tick| tick.label.as_ref());
+        let y_labels = text::widest(y_labels, SMALL_SIZE)?;
+        area.left += y_title.height() + y_labels + MAJOR_TICK + 2.0 * GAP;
         Ok(Frame {
             area,
-            x,
-            y,
+            scales,
             x_title,
             y_title,
             y_ticks,
+            y_labels,
         })
     }
 
@@ -64,12 +63,12 @@ impl Frame {
 
     /// The horizontal place of a value, as [`Frame::pixel`] gives it.
     pub fn pixel_x(&self, value: f64) -> Option<f64> {
-        Some(self.along_x(self.x.fraction(value)?))
+        Some(self.along_x(self.scales[0].fraction(value)?))
     }
 
     /// The vertical place of a value, as [`Frame::pixel`] gives it.
     pub fn pixel_y(&self, value: f64) -> Option<f64> {
-        Some(self.along_y(self.y.fraction(value)?))
+        Some(self.along_y(self.scales[1].fraction(value)?))
     }
 
     /// The pixels of a curve, cut into pieces where points cannot be shown.
@@ -84,39 +83,43 @@ impl Frame {
 
     /// Draws the grid, the border, the ticks and the titles.
     pub fn draw(&self, canvas: &mut Canvas) -> Result<()> {
-        let x_ticks = roomy_ticks(&self.x, self.area.width(), |label| {
+        let Rect {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.area;
+        let x_ticks = roomy_ticks(&self.scales[0], self.area.width(), |label| {
             text::width(label, SMALL_SIZE)
         })?;
-        self.draw_grid(canvas, &x_ticks)?;
-        canvas.outline(self.area, Stroke::solid(BLACK, 1.0))?;
-        let Rect { left, bottom, .. } = self.area;
-        for tick in &x_ticks {
+        // The line across the area, the tick outwards from it and where its label is.
+        let upright = x_ticks.iter().map(|tick| {
             let x = self.along_x(tick.fraction);
-            let below = bottom + MAJOR_TICK + GAP + SMALL_SIZE / 2.0;
-            let ends = [(x, bottom), (x, bottom + tick_length(tick))];
-            draw_tick(canvas, tick, ends, ((x, below), HPos::Center))?;
-        }
-        for tick in &self.y_ticks {
+            let outwards = [(x, bottom), (x, bottom + tick_length(tick))];
+            let below = (x, bottom + MAJOR_TICK + GAP + SMALL_SIZE / 2.0);
+            let across = [(x, top), (x, bottom)];
+            (tick, across, outwards, (below, HPos::Center))
+        });
+        let level = self.y_ticks.iter().map(|tick| {
             let y = self.along_y(tick.fraction);
-            let beside = left - MAJOR_TICK - GAP;
-            let ends = [(left, y), (left - tick_length(tick), y)];
-            draw_tick(canvas, tick, ends, ((beside, y), HPos::Right))?;
+            let outwards = [(left, y), (left - tick_length(tick), y)];
+            let beside = (left - MAJOR_TICK - GAP, y);
+            let across = [(left, y), (right, y)];
+            (tick, across, outwards, (beside, HPos::Right))
+        });
+        let ticks: Vec<_> = upright.chain(level).collect();
+        for (_, across, ..) in ticks.iter().filter(|(tick, ..)| tick.label.is_some()) {
+            canvas.line(across, Stroke::solid(GRID, 1.0))?;
+        }
+        canvas.outline(self.area, Stroke::solid(BLACK, 1.0))?;
+        for (tick, _, outwards, ((x, y), align)) in ticks {
+            canvas.line(&outwards, Stroke::solid(BLACK, 1.0))?;
+            if let Some(label) = &tick.label {
+                let label = Block::new(label, SMALL_SIZE, f64::INFINITY)?;
+                canvas.text(&label, x, y, align)?;
+            }
         }
         self.draw_titles(canvas)
-    }
-
-    fn draw_grid(&self, canvas: &mut Canvas, x_ticks: &[Tick]) -> Result<()> {
-        let [upper_left, _, lower_right, _] = self.area.corners();
-        let stroke = Stroke::solid(GRID, 1.0);
-        for tick in x_ticks.iter().filter(|tick| tick.label.is_some()) {
-            let x = self.along_x(tick.fraction);
-            canvas.line(&[(x, upper_left.1), (x, lower_right.1)], stroke)?;
-        }
-        for tick in self.y_ticks.iter().filter(|tick| tick.label.is_some()) {
-            let y = self.along_y(tick.fraction);
-            canvas.line(&[(upper_left.0, y), (lower_right.0, y)], stroke)?;
-        }
-        Ok(())
     }
 
     fn draw_titles(&self, canvas: &mut Canvas) -> Result<()> {
@@ -126,7 +129,7 @@ impl Frame {
         // Not beyond the right end, where a long title upwards leaves little width.
         let middle = x.min(self.area.right - self.x_title.width / 2.0);
         canvas.text(&self.x_title, middle, first_row, HPos::Center)?;
-        let labels = MAJOR_TICK + 2.0 * GAP + widest_label(&self.y_ticks)?;
+        let labels = MAJOR_TICK + 2.0 * GAP + self.y_labels;
         let first_column =
             self.area.left - labels - self.y_title.height() + self.y_title.line_height() / 2.0;
         canvas.upward_text(&self.y_title, first_column, y)
@@ -141,29 +144,15 @@ impl Frame {
     }
 }
 
-/// Aligns the left sides of frames with the one furthest to the right.
-pub(super) fn align_left(frames: &mut [&mut Frame]) {
-    let lefts = frames.iter().map(|frame| frame.area.left);
-    let left = lefts.fold(0.0, f64::max);
-    for frame in frames {
-        frame.area.left = left;
-    }
-}
-
-/// Draws a tick between its ends, and its label at a place.
-fn draw_tick(
-    canvas: &mut Canvas,
-    tick: &Tick,
-    ends: [Pixel; 2],
-    ((x, y), align): (Pixel, HPos),
-) -> Result<()> {
-    canvas.line(&ends, Stroke::solid(BLACK, 1.0))?;
-    match &tick.label {
-        Some(label) => {
-            let label = Block::new(label, SMALL_SIZE, f64::INFINITY)?;
-            canvas.text(&label, x, y, align)
+/// Aligns the left sides of frames in each of so many columns, filled row by row, with
+/// the one furthest to the right.
+pub(super) fn align_left(frames: &mut [Frame], columns: usize) {
+    for column in 0..columns {
+        let lefts = frames.iter().skip(column).step_by(columns);
+        let left = lefts.map(|frame| frame.area.left).fold(0.0, f64::max);
+        for frame in frames.iter_mut().skip(column).step_by(columns) {
+            frame.area.left = left;
         }
-        None => Ok(()),
     }
 }
 
@@ -173,13 +162,6 @@ fn tick_length(tick: &Tick) -> f64 {
     } else {
         MINOR_TICK
     }
-}
-
-fn widest_label(ticks: &[Tick]) -> Result<f64> {
-    text::widest(
-        ticks.iter().filter_map(|tick| tick.label.as_ref()),
-        SMALL_SIZE,
-    )
 }
 
 /// The most ticks whose labels, of the given extents along an axis of `length`
@@ -224,8 +206,8 @@ mod tests {
             bottom: 240.0,
         };
         let scale = |high| Scale::new(false, [0.0, high].into_iter());
-        let (x, y) = (Axis::linear("Time t (s)"), Axis::linear(label));
-        Frame::new(outer, (&x, scale(50.0)), (&y, scale(0.5))).expect("laid out")
+        let axes = ["Time t (s)", label].map(Axis::linear);
+        Frame::new(outer, &axes, [50.0, 0.5].map(scale)).expect("laid out")
     }
 
     #[test]

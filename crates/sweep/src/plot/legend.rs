@@ -99,6 +99,14 @@ impl Legend {
     }
 }
 
+/// A named curve, or points of one kind.
+pub struct Series {
+    /// Name in the legend; what has the same name looks the same.
+    pub name: String,
+    /// Its points; a curve has a gap where one cannot be shown.
+    pub points: Vec<(f64, f64)>,
+}
+
 /// Distinct names, in order of appearance: what has the same name looks the same.
 pub(super) fn distinct<'a>(names: impl Iterator<Item = &'a String>) -> Vec<&'a str> {
     let mut found: Vec<&str> = Vec::new();

@@ -28,15 +28,14 @@ mod scatter;
 mod symbols;
 mod text;
 
-pub use cells::{CellChart, CellPanel, ChartCell, Predicted, Seen, cell_chart};
+pub use cells::{CellPanel, ChartCell, Seen, cell_chart};
 pub use grounds::{Ground, Part};
-pub use map::{
-    Band, Line, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_sheet,
-};
-pub use orbits::{Orbit, Orbits, orbits};
-pub use panels::{Panel, Panels, Series, panels};
+pub use legend::Series;
+pub use map::{Band, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_sheet};
+pub use orbits::{Orbit, orbits};
+pub use panels::{Panel, panels};
 pub use picture::Picture;
 pub use references::{Across, Reference};
 pub use scale::Axis;
-pub use scatter::{Points, ScatterGrid, ScatterPanel, scatter_grid};
+pub use scatter::{ScatterPanel, scatter_grid};
 pub use symbols::Symbol;

@@ -19,18 +19,14 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// Names inside `within`, where the given polylines are drawn.
-    pub fn new(within: Rect, data: Vec<Vec<Pixel>>) -> Names {
+    /// Names inside `within`, off rectangles that are `taken`, where the given polylines
+    /// are drawn.
+    pub fn new(within: Rect, taken: Vec<Rect>, data: Vec<Vec<Pixel>>) -> Names {
         Names {
             within,
-            taken: Vec::new(),
+            taken,
             data,
         }
-    }
-
-    /// Keeps names off a rectangle.
-    pub fn keep_off(&mut self, rect: Rect) {
-        self.taken.push(rect);
     }
 
     /// Breaks a name so that it fits into the plotting area.
@@ -55,21 +51,20 @@ impl Names {
             let place = self.inside(name, centre);
             let moved = place.centre() != centre;
             let crowded = self.taken.iter().any(|rect| rect.overlaps(&place));
-            (
-                usize::from(moved) + usize::from(crowded),
-                self.hidden(&place),
-                place,
-            )
+            let conflicts = u8::from(moved) + u8::from(crowded);
+            (conflicts, self.hidden(&place), place)
         });
-        places
-            .min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)))
-            .map(|(_, _, place)| place)
+        let best = places.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        best.map(|(_, _, place)| place)
     }
 
     /// The length of all data lines inside a rectangle.
     fn hidden(&self, place: &Rect) -> f64 {
         let parts = self.data.iter().flat_map(|line| place.clip(line));
-        parts.map(|part| length(&part)).sum()
+        let length = |side: &[Pixel]| (side[1].0 - side[0].0).hypot(side[1].1 - side[0].1);
+        parts
+            .map(|part| part.windows(2).map(length).sum::<f64>())
+            .sum()
     }
 
     /// The rectangle of a name near `centre`, moved into the plotting area.
@@ -85,13 +80,6 @@ impl Names {
         let y = y.min(bottom - half_height).max(top + half_height);
         Rect::centred((x, y), name.width, name.height())
     }
-}
-
-fn length(line: &[Pixel]) -> f64 {
-    let sides = line.windows(2);
-    sides
-        .map(|side| (side[1].0 - side[0].0).hypot(side[1].1 - side[0].1))
-        .sum()
 }
 
 #[cfg(test)]
@@ -113,17 +101,21 @@ mod tests {
 
     #[test]
     fn the_first_place_wins_unless_data_or_names_are_there() {
-        let mut names = Names::new(AREA, Vec::new());
-        assert!((best(&names, &CENTRES).0 - 100.0).abs() < 1e-9);
-        names.keep_off(Rect::centred(CENTRES[0], 10.0, 10.0));
-        assert!((best(&names, &CENTRES).0 - 300.0).abs() < 1e-9);
-        let names = Names::new(AREA, vec![vec![(100.0, 0.0), (100.0, 100.0)]]);
-        assert!((best(&names, &CENTRES).0 - 300.0).abs() < 1e-9);
+        let taken = vec![Rect::centred(CENTRES[0], 10.0, 10.0)];
+        let data = vec![vec![(100.0, 0.0), (100.0, 100.0)]];
+        for (taken, data, middle) in [
+            (vec![], vec![], 100.0),
+            (taken, vec![], 300.0),
+            (vec![], data, 300.0),
+        ] {
+            let names = Names::new(AREA, taken, data);
+            assert!((best(&names, &CENTRES).0 - middle).abs() < 1e-9);
+        }
     }
 
     #[test]
     fn a_name_never_leaves_the_area() {
-        let names = Names::new(AREA, Vec::new());
+        let names = Names::new(AREA, Vec::new(), Vec::new());
         let name = names.block("8(a)").expect("measured");
         let place = names.best_place(&name, &[(399.0, -5.0)]).expect("a place");
         assert!(place.right <= 400.0 + 1e-9 && place.top >= -1e-9);

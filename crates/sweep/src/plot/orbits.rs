@@ -5,8 +5,8 @@ use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
 use super::colours::CLEARANCE;
 use super::frame::Frame;
 use super::geometry::Rect;
-use super::legend::{Key, Legend, distinct, place_of};
-use super::panels::{Series, series_stroke};
+use super::legend::{Key, Legend, Series, distinct, place_of};
+use super::panels::series_stroke;
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
 use anyhow::Result;
@@ -28,40 +28,30 @@ const CIRCLE: Stroke = Stroke {
 
 /// One orbit, seen along the axis it goes around.
 pub struct Orbit {
-    /// Horizontal axis.
-    pub x: Axis,
-    /// Vertical axis, in the same unit.
-    pub y: Axis,
+    /// Horizontal and vertical axis, in the same unit.
+    pub axes: [Axis; 2],
     /// Curves.
     pub series: Vec<Series>,
     /// Radius of a dashed circle around the origin, the clearance.
     pub circle: Option<f64>,
 }
 
-/// Orbits with one title and one legend.
-pub struct Orbits {
-    /// Title above all.
-    pub title: String,
-    /// Orbits, from left to right.
-    pub orbits: Vec<Orbit>,
-}
-
-/// Draws orbits side by side.
-pub fn orbits(p: &Orbits) -> Result<Picture> {
-    let series = p.orbits.iter().flat_map(|orbit| &orbit.series);
+/// Draws orbits side by side, from left to right, with one title and one legend.
+pub fn orbits(title: &str, orbits: &[Orbit]) -> Result<Picture> {
+    let series = orbits.iter().flat_map(|orbit| &orbit.series);
     let names = distinct(series.map(|series| &series.name));
     let keys = names.iter().enumerate();
     let curves = keys.map(|(index, &name)| (Key::Line(series_stroke(index)), name));
-    let has_circle = p.orbits.iter().any(|orbit| orbit.circle.is_some());
+    let has_circle = orbits.iter().any(|orbit| orbit.circle.is_some());
     let circle = has_circle.then_some((Key::Line(CIRCLE), "clearance"));
     let legend = Legend::new(curves.chain(circle))?;
-    let plots = p.orbits.len() as f64 * SIDE;
+    let plots = orbits.len() as f64 * SIDE;
     let width = MARGIN + plots + LEGEND_GAP + legend.width() + MARGIN;
-    let title = Title::new(&p.title, width, MARGIN)?;
+    let title = Title::new(title, width, MARGIN)?;
     let top = title.bottom();
     let height = top + SIDE.max(legend.height()) + MARGIN;
     draw_titled(&title, height, |canvas| {
-        for (index, orbit) in p.orbits.iter().enumerate() {
+        for (index, orbit) in orbits.iter().enumerate() {
             let left = MARGIN + index as f64 * SIDE;
             draw_orbit(canvas, orbit, (left, top), &names)?;
         }
@@ -82,8 +72,8 @@ fn draw_orbit(
         bottom: top + SIDE,
     };
     let reach = reach(orbit);
-    let scale = || Scale::new(false, [-reach, reach].into_iter());
-    let mut frame = Frame::new(outer, (&orbit.x, scale()), (&orbit.y, scale()))?;
+    let scale = Scale::new(false, [-reach, reach].into_iter());
+    let mut frame = Frame::new(outer, &orbit.axes, [scale; 2])?;
     let side = frame.area.width().min(frame.area.height());
     frame.area.right = frame.area.left + side;
     frame.area.top = frame.area.bottom - side;
@@ -131,8 +121,7 @@ mod tests {
     #[test]
     fn an_orbit_has_one_scale_both_ways_and_its_labels_inside() {
         let orbit = || Orbit {
-            x: Axis::linear("x (mm)"),
-            y: Axis::linear("y (mm)"),
+            axes: ["x (mm)", "y (mm)"].map(Axis::linear),
             series: vec![Series {
                 name: "hilbert".to_owned(),
                 points: vec![(0.0, 0.0), (3.0, f64::NAN), (20.0, -1.0)],
@@ -140,11 +129,7 @@ mod tests {
             circle: Some(15.0),
         };
         assert_eq!(reach(&orbit()), 20.0);
-        let picture = orbits(&Orbits {
-            title: "Orbits".to_owned(),
-            orbits: vec![orbit(), orbit()],
-        })
-        .expect("drawn");
-        assert_text_inside(&picture);
+        let picture = orbits("Orbits", &[orbit(), orbit()]);
+        assert_text_inside(&picture.expect("drawn"));
     }
 }

@@ -4,7 +4,7 @@ use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
 use super::colours::COLOURS;
 use super::frame::{Frame, align_left};
 use super::geometry::{Rect, thin};
-use super::legend::{Key, Legend, distinct, place_of};
+use super::legend::{Key, Legend, Series, distinct, place_of};
 use super::picture::Picture;
 use super::references::{Across, Reference, draw_references, places};
 use super::scale::{Axis, Scale, visible};
@@ -26,49 +26,31 @@ const ALONE_WIDTH: f64 = 1.2;
 /// Room for a name above the highest reference line, as a part of the range.
 const NAME_ROOM: f64 = 0.13;
 
-/// A named curve.
-pub struct Series {
-    /// Name in the legend; series of the same name look the same.
-    pub name: String,
-    /// Its points; the curve has a gap where one cannot be shown.
-    pub points: Vec<(f64, f64)>,
-}
-
 /// One of the stacked plots.
 pub struct Panel {
-    /// Horizontal axis; panels whose horizontal axes are alike share its range.
-    pub x: Axis,
-    /// Vertical axis.
-    pub y: Axis,
+    /// Horizontal and vertical axis; panels whose horizontal axes are alike share its range.
+    pub axes: [Axis; 2],
     /// Curves.
     pub series: Vec<Series>,
     /// Reference lines; the axes are long enough to show them.
     pub references: Vec<Reference>,
 }
 
-/// Panels with one title and one legend.
-pub struct Panels {
-    /// Title above the first panel.
-    pub title: String,
-    /// Panels, top to bottom.
-    pub panels: Vec<Panel>,
-}
-
-/// Draws stacked panels of the same width.
-pub fn panels(p: &Panels) -> Result<Picture> {
-    let series = p.panels.iter().flat_map(|panel| &panel.series);
+/// Draws stacked panels of the same width, top to bottom, with one title and one legend.
+pub fn panels(title: &str, panels: &[Panel]) -> Result<Picture> {
+    let series = panels.iter().flat_map(|panel| &panel.series);
     let names = distinct(series.map(|series| &series.name));
-    let title = Title::new(&p.title, WIDTH, MARGIN)?;
-    let strokes = strokes(p, &names);
+    let title = Title::new(title, WIDTH, MARGIN)?;
+    let strokes = strokes(panels, &names);
     let keys = strokes.iter().map(|&stroke| Key::Line(stroke));
     let legend = Legend::new(keys.zip(names.iter().copied()))?;
     let top = title.bottom();
-    let stacked = p.panels.len() as f64 * PANEL_HEIGHT;
+    let stacked = panels.len() as f64 * PANEL_HEIGHT;
     let height = top + stacked.max(legend.height() + MARGIN);
     let legend_left = WIDTH - MARGIN - legend.width();
-    let frames = frames(p, top, legend_left - LEGEND_GAP)?;
+    let frames = frames(panels, top, legend_left - LEGEND_GAP)?;
     draw_titled(&title, height, |canvas| {
-        for (panel, frame) in p.panels.iter().zip(&frames) {
+        for (panel, frame) in panels.iter().zip(&frames) {
             draw_panel(canvas, panel, frame, (&names, &strokes))?;
         }
         legend.draw(canvas, legend_left, top)
@@ -77,10 +59,10 @@ pub fn panels(p: &Panels) -> Result<Picture> {
 
 /// The looks of all series. One that is always alone needs no dashes, which would
 /// hide a curve that swings fast.
-fn strokes(p: &Panels, names: &[&str]) -> Vec<Stroke> {
+fn strokes(panels: &[Panel], names: &[&str]) -> Vec<Stroke> {
     let shares = |name: &str| {
-        let mut panels = p.panels.iter().filter(|panel| panel.series.len() > 1);
-        panels.any(|panel| panel.series.iter().any(|series| series.name == name))
+        let mut shared = panels.iter().filter(|panel| panel.series.len() > 1);
+        shared.any(|panel| panel.series.iter().any(|series| series.name == name))
     };
     let strokes = names.iter().enumerate().map(|(index, name)| {
         let stroke = series_stroke(index);
@@ -108,9 +90,9 @@ pub(super) fn series_stroke(index: usize) -> Stroke {
 }
 
 /// The frames of all panels, one below another, their sides aligned.
-fn frames(p: &Panels, top: f64, right: f64) -> Result<Vec<Frame>> {
+fn frames(panels: &[Panel], top: f64, right: f64) -> Result<Vec<Frame>> {
     let mut frames = Vec::new();
-    for (index, panel) in p.panels.iter().enumerate() {
+    for (index, panel) in panels.iter().enumerate() {
         let top = top + index as f64 * PANEL_HEIGHT;
         let outer = Rect {
             left: MARGIN,
@@ -118,45 +100,41 @@ fn frames(p: &Panels, top: f64, right: f64) -> Result<Vec<Frame>> {
             right,
             bottom: top + PANEL_HEIGHT - PANEL_GAP,
         };
-        let (x, y) = (x_scale(panel, p), y_scale(panel));
-        frames.push(Frame::new(outer, (&panel.x, x), (&panel.y, y))?);
+        let scales = [x_scale(panel, panels), y_scale(panel)];
+        frames.push(Frame::new(outer, &panel.axes, scales)?);
     }
-    align_left(&mut frames.iter_mut().collect::<Vec<_>>());
+    align_left(&mut frames, 1);
     Ok(frames)
 }
 
 /// The scale of a horizontal axis, the same for all panels that share it.
-fn x_scale(panel: &Panel, all: &Panels) -> Scale {
-    let sharing = all.panels.iter().filter(|other| {
-        other.x.label == panel.x.label && other.x.logarithmic == panel.x.logarithmic
-    });
+fn x_scale(panel: &Panel, all: &[Panel]) -> Scale {
+    let [axis, _] = &panel.axes;
+    let sharing = all.iter().filter(|other| other.axes[0] == *axis);
     let values = sharing.flat_map(|other| {
         let shown = shown_points(other).map(|(x, _)| x);
         shown.chain(places(&other.references, Across::X))
     });
-    Scale::new(panel.x.logarithmic, values)
+    Scale::new(axis.logarithmic, values)
 }
 
 fn y_scale(panel: &Panel) -> Scale {
+    let [_, axis] = &panel.axes;
     let lines = || places(&panel.references, Across::Y);
     let shown = shown_points(panel).map(|(_, y)| y);
     let mut values: Vec<f64> = shown.chain(lines()).collect();
-    if !panel.y.logarithmic {
+    if !axis.logarithmic {
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let room = NAME_ROOM * (high - low);
-        values.extend(
-            lines()
-                .map(|line| line + room)
-                .filter(|&above| above > high),
-        );
+        values.extend(lines().map(|line| line + room));
     }
-    Scale::new(panel.y.logarithmic, values.into_iter())
+    Scale::new(axis.logarithmic, values.into_iter())
 }
 
 fn shown_points(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
     let points = panel.series.iter().flat_map(|series| &series.points);
-    visible(&panel.x, &panel.y, points.copied())
+    visible(&panel.axes, points.copied())
 }
 
 fn draw_panel(
@@ -194,12 +172,11 @@ mod tests {
     use super::*;
 
     fn panel(name: &str, points: Vec<(f64, f64)>, logarithmic: bool) -> Panel {
+        let difference = "Difference in the angular speed of the bit (rad/s)";
+        let mut axes = ["Time t (s)", difference].map(Axis::linear);
+        axes[1].logarithmic = logarithmic;
         Panel {
-            x: Axis::linear("Time t (s)"),
-            y: Axis {
-                label: "Difference in the angular speed of the bit (rad/s)".to_string(),
-                logarithmic,
-            },
+            axes,
             series: vec![Series {
                 name: name.to_string(),
                 points,
@@ -215,8 +192,7 @@ mod tests {
     }
 
     fn draw(panels: Vec<Panel>) -> Picture {
-        let title = "Time histories".to_string();
-        super::panels(&Panels { title, panels }).expect("drawn")
+        super::panels("Time histories", &panels).expect("drawn")
     }
 
     #[test]

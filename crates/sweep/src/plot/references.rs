@@ -50,7 +50,7 @@ pub(super) fn draw_references(
     curves: Vec<Vec<Pixel>>,
     references: &[Reference],
 ) -> Result<()> {
-    let mut names = Names::new(frame.area, curves);
+    let mut names = Names::new(frame.area, Vec::new(), curves);
     let Rect {
         left,
         top,

@@ -13,6 +13,7 @@ const SMALLEST: f64 = 1e-300;
 const RESOLUTION: f64 = 1e-9;
 
 /// One axis of a plot.
+#[derive(PartialEq)]
 pub struct Axis {
     /// Title with the unit, e.g. `Weight on bit W (kN)`.
     pub label: String,
@@ -80,72 +81,58 @@ impl Scale {
 
     /// Ticks at round numbers, at most about `most` of them with a label.
     pub fn ticks(&self, most: usize) -> Vec<Tick> {
-        if self.logarithmic {
+        let ticks = if self.logarithmic {
             self.logarithmic_ticks(most)
         } else {
-            self.labelled(linear_ticks(self.low, self.high, most))
-        }
+            linear_ticks(self.low, self.high, most)
+        };
+        let ticks = ticks.into_iter().filter_map(|(value, label)| {
+            let fraction = self.fraction(value)?;
+            Some(Tick { fraction, label })
+        });
+        ticks.collect()
     }
 
     /// Whole decades, with 2 and 5 between them if there is room; on an axis
-    /// too short for that, the round numbers of a linear one.
-    fn logarithmic_ticks(&self, most: usize) -> Vec<Tick> {
+    /// too short for that, the round numbers of a linear one. Between labels for each
+    /// decade there are ticks without at 1, 2, …, 9.
+    fn logarithmic_ticks(&self, most: usize) -> Vec<Labelled> {
         let fine = self.decade_ticks(&[1, 2, 5], 1);
         if fine.len() < 3 {
-            let (low, high) = (10f64.powf(self.low), 10f64.powf(self.high));
-            return self.labelled(linear_ticks(low, high, most));
-        }
-        if fine.len() <= most {
-            return self.with_minor_ticks(fine);
+            return linear_ticks(10f64.powf(self.low), 10f64.powf(self.high), most);
         }
         let every = ((self.high - self.low).ceil() / most as f64).ceil();
-        if every <= 1.0 {
-            return self.with_minor_ticks(self.decade_ticks(&[1], 1));
-        }
-        self.labelled(self.decade_ticks(&[1], every as i32))
-    }
-
-    /// The labelled ticks, and ones without label at 1, 2, …, 9 per decade.
-    fn with_minor_ticks(&self, labelled: Vec<(f64, String)>) -> Vec<Tick> {
-        let mut ticks = self.labelled(self.decade_ticks(&[1, 2, 3, 4, 5, 6, 7, 8, 9], 1));
-        for tick in &mut ticks {
-            tick.label = None;
-        }
-        ticks.extend(self.labelled(labelled));
-        ticks
+        let labelled = if fine.len() <= most {
+            fine
+        } else if every <= 1.0 {
+            self.decade_ticks(&[1], 1)
+        } else {
+            return self.decade_ticks(&[1], every as i32);
+        };
+        let minor = self.decade_ticks(&[1, 2, 3, 4, 5, 6, 7, 8, 9], 1);
+        let minor = minor.into_iter().map(|(value, _)| (value, None));
+        minor.chain(labelled).collect()
     }
 
     /// The numbers `digit`·10ⁿ on the axis, for n a multiple of `every`.
-    fn decade_ticks(&self, digits: &[i32], every: i32) -> Vec<(f64, String)> {
+    fn decade_ticks(&self, digits: &[i32], every: i32) -> Vec<Labelled> {
         let exponents = self.low.floor() as i32..=self.high.ceil() as i32;
         exponents
             .filter(|exponent| exponent % every == 0)
             .flat_map(|exponent| digits.iter().map(move |&digit| (digit, exponent)))
             .map(|(digit, exponent)| (power(digit, exponent), decade_label(digit, exponent)))
-            .filter(|(value, _)| {
-                let place = value.log10();
-                place >= self.low && place <= self.high
-            })
-            .collect()
-    }
-
-    fn labelled(&self, ticks: Vec<(f64, String)>) -> Vec<Tick> {
-        ticks
-            .into_iter()
-            .filter_map(|(value, label)| {
-                Some(Tick {
-                    fraction: self.fraction(value)?,
-                    label: Some(label),
-                })
-            })
+            .filter(|(value, _)| (self.low..=self.high).contains(&value.log10()))
+            .map(|(value, label)| (value, Some(label)))
             .collect()
     }
 }
 
+/// A number and how it is written, unless that of a minor tick.
+type Labelled = (f64, Option<String>);
+
 /// The points that both axes can show.
 pub(super) fn visible(
-    x: &Axis,
-    y: &Axis,
+    [x, y]: &[Axis; 2],
     points: impl Iterator<Item = (f64, f64)>,
 ) -> impl Iterator<Item = (f64, f64)> {
     let (x, y) = (x.logarithmic, y.logarithmic);
@@ -182,7 +169,7 @@ fn padded(low: f64, high: f64, logarithmic: bool) -> (f64, f64) {
 }
 
 /// Round numbers from `low` to `high`, about `most` of them, with labels.
-fn linear_ticks(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
+fn linear_ticks(low: f64, high: f64, most: usize) -> Vec<Labelled> {
     let (digit, exponent) = nice_step((high - low) / most as f64);
     let step = power(digit, exponent);
     let largest = low.abs().max(high.abs());
@@ -192,7 +179,7 @@ fn linear_ticks(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
     (first..=last)
         .map(|count| {
             let value = count as f64 * step;
-            (value, linear_label(value, largest, exponent))
+            (value, Some(linear_label(value, largest, exponent)))
         })
         .collect()
 }

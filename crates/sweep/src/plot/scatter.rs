@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, Stroke, Title, draw_titled};
 use super::frame::{Frame, align_left};
 use super::geometry::{Pixel, Rect};
-use super::legend::{Key, Legend, distinct, place_of};
+use super::legend::{Key, Legend, Series, distinct, place_of};
 use super::picture::Picture;
 use super::references::REFERENCE;
 use super::scale::{Axis, Scale, visible};
@@ -22,30 +22,16 @@ const GAP: f64 = 16.0;
 const MARKER_RADIUS: f64 = 3.4;
 /// Radius of the rim around a point that is pointed out.
 const RIM_RADIUS: f64 = 7.5;
-const FRONT: Stroke = Stroke {
-    colour: BLACK,
-    width: 1.4,
-    dash: &[],
-};
-
-/// Points of one kind.
-pub struct Points {
-    /// Name in the legend; points of the same name look the same.
-    pub name: String,
-    /// The points.
-    pub points: Vec<(f64, f64)>,
-}
+const FRONT: Stroke = Stroke::solid(BLACK, 1.4);
 
 /// One panel.
 pub struct ScatterPanel {
     /// Title above it.
     pub title: String,
-    /// Horizontal axis; all panels share its range.
-    pub x: Axis,
-    /// Vertical axis.
-    pub y: Axis,
+    /// Horizontal and vertical axis; all panels share the range of the horizontal one.
+    pub axes: [Axis; 2],
     /// Points, by kind.
-    pub kinds: Vec<Points>,
+    pub kinds: Vec<Series>,
     /// The Pareto front, from left to right: drawn as steps.
     pub front: Vec<(f64, f64)>,
     /// Points to point out with a rim.
@@ -54,40 +40,31 @@ pub struct ScatterPanel {
     pub floor: Option<f64>,
 }
 
-/// A grid of panels with one title and one legend.
-pub struct ScatterGrid {
-    /// Title above all.
-    pub title: String,
-    /// What the front is, in the legend.
-    pub front: String,
-    /// What the floors are, in the legend.
-    pub floor: String,
-    /// What the rims are, in the legend.
-    pub rim: String,
-    /// Panels, row by row.
-    pub panels: Vec<ScatterPanel>,
-}
-
-/// Draws the grid, its legend in a row below.
-pub fn scatter_grid(grid: &ScatterGrid) -> Result<Picture> {
-    let kinds = grid.panels.iter().flat_map(|panel| &panel.kinds);
+/// Draws panels in a grid, row by row, with one title, and one legend in a row below,
+/// which also says what fronts, floors and rims are.
+pub fn scatter_grid(
+    title: &str,
+    [front, floor, rim]: [&str; 3],
+    panels: &[ScatterPanel],
+) -> Result<Picture> {
+    let kinds = panels.iter().flat_map(|panel| &panel.kinds);
     let names = distinct(kinds.map(|kind| &kind.name));
-    let title = Title::new(&grid.title, WIDTH, MARGIN)?;
+    let title = Title::new(title, WIDTH, MARGIN)?;
     let entries = (names.iter().enumerate())
         .map(|(index, name)| (Key::Marker(index), *name))
         .chain([
-            (Key::Line(FRONT), grid.front.as_str()),
-            (Key::Line(REFERENCE), grid.floor.as_str()),
-            (Key::Rim, grid.rim.as_str()),
+            (Key::Line(FRONT), front),
+            (Key::Line(REFERENCE), floor),
+            (Key::Rim, rim),
         ]);
     let legend = Legend::new(entries)?.in_rows(WIDTH - 2.0 * MARGIN);
     let top = title.bottom();
-    let rows = grid.panels.len().div_ceil(COLUMNS);
+    let rows = panels.len().div_ceil(COLUMNS);
     let legend_top = top + rows as f64 * PANEL_HEIGHT;
     let height = legend_top + legend.height() + MARGIN;
-    let frames = frames(grid, top)?;
+    let frames = frames(panels, top)?;
     draw_titled(&title, height, |canvas| {
-        for (panel, frame) in grid.panels.iter().zip(&frames) {
+        for (panel, frame) in panels.iter().zip(&frames) {
             draw_panel(canvas, panel, frame, &names)?;
         }
         legend.draw(canvas, MARGIN, legend_top)
@@ -95,12 +72,12 @@ pub fn scatter_grid(grid: &ScatterGrid) -> Result<Picture> {
 }
 
 /// The frames of all panels, the sides of each column aligned.
-fn frames(grid: &ScatterGrid, top: f64) -> Result<Vec<Frame>> {
+fn frames(panels: &[ScatterPanel], top: f64) -> Result<Vec<Frame>> {
     let width = (WIDTH - 2.0 * MARGIN) / COLUMNS as f64;
-    let all = grid.panels.iter().flat_map(shown_points).map(|(x, _)| x);
+    let all = panels.iter().flat_map(shown_points).map(|(x, _)| x);
     let x = Scale::new(true, all);
-    let mut frames = Vec::with_capacity(grid.panels.len());
-    for (index, panel) in grid.panels.iter().enumerate() {
+    let mut frames = Vec::with_capacity(panels.len());
+    for (index, panel) in panels.iter().enumerate() {
         let (row, column) = (index / COLUMNS, index % COLUMNS);
         let left = MARGIN + column as f64 * width;
         let top = top + row as f64 * PANEL_HEIGHT;
@@ -111,19 +88,16 @@ fn frames(grid: &ScatterGrid, top: f64) -> Result<Vec<Frame>> {
             bottom: top + PANEL_HEIGHT - GAP,
         };
         let shown = shown_points(panel).map(|(_, y)| y);
-        let y = Scale::new(panel.y.logarithmic, shown.chain(panel.floor));
-        frames.push(Frame::new(outer, (&panel.x, x), (&panel.y, y))?);
+        let y = Scale::new(panel.axes[1].logarithmic, shown.chain(panel.floor));
+        frames.push(Frame::new(outer, &panel.axes, [x, y])?);
     }
-    for column in 0..COLUMNS {
-        let in_column = frames.iter_mut().skip(column).step_by(COLUMNS);
-        align_left(&mut in_column.collect::<Vec<_>>());
-    }
+    align_left(&mut frames, COLUMNS);
     Ok(frames)
 }
 
 fn shown_points(panel: &ScatterPanel) -> impl Iterator<Item = (f64, f64)> {
     let points = panel.kinds.iter().flat_map(|kind| &kind.points);
-    visible(&panel.x, &panel.y, points.copied())
+    visible(&panel.axes, points.copied())
 }
 
 fn draw_panel(
@@ -177,9 +151,8 @@ mod tests {
     fn panel(points: Vec<(f64, f64)>) -> ScatterPanel {
         ScatterPanel {
             title: "Normal force of whirl, Fig. 12".to_string(),
-            x: Axis::logarithmic("Time for 1000 cases of 10 s (s)"),
-            y: Axis::logarithmic("Relative error"),
-            kinds: vec![Points {
+            axes: ["Time for 1000 cases of 10 s (s)", "Relative error"].map(Axis::logarithmic),
+            kinds: vec![Series {
                 name: "finite-element, γ = 0.52".to_string(),
                 points: points.clone(),
             }],
@@ -192,13 +165,13 @@ mod tests {
     #[test]
     fn a_grid_with_a_last_row_that_is_not_full_is_drawn() {
         let points = vec![(0.01, 0.2), (1.0, 0.1), (30.0, 1e-5)];
-        let picture = scatter_grid(&ScatterGrid {
-            title: "Accuracy against speed".to_string(),
-            front: "no other is cheaper and better".to_string(),
-            floor: "uncertainty of the reference".to_string(),
-            rim: "the paper's own".to_string(),
-            panels: (0..4).map(|_| panel(points.clone())).collect(),
-        });
+        let keys = [
+            "no other is cheaper and better",
+            "uncertainty of the reference",
+            "the paper's own",
+        ];
+        let panels = [(); 4].map(|()| panel(points.clone()));
+        let picture = scatter_grid("Accuracy against speed", keys, &panels);
         assert_text_inside(&picture.expect("drawn"));
     }
 }

@@ -59,7 +59,8 @@ pub(super) struct Block {
 impl Block {
     /// Breaks `text` so that no line is wider than `max_width`.
     pub fn new(text: &str, size: f64, max_width: f64) -> Result<Block> {
-        let lines = wrap(&without_controls(text), size, max_width)?;
+        // XML forbids control characters.
+        let lines = wrap(&text.replace(char::is_control, " "), size, max_width)?;
         Ok(Block {
             width: widest(&lines, size)?,
             lines,
@@ -78,23 +79,15 @@ impl Block {
     }
 }
 
-/// Replaces control characters, which XML forbids, by spaces.
-fn without_controls(text: &str) -> String {
-    text.replace(char::is_control, " ")
-}
-
 /// Breaks between words, and inside a word only if it is too wide by itself.
 fn wrap(text: &str, size: f64, max_width: f64) -> Result<Vec<String>> {
     let mut lines = Vec::new();
     let mut line = String::new();
     for word in text.split_whitespace() {
-        let longer = if line.is_empty() {
-            word.to_string()
-        } else {
-            format!("{line} {word}")
-        };
-        if width(&longer, size)? <= max_width {
-            line = longer;
+        let longer = format!("{line} {word}");
+        let longer = longer.trim_start();
+        if width(longer, size)? <= max_width {
+            line = longer.to_owned();
             continue;
         }
         if !line.is_empty() {

@@ -2,7 +2,7 @@
 
 use crate::map::{Cells, Extent, meanings};
 use crate::output::Motion;
-use crate::plot::Symbol;
+use crate::plot::{Ground, Symbol};
 use crate::quantities::Axis;
 use crate::words::short;
 
@@ -39,9 +39,12 @@ pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Ax
 
 /// What the characters on the map mean.
 fn legend(cells: &Cells, motion: Motion) -> String {
-    let runs = cells.runs();
+    let joined = cells.joined();
     let keys: String = (meanings(motion, " by all methods").into_iter())
-        .filter(|(symbol, _)| runs.iter().any(|run| run.2 == *symbol))
+        .filter(|(symbol, _)| {
+            let ground = Ground::Symbol(*symbol);
+            joined.iter().any(|cell| cell.ground == ground)
+        })
         .map(|(symbol, meaning)| format!("{} {meaning}\n", character(symbol)))
         .collect();
     if keys.is_empty() {

@@ -117,7 +117,7 @@ impl MapCells {
         let (Some(x), Some(y)) = (place(map.x), place(map.y)) else {
             bail!("the map of manifest.json has an axis that its cases do not have");
         };
-        let extent = Extent::of(labels, axes, &[])?;
+        let extent = Extent::of(labels, axes, Vec::new())?;
         let motions = extent.motions.iter();
         Ok(Some(Self {
             cells: motions

@@ -9,7 +9,7 @@ use linear::waves::network::TorsionNetwork;
 
 use crate::engine::MethodSystem;
 use crate::plan::{LateralSettings, Sweep};
-use crate::plot::{Axis, Panel, Panels, Picture, Series, panels};
+use crate::plot::{Axis, Panel, Picture, Series, panels};
 use crate::words::site_title;
 
 /// Points of the frequency response drawn.
@@ -26,10 +26,8 @@ type Curve = Vec<(f64, f64)>;
 /// # Errors
 /// Where the string has no exact response.
 pub fn response_picture(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Picture> {
-    panels(&Panels {
-        title: format!("{}: linear responses", sweep.title),
-        panels: response_panels(sweep, systems)?,
-    })
+    let title = format!("{}: linear responses", sweep.title);
+    panels(&title, &response_panels(sweep, systems)?)
 }
 
 fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>> {
@@ -79,8 +77,7 @@ fn time_panel(
         })
     };
     Panel {
-        x: Axis::linear(format!("Time {time} (s)")),
-        y: Axis::linear(label),
+        axes: [&format!("Time {time} (s)"), label].map(Axis::linear),
         series: systems.iter().filter_map(of_method).collect(),
         references: Vec::new(),
     }
@@ -120,8 +117,7 @@ fn exact_panel(label: &str, sweep: &Sweep, response: &dyn Fn(f64) -> f64) -> Pan
         (frequency, response(frequency))
     });
     Panel {
-        x: Axis::linear("Frequency f (Hz)"),
-        y: Axis::logarithmic(label),
+        axes: [Axis::linear("Frequency f (Hz)"), Axis::logarithmic(label)],
         series: vec![Series {
             name: "exact".to_owned(),
             points: points.collect(),

@@ -1,23 +1,25 @@
 //! The atlas as panels of cells.
 
-use crate::plot::{CellChart, CellPanel, ChartCell, Predicted, Seen};
+use anyhow::Result;
+
+use crate::plot::{CellPanel, ChartCell, Picture, Seen, cell_chart};
 use crate::studies::stability::{Entry, Family, Symptom};
 
-/// All families that have cells, each in a panel.
-pub fn chart(entries: &[Entry]) -> CellChart {
-    CellChart {
-        title: "Where methods fail, and whether their positive-real margin predicts it".to_owned(),
-        number: "number: the smallest margin, or where there is none the relative error".to_owned(),
-        panels: (Family::all().iter())
-            .map(|&family| {
-                let of: Vec<&Entry> = (entries.iter())
-                    .filter(|entry| entry.cell.family == family)
-                    .collect();
-                panel(family, &of)
-            })
-            .filter(|panel| !panel.cells.is_empty())
-            .collect(),
-    }
+/// Draws all families that have cells, each in a panel.
+///
+/// # Errors
+/// Where they cannot be drawn.
+pub fn chart(entries: &[Entry]) -> Result<Picture> {
+    let panels = Family::all().iter().map(|&family| {
+        let of_family = entries.iter().filter(|entry| entry.cell.family == family);
+        panel(family, &of_family.collect::<Vec<_>>())
+    });
+    let panels: Vec<_> = panels.filter(|panel| !panel.cells.is_empty()).collect();
+    cell_chart(
+        "Where methods fail, and whether their positive-real margin predicts it",
+        "number: the smallest margin, or where there is none the relative error",
+        &panels,
+    )
 }
 
 fn panel(family: Family, entries: &[&Entry]) -> CellPanel {
@@ -36,11 +38,7 @@ fn panel(family: Family, entries: &[&Entry]) -> CellPanel {
         .map(|entry| ChartCell {
             column: place(&mut columns, column_name(family, entry)),
             row: place(&mut rows, row_name(family, entry)),
-            predicted: match entry.findings.predicted_stable() {
-                Some(true) => Predicted::Stable,
-                Some(false) => Predicted::Unstable,
-                None => Predicted::Nothing,
-            },
+            predicted_stable: entry.findings.predicted_stable(),
             seen: seen(&entry.findings.symptoms()),
             text: number(entry),
         })

@@ -13,7 +13,6 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::StabilityArguments;
 use crate::output::write_atomically;
-use crate::plot::cell_chart;
 use crate::studies::stability::{Cell, Family, cells, run};
 use chart::chart;
 use table::{summary, to_csv};
@@ -33,8 +32,7 @@ pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<S
     progress.finish();
     let entries = entries?;
     write_atomically(&arguments.out.join("stability.csv"), &to_csv(&entries)?)?;
-    let picture = cell_chart(&chart(&entries))?;
-    save_picture(&arguments.out, "stability", &picture)?;
+    save_picture(&arguments.out, "stability", &chart(&entries)?)?;
     if !arguments.quiet {
         say(&summary(&entries))?;
     }

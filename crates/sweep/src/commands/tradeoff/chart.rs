@@ -3,7 +3,7 @@
 use anyhow::Result;
 
 use super::table::measures;
-use crate::plot::{Axis, Picture, Points, ScatterGrid, ScatterPanel, scatter_grid};
+use crate::plot::{Axis, Picture, ScatterPanel, Series, scatter_grid};
 use crate::studies::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
 
 /// Smaller errors are drawn here: they are rounding.
@@ -17,26 +17,27 @@ pub fn chart(rows: &[Row]) -> Result<Picture> {
     let panels = (measures(rows).into_iter())
         .enumerate()
         .map(|(index, measure)| panel(rows, measure, index % 3 == 0));
-    scatter_grid(&ScatterGrid {
-        title: "Accuracy against speed: what each configuration costs, and how far off it is"
-            .to_owned(),
-        front: "nothing is both cheaper and better".to_owned(),
-        floor: "the reference is no surer than this".to_owned(),
-        rim: "the paper's own: 640 Hz, filters of 10 s or 20 elements".to_owned(),
-        panels: panels.collect(),
-    })
+    scatter_grid(
+        "Accuracy against speed: what each configuration costs, and how far off it is",
+        [
+            "nothing is both cheaper and better",
+            "the reference is no surer than this",
+            "the paper's own: 640 Hz, filters of 10 s or 20 elements",
+        ],
+        &panels.collect::<Vec<_>>(),
+    )
 }
 
 fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
     let point = |row: &Row| Some((row.cost(), row.error?.max(SMALLEST_DRAWN)));
     let known = || rows.iter().filter(|row| row.measure == measure);
-    let mut kinds: Vec<Points> = Vec::new();
+    let mut kinds: Vec<Series> = Vec::new();
     for row in known() {
         let name = row.configuration.family();
         let kind = match kinds.iter().position(|kind| kind.name == name) {
             Some(kind) => kind,
             None => {
-                kinds.push(Points {
+                kinds.push(Series {
                     name: name.to_owned(),
                     points: Vec::new(),
                 });
@@ -48,8 +49,10 @@ fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
     let uncertainty = known().map(|row| row.reference.uncertainty).next();
     ScatterPanel {
         title: measure.title().to_owned(),
-        x: Axis::logarithmic(format!("Time for {CASES} cases of {CASE_SECONDS} s (s)")),
-        y: Axis::logarithmic(if is_first { "Relative error" } else { "" }),
+        axes: [
+            Axis::logarithmic(format!("Time for {CASES} cases of {CASE_SECONDS} s (s)")),
+            Axis::logarithmic(if is_first { "Relative error" } else { "" }),
+        ],
         kinds,
         front: (front(rows, measure).into_iter())
             .map(|(row, error)| (row.cost(), error.max(SMALLEST_DRAWN)))

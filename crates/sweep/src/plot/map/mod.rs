@@ -8,39 +8,27 @@ mod tests;
 
 use super::geometry::Rect;
 use super::grounds::Ground;
-use super::legend::distinct;
+use super::legend::{Series, distinct};
 use super::scale::Axis;
 use super::symbols::Symbol;
 
 pub use sheet::map_sheet;
 
 /// A symbol at a place of a map.
-#[derive(Clone)]
 pub struct MapPoint {
-    /// Place along the horizontal axis.
-    pub x: f64,
-    /// Place along the vertical axis.
-    pub y: f64,
+    /// Its place.
+    pub at: (f64, f64),
     /// What to draw there.
     pub symbol: Symbol,
 }
 
 /// A part of a map whose cases share a colour.
+#[derive(Debug, PartialEq)]
 pub struct MapCell {
-    /// Its ends along the horizontal axis.
-    pub x: [f64; 2],
-    /// Its ends along the vertical axis.
-    pub y: [f64; 2],
+    /// Its ends along the horizontal and along the vertical axis.
+    pub ends: [[f64; 2]; 2],
     /// What its cases are.
     pub ground: Ground,
-}
-
-/// A named line, such as the boundary of a regime.
-pub struct Line {
-    /// Name in the legend; lines of the same name look the same.
-    pub name: String,
-    /// Its corners; the line has a gap where one is not finite.
-    pub points: Vec<(f64, f64)>,
 }
 
 /// A hatched range across a map, such as that of a boundary which differs from case to
@@ -48,20 +36,16 @@ pub struct Line {
 pub struct Band {
     /// Name in the legend.
     pub name: String,
-    /// Its ends along the horizontal axis.
-    pub x: [f64; 2],
-    /// Its ends along the vertical axis.
-    pub y: [f64; 2],
+    /// Its ends along the horizontal and along the vertical axis.
+    pub ends: [[f64; 2]; 2],
 }
 
 /// A named place: a filled triangle with its name beside it.
 pub struct Mark {
     /// Name beside the triangle.
     pub name: String,
-    /// Place along the horizontal axis.
-    pub x: f64,
-    /// Place along the vertical axis.
-    pub y: f64,
+    /// Its place.
+    pub at: (f64, f64),
 }
 
 /// One map.
@@ -73,12 +57,11 @@ pub struct MapPanel {
     pub cells: Vec<MapCell>,
     /// Symbols; those that are not finite are skipped.
     pub points: Vec<MapPoint>,
-    /// Lines, cut off where they leave the range of points, cells and marks.
-    pub lines: Vec<Line>,
+    /// Lines such as the boundary of a regime, cut off where they leave the range of points,
+    /// cells and marks.
+    pub lines: Vec<Series>,
     /// Hatched ranges, cut off there too.
     pub bands: Vec<Band>,
-    /// Marked places.
-    pub marks: Vec<Mark>,
 }
 
 /// Maps of one motion, with the legend that they share.
@@ -100,21 +83,21 @@ pub struct MapGroup {
 pub struct MapSheet {
     /// Title above all.
     pub title: String,
-    /// Horizontal axis of every map.
-    pub x: Axis,
-    /// Vertical axis of every map.
-    pub y: Axis,
+    /// Horizontal and vertical axis of every map.
+    pub axes: [Axis; 2],
+    /// Places that are marked on every map.
+    pub marks: Vec<Mark>,
     /// Maps, motion by motion.
     pub groups: Vec<MapGroup>,
 }
 
-/// Whether a part of a line lies within two ranges.
-pub fn is_within(points: &[(f64, f64)], x: [f64; 2], y: [f64; 2]) -> bool {
+/// Whether a part of a line lies within the ranges of both axes.
+pub fn is_within(points: &[(f64, f64)], [[left, right], [top, bottom]]: [[f64; 2]; 2]) -> bool {
     let range = Rect {
-        left: x[0],
-        top: y[0],
-        right: x[1],
-        bottom: y[1],
+        left,
+        top,
+        right,
+        bottom,
     };
     !range.clip(points).is_empty()
 }

@@ -1,6 +1,6 @@
 //! One map of a sheet.
 
-use super::{MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark};
+use super::{MapCell, MapGroup, MapPanel, MapSheet, Mark};
 use crate::plot::canvas::{Canvas, DASHES, Stroke};
 use crate::plot::frame::Frame;
 use crate::plot::geometry::{Pixel, Rect};
@@ -29,48 +29,37 @@ pub(super) fn line_stroke(index: usize) -> Stroke {
 
 /// The scales that show all points, cells and marks of a sheet, or its lines where
 /// there are no points; the same for all maps, which are there to be compared.
-pub(super) fn scales(sheet: &MapSheet) -> (Scale, Scale) {
+pub(super) fn scales(sheet: &MapSheet) -> [Scale; 2] {
     let panels = || sheet.groups.iter().flat_map(|group| &group.panels);
     let points = panels().flat_map(|panel| &panel.points);
-    let mut places: Vec<_> = points.map(|point| (point.x, point.y)).collect();
-    let corners = |cell: &MapCell| [0, 1].map(|end| (cell.x[end], cell.y[end]));
+    let mut places: Vec<_> = points.map(|point| point.at).collect();
+    let corners = |cell: &MapCell| [0, 1].map(|end| (cell.ends[0][end], cell.ends[1][end]));
     places.extend(panels().flat_map(|panel| panel.cells.iter().flat_map(corners)));
     if places.is_empty() {
         let lines = panels().flat_map(|panel| &panel.lines);
         places.extend(lines.flat_map(|line| &line.points));
     }
-    let marks = panels().flat_map(|panel| &panel.marks);
-    places.extend(marks.map(|mark| (mark.x, mark.y)));
-    let places: Vec<_> = visible(&sheet.x, &sheet.y, places.into_iter()).collect();
-    (
-        Scale::new(sheet.x.logarithmic, places.iter().map(|place| place.0)),
-        Scale::new(sheet.y.logarithmic, places.iter().map(|place| place.1)),
-    )
+    places.extend(sheet.marks.iter().map(|mark| mark.at));
+    let (x, y): (Vec<_>, Vec<_>) = visible(&sheet.axes, places.into_iter()).unzip();
+    let [x_axis, y_axis] = &sheet.axes;
+    [
+        Scale::new(x_axis.logarithmic, x.into_iter()),
+        Scale::new(y_axis.logarithmic, y.into_iter()),
+    ]
 }
 
-/// Draws a map of a group into its frame.
+/// Draws a map of a group, with the marks of the sheet, into its frame.
 pub(super) fn draw_panel(
     canvas: &mut Canvas,
     frame: &Frame,
+    marks: &[Mark],
     group: &MapGroup,
     panel: &MapPanel,
 ) -> Result<()> {
     frame.draw(canvas)?;
-    draw_cells(canvas, frame, &panel.cells)?;
-    for band in &panel.bands {
-        if let Some(area) = area(frame, band.x, band.y) {
-            draw_hatching(canvas, area, frame.area)?;
-        }
-    }
-    draw_points(canvas, frame, &panel.points)?;
-    draw_lines(canvas, frame, &group.line_names(), panel)?;
-    draw_marks(canvas, frame, panel)
-}
-
-/// Ends on whole pixels leave no seam between neighbours.
-fn draw_cells(canvas: &mut Canvas, frame: &Frame, cells: &[MapCell]) -> Result<()> {
-    for cell in cells {
-        if let Some(area) = area(frame, cell.x, cell.y) {
+    for cell in &panel.cells {
+        if let Some(area) = area(frame, cell.ends) {
+            // Ends on whole pixels leave no seam between neighbours.
             let area = Rect {
                 left: area.left.round(),
                 top: area.top.round(),
@@ -80,11 +69,23 @@ fn draw_cells(canvas: &mut Canvas, frame: &Frame, cells: &[MapCell]) -> Result<(
             draw_ground(canvas, cell.ground, area)?;
         }
     }
-    Ok(())
+    for band in &panel.bands {
+        if let Some(area) = area(frame, band.ends) {
+            draw_hatching(canvas, area, frame.area)?;
+        }
+    }
+    let radius = symbol_radius(frame.area, panel.points.len());
+    for point in &panel.points {
+        if let Some(centre) = frame.pixel(point.at) {
+            draw_symbol(canvas, point.symbol, centre, radius)?;
+        }
+    }
+    draw_lines(canvas, frame, &group.line_names(), panel)?;
+    draw_marks(canvas, frame, marks, panel)
 }
 
 /// The rectangle between two values to the right and two upwards.
-fn area(frame: &Frame, x: [f64; 2], y: [f64; 2]) -> Option<Rect> {
+fn area(frame: &Frame, [x, y]: [[f64; 2]; 2]) -> Option<Rect> {
     let (left, bottom) = frame.pixel((x[0], y[0]))?;
     let (right, top) = frame.pixel((x[1], y[1]))?;
     Some(Rect {
@@ -93,16 +94,6 @@ fn area(frame: &Frame, x: [f64; 2], y: [f64; 2]) -> Option<Rect> {
         right,
         bottom,
     })
-}
-
-fn draw_points(canvas: &mut Canvas, frame: &Frame, points: &[MapPoint]) -> Result<()> {
-    let radius = symbol_radius(frame.area, points.len());
-    for point in points {
-        if let Some(centre) = frame.pixel((point.x, point.y)) {
-            draw_symbol(canvas, point.symbol, centre, radius)?;
-        }
-    }
-    Ok(())
 }
 
 /// Symbols as large as their mean distance allows, within legible limits.
@@ -129,17 +120,17 @@ fn draw_lines(canvas: &mut Canvas, frame: &Frame, names: &[&str], panel: &MapPan
     Ok(())
 }
 
-fn draw_marks(canvas: &mut Canvas, frame: &Frame, panel: &MapPanel) -> Result<()> {
-    let place = |mark: &Mark| frame.pixel((mark.x, mark.y));
-    let places: Vec<_> = (panel.marks.iter())
-        .filter_map(|mark| Some((mark, place(mark)?)))
-        .collect();
-    let mut names = Names::new(frame.area, drawn_lines(frame, panel));
+fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPanel) -> Result<()> {
+    let places = marks.iter();
+    let places = places.filter_map(|mark| Some((mark, frame.pixel(mark.at)?)));
+    let places: Vec<_> = places.collect();
     for &(_, centre) in &places {
         draw_triangle(canvas, centre)?;
-        let size = 2.0 * MARK_RADIUS;
-        names.keep_off(Rect::centred(centre, size, size));
     }
+    let size = 2.0 * MARK_RADIUS;
+    let centres = places.iter().map(|&(_, centre)| centre);
+    let taken = centres.map(|centre| Rect::centred(centre, size, size));
+    let mut names = Names::new(frame.area, taken.collect(), drawn_lines(frame, panel));
     for (mark, (x, y)) in places {
         let name = names.block(&mark.name)?;
         let beside = MARK_RADIUS + HALO + 2.0 + name.width / 2.0;
@@ -159,7 +150,7 @@ fn draw_marks(canvas: &mut Canvas, frame: &Frame, panel: &MapPanel) -> Result<()
 /// short dashes.
 fn drawn_lines(frame: &Frame, panel: &MapPanel) -> Vec<Vec<Pixel>> {
     let radius = symbol_radius(frame.area, panel.points.len());
-    let centres = panel.points.iter().filter_map(|p| frame.pixel((p.x, p.y)));
+    let centres = panel.points.iter().filter_map(|p| frame.pixel(p.at));
     let symbols = centres.map(|(x, y)| vec![(x - radius, y), (x + radius, y)]);
     let lines = panel.lines.iter();
     let lines = lines.flat_map(|line| frame.curve(&line.points));

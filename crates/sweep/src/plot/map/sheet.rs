@@ -79,11 +79,10 @@ fn alone(sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
         right: legend_left - LEGEND_GAP,
         bottom: height - MARGIN,
     };
-    let (x, y) = scales(sheet);
-    let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
+    let frame = Frame::new(outer, &sheet.axes, scales(sheet))?;
     draw_titled(&title, height, |canvas| {
         for panel in &group.panels {
-            draw_panel(canvas, &frame, group, panel)?;
+            draw_panel(canvas, &frame, &sheet.marks, group, panel)?;
         }
         legend.draw(canvas, legend_left, top)
     })
@@ -99,100 +98,71 @@ fn arranged(sheet: &MapSheet, groups: &[MapGroup]) -> Result<Picture> {
     let (mut blocks, mut bottom) = (Vec::new(), title.bottom());
     let (mut left, mut top) = (MARGIN, bottom);
     for group in groups {
-        let block = GroupBlock::new(sheet, scales, group, [left, top, width])?;
-        bottom = bottom.max(block.bottom);
+        let (end, draw) = group_block(sheet, scales, group, [left, top, width])?;
+        bottom = bottom.max(end);
         if columns > 1 {
             left += width + GAP;
         } else {
             top = bottom;
         }
-        blocks.push(block);
+        blocks.push(draw);
     }
     draw_titled(&title, bottom + MARGIN, |canvas| {
-        blocks.iter().try_for_each(|block| block.draw(canvas))
+        blocks.iter().try_for_each(|draw| draw(canvas))
     })
 }
 
-/// The maps of a group in rows, its legend and its notes below.
-struct GroupBlock<'a> {
+/// The maps of a group in rows, its legend and its notes below: where they end, and what
+/// draws them.
+fn group_block<'a>(
+    sheet: &'a MapSheet,
+    scales: [Scale; 2],
     group: &'a MapGroup,
-    left: f64,
-    top: f64,
-    width: f64,
-    heading: Block,
-    frames: Vec<(Block, Frame)>,
-    /// Where the texts below the maps begin.
-    texts_top: f64,
-    scale: Option<Block>,
-    legend: Legend,
-    notes: Vec<Block>,
-    bottom: f64,
-}
-
-impl<'a> GroupBlock<'a> {
-    fn new(
-        sheet: &MapSheet,
-        scales: (Scale, Scale),
-        group: &'a MapGroup,
-        [left, top, width]: [f64; 3],
-    ) -> Result<Self> {
-        let heading = Block::new(&group.heading, TITLE_SIZE, width)?;
-        let maps_top = top + heading.height() + 0.3 * GAP;
-        let (frames, texts_top) = frames(sheet, scales, group, [left, maps_top, width])?;
-        let legend = Legend::new(keys(group))?.in_rows(width);
-        let small = |text: &String| Block::new(text, SMALL_SIZE, width);
-        let notes: Vec<Block> = group.notes.iter().map(small).collect::<Result<_>>()?;
-        let scale = group.scale.as_ref().map(small).transpose()?;
-        let texts = scale.iter().chain(&notes);
-        let texts: f64 = texts.map(|text| text.height() + TEXT_GAP).sum();
-        Ok(Self {
-            bottom: texts_top + legend.height() + texts + 0.5 * GAP,
-            group,
-            left,
-            top,
-            width,
-            heading,
-            frames,
-            texts_top,
-            scale,
-            legend,
-            notes,
-        })
-    }
-
-    fn draw(&self, canvas: &mut Canvas) -> Result<()> {
-        let middle = self.left + 0.5 * self.width;
-        let heading_row = self.top + 0.5 * self.heading.line_height();
-        canvas.text(&self.heading, middle, heading_row, HPos::Center)?;
-        for ((title, frame), panel) in self.frames.iter().zip(&self.group.panels) {
+    [left, top, width]: [f64; 3],
+) -> Result<(f64, impl Fn(&mut Canvas) -> Result<()> + 'a)> {
+    let heading = Block::new(&group.heading, TITLE_SIZE, width)?;
+    let maps_top = top + heading.height() + 0.3 * GAP;
+    let (frames, texts_top) = frames(sheet, scales, group, [left, maps_top, width])?;
+    let legend = Legend::new(keys(group))?.in_rows(width);
+    let small = |text: &String| Block::new(text, SMALL_SIZE, width);
+    let notes: Vec<Block> = group.notes.iter().map(small).collect::<Result<_>>()?;
+    let scale = group.scale.as_ref().map(small).transpose()?;
+    let texts = scale.iter().chain(&notes);
+    let texts: f64 = texts.map(|text| text.height() + TEXT_GAP).sum();
+    let bottom = texts_top + legend.height() + texts + 0.5 * GAP;
+    let draw = move |canvas: &mut Canvas| {
+        let heading_row = top + 0.5 * heading.line_height();
+        canvas.text(&heading, left + 0.5 * width, heading_row, HPos::Center)?;
+        for ((title, frame), panel) in frames.iter().zip(&group.panels) {
             let first_row = frame.area.top - 0.3 * GAP - title.height() + 0.5 * title.line_height();
             // Above the plotting area, but not beyond its right end.
             let furthest = frame.area.right - 0.5 * title.width;
             let middle = frame.area.centre().0.min(furthest);
             canvas.text(title, middle, first_row, HPos::Center)?;
-            draw_panel(canvas, frame, self.group, panel)?;
+            draw_panel(canvas, frame, &sheet.marks, group, panel)?;
         }
-        let row = self.write(canvas, self.scale.as_slice(), self.texts_top)?;
-        self.legend.draw(canvas, self.left, row)?;
-        self.write(canvas, &self.notes, row + self.legend.height())?;
+        let row = write(canvas, scale.as_slice(), left, texts_top)?;
+        legend.draw(canvas, left, row)?;
+        write(canvas, &notes, left, row + legend.height())?;
         Ok(())
-    }
+    };
+    Ok((bottom, draw))
+}
 
-    /// Writes texts below one another and returns where the last ends.
-    fn write(&self, canvas: &Canvas, texts: &[Block], mut row: f64) -> Result<f64> {
-        for text in texts {
-            let first_row = row + 0.5 * text.line_height();
-            canvas.text(text, self.left, first_row, HPos::Left)?;
-            row += text.height() + TEXT_GAP;
-        }
-        Ok(row)
+/// Writes texts below one another and returns where the last ends.
+fn write(canvas: &Canvas, texts: &[Block], left: f64, mut row: f64) -> Result<f64> {
+    for text in texts {
+        let first_row = row + 0.5 * text.line_height();
+        canvas.text(text, left, first_row, HPos::Left)?;
+        row += text.height() + TEXT_GAP;
     }
+    Ok(row)
 }
 
 /// The maps of a group in rows, each with its title above, and where the last row ends.
 fn frames(
     sheet: &MapSheet,
-    (x, y): (Scale, Scale),
+    scales: [Scale; 2],
     group: &MapGroup,
     [left, top, width]: [f64; 3],
 ) -> Result<(Vec<(Block, Frame)>, f64)> {
@@ -218,8 +188,7 @@ fn frames(
                 right: left + map_width - LABEL_ROOM,
                 bottom: bottom - 0.5 * GAP,
             };
-            let frame = Frame::new(outer, (&sheet.x, x), (&sheet.y, y))?;
-            frames.push((title, frame));
+            frames.push((title, Frame::new(outer, &sheet.axes, scales)?));
         }
         row_top = bottom;
     }

@@ -25,19 +25,17 @@ fn sheet(groups: Vec<MapGroup>, logarithmic: bool) -> MapSheet {
     };
     MapSheet {
         title: "Stick-slip regimes".to_string(),
-        x: axis("Weight on bit W (kN)"),
-        y: axis("Surface speed Ωₛ (rpm)"),
+        axes: ["Weight on bit W (kN)", "Surface speed Ωₛ (rpm)"].map(axis),
+        marks: Vec::new(),
         groups,
     }
 }
 
 fn panel(places: &[(f64, f64)]) -> MapPanel {
     MapPanel {
-        points: places
-            .iter()
-            .map(|&(x, y)| MapPoint {
-                x,
-                y,
+        points: (places.iter())
+            .map(|&at| MapPoint {
+                at,
                 symbol: Symbol::Circle,
             })
             .collect(),
@@ -54,7 +52,7 @@ fn only_panel(sheet: &mut MapSheet) -> &mut MapPanel {
 }
 
 fn scale(sheet: &MapSheet) -> Scale {
-    panel::scales(sheet).0
+    panel::scales(sheet)[0]
 }
 
 /// Circles in the map without the one in the legend.
@@ -95,7 +93,7 @@ fn maps_without_range_are_drawn() {
 fn lines_do_not_widen_the_axes() {
     let mut map = map(&[(0.0, 0.0), (1.0, 1.0)], false);
     let before = scale(&map).fraction(1.0);
-    only_panel(&mut map).lines.push(Line {
+    only_panel(&mut map).lines.push(Series {
         name: "far".to_string(),
         points: vec![(-1e6, 0.5), (1e6, 0.5)],
     });
@@ -109,8 +107,7 @@ fn cells_fill_the_map_and_its_legend() {
         .into_iter()
         .enumerate()
         .map(|(index, symbol)| MapCell {
-            x: [index as f64, index as f64 + 1.0],
-            y: [0.0, 1.0],
+            ends: [[index as f64, index as f64 + 1.0], [0.0, 1.0]],
             ground: Ground::Symbol(symbol),
         })
         .collect();
@@ -126,19 +123,13 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
     let panel = || {
         let mut panel = panel(&[(1e-7, 1e7), (5e-7, 1e9)]);
         panel.title.clone_from(&long);
-        panel.lines.extend((0..30).map(|index| Line {
+        panel.lines.extend((0..30).map(|index| Series {
             name: format!("{index} {long}"),
             points: Vec::new(),
         }));
         panel.bands.push(Band {
             name: long.clone(),
-            x: [1e-7, 5e-7],
-            y: [1e7, 2e7],
-        });
-        panel.marks.push(Mark {
-            name: long.clone(),
-            x: 5e-7,
-            y: 1e9,
+            ends: [[1e-7, 5e-7], [1e7, 2e7]],
         });
         panel
     };
@@ -154,8 +145,13 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
     };
     let mut sheet = sheet((0..groups).map(|_| group()).collect(), true);
     sheet.title.clone_from(&long);
-    sheet.x.label.clone_from(&long);
-    sheet.y.label.clone_from(&long);
+    for axis in &mut sheet.axes {
+        axis.label.clone_from(&long);
+    }
+    sheet.marks.push(Mark {
+        name: long,
+        at: (5e-7, 1e9),
+    });
     sheet
 }
 
@@ -179,7 +175,7 @@ fn maps_of_a_sheet_share_their_axes() {
 
 #[test]
 fn lines_of_a_name_look_alike_in_every_map_and_have_one_key() {
-    let line = |name: &str| Line {
+    let line = |name: &str| Series {
         name: name.to_string(),
         points: vec![(0.0, 0.5), (1.0, 0.5)],
     };
@@ -199,8 +195,7 @@ fn a_range_is_cut_off_at_the_edge_of_the_map() {
     let mut map = map(&[(0.0, 0.0), (1.0, 1.0)], false);
     let hatched = |y: [f64; 2]| Band {
         name: "range".to_string(),
-        x: [0.0, 1.0],
-        y,
+        ends: [[0.0, 1.0], y],
     };
     only_panel(&mut map).bands.push(hatched([0.2, 0.4]));
     let strokes = |map: &MapSheet| {
