@@ -56,13 +56,11 @@ pub struct Work<'a> {
 /// How many pairs of case and method a part of a sweep has.
 pub fn pairs_of(sweep: &Sweep, shard: Shard) -> usize {
     let strings = sweep.design.strings();
-    let cases = (0..strings).map(|string| {
-        let cases = sweep.design.cases_of_string(string).len();
-        (0..cases)
-            .filter(|&position| shard.has(strings, string, cases, position))
-            .count()
+    let cases = (0..strings).flat_map(|string| {
+        let cases = sweep.design.cases_of_string(string);
+        (0..cases).filter(move |&position| shard.has(strings, string, cases, position))
     });
-    cases.sum::<usize>() * sweep.methods.len()
+    cases.count() * sweep.methods.len()
 }
 
 /// The linear system of each method for one string, or why it has none.
@@ -108,18 +106,18 @@ impl Work<'_> {
     }
 
     fn has_open_case(&self, string: usize) -> bool {
-        let cases = self.sweep.design.cases_of_string(string);
+        let design = &self.sweep.design;
         let is_open = |position| {
-            let case = cases.get(position);
+            let case = design.case_of_string(string, position);
             let mut methods = 0..self.sweep.methods.len();
             methods.any(|method| self.wants(string, position, case, method))
         };
-        !(self.stops)() && (0..cases.len()).any(is_open)
+        !(self.stops)() && (0..design.cases_of_string(string)).any(is_open)
     }
 
     fn wants(&self, string: usize, position: usize, case: usize, method: usize) -> bool {
         let design = &self.sweep.design;
-        let (strings, cases) = (design.strings(), design.cases_of_string(string).len());
+        let (strings, cases) = (design.strings(), design.cases_of_string(string));
         self.shard.has(strings, string, cases, position) && (self.is_open)(case, method)
     }
 
@@ -140,7 +138,7 @@ impl Work<'_> {
         let mut ends = Vec::with_capacity(built.len());
         let mut total = 0;
         for part in built {
-            total += methods * self.sweep.design.cases_of_string(part.string).len();
+            total += methods * self.sweep.design.cases_of_string(part.string);
             ends.push(total);
         }
         let next = AtomicUsize::new(0);
@@ -170,8 +168,7 @@ impl Work<'_> {
     }
 
     fn run_pair(&self, built: &Built, position: usize, method: usize, keep: Keep) -> Result<()> {
-        let cases = self.sweep.design.cases_of_string(built.string);
-        let index = cases.get(position);
+        let index = (self.sweep.design).case_of_string(built.string, position);
         if !self.wants(built.string, position, index, method) {
             return Ok(());
         }

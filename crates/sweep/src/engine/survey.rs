@@ -110,8 +110,9 @@ pub(super) fn of_string(
     string: usize,
 ) -> Result<Survey, CaseError> {
     let cases = sweep.design.cases_of_string(string);
-    let mut survey = first_error(cases.len(), |position| {
-        let case = Case::of(sweep, setting, cases.get(position))?;
+    let mut survey = first_error(cases, |position| {
+        let index = sweep.design.case_of_string(string, position);
+        let case = Case::of(sweep, setting, index)?;
         let duration = case.scene.timing.duration;
         Ok(Survey {
             simulated: duration,
@@ -153,7 +154,7 @@ fn weight(sweep: &Sweep, setting: &Setting, string: usize, found: &Survey) -> He
 /// # Errors
 /// Where it makes no string.
 pub fn setting_of(sweep: &Sweep, string: usize) -> Result<Cow<'_, Setting>, SweepFileError> {
-    let case = sweep.design.cases_of_string(string).get(0);
+    let case = sweep.design.case_of_string(string, 0);
     sweep.setting_at(&sweep.design.values(case))
 }
 

@@ -65,8 +65,8 @@ impl Setting {
         let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
             AutoOr::Auto => (sampling_frequency(&string), true),
             AutoOr::Given(value) => {
-                source.within("sampling_frequency_hz", value, 1.0, 1e6, "Hz")?;
-                (value, false)
+                let key = "sampling_frequency_hz";
+                (source.within(key, value, 1.0, 1e6, "Hz")?, false)
             }
         };
         let sites = sites::resolve(source, content, &string)?;
@@ -84,11 +84,8 @@ impl Setting {
 
     /// An impulse between two samples would not be felt at all.
     pub(super) fn check_sampling(&self, source: &Source) -> Result<(), SweepFileError> {
-        let impulses = self.lateral.as_ref().map(|lateral| &lateral.impulses[..]);
-        impulses::are_sampled(
-            source,
-            impulses.unwrap_or_default(),
-            self.sampling_frequency,
-        )
+        self.lateral.iter().try_for_each(|lateral| {
+            impulses::are_sampled(source, &lateral.impulses, self.sampling_frequency)
+        })
     }
 }
