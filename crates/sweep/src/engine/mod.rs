@@ -14,7 +14,7 @@ mod systems;
 
 pub use case::Case;
 pub use case_error::CaseError;
-pub use instability::{Instability, is_unstable};
+pub use instability::is_unstable;
 pub use log::{
     Header, Log, LogError, LogView, Place, log_place, read_about, read_header, record_line,
 };
