@@ -167,7 +167,7 @@ fn a_damaged_log_gives_only_what_was_written() {
                 let records: std::collections::HashSet<(usize, usize)> = bytes
                     .split_inclusive(|&byte| byte == b'\n')
                     .filter(|line| lines.contains(line))
-                    .filter_map(record::parse_record)
+                    .filter_map(line::parse_record)
                     .map(|record| (record.case, record.method))
                     .collect();
                 let expected = if has_header { records.len() } else { 0 };
