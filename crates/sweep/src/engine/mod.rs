@@ -25,8 +25,8 @@ pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
 pub use systems::MethodSystem;
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use anyhow::Result;
 use rayon::prelude::*;
@@ -142,10 +142,9 @@ impl Work<'_> {
             ends.push(total);
         }
         let next = AtomicUsize::new(0);
-        let failed = AtomicBool::new(false);
-        let failure = Mutex::new(None);
+        let failure = OnceLock::new();
         rayon::broadcast(|_| {
-            while !failed.load(Ordering::Relaxed) && !(self.stops)() {
+            while failure.get().is_none() && !(self.stops)() {
                 let index = next.fetch_add(1, Ordering::Relaxed);
                 if index >= total {
                     break;
@@ -154,17 +153,12 @@ impl Work<'_> {
                 let start = if part == 0 { 0 } else { ends[part - 1] };
                 let (position, method) = ((index - start) / methods, (index - start) % methods);
                 if let Err(error) = self.run_pair(&built[part], position, method, keep) {
-                    failed.store(true, Ordering::Relaxed);
-                    if let Ok(mut failure) = failure.lock() {
-                        failure.get_or_insert(error);
-                    }
+                    // The first one is told.
+                    let _ = failure.set(error);
                 }
             }
         });
-        match failure.into_inner() {
-            Ok(Some(error)) => Err(error),
-            _ => Ok(()),
-        }
+        failure.into_inner().map_or(Ok(()), Err)
     }
 
     fn run_pair(&self, built: &Built, position: usize, method: usize, keep: Keep) -> Result<()> {

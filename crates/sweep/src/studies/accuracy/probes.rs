@@ -114,17 +114,13 @@ impl<'a> Probes<'a> {
     /// The conditions of a case with its surface speed, or its friction where there is a
     /// wall, multiplied.
     fn conditions(&self, case: usize, factor: f64) -> Conditions {
-        let conditions = self.sweep.conditions_at(&self.sweep.design.values(case));
-        if self.sweep.setting.lateral.is_some() {
-            return Conditions {
-                friction_factor: Some(factor),
-                ..conditions
-            };
+        let mut conditions = self.sweep.conditions_at(&self.sweep.design.values(case));
+        match &mut conditions.surface_speed_rpm {
+            _ if self.sweep.setting.lateral.is_some() => conditions.friction_factor = Some(factor),
+            Some(speed) => *speed *= factor,
+            None => {}
         }
-        Conditions {
-            surface_speed_rpm: conditions.surface_speed_rpm.map(|speed| factor * speed),
-            ..conditions
-        }
+        conditions
     }
 
     /// The method of the reference. In torsion alone the limit of stick-slip hangs on
