@@ -27,10 +27,8 @@ impl Case {
     pub fn of(sweep: &Sweep, setting: &Setting, index: usize) -> Result<Self, CaseError> {
         let values = sweep.design.values(index);
         let conditions = sweep.conditions_at(&values);
-        Self::under(sweep, setting, index, values, &conditions).map_err(|reason| {
-            let reason = Box::new(reason);
-            CaseError::Numbered { index, reason }
-        })
+        Self::under(sweep, setting, index, values, &conditions)
+            .map_err(|reason| CaseError::Numbered(index, Box::new(reason)))
     }
 
     /// A case under given conditions, which may differ from the design's.

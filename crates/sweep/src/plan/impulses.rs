@@ -12,9 +12,6 @@ pub const LARGEST_IMPULSE: f64 = 1e9;
 /// What pushes the string for longer is no impulse, s.
 const LONGEST_IMPULSE: f64 = 100.0;
 
-/// The samples of a raised cosine have its area from two on.
-const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
-
 /// An impulse, but for what a case says of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpulseSettings {
@@ -100,46 +97,4 @@ pub fn resolve(
         duration,
         direction: direction.to_radians(),
     })
-}
-
-/// An impulse between two samples would not be felt at all.
-///
-/// # Errors
-/// Names the impulse.
-pub fn are_sampled(
-    source: &Source,
-    impulses: &[ImpulseSettings],
-    sampling_frequency: f64,
-) -> Result<(), SweepFileError> {
-    for (index, settings) in impulses.iter().enumerate() {
-        let duration = settings.duration;
-        let message =
-            format!("{duration} s is shorter than two samples at {sampling_frequency} Hz");
-        let is_short = duration * sampling_frequency < LEAST_SAMPLES_OF_IMPULSE;
-        source.refuse_if(is_short, &format!("impulses[{index}].duration_s"), message)?;
-    }
-    Ok(())
-}
-
-/// Refuses an impulse that begins when a case is over: its label would say
-/// nothing of the impulse.
-///
-/// # Errors
-/// Names the impulse.
-pub fn are_felt(
-    source: &Source,
-    impulses: &[ImpulseTable],
-    case: usize,
-    duration: f64,
-) -> Result<(), SweepFileError> {
-    for (index, impulse) in impulses.iter().enumerate() {
-        let start = impulse.start_s;
-        let message = format!("{start} s is not before the end of case {case}, {duration} s");
-        source.refuse_if(
-            start >= duration,
-            &format!("impulses[{index}].start_s"),
-            message,
-        )?;
-    }
-    Ok(())
 }

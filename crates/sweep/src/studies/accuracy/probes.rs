@@ -115,10 +115,10 @@ impl<'a> Probes<'a> {
     /// wall, multiplied.
     fn conditions(&self, case: usize, factor: f64) -> Conditions {
         let mut conditions = self.sweep.conditions_at(&self.sweep.design.values(case));
-        match &mut conditions.surface_speed_rpm {
-            _ if self.sweep.setting.lateral.is_some() => conditions.friction_factor = Some(factor),
-            Some(speed) => *speed *= factor,
-            None => {}
+        if self.sweep.setting.lateral.is_some() {
+            conditions.friction_factor = Some(factor);
+        } else if let Some(speed) = &mut conditions.surface_speed_rpm {
+            *speed *= factor;
         }
         conditions
     }
