@@ -23,14 +23,23 @@ fn sweeps(name: &str) -> String {
 fn run(place: &Workplace, file: &str, out: &str) -> serde_json::Value {
     let answer = place.sweep(&["run", file, "--out", out, "--quiet"]);
     assert_eq!((answer.code, answer.errors.as_str()), (0, ""), "{answer:?}");
-    serde_json::from_slice(&std::fs::read(place.path(out).join("manifest.json")).unwrap()).unwrap()
+    manifest(place, out)
+}
+
+fn manifest(place: &Workplace, out: &str) -> serde_json::Value {
+    let text = std::fs::read(place.path(out).join("manifest.json")).unwrap();
+    serde_json::from_slice(&text).unwrap()
+}
+
+fn labels(place: &Workplace, out: &str) -> String {
+    std::fs::read_to_string(place.path(out).join("labels.csv")).unwrap()
 }
 
 /// The axis value between the last row with `label` and the first without, along a
 /// sweep of one axis whose rows begin with `label`.
 #[track_caller]
 fn limit(place: &Workplace, out: &str, axis: &str, label: [&str; 2]) -> f64 {
-    let text = std::fs::read_to_string(place.path(out).join("labels.csv")).unwrap();
+    let text = labels(place, out);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let header = reader.headers().unwrap().clone();
     let place = |name: &str| header.iter().position(|field| field == name).unwrap();
@@ -103,13 +112,8 @@ fn the_limit_on_a_longer_string_is_within_the_accuracy() {
         "[bit]\ntorque_dynamic_nm = 4000\n{string}\n[design]\nkind = \"grid\"\n[design.axes]\n\
          surface_speed_rpm = {{ from = 0.25, to = 1, count = 40, spacing = \"log\" }}\n"
     );
-    is_within(
-        &setting,
-        "surface_speed_rpm",
-        STICK_SLIP,
-        0.15,
-        ("quadrature", 2560.0),
-    );
+    let fine = ("quadrature", 2560.0);
+    is_within(&setting, "surface_speed_rpm", STICK_SLIP, 0.15, fine);
 }
 
 #[test]
@@ -119,14 +123,10 @@ fn the_limit_of_whirl_is_within_the_accuracy() {
          friction = {{ from = 1.0, to = 1.5, count = 80, spacing = \"log\" }}\n",
         sweeps("fig10.toml")
     );
+    let whirl = ["lateral", "backward_whirl"];
     for (accuracy, frequency) in [(0.1, 1280.0), (0.03, 2560.0)] {
-        is_within(
-            &setting,
-            "friction",
-            ["lateral", "backward_whirl"],
-            accuracy,
-            ("quadrature", frequency),
-        );
+        let fine = ("quadrature", frequency);
+        is_within(&setting, "friction", whirl, accuracy, fine);
     }
 }
 
@@ -167,24 +167,14 @@ fn the_choice_is_the_same_whatever_the_threads_and_the_spelling() {
     }
     let alone = ["run", "a.toml", "--out", "alone", "--jobs", "1"];
     assert_eq!(place.sweep(&alone).code, 0);
-    let read = |name: &str| std::fs::read(place.path(name)).unwrap();
-    let manifest = |name: &str| -> serde_json::Value {
-        serde_json::from_slice(&read(&format!("{name}/manifest.json"))).unwrap()
-    };
-    let first = manifest("a");
-    assert!(
-        first["accuracy"]["tried"]
-            .as_array()
-            .is_some_and(|tried| !tried.is_empty())
-    );
+    let first = manifest(&place, "a");
+    let tried = first["accuracy"]["tried"].as_array().unwrap();
+    assert!(!tried.is_empty());
     assert_eq!(first["sampling_frequency_by_rule"], false);
     for other in ["b", "c", "alone"] {
-        assert!(
-            read(&format!("{other}/labels.csv")) == read("a/labels.csv"),
-            "{other}"
-        );
+        assert!(labels(&place, other) == labels(&place, "a"), "{other}");
         for key in ["accuracy", "meaning_sha256"] {
-            assert_eq!(manifest(other)[key], first[key], "{other}");
+            assert_eq!(manifest(&place, other)[key], first[key], "{other}");
         }
     }
     // The same sweep goes on, and another accuracy is another sweep.
@@ -205,14 +195,9 @@ fn shards_choose_alike_and_merge() {
         let answer = place.sweep(&["run", "small.toml", "--shard", shard, "--out", &out]);
         assert_eq!(answer.code, 0, "{answer:?}");
     }
-    assert_eq!(
-        place
-            .sweep(&["merge", "part-0", "part-1", "--out", "joined"])
-            .code,
-        0
-    );
-    let read = |name: &str| std::fs::read(place.path(name)).unwrap();
-    assert!(read("whole/labels.csv") == read("joined/labels.csv"));
+    let merged = place.sweep(&["merge", "part-0", "part-1", "--out", "joined"]);
+    assert_eq!(merged.code, 0);
+    assert!(labels(&place, "whole") == labels(&place, "joined"));
 }
 
 #[test]
@@ -224,11 +209,9 @@ fn what_was_chosen_is_told() {
         &["run", "small.toml"],
     ] {
         let answer = place.sweep(arguments);
-        assert!(answer.output.contains("accuracy 30 %: "), "{answer:?}");
-        assert!(
-            answer.output.contains("reference: hilbert at"),
-            "{answer:?}"
-        );
+        for told in ["accuracy 30 %: ", "reference: hilbert at"] {
+            assert!(answer.output.contains(told), "{answer:?}");
+        }
     }
     // The other commands use it too, and say on the error stream what it took.
     let simulated = place.sweep(&["simulate", "small.toml", "--case", "1"]);
@@ -255,11 +238,8 @@ fn what_is_given_last_replaces_the_other_and_both_at_once_are_refused() {
     let place = Workplace::with_small(&asking("\"30 %\"", FEW));
     place.write("asks.toml", "base = \"plain.toml\"\naccuracy = 0.3\n");
     place.write("plain.toml", FEW);
-    place.write(
-        "names.toml",
-        "base = \"small.toml\"\nmethods = [\"quadrature\"]\n\
-                               sampling_frequency_hz = 100\n",
-    );
+    let names = "methods = [\"quadrature\"]\nsampling_frequency_hz = 100\n";
+    place.write("names.toml", format!("base = \"small.toml\"\n{names}"));
     assert!(run(&place, "asks.toml", "asks")["accuracy"].is_object());
     assert!(run(&place, "names.toml", "names")["accuracy"].is_null());
     for (line, key) in [
@@ -267,10 +247,8 @@ fn what_is_given_last_replaces_the_other_and_both_at_once_are_refused() {
         ("sampling_frequency_hz = 200", "sampling_frequency_hz"),
         ("method.hilbert.transform_s = 3", "method"),
     ] {
-        place.write(
-            "both.toml",
-            format!("base = \"plain.toml\"\naccuracy = 0.3\n{line}\n"),
-        );
+        let both = format!("base = \"plain.toml\"\naccuracy = 0.3\n{line}\n");
+        place.write("both.toml", both);
         let answer = place.sweep(&["run", "both.toml"]);
         assert_eq!(answer.code, 2);
         let meant = format!("both.toml:2: `accuracy`: is given instead of `{key}`");
@@ -280,14 +258,12 @@ fn what_is_given_last_replaces_the_other_and_both_at_once_are_refused() {
 
 #[test]
 fn an_accuracy_that_cannot_be_is_refused() {
+    let form = "expected an accuracy such as \"1 %\" or 0.01";
     for (accuracy, meant) in [
-        (
-            "\"1 percent\"",
-            "expected an accuracy such as \"1 %\" or 0.01",
-        ),
-        ("\"0.01\"", "expected an accuracy such as"),
-        ("\"high\"", "expected an accuracy such as"),
-        ("true", "expected an accuracy such as"),
+        ("\"1 percent\"", form),
+        ("\"0.01\"", form),
+        ("\"high\"", form),
+        ("true", form),
         ("1", "100 % is not between 0.01 % and 50 %"),
         ("\"-1 %\"", "-1 % is not between 0.01 % and 50 %"),
         ("nan", "is not between 0.01 % and 50 %"),
@@ -296,11 +272,9 @@ fn an_accuracy_that_cannot_be_is_refused() {
         let before = place.files();
         let answer = place.sweep(&["run", "small.toml"]);
         assert_eq!(answer.code, 2, "{answer:?}");
-        assert!(
-            answer.errors.contains("small.toml:2: `accuracy`: "),
-            "{answer:?}"
-        );
-        assert!(answer.errors.contains(meant), "{answer:?}");
+        for said in ["small.toml:2: `accuracy`: ", meant] {
+            assert!(answer.errors.contains(said), "{answer:?}");
+        }
         assert!(place.files() == before);
     }
     let place = Workplace::with_small(&asking("0.3", FEW));
@@ -315,8 +289,6 @@ fn an_accuracy_that_nothing_delivers_is_refused_with_the_best() {
     let place = Workplace::with_small(&asking("\"0.01 %\"", FEW));
     let answer = place.sweep(&["run", "small.toml"]);
     assert_eq!(answer.code, 2, "{answer:?}");
-    assert!(
-        answer.errors.contains("0.01 % cannot be told"),
-        "{answer:?}"
-    );
+    let refusal = "0.01 % cannot be told";
+    assert!(answer.errors.contains(refusal), "{answer:?}");
 }

@@ -25,9 +25,23 @@ const BENDING: Bending = Bending {
 /// As long as Fig. 8(b), s.
 const HELD_FOR: f64 = 40.0;
 
-fn responses(method: &Method) -> Responses {
-    let request = academic::bit_request(HELD_FOR);
-    linear::responses(&academic::string(), method, &request).unwrap()
+fn sticking_of(responses: &Responses, string: &Drillstring) -> Sticking {
+    sticking(
+        Simulator::new(responses).unwrap().stuck_torque().unwrap(),
+        responses.sampling_frequency,
+        torsional_stiffness(string),
+        responses.at_bit().unwrap()[0],
+    )
+}
+
+/// So many sections of the paper's drillpipe.
+fn drillpipe(repeat: usize, damping: f64) -> Drillstring {
+    let academic = academic::string();
+    let pipe = Section {
+        repeat,
+        ..academic.sections()[0].clone()
+    };
+    Drillstring::new(academic.material(), vec![pipe], damping).unwrap()
 }
 
 fn elements(gamma: f64) -> Method {
@@ -46,14 +60,9 @@ fn hilbert(seconds: f64) -> Method {
 /// What holding the bit shows, the margin that predicts it, and what a load tuned to
 /// its place gains.
 fn held(method: &Method) -> (Sticking, f64, f64) {
-    let responses = responses(method);
-    let simulator = Simulator::new(&responses).unwrap();
-    let found = sticking(
-        simulator.stuck_torque().unwrap(),
-        academic::SAMPLING_FREQUENCY,
-        torsional_stiffness(&academic::string()),
-        responses.at_bit().unwrap()[0],
-    );
+    let request = academic::bit_request(HELD_FOR);
+    let responses = linear::responses(&academic::string(), method, &request).unwrap();
+    let found = sticking_of(&responses, &academic::string());
     let margin = responses.torsion_margin().unwrap().unwrap();
     let gain = worst_load_gain(&responses.torsion().unwrap().driving_points()).unwrap();
     (found, margin, gain)
@@ -135,12 +144,7 @@ fn a_digital_filter_in_bending_loses_the_tail_and_a_longer_one_loses_less() {
 
 #[test]
 fn products_of_transfer_matrices_overflow_and_joined_stiffnesses_do_not() {
-    let academic = academic::string();
-    let pipe = Section {
-        repeat: 2000,
-        ..academic.sections()[0].clone()
-    };
-    let string = Drillstring::new(academic.material(), vec![pipe], 0.0).unwrap();
+    let string = drillpipe(2000, 0.0);
     let rate = std::f64::consts::TAU * 100.0;
     assert!(!tip_receptance(&string, &BENDING, rate).is_finite());
     let bit = Sites::bit();
@@ -154,25 +158,13 @@ fn products_of_transfer_matrices_overflow_and_joined_stiffnesses_do_not() {
 /// kilometres, along which torque seeps for minutes.
 #[test]
 fn the_digital_filter_of_a_very_long_string_lasts_until_torque_has_seeped_along() {
-    let academic = academic::string();
-    let pipe = Section {
-        repeat: 1000,
-        ..academic.sections()[0].clone()
-    };
-    let damping = academic.torsional_damping();
-    let string = Drillstring::new(academic.material(), vec![pipe], damping).unwrap();
+    let string = drillpipe(1000, academic::string().torsional_damping());
     let request = Request {
         sampling_frequency: 40.0,
         ..academic::bit_request(400.0)
     };
     let method = Method::Hilbert(Transform::default());
     let responses = linear::responses(&string, &method, &request).unwrap();
-    let simulator = Simulator::new(&responses).unwrap();
-    let found = sticking(
-        simulator.stuck_torque().unwrap(),
-        40.0,
-        torsional_stiffness(&string),
-        responses.at_bit().unwrap()[0],
-    );
+    let found = sticking_of(&responses, &string);
     assert!(found.drift.abs() < 0.01, "{found:?}");
 }

@@ -1,7 +1,5 @@
 //! Sweep files at the ends of what every key allows.
 
-use std::fmt::Write;
-
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
@@ -61,6 +59,13 @@ impl Random {
     }
 }
 
+/// Keys with numbers of their ranges.
+fn keys(random: &mut Random, ranges: &[(&str, f64, f64)]) -> String {
+    (ranges.iter())
+        .map(|&(key, low, high)| format!("{key} = {:e}\n", random.number(low, high)))
+        .collect()
+}
+
 /// What the tables of a file have to agree on.
 struct Drawn {
     chooses: bool,
@@ -103,9 +108,9 @@ pub fn sweep_file(random: &mut Random) -> String {
 }
 
 fn head(random: &mut Random, drawn: &mut Drawn) -> String {
-    let mut text = format!("surface_speed_rpm = {:e}\n", random.number(1e-4, 1e4));
+    let mut text = keys(random, &[("surface_speed_rpm", 1e-4, 1e4)]);
     if drawn.chooses {
-        writeln!(text, "accuracy = {:e}", random.number(1e-4, 0.5)).unwrap();
+        text += &keys(random, &[("accuracy", 1e-4, 0.5)]);
     } else {
         let all = [
             "quadrature",
@@ -117,13 +122,13 @@ fn head(random: &mut Random, drawn: &mut Drawn) -> String {
         let first = random.pick(&all);
         let second = random.pick(&all);
         if first == second || random.happens(0.6) {
-            writeln!(text, "methods = [\"{first}\"]").unwrap();
+            text += &format!("methods = [\"{first}\"]\n");
         } else {
-            writeln!(text, "methods = [\"{first}\", \"{second}\"]").unwrap();
+            text += &format!("methods = [\"{first}\", \"{second}\"]\n");
         }
         if random.happens(0.7) {
             drawn.frequency = random.number(1.0, 1e6);
-            writeln!(text, "sampling_frequency_hz = {:e}", drawn.frequency).unwrap();
+            text += &format!("sampling_frequency_hz = {:e}\n", drawn.frequency);
         }
     }
     if random.happens(0.8) {
@@ -133,7 +138,7 @@ fn head(random: &mut Random, drawn: &mut Drawn) -> String {
             MOST_STEPS / drawn.frequency
         };
         drawn.time = random.number(1e-3, longest.clamp(2e-3, 1e6));
-        writeln!(text, "time_s = {:e}", drawn.time).unwrap();
+        text += &format!("time_s = {:e}\n", drawn.time);
     }
     text
 }
@@ -155,38 +160,24 @@ fn sections(random: &mut Random) -> (String, f64, f64) {
         }
         cells += repeat;
         let parts = parts.join(", ");
-        writeln!(
-            text,
-            "[[string.sections]]\nrepeat = {repeat}\nparts = [{parts}]"
-        )
-        .unwrap();
+        text += &format!("[[string.sections]]\nrepeat = {repeat}\nparts = [{parts}]\n");
     }
     (text, length, cells)
 }
 
 fn string(random: &mut Random, bends: bool, sections: &str) -> String {
-    let mut text = format!(
-        "[string]\nshear_modulus_gpa = {:e}\ndensity_kg_m3 = {:e}\n\
-         torsional_damping_nms_rad_m = {:e}\n",
-        random.number(0.1, 1e3),
-        random.number(1e2, 3e4),
-        damping(random, 1e5),
-    );
+    let material = [("shear_modulus_gpa", 0.1, 1e3), ("density_kg_m3", 1e2, 3e4)];
+    let mut text = "[string]\n".to_owned() + &keys(random, &material);
+    text += &format!("torsional_damping_nms_rad_m = {:e}\n", damping(random, 1e5));
     if bends {
-        write!(
-            text,
-            "[string.bending]\nyoungs_modulus_gpa = {:e}\ndamping_ns_m2 = {:e}\n\
-             compression_kn = {:e}\nsurface = \"{}\"\n",
-            random.number(0.1, 1e3),
-            damping(random, 1e7),
-            if random.happens(0.5) {
-                0.0
-            } else {
-                random.number(-1e5, 1e5)
-            },
-            random.pick(&["free", "pinned", "clamped"]),
-        )
-        .unwrap();
+        text += "[string.bending]\n";
+        text += &keys(random, &[("youngs_modulus_gpa", 0.1, 1e3)]);
+        text += &format!("damping_ns_m2 = {:e}\n", damping(random, 1e7));
+        if !random.happens(0.5) {
+            text += &keys(random, &[("compression_kn", -1e5, 1e5)]);
+        }
+        let surface = random.pick(&["free", "pinned", "clamped"]);
+        text += &format!("surface = \"{surface}\"\n");
     }
     text + sections
 }
@@ -201,35 +192,27 @@ fn damping(random: &mut Random, most: f64) -> f64 {
 }
 
 fn bit(random: &mut Random) -> String {
-    let ratio = random.number(1.0, 10.0);
-    let mut text = format!("[bit]\ntorque_static_ratio = {ratio:e}\n");
+    let text = "[bit]\n".to_owned() + &keys(random, &[("torque_static_ratio", 1.0, 10.0)]);
     if random.happens(0.5) {
-        writeln!(text, "torque_dynamic_nm = {:e}", random.number(0.0, 1e7)).unwrap();
-        return text;
+        return text + &keys(random, &[("torque_dynamic_nm", 0.0, 1e7)]);
     }
     let rock = random.pick(&["sandstone", "shale", "law", "table"]);
-    let weight = random.number(0.0, 2e3);
-    writeln!(text, "rock = \"{rock}\"\nweight_on_bit_kn = {weight:e}").unwrap();
+    let text = text + &format!("rock = \"{rock}\"\n");
+    let text = text + &keys(random, &[("weight_on_bit_kn", 0.0, 2e3)]);
+    let law = [
+        ("bit_radius_m", 1e-3, 2.0),
+        ("specific_energy_mpa", 0.1, 1e4),
+        ("cutting_ratio", 0.01, 10.0),
+        ("friction", 0.0, 10.0),
+        ("contact_strength_mpa", 0.1, 1e4),
+        ("contact_growth", 1e-3, 1e3),
+        ("wear_flat_mm", 1e-3, 1e3),
+    ];
     match rock {
-        "table" => writeln!(text, "table_kn_nm = [[0, 0], [1e3, 9e6], [2e3, 1e7]]").unwrap(),
-        "law" => {
-            writeln!(text, "[bit.law]").unwrap();
-            let keys = [
-                ("bit_radius_m", 1e-3, 2.0),
-                ("specific_energy_mpa", 0.1, 1e4),
-                ("cutting_ratio", 0.01, 10.0),
-                ("friction", 0.0, 10.0),
-                ("contact_strength_mpa", 0.1, 1e4),
-                ("contact_growth", 1e-3, 1e3),
-                ("wear_flat_mm", 1e-3, 1e3),
-            ];
-            for (key, low, high) in keys {
-                writeln!(text, "{key} = {:e}", random.number(low, high)).unwrap();
-            }
-        }
-        _ => {}
+        "table" => text + "table_kn_nm = [[0, 0], [1e3, 9e6], [2e3, 1e7]]\n",
+        "law" => text + "[bit.law]\n" + &keys(random, &law),
+        _ => text,
     }
-    text
 }
 
 /// The bit, and some other places.
@@ -243,54 +226,39 @@ fn sites(random: &mut Random, length: f64) -> Vec<f64> {
 }
 
 fn wall(random: &mut Random, drawn: &Drawn) -> String {
-    let mut text = format!(
-        "[wall]\nclearance_mm = {:e}\nfriction = {:e}\n",
-        random.number(1e-3, 1e3),
-        random.number(0.0, 50.0),
-    );
+    let wall = [("clearance_mm", 1e-3, 1e3), ("friction", 0.0, 50.0)];
+    let mut text = "[wall]\n".to_owned() + &keys(random, &wall);
     if random.happens(0.7) {
-        writeln!(text, "stiffness_gn_m15 = {:e}", random.number(1e-6, 1e6)).unwrap();
+        text += &keys(random, &[("stiffness_gn_m15", 1e-6, 1e6)]);
     }
     for site in &drawn.sites {
-        writeln!(text, "[[sites]]\ndistance_from_bit_m = {site:e}").unwrap();
+        text += &format!("[[sites]]\ndistance_from_bit_m = {site:e}\n");
         if random.happens(0.2) {
-            writeln!(text, "clearance_mm = {:e}", random.number(1e-3, 1e3)).unwrap();
+            text += &keys(random, &[("clearance_mm", 1e-3, 1e3)]);
         }
     }
     for _ in 0..random.below(3) {
         let site = drawn.sites[random.below(drawn.sites.len())];
-        let (key, most) = if drawn.relative {
-            ("ratio", 1e9)
-        } else {
-            ("amount_ns", 1e9)
-        };
+        let amount = if drawn.relative { "ratio" } else { "amount_ns" };
         let latest = if random.happens(0.03) {
             1e6
         } else {
             0.9 * drawn.time
         };
         let longest = if random.happens(0.03) { 1e308 } else { 100.0 };
-        write!(
-            text,
-            "[[impulses]]\ndistance_from_bit_m = {site:e}\n{key} = {:e}\nstart_s = {:e}\n\
-             duration_s = {:e}\ndirection_deg = {:e}\n",
-            random.number(0.0, most),
-            random.number(0.0, latest),
-            random.number((3.0 / drawn.frequency).min(longest), longest),
-            random.number(-360.0, 360.0),
-        )
-        .unwrap();
+        let impulse = [
+            (amount, 0.0, 1e9),
+            ("start_s", 0.0, latest),
+            ("duration_s", (3.0 / drawn.frequency).min(longest), longest),
+            ("direction_deg", -360.0, 360.0),
+        ];
+        text += &format!("[[impulses]]\ndistance_from_bit_m = {site:e}\n");
+        text += &keys(random, &impulse);
     }
     for _ in 0..random.below(3) {
         let site = drawn.sites[random.below(drawn.sites.len())];
-        write!(
-            text,
-            "[[eccentric_masses]]\ndistance_from_bit_m = {site:e}\nmass_kg = {:e}\n\
-             offset_m = {:e}\n",
-            random.number(0.0, 1e6),
-            random.number(0.0, 10.0),
-        )
-        .unwrap();
+        text += &format!("[[eccentric_masses]]\ndistance_from_bit_m = {site:e}\n");
+        text += &keys(random, &[("mass_kg", 0.0, 1e6), ("offset_m", 0.0, 10.0)]);
     }
     text
 }
@@ -299,25 +267,18 @@ fn methods(random: &mut Random, cells: f64) -> String {
     let mut text = String::new();
     for method in ["hilbert", "direct-idft"] {
         if random.happens(0.2) {
-            let transform = random.number(0.01, 1e5);
-            writeln!(text, "[method.{method}]\ntransform_s = {transform:e}").unwrap();
+            text += &format!("[method.{method}]\n");
+            text += &keys(random, &[("transform_s", 0.01, 1e5)]);
         }
     }
-    let elements = random
-        .count(1.0, 1e4)
-        .min((MOST_ELEMENTS / cells).floor())
-        .max(1.0);
-    writeln!(
-        text,
-        "[method.finite-element]\nelements_per_cell = {elements}"
-    )
-    .unwrap();
+    let most = (MOST_ELEMENTS / cells).floor();
+    let elements = random.count(1.0, 1e4).min(most).max(1.0);
+    text += &format!("[method.finite-element]\nelements_per_cell = {elements}\n");
     if random.happens(0.3) {
         let gamma = random.number(0.5, 1.0);
-        writeln!(text, "gamma = {gamma:e}").unwrap();
+        text += &format!("gamma = {gamma:e}\n");
         if random.happens(0.5) {
-            let beta = random.number(gamma / 2.0, 1.0);
-            writeln!(text, "beta = {beta:e}").unwrap();
+            text += &keys(random, &[("beta", gamma / 2.0, 1.0)]);
         }
     }
     text
@@ -335,9 +296,11 @@ fn design(random: &mut Random, drawn: &Drawn) -> String {
         axes.push(("torque_dynamic_nm", 0.0, 1e7));
     }
     if drawn.bends {
-        axes.push(("friction", 0.0, 50.0));
-        axes.push(("compression_kn", -1e5, 1e5));
-        axes.push(("bending_damping_ns_m2", 0.0, 1e7));
+        axes.extend([
+            ("friction", 0.0, 50.0),
+            ("compression_kn", -1e5, 1e5),
+            ("bending_damping_ns_m2", 0.0, 1e7),
+        ]);
         if drawn.relative {
             axes.push(("impulse_ratio", 0.0, 1e6));
         }
@@ -349,9 +312,9 @@ fn design(random: &mut Random, drawn: &Drawn) -> String {
     };
     let mut text = format!("[design]\nkind = \"{kind}\"\n");
     if kind == "monte-carlo" {
-        writeln!(text, "cases = 3\nseed = {}", random.below(1000)).unwrap();
+        text += &format!("cases = 3\nseed = {}\n", random.below(1000));
     }
-    writeln!(text, "[design.axes]").unwrap();
+    text += "[design.axes]\n";
     for _ in 0..1 + random.below(2) {
         let (name, low, high) = axes.swap_remove(random.below(axes.len()));
         let (one, other) = (random.number(low, high), random.number(low, high));
@@ -359,11 +322,10 @@ fn design(random: &mut Random, drawn: &Drawn) -> String {
         // An end and itself are no range.
         let from = if from < to { from } else { low };
         let to = if from < to { to } else { high };
-        if kind == "grid" {
-            writeln!(text, "{name} = {{ values = [{from:e}, {to:e}] }}").unwrap();
-        } else {
-            writeln!(text, "{name} = {{ from = {from:e}, to = {to:e} }}").unwrap();
-        }
+        text += &match kind {
+            "grid" => format!("{name} = {{ values = [{from:e}, {to:e}] }}\n"),
+            _ => format!("{name} = {{ from = {from:e}, to = {to:e} }}\n"),
+        };
     }
     text
 }

@@ -304,7 +304,7 @@ pub struct StabilityArguments {
 
 fn parse_measure(name: &str) -> Result<Measure, String> {
     Measure::from_name(name).ok_or_else(|| {
-        let known = Measure::ALL.map(Measure::name);
+        let known = Measure::all().map(Measure::name);
         format!("unknown measure `{name}`; known: {}", known.join(", "))
     })
 }

@@ -25,13 +25,10 @@ pub fn check_ends(
     let key_of = |end: &str| format!("design.axes.{}.{end}", axis.name());
     source.check_axis(&key_of("from"), axis, from)?;
     source.check_axis(&key_of("to"), axis, to)?;
-    if range.spacing == Spacing::Log && from <= 0.0 {
-        let message = "logarithmic spacing starts above zero";
-        return Err(source.error(&key_of("from"), message));
-    }
-    if from < to || (from == to && range.count == Some(1)) {
-        return Ok(());
-    }
+    let message = "logarithmic spacing starts above zero";
+    let has_none = range.spacing == Spacing::Log && from <= 0.0;
+    source.refuse_if(has_none, &key_of("from"), message)?;
+    let has_values = from < to || (from == to && range.count == Some(1));
     let message = format!("{to} is not above `from`, {from}: the range is empty");
-    Err(source.error(&key_of("to"), message))
+    source.refuse_if(!has_values, &key_of("to"), message)
 }

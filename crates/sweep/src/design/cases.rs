@@ -1,7 +1,5 @@
 //! The cases of any design, by their numbers and by their strings.
 
-use std::ops::Range;
-
 use super::axes::{MOST_CASES, count_string_axes};
 use super::grid::Grid;
 use super::list::List;
@@ -40,11 +38,10 @@ impl Design {
             DesignKind::MonteCarlo => Design::MonteCarlo(MonteCarlo::resolve(source, table)?),
             DesignKind::List => Design::List(List::resolve(source, table, text_of)?),
         };
-        if design.cases() > MOST_CASES {
-            let message = format!("{} cases are more than {MOST_CASES}", design.cases());
-            let key = table.cases.map_or("design", |_| "design.cases");
-            return Err(source.error(key, message));
-        }
+        let cases = design.cases();
+        let message = format!("{cases} cases are more than {MOST_CASES}");
+        let key = table.cases.map_or("design", |_| "design.cases");
+        source.refuse_if(cases > MOST_CASES, key, message)?;
         Ok(design)
     }
 
@@ -84,33 +81,6 @@ impl Design {
     }
 }
 
-/// The cases of one string.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum CasesOfString<'a> {
-    /// Neighbours.
-    Range(Range<usize>),
-    /// As they are listed.
-    Listed(&'a [usize]),
-}
-
-impl CasesOfString<'_> {
-    /// How many there are.
-    pub fn len(&self) -> usize {
-        match self {
-            CasesOfString::Range(range) => range.len(),
-            CasesOfString::Listed(cases) => cases.len(),
-        }
-    }
-
-    /// The number of the case at a position.
-    pub fn get(&self, position: usize) -> usize {
-        match self {
-            CasesOfString::Range(range) => range.start + position,
-            CasesOfString::Listed(cases) => cases[position],
-        }
-    }
-}
-
 impl Design {
     /// Whether an axis changes the string.
     pub fn varies_string(&self) -> bool {
@@ -125,14 +95,19 @@ impl Design {
         }
     }
 
-    /// The cases of one of the strings.
-    pub fn cases_of_string(&self, string: usize) -> CasesOfString<'_> {
+    /// How many cases one of the strings has.
+    pub fn cases_of_string(&self, string: usize) -> usize {
         match self {
-            Design::List(list) => CasesOfString::Listed(&list.strings[string]),
-            Design::Grid(_) | Design::MonteCarlo(_) => {
-                let cases = self.neighbours();
-                CasesOfString::Range(string * cases..(string + 1) * cases)
-            }
+            Design::List(list) => list.strings[string].len(),
+            Design::Grid(_) | Design::MonteCarlo(_) => self.neighbours(),
+        }
+    }
+
+    /// The number of the case at a position among those of a string.
+    pub fn case_of_string(&self, string: usize, position: usize) -> usize {
+        match self {
+            Design::List(list) => list.strings[string][position],
+            Design::Grid(_) | Design::MonteCarlo(_) => string * self.neighbours() + position,
         }
     }
 
@@ -168,13 +143,9 @@ fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), Sweep
         ("file", table.file.is_some(), is_list),
     ];
     for (key, is_given, belongs) in given {
-        if is_given && !belongs {
-            let message = "does not belong to this kind of design";
-            return Err(source.error(&format!("design.{key}"), message));
-        }
+        let message = "does not belong to this kind of design";
+        source.refuse_if(is_given && !belongs, &format!("design.{key}"), message)?;
     }
-    if table.axes.is_empty() && !is_list {
-        return Err(source.error("design.axes", "names no axis, so there is nothing to vary"));
-    }
-    Ok(())
+    let message = "names no axis, so there is nothing to vary";
+    source.refuse_if(table.axes.is_empty() && !is_list, "design.axes", message)
 }

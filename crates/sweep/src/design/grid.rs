@@ -72,10 +72,8 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
     let values = match (&range.values, range.from, range.to, range.count) {
         (Some(values), None, None, None) => values.clone(),
         (None, Some(from), Some(to), Some(count)) => {
-            if count > MOST_VALUES {
-                let message = format!("{count} values are more than {MOST_VALUES}");
-                return Err(source.error(&format!("{key}.count"), message));
-            }
+            let message = format!("{count} values are more than {MOST_VALUES}");
+            source.refuse_if(count > MOST_VALUES, &format!("{key}.count"), message)?;
             check_ends(source, axis, range, (from, to))?;
             let last = count.saturating_sub(1).max(1) as f64;
             let value = |step| range.spacing.between(from, to, step as f64 / last);
@@ -91,14 +89,11 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
             return Err(source.error(&key, message));
         }
     };
-    if values.is_empty() {
-        return Err(source.error(&key, "has no values: the grid is empty"));
-    }
+    source.refuse_if(values.is_empty(), &key, "has no values: the grid is empty")?;
     for (index, &value) in values.iter().enumerate() {
-        let place = if range.values.is_some() {
-            format!("{key}.values[{index}]")
-        } else {
-            format!("{key}.to")
+        let place = match range.values {
+            Some(_) => format!("{key}.values[{index}]"),
+            None => format!("{key}.to"),
         };
         source.check_axis(&place, axis, value)?;
     }

@@ -2,10 +2,6 @@
 
 use std::collections::HashMap;
 use std::fmt::Display;
-use std::io;
-use std::path::Path;
-
-use thiserror::Error;
 
 use super::axes::count_string_axes;
 use crate::hand_table::{HandTable, Mistake, number};
@@ -33,11 +29,16 @@ impl List {
             return Err(source.error("design", "a list needs `file`, a CSV file of cases"));
         };
         let path = source.folder_of("design.file").join(file);
-        let list = read(&path, text_of)
-            .map_err(|error| source.error("design.file", format!("{}{error}", path.display())))?;
+        let refused = |words: String| {
+            let message = format!("{}{words}", path.display());
+            source.error("design.file", message)
+        };
+        let text = text_of(&path, LARGEST_TABLE)
+            .map_err(|error| refused(format!(" cannot be read: {error}")))?;
+        let list = (HandTable::new(&text).and_then(|table| cases_of(&table)))
+            .map_err(|mistake| refused(format!(":{mistake}")))?;
         if list.cases.is_empty() {
-            let message = format!("{} lists no case", path.display());
-            return Err(source.error("design.file", message));
+            return Err(refused(" lists no case".to_owned()));
         }
         Ok(list)
     }
@@ -61,20 +62,6 @@ impl List {
             strings,
         }
     }
-}
-
-/// Why there is no list; the words follow the file's name.
-#[derive(Debug, Error)]
-enum ListError {
-    #[error(" cannot be read: {0}")]
-    File(#[from] io::Error),
-    #[error(":{0}")]
-    Mistake(#[from] Mistake),
-}
-
-fn read(path: &Path, text_of: TextOf) -> Result<List, ListError> {
-    let text = text_of(path, LARGEST_TABLE)?;
-    Ok(cases_of(&HandTable::new(&text)?)?)
 }
 
 fn cases_of(table: &HandTable) -> Result<List, Mistake> {

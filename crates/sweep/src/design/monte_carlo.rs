@@ -81,10 +81,8 @@ impl Range {
         else {
             return Err(source.error(&key, "a Monte Carlo axis has `from` and `to`"));
         };
-        if axis.is_counted() {
-            let message = "is counted in whole numbers: make it an axis of a grid or a list";
-            return Err(source.error(&key, message));
-        }
+        let message = "is counted in whole numbers: make it an axis of a grid or a list";
+        source.refuse_if(axis.is_counted(), &key, message)?;
         check_ends(source, axis, range, (from, to))?;
         Ok(Self {
             from,

@@ -27,10 +27,8 @@ impl Case {
     pub fn of(sweep: &Sweep, setting: &Setting, index: usize) -> Result<Self, CaseError> {
         let values = sweep.design.values(index);
         let conditions = sweep.conditions_at(&values);
-        Self::under(sweep, setting, index, values, &conditions).map_err(|reason| {
-            let reason = Box::new(reason);
-            CaseError::Numbered { index, reason }
-        })
+        Self::under(sweep, setting, index, values, &conditions)
+            .map_err(|reason| CaseError::Numbered(index, Box::new(reason)))
     }
 
     /// A case under given conditions, which may differ from the design's.
@@ -54,14 +52,14 @@ impl Case {
                 (Some(torque), Some(bit.torques(torque)))
             }
         };
-        let mut timing = match (&bit, &setting.lateral) {
-            (Some(bit), None) => torsion_timing(&setting.string, surface_speed, bit),
-            (Some(bit), Some(_)) => longer(
-                torsion_timing(&setting.string, surface_speed, bit),
-                BY_DEFAULT,
-            ),
-            (None, _) => BY_DEFAULT,
-        };
+        let mut timing = bit.map_or(BY_DEFAULT, |bit| {
+            torsion_timing(&setting.string, surface_speed, &bit)
+        });
+        if setting.lateral.is_some() {
+            // Two regimes are to be told.
+            timing.duration = timing.duration.max(BY_DEFAULT.duration);
+            timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
+        }
         if let AutoOr::Given(duration) = sweep.time {
             timing.duration = duration;
         }
@@ -88,14 +86,6 @@ const BY_DEFAULT: Timing = Timing {
     duration: 10.0,
     closing_window: 2.0,
 };
-
-/// A timing in which two regimes can be told.
-fn longer(one: Timing, other: Timing) -> Timing {
-    Timing {
-        duration: one.duration.max(other.duration),
-        closing_window: one.closing_window.max(other.closing_window),
-    }
-}
 
 /// Walls with the case's friction, impulses with the case's ratio: amounts
 /// relative to I₀ stay so until a method says what its I₀ is.

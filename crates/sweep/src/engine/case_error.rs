@@ -16,14 +16,9 @@ pub enum CaseError {
     /// The rock gives no torque.
     #[error(transparent)]
     Torque(#[from] TorqueError),
-    /// One of the cases of a sweep.
-    #[error("case {index}: {reason}")]
-    Numbered {
-        /// Its number.
-        index: usize,
-        /// What is wrong with it.
-        reason: Box<CaseError>,
-    },
+    /// One of the cases of a sweep, by its number, and what is wrong with it.
+    #[error("case {0}: {1}")]
+    Numbered(usize, Box<CaseError>),
     /// A case that the random ranges allow, though it may not be drawn.
     #[error("at an end of the random ranges: {0}")]
     AtAnEnd(Box<CaseError>),

@@ -14,7 +14,7 @@ mod systems;
 
 pub use case::Case;
 pub use case_error::CaseError;
-pub use instability::{Instability, is_unstable};
+pub use instability::is_unstable;
 pub use log::{
     Header, Log, LogError, LogView, Place, log_place, read_about, read_header, record_line,
 };
@@ -25,8 +25,8 @@ pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
 pub use systems::MethodSystem;
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use anyhow::Result;
 use rayon::prelude::*;
@@ -56,13 +56,11 @@ pub struct Work<'a> {
 /// How many pairs of case and method a part of a sweep has.
 pub fn pairs_of(sweep: &Sweep, shard: Shard) -> usize {
     let strings = sweep.design.strings();
-    let cases = (0..strings).map(|string| {
-        let cases = sweep.design.cases_of_string(string).len();
-        (0..cases)
-            .filter(|&position| shard.has(strings, string, cases, position))
-            .count()
+    let cases = (0..strings).flat_map(|string| {
+        let cases = sweep.design.cases_of_string(string);
+        (0..cases).filter(move |&position| shard.has(strings, string, cases, position))
     });
-    cases.sum::<usize>() * sweep.methods.len()
+    cases.count() * sweep.methods.len()
 }
 
 /// The linear system of each method for one string, or why it has none.
@@ -108,18 +106,18 @@ impl Work<'_> {
     }
 
     fn has_open_case(&self, string: usize) -> bool {
-        let cases = self.sweep.design.cases_of_string(string);
+        let design = &self.sweep.design;
         let is_open = |position| {
-            let case = cases.get(position);
+            let case = design.case_of_string(string, position);
             let mut methods = 0..self.sweep.methods.len();
             methods.any(|method| self.wants(string, position, case, method))
         };
-        !(self.stops)() && (0..cases.len()).any(is_open)
+        !(self.stops)() && (0..design.cases_of_string(string)).any(is_open)
     }
 
     fn wants(&self, string: usize, position: usize, case: usize, method: usize) -> bool {
         let design = &self.sweep.design;
-        let (strings, cases) = (design.strings(), design.cases_of_string(string).len());
+        let (strings, cases) = (design.strings(), design.cases_of_string(string));
         self.shard.has(strings, string, cases, position) && (self.is_open)(case, method)
     }
 
@@ -140,14 +138,13 @@ impl Work<'_> {
         let mut ends = Vec::with_capacity(built.len());
         let mut total = 0;
         for part in built {
-            total += methods * self.sweep.design.cases_of_string(part.string).len();
+            total += methods * self.sweep.design.cases_of_string(part.string);
             ends.push(total);
         }
         let next = AtomicUsize::new(0);
-        let failed = AtomicBool::new(false);
-        let failure = Mutex::new(None);
+        let failure = OnceLock::new();
         rayon::broadcast(|_| {
-            while !failed.load(Ordering::Relaxed) && !(self.stops)() {
+            while failure.get().is_none() && !(self.stops)() {
                 let index = next.fetch_add(1, Ordering::Relaxed);
                 if index >= total {
                     break;
@@ -156,22 +153,16 @@ impl Work<'_> {
                 let start = if part == 0 { 0 } else { ends[part - 1] };
                 let (position, method) = ((index - start) / methods, (index - start) % methods);
                 if let Err(error) = self.run_pair(&built[part], position, method, keep) {
-                    failed.store(true, Ordering::Relaxed);
-                    if let Ok(mut failure) = failure.lock() {
-                        failure.get_or_insert(error);
-                    }
+                    // The first one is told.
+                    let _ = failure.set(error);
                 }
             }
         });
-        match failure.into_inner() {
-            Ok(Some(error)) => Err(error),
-            _ => Ok(()),
-        }
+        failure.into_inner().map_or(Ok(()), Err)
     }
 
     fn run_pair(&self, built: &Built, position: usize, method: usize, keep: Keep) -> Result<()> {
-        let cases = self.sweep.design.cases_of_string(built.string);
-        let index = cases.get(position);
+        let index = (self.sweep.design).case_of_string(built.string, position);
         if !self.wants(built.string, position, index, method) {
             return Ok(());
         }

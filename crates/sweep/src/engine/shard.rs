@@ -47,18 +47,13 @@ impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let meant = "expected I/N with I from 0 to N − 1, such as 0/4";
-        let (index, of) = text.split_once('/').ok_or(meant)?;
-        let number = |text: &str| text.trim().parse().map_err(|_| meant.to_owned());
-        let shard = Shard {
-            index: number(index)?,
-            of: number(of)?,
-        };
-        if shard.index < shard.of {
-            Ok(shard)
-        } else {
-            Err(meant.to_owned())
-        }
+        let numbers = text.split_once('/').and_then(|(index, of)| {
+            let number = |text: &str| text.trim().parse::<usize>().ok();
+            number(index).zip(number(of))
+        });
+        let (index, of) = (numbers.filter(|(index, of)| index < of))
+            .ok_or("expected I/N with I from 0 to N − 1, such as 0/4")?;
+        Ok(Self { index, of })
     }
 }
 

@@ -52,19 +52,16 @@ impl Survey {
         } else {
             self
         };
-        let heaviest = match (self.heaviest, other.heaviest) {
-            (Some(one), Some(other)) if one.bytes >= other.bytes => Some(one),
-            (one, other) => other.or(one),
-        };
+        let strings = self.heaviest.into_iter().chain(other.heaviest);
+        let ends = self.first_end.into_iter().chain(other.first_end);
         Survey {
             simulated: self.simulated + other.simulated,
             longest: longer.longest,
             longest_case: longer.longest_case,
-            heaviest,
-            first_end: match (self.first_end, other.first_end) {
-                (Some(one), Some(other)) if other.1 < one.1 => Some(other),
-                (one, other) => one.or(other),
-            },
+            // The first of equals.
+            heaviest: strings
+                .reduce(|one, other| if one.bytes >= other.bytes { one } else { other }),
+            first_end: ends.reduce(|one, other| if other.1 < one.1 { other } else { one }),
             impossible_strings: self.impossible_strings + other.impossible_strings,
         }
     }
@@ -75,19 +72,24 @@ impl Survey {
 /// # Errors
 /// Where a case has conditions that make no sense.
 pub fn survey(sweep: &Sweep) -> Result<Survey, CaseError> {
-    first_error(sweep.design.strings(), |string| {
-        match setting_of(sweep, string) {
-            Ok(setting) => {
-                let mut found = of_string(sweep, &setting, string)?;
-                found.heaviest =
-                    (sweep.design.varies_string()).then(|| weight(sweep, &setting, string, &found));
-                Ok(found)
-            }
-            Err(_) => Ok(Survey {
+    sum_of(sweep.design.strings(), |string| {
+        let Ok(setting) = setting_of(sweep, string) else {
+            return Ok(Survey {
                 impossible_strings: 1,
                 ..Survey::default()
-            }),
+            });
+        };
+        let mut found = of_string(sweep, &setting, string)?;
+        if sweep.design.varies_string() {
+            let (cuts, longest) = (sweep.bit.is_some(), found.longest);
+            let memory = StringMemory::of(&setting.for_labels(), &sweep.methods, cuts, longest);
+            found.heaviest = Some(Heaviest {
+                string,
+                longest,
+                bytes: memory.systems.peak,
+            });
         }
+        Ok(found)
     })
 }
 
@@ -110,8 +112,9 @@ pub(super) fn of_string(
     string: usize,
 ) -> Result<Survey, CaseError> {
     let cases = sweep.design.cases_of_string(string);
-    let mut survey = first_error(cases.len(), |position| {
-        let case = Case::of(sweep, setting, cases.get(position))?;
+    let mut survey = sum_of(cases, |position| {
+        let index = sweep.design.case_of_string(string, position);
+        let case = Case::of(sweep, setting, index)?;
         let duration = case.scene.timing.duration;
         Ok(Survey {
             simulated: duration,
@@ -137,43 +140,25 @@ pub(super) fn of_string(
     Ok(survey)
 }
 
-fn weight(sweep: &Sweep, setting: &Setting, string: usize, found: &Survey) -> Heaviest {
-    let cuts = sweep.bit.is_some();
-    let setting = setting.for_labels();
-    let memory = StringMemory::of(&setting, &sweep.methods, cuts, found.longest);
-    Heaviest {
-        string,
-        longest: found.longest,
-        bytes: memory.systems.peak,
-    }
-}
-
 /// The setting of all cases of a string.
 ///
 /// # Errors
 /// Where it makes no string.
 pub fn setting_of(sweep: &Sweep, string: usize) -> Result<Cow<'_, Setting>, SweepFileError> {
-    let case = sweep.design.cases_of_string(string).get(0);
+    let case = sweep.design.case_of_string(string, 0);
     sweep.setting_at(&sweep.design.values(case))
 }
 
 /// The sum over `count` parts, or the error of the first part that has one,
 /// whatever the number of threads.
-fn first_error(
+fn sum_of(
     count: usize,
-    part: impl Fn(usize) -> Result<Survey, CaseError> + Sync,
+    part: impl Fn(usize) -> Result<Survey, CaseError> + Sync + Send,
 ) -> Result<Survey, CaseError> {
+    // Neighbours are joined, the earlier being the first.
     (0..count)
         .into_par_iter()
         .with_min_len(CASES_AT_ONCE)
-        .map(|index| part(index).map_err(|error| (index, error)))
-        .reduce(
-            || Ok(Survey::default()),
-            |one, other| match (one, other) {
-                (Ok(one), Ok(other)) => Ok(one.with(other)),
-                (Err(one), Err(other)) => Err(if one.0 <= other.0 { one } else { other }),
-                (Err(error), Ok(_)) | (Ok(_), Err(error)) => Err(error),
-            },
-        )
-        .map_err(|(_, error)| error)
+        .map(part)
+        .reduce(|| Ok(Survey::default()), |one, other| Ok(one?.with(other?)))
 }

@@ -1,6 +1,5 @@
 //! The linear system of each method, built once for all cases.
 
-use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
@@ -8,7 +7,7 @@ use anyhow::{Context, Result, bail};
 use linear::{ChannelRequest, ChannelResponses, Method, Request, Responses, responses};
 use rayon::prelude::*;
 use sim::excitation::least_impulse;
-use sim::{Outcome, Scene, SimulationError, Simulator, Stopping, Trajectory};
+use sim::{Outcome, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::Case;
 use super::case_error::CaseError;
@@ -69,7 +68,9 @@ impl MethodSystem {
     ) -> Result<Self> {
         let system = Self::build(setting, method, sweep.bit.is_some(), longest_time)
             .with_context(|| format!("the responses by {} cannot be built", method.name()))?;
-        if let Some(index) = system.unreachable_impulse() {
+        // No impulse is so large: its site cannot reach the wall.
+        let is_none = |(_, i0): &(usize, f64)| i0.is_nan() || *i0 > LARGEST_IMPULSE;
+        if let Some((index, _)) = system.relative_impulses().find(is_none) {
             let message = "there is no I₀, for no impulse brings this site to the wall; \
                            give `amount_ns`";
             let key = format!("impulses[{index}].ratio");
@@ -99,14 +100,6 @@ impl MethodSystem {
             simulator,
             responses,
         })
-    }
-
-    /// The first impulse given in multiples of an I₀ that is larger than any
-    /// impulse, for its site cannot reach the wall.
-    fn unreachable_impulse(&self) -> Option<usize> {
-        let mut impulses = self.relative_impulses();
-        let (index, _) = impulses.find(|(_, i0)| i0.is_nan() || *i0 > LARGEST_IMPULSE)?;
-        Some(index)
     }
 
     /// The impulses that are given in multiples of I₀, each with its I₀, N s.
@@ -149,8 +142,8 @@ impl MethodSystem {
         self.responses.at_bit()
     }
 
-    /// Simulates one scene, writing its time history into `record` where asked;
-    /// nothing is left out of that.
+    /// Simulates one scene, its relative impulses in N s, writing its time history into
+    /// `record` where asked; nothing is left out of that.
     ///
     /// # Errors
     /// Where the case gives no answer.
@@ -160,7 +153,12 @@ impl MethodSystem {
         stopping: Stopping,
         record: Option<&mut Trajectory>,
     ) -> Result<Outcome, SimulationError> {
-        let scene = self.with_amounts(&case.scene);
+        let mut scene = case.scene.clone();
+        for (index, least) in self.relative_impulses() {
+            if let Some(lateral) = &mut scene.lateral {
+                lateral.impulses[index].amount *= least;
+            }
+        }
         self.simulator.simulate(&scene, stopping, record)
     }
 
@@ -175,28 +173,13 @@ impl MethodSystem {
         Some(system.driven_speeds(speed, &motion.bit_torque, steps))
     }
 
-    /// The scene with its relative impulses in N s.
-    fn with_amounts<'a>(&self, scene: &'a Scene) -> Cow<'a, Scene> {
-        let mut scene = Cow::Borrowed(scene);
-        for (index, least) in self.relative_impulses() {
-            if let Some(lateral) = &mut scene.to_mut().lateral {
-                lateral.impulses[index].amount *= least;
-            }
-        }
-        scene
-    }
-
     /// What a run with these options comes to of a case; `method` is this one's place in
     /// the sweep's list. A case that panics is one without an answer, and not the end of
     /// the sweep.
     pub fn answer(&self, case: &Case, method: usize, options: RunOptions) -> Record {
         let failed = |reason: CaseError| {
-            Record::failed(
-                case.index,
-                method,
-                case.values.clone(),
-                Failure::new(reason),
-            )
+            let values = case.values.clone();
+            Record::failed(case.index, method, values, Failure::new(reason))
         };
         if let (Some(instability), false) = (self.instability(), options.allow_unstable) {
             return failed(CaseError::Unstable(instability));
@@ -204,26 +187,18 @@ impl MethodSystem {
         let stopping = options.stopping(case.index);
         let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, stopping, None)));
         let distances = self.setting.sites.distances_from_bit();
-        let record = match simulated {
-            Ok(Ok(outcome)) => Record {
-                case: case.index,
-                method,
-                values: case.values.clone(),
-                torque_dynamic_nm: None,
-                site_from_bit_m: outcome.lateral.map(|lateral| distances[lateral.site]),
-                outcome: Ok(outcome),
-            },
-            Ok(Err(error)) => {
+        let mut record = failed(CaseError::Panicked);
+        record.torque_dynamic_nm = case.torque_dynamic_nm;
+        if let Ok(simulated) = simulated {
+            let lateral = simulated.as_ref().ok().and_then(|outcome| outcome.lateral);
+            record.site_from_bit_m = lateral.map(|lateral| distances[lateral.site]);
+            record.outcome = simulated.map_err(|error| {
                 let site = error.site();
                 let site = site.and_then(|site| Some((site, *distances.get(site)?)));
-                failed(CaseError::Simulation { error, site })
-            }
-            Err(_) => failed(CaseError::Panicked),
-        };
-        Record {
-            torque_dynamic_nm: case.torque_dynamic_nm,
-            ..record
+                Failure::new(CaseError::Simulation { error, site })
+            });
         }
+        record
     }
 }
 

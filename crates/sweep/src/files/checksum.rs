@@ -1,7 +1,7 @@
 //! By which a file is known to be the one that was written.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, BufReader, Write};
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -25,18 +25,10 @@ impl Checksum {
     /// # Errors
     /// Where it cannot be read.
     pub fn of_file(path: &Path) -> io::Result<Self> {
-        let mut file = File::open(path)?;
+        let mut file = BufReader::with_capacity(PIECE, File::open(path)?);
         let mut sum = Summing::default();
-        let mut piece = vec![0; PIECE];
-        loop {
-            match file.read(&mut piece) {
-                Ok(0) => return Ok(sum.finish()),
-                Ok(read) => sum.add(&piece[..read]),
-                // By a signal; there is more to read.
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-                Err(error) => return Err(error),
-            }
-        }
+        io::copy(&mut file, &mut sum)?;
+        Ok(sum.finish())
     }
 }
 
@@ -47,13 +39,19 @@ pub struct Summing {
     hash: Sha256,
 }
 
-impl Summing {
-    /// Adds what follows.
-    pub fn add(&mut self, content: &[u8]) {
+impl Write for Summing {
+    fn write(&mut self, content: &[u8]) -> io::Result<usize> {
         self.bytes += content.len() as u64;
         self.hash.update(content);
+        Ok(content.len())
     }
 
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Summing {
     /// The checksum of all that was added.
     pub fn finish(self) -> Checksum {
         Checksum {

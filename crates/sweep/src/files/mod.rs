@@ -46,8 +46,11 @@ impl AtomicFile {
     /// # Errors
     /// Where it cannot be written.
     pub fn write(&mut self, content: &[u8]) -> Result<()> {
-        self.sum.add(content);
-        (self.writer.write_all(content)).with_context(|| unwritable(&self.path))
+        let mut attempt = || {
+            self.sum.write_all(content)?;
+            self.writer.write_all(content)
+        };
+        attempt().with_context(|| unwritable(&self.path))
     }
 
     /// Puts it on the disk, without its name yet.

@@ -34,8 +34,12 @@ pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> 
             Size(cost.bytes)
         ),
     };
-    let suspects = suspects(demand.sweep).into_iter();
-    let changed = suspects.map(|(key, change)| (change.usual(demand).cost(1), key, change));
+    let suspects = suspects(demand.sweep).into_iter().enumerate();
+    let changed = suspects.map(|(index, (key, change))| {
+        let mut usual = demand.clone();
+        change(&mut usual);
+        (usual.cost(1), key, index)
+    });
     let least = changed.min_by(|(one, ..), (other, ..)| {
         let by_length = one.too_long.is_some().cmp(&other.too_long.is_some());
         by_length.then(one.bytes.total_cmp(&other.bytes))
@@ -45,16 +49,13 @@ pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> 
             || usual.bytes < (1.0 - LEAST_PART) * cost.bytes
     };
     match least {
-        Some((usual, key, change)) if matters(&usual) => {
-            let why = match change {
-                Change::Time => longest_case(demand.sweep, survey),
+        Some((usual, key, index)) if matters(&usual) => {
+            let why = match index {
+                0 => longest_case(demand.sweep, survey),
                 _ => String::new(),
             };
-            demand
-                .sweep
-                .source
-                .error(&key, format!("{why}{what}"))
-                .into()
+            let message = format!("{why}{what}");
+            demand.sweep.source.error(&key, message).into()
         }
         _ => demand.sweep.source.error_of_file(what).into(),
     }
@@ -80,105 +81,93 @@ fn longest_case(sweep: &Sweep, survey: &Survey) -> String {
     format!("case {case}{values} lasts {:.3e} s and ", survey.longest)
 }
 
-/// What a key changes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Change {
-    Time,
-    Sites,
-    SamplingFrequency,
-    Transforms,
-    Elements,
-    Damping,
-    Sections,
+/// Gives a demand the usual value of what a key changes.
+type Change = fn(&mut Demand);
+
+fn usual_time(demand: &mut Demand) {
+    for (_, longest) in &mut demand.strings {
+        *longest = longest.min(TIME);
+    }
 }
 
-impl Change {
-    /// The demand with a usual value.
-    fn usual<'a>(self, demand: &Demand<'a>) -> Demand<'a> {
-        let mut usual = demand.clone();
-        for (setting, longest) in &mut usual.strings {
-            if self == Change::Time {
-                *longest = longest.min(TIME);
-            } else {
-                self.make_usual(setting);
-            }
-        }
-        for method in &mut usual.methods {
-            *method = match (self, *method) {
-                (Change::Transforms, Method::Hilbert(_)) => Method::Hilbert(Transform::default()),
-                (Change::Transforms, Method::DirectIdft(_)) => {
-                    Method::DirectIdft(Transform::default())
-                }
-                (Change::Elements, Method::FiniteElement(_)) => {
-                    Method::FiniteElement(FiniteElement::default())
-                }
-                (_, method) => method,
-            };
-        }
-        usual
-    }
-
-    fn make_usual(self, setting: &mut Setting) {
-        match self {
-            Change::Sites => setting.sites = Sites::bit(),
-            Change::SamplingFrequency => {
-                let usual = linear::estimates::sampling_frequency(&setting.string);
-                *setting = setting.sampled_at(setting.sampling_frequency.min(usual));
-            }
-            Change::Damping => {
-                let sections = setting.string.sections().to_vec();
-                change_string(setting, sections, DAMPING);
-            }
-            Change::Sections => {
-                let mut sections = setting.string.sections().to_vec();
-                for section in &mut sections {
-                    section.repeat = section.repeat.min(CELLS);
-                }
-                change_string(setting, sections, setting.string.torsional_damping());
-            }
-            Change::Time | Change::Transforms | Change::Elements => {}
+fn usual_transforms(demand: &mut Demand) {
+    for method in &mut demand.methods {
+        if let Method::Hilbert(transform) | Method::DirectIdft(transform) = method {
+            *transform = Transform::default();
         }
     }
 }
 
-fn change_string(setting: &mut Setting, sections: Vec<Section>, damping: f64) {
-    if let Ok(changed) = Drillstring::new(setting.string.material(), sections, damping) {
-        setting.string = changed;
+fn usual_elements(demand: &mut Demand) {
+    for method in &mut demand.methods {
+        if let Method::FiniteElement(elements) = method {
+            *elements = FiniteElement::default();
+        }
     }
 }
 
-/// Every key that a demand may grow with; where two matter alike, the first is to
-/// blame.
+fn usual_frequency(demand: &mut Demand) {
+    for (setting, _) in &mut demand.strings {
+        let usual = linear::estimates::sampling_frequency(&setting.string);
+        setting.sampling_frequency = setting.sampling_frequency.min(usual);
+    }
+}
+
+fn usual_sites(demand: &mut Demand) {
+    for (setting, _) in &mut demand.strings {
+        setting.sites = Sites::bit();
+    }
+}
+
+fn usual_damping(demand: &mut Demand) {
+    change_strings(demand, |string| (string.sections().to_vec(), DAMPING));
+}
+
+fn usual_sections(demand: &mut Demand) {
+    change_strings(demand, |string| {
+        let mut sections = string.sections().to_vec();
+        for section in &mut sections {
+            section.repeat = section.repeat.min(CELLS);
+        }
+        (sections, string.torsional_damping())
+    });
+}
+
+/// Gives the strings other sections and another damping.
+fn change_strings(demand: &mut Demand, change: fn(&Drillstring) -> (Vec<Section>, f64)) {
+    for (Setting { string, .. }, _) in &mut demand.strings {
+        let (sections, damping) = change(string);
+        if let Ok(changed) = Drillstring::new(string.material(), sections, damping) {
+            *string = changed;
+        }
+    }
+}
+
+/// Every key that a demand may grow with, that of the time first; where two matter alike,
+/// the first is to blame.
 fn suspects(sweep: &Sweep) -> Vec<(String, Change)> {
-    let mut list = vec![(time_key(sweep), Change::Time)];
+    let mut list: Vec<(String, Change)> = vec![(time_key(sweep), usual_time)];
     if sweep.setting.sites.len() > 1 {
-        list.push(("sites".to_owned(), Change::Sites));
+        list.push(("sites".to_owned(), usual_sites));
     }
     let frequency = match sweep.choice {
         Some(_) => "accuracy",
         None => "sampling_frequency_hz",
     };
-    list.push((frequency.to_owned(), Change::SamplingFrequency));
+    list.push((frequency.to_owned(), usual_frequency));
     for method in &sweep.methods {
         let key = |name: &str| format!("method.{}.{name}", method.name());
         match method {
             Method::Hilbert(_) | Method::DirectIdft(_) => {
-                list.push((key("transform_s"), Change::Transforms));
+                list.push((key("transform_s"), usual_transforms));
             }
-            Method::FiniteElement(_) => list.push((key("elements_per_cell"), Change::Elements)),
+            Method::FiniteElement(_) => list.push((key("elements_per_cell"), usual_elements)),
             Method::Quadrature | Method::Trapezoidal => {}
         }
     }
-    for (begins, fixed, change) in [
-        (
-            "torsional_damping",
-            "string.torsional_damping_nms_rad_m",
-            Change::Damping,
-        ),
-        ("section", "string.sections", Change::Sections),
-    ] {
-        list.push((key_of(sweep, begins, fixed), change));
-    }
+    let damping = "string.torsional_damping_nms_rad_m";
+    list.push((key_of(sweep, "torsional_damping", damping), usual_damping));
+    list.push((key_of(sweep, "section", "string.sections"), usual_sections));
     list
 }
 

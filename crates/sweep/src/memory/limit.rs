@@ -26,22 +26,18 @@ impl FromStr for Size {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let meant = || format!("`{text}` is not an amount of memory such as 8G, 512M or bytes");
         let unit_at = text.find(|c: char| c.is_ascii_alphabetic());
         let (number, unit) = text.split_at(unit_at.unwrap_or(text.len()));
-        let mut letters = unit.chars().map(|letter| letter.to_ascii_uppercase());
-        let letter = letters.next().unwrap_or('B');
+        let unit = unit.to_ascii_uppercase();
+        let letter = unit.chars().next().unwrap_or('B');
         let power = UNITS.iter().position(|unit| *unit == letter);
-        let rest: String = letters.collect();
-        let is_known = matches!(rest.as_str(), "" | "IB");
-        let power = power.filter(|_| is_known).ok_or_else(meant)?;
-        let number: f64 = number.trim().parse().map_err(|_| meant())?;
-        let bytes = number * KIB.powi(power as i32);
-        if bytes.is_finite() && bytes >= 1.0 {
-            Ok(Self(bytes))
-        } else {
-            Err(meant())
-        }
+        let power = power.filter(|_| unit.len() < 2 || &unit[1..] == "IB");
+        let bytes = (number.trim().parse::<f64>().ok().zip(power))
+            .map(|(number, power)| number * KIB.powi(power as i32));
+        (bytes
+            .filter(|bytes| bytes.is_finite() && *bytes >= 1.0)
+            .map(Self))
+        .ok_or_else(|| format!("`{text}` is not an amount of memory such as 8G, 512M or bytes"))
     }
 }
 

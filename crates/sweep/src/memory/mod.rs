@@ -13,25 +13,10 @@ use anyhow::Result;
 
 use crate::engine::Survey;
 use crate::plan::{Setting, Sweep};
-use demand::Demand;
-pub use demand::{Estimate, Purpose};
+pub use demand::{Demand, Estimate, Purpose};
 pub use limit::{Limit, Size};
 
-/// What a command takes that builds `setting` for the cases surveyed.
-///
-/// # Errors
-/// Where the values of the string that takes most make none.
-pub fn estimate(
-    sweep: &Sweep,
-    setting: &Setting,
-    survey: &Survey,
-    purpose: Purpose,
-    limit: &Limit,
-) -> Result<Estimate> {
-    Ok(Demand::of(sweep, setting, survey, purpose)?.within(limit))
-}
-
-/// The same, for a command that is about to begin.
+/// What a command takes that is about to build `setting` for the cases surveyed.
 ///
 /// # Errors
 /// Where it would take more than the limit, or more than any method builds, with the

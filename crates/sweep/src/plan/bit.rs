@@ -19,39 +19,22 @@ pub struct Bit {
 
 /// Why a rock gives no torque for a weight on bit.
 #[derive(Debug, Error)]
-pub enum TorqueError {
-    /// Its table is too short.
-    #[error(
+#[error("{}", in_kilonewtons(.0))]
+pub struct TorqueError(RockError);
+
+/// With weights in the unit in which the user gives them.
+fn in_kilonewtons(error: &RockError) -> String {
+    let RockError::OutsideTable {
+        value, from, to, ..
+    } = error
+    else {
+        return error.to_string();
+    };
+    let [weight, from, to] = [value, from, to].map(|newtons| newtons / 1e3);
+    format!(
         "{weight} kN is outside the rock's table, {from} to {to} kN; \
          it must reach as far as the weights"
-    )]
-    OutsideTable {
-        /// The weight on bit, kN.
-        weight: f64,
-        /// The least weight of the table, kN.
-        from: f64,
-        /// The greatest weight of the table, kN.
-        to: f64,
-    },
-    /// Another reason.
-    #[error(transparent)]
-    Rock(RockError),
-}
-
-impl From<RockError> for TorqueError {
-    /// With weights in kN, as the user gives them.
-    fn from(error: RockError) -> Self {
-        match error {
-            RockError::OutsideTable {
-                value, from, to, ..
-            } => Self::OutsideTable {
-                weight: value / 1e3,
-                from: from / 1e3,
-                to: to / 1e3,
-            },
-            other => Self::Rock(other),
-        }
-    }
+    )
 }
 
 impl Bit {
@@ -66,7 +49,8 @@ impl Bit {
         let Some((weight, rock)) = conditions.weight_on_bit_kn.zip(self.rock.as_ref()) else {
             return Ok(None);
         };
-        Ok(Some(rock.torque_dynamic(1e3 * weight)?))
+        let torque = rock.torque_dynamic(1e3 * weight);
+        torque.map(Some).map_err(TorqueError)
     }
 
     /// Both torque limits for a dynamic torque.
@@ -83,8 +67,8 @@ impl Bit {
 /// # Errors
 /// Where a key of it is refused.
 pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
-    let static_ratio = bit.torque_static_ratio;
-    source.within("bit.torque_static_ratio", static_ratio, 1.0, 10.0, "")?;
+    let ratio = bit.torque_static_ratio;
+    let static_ratio = source.within("bit.torque_static_ratio", ratio, 1.0, 10.0, "")?;
     let rock = match (bit.rock, bit.law, &bit.table_kn_nm) {
         (None, None, None) => None,
         (Some(RockName::Sandstone), None, None) => Some(Rock::sandstone()),
@@ -108,8 +92,7 @@ pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
 
 fn law(source: &Source, table: &LawTable) -> Result<CuttingLaw, SweepFileError> {
     let within = |key: &str, value: f64, least: f64, most: f64, unit: &'static str| {
-        source.within(&format!("bit.law.{key}"), value, least, most, unit)?;
-        Ok(value)
+        source.within(&format!("bit.law.{key}"), value, least, most, unit)
     };
     let (energy, strength) = (table.specific_energy_mpa, table.contact_strength_mpa);
     let mut law = CuttingLaw {
@@ -136,13 +119,11 @@ fn law(source: &Source, table: &LawTable) -> Result<CuttingLaw, SweepFileError> 
         slope: 1e-3 * within("poor_cleaning_nm_per_kn", slope, 1e-6, 1e6, "N m/kN")?,
     });
     let end = law.end_of_phase_one().0;
-    if 1e3 * from <= end {
-        let message = format!(
-            "poor cleaning begins in phase II, above {} kN here",
-            1e-3 * end
-        );
-        return Err(source.error("bit.law.poor_cleaning_from_kn", message));
-    }
+    let message = format!(
+        "poor cleaning begins in phase II, above {} kN here",
+        1e-3 * end
+    );
+    source.refuse_if(1e3 * from <= end, "bit.law.poor_cleaning_from_kn", message)?;
     Ok(law)
 }
 
@@ -155,14 +136,9 @@ fn table(source: &Source, rows: &[(f64, f64)]) -> Result<Rock, SweepFileError> {
     let increasing = rows
         .windows(2)
         .all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1);
-    if rows.len() < 2 || !increasing {
-        let message = "needs two rows or more of weight on bit (kN) and torque (N m), \
-                       both increasing";
-        return Err(source.error("bit.table_kn_nm", message));
-    }
-    Ok(Rock::Table(
-        rows.iter()
-            .map(|&(weight, torque)| (1e3 * weight, torque))
-            .collect(),
-    ))
+    let message = "needs two rows or more of weight on bit (kN) and torque (N m), \
+                   both increasing";
+    source.refuse_if(rows.len() < 2 || !increasing, "bit.table_kn_nm", message)?;
+    let in_newtons = rows.iter().map(|&(weight, torque)| (1e3 * weight, torque));
+    Ok(Rock::Table(in_newtons.collect()))
 }

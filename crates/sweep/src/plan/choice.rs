@@ -15,15 +15,12 @@ const MOST: f64 = 0.5;
 /// # Errors
 /// Where it is that.
 pub fn check(source: &Source, accuracy: Accuracy) -> Result<(), SweepFileError> {
-    if (LEAST..=MOST).contains(&accuracy.0) {
-        return Ok(());
-    }
     let message = format!(
         "{accuracy} is not between {} and {}; write \"1 %\" or 0.01 for one per cent",
         Accuracy(LEAST),
         Accuracy(MOST)
     );
-    Err(source.error("accuracy", message))
+    source.refuse_if(!(LEAST..=MOST).contains(&accuracy.0), "accuracy", message)
 }
 
 /// What was chosen, and why: `accuracy` of the manifest. Errors are parts of one.

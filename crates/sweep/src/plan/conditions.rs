@@ -103,10 +103,9 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Conditions, Swe
             source.check_axis(key, axis, value)?;
         }
     }
-    if conditions.weight_on_bit_kn.is_some() && conditions.torque_dynamic_nm.is_some() {
-        let message = "give the torque itself or a weight on bit, not both";
-        return Err(source.error("bit.torque_dynamic_nm", message));
-    }
+    let has_both = conditions.weight_on_bit_kn.is_some() && conditions.torque_dynamic_nm.is_some();
+    let message = "give the torque itself or a weight on bit, not both";
+    source.refuse_if(has_both, "bit.torque_dynamic_nm", message)?;
     Ok(conditions)
 }
 
@@ -121,10 +120,8 @@ pub fn are_complete(
     design: &Design,
 ) -> Result<(), SweepFileError> {
     let has = |axis| conditions.has(axis, design);
-    if !has(Axis::SurfaceSpeedRpm) {
-        let message = "is needed: give a number, or make it an axis of the design";
-        return Err(source.error("surface_speed_rpm", message));
-    }
+    let message = "is needed: give a number, or make it an axis of the design";
+    source.refuse_if(!has(Axis::SurfaceSpeedRpm), "surface_speed_rpm", message)?;
     let gives_torque = |axis: &&Axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     let mut torques = design.axes().iter().filter(gives_torque);
     let Some(bit) = bit else {
@@ -133,19 +130,13 @@ pub fn are_complete(
             Err(source.error("design", message))
         });
     };
-    if has(Axis::WeightOnBitKn) && bit.rock.is_none() {
-        let message = "a weight on bit needs a rock to give a torque: \
-                       `sandstone`, `shale`, `law` or `table`";
-        return Err(source.error("bit.rock", message));
-    }
-    if torques.count() > 1 {
-        let message = "weight on bit and torque cannot both be axes: one gives the other";
-        return Err(source.error("design", message));
-    }
-    if !has(Axis::WeightOnBitKn) && !has(Axis::TorqueDynamicNm) {
-        let message = "needs `torque_dynamic_nm`, or a rock and `weight_on_bit_kn`, \
-                       or one of them as an axis of the design";
-        return Err(source.error("bit", message));
-    }
-    Ok(())
+    let has_weight = has(Axis::WeightOnBitKn);
+    let message = "a weight on bit needs a rock to give a torque: \
+                   `sandstone`, `shale`, `law` or `table`";
+    source.refuse_if(has_weight && bit.rock.is_none(), "bit.rock", message)?;
+    let message = "weight on bit and torque cannot both be axes: one gives the other";
+    source.refuse_if(torques.count() > 1, "design", message)?;
+    let message = "needs `torque_dynamic_nm`, or a rock and `weight_on_bit_kn`, \
+                   or one of them as an axis of the design";
+    source.refuse_if(!has_weight && !has(Axis::TorqueDynamicNm), "bit", message)
 }

@@ -309,8 +309,8 @@ fn read(path: &Path, instead: &Texts) -> bool {
     assert!(design.cases() > 0 && design.strings() > 0);
     for string in [0, design.strings() - 1] {
         let cases = design.cases_of_string(string);
-        for position in [0, cases.len() - 1] {
-            let index = cases.get(position);
+        for position in [0, cases - 1] {
+            let index = design.case_of_string(string, position);
             assert!(index < design.cases());
             let values = design.values(index);
             assert_eq!(values.len(), design.axes().len());

@@ -12,9 +12,6 @@ pub const LARGEST_IMPULSE: f64 = 1e9;
 /// What pushes the string for longer is no impulse, s.
 const LONGEST_IMPULSE: f64 = 100.0;
 
-/// The samples of a raised cosine have its area from two on.
-const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
-
 /// An impulse, but for what a case says of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpulseSettings {
@@ -69,41 +66,24 @@ pub fn resolve(
     ratio_by_axis: bool,
 ) -> Result<ImpulseSettings, SweepFileError> {
     let key = |name: &str| format!("impulses[{index}].{name}");
-    let site = site_of(
-        source,
-        &key("distance_from_bit_m"),
-        table.distance_from_bit_m,
-        sites,
-    )?;
-    source.within(&key("start_s"), table.start_s, 0.0, 1e6, "s")?;
-    if table.duration_s.is_nan() || table.duration_s <= 0.0 {
-        let message = format!("{} s: the impulse ends before it starts", table.duration_s);
-        return Err(source.error(&key("duration_s"), message));
-    }
-    if table.duration_s > LONGEST_IMPULSE {
-        let duration = in_digits(table.duration_s);
-        let message = format!(
-            "{duration} s: an impulse lasts {LONGEST_IMPULSE} s at most; is it in another unit?"
-        );
-        return Err(source.error(&key("duration_s"), message));
-    }
-    source.within(
-        &key("direction_deg"),
-        table.direction_deg,
-        -360.0,
-        360.0,
-        "°",
-    )?;
+    let place = table.distance_from_bit_m;
+    let site = site_of(source, &key("distance_from_bit_m"), place, sites)?;
+    let start = source.within(&key("start_s"), table.start_s, 0.0, 1e6, "s")?;
+    let duration = table.duration_s;
+    let message = format!("{duration} s: the impulse ends before it starts");
+    let is_nothing = duration.is_nan() || duration <= 0.0;
+    source.refuse_if(is_nothing, &key("duration_s"), message)?;
+    let message = format!(
+        "{} s: an impulse lasts {LONGEST_IMPULSE} s at most; is it in another unit?",
+        in_digits(duration)
+    );
+    source.refuse_if(duration > LONGEST_IMPULSE, &key("duration_s"), message)?;
+    let direction = table.direction_deg;
+    let direction = source.within(&key("direction_deg"), direction, -360.0, 360.0, "°")?;
     let within = |name, value, unit| source.within(&key(name), value, 0.0, LARGEST_IMPULSE, unit);
     let amount = match (table.amount_ns, table.ratio) {
-        (Some(amount), None) => {
-            within("amount_ns", amount, "N s")?;
-            ImpulseAmount::NewtonSeconds(amount)
-        }
-        (None, Some(ratio)) => {
-            within("ratio", ratio, "")?;
-            ImpulseAmount::Ratio(Some(ratio))
-        }
+        (Some(amount), None) => ImpulseAmount::NewtonSeconds(within("amount_ns", amount, "N s")?),
+        (None, Some(ratio)) => ImpulseAmount::Ratio(Some(within("ratio", ratio, "")?)),
         (None, None) if ratio_by_axis => ImpulseAmount::Ratio(None),
         _ => {
             let message = "needs either `amount_ns` or `ratio`, or the axis impulse_ratio";
@@ -113,51 +93,8 @@ pub fn resolve(
     Ok(ImpulseSettings {
         site,
         amount,
-        start: table.start_s,
-        duration: table.duration_s,
-        direction: table.direction_deg.to_radians(),
+        start,
+        duration,
+        direction: direction.to_radians(),
     })
-}
-
-/// An impulse between two samples would not be felt at all.
-///
-/// # Errors
-/// Names the impulse.
-pub fn are_sampled(
-    source: &Source,
-    impulses: &[ImpulseSettings],
-    sampling_frequency: f64,
-) -> Result<(), SweepFileError> {
-    for (index, settings) in impulses.iter().enumerate() {
-        let duration = settings.duration;
-        if duration * sampling_frequency < LEAST_SAMPLES_OF_IMPULSE {
-            let message =
-                format!("{duration} s is shorter than two samples at {sampling_frequency} Hz");
-            let key = format!("impulses[{index}].duration_s");
-            return Err(source.error(&key, message));
-        }
-    }
-    Ok(())
-}
-
-/// Refuses an impulse that begins when a case is over: its label would say
-/// nothing of the impulse.
-///
-/// # Errors
-/// Names the impulse.
-pub fn are_felt(
-    source: &Source,
-    impulses: &[ImpulseTable],
-    case: usize,
-    duration: f64,
-) -> Result<(), SweepFileError> {
-    for (index, impulse) in impulses.iter().enumerate() {
-        let start = impulse.start_s;
-        if start >= duration {
-            let message = format!("{start} s is not before the end of case {case}, {duration} s");
-            let key = format!("impulses[{index}].start_s");
-            return Err(source.error(&key, message));
-        }
-    }
-    Ok(())
 }

@@ -66,10 +66,9 @@ pub fn resolve(
             impulses::resolve(source, index, table, sites, has(Axis::ImpulseRatio))
         })
         .collect::<Result<Vec<_>, _>>()?;
-    if design.axes().contains(&Axis::ImpulseRatio) && impulses.is_empty() {
-        let message = "the axis impulse_ratio needs an entry [[impulses]]";
-        return Err(source.error("design.axes.impulse_ratio", message));
-    }
+    let is_idle = design.axes().contains(&Axis::ImpulseRatio) && impulses.is_empty();
+    let message = "the axis impulse_ratio needs an entry [[impulses]]";
+    source.refuse_if(is_idle, "design.axes.impulse_ratio", message)?;
     let eccentric_masses = (content.eccentric_masses.iter().enumerate())
         .map(|(index, table)| eccentric_mass(source, index, table, sites))
         .collect::<Result<_, _>>()?;
@@ -95,10 +94,8 @@ fn refuse_keys(
         ("design.axes.impulse_ratio", varies(Axis::ImpulseRatio)),
         ("design.axes.friction", varies(Axis::Friction)),
     ];
-    match keys.into_iter().find(|(_, given)| *given) {
-        Some((key, _)) => Err(source.error(key, "needs a table [wall]")),
-        None => Ok(()),
-    }
+    (keys.into_iter())
+        .try_for_each(|(key, is_given)| source.refuse_if(is_given, key, "needs a table [wall]"))
 }
 
 fn bending(
@@ -107,7 +104,7 @@ fn bending(
 ) -> Result<(Bending, SurfaceSupport), SweepFileError> {
     let key = |name: &str| format!("string.bending.{name}");
     let modulus = table.youngs_modulus_gpa;
-    source.within(&key("youngs_modulus_gpa"), modulus, 0.1, 1e3, "GPa")?;
+    let modulus = source.within(&key("youngs_modulus_gpa"), modulus, 0.1, 1e3, "GPa")?;
     let (damping, compression) = (table.damping_ns_m2, table.compression_kn);
     for (name, axis, value) in [
         ("damping_ns_m2", StringAxis::BendingDamping, damping),
@@ -137,11 +134,9 @@ fn eccentric_mass(
     let key = |name: &str| format!("eccentric_masses[{index}].{name}");
     let distance = table.distance_from_bit_m;
     let site = site_of(source, &key("distance_from_bit_m"), distance, sites)?;
-    source.within(&key("mass_kg"), table.mass_kg, 0.0, 1e6, "kg")?;
-    source.within(&key("offset_m"), table.offset_m, 0.0, 10.0, "m")?;
     Ok(EccentricMass {
         site,
-        mass: table.mass_kg,
-        offset: table.offset_m,
+        mass: source.within(&key("mass_kg"), table.mass_kg, 0.0, 1e6, "kg")?,
+        offset: source.within(&key("offset_m"), table.offset_m, 0.0, 10.0, "m")?,
     })
 }

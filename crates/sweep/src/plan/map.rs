@@ -41,11 +41,9 @@ pub fn resolve(
     bit: Option<&Bit>,
 ) -> Result<Option<MapSettings>, SweepFileError> {
     for (key, axis) in [("map.x", content.map.x), ("map.y", content.map.y)] {
-        if let Some(axis) = axis
-            && !design.axes().contains(&axis)
-        {
+        if let Some(axis) = axis {
             let message = format!("{} is not an axis of the design", axis.name());
-            return Err(source.error(key, message));
+            source.refuse_if(!design.axes().contains(&axis), key, message)?;
         }
     }
     let other = |taken: Option<Axis>| {
@@ -60,9 +58,7 @@ pub fn resolve(
     let Some((x, y)) = x.zip(y) else {
         return Ok(None);
     };
-    if x == y {
-        return Err(source.error("map.x", "is the axis upwards too"));
-    }
+    source.refuse_if(x == y, "map.x", "is the axis upwards too")?;
     let marks = (content.map.marks.iter().enumerate())
         .map(|(index, mark)| self::mark(source, index, mark, (x, y), bit))
         .collect::<Result<_, _>>()?;

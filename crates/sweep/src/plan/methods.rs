@@ -18,9 +18,7 @@ pub fn resolve(
     content: &FileContent,
     by_file: bool,
 ) -> Result<Vec<Method>, SweepFileError> {
-    if content.methods.is_empty() {
-        return Err(source.error("methods", "names no method"));
-    }
+    source.refuse_if(content.methods.is_empty(), "methods", "names no method")?;
     let counts = |name: MethodName| by_file || content.methods.contains(&name);
     if counts(MethodName::FiniteElement) {
         finite_element(source, &content.method.finite_element)?;
@@ -35,23 +33,17 @@ pub fn resolve(
         }
     }
     for (index, name) in content.methods.iter().enumerate() {
-        if content.methods[..index].contains(name) {
-            return Err(source.error(&format!("methods[{index}]"), "is named twice"));
-        }
+        let is_double = content.methods[..index].contains(name);
+        source.refuse_if(is_double, &format!("methods[{index}]"), "is named twice")?;
         let needs_damping = matches!(name, MethodName::Hilbert | MethodName::DirectIdft);
-        if needs_damping && content.string.torsional_damping_nms_rad_m == 0.0 {
-            let error = BuildError::NeedsDamping {
-                method: name.name(),
-            };
-            let key = "string.torsional_damping_nms_rad_m";
-            return Err(source.error(key, error.to_string()));
-        }
+        let has_none = content.string.torsional_damping_nms_rad_m == 0.0;
+        let method = name.name();
+        let message = BuildError::NeedsDamping { method }.to_string();
+        let key = "string.torsional_damping_nms_rad_m";
+        source.refuse_if(needs_damping && has_none, key, message)?;
     }
-    Ok(content
-        .methods
-        .iter()
-        .map(|&name| method(content, name))
-        .collect())
+    let names = content.methods.iter();
+    Ok(names.map(|&name| method(content, name)).collect())
 }
 
 fn finite_element(source: &Source, parameters: &FiniteElement) -> Result<(), SweepFileError> {
@@ -63,12 +55,9 @@ fn finite_element(source: &Source, parameters: &FiniteElement) -> Result<(), Swe
         source.error(&key, error.to_string())
     })?;
     let elements = parameters.elements_per_cell;
-    if elements > MOST_ELEMENTS_PER_CELL {
-        let message = format!("{elements} are more than {MOST_ELEMENTS_PER_CELL}");
-        let key = "method.finite-element.elements_per_cell";
-        return Err(source.error(key, message));
-    }
-    Ok(())
+    let message = format!("{elements} are more than {MOST_ELEMENTS_PER_CELL}");
+    let key = "method.finite-element.elements_per_cell";
+    source.refuse_if(elements > MOST_ELEMENTS_PER_CELL, key, message)
 }
 
 /// A method with the parameters the file gives it.

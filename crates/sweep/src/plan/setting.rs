@@ -8,11 +8,14 @@ use linear::estimates::sampling_frequency;
 use linear::{Drillstring, Sites};
 
 use super::conditions::Conditions;
-use super::impulses;
+use super::impulses::ImpulseSettings;
 use super::lateral::{self, LateralSettings};
 use super::{sites, string};
 use crate::design::Design;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
+
+/// The samples of a raised cosine have its area from two on.
+const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
 
 /// A string, ready to be built.
 #[derive(Debug, Clone)]
@@ -65,8 +68,8 @@ impl Setting {
         let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
             AutoOr::Auto => (sampling_frequency(&string), true),
             AutoOr::Given(value) => {
-                source.within("sampling_frequency_hz", value, 1.0, 1e6, "Hz")?;
-                (value, false)
+                let key = "sampling_frequency_hz";
+                (source.within(key, value, 1.0, 1e6, "Hz")?, false)
             }
         };
         let sites = sites::resolve(source, content, &string)?;
@@ -84,11 +87,13 @@ impl Setting {
 
     /// An impulse between two samples would not be felt at all.
     pub(super) fn check_sampling(&self, source: &Source) -> Result<(), SweepFileError> {
-        let impulses = self.lateral.as_ref().map(|lateral| &lateral.impulses[..]);
-        impulses::are_sampled(
-            source,
-            impulses.unwrap_or_default(),
-            self.sampling_frequency,
-        )
+        let frequency = self.sampling_frequency;
+        let impulses = self.lateral.iter().flat_map(|lateral| &lateral.impulses);
+        for (index, ImpulseSettings { duration, .. }) in impulses.enumerate() {
+            let message = format!("{duration} s is shorter than two samples at {frequency} Hz");
+            let is_short = duration * frequency < LEAST_SAMPLES_OF_IMPULSE;
+            source.refuse_if(is_short, &format!("impulses[{index}].duration_s"), message)?;
+        }
+        Ok(())
     }
 }

@@ -13,31 +13,19 @@ use crate::sweep_file::{FileContent, SectionTable, Source, SweepFileError};
 pub fn resolve(source: &Source, content: &FileContent) -> Result<Drillstring, SweepFileError> {
     let table = &content.string;
     let (modulus, density) = (table.shear_modulus_gpa, table.density_kg_m3);
-    source.within("string.shear_modulus_gpa", modulus, 0.1, 1e3, "GPa")?;
-    source.within("string.density_kg_m3", density, 100.0, 3e4, "kg/m³")?;
+    let modulus = source.within("string.shear_modulus_gpa", modulus, 0.1, 1e3, "GPa")?;
+    let density = source.within("string.density_kg_m3", density, 100.0, 3e4, "kg/m³")?;
     let damping = table.torsional_damping_nms_rad_m;
     let axis = Axis::String(StringAxis::TorsionalDamping);
     source.check_axis("string.torsional_damping_nms_rad_m", axis, damping)?;
-    for (section, data) in table.sections.iter().enumerate() {
-        self::section(source, section, data)?;
-    }
-    let sections = table.sections.iter().map(|section| Section {
-        repeat: section.repeat,
-        parts: section
-            .parts
-            .iter()
-            .map(|part| Tube {
-                length: part.length_m,
-                inner_radius: part.inner_radius_m,
-                outer_radius: part.outer_radius_m,
-            })
-            .collect(),
-    });
+    let sections = (table.sections.iter().enumerate())
+        .map(|(section, data)| self::section(source, section, data))
+        .collect::<Result<_, _>>()?;
     let material = Material {
         shear_modulus: 1e9 * modulus,
         density,
     };
-    let string = Drillstring::new(material, sections.collect(), damping)
+    let string = Drillstring::new(material, sections, damping)
         .map_err(|error| source.error(&key_of(&error), error.to_string()))?;
     length(source, &string)?;
     Ok(string)
@@ -48,15 +36,11 @@ fn length(source: &Source, string: &Drillstring) -> Result<(), SweepFileError> {
     if string.length() <= LONGEST_STRING {
         return Ok(());
     }
-    let parts = string
-        .sections()
-        .iter()
-        .enumerate()
-        .flat_map(|(index, section)| {
-            let count = section.repeat as f64;
-            let parts = section.parts.iter().enumerate();
-            parts.map(move |(part, tube)| (count * tube.length, index, part))
-        });
+    let sections = string.sections().iter().enumerate();
+    let parts = sections.flat_map(|(index, section)| {
+        let parts = section.parts.iter().enumerate();
+        parts.map(move |(part, tube)| (section.repeat as f64 * tube.length, index, part))
+    });
     let (_, section, part) = parts
         .max_by(|one, other| one.0.total_cmp(&other.0))
         .unwrap_or_default();
@@ -68,8 +52,12 @@ fn length(source: &Source, string: &Drillstring) -> Result<(), SweepFileError> {
     Err(source.error(&key, message))
 }
 
-/// A quantity that could be an axis too has one range for both.
-fn section(source: &Source, section: usize, table: &SectionTable) -> Result<(), SweepFileError> {
+/// A section. A quantity that could be an axis too has one range for both.
+fn section(
+    source: &Source,
+    section: usize,
+    table: &SectionTable,
+) -> Result<Section, SweepFileError> {
     let key = format!("string.sections[{section}]");
     let axis = Axis::String(StringAxis::Repeat { section });
     source.check_axis(&format!("{key}.repeat"), axis, table.repeat as f64)?;
@@ -84,7 +72,15 @@ fn section(source: &Source, section: usize, table: &SectionTable) -> Result<(), 
             source.check_axis(&key, axis, *tube.clone().measure(measure))?;
         }
     }
-    Ok(())
+    let tubes = table.parts.iter().map(|part| Tube {
+        length: part.length_m,
+        inner_radius: part.inner_radius_m,
+        outer_radius: part.outer_radius_m,
+    });
+    Ok(Section {
+        repeat: table.repeat,
+        parts: tubes.collect(),
+    })
 }
 
 /// An axis of the string must have something to change.

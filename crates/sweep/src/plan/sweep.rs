@@ -8,7 +8,6 @@ use linear::Method;
 use super::bit::{self, Bit};
 use super::choice::{self, Choice};
 use super::conditions::{self, Conditions};
-use super::impulses;
 use super::map::{self, MapSettings};
 use super::methods;
 use super::setting::Setting;
@@ -196,6 +195,11 @@ impl Sweep {
     /// # Errors
     /// Names the impulse.
     pub fn impulses_are_felt(&self, case: usize, duration: f64) -> Result<(), SweepFileError> {
-        impulses::are_felt(&self.source, &self.content.impulses, case, duration)
+        for (index, impulse) in self.content.impulses.iter().enumerate() {
+            let (key, start) = (format!("impulses[{index}].start_s"), impulse.start_s);
+            let message = format!("{start} s is not before the end of case {case}, {duration} s");
+            self.source.refuse_if(start >= duration, &key, message)?;
+        }
+        Ok(())
     }
 }

@@ -8,23 +8,23 @@ use crate::sweep_file::{FileContent, Source, SweepFileError};
 /// # Errors
 /// Names the first.
 pub fn check(source: &Source, content: &FileContent) -> Result<(), SweepFileError> {
-    let check = |key: &str, text: Option<&String>| {
-        let Some(letter) = text.and_then(|text| text.chars().find(|&letter| steers(letter))) else {
-            return Ok(());
-        };
-        let code = u32::from(letter);
-        let message = format!("has the control character U+{code:04X}: leave it out");
-        Err(source.error(key, message))
-    };
-    check("title", content.title.as_ref())?;
-    for (index, section) in content.string.sections.iter().enumerate() {
-        check(
-            &format!("string.sections[{index}].name"),
-            section.name.as_ref(),
-        )?;
-    }
-    for (index, mark) in content.map.marks.iter().enumerate() {
-        check(&format!("map.marks[{index}].name"), Some(&mark.name))?;
+    let title = content
+        .title
+        .iter()
+        .map(|title| ("title".to_owned(), title));
+    let sections = content.string.sections.iter().enumerate();
+    let sections = sections.flat_map(|(index, section)| {
+        let key = format!("string.sections[{index}].name");
+        section.name.as_ref().map(|name| (key, name))
+    });
+    let marks = content.map.marks.iter().enumerate();
+    let marks = marks.map(|(index, mark)| (format!("map.marks[{index}].name"), &mark.name));
+    for (key, text) in title.chain(sections).chain(marks) {
+        if let Some(letter) = text.chars().find(|&letter| steers(letter)) {
+            let code = u32::from(letter);
+            let message = format!("has the control character U+{code:04X}: leave it out");
+            return Err(source.error(&key, message));
+        }
     }
     Ok(())
 }

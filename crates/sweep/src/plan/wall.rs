@@ -63,10 +63,9 @@ pub fn resolve(
     if let Some(friction) = friction {
         source.check_axis(&key, Axis::Friction, friction)?;
     }
-    if friction.is_none() && !friction_by_axis {
-        let message = "is needed: give a number, or make it an axis of the design";
-        return Err(source.error("wall.friction", message));
-    }
+    let is_missing = friction.is_none() && !friction_by_axis;
+    let message = "is needed: give a number, or make it an axis of the design";
+    source.refuse_if(is_missing, "wall.friction", message)?;
     Ok(WallSettings {
         clearance: 1e-3 * clearance,
         stiffness: stiffness.map_or(f64::INFINITY, |stiffness| 1e9 * stiffness),

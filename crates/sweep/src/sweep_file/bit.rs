@@ -7,20 +7,15 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 pub struct BitTable {
     /// T_d, N m.
-    #[serde(default)]
     pub torque_dynamic_nm: Option<f64>,
     /// The rock that gives T_d from the weight on bit.
-    #[serde(default)]
     pub rock: Option<RockName>,
     /// A rock's own law, with `rock = "law"`.
-    #[serde(default)]
     pub law: Option<LawTable>,
     /// A rock's own table, with `rock = "table"`: rows of weight on bit (kN)
     /// and T_d (N m), both increasing.
-    #[serde(default)]
     pub table_kn_nm: Option<Vec<(f64, f64)>>,
     /// Weight on bit, kN.
-    #[serde(default)]
     pub weight_on_bit_kn: Option<f64>,
     /// T_s / T_d. Default 1.2.
     #[serde(default = "default_static_ratio")]
@@ -64,9 +59,7 @@ pub struct LawTable {
     /// Wear-flat length ℓ, mm.
     pub wear_flat_mm: f64,
     /// Weight on bit beyond which cuttings are cleared poorly, kN.
-    #[serde(default)]
     pub poor_cleaning_from_kn: Option<f64>,
     /// Torque per weight on bit beyond, N m per kN.
-    #[serde(default)]
     pub poor_cleaning_nm_per_kn: Option<f64>,
 }

@@ -14,26 +14,15 @@ pub enum NoPlace {
     /// Its string has no bending constants.
     #[error("needs a table [string.bending]")]
     Bending,
-    /// Its string has fewer sections.
-    #[error("the string has {count} sections, from 0")]
-    Section {
-        /// How many there are.
-        count: usize,
-    },
-    /// The section has fewer parts.
-    #[error("section {section} has {count} parts, from 0")]
-    Part {
-        /// Which section.
-        section: usize,
-        /// How many parts it has.
-        count: usize,
-    },
-    /// It has fewer sites.
-    #[error("the file has {count} [[sites]], from 0")]
-    Site {
-        /// How many there are.
-        count: usize,
-    },
+    /// Its string has only so many sections.
+    #[error("the string has {0} sections, from 0")]
+    Section(usize),
+    /// A section has only so many parts.
+    #[error("section {0} has {1} parts, from 0")]
+    Part(usize, usize),
+    /// It has only so many sites.
+    #[error("the file has {0} [[sites]], from 0")]
+    Site(usize),
 }
 
 impl FileContent {
@@ -53,10 +42,8 @@ impl FileContent {
                 measure,
             } => {
                 let parts = &mut self.section(section)?.parts;
-                let count = parts.len();
-                let tube = parts.get_mut(part);
-                let tube = tube.ok_or(NoPlace::Part { section, count })?;
-                *tube.measure(measure) = value;
+                let nowhere = NoPlace::Part(section, parts.len());
+                *parts.get_mut(part).ok_or(nowhere)?.measure(measure) = value;
             }
             StringAxis::SitePlace { site } => self.move_site(site, value)?,
         }
@@ -64,21 +51,18 @@ impl FileContent {
     }
 
     fn bending(&mut self) -> Result<&mut BendingTable, NoPlace> {
-        let bending = self.string.bending.as_mut();
-        bending.ok_or(NoPlace::Bending)
+        self.string.bending.as_mut().ok_or(NoPlace::Bending)
     }
 
     fn section(&mut self, section: usize) -> Result<&mut SectionTable, NoPlace> {
-        let sections = &mut self.string.sections;
-        let count = sections.len();
-        let section = sections.get_mut(section);
-        section.ok_or(NoPlace::Section { count })
+        let nowhere = NoPlace::Section(self.string.sections.len());
+        self.string.sections.get_mut(section).ok_or(nowhere)
     }
 
     /// Impulses and masses at a site go with it.
     fn move_site(&mut self, site: usize, distance: f64) -> Result<(), NoPlace> {
-        let count = self.sites.len();
-        let table = (self.sites.get_mut(site)).ok_or(NoPlace::Site { count })?;
+        let nowhere = NoPlace::Site(self.sites.len());
+        let table = self.sites.get_mut(site).ok_or(nowhere)?;
         let before = std::mem::replace(&mut table.distance_from_bit_m, distance);
         let impulses = self.impulses.iter_mut();
         let masses = self.eccentric_masses.iter_mut();

@@ -29,13 +29,10 @@ pub struct DesignTable {
     #[serde(default)]
     pub axes: BTreeMap<Axis, AxisRange>,
     /// Number of Monte Carlo cases.
-    #[serde(default)]
     pub cases: Option<usize>,
     /// Seed of a Monte Carlo design. Default 0.
-    #[serde(default)]
     pub seed: Option<u64>,
     /// CSV file of a list, beside the file that names it.
-    #[serde(default)]
     pub file: Option<PathBuf>,
 }
 

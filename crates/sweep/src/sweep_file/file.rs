@@ -3,13 +3,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::accuracy::Accuracy;
-use super::auto::AutoOr;
 use super::bit::BitTable;
 use super::design::DesignTable;
 use super::lateral::{EccentricMassTable, ImpulseTable, SiteTable, WallTable};
 use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
+use super::number_or::{Accuracy, AutoOr};
 use super::string::StringTable;
 
 /// A sweep file, its bases merged in, as it is written.

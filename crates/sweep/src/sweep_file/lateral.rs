@@ -50,10 +50,8 @@ pub struct ImpulseTable {
     /// Which site, by its distance from the bit, m.
     pub distance_from_bit_m: f64,
     /// Its amount, N s.
-    #[serde(default)]
     pub amount_ns: Option<f64>,
     /// Its amount in multiples of I₀, which just brings the site to the wall.
-    #[serde(default)]
     pub ratio: Option<f64>,
     /// When it begins, s. Default 1.
     #[serde(default = "default_start")]
@@ -93,12 +91,9 @@ pub struct SiteTable {
     /// Distance from the bit, m.
     pub distance_from_bit_m: f64,
     /// Clearance here, mm, instead of the wall's.
-    #[serde(default)]
     pub clearance_mm: Option<f64>,
     /// Contact stiffness here, GN/m^(3/2), instead of the wall's.
-    #[serde(default)]
     pub stiffness_gn_m15: Option<f64>,
     /// Friction here, instead of the wall's; an axis changes it everywhere.
-    #[serde(default)]
     pub friction: Option<f64>,
 }

@@ -23,18 +23,13 @@ pub struct MarkTable {
     /// What is written beside it.
     pub name: String,
     /// Surface speed, rpm.
-    #[serde(default)]
     pub surface_speed_rpm: Option<f64>,
     /// Weight on bit, kN; with a rock, T_d will do.
-    #[serde(default)]
     pub weight_on_bit_kn: Option<f64>,
     /// T_d, N m.
-    #[serde(default)]
     pub torque_dynamic_nm: Option<f64>,
     /// Impulse in multiples of I₀.
-    #[serde(default)]
     pub impulse_ratio: Option<f64>,
     /// Friction.
-    #[serde(default)]
     pub friction: Option<f64>,
 }

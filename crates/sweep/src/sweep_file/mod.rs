@@ -1,8 +1,6 @@
 //! The sweep file as it is written: its text with its bases, its keys, and errors with
 //! file, line and key. What the keys mean together is the business of `plan`.
 
-mod accuracy;
-mod auto;
 mod bit;
 mod change;
 mod design;
@@ -19,8 +17,6 @@ mod source;
 mod string;
 mod wording;
 
-pub use accuracy::{Accuracy, per_cent};
-pub use auto::AutoOr;
 pub use bit::{BitTable, LawTable, RockName};
 pub use design::{AxisRange, DesignKind, DesignTable, Spacing};
 pub use error::SweepFileError;
@@ -28,6 +24,7 @@ pub use file::FileContent;
 pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SupportName};
 pub use map::MarkTable;
 pub use methods::MethodName;
+pub use number_or::{Accuracy, AutoOr, per_cent};
 pub use source::{Source, TextOf};
 pub use string::SectionTable;
 pub use wording::nearest;

@@ -1,17 +1,18 @@
-//! Values that are a number or a text that stands for one.
+//! Values that are a number or a text that stands for one: an accuracy, `"auto"`.
 
 use std::fmt;
 
 use serde::de::{Error, Unexpected, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// Reads such a value.
-pub struct NumberOr<Value> {
+struct NumberOr<Value> {
     /// What is meant, as a user is told.
-    pub expected: &'static str,
+    expected: &'static str,
     /// What a number means.
-    pub of_number: fn(f64) -> Value,
+    of_number: fn(f64) -> Value,
     /// What a text means, if anything.
-    pub of_text: fn(&str) -> Option<Value>,
+    of_text: fn(&str) -> Option<Value>,
 }
 
 impl<T> Visitor<'_> for NumberOr<T> {
@@ -31,5 +32,57 @@ impl<T> Visitor<'_> for NumberOr<T> {
 
     fn visit_i64<E>(self, value: i64) -> Result<T, E> {
         Ok((self.of_number)(value as f64))
+    }
+}
+
+/// The largest error wanted, relative: 0.01 is one per cent.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize)]
+#[serde(transparent)]
+pub struct Accuracy(pub f64);
+
+impl fmt::Display for Accuracy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} %", per_cent(self.0))
+    }
+}
+
+/// A part of one in per cent, to three digits.
+pub fn per_cent(part: f64) -> f64 {
+    let per_cent = 100.0 * part;
+    format!("{per_cent:.2e}").parse().unwrap_or(per_cent)
+}
+
+impl<'de> Deserialize<'de> for Accuracy {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(NumberOr {
+            expected: "an accuracy such as \"1 %\" or 0.01",
+            of_number: Accuracy,
+            of_text: |text| {
+                let number = text.strip_suffix('%')?.trim_end();
+                Some(Accuracy(number.parse::<f64>().ok()? / 100.0))
+            },
+        })
+    }
+}
+
+/// A number, or `"auto"`.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum AutoOr {
+    /// By rule.
+    #[default]
+    Auto,
+    /// As given.
+    #[serde(untagged)]
+    Given(f64),
+}
+
+impl<'de> Deserialize<'de> for AutoOr {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(NumberOr {
+            expected: "a number or \"auto\"",
+            of_number: AutoOr::Given,
+            of_text: |text| (text == "auto").then_some(AutoOr::Auto),
+        })
     }
 }

@@ -5,7 +5,6 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
-use thiserror::Error;
 use toml::de::{DeTable, DeValue};
 
 use super::error::SweepFileError;
@@ -96,6 +95,22 @@ impl Source {
         }
     }
 
+    /// Refuses the value at `key` where it is wrong.
+    ///
+    /// # Errors
+    /// Where it is.
+    pub fn refuse_if(
+        &self,
+        is_wrong: bool,
+        key: &str,
+        message: impl Into<String>,
+    ) -> Result<(), SweepFileError> {
+        if is_wrong {
+            return Err(self.error(key, message));
+        }
+        Ok(())
+    }
+
     /// What a check says of the value at `key`.
     ///
     /// # Errors
@@ -116,10 +131,10 @@ impl Source {
         self.checked(key, axis.check(value))
     }
 
-    /// Refuses a value at `key` outside a range.
+    /// The value at `key`, which is in a range.
     ///
     /// # Errors
-    /// Where it is.
+    /// Where it is not.
     pub fn within(
         &self,
         key: &str,
@@ -127,8 +142,8 @@ impl Source {
         least: f64,
         most: f64,
         unit: &'static str,
-    ) -> Result<(), SweepFileError> {
-        self.checked(key, within(value, least, most, unit))
+    ) -> Result<f64, SweepFileError> {
+        self.checked(key, within(value, least, most, unit).map(|()| value))
     }
 
     /// An error about the sweep file as a whole.
@@ -169,16 +184,15 @@ impl Source {
         })?;
         if let Some((key, value)) = table.get_ref().get_key_value("base") {
             let line = lines.of(key.span().start);
+            let no_base = |message: String| unusable(Some(line), Some("base"), message);
             let DeValue::String(base) = value.get_ref() else {
-                let message = "names a file, so it is a string".to_owned();
-                return Err(unusable(Some(line), Some("base"), message));
+                return Err(no_base("names a file, so it is a string".to_owned()));
             };
             let base = path.parent().unwrap_or(Path::new("")).join(base.as_ref());
-            self.check_base(&base)
-                .map_err(|error| unusable(Some(line), Some("base"), error.to_string()))?;
+            self.check_base(&base).map_err(no_base)?;
             self.add_file(&base, text_of)
                 .map_err(|error| match error.line {
-                    None => unusable(Some(line), Some("base"), error.to_string()),
+                    None => no_base(error.to_string()),
                     Some(_) => error,
                 })?;
         }
@@ -199,24 +213,20 @@ impl Source {
         Ok(())
     }
 
-    fn check_base(&self, base: &Path) -> Result<(), BaseError> {
+    /// Why a file is refused as a base.
+    fn check_base(&self, base: &Path) -> Result<(), String> {
         let same = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let file = same(base);
         if self.files.iter().any(|known| same(known) == file) {
-            return Err(BaseError::Circle(base.to_owned()));
+            let base = base.display();
+            return Err(format!(
+                "the bases go in a circle: {base} would be its own base"
+            ));
         }
         if self.files.len() >= MOST_FILES {
-            return Err(BaseError::TooMany);
+            let message = "files, each the base of the one before";
+            return Err(format!("there are more than {MOST_FILES} {message}"));
         }
         Ok(())
     }
-}
-
-/// Why a file is refused as a base.
-#[derive(Debug, Error)]
-enum BaseError {
-    #[error("the bases go in a circle: {} would be its own base", .0.display())]
-    Circle(PathBuf),
-    #[error("there are more than {MOST_FILES} files, each the base of the one before")]
-    TooMany,
 }

@@ -16,7 +16,6 @@ pub struct StringTable {
     /// Distributed torsional damping c_t, N m s/rad per metre of string.
     pub torsional_damping_nms_rad_m: f64,
     /// Bending constants, needed with a wall.
-    #[serde(default)]
     pub bending: Option<BendingTable>,
     /// Sections from the surface down.
     pub sections: Vec<SectionTable>,
@@ -27,7 +26,6 @@ pub struct StringTable {
 #[serde(deny_unknown_fields)]
 pub struct SectionTable {
     /// What it is, for the reader.
-    #[serde(default)]
     pub name: Option<String>,
     /// Number of cells.
     pub repeat: usize,

@@ -52,7 +52,11 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
             }
             Place::OtherFormat(format) => {
                 bail!(UsageError(
-                    LogError::other_format(&log, *format).to_string()
+                    LogError::OtherFormat {
+                        path: log,
+                        format: *format
+                    }
+                    .to_string()
                 ))
             }
             Place::Free | Place::Torn => {}

@@ -17,7 +17,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_string;
 use crate::cli::InspectArguments;
-use crate::memory::{Purpose, admit, estimate};
+use crate::memory::{Demand, Purpose, admit};
 use description::{describe_left_out, describe_methods, describe_string, describe_work};
 use responses::response_picture;
 
@@ -36,7 +36,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     let built = start.elapsed().as_secs_f64();
     let cost = Cost {
-        memory: estimate(&sweep, &setting, &survey, Purpose::Labels, &limit)?,
+        memory: Demand::of(&sweep, &setting, &survey, Purpose::Labels)?.within(&limit),
         limit,
         time: of_built(&sweep, &survey, &systems, built),
     };

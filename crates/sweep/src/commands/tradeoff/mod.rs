@@ -27,7 +27,7 @@ pub fn tradeoff(arguments: &TradeoffArguments, terminal: Terminal) -> Result<Sta
     use_threads(arguments.jobs, terminal)?;
     let ladder = ladder(&arguments.ladder)?;
     let measures = if arguments.measures.is_empty() {
-        Measure::ALL.to_vec()
+        Measure::all().to_vec()
     } else {
         arguments.measures.clone()
     };

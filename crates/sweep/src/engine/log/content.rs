@@ -8,8 +8,7 @@ use rayon::prelude::*;
 use super::about::parse_about;
 use super::error::{LogError, file_error};
 use super::header::{Header, Place};
-use super::line::Scan;
-use super::record::parse_record;
+use super::line::{Scan, parse_record};
 use crate::engine::Record;
 
 /// Cases whose records are put in order at once, in memory.

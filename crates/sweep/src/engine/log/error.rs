@@ -20,7 +20,7 @@ pub enum LogError {
     /// It is written in another way.
     #[error(
         "{path} is a log of format {format}, by another version of this program, and this one \
-         reads format {ours}: go on with that version, choose another --out, or begin anew with \
+         reads format {FORMAT}: go on with that version, choose another --out, or begin anew with \
          --fresh"
     )]
     OtherFormat {
@@ -28,8 +28,6 @@ pub enum LogError {
         path: PathBuf,
         /// Its format.
         format: u64,
-        /// The format of this program.
-        ours: u64,
     },
     /// It cannot be read or written.
     #[error("{path} cannot be {what}: {error}")]
@@ -41,17 +39,6 @@ pub enum LogError {
         /// What the system says.
         error: io::Error,
     },
-}
-
-impl LogError {
-    /// A log of another version of the format.
-    pub fn other_format(path: &Path, format: u64) -> Self {
-        Self::OtherFormat {
-            path: path.to_owned(),
-            format,
-            ours: FORMAT,
-        }
-    }
 }
 
 pub(super) fn file_error(path: &Path, what: &'static str, error: io::Error) -> LogError {

@@ -103,7 +103,10 @@ pub fn log_place(path: &Path, ours: &Header) -> Result<Place, LogError> {
 pub fn read_header(path: &Path) -> Result<Option<Header>, LogError> {
     match first_line(path)?.and_then(|line| Header::parse(&line)) {
         Some(Place::Log(header)) => Ok(Some(*header)),
-        Some(Place::OtherFormat(format)) => Err(LogError::other_format(path, format)),
+        Some(Place::OtherFormat(format)) => {
+            let path = path.to_owned();
+            Err(LogError::OtherFormat { path, format })
+        }
         _ => Ok(None),
     }
 }

@@ -1,7 +1,9 @@
-//! Lines with a checksum, and where they are in a file.
+//! Lines with a checksum, what they say, and where they are in a file.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
+
+use crate::engine::Record;
 
 /// A line longer than this is none of ours, bytes.
 pub(super) const LONGEST_LINE: u64 = 1 << 26;
@@ -20,6 +22,20 @@ pub(super) fn parse_line(line: &[u8]) -> Option<&str> {
         && checksum.bytes().all(digits)
         && u32::from_str_radix(checksum, 16) == Ok(crc32fast::hash(text.as_bytes()));
     is_whole.then_some(text)
+}
+
+/// The line of a record. Its numbers are read back to the last bit, for every one of them
+/// is finite: a case with another has no answer.
+///
+/// # Errors
+/// None that a case could cause.
+pub fn record_line(record: &Record) -> serde_json::Result<String> {
+    Ok(checked(&serde_json::to_string(record)?))
+}
+
+/// What a line says, if it is a whole record.
+pub(super) fn parse_record(line: &[u8]) -> Option<Record> {
+    serde_json::from_str(parse_line(line)?).ok()
 }
 
 /// Lines of a part of a file.

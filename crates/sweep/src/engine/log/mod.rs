@@ -14,7 +14,6 @@ mod content;
 mod error;
 mod header;
 mod line;
-mod record;
 #[cfg(test)]
 mod tests;
 
@@ -22,7 +21,7 @@ pub use about::read_about;
 pub use content::LogView;
 pub use error::LogError;
 pub use header::{Header, Place, log_place, read_header};
-pub use record::record_line;
+pub use line::record_line;
 
 use std::fs::File;
 use std::io::{self, Write};

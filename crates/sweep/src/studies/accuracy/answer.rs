@@ -3,9 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use anyhow::{Context, Result, bail, ensure};
 use sim::{LateralRegime, Outcome, TorsionRegime};
-
-use super::error::AccuracyError;
 
 /// What a method answers to one probe.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -96,10 +95,9 @@ pub fn largest_difference(
     found: &[Answer],
     reference: &[Answer],
     asked: f64,
-) -> Result<Difference, AccuracyError> {
-    if found.is_empty() || found.len() != reference.len() {
-        return Err(AccuracyError::NoAnswers);
-    }
+) -> Result<Difference> {
+    let is_comparable = !found.is_empty() && found.len() == reference.len();
+    ensure!(is_comparable, "there is nothing to compare");
     // Sums of squares, and how many.
     let mut sums: BTreeMap<&str, (f64, f64)> = BTreeMap::new();
     for (found, expected) in found.iter().zip(reference) {
@@ -120,33 +118,21 @@ pub fn largest_difference(
 }
 
 /// The relative differences of one probe, with what they are of.
-fn differences(
-    found: &Answer,
-    expected: &Answer,
-    asked: f64,
-) -> Result<Vec<(&'static str, f64)>, AccuracyError> {
+fn differences(found: &Answer, expected: &Answer, asked: f64) -> Result<Vec<(&'static str, f64)>> {
     let case = expected.case;
     let relative = |found: f64, expected: f64| {
         (found - expected).abs() / expected.abs().max(f64::MIN_POSITIVE)
     };
     let mut differences = Vec::new();
-    match (found.limit, expected.limit) {
-        (Some(found), Some(expected)) => {
-            differences.push(("limit between regimes", relative(found, expected)));
-        }
-        (None, Some(_)) => return Err(AccuracyError::NoLimit(case)),
-        (_, None) => {}
+    if let Some(expected) = expected.limit {
+        let no_limit = || format!("the limit near case {case} is not found");
+        let found = found.limit.with_context(no_limit)?;
+        differences.push(("limit between regimes", relative(found, expected)));
     }
-    if found.regimes != expected.regimes {
-        let distance = expected
-            .limit
-            .map_or(f64::INFINITY, |limit| limit.ln().abs());
-        if distance > asked {
-            return Err(AccuracyError::OtherRegimes {
-                case,
-                found: found.regimes.clone(),
-                expected: expected.regimes.clone(),
-            });
+    let (regimes, others) = (&found.regimes, &expected.regimes);
+    if regimes != others {
+        if expected.limit.is_none_or(|limit| limit.ln().abs() > asked) {
+            bail!("case {case} is {regimes} instead of {others}");
         }
         return Ok(differences);
     }

@@ -22,9 +22,7 @@
 
 mod answer;
 mod candidates;
-mod error;
 mod probes;
-mod rung;
 mod search;
 
 use linear::Method;

@@ -1,6 +1,7 @@
 //! A few of the sweep's own cases, simulated to compare methods, and the limits near
 //! them.
 
+use anyhow::{Result, anyhow, bail};
 use linear::Method;
 use linear::cost::Memory;
 use linear::deviation::{bending_error, torsion_error};
@@ -9,7 +10,6 @@ use rayon::prelude::*;
 use sim::Stopping;
 
 use super::answer::{Answer, Difference, is_inside, measures, regimes};
-use super::error::AccuracyError;
 use crate::engine::{MethodSystem, StringMemory};
 use crate::memory::{Limit, Size};
 use crate::plan::{Conditions, Setting, Sweep};
@@ -57,7 +57,7 @@ impl<'a> Probes<'a> {
     ///
     /// # Errors
     /// Where none of them can be.
-    pub fn of(sweep: &'a Sweep, asked: f64, limit: &Limit) -> Result<Self, AccuracyError> {
+    pub fn of(sweep: &'a Sweep, asked: f64, limit: &Limit) -> Result<Self> {
         let mut found = Self {
             sweep,
             probes: Vec::new(),
@@ -68,7 +68,7 @@ impl<'a> Probes<'a> {
         };
         let cases = sweep.design.cases();
         let count = cases.min(MOST_PROBES);
-        let mut reason = AccuracyError::NoAnswers;
+        let mut reason = anyhow!("there is nothing to compare");
         for case in (0..count).map(|index| (2 * index + 1) * cases / (2 * count)) {
             // A string that cannot be has cases that fail, and nothing to compare.
             match found.longest_of(case) {
@@ -99,7 +99,7 @@ impl<'a> Probes<'a> {
         self.longest = self.longest.max(longest);
     }
 
-    fn longest_of(&self, case: usize) -> Result<f64, AccuracyError> {
+    fn longest_of(&self, case: usize) -> Result<f64> {
         let values = self.sweep.design.values(case);
         let setting = self.sweep.setting_at(&values)?;
         let mut longest = 0.0f64;
@@ -114,17 +114,13 @@ impl<'a> Probes<'a> {
     /// The conditions of a case with its surface speed, or its friction where there is a
     /// wall, multiplied.
     fn conditions(&self, case: usize, factor: f64) -> Conditions {
-        let conditions = self.sweep.conditions_at(&self.sweep.design.values(case));
+        let mut conditions = self.sweep.conditions_at(&self.sweep.design.values(case));
         if self.sweep.setting.lateral.is_some() {
-            return Conditions {
-                friction_factor: Some(factor),
-                ..conditions
-            };
+            conditions.friction_factor = Some(factor);
+        } else if let Some(speed) = &mut conditions.surface_speed_rpm {
+            *speed *= factor;
         }
-        Conditions {
-            surface_speed_rpm: conditions.surface_speed_rpm.map(|speed| factor * speed),
-            ..conditions
-        }
+        conditions
     }
 
     /// The method of the reference. In torsion alone the limit of stick-slip hangs on
@@ -144,10 +140,10 @@ impl<'a> Probes<'a> {
     }
 
     /// The setting of a string's case, sampled at another frequency.
-    fn setting(&self, case: usize, frequency: f64) -> Result<Setting, AccuracyError> {
+    fn setting(&self, case: usize, frequency: f64) -> Result<Setting> {
         let values = self.sweep.design.values(case);
         let setting = self.sweep.setting_sampled(&values, frequency);
-        setting.map_err(AccuracyError::Sampling)
+        setting.map_err(|error| anyhow!(error.message().to_owned()))
     }
 
     /// The memory that a method's systems keep, bytes, where they can be built beside
@@ -155,7 +151,7 @@ impl<'a> Probes<'a> {
     ///
     /// # Errors
     /// Where building and stepping them would take more than the limit.
-    pub fn fits(&self, method: Method, frequency: f64, held: f64) -> Result<f64, AccuracyError> {
+    pub fn fits(&self, method: Method, frequency: f64, held: f64) -> Result<f64> {
         let cuts = self.sweep.bit.is_some();
         // A string that cannot be is told when it is to be built.
         let settings = (self.strings.iter()).filter_map(|&case| self.setting(case, frequency).ok());
@@ -174,7 +170,8 @@ impl<'a> Probes<'a> {
         let stepped = Memory::lasting(rayon::current_num_threads() as f64 * case);
         let bytes = held + systems.then(stepped).peak;
         if bytes > self.limit.bytes {
-            return Err(AccuracyError::TooLarge(Size(bytes), self.limit));
+            let (size, limit) = (Size(bytes), self.limit);
+            bail!("is too large for the memory: {size}, more than {limit}; --memory changes that");
         }
         Ok(systems.kept)
     }
@@ -183,20 +180,19 @@ impl<'a> Probes<'a> {
     ///
     /// # Errors
     /// Where it cannot treat one, or a stuck site chatters.
-    pub fn systems(&self, method: Method, frequency: f64) -> Result<Systems, AccuracyError> {
+    pub fn systems(&self, method: Method, frequency: f64) -> Result<Systems> {
         let build = |&case: &usize| {
             let setting = self.setting(case, frequency)?;
             let cuts = self.sweep.bit.is_some();
             let system = MethodSystem::build(&setting, method, cuts, self.longest)
-                .map_err(AccuracyError::Build)?;
+                .map_err(|error| anyhow!("{error:#}"))?;
             match system.instability() {
-                Some(instability) => Err(AccuracyError::Unstable(instability)),
+                Some(instability) => Err(instability.into()),
                 None => Ok(system),
             }
         };
         // The first string's error, whichever was found first.
-        let systems: Vec<Result<MethodSystem, AccuracyError>> =
-            self.strings.par_iter().map(build).collect();
+        let systems: Vec<Result<MethodSystem>> = self.strings.par_iter().map(build).collect();
         systems.into_iter().collect()
     }
 
@@ -275,7 +271,7 @@ impl<'a> Probes<'a> {
     ///
     /// # Errors
     /// Where they are none of these strings'.
-    pub fn linear_error(&self, systems: &Systems) -> Result<Difference, AccuracyError> {
+    pub fn linear_error(&self, systems: &Systems) -> Result<Difference> {
         let mut worst = Difference {
             part: 0.0,
             of: "the linear responses".to_owned(),

@@ -1,14 +1,13 @@
 //! The search for the cheapest candidate.
 
+use anyhow::{Error, Result, anyhow, bail};
 use linear::Method;
 use linear::estimates::sampling_frequency;
 use sim::Stopping;
 
 use super::answer::{Answer, Difference, largest_difference};
 use super::candidates::{FREQUENCIES, candidate, methods};
-use super::error::AccuracyError;
 use super::probes::{Probes, Systems};
-use super::rung::{Rung, memory_of, uncertainty_of};
 use crate::plan::{Candidate, Choice, Tried};
 use crate::sweep_file::per_cent;
 
@@ -41,7 +40,7 @@ impl Search<'_> {
     ///
     /// # Errors
     /// Where nothing delivers the accuracy within the memory.
-    pub fn run(&self) -> Result<(Method, Choice), AccuracyError> {
+    pub fn run(&self) -> Result<(Method, Choice)> {
         let asked = self.asked;
         let mut rungs = self.up_to_reference()?;
         let mut tried: Vec<Tried> = Vec::new();
@@ -49,7 +48,7 @@ impl Search<'_> {
         while let Some((reference, below)) = rungs.split_last() {
             let held = memory_of(&rungs);
             let uncertainty = uncertainty_of(&rungs, asked)
-                .map_err(|reason| AccuracyError::Reference(Box::new(reason)))?
+                .map_err(|reason| anyhow!("the reference: {reason}"))?
                 .part;
             let allowed = asked - uncertainty;
             for rung in &below[next..] {
@@ -76,11 +75,10 @@ impl Search<'_> {
             let finer = self.build_rung(frequency, &rungs);
             rungs.push(finer.map_err(|reason| {
                 let best = format!("{}; {reason}", best_of(&tried));
-                AccuracyError::NothingDelivers { asked, best }
+                nothing_delivers(asked, &best)
             })?);
         }
-        let best = best_of(&tried);
-        Err(AccuracyError::NothingDelivers { asked, best })
+        Err(nothing_delivers(asked, &best_of(&tried)))
     }
 
     /// The first candidate at one frequency whose error is within `allowed`, with that;
@@ -95,7 +93,7 @@ impl Search<'_> {
         held: f64,
         allowed: f64,
         tried: &mut Vec<Tried>,
-    ) -> Result<Option<(Method, Candidate, f64)>, AccuracyError> {
+    ) -> Result<Option<(Method, Candidate, f64)>> {
         for method in methods() {
             let candidate = candidate(&method, rung.frequency);
             (self.tell)(Attempt {
@@ -106,7 +104,7 @@ impl Search<'_> {
                 None
             } else {
                 let fits = self.probes.fits(method, rung.frequency, held);
-                fits.map_err(|why| AccuracyError::Untried(candidate.clone(), Box::new(why)))?;
+                fits.map_err(|why| anyhow!("{candidate} {why}"))?;
                 Some(self.probes.systems(method, rung.frequency))
             };
             let systems = built.as_ref().unwrap_or(&rung.systems);
@@ -140,7 +138,7 @@ impl Search<'_> {
         systems: &Systems,
         reference: &[Answer],
         allowed: f64,
-    ) -> Result<Difference, AccuracyError> {
+    ) -> Result<Difference> {
         let linear = self.probes.linear_error(systems)?;
         if linear.part > allowed {
             return Ok(linear);
@@ -156,7 +154,7 @@ impl Search<'_> {
 
     /// The reference's method at every frequency up to the first that can be the
     /// reference.
-    fn up_to_reference(&self) -> Result<Vec<Rung>, AccuracyError> {
+    fn up_to_reference(&self) -> Result<Vec<Rung>> {
         let asked = self.asked;
         let certain = REFERENCE_PART * asked;
         let least = sampling_frequency(&self.probes.sweep.setting.string);
@@ -177,16 +175,16 @@ impl Search<'_> {
             };
             best = format!("from a quarter of {frequency} Hz to that, {change}");
         }
-        let best = format!("certain to {} %, but {best}", per_cent(certain));
-        Err(AccuracyError::Uncertain { asked, best })
+        let (asked, certain) = (per_cent(asked), per_cent(certain));
+        bail!("{asked} % cannot be told: the reference is to be certain to {certain} %, but {best}")
     }
 
     /// Finer frequencies only take more memory: an error ends the search.
-    fn build_rung(&self, frequency: f64, before: &[Rung]) -> Result<Rung, AccuracyError> {
+    fn build_rung(&self, frequency: f64, before: &[Rung]) -> Result<Rung> {
         let probes = self.probes;
         let method = probes.reference();
         let fits = probes.fits(method, frequency, memory_of(before));
-        let kept = fits.map_err(|why| AccuracyError::NoReference(frequency, Box::new(why)))?;
+        let kept = fits.map_err(|why| anyhow!("at {frequency} Hz the reference {why}"))?;
         (self.tell)(Attempt {
             candidate: candidate(&method, frequency),
             is_reference: true,
@@ -205,6 +203,38 @@ impl Search<'_> {
             answers,
         })
     }
+}
+
+/// The reference's method at one sampling frequency.
+struct Rung {
+    method: Method,
+    /// Hz.
+    frequency: f64,
+    /// Its systems, or why it has none.
+    systems: Result<Systems>,
+    /// Memory that the systems take, bytes.
+    kept: f64,
+    /// Its answers; none without systems.
+    answers: Vec<Answer>,
+}
+
+/// Memory that the systems of some frequencies take, bytes.
+fn memory_of(rungs: &[Rung]) -> f64 {
+    rungs.iter().map(|rung| rung.kept).sum()
+}
+
+/// By how much the last answers may be wrong: by what they changed over two doublings,
+/// for over one they may agree by chance.
+fn uncertainty_of(rungs: &[Rung], asked: f64) -> Result<Difference> {
+    let [.., quarter, _, whole] = rungs else {
+        bail!("there is nothing to compare");
+    };
+    largest_difference(&quarter.answers, &whole.answers, asked)
+}
+
+/// Everything tried is further from the reference than the accuracy asked for.
+fn nothing_delivers(asked: f64, best: &str) -> Error {
+    anyhow!("nothing delivers {} %{best}", per_cent(asked))
 }
 
 /// The best of what was tried, in words.

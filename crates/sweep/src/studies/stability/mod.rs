@@ -39,38 +39,32 @@ pub struct Entry {
 /// Where a scene or a linear system cannot be built.
 pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
     let groups: Vec<&[Cell]> = cells.chunk_by(Cell::shares_responses).collect();
-    let entries: Vec<Result<Vec<Entry>>> = (groups.par_iter().with_max_len(1))
+    let found: Vec<Result<Vec<Findings>>> = (groups.par_iter().with_max_len(1))
         .map(|group| {
             let findings = examine(group)?;
             group.iter().for_each(|_| done());
-            let entries = group.iter().copied().zip(findings);
-            Ok(entries
-                .map(|(cell, findings)| Entry { cell, findings })
-                .collect())
+            Ok(findings)
         })
         .collect();
-    let entries: Result<Vec<Vec<Entry>>> = entries.into_iter().collect();
-    Ok(entries?.concat())
+    let found = found.into_iter().collect::<Result<Vec<_>>>()?.concat();
+    let entries = cells.iter().copied().zip(found);
+    Ok(entries
+        .map(|(cell, findings)| Entry { cell, findings })
+        .collect())
 }
 
 /// Cells of the same responses.
 fn examine(group: &[Cell]) -> Result<Vec<Findings>> {
-    let whirls = |cell: &Cell| {
-        matches!(
-            cell.family,
-            Family::Stiffness | Family::Sites | Family::LongWhirl
-        )
+    let Approach::Method(method) = group[0].approach else {
+        return group.iter().map(bending::chain).collect();
     };
-    match group.first().map(|first| (first, first.approach)) {
-        Some((first, Approach::Method(method))) if whirls(first) => whirl::examine(group, method),
-        _ => group.iter().map(examine_alone).collect(),
-    }
-}
-
-fn examine_alone(cell: &Cell) -> Result<Findings> {
-    match (cell.family, cell.approach) {
-        (Family::Tail, Approach::Method(method)) => bending::tail(cell, method),
-        (_, Approach::TransferProducts | Approach::JoinedStiffnesses) => bending::chain(cell),
-        (_, Approach::Method(method)) => sticking::examine(cell, method),
+    match group[0].family {
+        Family::Stiffness | Family::Sites | Family::LongWhirl => whirl::examine(group, method),
+        Family::Tail => (group.iter())
+            .map(|cell| bending::tail(cell, method))
+            .collect(),
+        _ => (group.iter())
+            .map(|cell| sticking::examine(cell, method))
+            .collect(),
     }
 }

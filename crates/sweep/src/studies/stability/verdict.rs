@@ -99,20 +99,16 @@ impl Findings {
         let above = |value: Option<f64>, most: f64| {
             value.is_some_and(|value| value > most || value.is_nan())
         };
+        let gains = above(self.energy_gained, -STABLE_MARGIN);
         let chatters = above(self.chatter, CHATTER);
         let drifts = above(self.drift.map(f64::abs), DRIFT);
+        let recaptures = self.recaptures.is_some_and(|count| count > MOST_RECAPTURES);
         let signs = [
-            (
-                Symptom::EnergyGained,
-                above(self.energy_gained, -STABLE_MARGIN),
-            ),
+            (Symptom::EnergyGained, gains),
             (Symptom::Chatter, chatters),
             (Symptom::Divergence, chatters && above(self.growth, GROWTH)),
             (Symptom::Drift, drifts),
-            (
-                Symptom::Recaptures,
-                self.recaptures.is_some_and(|count| count > MOST_RECAPTURES),
-            ),
+            (Symptom::Recaptures, recaptures),
             (Symptom::NoAnswer, self.no_answer.is_some()),
             (Symptom::Error, above(self.error, ERROR)),
         ];
@@ -131,38 +127,26 @@ impl Findings {
 /// Why a cell is not what its margin says, or why its margin says nothing.
 pub fn explanation(cell: &Cell, findings: &Findings) -> Option<String> {
     let symptoms = findings.symptoms();
-    if let Some(reason) = &findings.no_answer {
-        return Some(reason.clone());
-    }
-    match cell.approach {
-        Approach::TransferProducts if symptoms.contains(&Symptom::Error) => {
-            return Some("only the growing wave is left in the products".to_owned());
-        }
-        Approach::Method(_) if symptoms.contains(&Symptom::Error) => {
-            return Some(
-                "the response near zero frequency is narrower than the frequency step".to_owned(),
-            );
-        }
-        _ => {}
-    }
-    let meets_differences = findings
-        .margin_wall
-        .is_some_and(|margin| margin < STABLE_MARGIN);
+    let margin_wall = findings.margin_wall;
+    let meets_differences = margin_wall.is_some_and(|margin| margin < STABLE_MARGIN);
     let is_rigid = cell.stiffness == Some(f64::INFINITY);
-    if findings.is_right() == Some(false) && meets_differences && is_rigid {
-        return Some(
-            "a rigid wall meets differences of positions, in which Newmark's response \
-             is not positive-real (margin_wall)"
-                .to_owned(),
-        );
-    }
     let decays = findings.growth.is_some_and(|growth| growth < 1.0);
-    if findings.predicted_stable() == Some(true) && symptoms == [Symptom::Chatter] && decays {
-        return Some(
-            "positive-real, but hardly at the top of the band: chatter gains nothing \
-             and decays slowly"
-                .to_owned(),
-        );
-    }
-    None
+    let is_wrong = symptoms.contains(&Symptom::Error);
+    let why = if let Some(reason) = &findings.no_answer {
+        reason
+    } else if is_wrong && cell.approach == Approach::TransferProducts {
+        "only the growing wave is left in the products"
+    } else if is_wrong && matches!(cell.approach, Approach::Method(_)) {
+        "the response near zero frequency is narrower than the frequency step"
+    } else if findings.is_right() == Some(false) && meets_differences && is_rigid {
+        "a rigid wall meets differences of positions, in which Newmark's response \
+         is not positive-real (margin_wall)"
+    } else if findings.predicted_stable() == Some(true) && symptoms == [Symptom::Chatter] && decays
+    {
+        "positive-real, but hardly at the top of the band: chatter gains nothing \
+         and decays slowly"
+    } else {
+        return None;
+    };
+    Some(why.to_owned())
 }

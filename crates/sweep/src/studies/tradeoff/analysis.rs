@@ -63,8 +63,6 @@ fn certain(rows: &[Row], row: &Row) -> f64 {
 /// How fast the error of one method falls with f_s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Order {
-    /// Of which measure.
-    pub measure: Measure,
     /// Method and parameters.
     pub title: String,
     /// Least-squares slope of error over f_s, both logarithmic.
@@ -76,17 +74,12 @@ pub struct Order {
 /// Observed orders, fitted to the last rungs before the error no longer falls, where
 /// it falls regularly.
 pub fn orders(rows: &[Row], measure: Measure) -> Vec<Order> {
-    let mut titles: Vec<String> = Vec::new();
-    for row in rows.iter().filter(|row| row.measure == measure) {
-        let title = row.configuration.title();
-        if !titles.contains(&title) {
-            titles.push(title);
-        }
-    }
-    let order_of = |title: String| {
-        let mut points: Vec<(f64, f64)> = rows
-            .iter()
-            .filter(|row| row.measure == measure && row.configuration.title() == title)
+    let known: Vec<&Row> = rows.iter().filter(|row| row.measure == measure).collect();
+    // The rungs of a ladder follow one another.
+    let ladders =
+        known.chunk_by(|one, next| one.configuration.title() == next.configuration.title());
+    let order_of = |ladder: &[&Row]| {
+        let mut points: Vec<(f64, f64)> = (ladder.iter())
             .map_while(|row| {
                 let least = (ABOVE_UNCERTAINTY * row.reference.uncertainty).max(ROUNDING);
                 let error = row.error.filter(|error| *error > least)?;
@@ -103,13 +96,12 @@ pub fn orders(rows: &[Row], measure: Measure) -> Vec<Order> {
         let order = -slope(fitted);
         let is_regular = (fitted.windows(2)).all(|pair| (slope(pair) + order).abs() < REGULAR);
         is_regular.then_some(Order {
-            measure,
-            title,
+            title: ladder[0].configuration.title(),
             order,
             highest: points.last()?.0,
         })
     };
-    titles.into_iter().filter_map(order_of).collect()
+    ladders.filter_map(order_of).collect()
 }
 
 /// Least-squares slope of ln y over ln x.

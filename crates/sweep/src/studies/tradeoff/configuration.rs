@@ -69,12 +69,11 @@ impl Configuration {
     /// The kind of method: a colour and a symbol of the chart.
     pub fn family(&self) -> &'static str {
         match self.scheme {
-            Scheme::Radau => "radau-quadrature",
             Scheme::Method(Method::FiniteElement(parameters)) if parameters.gamma == GAMMAS[0] => {
                 "finite-element, γ = 0.5"
             }
             Scheme::Method(Method::FiniteElement(_)) => "finite-element, γ = 0.52",
-            Scheme::Method(method) => method.name(),
+            _ => self.method(),
         }
     }
 

@@ -30,47 +30,37 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// All, in the order of the chart.
-    pub const ALL: [Measure; 12] = [
-        Measure::SurfaceStep,
-        Measure::SteadySpeed,
-        Measure::StaticStiffness,
-        Measure::Undershoot,
-        Measure::FirstSlip,
-        Measure::Period,
-        Measure::StickSlipLimit,
-        Measure::LateralImpulse,
-        Measure::WhirlRadius,
-        Measure::WhirlRate,
-        Measure::WhirlForce,
-        Measure::WhirlLimit,
+    /// All, in the order of the chart and of the variants, each with its name in the table,
+    /// where its value has a unit, and the title of its chart.
+    #[rustfmt::skip]
+    const ALL: [(Self, &'static str, &'static str); 12] = [
+        (Self::SurfaceStep, "surface_step", "Step of surface speed, Fig. 7(a)"),
+        (Self::SteadySpeed, "steady_speed_ratio", "Bit speed in the end"),
+        (Self::StaticStiffness, "static_stiffness_nm_rad", "Static stiffness k_eff"),
+        (Self::Undershoot, "undershoot_rad_s_nm", "Undershoot Δ, Eq. 75"),
+        (Self::FirstSlip, "first_slip_s", "First slip, Fig. 8(b)"),
+        (Self::Period, "stick_slip_period_s", "Stick-slip period, Fig. 8(b)"),
+        (Self::StickSlipLimit, "stick_slip_limit_rpm_knm", "Limit of stick-slip, Fig. 9"),
+        (Self::LateralImpulse, "lateral_impulse", "Lateral impulse, Fig. 7(b)"),
+        (Self::WhirlRadius, "whirl_radius_m", "Radius of whirl, Fig. 12"),
+        (Self::WhirlRate, "whirl_rate_turns_s", "Rate of whirl, Fig. 12"),
+        (Self::WhirlForce, "whirl_normal_force_n", "Normal force of whirl, Fig. 12"),
+        (Self::WhirlLimit, "whirl_limit_friction", "Limit of whirl at 3 I₀, Fig. 14"),
     ];
+
+    /// All, in the order of the chart.
+    pub fn all() -> [Self; 12] {
+        Self::ALL.map(|(measure, ..)| measure)
+    }
 
     /// The name in the table, with the unit of its value.
     pub fn name(self) -> &'static str {
-        self.words().0
+        Self::ALL[self as usize].1
     }
 
     /// The title of its chart.
     pub fn title(self) -> &'static str {
-        self.words().1
-    }
-
-    fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Measure::SurfaceStep => ("surface_step", "Step of surface speed, Fig. 7(a)"),
-            Measure::SteadySpeed => ("steady_speed_ratio", "Bit speed in the end"),
-            Measure::StaticStiffness => ("static_stiffness_nm_rad", "Static stiffness k_eff"),
-            Measure::Undershoot => ("undershoot_rad_s_nm", "Undershoot Δ, Eq. 75"),
-            Measure::FirstSlip => ("first_slip_s", "First slip, Fig. 8(b)"),
-            Measure::Period => ("stick_slip_period_s", "Stick-slip period, Fig. 8(b)"),
-            Measure::StickSlipLimit => ("stick_slip_limit_rpm_knm", "Limit of stick-slip, Fig. 9"),
-            Measure::LateralImpulse => ("lateral_impulse", "Lateral impulse, Fig. 7(b)"),
-            Measure::WhirlRadius => ("whirl_radius_m", "Radius of whirl, Fig. 12"),
-            Measure::WhirlRate => ("whirl_rate_turns_s", "Rate of whirl, Fig. 12"),
-            Measure::WhirlForce => ("whirl_normal_force_n", "Normal force of whirl, Fig. 12"),
-            Measure::WhirlLimit => ("whirl_limit_friction", "Limit of whirl at 3 I₀, Fig. 14"),
-        }
+        Self::ALL[self as usize].2
     }
 
     /// Whether it is of the string in bending.
@@ -80,6 +70,8 @@ impl Measure {
 
     /// The measure of a name.
     pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|measure| measure.name() == name)
+        Self::all()
+            .into_iter()
+            .find(|measure| measure.name() == name)
     }
 }
