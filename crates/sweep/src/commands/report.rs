@@ -11,7 +11,7 @@ use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use crate::cli::{ReportArguments, SummaryArguments};
 use crate::files::{folder_of, write_atomically};
-use crate::report::{Comparison, Results, is_page, page, sections, text};
+use crate::report::{Results, compare, is_page, page, sections, text};
 
 /// Says in the terminal what a folder holds.
 pub fn summary(arguments: &SummaryArguments, terminal: Terminal) -> Result<Status> {
@@ -26,7 +26,7 @@ pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status>
         .map(|folder| read(folder, terminal))
         .collect::<Result<Vec<_>>>()?;
     let comparisons = (all.iter().skip(1))
-        .map(|other| Comparison::of(&all[0], other))
+        .map(|other| compare(&all[0], other))
         .collect::<Result<Vec<_>>>()?;
     let html = page(&title(&all), &sections(&all, &comparisons))?;
     let path = match (&arguments.out, &arguments.folders[..]) {

@@ -8,7 +8,7 @@ use super::cells::Cells;
 use super::extent::Extent;
 use super::fractions::Fractions;
 use super::symbol::symbol_of;
-use crate::output::{CaseReader, CaseRows, Motion};
+use crate::output::{CaseRows, Motion, read_cases};
 use crate::plot::{Ground, MapCell, MapPoint, Part, Symbol};
 
 /// Where a sheet would have more symbols than this, cells are drawn.
@@ -52,7 +52,7 @@ impl Content {
         };
         let mut axes = cases.on_map.to_vec();
         axes.extend(&cases.others);
-        for case in CaseReader::open(&cases.labels, &axes)? {
+        for case in read_cases(&cases.labels, &axes)? {
             let case = case?;
             let of_case = |combinations: &[Vec<f64>]| {
                 let values = &case.values[2..];

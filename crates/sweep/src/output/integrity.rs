@@ -1,7 +1,6 @@
 //! Whether the files of a results folder are those that its manifest lists.
 
-use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Context, Result};
 
@@ -19,15 +18,8 @@ pub const PICTURES: [&str; 2] = ["map.svg", "map.png"];
 pub struct Damage {
     /// The file's name.
     pub name: String,
-    path: PathBuf,
-    /// What is wrong with it, after its path.
-    how: String,
-}
-
-impl fmt::Display for Damage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.path.display(), self.how)
-    }
+    /// Its path, and what is wrong with it.
+    pub words: String,
 }
 
 impl Manifest {
@@ -49,8 +41,7 @@ impl Manifest {
             let how = how.with_context(|| format!("{} cannot be read", path.display()))?;
             found.extend(how.map(|how| Damage {
                 name: name.to_owned(),
-                path,
-                how,
+                words: format!("{} {how}", path.display()),
             }));
         }
         Ok(found)

@@ -8,7 +8,7 @@ use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::results::Tally;
+use super::tally::Tally;
 use crate::design::Design;
 use crate::engine::{MethodSystem, RunOptions, Shard};
 use crate::files::{Checksum, hexadecimal, write_atomically};
@@ -104,7 +104,7 @@ impl MethodRecord {
 }
 
 impl Manifest {
-    /// The record of a finished run.
+    /// The record of a run, without what came out and how long it took.
     ///
     /// # Errors
     /// None that a sweep that was read could cause.
@@ -113,8 +113,6 @@ impl Manifest {
         shard: Shard,
         options: RunOptions,
         systems: &[MethodSystem],
-        tally: Tally,
-        wall_seconds: f64,
     ) -> Result<Self> {
         Ok(Self {
             name: sweep.name.clone(),
@@ -134,10 +132,10 @@ impl Manifest {
             shard: (!shard.is_whole()).then_some(shard),
             options,
             methods: systems.iter().map(MethodRecord::of).collect(),
-            tally,
+            tally: Tally::default(),
             files: BTreeMap::new(),
             threads: rayon::current_num_threads(),
-            wall_seconds,
+            wall_seconds: 0.0,
             map: sweep.map.clone(),
             sweep: sweep.content.clone(),
         })

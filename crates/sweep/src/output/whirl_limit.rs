@@ -208,24 +208,14 @@ fn whirling(
 }
 
 /// The parts of a curve within a range of surface speeds.
-fn part_within(curve: &[SteadyWhirl], [slowest, fastest]: [f64; 2]) -> Vec<Curve> {
+fn part_within(curve: &[SteadyWhirl], range: [f64; 2]) -> Vec<Curve> {
     let mut parts: Vec<Curve> = Vec::new();
     for ends in curve.windows(2) {
         let [start, end] = [ends[0].surface_speed, ends[1].surface_speed];
-        let place = |speed: f64| (speed - start) / (end - start);
-        let (enter, leave) = if start < end {
-            (place(slowest), place(fastest))
-        } else if start > end {
-            (place(fastest), place(slowest))
-        } else if (slowest..=fastest).contains(&start) {
-            (0.0, 1.0)
-        } else {
+        let within = inside(start, end, range).filter(|[enter, leave]| enter < leave);
+        let Some([enter, leave]) = within else {
             continue;
         };
-        let (enter, leave) = (enter.max(0.0), leave.min(1.0));
-        if enter >= leave {
-            continue;
-        }
         let first = between(ends, enter);
         match parts.last_mut() {
             Some(part) if part.last() == Some(&first) => {}
@@ -236,6 +226,16 @@ fn part_within(curve: &[SteadyWhirl], [slowest, fastest]: [f64; 2]) -> Vec<Curve
         }
     }
     parts
+}
+
+/// The part of the way from one value to another that is within a range.
+pub fn inside(from: f64, to: f64, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
+    if from == to {
+        return (low..=high).contains(&from).then_some([0.0, 1.0]);
+    }
+    let [one, two] = [low, high].map(|end| (end - from) / (to - from));
+    let (enters, leaves) = (one.min(two).max(0.0), one.max(two).min(1.0));
+    (enters <= leaves).then_some([enters, leaves])
 }
 
 /// A point of the chord between two.
