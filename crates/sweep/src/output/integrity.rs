@@ -6,6 +6,7 @@ use anyhow::{Context, Result};
 
 use super::manifest::Manifest;
 use crate::files::{Checksum, is_absent};
+use crate::text_file::unreadable;
 
 /// The tables of a results folder.
 pub const TABLES: [&str; 3] = ["labels.csv", "failures.csv", "boundary.csv"];
@@ -38,7 +39,7 @@ impl Manifest {
         for &name in names {
             let path = folder.join(name);
             let how = damage_of(&path, self.files.get(name), self.has_checksums());
-            let how = how.with_context(|| format!("{} cannot be read", path.display()))?;
+            let how = how.with_context(|| unreadable(&path))?;
             found.extend(how.map(|how| Damage {
                 name: name.to_owned(),
                 words: format!("{} {how}", path.display()),
@@ -54,8 +55,7 @@ impl Manifest {
     pub fn note(&mut self, folder: &Path, names: &[&str]) -> Result<()> {
         for &name in names {
             let path = folder.join(name);
-            let checksum = Checksum::of_file(&path)
-                .with_context(|| format!("{} cannot be read", path.display()))?;
+            let checksum = Checksum::of_file(&path).with_context(|| unreadable(&path))?;
             self.files.insert(name.to_owned(), checksum);
         }
         Ok(())

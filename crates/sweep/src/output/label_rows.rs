@@ -14,7 +14,7 @@ use crate::hand_table::{HandTable, Mistake, NumberError, number};
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
 use crate::sweep_file::nearest;
-use crate::text_file::{LARGEST_TABLE, read_text};
+use crate::text_file::{LARGEST_TABLE, read_text, unreadable};
 
 /// What is read back of a row: enough to draw it or to run it again.
 #[derive(Debug, Clone, PartialEq)]
@@ -183,8 +183,7 @@ fn regime<Regime: Copy + Into<Label>>(
 /// # Errors
 /// Where they cannot be read; the message names file and line.
 pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
-    let text = read_text(path, LARGEST_TABLE)
-        .with_context(|| format!("{} cannot be read", path.display()))?;
+    let text = read_text(path, LARGEST_TABLE).with_context(|| unreadable(path))?;
     let parsed = HandTable::new(&text).and_then(|table| rows_of(&table, axes));
     parsed.map_err(|mistake| anyhow!("{}:{mistake}", path.display()))
 }
@@ -213,13 +212,12 @@ pub fn label_rows(
     axes: &[Axis],
 ) -> Result<impl Iterator<Item = Result<LabelRow>> + use<>> {
     let name = path.display().to_string();
-    let unreadable = format!("{name} cannot be read");
-    let mut reader = csv::Reader::from_path(path).with_context(|| unreadable.clone())?;
-    let header = reader.headers().with_context(|| unreadable.clone())?;
+    let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
+    let header = reader.headers().with_context(|| unreadable(path))?;
     let columns =
         LabelColumns::find(header.iter(), axes).map_err(|reason| anyhow!("{name}:1: {reason}"))?;
     Ok(reader.into_records().map(move |record| {
-        let record = record.with_context(|| unreadable.clone())?;
+        let record = record.with_context(|| unreadable(Path::new(&name)))?;
         let line = record.position().map_or(0, csv::Position::line) as usize;
         let row = columns.row(line, |column| record.get(column));
         row.map_err(|reason| anyhow!("{name}:{line}: {reason}"))

@@ -15,6 +15,7 @@ use crate::files::{Checksum, hexadecimal, write_atomically};
 use crate::plan::{Choice, MapSettings, Sweep};
 use crate::quantities::Axis;
 use crate::sweep_file::FileContent;
+use crate::text_file::unreadable;
 
 /// What was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -177,8 +178,7 @@ impl Manifest {
     /// Reads the manifest of a results folder.
     pub fn read(folder: &Path) -> Result<Self> {
         let path = folder.join("manifest.json");
-        let text = std::fs::read_to_string(&path)
-            .with_context(|| format!("{} cannot be read", path.display()))?;
+        let text = std::fs::read_to_string(&path).with_context(|| unreadable(&path))?;
         serde_json::from_str(&text)
             .with_context(|| format!("{} is not a manifest of this program", path.display()))
     }

@@ -5,6 +5,8 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
+use crate::text_file::unreadable;
+
 /// Failures that are kept to be listed.
 const MOST_LISTED: usize = 50;
 
@@ -23,11 +25,10 @@ impl Failures {
     /// # Errors
     /// Where it cannot be read.
     pub fn read(path: &Path) -> Result<Self> {
-        let unreadable = || format!("{} cannot be read", path.display());
-        let mut reader = csv::Reader::from_path(path).with_context(unreadable)?;
+        let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
         let mut failures = Self::default();
         for failure in reader.deserialize() {
-            let failure: [String; 4] = failure.with_context(unreadable)?;
+            let failure: [String; 4] = failure.with_context(|| unreadable(path))?;
             let method = failure[1].clone();
             *failures.by_method.entry(method).or_default() += 1;
             if failures.listed.len() < MOST_LISTED {

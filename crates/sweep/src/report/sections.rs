@@ -13,24 +13,19 @@ use crate::words::{counted, short};
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.
 pub fn sections(all: &[Results], comparisons: &[Result<Compared, String>]) -> Vec<Section> {
-    let mut sections = vec![
-        section("What was run", overview(all)),
-        section("Regime map", maps(all)),
-        section("Regimes", regimes(all)),
-        section("Agreement of the methods", agreement(all)),
-        section("The analytic limit", limits(all)),
-        section("Cases without an answer", failures(all)),
+    let sections = [
+        ("What was run", overview(all)),
+        ("Regime map", maps(all)),
+        ("Regimes", regimes(all)),
+        ("Agreement of the methods", agreement(all)),
+        ("The analytic limit", limits(all)),
+        ("Cases without an answer", failures(all)),
+        ("Between the folders", between(all, comparisons)),
+        ("Time", time(all)),
+        ("Provenance", provenance(all)),
     ];
-    if !comparisons.is_empty() {
-        sections.push(section("Between the folders", between(all, comparisons)));
-    }
-    sections.push(section("Time", time(all)));
-    sections.push(section("Provenance", provenance(all)));
-    sections
-}
-
-fn section(title: &'static str, blocks: Vec<Block>) -> Section {
-    Section { title, blocks }
+    let has_content = |section: &Section| !section.1.is_empty();
+    sections.into_iter().filter(has_content).collect()
 }
 
 fn percentage(part: usize, whole: usize) -> String {
@@ -121,7 +116,7 @@ fn regimes(all: &[Results]) -> Vec<Block> {
             1 => "Cases of each regime, by method".to_owned(),
             _ => format!("Cases of each {} regime, by method", motion.adjective()),
         };
-        regimes_of(all, motion, &caption).into()
+        Block::Table(regimes_of(all, motion, &caption))
     });
     tables.collect()
 }
@@ -191,11 +186,11 @@ fn agreement(all: &[Results]) -> Vec<Block> {
     if pairs.rows.is_empty() {
         blocks.push(Block::Text("There is only one method.".to_owned()));
     } else {
-        blocks.push(pairs.into());
+        blocks.push(Block::Table(pairs));
     }
-    blocks.push(symbols.into());
+    blocks.push(Block::Table(symbols));
     let differing = all.iter().filter(|results| results.agreement.differing > 0);
-    blocks.extend(differing.map(|results| differing_cases(all, results).into()));
+    blocks.extend(differing.map(|results| Block::Table(differing_cases(all, results))));
     blocks
 }
 
@@ -254,7 +249,7 @@ fn limits(all: &[Results]) -> Vec<Block> {
         let header = ["method", "below the limit", "above it", last[0], last[1]];
         let mut table = Table::new(named(all, results, caption), header);
         table.rows.extend(limits.checks.iter().map(limit_row));
-        table.into()
+        Block::Table(table)
     };
     all.iter().map(of_folder).collect()
 }
@@ -285,7 +280,7 @@ fn failures(all: &[Results]) -> Vec<Block> {
         table
             .rows
             .extend(listed.iter().map(|failure| failure.to_vec()));
-        table.into()
+        Block::Table(table)
     };
     all.iter().map(of_folder).collect()
 }
@@ -320,7 +315,7 @@ fn between(all: &[Results], comparisons: &[Result<Compared, String>]) -> Vec<Blo
         let listed = extent(compared.listed.len(), compared.different);
         let mut table = Table::new(format!("Labels that differ{listed}"), header);
         table.rows.clone_from(&compared.listed);
-        blocks.push(table.into());
+        blocks.push(Block::Table(table));
     }
     blocks
 }

@@ -13,6 +13,7 @@ use crate::engine::{Header, Place, Shard, log_place};
 use crate::output::{Manifest, PICTURES, TABLES};
 use crate::plan::Sweep;
 use crate::report::is_page;
+use crate::text_file::unreadable;
 
 /// What tells of an earlier run in a folder.
 pub struct Ours {
@@ -78,7 +79,7 @@ impl Ours {
 pub fn remove_page(folder: &Path) -> Result<()> {
     let page = folder.join(REPORT);
     let is_ours = is_page(&page);
-    if is_ours.with_context(|| format!("{} cannot be read", page.display()))? {
+    if is_ours.with_context(|| unreadable(&page))? {
         remove(&page)?;
     }
     Ok(())

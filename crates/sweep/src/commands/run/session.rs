@@ -56,7 +56,7 @@ impl<'a> Session<'a> {
     /// # Errors
     /// Where the log cannot be read or written.
     pub fn open(task: &'a Task, systems: &'a Systems, start: Instant) -> Result<Self> {
-        let (sweep, shard) = (&task.sweep, task.shard);
+        let (sweep, shard) = (&task.sweep, task.header.shard);
         let path = task.folder.join(LOG);
         let log = Log::open(&path, sweep.design.cases(), sweep.methods.len())?;
         let (file, options) = (&task.arguments.file, task.arguments.options());
@@ -129,7 +129,7 @@ impl<'a> Session<'a> {
         };
         let work = Work {
             sweep,
-            shard: self.task.shard,
+            shard: self.task.header.shard,
             options: arguments.options(),
             strings_at_once: self.systems.strings_at_once,
             is_open: &|case, method| !is_done(case, method),
@@ -157,7 +157,7 @@ impl<'a> Session<'a> {
         let mut manifest = self.write_tables()?;
         manifest.write(folder)?;
         remove_page(folder)?;
-        let drawn = self.task.shard.is_whole() && draw_and_note(folder, &mut manifest)?;
+        let drawn = self.task.header.shard.is_whole() && draw_and_note(folder, &mut manifest)?;
         let path = folder.join(LOG);
         std::fs::remove_file(&path)
             .with_context(|| format!("{} cannot be removed", path.display()))?;
@@ -175,7 +175,7 @@ impl<'a> Session<'a> {
         let (tally, files) = tables.finish()?;
         let limit = boundary_csv(&self.systems.limit);
         let limit = write_with_checksum(&folder.join("boundary.csv"), limit.as_bytes())?;
-        let (shard, systems) = (self.task.shard, &self.systems.methods);
+        let (shard, systems) = (self.task.header.shard, &self.systems.methods);
         let mut manifest = Manifest::new(sweep, shard, arguments.options(), systems)?;
         (manifest.tally, manifest.files) = (tally, files);
         manifest.wall_seconds = self.start.elapsed().as_secs_f64();
