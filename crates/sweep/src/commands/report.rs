@@ -47,7 +47,7 @@ fn read(folder: &Path, terminal: Terminal) -> Result<Results> {
     let tables = tables_of(folder, terminal)?;
     let is_drawn = tables.manifest.shard().is_whole() && tables.manifest.tally.rows > 0;
     if tables.so_far.is_some() && is_drawn {
-        draw_map(&tables, tables.pictures())?;
+        draw_map(&tables, &tables.folder)?;
     }
     Results::read(folder, tables)
 }

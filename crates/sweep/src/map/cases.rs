@@ -27,7 +27,7 @@ impl MapCases {
     /// # Errors
     /// Where labels cannot be read.
     pub fn read(tables: &ResultTables, settings: &MapSettings) -> Result<Self> {
-        let labels = tables.labels();
+        let labels = tables.folder.join("labels.csv");
         let on_map = [settings.x, settings.y];
         let others = tables.manifest.axes.iter().copied();
         let others: Vec<_> = others.filter(|axis| !on_map.contains(axis)).collect();

@@ -23,7 +23,8 @@ pub struct ResultTables {
     pub manifest: Manifest,
     /// How far it is, where it is not finished.
     pub so_far: Option<SoFar>,
-    folder: PathBuf,
+    /// Where they are.
+    pub folder: PathBuf,
     /// Holds the tables of a run that is not finished.
     _temporary: Option<TempDir>,
 }
@@ -85,16 +86,6 @@ impl ResultTables {
         }))
     }
 
-    /// `labels.csv`.
-    pub fn labels(&self) -> PathBuf {
-        self.folder.join("labels.csv")
-    }
-
-    /// `failures.csv`.
-    pub fn failures(&self) -> PathBuf {
-        self.folder.join("failures.csv")
-    }
-
     /// The limit; it is written when a run is finished, and has no point before.
     ///
     /// # Errors
@@ -104,11 +95,6 @@ impl ResultTables {
             None => read_boundary(&self.folder.join("boundary.csv")),
             Some(_) => Ok(Boundary::StickSlip(Vec::new())),
         }
-    }
-
-    /// The folder of their pictures.
-    pub fn pictures(&self) -> &Path {
-        &self.folder
     }
 }
 

@@ -288,23 +288,30 @@ fn of_any_motion(sites: &[SiteWhirls], [slowest, fastest]: [f64; 2]) -> Vec<Whir
     for site in sites {
         let rolling = site.rolling.iter().map(Vec::as_slice);
         for curve in iter::once(site.slower.as_slice()).chain(rolling) {
-            whirls.extend((0..curve.len()).map(|place| Candidate { site, curve, place }));
+            // With a gap between curves.
+            let first = whirls.last().map_or(0, |last| last.place + 2);
+            whirls.extend(curve.iter().zip(first..).map(|(whirl, place)| Candidate {
+                whirl,
+                site_from_bit_m: site.distance_from_bit,
+                place,
+            }));
         }
     }
-    whirls.sort_by(|one, other| one.speed().total_cmp(&other.speed()));
+    whirls.sort_by(|one, other| (one.whirl.surface_speed).total_cmp(&other.whirl.surface_speed));
     let mut least: Option<Candidate> = None;
     let mut points = Vec::new();
     for candidate in whirls {
-        if least.is_some_and(|least| least.friction() <= candidate.friction()) {
+        if least.is_some_and(|least| least.whirl.least_friction <= candidate.whirl.least_friction) {
             continue;
         }
-        let speed = candidate.speed();
+        let speed = candidate.whirl.surface_speed;
         if speed > slowest && slowest < fastest {
             if let Some(least) = least {
                 if points.is_empty() {
                     points.push(least.at(slowest));
                 }
-                if !least.is_beside(&candidate) {
+                // Unless the curve leads from one to the other.
+                if least.place.abs_diff(candidate.place) != 1 {
                     points.push(least.at(speed));
                 }
             }
@@ -319,33 +326,17 @@ fn of_any_motion(sites: &[SiteWhirls], [slowest, fastest]: [f64; 2]) -> Vec<Whir
 /// A whirl on a curve.
 #[derive(Clone, Copy)]
 struct Candidate<'a> {
-    site: &'a SiteWhirls,
-    curve: &'a [SteadyWhirl],
+    whirl: &'a SteadyWhirl,
+    site_from_bit_m: f64,
+    /// Neighbours on a curve have neighbouring places.
     place: usize,
 }
 
 impl Candidate<'_> {
-    fn speed(&self) -> f64 {
-        self.curve[self.place].surface_speed
-    }
-
-    fn friction(&self) -> f64 {
-        self.curve[self.place].least_friction
-    }
-
-    /// Whether the curve leads from one to the other.
-    fn is_beside(&self, other: &Self) -> bool {
-        std::ptr::eq(self.curve, other.curve) && self.place.abs_diff(other.place) == 1
-    }
-
     fn at(&self, surface_speed: f64) -> WhirlPoint {
         WhirlPoint {
             motion: WhirlMotion::RollingOrSliding,
-            ..point(
-                &self.curve[self.place],
-                surface_speed,
-                self.site.distance_from_bit,
-            )
+            ..point(self.whirl, surface_speed, self.site_from_bit_m)
         }
     }
 }

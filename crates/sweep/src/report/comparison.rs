@@ -31,7 +31,7 @@ pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, String
         return Ok(Err("their axes are different".to_owned()));
     }
     let mut compared = Compared::default();
-    let cases = |of: &Results| read_cases(&of.tables.labels(), &one.manifest.axes);
+    let cases = |of: &Results| read_cases(&of.tables.folder.join("labels.csv"), &one.manifest.axes);
     let mut others = cases(other)?;
     let mut theirs = others.next().transpose()?;
     for ours in cases(one)? {

@@ -41,7 +41,7 @@ impl Results {
     /// Where a file cannot be read, or the files are not of one run.
     pub fn read(folder: &Path, tables: ResultTables) -> Result<Self> {
         let manifest = tables.manifest.clone();
-        let labels = tables.labels();
+        let labels = tables.folder.join("labels.csv");
         let methods = manifest.method_names();
         let boundary = tables.boundary()?;
         let mut limits = Limits::new(&boundary, &manifest.axes, &methods);
@@ -60,7 +60,7 @@ impl Results {
                 map.add(&case);
             }
         }
-        let failures = Failures::read(&tables.failures())?;
+        let failures = Failures::read(&tables.folder.join("failures.csv"))?;
         let tally = &manifest.tally;
         if (rows, failures.count()) != (tally.rows, tally.failed) {
             bail!(

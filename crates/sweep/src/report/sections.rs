@@ -87,7 +87,7 @@ fn maps(all: &[Results]) -> Vec<Block> {
             blocks.push(note(all, results, text));
             continue;
         };
-        let svg = results.tables.pictures().join("map.svg");
+        let svg = results.tables.folder.join("map.svg");
         let svg = svg.exists().then_some(svg);
         if svg.is_none() {
             let text = match results.manifest.shard {

@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use super::damage::refuse_lost;
 use super::names::{LOG, MANIFEST};
-use super::ours::{Ours, written_by};
+use super::ours::Ours;
 use super::raise::with_our_number;
 use crate::commands::status::UsageError;
 use crate::engine::{Header, LogError, Place};
@@ -61,7 +61,7 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
             return complete(folder, header);
         }
     }
-    ours.refuse_foreign(folder, &written_by(sweep, header.shard))?;
+    ours.refuse_foreign(folder, header.shard.is_whole() && sweep.map.is_some())?;
     Ok(Found::Nothing(ours))
 }
 

@@ -14,7 +14,7 @@ use super::outcome::{status_of, summary};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use crate::engine::{Header, Place, Shard};
-use crate::output::{Manifest, PICTURES, TABLES};
+use crate::output::Manifest;
 use parts::{Part, read_parts, refuse_damaged_parts};
 use tables::join_tables;
 
@@ -90,7 +90,5 @@ fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
             )));
         }
     }
-    let mut written = TABLES.to_vec();
-    written.extend(merged.map.iter().flat_map(|_| PICTURES));
-    ours.refuse_foreign(out, &written)
+    ours.refuse_foreign(out, merged.map.is_some())
 }

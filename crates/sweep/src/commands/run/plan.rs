@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use super::complete::damage;
 use super::task::Task;
-use crate::commands::cost::{Cost, probe};
+use crate::commands::cost::{cost_lines, probe};
 use crate::commands::folder::{Found, LOG, in_words};
 use crate::engine::{LogView, pairs_of};
 use crate::memory::{Purpose, admit};
@@ -50,21 +50,18 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
         text += &choice.lines(0);
     }
     if left > 0 {
-        text += &cost(task, left, stops)?.to_string();
+        text += &cost(task, left, stops)?;
     }
     Ok(text)
 }
 
-fn cost(task: &Task, simulations: usize, stops: &dyn Fn() -> bool) -> Result<Cost> {
+fn cost(task: &Task, simulations: usize, stops: &dyn Fn() -> bool) -> Result<String> {
     let (arguments, sweep, survey) = (task.arguments, &task.sweep, &task.survey);
     let limit = arguments.work.memory.limit();
     let setting = sweep.setting.for_labels();
     let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
-    Ok(Cost {
-        memory,
-        limit,
-        time: probe(sweep, survey, arguments.options(), simulations, stops),
-    })
+    let time = probe(sweep, survey, arguments.options(), simulations, stops);
+    Ok(cost_lines(&memory, &limit, &time))
 }
 
 /// Cases, methods and folder.

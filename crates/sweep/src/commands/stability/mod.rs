@@ -5,6 +5,7 @@ mod table;
 
 use anyhow::Result;
 
+use super::csv_table::csv_table;
 use super::drawing::save_picture;
 use super::folder::make_folder;
 use super::progress::Progress;
@@ -16,7 +17,7 @@ use crate::output::write_atomically;
 use crate::plot::cell_chart;
 use crate::studies::stability::{Cell, Family, cells, run};
 use chart::chart;
-use table::{summary, to_csv};
+use table::{columns, summary};
 
 /// Computes the atlas and writes its table and chart.
 pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<Status> {
@@ -32,7 +33,8 @@ pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<S
     let entries = run(&cells, &|| progress.tick());
     progress.finish();
     let entries = entries?;
-    write_atomically(&arguments.out.join("stability.csv"), &to_csv(&entries)?)?;
+    let table = csv_table(entries.iter().map(columns))?;
+    write_atomically(&arguments.out.join("stability.csv"), &table)?;
     let picture = cell_chart(&chart(&entries))?;
     save_picture(&arguments.out, "stability", &picture)?;
     if !arguments.quiet {
