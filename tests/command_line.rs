@@ -32,9 +32,7 @@ mod words;
 
 use std::collections::BTreeSet;
 
-use support::{Answer, Workplace};
-
-const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+use support::{Answer, SMALL, Workplace, with};
 
 const RESULTS: [&str; 6] = [
     "boundary.csv",
@@ -70,6 +68,27 @@ fn run(place: &Workplace, file: &str, out: &str) -> Answer {
 
 fn text(place: &Workplace, file: &str) -> String {
     std::fs::read_to_string(place.path(file)).unwrap()
+}
+
+#[track_caller]
+fn is_png(place: &Workplace, file: &str) {
+    let picture = std::fs::read(place.path(file)).unwrap();
+    assert!(picture.starts_with(b"\x89PNG\r\n\x1a\n"), "{file}");
+}
+
+/// [`SMALL`] by two methods.
+fn by_two_methods(other: &str) -> String {
+    let two = format!("\"quadrature\", \"{other}\"");
+    with(SMALL, "\"quadrature\"", &two)
+}
+
+/// The columns of the labels in a folder.
+#[track_caller]
+fn labels<const N: usize>(place: &Workplace, folder: &str, wanted: [&str; N]) -> Vec<[String; N]> {
+    columns(
+        &table(&text(place, &format!("{folder}/labels.csv"))),
+        wanted,
+    )
 }
 
 fn names_in(place: &Workplace, folder: &str) -> BTreeSet<String> {

@@ -19,6 +19,15 @@ use support::{Answer, SMALL, Workplace};
 
 const RUN: [&str; 4] = ["run", "small.toml", "--out", "results"];
 
+/// The files of a run that its manifest lists.
+const FILES: [&str; 5] = [
+    "boundary.csv",
+    "failures.csv",
+    "labels.csv",
+    "map.png",
+    "map.svg",
+];
+
 /// Runs what must succeed without a word of warning.
 #[track_caller]
 fn succeeds(place: &Workplace, arguments: &[&str]) -> Answer {
@@ -51,6 +60,18 @@ fn with_results() -> Workplace {
     place
 }
 
+/// Runs both halves of the small sweep, into `0` and `1`.
+fn run_shards(place: &Workplace) {
+    for (out, shard) in [("0", "0/2"), ("1", "1/2")] {
+        let run = ["run", "small.toml", "--shard", shard, "--out", out];
+        succeeds(place, &run);
+    }
+}
+
+fn manifest(place: &Workplace, folder: &str) -> serde_json::Value {
+    serde_json::from_slice(&read(place, &format!("{folder}/manifest.json"))).unwrap()
+}
+
 fn read(place: &Workplace, name: &str) -> Vec<u8> {
     std::fs::read(place.path(name)).unwrap()
 }
@@ -65,9 +86,8 @@ fn copy(place: &Workplace, from: &str, to: &str) {
 
 /// As version 0.1.0 wrote it.
 fn without_checksums(place: &Workplace, folder: &str) {
-    let name = format!("{folder}/manifest.json");
-    let mut manifest: serde_json::Value = serde_json::from_slice(&read(place, &name)).unwrap();
+    let mut manifest = manifest(place, folder);
     let files = manifest.as_object_mut().unwrap().remove("files");
     assert!(files.is_some());
-    place.write(&name, serde_json::to_vec_pretty(&manifest).unwrap());
+    place.write(&format!("{folder}/manifest.json"), manifest.to_string());
 }

@@ -1,5 +1,6 @@
 //! `sweep check`: the regression of labels.
 
+use crate::refusals::refused;
 use crate::support::{SMALL, Workplace, with};
 use crate::{columns, run, succeeds, table, text};
 
@@ -122,16 +123,10 @@ fn check_refuses_a_reference_that_does_not_belong_to_the_sweep() {
         (String::new(), "reference.csv"),
     ] {
         place.write("reference.csv", changed);
-        let answer = place.sweep(&["check", "small.toml", "reference.csv"]);
-        assert_eq!(answer.code, 2, "{answer:?}");
-        assert!(answer.errors.contains(words), "no {words:?} in {answer:?}");
+        refused(&place, &["check", "small.toml", "reference.csv"], &[words]);
     }
-    let answer = place.sweep(&["check", "small.toml", "nowhere.csv"]);
-    assert_eq!(answer.code, 2, "{answer:?}");
-    assert!(
-        answer.errors.contains("nowhere.csv cannot be read"),
-        "{answer:?}"
-    );
+    let missing = ["check", "small.toml", "nowhere.csv"];
+    refused(&place, &missing, &["nowhere.csv cannot be read"]);
 }
 
 /// No label that differs, which would be exit code 5.
@@ -172,13 +167,8 @@ fn a_label_that_is_no_regime_is_a_mistake_in_the_reference() {
             false => row.replace(label, word),
         };
         place.write("reference.csv", with(&reference, row, &wrong));
-        let answer = place.sweep(&["check", "small.toml", "reference.csv"]);
-        assert_eq!(answer.code, 2, "{answer:?}");
-        let is_named = answer.errors.starts_with("error: reference.csv:2: ");
-        assert!(
-            is_named && answer.errors.contains(meant),
-            "{meant}: {answer:?}"
-        );
+        let check = ["check", "small.toml", "reference.csv"];
+        refused(&place, &check, &["error: reference.csv:2: ", meant]);
     }
 }
 

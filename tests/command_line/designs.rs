@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::support::{SMALL, Workplace, small_with_design, with};
-use crate::{columns, manifest, run, succeeds, table, text};
+use crate::{columns, labels, manifest, run, succeeds, table, text};
 
 const SPEED_AND_WEIGHT: [&str; 2] = ["surface_speed_rpm", "weight_on_bit_kn"];
 
@@ -22,12 +22,7 @@ fn a_monte_carlo_design_draws_from_its_seed() {
         run(&place, &format!("{name}.toml"), name);
     }
     run(&place, "a.toml", "a-again");
-    let values = |folder: &str| {
-        columns(
-            &table(&text(&place, &format!("{folder}/labels.csv"))),
-            SPEED_AND_WEIGHT,
-        )
-    };
+    let values = |folder: &str| labels(&place, folder, SPEED_AND_WEIGHT);
     let (a, b) = (values("a"), values("b"));
     assert_eq!(a, values("a-again"));
     assert_ne!(a, b);

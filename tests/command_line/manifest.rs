@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::refusals::refused;
 use crate::support::{SMALL, Workplace, with};
 use crate::{RESULTS, columns, manifest, names, names_in, run, succeeds, table, text};
 
@@ -113,17 +114,12 @@ fn another_sweep_is_refused_in_the_same_folder_and_fresh_replaces_it() {
     let place = Workplace::with_small(SMALL);
     run(&place, "small.toml", "results");
     place.write("other.toml", with(SMALL, "[30, 70]", "[30, 60]"));
-    let before = place.files();
-    let answer = place.sweep(&["run", "other.toml", "--out", "results"]);
-    assert_eq!(answer.code, 2, "{answer:?}");
-    for word in [
+    let words = [
         "results holds the results of another sweep",
         "design.axes.weight_on_bit_kn.values[1]: 70.0 → 60.0",
         "--fresh",
-    ] {
-        assert!(answer.errors.contains(word), "{answer:?}");
-    }
-    assert!(place.files() == before);
+    ];
+    refused(&place, &["run", "other.toml", "--out", "results"], &words);
     succeeds(
         &place,
         &["run", "other.toml", "--out", "results", "--fresh"],

@@ -2,7 +2,7 @@
 
 use crate::refusals::refused;
 use crate::support::{SMALL, Workplace, with};
-use crate::{columns, succeeds, table, text};
+use crate::{labels, succeeds};
 
 const OWN: &str = "methods = [\"quadrature\"]";
 
@@ -26,8 +26,7 @@ fn whatever_methods_the_file_has_others_run() {
             let arguments = [command, "small.toml", "--methods", "quadrature"];
             succeeds(&place, &arguments);
         }
-        let labels = table(&text(&place, "results/small/labels.csv"));
-        let methods = columns(&labels, ["method"]).concat();
+        let methods = labels(&place, "results/small", ["method"]).concat();
         assert_eq!(methods, ["quadrature"; 6]);
     }
 }

@@ -1,7 +1,8 @@
 //! A sweep file to start from, and what a shell and `man` ask for.
 
+use crate::refusals::refused;
 use crate::support::{Workplace, with};
-use crate::{RESULTS, columns, manifest, names, names_in, run, succeeds, table, text};
+use crate::{RESULTS, labels, manifest, names, names_in, run, succeeds, text};
 
 /// Every block of settings that is switched off, by its first line, and the pieces
 /// it stands in for or needs beside it.
@@ -76,7 +77,7 @@ fn a_new_file_runs_as_it_is_and_shows_both_regimes() {
     place.write("my-sweep.toml", new_file());
     run(&place, "my-sweep.toml", "results");
     assert_eq!(names_in(&place, "results"), names(RESULTS));
-    let labels = columns(&table(&text(&place, "results/labels.csv")), ["torsion"]);
+    let labels = labels(&place, "results", ["torsion"]);
     for regime in ["smooth", "stick_slip"] {
         let share = labels.iter().filter(|[label]| label == regime).count();
         assert!(
@@ -117,7 +118,7 @@ fn with_a_wall_and_an_impulse_a_new_file_tells_whirl() {
     let file = with(&file, "to = 120, count = 12", "to = 120, count = 2");
     let place = Workplace::with_small(&file);
     run(&place, "small.toml", "results");
-    let labels = columns(&table(&text(&place, "results/labels.csv")), ["lateral"]);
+    let labels = labels(&place, "results", ["lateral"]);
     assert_eq!(labels.len(), 4);
     assert!(
         labels
@@ -132,9 +133,7 @@ fn with_a_wall_and_an_impulse_a_new_file_tells_whirl() {
 fn a_file_that_is_there_is_kept_unless_forced() {
     let place = Workplace::new();
     place.write("mine.toml", "mine");
-    let answer = place.sweep(&["new", "mine.toml"]);
-    assert_eq!(answer.code, 2, "{answer:?}");
-    assert!(answer.errors.contains("--force"), "{answer:?}");
+    refused(&place, &["new", "mine.toml"], &["--force"]);
     assert_eq!(text(&place, "mine.toml"), "mine");
     succeeds(&place, &["new", "mine.toml", "--force"]);
     assert_eq!(text(&place, "mine.toml"), new_file());
@@ -167,7 +166,5 @@ fn every_shell_and_man_can_be_told_every_command() {
         let page = succeeds(&place, &["man", command]).output;
         assert!(page.contains(&format!("  sweep {command}")), "{page}");
     }
-    let answer = place.sweep(&["man", "rum"]);
-    assert_eq!(answer.code, 2);
-    assert!(answer.errors.contains("`rum`"), "{answer:?}");
+    refused(&place, &["man", "rum"], &["`rum`"]);
 }

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use crate::support::{SMALL, Workplace, small_with_design, with};
 use crate::{
-    PNG_SIGNATURE, RESULTS, columns, manifest, names, names_in, run, succeeds, table, text,
+    RESULTS, by_two_methods, columns, is_png, labels, manifest, names, names_in, run, succeeds,
+    table, text,
 };
 
 #[test]
@@ -17,8 +18,7 @@ fn run_writes_the_promised_files_and_no_other() {
         "{answer:?}"
     );
     assert!(answer.output.contains("deep/results"), "{answer:?}");
-    let picture = std::fs::read(place.path("deep/results/map.png")).unwrap();
-    assert!(picture.starts_with(PNG_SIGNATURE));
+    is_png(&place, "deep/results/map.png");
     assert!(text(&place, "deep/results/map.svg").starts_with("<svg"));
 }
 
@@ -47,11 +47,7 @@ fn a_sweep_without_two_axes_has_no_map() {
 
 #[test]
 fn labels_have_a_row_for_each_case_and_method_in_order() {
-    let place = Workplace::with_small(&with(
-        SMALL,
-        "\"quadrature\"",
-        "\"quadrature\", \"finite-element\"",
-    ));
+    let place = Workplace::with_small(&by_two_methods("finite-element"));
     run(&place, "small.toml", "results");
     let labels = text(&place, "results/labels.csv");
     assert_eq!(
@@ -83,9 +79,8 @@ fn labels_have_a_row_for_each_case_and_method_in_order() {
 fn labels_are_of_the_promised_kinds() {
     let place = Workplace::with_small(SMALL);
     run(&place, "small.toml", "results");
-    let labels = table(&text(&place, "results/labels.csv"));
     for [torsion, lateral, ended, status] in
-        columns(&labels, ["torsion", "lateral", "ended", "status"])
+        labels(&place, "results", ["torsion", "lateral", "ended", "status"])
     {
         assert!(["stuck", "smooth", "stick_slip"].contains(&torsion.as_str()));
         assert_eq!(lateral, "");
@@ -120,13 +115,12 @@ fn numbers_read_back_exactly() {
         &values,
     ));
     run(&place, "small.toml", "results");
-    let labels = table(&text(&place, "results/labels.csv"));
-    let speeds = columns(&labels, ["surface_speed_rpm"]);
+    let speeds = labels(&place, "results", ["surface_speed_rpm"]);
     for (case, [speed]) in speeds.iter().enumerate() {
         assert_eq!(speed.parse(), Ok(awkward[case / 2]));
     }
     let mut numbers = 0;
-    for field in labels.concat() {
+    for field in table(&text(&place, "results/labels.csv")).concat() {
         if let Ok(number) = field.parse::<f64>() {
             assert_eq!(number.to_string(), field);
             numbers += 1;
@@ -143,13 +137,7 @@ fn the_same_sweep_gives_the_same_bytes_on_any_number_of_threads() {
         let mut arguments = vec!["run", "small.toml", "--out", out];
         arguments.extend(jobs.iter().flat_map(|jobs| ["--jobs", jobs]));
         succeeds(&place, &arguments);
-        for file in [
-            "labels.csv",
-            "boundary.csv",
-            "failures.csv",
-            "map.svg",
-            "map.png",
-        ] {
+        for file in RESULTS.iter().filter(|name| **name != "manifest.json") {
             let same = std::fs::read(place.path(&format!("one/{file}"))).unwrap()
                 == std::fs::read(place.path(&format!("{out}/{file}"))).unwrap();
             assert!(same, "{out}/{file}");

@@ -4,8 +4,9 @@
 use std::path::Path;
 use std::process::Command;
 
+use crate::refusals::refused;
 use crate::support::{SMALL, Workplace, small_with_design, with};
-use crate::{columns, complaints, run, succeeds, table, text};
+use crate::{by_two_methods, columns, complaints, labels, run, succeeds, table, text};
 
 /// Between the nodes of the mesh, so that finite elements get another mesh where it is
 /// looked at.
@@ -27,7 +28,6 @@ fn each_row_is_its_case(place: &Workplace, file: &str, terms: &[&str], by_accura
     assert_eq!(answer.code, 0, "{answer:?}");
     let labels = text(place, "run/labels.csv");
     let (header, rows) = labels.split_once('\n').unwrap();
-    let mut beside: Vec<String> = Vec::new();
     for row in rows.lines() {
         let (case, rest) = row.split_once(',').unwrap();
         let method = rest.split(',').next().unwrap();
@@ -38,17 +38,14 @@ fn each_row_is_its_case(place: &Workplace, file: &str, terms: &[&str], by_accura
         }
         succeeds(place, &command);
         assert_eq!(text(place, "case/case.csv"), format!("{header}\n{row}\n"));
-        beside.push(row.to_owned());
     }
-    let last = beside.last().unwrap().split(',').next().unwrap();
-    let command = ["simulate", file, "--out", "case", "--case", last];
+    let case = |row: &str| row.split(',').next().unwrap().to_owned();
+    let last = case(rows.lines().last().unwrap());
+    let command = ["simulate", file, "--out", "case", "--case", &last];
     succeeds(place, &[&command, terms].concat());
-    let of_last = |row: &&String| row.split(',').next() == Some(last);
-    let expected: Vec<&str> = (beside.iter().filter(of_last))
-        .map(String::as_str)
-        .collect();
     let found = text(place, "case/case.csv");
-    assert_eq!(found.lines().skip(1).collect::<Vec<_>>(), expected);
+    let expected = rows.lines().filter(|row| case(row) == last);
+    assert!(found.lines().skip(1).eq(expected), "{found}");
 }
 
 #[test]
@@ -124,7 +121,7 @@ fn whirl_that_a_run_ends_early_is_that_of_the_run_and_its_later_numbers_are_told
     );
     let place = Workplace::with_small(&sweep);
     each_row_is_its_case(&place, "small.toml", &[], false);
-    let ended = columns(&table(&text(&place, "run/labels.csv")), ["ended"]).concat();
+    let ended = labels(&place, "run", ["ended"]).concat();
     assert_eq!(ended[1], "settled", "{ended:?}");
     let answer = succeeds(&place, &["simulate", "small.toml", "--case", "1"]);
     for words in ["a run stops at", "as settled; followed to 10 s:"] {
@@ -164,25 +161,17 @@ fn each_failure_is_repeated(place: &Workplace, run: &[&str], failures: usize) {
 }
 
 /// With elements as long as the transform is short, one string chatters.
-fn with_chattering_string() -> String {
-    let text = by_methods(SMALL, "methods = [\"quadrature\", \"hilbert\"]");
-    let text = with(
-        &text,
-        "[design]",
-        "[method.hilbert]\ntransform_s = 0.6\n[design]",
-    );
+pub fn with_chattering_string() -> String {
+    let filter = "[method.hilbert]\ntransform_s = 0.6\n[design]";
+    let text = with(&by_two_methods("hilbert"), "[design]", filter);
     let axis = "[design.axes]\ntorsional_damping_nms_rad_m = { values = [2, 2000] }\n";
     with(&text, "[design.axes]\n", axis)
 }
 
 #[test]
 fn the_command_of_a_failure_repeats_it_whatever_the_name_of_the_file() {
-    let names = [
-        "-dash.toml",
-        "it's a $HOME of \"sweeps\".toml",
-        "plain.toml",
-    ];
-    for name in names {
+    let quoted = "it's a $HOME of \"sweeps\".toml";
+    for name in ["-dash.toml", quoted, "plain.toml"] {
         let place = Workplace::new();
         place.write(name, with_chattering_string());
         let run = ["run", "--quiet", "--out", "run", "--", name];
@@ -227,22 +216,13 @@ fn what_one_method_cannot_treat_another_answers() {
     let methods = by_methods(SMALL, "methods = [\"hilbert\", \"quadrature\"]");
     let axis = "[design.axes]\ntorsional_damping_nms_rad_m = { values = [10, 0] }\n";
     let place = Workplace::with_small(&with(&methods, "[design.axes]\n", axis));
-    each_failure_is_repeated(
+    let run = ["run", "small.toml", "--quiet", "--out", "run"];
+    each_failure_is_repeated(&place, &[&run[..], &["--allow-unstable"]].concat(), 6);
+    for [method, damping, status] in labels(
         &place,
-        &[
-            "run",
-            "small.toml",
-            "--quiet",
-            "--out",
-            "run",
-            "--allow-unstable",
-        ],
-        6,
-    );
-    let labels = table(&text(&place, "run/labels.csv"));
-    for [method, damping, status] in
-        columns(&labels, ["method", "torsional_damping_nms_rad_m", "status"])
-    {
+        "run",
+        ["method", "torsional_damping_nms_rad_m", "status"],
+    ) {
         let fails = method == "hilbert" && damping == "0";
         assert_eq!(status, if fails { "failed" } else { "ok" });
     }
@@ -260,6 +240,6 @@ fn what_the_sweep_does_not_depend_on_is_not_set() {
         ),
     ] {
         let command = ["simulate", "small.toml", "--set", set];
-        crate::refusals::refused(&place, &command, &[meant]);
+        refused(&place, &command, &[meant]);
     }
 }

@@ -1,7 +1,8 @@
 //! `sweep simulate`, `sweep inspect` and `sweep plot`.
 
+use crate::refusals::refused;
 use crate::support::{SMALL, Workplace, with};
-use crate::{PNG_SIGNATURE, columns, names, names_in, run, succeeds, table, text};
+use crate::{columns, is_png, names, names_in, run, succeeds, table, text};
 
 #[test]
 fn simulate_writes_the_history_of_one_case() {
@@ -13,11 +14,7 @@ fn simulate_writes_the_history_of_one_case() {
         names_in(&place, "case"),
         names(["case.csv", "history.csv", "history.png", "history.svg"])
     );
-    assert!(
-        std::fs::read(place.path("case/history.png"))
-            .unwrap()
-            .starts_with(PNG_SIGNATURE)
-    );
+    is_png(&place, "case/history.png");
     let history = table(&text(&place, "case/history.csv"));
     assert_eq!(
         history[0],
@@ -79,13 +76,8 @@ fn several_cases_are_kept_beside_each_other() {
     let mut cases = columns(&history, ["case"]);
     cases.dedup();
     assert_eq!(cases, [["5"], ["0"]]);
-    let answer = place.sweep(&["simulate", "small.toml", "--case", "0,6"]);
-    assert_eq!(answer.code, 2, "{answer:?}");
-    assert!(
-        answer
-            .errors
-            .contains("--case 6: small.toml has cases 0 to 5")
-    );
+    let beyond = ["simulate", "small.toml", "--case", "0,6"];
+    refused(&place, &beyond, &["--case 6: small.toml has cases 0 to 5"]);
 }
 
 /// Where the time follows from the case, each is drawn and kept for as long as it lasts.
@@ -137,11 +129,7 @@ fn inspect_shows_the_linear_system() {
         names_in(&place, "linear"),
         names(["inspect.png", "inspect.svg"])
     );
-    assert!(
-        std::fs::read(place.path("linear/inspect.png"))
-            .unwrap()
-            .starts_with(PNG_SIGNATURE)
-    );
+    is_png(&place, "linear/inspect.png");
 }
 
 #[test]
@@ -160,12 +148,7 @@ fn plot_draws_the_same_map_again() {
 #[test]
 fn plot_of_what_is_no_results_folder_says_so() {
     let place = Workplace::with_small(SMALL);
-    let answer = place.sweep(&["plot", "nowhere"]);
-    assert_eq!(answer.code, 2, "{answer:?}");
-    assert!(
-        answer.errors.contains("nowhere is not a folder"),
-        "{answer:?}"
-    );
+    refused(&place, &["plot", "nowhere"], &["nowhere is not a folder"]);
     place.write("manifest.json", "{}");
     let answer = place.sweep(&["plot", "."]);
     assert_ne!(answer.code, 0);

@@ -1,22 +1,17 @@
 //! `sweep stability` on a part of the atlas.
 
 use super::support::Workplace;
-use super::{PNG_SIGNATURE, columns, names, names_in, succeeds, table, text};
+use super::{columns, is_png, names, names_in, succeeds, table, text};
 
 #[test]
 fn a_part_of_the_atlas_is_written_the_same_by_any_number_of_threads() {
     let place = Workplace::new();
     let run = |out: &str, jobs: &str| {
-        let arguments = [
-            "stability",
-            "--family",
-            "formulas",
-            "--out",
-            out,
-            "--jobs",
-            jobs,
-        ];
-        succeeds(&place, &[arguments.as_slice(), &["--quiet"]].concat())
+        let study = ["stability", "--quiet", "--family", "formulas"];
+        succeeds(
+            &place,
+            &[&study[..], &["--out", out, "--jobs", jobs]].concat(),
+        )
     };
     assert_eq!(run("one", "1").output, "");
     run("two", "2");
@@ -34,15 +29,17 @@ fn a_part_of_the_atlas_is_written_the_same_by_any_number_of_threads() {
         };
         assert_eq!(row[1..], [verdict, verdict, "yes"].map(str::to_owned));
     }
-    let png = std::fs::read(place.path("one/stability.png")).unwrap();
-    assert!(png.starts_with(PNG_SIGNATURE));
+    is_png(&place, "one/stability.png");
 }
 
 #[test]
 fn the_atlas_tells_how_often_its_margins_were_right() {
     let place = Workplace::new();
     let arguments = ["stability", "--family", "hilbert,tail", "--out", "atlas"];
-    let answer = succeeds_with_progress(&place, &arguments);
+    // Progress may be told on the other stream.
+    let answer = place.sweep(&arguments);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    let answer = answer.output;
     let line = |name: &str| {
         let found = answer.lines().find(|line| line.starts_with(name));
         found
@@ -54,11 +51,4 @@ fn the_atlas_tells_how_often_its_margins_were_right() {
     assert_eq!(line("hilbert")[1..4], ["45", "45", "45"].map(str::to_owned));
     // No margin is about accuracy.
     assert_eq!(line("tail")[1..4], ["7", "0", "0"].map(str::to_owned));
-}
-
-/// Standard output; progress may be told on the other stream.
-fn succeeds_with_progress(place: &Workplace, arguments: &[&str]) -> String {
-    let answer = place.sweep(arguments);
-    assert_eq!(answer.code, 0, "{answer:?}");
-    answer.output
 }

@@ -1,14 +1,15 @@
 //! Methods that chatter in sticking: refused by `run`, warned of elsewhere.
 
 use crate::refusals::refused;
+use crate::same_case::with_chattering_string;
 use crate::support::{SMALL, Workplace, with};
-use crate::{columns, run, table, text};
+use crate::{by_two_methods, columns, labels, run, table};
 
 const CHATTERING: &str = "small.toml:6: `methods[1]`: the responses in torsion by direct-idft \
                           are not positive-real";
 
 fn with_direct() -> String {
-    with(SMALL, "\"quadrature\"", "\"quadrature\", \"direct-idft\"")
+    by_two_methods("direct-idft")
 }
 
 const ALLOWED: [&str; 5] = ["run", "small.toml", "--out", "results", "--allow-unstable"];
@@ -16,33 +17,22 @@ const ALLOWED: [&str; 5] = ["run", "small.toml", "--out", "results", "--allow-un
 #[test]
 fn an_unstable_method_is_refused_before_anything_is_simulated() {
     let place = Workplace::with_small(&with_direct());
-    let arguments = ["run", "small.toml", "--out", "results"];
     refused(
         &place,
-        &arguments,
+        &ALLOWED[..4],
         &[CHATTERING, "margin -", "--allow-unstable"],
     );
     let place = Workplace::with_small(SMALL);
-    let chosen = [
-        "run",
-        "small.toml",
-        "--out",
-        "results",
-        "--methods",
-        "direct-idft",
-    ];
-    refused(
-        &place,
-        &chosen,
-        &["--methods: ", "direct-idft", "another method"],
-    );
+    let chosen = ["run", "small.toml", "--methods", "direct-idft"];
+    let words = ["--methods: ", "direct-idft", "another method"];
+    refused(&place, &chosen, &words);
     let undamped = with(
         SMALL,
         "[design]",
         "[method.finite-element]\ngamma = 0.5\n[design]",
     );
     let place = Workplace::with_small(&with(&undamped, "\"quadrature\"", "\"finite-element\""));
-    refused(&place, &arguments, &["`methods[0]`", "a larger gamma"]);
+    refused(&place, &ALLOWED[..4], &["`methods[0]`", "a larger gamma"]);
 }
 
 #[test]
@@ -55,15 +45,9 @@ fn an_unstable_method_that_is_allowed_is_warned_of() {
             .errors
             .starts_with("warning: the responses in torsion by direct-idft")
     );
-    let labels = table(&text(&place, "results/labels.csv"));
-    assert_eq!(columns(&labels, ["status"]).len(), 12);
+    assert_eq!(labels(&place, "results", ["status"]).len(), 12);
     // A folder with doubtful labels is not one without.
-    let strict = place.sweep(&ALLOWED[..4]);
-    assert_eq!(strict.code, 2, "{strict:?}");
-    assert!(
-        strict.errors.contains("--allow-unstable: true → null"),
-        "{strict:?}"
-    );
+    refused(&place, &ALLOWED[..4], &["--allow-unstable: true → null"]);
 }
 
 #[test]
@@ -87,18 +71,9 @@ fn other_commands_only_warn() {
     );
 }
 
-/// With elements as long as the transform is short, one string holds and the other
-/// does not.
 #[test]
 fn where_strings_differ_each_has_its_own_margin() {
-    let text = with(SMALL, "\"quadrature\"", "\"quadrature\", \"hilbert\"");
-    let text = with(
-        &text,
-        "[design]",
-        "[method.hilbert]\ntransform_s = 0.6\n[design]",
-    );
-    let axis = "[design.axes]\ntorsional_damping_nms_rad_m = { values = [2, 2000] }\n";
-    let place = Workplace::with_small(&with(&text, "[design.axes]\n", axis));
+    let place = Workplace::with_small(&with_chattering_string());
     let answer = place.sweep(&ALLOWED[..4]);
     assert_eq!(answer.code, 3, "{answer:?}");
     let failures = table(&crate::text(&place, "results/failures.csv"));

@@ -1,7 +1,7 @@
 //! Tables that are missing, cut or altered.
 
 use crate::support::Workplace;
-use crate::{RUN, copy, read, refuses, succeeds, with_results, without_checksums};
+use crate::{FILES, RUN, copy, manifest, read, refuses, succeeds, with_results, without_checksums};
 
 /// What becomes of a file.
 type Damage = fn(Vec<u8>) -> Option<Vec<u8>>;
@@ -86,8 +86,7 @@ fn a_map_that_is_drawn_again_is_noted() {
     let place = with_results();
     std::fs::remove_file(place.path("results/map.svg")).unwrap();
     succeeds(&place, &["plot", "results"]);
-    let mut manifest: serde_json::Value =
-        serde_json::from_slice(&read(&place, "results/manifest.json")).unwrap();
+    let mut manifest = manifest(&place, "results");
     manifest["files"]["map.svg"]["sha256"] = "0".into();
     place.write("results/manifest.json", manifest.to_string());
     succeeds(&place, &["plot", "results"]);
@@ -98,8 +97,7 @@ fn a_map_that_is_drawn_again_is_noted() {
 #[test]
 fn the_checksums_are_those_of_the_files() {
     let place = with_results();
-    let manifest: serde_json::Value =
-        serde_json::from_slice(&read(&place, "results/manifest.json")).unwrap();
+    let manifest = manifest(&place, "results");
     let failures = "case,method,reason,repeat_with\n";
     assert_eq!(read(&place, "results/failures.csv"), failures.as_bytes());
     let noted = &manifest["files"]["failures.csv"];
@@ -109,14 +107,7 @@ fn the_checksums_are_those_of_the_files() {
         "027f0597781820b4b671f781b54ec011522e3b32f849ca5fa4169779326b3ba0"
     );
     let names: Vec<&String> = manifest["files"].as_object().unwrap().keys().collect();
-    let expected = [
-        "boundary.csv",
-        "failures.csv",
-        "labels.csv",
-        "map.png",
-        "map.svg",
-    ];
-    assert_eq!(names, expected);
+    assert_eq!(names, FILES);
 }
 
 #[test]

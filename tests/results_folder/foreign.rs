@@ -1,7 +1,7 @@
 //! Files of others in the folder that a run is to write.
 
 use crate::support::{SMALL, Workplace, small_with_design, with};
-use crate::{RUN, copy, read, refuses, succeeds, with_results};
+use crate::{FILES, RUN, copy, read, refuses, run_shards, succeeds, with_results};
 
 /// The command, from nothing too.
 fn refuses_fresh_or_not(place: &Workplace, code: i32, words: &[&str]) {
@@ -65,13 +65,7 @@ fn a_table_that_is_a_link_leaves_what_it_leads_to() {
 
 #[test]
 fn a_folder_with_a_file_that_a_run_would_replace_is_refused() {
-    for name in [
-        "labels.csv",
-        "boundary.csv",
-        "failures.csv",
-        "map.svg",
-        "map.png",
-    ] {
+    for name in FILES {
         let place = Workplace::with_small(SMALL);
         std::fs::create_dir(place.path("results")).unwrap();
         place.write(&format!("results/{name}"), "mine\n");
@@ -137,14 +131,7 @@ fn what_a_run_does_not_write_stays() {
 #[test]
 fn a_merge_replaces_nothing_of_others() {
     let place = Workplace::with_small(SMALL);
-    for shard in ["0", "1"] {
-        let arguments = ["run", "small.toml", "--quiet", "--shard"];
-        let shard_of = format!("{shard}/2");
-        succeeds(
-            &place,
-            &[&arguments[..], &[&shard_of, "--out", shard]].concat(),
-        );
-    }
+    run_shards(&place);
     std::fs::create_dir(place.path("out")).unwrap();
     let merge = ["merge", "0", "1", "--out", "out"];
     for name in ["labels.csv", "map.png"] {

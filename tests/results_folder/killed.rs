@@ -5,7 +5,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::process::Command;
 
 use crate::support::Workplace;
-use crate::{RUN, copy, read, succeeds, with_results};
+use crate::{FILES, RUN, copy, read, run_shards, succeeds, with_results};
 
 /// What files of so many bytes stop: the log's header, a table, the manifest, a
 /// picture, a page.
@@ -41,13 +41,7 @@ fn left(place: &Workplace, folder: &str) -> Vec<String> {
 
 #[track_caller]
 fn same(place: &Workplace, one: &str, other: &str) {
-    for name in [
-        "labels.csv",
-        "boundary.csv",
-        "failures.csv",
-        "map.svg",
-        "map.png",
-    ] {
+    for name in FILES {
         let [one, other] = [one, other].map(|folder| read(place, &format!("{folder}/{name}")));
         assert!(one == other, "{name}");
     }
@@ -88,19 +82,7 @@ fn a_run_killed_in_any_file_leaves_nothing_after_the_next() {
 #[test]
 fn a_merge_killed_in_any_file_can_be_done_again() {
     let place = with_results();
-    for shard in ["0", "1"] {
-        let part = format!("{shard}/2");
-        let run = [
-            "run",
-            "small.toml",
-            "--quiet",
-            "--shard",
-            &part,
-            "--out",
-            shard,
-        ];
-        succeeds(&place, &run);
-    }
+    run_shards(&place);
     for limit in LIMITS {
         let merge = ["merge", "0", "1", "--out", "other"];
         assert!(is_killed(&place, limit, &merge), "{limit}");

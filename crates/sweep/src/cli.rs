@@ -38,7 +38,14 @@ pub enum Command {
         The file runs as it is, in about a second. It needs no other file: string, bit,\n\
         rock and cases are in it, and a borehole wall, impulses and more to switch on."
     )]
-    New(NewArguments),
+    New {
+        /// The file to write
+        #[arg(default_value = "my-sweep.toml")]
+        file: PathBuf,
+        /// Write over a file that is there
+        #[arg(long)]
+        force: bool,
+    },
     /// Run every case of a sweep by every method, into a results folder
     #[command(
         after_help = "Examples:\n  sweep run sweeps/fig09.toml --out /tmp/fig09\n  \
@@ -66,13 +73,23 @@ pub enum Command {
     Inspect(InspectArguments),
     /// Draw the regime map of a results folder again
     #[command(after_help = "Example:\n  sweep plot results/fig09")]
-    Plot(PlotArguments),
+    Plot {
+        /// A results folder, of an unfinished run too
+        folder: PathBuf,
+    },
     /// Join the shards of a sweep into one results folder
     #[command(
         after_help = "Example:\n  sweep merge results/fig14/shard-* --out results/fig14\n\n\
         Exit code 4 where a shard is missing or not finished; its number is printed."
     )]
-    Merge(MergeArguments),
+    Merge {
+        /// The shards' results folders
+        #[arg(required = true)]
+        folders: Vec<PathBuf>,
+        /// Results folder
+        #[arg(long)]
+        out: PathBuf,
+    },
     /// Chart accuracy against speed, all methods, on the paper's string
     #[command(after_help = "Examples:\n  sweep tradeoff\n  \
         sweep tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
@@ -89,26 +106,24 @@ pub enum Command {
     Report(ReportArguments),
     /// Say in the terminal what a results folder holds
     #[command(after_help = "Example:\n  sweep summary results/fig09")]
-    Summary(SummaryArguments),
+    Summary {
+        /// A results folder, of an unfinished run too
+        folder: PathBuf,
+    },
     /// Print a script that completes this command line in a shell
     #[command(after_help = "Example, for bash:\n  \
         sweep completions bash > ~/.local/share/bash-completion/completions/sweep")]
-    Completions(CompletionsArguments),
+    Completions {
+        /// Which shell
+        shell: Shell,
+    },
     /// Print the manual page of the program or of a command
     #[command(after_help = "Examples:\n  sweep man run | man -l -\n  \
         sweep man > ~/.local/share/man/man1/sweep.1")]
-    Man(ManArguments),
-}
-
-/// Arguments of `new`.
-#[derive(Debug, Args)]
-pub struct NewArguments {
-    /// The file to write
-    #[arg(default_value = "my-sweep.toml")]
-    pub file: PathBuf,
-    /// Write over a file that is there
-    #[arg(long)]
-    pub force: bool,
+    Man {
+        /// Which command; without it, the program
+        command: Option<String>,
+    },
 }
 
 /// Arguments of `run`.
@@ -247,24 +262,6 @@ pub struct InspectArguments {
     pub work: WorkArguments,
 }
 
-/// Arguments of `plot`.
-#[derive(Debug, Args)]
-pub struct PlotArguments {
-    /// A results folder, of an unfinished run too
-    pub folder: PathBuf,
-}
-
-/// Arguments of `merge`.
-#[derive(Debug, Args)]
-pub struct MergeArguments {
-    /// The shards' results folders
-    #[arg(required = true)]
-    pub folders: Vec<PathBuf>,
-    /// Results folder
-    #[arg(long)]
-    pub out: PathBuf,
-}
-
 /// Arguments of `tradeoff`.
 #[derive(Debug, Args)]
 pub struct TradeoffArguments {
@@ -320,27 +317,6 @@ pub struct ReportArguments {
     pub out: Option<PathBuf>,
 }
 
-/// Arguments of `summary`.
-#[derive(Debug, Args)]
-pub struct SummaryArguments {
-    /// A results folder, of an unfinished run too
-    pub folder: PathBuf,
-}
-
-/// Arguments of `completions`.
-#[derive(Debug, Args)]
-pub struct CompletionsArguments {
-    /// Which shell
-    pub shell: Shell,
-}
-
-/// Arguments of `man`.
-#[derive(Debug, Args)]
-pub struct ManArguments {
-    /// Which command; without it, the program
-    pub command: Option<String>,
-}
-
 fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected AXIS=VALUE")?;
     let axis =
@@ -353,29 +329,4 @@ fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
         .parse()
         .map_err(|_| format!("`{value}` is not a number"))?;
     Ok((axis, number))
-}
-
-impl ValueEnum for MethodName {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            MethodName::Quadrature,
-            MethodName::Hilbert,
-            MethodName::FiniteElement,
-            MethodName::DirectIdft,
-            MethodName::Trapezoidal,
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        let help = match self {
-            MethodName::Quadrature => "convolution quadrature, BDF2: the default",
-            MethodName::Hilbert => "the paper's digital filter",
-            MethodName::FiniteElement => "finite elements with Newmark's scheme",
-            MethodName::DirectIdft => "plain inverse DFT, kept to show that it fails",
-            MethodName::Trapezoidal => {
-                "convolution quadrature, trapezoidal rule, kept to show that it chatters"
-            }
-        };
-        Some(clap::builder::PossibleValue::new(self.name()).help(help))
-    }
 }

@@ -79,10 +79,9 @@ impl HandTable {
             let (values, columns) = (filled(&row.cells), self.header.len());
             if values > columns || row.cells.len() < columns {
                 let values = values.max(row.cells.len().min(columns));
-                let message = self.uneven(values, columns);
                 return Err(Mistake {
                     line: row.line,
-                    message,
+                    message: self.uneven(values, columns),
                 });
             }
             row.cells.truncate(columns);

@@ -61,19 +61,19 @@ fn main() -> ExitCode {
     let arguments = Cli::parse();
     let terminal = Terminal::of(&arguments.command);
     let result = commands::stop::listen(terminal).and_then(|()| match arguments.command {
-        Command::New(arguments) => commands::new::new(&arguments),
+        Command::New { file, force } => commands::new::new(&file, force),
         Command::Run(arguments) => commands::run::run(&arguments, terminal),
         Command::Check(arguments) => commands::check::check(&arguments, terminal),
         Command::Simulate(arguments) => commands::simulate::simulate(&arguments, terminal),
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments, terminal),
-        Command::Plot(arguments) => commands::plot::plot(&arguments, terminal),
-        Command::Merge(arguments) => commands::merge::merge(&arguments, terminal),
+        Command::Plot { folder } => commands::plot::plot(&folder, terminal),
+        Command::Merge { folders, out } => commands::merge::merge(&folders, &out, terminal),
         Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments, terminal),
         Command::Stability(arguments) => commands::stability::stability(&arguments, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
-        Command::Summary(arguments) => commands::report::summary(&arguments, terminal),
-        Command::Completions(arguments) => commands::shell::completions(&arguments),
-        Command::Man(arguments) => commands::shell::man(&arguments),
+        Command::Summary { folder } => commands::report::summary(&folder, terminal),
+        Command::Completions { shell } => commands::shell::completions(shell),
+        Command::Man { command } => commands::shell::man(command.as_deref()),
     });
     let status = result.unwrap_or_else(|error| {
         terminal.complain(&format!("error: {error:#}"));

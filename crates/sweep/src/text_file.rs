@@ -39,6 +39,11 @@ pub fn read_text(path: &Path, most: u64) -> Result<String> {
     text_of(bytes)
 }
 
+/// The message about a file that cannot be read.
+pub fn unreadable(path: &Path) -> String {
+    format!("{} cannot be read", path.display())
+}
+
 fn text_of(bytes: Vec<u8>) -> Result<String> {
     String::from_utf8(bytes).map_err(|error| {
         let bytes = error.as_bytes();

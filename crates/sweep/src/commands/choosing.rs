@@ -1,17 +1,16 @@
 //! Choosing for an accuracy, which may take minutes: what is tried is told
 //! meanwhile, and at the end what it took.
 
-use std::io::IsTerminal;
 use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use serde_json::json;
 
-use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, BETWEEN_TICKS};
+use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, Display, moving};
 use super::stop;
 use super::terminal::Terminal;
 use crate::memory::Limit;
@@ -63,29 +62,12 @@ struct Choosing {
     terminal: Terminal,
 }
 
-/// How it is shown.
-enum Display {
-    Nothing,
-    Spinner(ProgressBar),
-    Lines,
-    Events,
-}
-
 impl Choosing {
     fn new(quiet: bool, terminal: Terminal) -> Self {
-        let display = if terminal.is_json() {
-            Display::Events
-        } else if quiet {
-            Display::Nothing
-        } else if std::io::stderr().is_terminal() {
-            Display::Spinner(spinner(terminal))
-        } else {
-            Display::Lines
-        };
         Self {
             start: Instant::now(),
             attempt: Mutex::new(None),
-            display,
+            display: Display::of(terminal, quiet, || spinner(terminal)),
             terminal,
         }
     }
@@ -94,7 +76,7 @@ impl Choosing {
         if let Ok(mut current) = self.attempt.lock() {
             *current = Some(attempt);
         }
-        if let Display::Spinner(_) = self.display {
+        if let Display::Bar(_) = self.display {
             self.tell();
         }
     }
@@ -102,7 +84,7 @@ impl Choosing {
     /// Time between two words.
     fn pause(&self) -> Duration {
         match self.display {
-            Display::Events | Display::Spinner(_) => BETWEEN_EVENTS,
+            Display::Events | Display::Bar(_) => BETWEEN_EVENTS,
             Display::Lines | Display::Nothing => BETWEEN_LINES,
         }
     }
@@ -127,7 +109,7 @@ impl Choosing {
         };
         match &self.display {
             Display::Nothing => {}
-            Display::Spinner(spinner) => spinner.set_message(line()),
+            Display::Bar(spinner) => spinner.set_message(line()),
             Display::Lines => self.terminal.complain(&line()),
             Display::Events => self.terminal.tell(&json!({
                 "event": "choosing",
@@ -141,7 +123,7 @@ impl Choosing {
 
     /// The choice is made, or there is none.
     fn finish(&self, chosen: Option<&Candidate>) {
-        if let Display::Spinner(spinner) = &self.display {
+        if let Display::Bar(spinner) = &self.display {
             spinner.finish_and_clear();
         }
         let Some(chosen) = chosen else {
@@ -149,7 +131,7 @@ impl Choosing {
         };
         match self.display {
             Display::Nothing => {}
-            Display::Spinner(_) | Display::Lines => self.terminal.complain(&format!(
+            Display::Bar(_) | Display::Lines => self.terminal.complain(&format!(
                 "accuracy: {chosen}, chosen in {}",
                 self.cost(" with ")
             )),
@@ -178,11 +160,7 @@ impl Choosing {
 }
 
 fn spinner(terminal: Terminal) -> ProgressBar {
-    let spinner = ProgressBar::new_spinner();
-    if let Ok(style) = ProgressStyle::with_template("{spinner} {wide_msg}") {
-        spinner.set_style(style);
-    }
-    spinner.enable_steady_tick(BETWEEN_TICKS);
+    let spinner = moving(ProgressBar::new_spinner(), "{spinner} {wide_msg}");
     let shown = spinner.clone();
     stop::before_end(move || {
         shown.finish_and_clear();

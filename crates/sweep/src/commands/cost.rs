@@ -1,7 +1,6 @@
 //! What a sweep costs on this machine: memory by count, wall time by a short probe of
 //! the sweep's own cases.
 
-use std::fmt;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -33,17 +32,6 @@ const SHUFFLE: usize = 7919;
 /// How often a wait looks whether it is to end.
 const GLANCE: Duration = Duration::from_millis(50);
 
-/// What a sweep costs.
-#[derive(Debug)]
-pub struct Cost {
-    /// Memory it takes at most.
-    pub memory: Estimate,
-    /// The limit on that.
-    pub limit: Limit,
-    /// Time it takes.
-    pub time: WallTime,
-}
-
 /// Wall time of a run.
 #[derive(Debug)]
 pub enum WallTime {
@@ -55,25 +43,22 @@ pub enum WallTime {
     Refused(anyhow::Error),
 }
 
-impl fmt::Display for Cost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (bytes, limit) = (Size(self.memory.bytes), &self.limit);
-        writeln!(f, "memory: at most {bytes}; limit: {limit}")?;
-        let threads = counted(rayon::current_num_threads(), "thread");
-        match &self.time {
-            WallTime::About(seconds) => writeln!(
-                f,
-                "wall time: {} on {threads}, by a short probe",
-                in_words(*seconds)
-            ),
-            WallTime::Unknown => writeln!(
-                f,
-                "wall time: not known; a probe of {} s was too short",
-                PROBE.as_secs()
-            ),
-            WallTime::Refused(reason) => writeln!(f, "wall time: none, for {reason:#}"),
+/// What a sweep costs, in words: the memory it takes at most, the limit on that, and
+/// its time.
+pub fn cost_lines(memory: &Estimate, limit: &Limit, time: &WallTime) -> String {
+    let threads = counted(rayon::current_num_threads(), "thread");
+    let time = match time {
+        WallTime::About(seconds) => {
+            format!("{} on {threads}, by a short probe", in_words(*seconds))
         }
-    }
+        WallTime::Unknown => {
+            let probe = PROBE.as_secs();
+            format!("not known; a probe of {probe} s was too short")
+        }
+        WallTime::Refused(reason) => format!("none, for {reason:#}"),
+    };
+    let bytes = Size(memory.bytes);
+    format!("memory: at most {bytes}; limit: {limit}\nwall time: {time}\n")
 }
 
 /// A time as a person would say it.

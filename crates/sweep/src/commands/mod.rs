@@ -4,6 +4,7 @@
 pub mod check;
 mod choosing;
 mod cost;
+mod csv_table;
 mod drawing;
 mod folder;
 pub mod inspect;

@@ -1,16 +1,16 @@
 //! `sweep plot`: the regime map of a results folder.
 
+use std::path::Path;
+
 use anyhow::{Result, bail};
 
 use super::drawing::{draw_and_note, draw_map};
 use super::folder::{hold, refuse_empty, tables_of};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
-use crate::cli::PlotArguments;
 
 /// Draws the map again.
-pub fn plot(arguments: &PlotArguments, terminal: Terminal) -> Result<Status> {
-    let folder = &arguments.folder;
+pub fn plot(folder: &Path, terminal: Terminal) -> Result<Status> {
     refuse_empty(folder)?;
     let _lock = hold(folder, "map.svg", terminal)?;
     let mut tables = tables_of(folder, terminal)?;

@@ -32,13 +32,9 @@ pub fn read_sweep(
 
 /// What is named in a list, once each.
 pub fn unique<T: Copy + PartialEq>(list: &[T]) -> Vec<T> {
-    let mut unique = Vec::new();
-    for item in list {
-        if !unique.contains(item) {
-            unique.push(*item);
-        }
-    }
-    unique
+    let is_first = |&(place, item): &(usize, &T)| !list[..place].contains(item);
+    let first = list.iter().enumerate().filter(is_first);
+    first.map(|(_, item)| *item).collect()
 }
 
 /// A look at every case before any is run.

@@ -19,7 +19,7 @@ pub const BETWEEN_LINES: Duration = Duration::from_secs(10);
 pub const BETWEEN_EVENTS: Duration = Duration::from_secs(1);
 
 /// Time between pictures of a bar.
-pub const BETWEEN_TICKS: Duration = Duration::from_millis(200);
+const BETWEEN_TICKS: Duration = Duration::from_millis(200);
 
 /// Counts what is done and shows it on the error stream.
 pub struct Progress {
@@ -34,28 +34,41 @@ pub struct Progress {
     terminal: Terminal,
 }
 
-/// How it is shown.
-enum Display {
+/// How what is under way is shown.
+pub enum Display {
+    /// Not at all.
     Nothing,
+    /// By what moves on a terminal.
     Bar(ProgressBar),
+    /// By a line now and then.
     Lines,
+    /// By events for programs.
     Events,
+}
+
+impl Display {
+    /// For programs events; for people nothing if `quiet`, and a bar on a terminal.
+    pub fn of(terminal: Terminal, quiet: bool, bar: impl FnOnce() -> ProgressBar) -> Self {
+        if terminal.is_json() {
+            Display::Events
+        } else if quiet {
+            Display::Nothing
+        } else if std::io::stderr().is_terminal() {
+            Display::Bar(bar())
+        } else {
+            Display::Lines
+        }
+    }
 }
 
 impl Progress {
     /// Of so many simulations, some done before; for people none if `quiet`. A signal
     /// ends it.
     pub fn new(total: usize, before: usize, quiet: bool, terminal: Terminal) -> Arc<Self> {
-        let display = if terminal.is_json() {
+        let display = Display::of(terminal, quiet, || bar(total, before));
+        if let Display::Events = display {
             terminal.tell(&json!({ "event": "start", "total": total, "done": before }));
-            Display::Events
-        } else if quiet {
-            Display::Nothing
-        } else if std::io::stderr().is_terminal() {
-            Display::Bar(bar(total, before))
-        } else {
-            Display::Lines
-        };
+        }
         let now = Instant::now();
         let progress = Arc::new(Self {
             total,
@@ -132,13 +145,18 @@ impl Progress {
 }
 
 fn bar(total: usize, before: usize) -> ProgressBar {
-    let bar = ProgressBar::new(total as u64);
     let template = "{wide_bar} {pos}/{len} simulations, {eta} left";
+    let bar = moving(ProgressBar::new(total as u64), template);
+    bar.set_position(before as u64);
+    bar.reset_eta();
+    bar
+}
+
+/// A bar of this looks that moves by itself.
+pub fn moving(bar: ProgressBar, template: &str) -> ProgressBar {
     if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style);
     }
-    bar.set_position(before as u64);
-    bar.reset_eta();
     bar.enable_steady_tick(BETWEEN_TICKS);
     bar
 }

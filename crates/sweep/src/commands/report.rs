@@ -9,13 +9,14 @@ use super::drawing::draw_map;
 use super::folder::{REPORT, hold, tables_of};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
-use crate::cli::{ReportArguments, SummaryArguments};
+use crate::cli::ReportArguments;
 use crate::files::{folder_of, write_atomically};
-use crate::report::{Comparison, Results, is_page, page, sections, text};
+use crate::report::{Results, compare, is_page, page, sections, text};
+use crate::text_file::unreadable;
 
 /// Says in the terminal what a folder holds.
-pub fn summary(arguments: &SummaryArguments, terminal: Terminal) -> Result<Status> {
-    let all = [read(&arguments.folder, terminal)?];
+pub fn summary(folder: &Path, terminal: Terminal) -> Result<Status> {
+    let all = [read(folder, terminal)?];
     say(&text(&title(&all), &sections(&all, &[])))?;
     Ok(Status::Complete)
 }
@@ -26,7 +27,7 @@ pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status>
         .map(|folder| read(folder, terminal))
         .collect::<Result<Vec<_>>>()?;
     let comparisons = (all.iter().skip(1))
-        .map(|other| Comparison::of(&all[0], other))
+        .map(|other| compare(&all[0], other))
         .collect::<Result<Vec<_>>>()?;
     let html = page(&title(&all), &sections(&all, &comparisons))?;
     let path = match (&arguments.out, &arguments.folders[..]) {
@@ -46,7 +47,7 @@ fn read(folder: &Path, terminal: Terminal) -> Result<Results> {
     let tables = tables_of(folder, terminal)?;
     let is_drawn = tables.manifest.shard().is_whole() && tables.manifest.tally.rows > 0;
     if tables.so_far.is_some() && is_drawn {
-        draw_map(&tables, tables.pictures())?;
+        draw_map(&tables, &tables.folder)?;
     }
     Results::read(folder, tables)
 }
@@ -54,7 +55,7 @@ fn read(folder: &Path, terminal: Terminal) -> Result<Results> {
 /// Writes a page under its usual name, where nothing else has it.
 fn write_page(path: PathBuf, html: &str, terminal: Terminal) -> Result<PathBuf> {
     let _lock = hold(folder_of(&path), REPORT, terminal)?;
-    let is_ours = is_page(&path).with_context(|| format!("{} cannot be read", path.display()))?;
+    let is_ours = is_page(&path).with_context(|| unreadable(&path))?;
     if path.exists() && !is_ours {
         bail!(UsageError(format!(
             "{} is no page of this program: write another with --out, or move it away",

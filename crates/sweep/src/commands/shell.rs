@@ -3,24 +3,25 @@
 
 use anyhow::{Context, Result};
 use clap::CommandFactory;
+use clap_complete::Shell;
 use clap_mangen::Man;
 
 use super::status::{Status, UsageError};
 use super::terminal::say;
-use crate::cli::{Cli, CompletionsArguments, ManArguments};
+use crate::cli::Cli;
 
 /// Prints a script that completes the command line.
-pub fn completions(arguments: &CompletionsArguments) -> Result<Status> {
+pub fn completions(shell: Shell) -> Result<Status> {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut Cli::command(), "sweep", &mut script);
+    clap_complete::generate(shell, &mut Cli::command(), "sweep", &mut script);
     print(script)
 }
 
 /// Prints the manual page of the program, or of one of its commands.
-pub fn man(arguments: &ManArguments) -> Result<Status> {
+pub fn man(command: Option<&str>) -> Result<Status> {
     let mut program = Cli::command();
     program.build();
-    let page = match &arguments.command {
+    let page = match command {
         None => &program,
         Some(name) => program
             .find_subcommand(name)

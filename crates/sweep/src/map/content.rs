@@ -9,7 +9,7 @@ use super::cells::Cells;
 use super::extent::Extent;
 use super::fractions::Fractions;
 use super::symbol::symbol_of;
-use crate::output::{CaseReader, CaseRows, Motion};
+use crate::output::{CaseRows, Motion, read_cases};
 use crate::plot::{Ground, MapCell, MapPoint, Symbol};
 
 /// Where a sheet would have more symbols than this, cells are drawn.
@@ -65,7 +65,7 @@ impl Content {
         };
         let mut contents: Vec<Content> = (0..count).map(|_| empty()).collect();
         let axes: Vec<_> = extent.axes.iter().chain(&extent.others).copied().collect();
-        for case in CaseReader::open(labels, &axes)? {
+        for case in read_cases(labels, &axes)? {
             let case = case?;
             let of_case = |combinations: &[Vec<f64>]| {
                 let values = &case.values[2..];

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use crate::output::{CaseReader, Motion};
+use crate::output::{Motion, read_cases};
 use crate::quantities::Axis;
 
 /// Distinct values along an axis are kept up to this number.
@@ -65,7 +65,7 @@ impl Extent {
         let mut motions = BTreeSet::new();
         let mut cases = 0;
         let all: Vec<Axis> = axes.iter().chain(&others).copied().collect();
-        for case in CaseReader::open(labels, &all)? {
+        for case in read_cases(labels, &all)? {
             let case = case?;
             for (range, &value) in ranges.iter_mut().zip(&case.values) {
                 *range = [range[0].min(value), range[1].max(value)];

@@ -25,10 +25,11 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
     let axes = [settings.x, settings.y];
     let others = manifest.axes.iter().copied();
     let others = others.filter(|axis| !axes.contains(axis)).collect();
+    let labels = tables.folder.join("labels.csv");
     let map = Map {
         manifest,
-        labels: tables.labels(),
-        extent: Extent::of(&tables.labels(), axes, others)?,
+        extent: Extent::of(&labels, axes, others)?,
+        labels,
         curves: tables.boundary()?.curves(&manifest.axes),
     };
     let (marks, left_out) = map.marks(&settings.marks);

@@ -23,7 +23,7 @@ pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::CaseReader;
+    use crate::output::read_cases;
 
     #[test]
     fn a_case_has_a_symbol_where_every_method_tells() {
@@ -32,7 +32,7 @@ mod tests {
                      3,a,stuck,backward_whirl\n3,b,stuck,no_contact\n\
                      4,a,,\n4,b,,no_contact\n5,a,smooth,\n5,b,smooth,\n";
         std::fs::write(file.path(), table).expect("written");
-        let cases = CaseReader::open(file.path(), &[]).expect("a table");
+        let cases = read_cases(file.path(), &[]).expect("a table");
         let cases: Vec<CaseRows> = cases.map(|case| case.expect("read")).collect();
         let symbols =
             |motion| -> Vec<_> { cases.iter().map(|case| symbol_of(case, motion)).collect() };

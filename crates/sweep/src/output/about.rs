@@ -3,12 +3,11 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
 use super::labels::{LabelTable, shows_torque};
 use super::manifest::Manifest;
-use super::results::Tally;
 use crate::engine::{MethodSystem, RunOptions, Shard, pairs_of};
 use crate::plan::Sweep;
 
@@ -37,7 +36,7 @@ impl About {
         options: RunOptions,
         systems: &[MethodSystem],
     ) -> Result<Self> {
-        let mut manifest = Manifest::new(sweep, shard, options, systems, Tally::default(), 0.0)?;
+        let mut manifest = Manifest::new(sweep, shard, options, systems)?;
         // The same text however often the run is stopped.
         manifest.threads = 0;
         for method in &mut manifest.methods {
@@ -58,22 +57,5 @@ impl About {
             axes: &self.manifest.axes,
             shows_torque: self.shows_torque,
         }
-    }
-
-    /// As a line of text.
-    ///
-    /// # Errors
-    /// None that a sweep that was read could cause.
-    pub fn text(&self) -> Result<String> {
-        Ok(serde_json::to_string(self)?)
-    }
-
-    /// Reads it back from the log at `path`.
-    ///
-    /// # Errors
-    /// Where another version of the program wrote it.
-    pub fn parse(text: &str, path: &Path) -> Result<Self> {
-        serde_json::from_str(text)
-            .with_context(|| format!("{} is of another version of this program", path.display()))
     }
 }

@@ -13,6 +13,7 @@ use super::whirl_limit::{WhirlPoint, whirl_limit};
 use crate::engine::MethodSystem;
 use crate::plan::{Bit, LateralSettings, Sweep, TorqueError, to_rpm};
 use crate::quantities::Axis;
+use crate::text_file::unreadable;
 
 /// Points of the line between the ends of an axis.
 const POINTS: usize = 200;
@@ -209,7 +210,7 @@ pub fn read_boundary(path: &Path) -> Result<Boundary> {
             Boundary::StickSlip(reader.deserialize().collect::<Result<_, _>>()?)
         })
     };
-    read().with_context(|| format!("{} cannot be read", path.display()))
+    read().with_context(|| unreadable(path))
 }
 
 #[cfg(test)]

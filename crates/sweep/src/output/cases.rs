@@ -1,11 +1,10 @@
 //! `labels.csv` case by case: what all methods say of each.
 
-use std::iter::Peekable;
 use std::path::Path;
 
 use anyhow::Result;
 
-use super::label_rows::{LabelReader, LabelRow};
+use super::label_rows::{LabelRow, label_rows};
 use super::motion::Motion;
 use crate::quantities::Axis;
 
@@ -35,40 +34,26 @@ impl CaseRows {
     }
 }
 
-/// The cases of a `labels.csv`; only one is in memory at a time.
-pub struct CaseReader {
-    rows: Peekable<LabelReader>,
-}
-
-impl CaseReader {
-    /// Opens a `labels.csv` of which the values along `axes` are wanted.
-    ///
-    /// # Errors
-    /// Where it cannot be read or lacks a column.
-    pub fn open(path: &Path, axes: &[Axis]) -> Result<Self> {
-        let rows = LabelReader::open(path, axes)?.peekable();
-        Ok(Self { rows })
-    }
-}
-
-/// The message of an error names file and line.
-impl Iterator for CaseReader {
-    type Item = Result<CaseRows>;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        let first = match self.rows.next()? {
-            Ok(row) => row,
-            Err(error) => return Some(Err(error)),
-        };
-        let case = first.case;
-        let values = first.values.clone();
-        let mut rows = vec![first];
-        let is_of_case = |row: &Result<LabelRow>| row.as_ref().is_ok_and(|row| row.case == case);
-        while let Some(Ok(row)) = self.rows.next_if(is_of_case) {
-            rows.push(row);
-        }
-        Some(Ok(CaseRows { case, values, rows }))
-    }
+/// The cases of a `labels.csv` of which the values along `axes` are wanted; only one is in
+/// memory at a time.
+///
+/// # Errors
+/// Where it cannot be read or lacks a column; the message names file and line.
+pub fn read_cases(
+    path: &Path,
+    axes: &[Axis],
+) -> Result<impl Iterator<Item = Result<CaseRows>> + use<>> {
+    let mut rows = label_rows(path, axes)?.peekable();
+    Ok(std::iter::from_fn(move || {
+        let first = rows.next()?;
+        Some(first.map(|first| {
+            let (case, values) = (first.case, first.values.clone());
+            let is_next = |row: &Result<LabelRow>| row.as_ref().is_ok_and(|row| row.case == case);
+            let others = std::iter::from_fn(|| rows.next_if(is_next)?.ok());
+            let rows = std::iter::once(first).chain(others).collect();
+            CaseRows { case, values, rows }
+        }))
+    }))
 }
 
 #[cfg(test)]
@@ -78,7 +63,7 @@ mod tests {
     fn read(text: &str) -> Vec<Result<CaseRows>> {
         let file = tempfile::NamedTempFile::new().expect("a file");
         std::fs::write(file.path(), text).expect("written");
-        let cases = CaseReader::open(file.path(), &[Axis::Friction]).expect("a table");
+        let cases = read_cases(file.path(), &[Axis::Friction]).expect("a table");
         cases.collect()
     }
 

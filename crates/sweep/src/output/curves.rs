@@ -3,7 +3,7 @@
 
 use super::boundary::{Boundary, StickSlipPoint};
 use super::motion::Motion;
-use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, rolling_envelope};
+use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
 use crate::quantities::Axis;
 
 /// What the curves of whirl are. Several sites together may whirl below them.
@@ -162,16 +162,6 @@ fn piece_ranges(piece: &[[f64; 2]], shown: usize, held: [f64; 2]) -> Vec<[f64; 2
         is_open = leaves >= 1.0;
     }
     ranges
-}
-
-/// The part of the way from one value to another that is within a range.
-fn inside(from: f64, to: f64, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
-    if from == to {
-        return (low..=high).contains(&from).then_some([0.0, 1.0]);
-    }
-    let [one, two] = [low, high].map(|end| (end - from) / (to - from));
-    let (enters, leaves) = (one.min(two).max(0.0), one.max(two).min(1.0));
-    (enters <= leaves).then_some([enters, leaves])
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! Whether the files of a results folder are those that its manifest lists.
 
-use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Context, Result};
 
 use super::manifest::Manifest;
 use crate::files::{Checksum, is_absent};
+use crate::text_file::unreadable;
 
 /// The tables of a results folder.
 pub const TABLES: [&str; 3] = ["labels.csv", "failures.csv", "boundary.csv"];
@@ -19,15 +19,8 @@ pub const PICTURES: [&str; 2] = ["map.svg", "map.png"];
 pub struct Damage {
     /// The file's name.
     pub name: String,
-    path: PathBuf,
-    /// What is wrong with it, after its path.
-    how: String,
-}
-
-impl fmt::Display for Damage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.path.display(), self.how)
-    }
+    /// Its path, and what is wrong with it.
+    pub words: String,
 }
 
 impl Manifest {
@@ -46,11 +39,10 @@ impl Manifest {
         for &name in names {
             let path = folder.join(name);
             let how = damage_of(&path, self.files.get(name), self.has_checksums());
-            let how = how.with_context(|| format!("{} cannot be read", path.display()))?;
+            let how = how.with_context(|| unreadable(&path))?;
             found.extend(how.map(|how| Damage {
                 name: name.to_owned(),
-                path,
-                how,
+                words: format!("{} {how}", path.display()),
             }));
         }
         Ok(found)
@@ -63,8 +55,7 @@ impl Manifest {
     pub fn note(&mut self, folder: &Path, names: &[&str]) -> Result<()> {
         for &name in names {
             let path = folder.join(name);
-            let checksum = Checksum::of_file(&path)
-                .with_context(|| format!("{} cannot be read", path.display()))?;
+            let checksum = Checksum::of_file(&path).with_context(|| unreadable(&path))?;
             self.files.insert(name.to_owned(), checksum);
         }
         Ok(())

@@ -1,8 +1,7 @@
 //! Reads `labels.csv`: rows for maps, reports and merges, rows of a person for `check`,
 //! and the full records that a run with more cases starts from.
 
-use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::str::{FromStr, Split};
 
 use anyhow::{Context, Result, anyhow};
@@ -15,7 +14,7 @@ use crate::hand_table::{HandTable, Mistake, NumberError, number};
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
 use crate::sweep_file::nearest;
-use crate::text_file::{LARGEST_TABLE, read_text};
+use crate::text_file::{LARGEST_TABLE, read_text, unreadable};
 
 /// What is read back of a row: enough to draw it or to run it again.
 #[derive(Debug, Clone, PartialEq)]
@@ -184,8 +183,7 @@ fn regime<Regime: Copy + Into<Label>>(
 /// # Errors
 /// Where they cannot be read; the message names file and line.
 pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
-    let text = read_text(path, LARGEST_TABLE)
-        .with_context(|| format!("{} cannot be read", path.display()))?;
+    let text = read_text(path, LARGEST_TABLE).with_context(|| unreadable(path))?;
     let parsed = HandTable::new(&text).and_then(|table| rows_of(&table, axes));
     parsed.map_err(|mistake| anyhow!("{}:{mistake}", path.display()))
 }
@@ -204,52 +202,26 @@ fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
     rows.collect()
 }
 
-/// The rows of a `labels.csv`; only one is in memory at a time.
-pub struct LabelReader {
-    path: PathBuf,
-    reader: csv::Reader<File>,
-    record: csv::StringRecord,
-    columns: LabelColumns,
-}
-
-impl LabelReader {
-    /// Opens a `labels.csv` of which the values along `axes` are wanted.
-    ///
-    /// # Errors
-    /// Where it cannot be read or lacks a column.
-    pub fn open(path: &Path, axes: &[Axis]) -> Result<Self> {
-        let unreadable = || format!("{} cannot be read", path.display());
-        let mut reader = csv::Reader::from_path(path).with_context(unreadable)?;
-        let header = reader.headers().with_context(unreadable)?.clone();
-        let columns = LabelColumns::find(header.iter(), axes)
-            .map_err(|reason| anyhow!("{}:1: {reason}", path.display()))?;
-        Ok(Self {
-            path: path.to_owned(),
-            reader,
-            record: csv::StringRecord::new(),
-            columns,
-        })
-    }
-
-    fn read(&mut self) -> Result<Option<LabelRow>> {
-        let is_row = self.reader.read_record(&mut self.record);
-        if !is_row.with_context(|| format!("{} cannot be read", self.path.display()))? {
-            return Ok(None);
-        }
-        let line = self.record.position().map_or(0, csv::Position::line) as usize;
-        let row = self.columns.row(line, |column| self.record.get(column));
-        row.map(Some)
-            .map_err(|reason| anyhow!("{}:{line}: {reason}", self.path.display()))
-    }
-}
-
-/// The message of an error names file and line.
-impl Iterator for LabelReader {
-    type Item = Result<LabelRow>;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        self.read().transpose()
-    }
+/// The rows of a `labels.csv` of which the values along `axes` are wanted; only one is in
+/// memory at a time.
+///
+/// # Errors
+/// Where it cannot be read or lacks a column; the message names file and line.
+pub fn label_rows(
+    path: &Path,
+    axes: &[Axis],
+) -> Result<impl Iterator<Item = Result<LabelRow>> + use<>> {
+    let name = path.display().to_string();
+    let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
+    let header = reader.headers().with_context(|| unreadable(path))?;
+    let columns =
+        LabelColumns::find(header.iter(), axes).map_err(|reason| anyhow!("{name}:1: {reason}"))?;
+    Ok(reader.into_records().map(move |record| {
+        let record = record.with_context(|| unreadable(Path::new(&name)))?;
+        let line = record.position().map_or(0, csv::Position::line) as usize;
+        let row = columns.row(line, |column| record.get(column));
+        row.map_err(|reason| anyhow!("{name}:{line}: {reason}"))
+    }))
 }
 
 /// The record that a row of a sweep's table was written from; `reason` says why a case

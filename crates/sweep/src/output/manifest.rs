@@ -8,13 +8,14 @@ use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::results::Tally;
+use super::tally::Tally;
 use crate::design::Design;
 use crate::engine::{MethodSystem, RunOptions, Shard};
 use crate::files::{Checksum, hexadecimal, write_atomically};
 use crate::plan::{Choice, MapSettings, Sweep};
 use crate::quantities::Axis;
 use crate::sweep_file::FileContent;
+use crate::text_file::unreadable;
 
 /// What was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -104,7 +105,7 @@ impl MethodRecord {
 }
 
 impl Manifest {
-    /// The record of a finished run.
+    /// The record of a run, without what came out and how long it took.
     ///
     /// # Errors
     /// None that a sweep that was read could cause.
@@ -113,8 +114,6 @@ impl Manifest {
         shard: Shard,
         options: RunOptions,
         systems: &[MethodSystem],
-        tally: Tally,
-        wall_seconds: f64,
     ) -> Result<Self> {
         Ok(Self {
             name: sweep.name.clone(),
@@ -134,10 +133,10 @@ impl Manifest {
             shard: (!shard.is_whole()).then_some(shard),
             options,
             methods: systems.iter().map(MethodRecord::of).collect(),
-            tally,
+            tally: Tally::default(),
             files: BTreeMap::new(),
             threads: rayon::current_num_threads(),
-            wall_seconds,
+            wall_seconds: 0.0,
             map: sweep.map.clone(),
             sweep: sweep.content.clone(),
         })
@@ -179,8 +178,7 @@ impl Manifest {
     /// Reads the manifest of a results folder.
     pub fn read(folder: &Path) -> Result<Self> {
         let path = folder.join("manifest.json");
-        let text = std::fs::read_to_string(&path)
-            .with_context(|| format!("{} cannot be read", path.display()))?;
+        let text = std::fs::read_to_string(&path).with_context(|| unreadable(&path))?;
         serde_json::from_str(&text)
             .with_context(|| format!("{} is not a manifest of this program", path.display()))
     }

@@ -12,9 +12,9 @@ use tempfile::TempDir;
 
 use super::about::About;
 use super::boundary::{Boundary, read_boundary};
-use super::failures::Repeat;
 use super::manifest::Manifest;
-use super::results::{TableWriter, Tally};
+use super::results::TableWriter;
+use super::tally::Tally;
 use crate::engine::{LogView, read_about};
 
 /// A results folder, ready to be shown.
@@ -23,7 +23,8 @@ pub struct ResultTables {
     pub manifest: Manifest,
     /// How far it is, where it is not finished.
     pub so_far: Option<SoFar>,
-    folder: PathBuf,
+    /// Where they are.
+    pub folder: PathBuf,
     /// Holds the tables of a run that is not finished.
     _temporary: Option<TempDir>,
 }
@@ -67,7 +68,8 @@ impl ResultTables {
         let Some(text) = read_about(log)? else {
             return Ok(None);
         };
-        let mut about = About::parse(&text, log)?;
+        let mut about = serde_json::from_str::<About>(&text)
+            .with_context(|| format!("{} is of another version of this program", log.display()))?;
         let methods = about.manifest.methods.len();
         let view = LogView::open(log, about.manifest.cases, methods)?;
         let temporary = tempfile::tempdir().context("a temporary folder cannot be made")?;
@@ -84,16 +86,6 @@ impl ResultTables {
         }))
     }
 
-    /// `labels.csv`.
-    pub fn labels(&self) -> PathBuf {
-        self.folder.join("labels.csv")
-    }
-
-    /// `failures.csv`.
-    pub fn failures(&self) -> PathBuf {
-        self.folder.join("failures.csv")
-    }
-
     /// The limit; it is written when a run is finished, and has no point before.
     ///
     /// # Errors
@@ -104,25 +96,15 @@ impl ResultTables {
             Some(_) => Ok(Boundary::StickSlip(Vec::new())),
         }
     }
-
-    /// The folder of their pictures.
-    pub fn pictures(&self) -> &Path {
-        &self.folder
-    }
 }
 
 fn write_so_far(about: &About, view: &LogView, folder: &Path) -> Result<Tally> {
-    let repeat = Repeat {
-        sweep_file: Path::new(&about.sweep_file),
-        chooses_method: about.manifest.accuracy.is_some(),
-        options: about.manifest.options,
-    };
-    let mut tables = TableWriter::create(about.label_table(), repeat, folder)?;
+    let mut tables = TableWriter::create(about, folder)?;
     let methods = about.manifest.methods.len();
     view.in_order(|records| {
         let cases = records.chunk_by(|one, next| one.case == next.case);
         let answered = cases.filter(|case| case.len() == methods);
         tables.add(&answered.flatten().cloned().collect::<Vec<_>>())
     })?;
-    Ok(tables.finish()?.tally)
+    Ok(tables.finish()?.0)
 }

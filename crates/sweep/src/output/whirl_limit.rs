@@ -208,24 +208,14 @@ fn whirling(
 }
 
 /// The parts of a curve within a range of surface speeds.
-fn part_within(curve: &[SteadyWhirl], [slowest, fastest]: [f64; 2]) -> Vec<Curve> {
+fn part_within(curve: &[SteadyWhirl], range: [f64; 2]) -> Vec<Curve> {
     let mut parts: Vec<Curve> = Vec::new();
     for ends in curve.windows(2) {
         let [start, end] = [ends[0].surface_speed, ends[1].surface_speed];
-        let place = |speed: f64| (speed - start) / (end - start);
-        let (enter, leave) = if start < end {
-            (place(slowest), place(fastest))
-        } else if start > end {
-            (place(fastest), place(slowest))
-        } else if (slowest..=fastest).contains(&start) {
-            (0.0, 1.0)
-        } else {
+        let within = inside(start, end, range).filter(|[enter, leave]| enter < leave);
+        let Some([enter, leave]) = within else {
             continue;
         };
-        let (enter, leave) = (enter.max(0.0), leave.min(1.0));
-        if enter >= leave {
-            continue;
-        }
         let first = between(ends, enter);
         match parts.last_mut() {
             Some(part) if part.last() == Some(&first) => {}
@@ -236,6 +226,16 @@ fn part_within(curve: &[SteadyWhirl], [slowest, fastest]: [f64; 2]) -> Vec<Curve
         }
     }
     parts
+}
+
+/// The part of the way from one value to another that is within a range.
+pub fn inside(from: f64, to: f64, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
+    if from == to {
+        return (low..=high).contains(&from).then_some([0.0, 1.0]);
+    }
+    let [one, two] = [low, high].map(|end| (end - from) / (to - from));
+    let (enters, leaves) = (one.min(two).max(0.0), one.max(two).min(1.0));
+    (enters <= leaves).then_some([enters, leaves])
 }
 
 /// A point of the chord between two.
@@ -288,23 +288,30 @@ fn of_any_motion(sites: &[SiteWhirls], [slowest, fastest]: [f64; 2]) -> Vec<Whir
     for site in sites {
         let rolling = site.rolling.iter().map(Vec::as_slice);
         for curve in iter::once(site.slower.as_slice()).chain(rolling) {
-            whirls.extend((0..curve.len()).map(|place| Candidate { site, curve, place }));
+            // With a gap between curves.
+            let first = whirls.last().map_or(0, |last| last.place + 2);
+            whirls.extend(curve.iter().zip(first..).map(|(whirl, place)| Candidate {
+                whirl,
+                site_from_bit_m: site.distance_from_bit,
+                place,
+            }));
         }
     }
-    whirls.sort_by(|one, other| one.speed().total_cmp(&other.speed()));
+    whirls.sort_by(|one, other| (one.whirl.surface_speed).total_cmp(&other.whirl.surface_speed));
     let mut least: Option<Candidate> = None;
     let mut points = Vec::new();
     for candidate in whirls {
-        if least.is_some_and(|least| least.friction() <= candidate.friction()) {
+        if least.is_some_and(|least| least.whirl.least_friction <= candidate.whirl.least_friction) {
             continue;
         }
-        let speed = candidate.speed();
+        let speed = candidate.whirl.surface_speed;
         if speed > slowest && slowest < fastest {
             if let Some(least) = least {
                 if points.is_empty() {
                     points.push(least.at(slowest));
                 }
-                if !least.is_beside(&candidate) {
+                // Unless the curve leads from one to the other.
+                if least.place.abs_diff(candidate.place) != 1 {
                     points.push(least.at(speed));
                 }
             }
@@ -319,33 +326,17 @@ fn of_any_motion(sites: &[SiteWhirls], [slowest, fastest]: [f64; 2]) -> Vec<Whir
 /// A whirl on a curve.
 #[derive(Clone, Copy)]
 struct Candidate<'a> {
-    site: &'a SiteWhirls,
-    curve: &'a [SteadyWhirl],
+    whirl: &'a SteadyWhirl,
+    site_from_bit_m: f64,
+    /// Neighbours on a curve have neighbouring places.
     place: usize,
 }
 
 impl Candidate<'_> {
-    fn speed(&self) -> f64 {
-        self.curve[self.place].surface_speed
-    }
-
-    fn friction(&self) -> f64 {
-        self.curve[self.place].least_friction
-    }
-
-    /// Whether the curve leads from one to the other.
-    fn is_beside(&self, other: &Self) -> bool {
-        std::ptr::eq(self.curve, other.curve) && self.place.abs_diff(other.place) == 1
-    }
-
     fn at(&self, surface_speed: f64) -> WhirlPoint {
         WhirlPoint {
             motion: WhirlMotion::RollingOrSliding,
-            ..point(
-                &self.curve[self.place],
-                surface_speed,
-                self.site.distance_from_bit,
-            )
+            ..point(self.whirl, surface_speed, self.site_from_bit_m)
         }
     }
 }

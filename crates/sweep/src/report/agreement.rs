@@ -11,23 +11,13 @@ const MOST_LISTED: usize = 30;
 pub struct Agreement {
     /// Every two methods.
     pub pairs: Vec<Pair>,
-    /// What the maps show of each motion.
-    pub shown: Vec<Shown>,
+    /// Of each motion, cases drawn on its map as circle, cross and square, and those not
+    /// drawn: some method has no answer, or one that tells nothing.
+    pub shown: Vec<(Motion, [usize; 4])>,
     /// Cases on which answers differ.
     pub differing: usize,
     /// The first of them.
     pub listed: Vec<CaseRows>,
-}
-
-/// The cases on the map of a motion.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Shown {
-    /// The motion.
-    pub motion: Motion,
-    /// Cases drawn as circle, cross and square.
-    pub symbols: [usize; 3],
-    /// Cases not drawn: some method has no answer, or one that tells nothing.
-    pub untold: usize,
 }
 
 /// Two methods.
@@ -53,13 +43,7 @@ impl Agreement {
         });
         Self {
             pairs: pairs.collect(),
-            shown: (motions.iter())
-                .map(|&motion| Shown {
-                    motion,
-                    symbols: [0; 3],
-                    untold: 0,
-                })
-                .collect(),
+            shown: motions.iter().map(|&motion| (motion, [0; 4])).collect(),
             differing: 0,
             listed: Vec::new(),
         }
@@ -77,11 +61,8 @@ impl Agreement {
                 pair.same += usize::from(one.labels == other.labels);
             }
         }
-        for shown in &mut self.shown {
-            match symbol_of(case, shown.motion) {
-                Some(symbol) => shown.symbols[symbol as usize] += 1,
-                None => shown.untold += 1,
-            }
+        for (motion, counts) in &mut self.shown {
+            counts[symbol_of(case, *motion).map_or(3, |symbol| symbol as usize)] += 1;
         }
         if case.differs() {
             self.differing += 1;
@@ -119,8 +100,7 @@ mod tests {
             .collect();
         let expected = [("ab", 1, 3), ("ac", 1, 2), ("bc", 2, 2)];
         assert_eq!(counts, expected.map(|(a, b, c)| (a.to_owned(), b, c)));
-        let shown = &agreement.shown[0];
-        assert_eq!((shown.symbols, shown.untold), ([0, 1, 0], 2));
+        assert_eq!(agreement.shown, [(Motion::Torsion, [0, 1, 0, 2])]);
         assert_eq!((agreement.differing, agreement.listed.len()), (2, 2));
     }
 

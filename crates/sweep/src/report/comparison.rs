@@ -3,19 +3,11 @@
 use anyhow::Result;
 
 use super::results::Results;
-use crate::output::{CaseReader, CaseRows};
+use crate::output::{CaseRows, read_cases};
+use crate::words::short;
 
 /// Differing labels that are kept to be listed.
 const MOST_LISTED: usize = 30;
-
-/// What two folders say of the same cases.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Comparison {
-    /// They did not run the same cases; why that is known.
-    OtherCases(String),
-    /// They did, at least in part.
-    SameCases(Compared),
-}
 
 /// What two folders say of the cases that both answer.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -24,58 +16,44 @@ pub struct Compared {
     pub rows: usize,
     /// Those of them whose labels are not the same.
     pub different: usize,
-    /// The first of these.
-    pub listed: Vec<Difference>,
+    /// The first of these: case, method, values along the axes, and the labels in the one
+    /// folder and in the other.
+    pub listed: Vec<Vec<String>>,
 }
 
-/// A case and method that has another label in another folder.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Difference {
-    /// Number of the case.
-    pub case: usize,
-    /// Name of the method.
-    pub method: String,
-    /// Values along the axes.
-    pub values: Vec<f64>,
-    /// The labels in the one folder and in the other.
-    pub regimes: [String; 2],
-}
-
-impl Comparison {
-    /// Of two folders, case by case.
-    ///
-    /// # Errors
-    /// Where their labels cannot be read.
-    pub fn of(one: &Results, other: &Results) -> Result<Self> {
-        if one.manifest.axes != other.manifest.axes {
-            return Ok(Self::OtherCases("their axes are different".to_owned()));
-        }
-        let mut compared = Compared::default();
-        let cases = |of: &Results| CaseReader::open(&of.tables.labels(), &one.manifest.axes);
-        let mut others = cases(other)?;
-        let mut theirs = others.next().transpose()?;
-        for ours in cases(one)? {
-            let ours = ours?;
-            // A shard has only some of the cases.
-            let is_before = |theirs: &CaseRows| theirs.case < ours.case;
-            while theirs.as_ref().is_some_and(is_before) {
-                theirs = others.next().transpose()?;
-            }
-            let Some(theirs) = theirs.as_ref().filter(|theirs| theirs.case == ours.case) else {
-                continue;
-            };
-            if theirs.values != ours.values {
-                let case = ours.case;
-                return Ok(Self::OtherCases(format!("case {case} has other values")));
-            }
-            compared.add(&ours, theirs);
-        }
-        if compared.rows == 0 {
-            let why = "no case was answered by the same method in both";
-            return Ok(Self::OtherCases(why.to_owned()));
-        }
-        Ok(Self::SameCases(compared))
+/// Compares two folders case by case; or why they are known not to have run the same
+/// cases.
+///
+/// # Errors
+/// Where their labels cannot be read.
+pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, String>> {
+    if one.manifest.axes != other.manifest.axes {
+        return Ok(Err("their axes are different".to_owned()));
     }
+    let mut compared = Compared::default();
+    let cases = |of: &Results| read_cases(&of.tables.folder.join("labels.csv"), &one.manifest.axes);
+    let mut others = cases(other)?;
+    let mut theirs = others.next().transpose()?;
+    for ours in cases(one)? {
+        let ours = ours?;
+        // A shard has only some of the cases.
+        let is_before = |theirs: &CaseRows| theirs.case < ours.case;
+        while theirs.as_ref().is_some_and(is_before) {
+            theirs = others.next().transpose()?;
+        }
+        let Some(theirs) = theirs.as_ref().filter(|theirs| theirs.case == ours.case) else {
+            continue;
+        };
+        if theirs.values != ours.values {
+            return Ok(Err(format!("case {} has other values", ours.case)));
+        }
+        compared.add(&ours, theirs);
+    }
+    if compared.rows == 0 {
+        let why = "no case was answered by the same method in both";
+        return Ok(Err(why.to_owned()));
+    }
+    Ok(Ok(compared))
 }
 
 impl Compared {
@@ -91,12 +69,11 @@ impl Compared {
             }
             self.different += 1;
             if self.listed.len() < MOST_LISTED {
-                self.listed.push(Difference {
-                    case: ours.case,
-                    method: our.method.clone(),
-                    values: ours.values.clone(),
-                    regimes: [our.labels.to_string(), their.labels.to_string()],
-                });
+                let values = ours.values.iter().map(|&value| short(value));
+                let labels = [our.labels.to_string(), their.labels.to_string()];
+                let case = [ours.case.to_string(), our.method.clone()];
+                let cells = case.into_iter().chain(values).chain(labels);
+                self.listed.push(cells.collect());
             }
         }
     }

@@ -4,13 +4,8 @@ use std::path::PathBuf;
 
 use super::results::Results;
 
-/// A titled part.
-pub struct Section {
-    /// Its heading.
-    pub title: &'static str,
-    /// What it says.
-    pub blocks: Vec<Block>,
-}
+/// A heading, and what is below it.
+pub type Section = (&'static str, Vec<Block>);
 
 /// A part of a section.
 pub enum Block {
@@ -87,12 +82,6 @@ const LONG: usize = 40;
 
 /// What an empty cell shows.
 pub const NOTHING: &str = "–";
-
-impl From<Table> for Block {
-    fn from(table: Table) -> Self {
-        Block::Table(table)
-    }
-}
 
 /// A table that says in its first column which folder a row is of, where there are
 /// several.

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use serde::Deserialize;
+
+use crate::text_file::unreadable;
 
 /// Failures that are kept to be listed.
 const MOST_LISTED: usize = 50;
@@ -14,21 +15,8 @@ const MOST_LISTED: usize = 50;
 pub struct Failures {
     /// How many, by method.
     pub by_method: BTreeMap<String, usize>,
-    /// The first of them.
-    pub listed: Vec<Failure>,
-}
-
-/// A row of `failures.csv`.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
-pub struct Failure {
-    /// Number of the case.
-    pub case: usize,
-    /// Name of the method.
-    pub method: String,
-    /// Why there is no answer.
-    pub reason: String,
-    /// The command that repeats it.
-    pub repeat_with: String,
+    /// The first of them: case, method, reason, and the command that repeats it.
+    pub listed: Vec<[String; 4]>,
 }
 
 impl Failures {
@@ -37,15 +25,12 @@ impl Failures {
     /// # Errors
     /// Where it cannot be read.
     pub fn read(path: &Path) -> Result<Self> {
-        let unreadable = || format!("{} cannot be read", path.display());
-        let mut reader = csv::Reader::from_path(path).with_context(unreadable)?;
+        let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
         let mut failures = Self::default();
         for failure in reader.deserialize() {
-            let failure: Failure = failure.with_context(unreadable)?;
-            *failures
-                .by_method
-                .entry(failure.method.clone())
-                .or_default() += 1;
+            let failure: [String; 4] = failure.with_context(|| unreadable(path))?;
+            let method = failure[1].clone();
+            *failures.by_method.entry(method).or_default() += 1;
             if failures.listed.len() < MOST_LISTED {
                 failures.listed.push(failure);
             }

@@ -10,7 +10,7 @@ use crate::quantities::Axis;
 /// How one method's labels lie about its limit. A case's place is its value in
 /// multiples of the limit: the surface speed for stick-slip, which Eq. 74 allows
 /// below one; the friction for backward whirl, which rolls steadily only above one.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct LimitCheck {
     /// The method.
     pub method: String,
@@ -69,7 +69,10 @@ impl Limits {
             }
             _ => return None,
         };
-        let checks = methods.iter().map(|method| LimitCheck::new(method));
+        let checks = methods.iter().map(|method| LimitCheck {
+            method: (*method).to_owned(),
+            ..LimitCheck::default()
+        });
         Some(Self {
             limited,
             checks: checks.collect(),
@@ -117,16 +120,6 @@ fn stick_slip_curve(points: &[StickSlipPoint], method: &str, torque: Axis) -> En
 }
 
 impl LimitCheck {
-    fn new(method: &str) -> Self {
-        Self {
-            method: method.to_owned(),
-            below: [0; 2],
-            above: [0; 2],
-            last_vibrating: None,
-            last_quiet: None,
-        }
-    }
-
     fn add(&mut self, place: f64, vibrates: bool, allows_below: bool) {
         let side = if place < 1.0 {
             &mut self.below

@@ -17,7 +17,7 @@ mod results;
 mod sections;
 mod text;
 
-pub use comparison::Comparison;
+pub use comparison::compare;
 pub use page::{is_page, page};
 pub use results::Results;
 pub use sections::sections;

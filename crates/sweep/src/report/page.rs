@@ -10,6 +10,7 @@ use base64::engine::general_purpose::STANDARD;
 use super::document::{Block, Map, Section};
 use super::html::{element, escaped, table};
 use crate::files::is_absent;
+use crate::text_file::unreadable;
 
 /// The mark of a page that this program made.
 const MADE_BY: &str = "<footer><p>Made by ";
@@ -34,17 +35,14 @@ pub fn page(title: &str, sections: &[Section]) -> Result<String> {
          <header><h1>{title}</h1></header>\n<nav aria-label=\"Sections\">\n<ul>\n",
         title = escaped(title)
     );
-    for (index, section) in sections.iter().enumerate() {
-        html += &format!(
-            "<li><a href=\"#s{index}\">{}</a></li>\n",
-            escaped(section.title)
-        );
+    for (index, (title, _)) in sections.iter().enumerate() {
+        html += &format!("<li><a href=\"#s{index}\">{}</a></li>\n", escaped(title));
     }
     html += "</ul>\n</nav>\n<main>\n";
-    for (index, section) in sections.iter().enumerate() {
+    for (index, (title, content)) in sections.iter().enumerate() {
         html += &format!("<section id=\"s{index}\" aria-labelledby=\"h{index}\">\n");
-        html += &format!("<h2 id=\"h{index}\">{}</h2>\n", escaped(section.title));
-        html += &blocks(&section.blocks)?;
+        html += &format!("<h2 id=\"h{index}\">{}</h2>\n", escaped(title));
+        html += &blocks(content)?;
         html += "</section>\n";
     }
     let program = escaped(crate::program::PROGRAM);
@@ -108,7 +106,7 @@ fn figure(map: &Map) -> Result<String> {
     let Some(path) = &map.svg else {
         return Ok(format!("<figure>\n{characters}{caption}</figure>\n"));
     };
-    let svg = std::fs::read(path).with_context(|| format!("{} cannot be read", path.display()))?;
+    let svg = std::fs::read(path).with_context(|| unreadable(path))?;
     Ok(format!(
         "<figure>\n<div class=\"scroll\" tabindex=\"0\"><img alt=\"Regime map: {}\" \
          src=\"data:image/svg+xml;base64,{}\"></div>\n{caption}<details>\n<summary>The map in characters</summary>\n{characters}</details>\n\

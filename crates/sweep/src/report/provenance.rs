@@ -36,7 +36,7 @@ pub fn time(all: &[Results]) -> Vec<Block> {
             systems.rows.push(row_of(all, results, system_row(method)));
         }
     }
-    let mut blocks = vec![runs.into(), systems.into()];
+    let mut blocks = vec![Block::Table(runs), Block::Table(systems)];
     let varied = all.iter().filter(|results| results.manifest.strings > 1);
     blocks.extend(varied.map(|results| {
         Block::Text(format!(
@@ -104,7 +104,7 @@ pub fn provenance(all: &[Results]) -> Vec<Block> {
         };
         until.to_owned()
     });
-    let mut blocks = vec![table.into()];
+    let mut blocks = vec![Block::Table(table)];
     blocks.extend(all.iter().map(|results| Block::Folded {
         title: format!("The sweep of {}, as it was run", results.name),
         text: format!("{:#}", serde_json::json!(results.manifest.sweep)),

@@ -10,7 +10,7 @@ use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
 use crate::map::{Cells, Extent, symbol_of};
-use crate::output::{CaseReader, CaseRows, Manifest, Motion, ResultTables};
+use crate::output::{CaseRows, Manifest, Motion, ResultTables, read_cases};
 use crate::quantities::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
@@ -41,7 +41,7 @@ impl Results {
     /// Where a file cannot be read, or the files are not of one run.
     pub fn read(folder: &Path, tables: ResultTables) -> Result<Self> {
         let manifest = tables.manifest.clone();
-        let labels = tables.labels();
+        let labels = tables.folder.join("labels.csv");
         let methods = manifest.method_names();
         let boundary = tables.boundary()?;
         let mut limits = Limits::new(&boundary, &manifest.axes, &methods);
@@ -49,7 +49,7 @@ impl Results {
         let mut agreement = Agreement::new(&methods, &motions);
         let mut map = MapCells::new(&manifest, &labels)?;
         let mut rows = 0;
-        for case in CaseReader::open(&labels, &manifest.axes)? {
+        for case in read_cases(&labels, &manifest.axes)? {
             let case = case?;
             rows += case.rows.len();
             agreement.add(&case);
@@ -60,7 +60,7 @@ impl Results {
                 map.add(&case);
             }
         }
-        let failures = Failures::read(&tables.failures())?;
+        let failures = Failures::read(&tables.folder.join("failures.csv"))?;
         let tally = &manifest.tally;
         if (rows, failures.count()) != (tally.rows, tally.failed) {
             bail!(

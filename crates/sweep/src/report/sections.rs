@@ -2,7 +2,7 @@
 
 use sim::Label;
 
-use super::comparison::Comparison;
+use super::comparison::Compared;
 use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, table_of};
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
@@ -12,25 +12,20 @@ use crate::words::{counted, short};
 
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.
-pub fn sections(all: &[Results], comparisons: &[Comparison]) -> Vec<Section> {
-    let mut sections = vec![
-        section("What was run", overview(all)),
-        section("Regime map", maps(all)),
-        section("Regimes", regimes(all)),
-        section("Agreement of the methods", agreement(all)),
-        section("The analytic limit", limits(all)),
-        section("Cases without an answer", failures(all)),
+pub fn sections(all: &[Results], comparisons: &[Result<Compared, String>]) -> Vec<Section> {
+    let sections = [
+        ("What was run", overview(all)),
+        ("Regime map", maps(all)),
+        ("Regimes", regimes(all)),
+        ("Agreement of the methods", agreement(all)),
+        ("The analytic limit", limits(all)),
+        ("Cases without an answer", failures(all)),
+        ("Between the folders", between(all, comparisons)),
+        ("Time", time(all)),
+        ("Provenance", provenance(all)),
     ];
-    if !comparisons.is_empty() {
-        sections.push(section("Between the folders", between(all, comparisons)));
-    }
-    sections.push(section("Time", time(all)));
-    sections.push(section("Provenance", provenance(all)));
-    sections
-}
-
-fn section(title: &'static str, blocks: Vec<Block>) -> Section {
-    Section { title, blocks }
+    let has_content = |section: &Section| !section.1.is_empty();
+    sections.into_iter().filter(has_content).collect()
 }
 
 fn percentage(part: usize, whole: usize) -> String {
@@ -92,19 +87,18 @@ fn maps(all: &[Results]) -> Vec<Block> {
             blocks.push(note(all, results, text));
             continue;
         };
-        let svg = results.tables.pictures().join("map.svg");
-        let missing = if svg.exists() {
-            None
-        } else if results.manifest.shard.is_some() {
-            Some("The picture is drawn when the shards are merged.".to_owned())
-        } else {
-            Some(format!(
-                "map.svg is missing; `sweep plot {}` draws it.",
-                results.name
-            ))
-        };
-        let svg = missing.is_none().then_some(svg);
-        blocks.extend(missing.map(|text| note(all, results, text)));
+        let svg = results.tables.folder.join("map.svg");
+        let svg = svg.exists().then_some(svg);
+        if svg.is_none() {
+            let text = match results.manifest.shard {
+                Some(_) => "The picture is drawn when the shards are merged.".to_owned(),
+                None => format!(
+                    "map.svg is missing; `sweep plot {}` draws it.",
+                    results.name
+                ),
+            };
+            blocks.push(note(all, results, text));
+        }
         blocks.push(Block::Map(Map {
             caption: named(all, results, &results.manifest.title),
             svg,
@@ -122,7 +116,7 @@ fn regimes(all: &[Results]) -> Vec<Block> {
             1 => "Cases of each regime, by method".to_owned(),
             _ => format!("Cases of each {} regime, by method", motion.adjective()),
         };
-        regimes_of(all, motion, &caption).into()
+        Block::Table(regimes_of(all, motion, &caption))
     });
     tables.collect()
 }
@@ -182,9 +176,8 @@ fn agreement(all: &[Results]) -> Vec<Block> {
             ];
             pairs.rows.push(row_of(all, results, cells));
         }
-        for shown in &agreement.shown {
-            let motion = has_two.then(|| shown.motion.adjective().to_owned());
-            let counts = shown.symbols.into_iter().chain([shown.untold]);
+        for (motion, counts) in &agreement.shown {
+            let motion = has_two.then(|| motion.adjective().to_owned());
             let counts = counts.map(|count| count.to_string());
             let cells = motion.into_iter().chain(counts).collect();
             symbols.rows.push(row_of(all, results, cells));
@@ -193,11 +186,11 @@ fn agreement(all: &[Results]) -> Vec<Block> {
     if pairs.rows.is_empty() {
         blocks.push(Block::Text("There is only one method.".to_owned()));
     } else {
-        blocks.push(pairs.into());
+        blocks.push(Block::Table(pairs));
     }
-    blocks.push(symbols.into());
+    blocks.push(Block::Table(symbols));
     let differing = all.iter().filter(|results| results.agreement.differing > 0);
-    blocks.extend(differing.map(|results| differing_cases(all, results).into()));
+    blocks.extend(differing.map(|results| Block::Table(differing_cases(all, results))));
     blocks
 }
 
@@ -233,15 +226,13 @@ fn extent(listed: usize, all: usize) -> String {
 }
 
 fn limits(all: &[Results]) -> Vec<Block> {
-    let mut blocks = Vec::new();
-    for results in all {
+    let of_folder = |results: &Results| {
         let Some(limits) = &results.limits else {
             let text = match results.tables.so_far {
                 None => "No limit is known for these cases.",
                 Some(_) => "The limit is told when the run is finished.",
             };
-            blocks.push(note(all, results, text));
-            continue;
+            return note(all, results, text);
         };
         let (caption, last) = match limits.limited {
             Limited::StickSlip => (
@@ -258,9 +249,9 @@ fn limits(all: &[Results]) -> Vec<Block> {
         let header = ["method", "below the limit", "above it", last[0], last[1]];
         let mut table = Table::new(named(all, results, caption), header);
         table.rows.extend(limits.checks.iter().map(limit_row));
-        blocks.push(table.into());
-    }
-    blocks
+        Block::Table(table)
+    };
+    all.iter().map(of_folder).collect()
 }
 
 fn limit_row(check: &LimitCheck) -> Vec<String> {
@@ -278,30 +269,23 @@ fn limit_row(check: &LimitCheck) -> Vec<String> {
 }
 
 fn failures(all: &[Results]) -> Vec<Block> {
-    let mut blocks = Vec::new();
-    for results in all {
+    let of_folder = |results: &Results| {
         let (listed, count) = (&results.failures.listed, results.failures.count());
         if count == 0 {
-            blocks.push(note(all, results, "None."));
-            continue;
+            return note(all, results, "None.");
         }
         let caption = format!("Failed simulations{}", extent(listed.len(), count));
         let header = ["case", "method", "reason", "repeat with"];
         let mut table = Table::new(named(all, results, caption), header);
-        table.rows.extend(listed.iter().map(|failure| {
-            vec![
-                failure.case.to_string(),
-                failure.method.clone(),
-                failure.reason.clone(),
-                failure.repeat_with.clone(),
-            ]
-        }));
-        blocks.push(table.into());
-    }
-    blocks
+        table
+            .rows
+            .extend(listed.iter().map(|failure| failure.to_vec()));
+        Block::Table(table)
+    };
+    all.iter().map(of_folder).collect()
 }
 
-fn between(all: &[Results], comparisons: &[Comparison]) -> Vec<Block> {
+fn between(all: &[Results], comparisons: &[Result<Compared, String>]) -> Vec<Block> {
     let mut blocks = Vec::new();
     let Some((first, others)) = all.split_first() else {
         return blocks;
@@ -309,12 +293,12 @@ fn between(all: &[Results], comparisons: &[Comparison]) -> Vec<Block> {
     for (other, comparison) in others.iter().zip(comparisons) {
         let folders = format!("{} and {}", first.name, other.name);
         let compared = match comparison {
-            Comparison::OtherCases(why) => {
+            Ok(compared) => compared,
+            Err(why) => {
                 let text = format!("{folders} are not of the same cases: {why}.");
                 blocks.push(Block::Text(text));
                 continue;
             }
-            Comparison::SameCases(compared) => compared,
         };
         let same = compared.rows - compared.different;
         blocks.push(Block::Text(format!(
@@ -330,13 +314,8 @@ fn between(all: &[Results], comparisons: &[Comparison]) -> Vec<Block> {
         header.extend([&first.name, &other.name].map(String::clone));
         let listed = extent(compared.listed.len(), compared.different);
         let mut table = Table::new(format!("Labels that differ{listed}"), header);
-        table.rows.extend(compared.listed.iter().map(|difference| {
-            let mut cells = vec![difference.case.to_string(), difference.method.clone()];
-            cells.extend(difference.values.iter().map(|&value| short(value)));
-            cells.extend(difference.regimes.clone());
-            cells
-        }));
-        blocks.push(table.into());
+        table.rows.clone_from(&compared.listed);
+        blocks.push(Block::Table(table));
     }
     blocks
 }

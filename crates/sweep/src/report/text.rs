@@ -9,10 +9,10 @@ const GAP: usize = 2;
 /// The sections as text.
 pub fn text(title: &str, sections: &[Section]) -> String {
     let mut text = wrapped(title, 0, 0);
-    for section in sections {
-        let rule = "─".repeat(section.title.chars().count());
-        text += &format!("\n{}\n{rule}\n", section.title);
-        for block in &section.blocks {
+    for (title, blocks) in sections {
+        let rule = "─".repeat(title.chars().count());
+        text += &format!("\n{title}\n{rule}\n");
+        for block in blocks {
             match block {
                 Block::Text(paragraph) => text += &wrapped(paragraph, 0, 0),
                 Block::Table(table) => text += &table_text(table),

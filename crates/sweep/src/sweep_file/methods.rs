@@ -1,21 +1,27 @@
 //! `methods` and `[method]`: the linear methods and their parameters.
 
+use clap::ValueEnum;
 use linear::method::{FiniteElement, Transform};
 use serde::{Deserialize, Serialize};
 
 /// A linear method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum MethodName {
-    /// The paper's digital filter.
-    Hilbert,
     /// Convolution quadrature, BDF2.
+    #[value(help = "convolution quadrature, BDF2: the default")]
     Quadrature,
+    /// The paper's digital filter.
+    #[value(help = "the paper's digital filter")]
+    Hilbert,
     /// Finite elements, Newmark.
+    #[value(help = "finite elements with Newmark's scheme")]
     FiniteElement,
     /// Plain inverse DFT, which fails.
+    #[value(help = "plain inverse DFT, kept to show that it fails")]
     DirectIdft,
     /// Convolution quadrature, trapezoidal rule, which fails.
+    #[value(help = "convolution quadrature, trapezoidal rule, kept to show that it chatters")]
     Trapezoidal,
 }
 

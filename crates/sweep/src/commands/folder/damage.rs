@@ -55,7 +55,7 @@ fn remedy(is_lost: bool) -> &'static str {
 
 /// Several files in one line.
 pub fn in_words(damage: &[Damage]) -> String {
-    let words: Vec<String> = damage.iter().map(Damage::to_string).collect();
+    let words: Vec<&str> = damage.iter().map(|damage| damage.words.as_str()).collect();
     words.join("; ")
 }
 

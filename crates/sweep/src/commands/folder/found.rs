@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use super::damage::refuse_lost;
 use super::names::{LOG, MANIFEST};
-use super::ours::{Ours, written_by};
+use super::ours::Ours;
 use super::raise::with_our_number;
 use crate::commands::status::UsageError;
 use crate::engine::{Header, LogError, Place};
@@ -65,7 +65,7 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
             return complete(folder, header);
         }
     }
-    ours.refuse_foreign(folder, &written_by(sweep, header.shard))?;
+    ours.refuse_foreign(folder, header.shard.is_whole() && sweep.map.is_some())?;
     Ok(Found::Nothing(ours))
 }
 
@@ -93,30 +93,25 @@ pub fn header_of(manifest: &Manifest) -> Result<Header> {
 }
 
 fn refuse_other(what: &str, there: &Header, ours: &Header) -> Result<()> {
-    let remedy = "choose another --out, or begin anew with --fresh";
-    if there.fingerprint != ours.fingerprint {
+    let other = if there.fingerprint != ours.fingerprint {
         let all = differences(&there.fingerprint, &ours.fingerprint);
         let more = match all.len().saturating_sub(MOST_DIFFERENCES) {
             0 => String::new(),
             more => format!(", and {more} more"),
         };
-        let shown = &all[..all.len().min(MOST_DIFFERENCES)];
-        bail!(UsageError(format!(
-            "{what} another sweep ({}{more}): {remedy}",
-            shown.join("; ")
-        )));
-    }
-    if there.shard != ours.shard {
-        bail!(UsageError(format!(
-            "{what} shard {} of this sweep, not {}: {remedy}",
-            there.shard, ours.shard
-        )));
-    }
-    if there.program != ours.program {
-        bail!(UsageError(format!(
-            "{what} another program, {}, and this is {}: {remedy}",
+        let shown = all[..all.len().min(MOST_DIFFERENCES)].join("; ");
+        format!("another sweep ({shown}{more})")
+    } else if there.shard != ours.shard {
+        format!("shard {} of this sweep, not {}", there.shard, ours.shard)
+    } else if there.program != ours.program {
+        format!(
+            "another program, {}, and this is {}",
             there.program, ours.program
-        )));
-    }
-    Ok(())
+        )
+    } else {
+        return Ok(());
+    };
+    bail!(UsageError(format!(
+        "{what} {other}: choose another --out, or begin anew with --fresh"
+    )))
 }

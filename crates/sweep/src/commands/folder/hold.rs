@@ -7,6 +7,7 @@ use anyhow::{Context, Result, anyhow};
 use super::names::LOG;
 use crate::commands::terminal::Terminal;
 use crate::files::{FolderLock, LockError, has_left, remove_left};
+use crate::text_file::unreadable;
 
 /// Keeps other commands from writing into a folder, as long as the lock is held, and
 /// removes what killed ones left half written. An error names the file that is to
@@ -33,7 +34,7 @@ pub fn hold(folder: &Path, file: &str, terminal: Terminal) -> Result<FolderLock>
             folder.display()
         ));
     }
-    remove_left(folder).with_context(|| format!("{} cannot be read", folder.display()))?;
+    remove_left(folder).with_context(|| unreadable(folder))?;
     Ok(lock)
 }
 

@@ -9,10 +9,10 @@ use anyhow::{Context, Result, bail};
 
 use super::names::{LOG, MANIFEST, REPORT};
 use crate::commands::status::UsageError;
-use crate::engine::{Header, Place, Shard, log_place};
+use crate::engine::{Header, Place, log_place};
 use crate::output::{Manifest, PICTURES, TABLES};
-use crate::plan::Sweep;
 use crate::report::is_page;
+use crate::text_file::unreadable;
 
 /// What tells of an earlier run in a folder.
 pub struct Ours {
@@ -35,12 +35,12 @@ impl Ours {
         })
     }
 
-    /// Refuses to write files where others have files of these names.
+    /// Refuses to write a run's files where others have files of these names.
     ///
     /// # Errors
     /// Which they are.
-    pub fn refuse_foreign(&self, folder: &Path, names: &[&str]) -> Result<()> {
-        let foreign: Vec<&str> = (names.iter().copied())
+    pub fn refuse_foreign(&self, folder: &Path, with_map: bool) -> Result<()> {
+        let foreign: Vec<&str> = promised(with_map)
             .filter(|name| folder.join(name).symlink_metadata().is_ok())
             .filter(|name| self.log == Place::Free && !self.of_manifest.contains(*name))
             .collect();
@@ -78,7 +78,7 @@ impl Ours {
 pub fn remove_page(folder: &Path) -> Result<()> {
     let page = folder.join(REPORT);
     let is_ours = is_page(&page);
-    if is_ours.with_context(|| format!("{} cannot be read", page.display()))? {
+    if is_ours.with_context(|| unreadable(&page))? {
         remove(&page)?;
     }
     Ok(())
@@ -91,10 +91,6 @@ fn names_of(manifest: Manifest) -> BTreeSet<String> {
 }
 
 /// The files that a run leaves in its folder.
-pub fn written_by(sweep: &Sweep, shard: Shard) -> Vec<&'static str> {
-    promised(shard.is_whole() && sweep.map.is_some()).collect()
-}
-
 fn promised(with_map: bool) -> impl Iterator<Item = &'static str> {
     let pictures = PICTURES.into_iter().filter(move |_| with_map);
     [MANIFEST].into_iter().chain(TABLES).chain(pictures)

@@ -15,6 +15,7 @@ use crate::engine::{Header, Log, record_line};
 use crate::files::AtomicFile;
 use crate::output::{LabelTable, Manifest, record_of};
 use crate::plan::Sweep;
+use crate::text_file::unreadable;
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
 /// ours; any other is returned as it is.
@@ -75,46 +76,40 @@ pub fn log_of_results(
     header: &Header,
     sweep: &Sweep,
 ) -> Result<()> {
+    let path = folder.join("labels.csv");
+    let reasons = read_reasons(&folder.join("failures.csv"))?;
+    let not_written = |why: String| {
+        let path = path.display();
+        anyhow!("{path} is not what the run has written: {why}; begin anew with --fresh")
+    };
     let mut log = AtomicFile::create(&folder.join(LOG))?;
     log.write(header.line()?.as_bytes())?;
-    let rows = copy_rows(folder, sweep, &mut log)?;
-    let expected = manifest.tally.rows;
-    if rows != expected {
-        let why = format!("it has {rows} rows, not {expected}");
-        bail!(not_written(&folder.join("labels.csv"), &why));
-    }
-    log.finish()?;
-    Ok(())
-}
-
-fn not_written(path: &Path, why: &str) -> anyhow::Error {
-    let path = path.display();
-    anyhow!("{path} is not what the run has written: {why}; begin anew with --fresh")
-}
-
-/// Copies every row of `labels.csv` into a log; how many there are.
-fn copy_rows(folder: &Path, sweep: &Sweep, log: &mut AtomicFile) -> Result<usize> {
-    let reasons = read_reasons(&folder.join("failures.csv"))?;
-    let path = folder.join("labels.csv");
-    let unreadable = || format!("{} cannot be read", path.display());
-    let file = std::fs::File::open(&path).with_context(unreadable)?;
+    let file = std::fs::File::open(&path).with_context(|| unreadable(&path))?;
     let mut lines = BufReader::new(file).lines();
-    let header = lines.next().transpose().with_context(unreadable)?;
     let table = LabelTable::of(sweep);
-    if header != Some(table.header()) {
-        bail!(not_written(&path, "it has other columns"));
+    if lines
+        .next()
+        .transpose()
+        .with_context(|| unreadable(&path))?
+        != Some(table.header())
+    {
+        bail!(not_written("it has other columns".to_owned()));
     }
     let mut rows = 0;
     for line in lines {
-        let row = line.with_context(unreadable)?;
-        let line = rows + 2;
+        let row = line.with_context(|| unreadable(&path))?;
         let reason = |case, method: &str| reasons.get(&(case, method.to_owned())).cloned();
         let record = record_of(sweep, &table, &row, reason)
-            .ok_or_else(|| not_written(&path, &format!("line {line} is no row of it")))?;
+            .ok_or_else(|| not_written(format!("line {} is no row of it", rows + 2)))?;
         log.write(record_line(&record)?.as_bytes())?;
         rows += 1;
     }
-    Ok(rows)
+    let expected = manifest.tally.rows;
+    if rows != expected {
+        bail!(not_written(format!("it has {rows} rows, not {expected}")));
+    }
+    log.finish()?;
+    Ok(())
 }
 
 /// Why a case has no answer by a method.
@@ -127,5 +122,5 @@ fn read_reasons(path: &Path) -> Result<Reasons> {
         rows.map(|row| row.map(|(case, method, reason, _)| ((case, method), reason)))
             .collect()
     };
-    read().with_context(|| format!("{} cannot be read", path.display()))
+    read().with_context(|| unreadable(path))
 }

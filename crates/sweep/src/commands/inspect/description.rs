@@ -10,16 +10,17 @@ use crate::plan::{Choice, INCH, POUND_PER_FOOT, Sweep};
 use crate::sweep_file::{AutoOr, per_cent};
 use crate::words::{counted, short, wrapped};
 
-/// A title and a value below a heading.
-fn row(title: &str, value: &str) -> String {
-    format!("  {title:<27}{value}\n")
+/// A title and a value, which stand below those of other depths.
+fn row(depth: usize, title: &str, value: &str) -> String {
+    let width = 29 - depth;
+    format!("{:depth$}{title:<width$}{value}\n", "")
 }
 
 /// The string, from the surface to the bit.
 pub fn describe_string(sweep: &Sweep) -> String {
     let string = &sweep.setting.string;
     let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2) + "\nstring\n";
-    text += &row("length", &format!("{:.3} m", string.length()));
+    text += &row(2, "length", &format!("{:.3} m", string.length()));
     text += &part_lines(sweep);
     let stiffness = torsional_stiffness(string);
     let speed = string.torsional_wave_speed();
@@ -52,7 +53,7 @@ pub fn describe_string(sweep: &Sweep) -> String {
             format!("{frequency:.2} Hz ({why})"),
         ),
     ] {
-        text += &row(title, &value);
+        text += &row(2, title, &value);
     }
     if let Some(choice) = &sweep.choice {
         text += &describe_choice(choice);
@@ -117,11 +118,11 @@ fn method_lines(system: &MethodSystem) -> String {
             ("A(0) at the bit", taps[0]),
             ("undershoot Δ (Eq. 75)", largest_undershoot(taps)),
         ] {
-            text += &value_row(title, &format!("{value:.4e} rad/s per N m"));
+            text += &row(4, title, &format!("{value:.4e} rad/s per N m"));
         }
     }
     for least in &system.least_impulses {
-        text += &value_row("least impulse I₀", &format!("{least:.1} N s"));
+        text += &row(4, "least impulse I₀", &format!("{least:.1} N s"));
     }
     for (margin, what) in [
         (system.torsion_margin, "torsion"),
@@ -134,15 +135,10 @@ fn method_lines(system: &MethodSystem) -> String {
                 "stable in sticking"
             };
             let value = format!("{} in {what}: {verdict}", short(margin));
-            text += &value_row("positive-real margin", &value);
+            text += &row(4, "positive-real margin", &value);
         }
     }
     text
-}
-
-/// A title and a value of a method.
-fn value_row(title: &str, value: &str) -> String {
-    format!("    {title:<25}{value}\n")
 }
 
 /// What is left out of the scene.

@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 
-use super::cost::{Cost, of_built};
+use super::cost::{cost_lines, of_built};
 use super::drawing::save_picture;
 use super::folder::{make_folder, results_folder};
 use super::prepare::{build_systems, read_sweep, survey_cases};
@@ -35,11 +35,9 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     let start = Instant::now();
     let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     let built = start.elapsed().as_secs_f64();
-    let cost = Cost {
-        memory: Demand::of(&sweep, &setting, &survey, Purpose::Labels)?.within(&limit),
-        limit,
-        time: of_built(&sweep, &survey, &systems, built),
-    };
+    let memory = Demand::of(&sweep, &setting, &survey, Purpose::Labels)?.within(&limit);
+    let time = of_built(&sweep, &survey, &systems, built);
+    let cost = cost_lines(&memory, &limit, &time);
     make_folder(&folder)?;
     save_picture(&folder, "inspect", &response_picture(&sweep, &systems)?)?;
     say(&[
@@ -47,7 +45,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         describe_methods(&systems),
         describe_left_out(&sweep),
         describe_work(&sweep, &survey, &systems),
-        (cost.to_string().lines().map(|line| format!("  {line}\n"))).collect(),
+        (cost.lines().map(|line| format!("  {line}\n"))).collect(),
         format!("\npicture: {}\n", folder.join("inspect.png").display()),
     ]
     .concat())?;

@@ -4,7 +4,7 @@ mod parts;
 mod tables;
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 
@@ -13,15 +13,14 @@ use super::folder::{LOG, MANIFEST, Ours, hold, make_folder};
 use super::outcome::{status_of, summary};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
-use crate::cli::MergeArguments;
 use crate::engine::{Header, Place, Shard};
-use crate::output::{Manifest, PICTURES, TABLES};
+use crate::output::Manifest;
 use parts::{Part, read_parts, refuse_damaged_parts};
-use tables::Joined;
+use tables::join_tables;
 
 /// Joins shards.
-pub fn merge(arguments: &MergeArguments, terminal: Terminal) -> Result<Status> {
-    let (parts, unfinished) = read_parts(&arguments.folders)?;
+pub fn merge(folders: &[PathBuf], out: &Path, terminal: Terminal) -> Result<Status> {
+    let (parts, unfinished) = read_parts(folders)?;
     let of = division(&parts, &unfinished)?;
     let missing = (0..of).filter(|index| !parts.contains_key(index));
     let missing: Vec<String> = missing.map(|index| index.to_string()).collect();
@@ -35,7 +34,6 @@ pub fn merge(arguments: &MergeArguments, terminal: Terminal) -> Result<Status> {
     }
     let parts: Vec<Part> = parts.into_values().collect();
     refuse_damaged_parts(&parts, terminal)?;
-    let out = &arguments.out;
     make_folder(out)?;
     let _lock = hold(out, "labels.csv", terminal)?;
     refuse_unrelated(out, &parts)?;
@@ -55,7 +53,7 @@ fn division(parts: &BTreeMap<usize, Part>, unfinished: &[Header]) -> Result<usiz
 
 /// Puts the tables of shards together, with a manifest of them all.
 fn join(parts: &[Part], out: &Path) -> Result<Manifest> {
-    let Joined { tables, tally } = Joined::of(parts, out)?;
+    let (tables, tally) = join_tables(parts, out)?;
     let mut manifest = parts[0].manifest.clone();
     manifest.shard = None;
     manifest.tally = tally;
@@ -92,7 +90,5 @@ fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
             )));
         }
     }
-    let mut written = TABLES.to_vec();
-    written.extend(merged.map.iter().flat_map(|_| PICTURES));
-    ours.refuse_foreign(out, &written)
+    ours.refuse_foreign(out, merged.map.is_some())
 }

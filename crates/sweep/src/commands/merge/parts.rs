@@ -85,28 +85,18 @@ pub fn read_parts(folders: &[PathBuf]) -> Result<(BTreeMap<usize, Part>, Vec<Hea
 }
 
 fn refuse_unlike(one: &Path, expected: &Header, other: &Path, found: &Header) -> Result<()> {
-    let refuse = |what: String| {
-        bail!(UsageError(format!(
-            "{} and {} are {what}",
-            one.display(),
-            other.display()
-        )))
-    };
-    if expected.fingerprint != found.fingerprint {
+    let unlike = if expected.fingerprint != found.fingerprint {
         let all = differences(&expected.fingerprint, &found.fingerprint);
-        return refuse(format!("of different sweeps ({})", all.join("; ")));
-    }
-    if expected.shard.of != found.shard.of {
-        return refuse(format!(
-            "of different divisions, shard {} and shard {}",
-            expected.shard, found.shard
-        ));
-    }
-    if expected.program != found.program {
-        return refuse(format!(
-            "by different programs, {} and {}",
-            expected.program, found.program
-        ));
-    }
-    Ok(())
+        format!("of different sweeps ({})", all.join("; "))
+    } else if expected.shard.of != found.shard.of {
+        let (expected, found) = (expected.shard, found.shard);
+        format!("of different divisions, shard {expected} and shard {found}")
+    } else if expected.program != found.program {
+        let (expected, found) = (&expected.program, &found.program);
+        format!("by different programs, {expected} and {found}")
+    } else {
+        return Ok(());
+    };
+    let (one, other) = (one.display(), other.display());
+    bail!(UsageError(format!("{one} and {other} are {unlike}")))
 }

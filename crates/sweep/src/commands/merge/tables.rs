@@ -10,29 +10,21 @@ use anyhow::{Context, Result, anyhow, bail};
 use super::parts::Part;
 use crate::files::{AtomicFile, SealedFile};
 use crate::output::{FAILURES_HEADER, LabelColumns, Tally};
+use crate::text_file::unreadable;
 
-/// Tables on the disk, without their names yet.
-pub struct Joined {
-    /// By name.
-    pub tables: [(&'static str, SealedFile); 3],
-    /// What is in them.
-    pub tally: Tally,
-}
-
-impl Joined {
-    /// Joins the tables of shards, for a folder.
-    ///
-    /// # Errors
-    /// Where they do not fit together, or a file cannot be read or written.
-    pub fn of(parts: &[Part], out: &Path) -> Result<Self> {
-        let (labels, tally) = join_labels(parts, out)?;
-        let tables = [
-            ("labels.csv", labels),
-            ("failures.csv", join_failures(parts, out)?),
-            ("boundary.csv", copy_boundary(parts, out)?),
-        ];
-        Ok(Self { tables, tally })
-    }
+/// Joins the tables of shards, for a folder: by name, on the disk, without their names
+/// yet; and what is in them.
+///
+/// # Errors
+/// Where they do not fit together, or a file cannot be read or written.
+pub fn join_tables(parts: &[Part], out: &Path) -> Result<([(&'static str, SealedFile); 3], Tally)> {
+    let (labels, tally) = join_labels(parts, out)?;
+    let tables = [
+        ("labels.csv", labels),
+        ("failures.csv", join_failures(parts, out)?),
+        ("boundary.csv", copy_boundary(parts, out)?),
+    ];
+    Ok((tables, tally))
 }
 
 /// A row with the number of its case.
@@ -47,16 +39,16 @@ struct Table {
 impl Table {
     /// Opens a table and gives its header.
     fn open(path: PathBuf) -> Result<(String, Self)> {
-        let unreadable = format!("{} cannot be read", path.display());
-        let file = File::open(&path).with_context(|| unreadable.clone())?;
+        let cannot_be_read = unreadable(&path);
+        let file = File::open(&path).with_context(|| cannot_be_read.clone())?;
         let mut lines = BufReader::new(file).lines();
         let header = lines
             .next()
             .transpose()
-            .with_context(|| unreadable.clone())?;
+            .with_context(|| cannot_be_read.clone())?;
         let name = path.display().to_string();
         let rows = lines.map(move |line| {
-            let line = line.with_context(|| unreadable.clone())?;
+            let line = line.with_context(|| cannot_be_read.clone())?;
             let case = line.split(',').next().and_then(|case| case.parse().ok());
             let case = case.with_context(|| format!("{name}: `{line}` has no case number"))?;
             Ok((case, line))
@@ -117,10 +109,9 @@ fn join_failures(parts: &[Part], out: &Path) -> Result<SealedFile> {
     let mut records: Vec<csv::StringRecord> = Vec::new();
     for part in parts {
         let path = part.folder.join("failures.csv");
-        let unreadable = || format!("{} cannot be read", path.display());
-        let mut reader = csv::Reader::from_path(&path).with_context(unreadable)?;
+        let mut reader = csv::Reader::from_path(&path).with_context(|| unreadable(&path))?;
         for record in reader.records() {
-            records.push(record.with_context(unreadable)?);
+            records.push(record.with_context(|| unreadable(&path))?);
         }
     }
     // Stable: the methods of a case stay in order.
@@ -136,8 +127,7 @@ fn join_failures(parts: &[Part], out: &Path) -> Result<SealedFile> {
 /// Every shard has the limit of the whole sweep.
 fn copy_boundary(parts: &[Part], out: &Path) -> Result<SealedFile> {
     let path = parts[0].folder.join("boundary.csv");
-    let content =
-        std::fs::read(&path).with_context(|| format!("{} cannot be read", path.display()))?;
+    let content = std::fs::read(&path).with_context(|| unreadable(&path))?;
     seal(&out.join("boundary.csv"), &content)
 }
 

@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use super::complete::damage;
 use super::task::Task;
-use crate::commands::cost::{Cost, probe};
+use crate::commands::cost::{cost_lines, probe};
 use crate::commands::folder::{Found, LOG, in_words};
 use crate::engine::{LogView, pairs_of};
 use crate::memory::{Purpose, admit};
@@ -17,21 +17,31 @@ use crate::words::{counted, short, together, wrapped};
 /// Where it would take too much memory.
 pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<String> {
     let sweep = &task.sweep;
-    let total = pairs_of(sweep, task.shard);
-    let done = match found {
-        Found::Complete(_) => total,
+    let total = pairs_of(sweep, task.header.shard);
+    let (done, why) = match found {
+        Found::Complete(_) => (total, "complete already"),
         Found::Unfinished { .. } => {
             let (cases, methods) = (sweep.design.cases(), sweep.methods.len());
             let log = LogView::open(&task.folder.join(LOG), cases, methods)?;
-            log.counts.done
+            (log.counts.done, "a stopped run goes on")
         }
-        Found::Fewer(manifest) => manifest.tally.rows,
-        Found::Nothing(_) => 0,
+        Found::Fewer(manifest) => {
+            let why = "the sweep has more cases than are there";
+            (manifest.tally.rows, why)
+        }
+        Found::Nothing(_) => (0, "from the beginning"),
     };
     let left = total - done.min(total);
     let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
     text += &what_runs(task, total);
-    text += &what_is_left(task, found, total, left)?;
+    let all = counted(total, "simulation");
+    text += &format!("{left} of {all} left: {why}\n");
+    if let Found::Complete(manifest) = found {
+        let damage = damage(task, manifest)?;
+        if !damage.is_empty() {
+            text += &format!("would be made again: {}\n", in_words(&damage));
+        }
+    }
     if sweep.design.varies_string() {
         text += &strings(task);
     }
@@ -40,26 +50,23 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
         text += &choice.lines(0);
     }
     if left > 0 {
-        text += &cost(task, left, stops)?.to_string();
+        text += &cost(task, left, stops)?;
     }
     Ok(text)
 }
 
-fn cost(task: &Task, simulations: usize, stops: &dyn Fn() -> bool) -> Result<Cost> {
+fn cost(task: &Task, simulations: usize, stops: &dyn Fn() -> bool) -> Result<String> {
     let (arguments, sweep, survey) = (task.arguments, &task.sweep, &task.survey);
     let limit = arguments.work.memory.limit();
     let setting = sweep.setting.for_labels();
     let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
-    Ok(Cost {
-        memory,
-        limit,
-        time: probe(sweep, survey, arguments.options(), simulations, stops),
-    })
+    let time = probe(sweep, survey, arguments.options(), simulations, stops);
+    Ok(cost_lines(&memory, &limit, &time))
 }
 
 /// Cases, methods and folder.
 fn what_runs(task: &Task, total: usize) -> String {
-    let (sweep, shard) = (&task.sweep, task.shard);
+    let (sweep, shard) = (&task.sweep, task.header.shard);
     let methods: Vec<&str> = sweep.methods.iter().map(|method| method.name()).collect();
     let part = if shard.is_whole() {
         String::new()
@@ -72,25 +79,6 @@ fn what_runs(task: &Task, total: usize) -> String {
     let folder = together(&task.folder.display().to_string());
     let would = format!("would run {cases} by {methods}{part}, into {folder}");
     wrapped(&would, 0, 2)
-}
-
-/// How much is to do, and why.
-fn what_is_left(task: &Task, found: &Found, total: usize, left: usize) -> Result<String> {
-    let why = match found {
-        Found::Complete(_) => "complete already",
-        Found::Unfinished { .. } => "a stopped run goes on",
-        Found::Fewer(_) => "the sweep has more cases than are there",
-        Found::Nothing(_) => "from the beginning",
-    };
-    let total = counted(total, "simulation");
-    let mut text = format!("{left} of {total} left: {why}\n");
-    if let Found::Complete(manifest) = found {
-        let damage = damage(task, manifest)?;
-        if !damage.is_empty() {
-            text += &format!("would be made again: {}\n", in_words(&damage));
-        }
-    }
-    Ok(text)
 }
 
 fn strings(task: &Task) -> String {

@@ -18,7 +18,7 @@ use crate::commands::terminal::say;
 use crate::commands::warnings::{warn_of_broken_lines, warn_of_unstable};
 use crate::engine::{Log, Record, Work, pairs_of};
 use crate::files::write_with_checksum;
-use crate::output::{About, Manifest, Repeat, boundary_csv, write_tables};
+use crate::output::{About, Manifest, TableWriter, boundary_csv};
 use crate::words::counted;
 
 /// A run under way.
@@ -26,6 +26,7 @@ pub struct Session<'a> {
     task: &'a Task<'a>,
     systems: &'a Systems,
     log: Arc<Log>,
+    about: About,
     so_far: SoFar,
     start: Instant,
 }
@@ -55,16 +56,17 @@ impl<'a> Session<'a> {
     /// # Errors
     /// Where the log cannot be read or written.
     pub fn open(task: &'a Task, systems: &'a Systems, start: Instant) -> Result<Self> {
-        let (sweep, shard) = (&task.sweep, task.shard);
+        let (sweep, shard) = (&task.sweep, task.header.shard);
         let path = task.folder.join(LOG);
         let log = Log::open(&path, sweep.design.cases(), sweep.methods.len())?;
         let (file, options) = (&task.arguments.file, task.arguments.options());
         let about = About::new(sweep, file, shard, options, &systems.methods)?;
-        log.describe(about.text()?)?;
+        log.describe(serde_json::to_string(&about)?)?;
         warn_of_unstable(&systems.methods, task.terminal);
         warn_of_broken_lines(&log, task.terminal);
         Ok(Self {
             log: Arc::new(log),
+            about,
             so_far: SoFar {
                 total: pairs_of(sweep, shard),
                 place: task.folder.display().to_string(),
@@ -127,7 +129,7 @@ impl<'a> Session<'a> {
         };
         let work = Work {
             sweep,
-            shard: self.task.shard,
+            shard: self.task.header.shard,
             options: arguments.options(),
             strings_at_once: self.systems.strings_at_once,
             is_open: &|case, method| !is_done(case, method),
@@ -155,7 +157,7 @@ impl<'a> Session<'a> {
         let mut manifest = self.write_tables()?;
         manifest.write(folder)?;
         remove_page(folder)?;
-        let drawn = self.task.shard.is_whole() && draw_and_note(folder, &mut manifest)?;
+        let drawn = self.task.header.shard.is_whole() && draw_and_note(folder, &mut manifest)?;
         let path = folder.join(LOG);
         std::fs::remove_file(&path)
             .with_context(|| format!("{} cannot be removed", path.display()))?;
@@ -168,24 +170,15 @@ impl<'a> Session<'a> {
     /// The tables of the run, and the manifest that speaks of them.
     fn write_tables(&self) -> Result<Manifest> {
         let (arguments, sweep, folder) = (self.task.arguments, &self.task.sweep, &self.task.folder);
-        let repeat = Repeat {
-            sweep_file: &arguments.file,
-            chooses_method: sweep.choice.is_some(),
-            options: arguments.options(),
-        };
-        let tables = write_tables(sweep, repeat, &self.log, folder)?;
+        let mut tables = TableWriter::create(&self.about, folder)?;
+        self.log.in_order(|records| tables.add(records))?;
+        let (tally, files) = tables.finish()?;
         let limit = boundary_csv(&self.systems.limit);
         let limit = write_with_checksum(&folder.join("boundary.csv"), limit.as_bytes())?;
-        let seconds = self.start.elapsed().as_secs_f64();
-        let mut manifest = Manifest::new(
-            sweep,
-            self.task.shard,
-            arguments.options(),
-            &self.systems.methods,
-            tables.tally,
-            seconds,
-        )?;
-        manifest.files = tables.files;
+        let (shard, systems) = (self.task.header.shard, &self.systems.methods);
+        let mut manifest = Manifest::new(sweep, shard, arguments.options(), systems)?;
+        (manifest.tally, manifest.files) = (tally, files);
+        manifest.wall_seconds = self.start.elapsed().as_secs_f64();
         manifest.files.insert("boundary.csv".to_owned(), limit);
         Ok(manifest)
     }

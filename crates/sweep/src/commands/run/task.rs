@@ -21,11 +21,9 @@ pub struct Task<'a> {
     pub terminal: Terminal,
     /// The sweep.
     pub sweep: Sweep,
-    /// The part of it.
-    pub shard: Shard,
     /// How long its cases take.
     pub survey: Survey,
-    /// What a log of the run begins with.
+    /// What a log of the run begins with, its part of the sweep too.
     pub header: Header,
     /// Where the results are, or will be.
     pub folder: PathBuf,
@@ -55,7 +53,6 @@ impl<'a> Task<'a> {
             arguments,
             terminal,
             sweep,
-            shard,
             survey,
             folder,
         })

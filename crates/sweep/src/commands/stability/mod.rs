@@ -5,6 +5,7 @@ mod table;
 
 use anyhow::Result;
 
+use super::csv_table::csv_table;
 use super::drawing::save_picture;
 use super::folder::make_folder;
 use super::progress::Progress;
@@ -15,7 +16,7 @@ use crate::cli::StabilityArguments;
 use crate::output::write_atomically;
 use crate::studies::stability::{Cell, Family, cells, run};
 use chart::chart;
-use table::{summary, to_csv};
+use table::{columns, summary};
 
 /// Computes the atlas and writes its table and chart.
 pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<Status> {
@@ -31,7 +32,8 @@ pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<S
     let entries = run(&cells, &|| progress.tick());
     progress.finish();
     let entries = entries?;
-    write_atomically(&arguments.out.join("stability.csv"), &to_csv(&entries)?)?;
+    let table = csv_table(entries.iter().map(columns))?;
+    write_atomically(&arguments.out.join("stability.csv"), &table)?;
     save_picture(&arguments.out, "stability", &chart(&entries)?)?;
     if !arguments.quiet {
         say(&summary(&entries))?;

@@ -2,8 +2,6 @@
 
 use std::fmt::Write;
 
-use anyhow::{Context, Result};
-
 use crate::studies::stability::{Cell, Entry, Family, Findings, explanation};
 use crate::words::wrapped;
 
@@ -15,7 +13,7 @@ fn symptoms(entry: &Entry) -> String {
 }
 
 /// The columns of the table: their names, and what an entry has there.
-fn columns(entry: &Entry) -> [(&'static str, String); 23] {
+pub fn columns(entry: &Entry) -> [(&'static str, String); 23] {
     let (cell, findings) = (&entry.cell, &entry.findings);
     let parameters = cell.parameters();
     let number = |value: Option<f64>| value.map_or_else(String::new, exactly);
@@ -82,22 +80,6 @@ fn exactly(value: f64) -> String {
     } else {
         format!("{value:e}")
     }
-}
-
-/// All rows, header first.
-///
-/// # Errors
-/// Where memory does not take them.
-pub fn to_csv(entries: &[Entry]) -> Result<Vec<u8>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for (index, entry) in entries.iter().enumerate() {
-        let columns = columns(entry);
-        if index == 0 {
-            writer.write_record(columns.each_ref().map(|(name, _)| name))?;
-        }
-        writer.write_record(columns.map(|(_, field)| field))?;
-    }
-    writer.into_inner().context("the table is not whole")
 }
 
 /// Cells and right predictions of each family, and every wrong one with its

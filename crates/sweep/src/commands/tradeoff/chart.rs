@@ -3,6 +3,7 @@
 use anyhow::Result;
 
 use super::table::measures;
+use crate::commands::prepare::unique;
 use crate::plot::{Axis, Picture, ScatterPanel, Series, scatter_grid};
 use crate::studies::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
 
@@ -31,21 +32,14 @@ pub fn chart(rows: &[Row]) -> Result<Picture> {
 fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
     let point = |row: &Row| Some((row.cost(), row.error?.max(SMALLEST_DRAWN)));
     let known = || rows.iter().filter(|row| row.measure == measure);
-    let mut kinds: Vec<Series> = Vec::new();
-    for row in known() {
-        let name = row.configuration.family();
-        let kind = match kinds.iter().position(|kind| kind.name == name) {
-            Some(kind) => kind,
-            None => {
-                kinds.push(Series {
-                    name: name.to_owned(),
-                    points: Vec::new(),
-                });
-                kinds.len() - 1
-            }
-        };
-        kinds[kind].points.extend(point(row));
-    }
+    let family = |row: &Row| row.configuration.family();
+    let families = unique(&known().map(family).collect::<Vec<_>>());
+    let kinds = families.into_iter().map(|name| Series {
+        name: name.to_owned(),
+        points: (known().filter(|row| family(row) == name))
+            .filter_map(point)
+            .collect(),
+    });
     let uncertainty = known().map(|row| row.reference.uncertainty).next();
     ScatterPanel {
         title: measure.title().to_owned(),
@@ -53,7 +47,7 @@ fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
             Axis::logarithmic(format!("Time for {CASES} cases of {CASE_SECONDS} s (s)")),
             Axis::logarithmic(if is_first { "Relative error" } else { "" }),
         ],
-        kinds,
+        kinds: kinds.collect(),
         front: (front(rows, measure).into_iter())
             .map(|(row, error)| (row.cost(), error.max(SMALLEST_DRAWN)))
             .collect(),

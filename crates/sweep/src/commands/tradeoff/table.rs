@@ -1,7 +1,8 @@
 //! `tradeoff.csv`: every configuration by every measure.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
+use crate::commands::csv_table::csv_table;
 use crate::studies::tradeoff::{Measure, Row, front};
 
 /// Measures that were studied, in order.
@@ -17,16 +18,10 @@ pub fn table(rows: &[Row]) -> Result<Vec<u8>> {
         .flat_map(|measure| front(rows, measure))
         .map(|(row, _)| row)
         .collect();
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for (index, row) in rows.iter().enumerate() {
+    csv_table(rows.iter().map(|row| {
         let is_on_front = fronts.iter().any(|front| std::ptr::eq(*front, row));
-        let columns = columns(row, is_on_front);
-        if index == 0 {
-            writer.write_record(columns.each_ref().map(|(name, _)| name))?;
-        }
-        writer.write_record(columns.map(|(_, field)| field))?;
-    }
-    writer.into_inner().context("the table cannot be written")
+        columns(row, is_on_front)
+    }))
 }
 
 /// The columns of the table: their names, and what a row has there.

@@ -1,0 +1,67 @@
+//! What came out of a sweep, counted.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::{Deserialize, Serialize};
+use sim::Label;
+
+use super::motion::{Labels, Motion};
+
+/// What came out, counted.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Tally {
+    /// Rows.
+    pub rows: usize,
+    /// Rows per method and label. A row of a scene with bit and wall has two labels,
+    /// one of each motion.
+    pub labels: BTreeMap<String, BTreeMap<Label, usize>>,
+    /// Rows without an answer.
+    pub failed: usize,
+    /// Settled rows that were followed to the end, and those of them whose label
+    /// changed.
+    pub settled_checked: usize,
+    /// See `settled_checked`.
+    pub settled_wrong: usize,
+}
+
+impl Tally {
+    /// Counts what a case is by a method: whether it failed, its labels, and the label
+    /// predicted when motion settled.
+    pub fn add(&mut self, method: &str, failed: bool, labels: Labels, predicted: Option<Label>) {
+        self.rows += 1;
+        self.failed += usize::from(failed);
+        if let Some(predicted) = predicted {
+            self.settled_checked += 1;
+            self.settled_wrong += usize::from(labels.each().all(|label| label != predicted));
+        }
+        for label in labels.each() {
+            let of_method = self.labels.entry(method.to_owned()).or_default();
+            *of_method.entry(label).or_default() += 1;
+        }
+    }
+
+    /// The motions that have labels; that of torsion where no case has any.
+    pub fn motions(&self) -> Vec<Motion> {
+        let labels = self.labels.values().flat_map(BTreeMap::keys);
+        let found: BTreeSet<Motion> = labels.map(|label| Motion::of(*label)).collect();
+        if found.is_empty() {
+            vec![Motion::Torsion]
+        } else {
+            found.into_iter().collect()
+        }
+    }
+
+    /// The labels of a method, each with its rows, in one list for each motion that
+    /// has any: every list adds up to the cases with an answer.
+    pub fn by_motion(&self, method: &str) -> Vec<(Motion, Vec<(&'static str, usize)>)> {
+        let list = |motion: Motion| -> Vec<(&'static str, usize)> {
+            let labels = self.labels.get(method).into_iter().flatten();
+            labels
+                .filter(|(label, _)| Motion::of(**label) == motion)
+                .map(|(label, count)| (label.name(), *count))
+                .collect()
+        };
+        let lists = Motion::ALL.into_iter().map(|motion| (motion, list(motion)));
+        lists.filter(|(_, list)| !list.is_empty()).collect()
+    }
+}
