@@ -7,20 +7,11 @@ use linear::method::{FiniteElement, Transform};
 use linear::passivity::STABLE_MARGIN;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::transfer::tip_receptance;
-use linear::{
-    Bending, ChannelRequest, Drillstring, Method, Request, Responses, Section, Sites,
-    SurfaceSupport,
-};
-use problems::academic;
+use linear::{Drillstring, Method, Request, Responses, Section, Sites, SurfaceSupport};
+use problems::academic::{self, BENDING};
 use sim::Simulator;
 use sim::diagnosis::{Sticking, sticking};
 use sim::oscillator::worst_load_gain;
-
-const BENDING: Bending = Bending {
-    youngs_modulus: 210e9,
-    damping: 2000.0,
-    compression: 0.0,
-};
 
 /// As long as Fig. 8(b), s.
 const HELD_FOR: f64 = 40.0;
@@ -116,13 +107,9 @@ fn the_trapezoidal_rule_chatters_and_backward_differences_do_not() {
 
 /// The displacement at the bit 9 s after an impulse, m per N s.
 fn displacement_left(method: &Method) -> f64 {
-    let in_bending = ChannelRequest::Bending {
-        bending: BENDING,
-        support: SurfaceSupport::Free,
-    };
     let request = Request {
         sites: Sites::bit(),
-        channels: vec![in_bending],
+        channels: vec![academic::free_in_bending()],
         sampling_frequency: academic::SAMPLING_FREQUENCY,
         longest_time: 9.0,
     };
