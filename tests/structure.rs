@@ -47,7 +47,7 @@ impl Crate {
             let module = match name.as_str() {
                 "lib" | "main" | "mod" => module.clone(),
                 // Of the tests of a module.
-                "tests" | "fuzz" | "guide" => continue,
+                "tests" => continue,
                 _ => within(name),
             };
             self.read_file(&fs::read_to_string(&path).unwrap(), module);

@@ -187,6 +187,10 @@ fn lateral(scene: &mut Scene) -> &mut Lateral {
     scene.lateral.as_mut().unwrap()
 }
 
+fn bit(scene: &mut Scene) -> &mut BitTorque {
+    scene.bit.as_mut().unwrap()
+}
+
 #[test]
 fn scenes_out_of_range_are_refused() {
     let changes: [Change; 19] = [
@@ -197,18 +201,8 @@ fn scenes_out_of_range_are_refused() {
         |it| it.timing.duration = -1.0,
         |it| it.timing.closing_window = f64::NAN,
         |it| it.timing.closing_window = f64::INFINITY,
-        |it| {
-            it.bit = Some(BitTorque {
-                torque_static: f64::NAN,
-                ..BIT
-            })
-        },
-        |it| {
-            it.bit = Some(BitTorque {
-                torque_dynamic: -1.0,
-                ..BIT
-            })
-        },
+        |it| bit(it).torque_static = f64::NAN,
+        |it| bit(it).torque_dynamic = -1.0,
         |it| lateral(it).walls[0].clearance = 0.0,
         |it| lateral(it).walls[0].stiffness = f64::NAN,
         |it| lateral(it).walls[0].friction = -0.1,
@@ -253,25 +247,16 @@ fn scenes_out_of_range_are_refused() {
 
 #[test]
 fn a_bit_that_holds_less_than_turns_it_is_refused() {
-    let slippery = BitTorque {
-        torque_static: 900.0,
-        ..BIT
-    };
     let expected = SimulationError::Scene(SceneError::Torques {
         torque_static: 900.0,
         torque_dynamic: 1000.0,
     });
-    let scene = Scene {
-        bit: Some(slippery),
-        ..cutting()
-    };
-    let simulator = Simulator::new(&torsion(&[0.0], vec![0])).unwrap();
-    assert_eq!(run(&simulator, &scene), Err(expected));
-    let scene = Scene {
-        bit: Some(slippery),
-        ..touching()
-    };
-    assert_eq!(run(&lateral_simulator(&[0.0]), &scene), Err(expected));
+    let alone = Simulator::new(&torsion(&[0.0], vec![0])).unwrap();
+    let touches = lateral_simulator(&[0.0]);
+    for (simulator, mut scene) in [(alone, cutting()), (touches, touching())] {
+        bit(&mut scene).torque_static = 900.0;
+        assert_eq!(run(&simulator, &scene), Err(expected));
+    }
 }
 
 #[test]

@@ -11,8 +11,8 @@ use problems::academic::{self, BENDING};
 use problems::oracles::assert_close;
 use sim::excitation::least_impulse;
 use sim::{
-    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Scene, Simulator, Stopping,
-    Timing, Trajectory, Wall,
+    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Scene, Simulator, SteadyWhirl,
+    Stopping, Timing, Trajectory, Wall, WhirlingSite,
 };
 
 const DURATION: f64 = 10.0;
@@ -100,6 +100,20 @@ fn network(string: &Drillstring) -> BendingNetwork<'_> {
     BendingNetwork::new(string, BENDING, SurfaceSupport::Free, &Sites::bit()).unwrap()
 }
 
+/// The one way in which the string rolls along a wall at the bit.
+fn steady_whirl(string: &Drillstring, wall: Wall) -> SteadyWhirl {
+    let network = network(string);
+    let site = WhirlingSite {
+        wall,
+        dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
+        decay_rate: linear::estimates::bending_decay_rate(string, &BENDING),
+    };
+    let [steady] = site.rolling_at(SPEED)[..] else {
+        panic!("one steady whirl");
+    };
+    steady
+}
+
 /// Fig. 10: the site is pushed along the wall against the rotation, and comes back. The
 /// wall is first met when the free motion, by the exact responses, reaches it.
 #[test]
@@ -149,14 +163,7 @@ fn figure_12_whirls_backward_as_the_forces_balance() {
         (elements, wall(2.0)),
     ] {
         let case = Case::new(&method, &[0.0]);
-        let site = sim::WhirlingSite {
-            wall,
-            dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
-            decay_rate: linear::estimates::bending_decay_rate(&string, &BENDING),
-        };
-        let [steady] = site.rolling_at(SPEED)[..] else {
-            panic!("one steady whirl");
-        };
+        let steady = steady_whirl(&string, wall);
         let mut trajectory = Trajectory::default();
         let found = case.run(case.at_bit(3.0, wall), Some(&mut trajectory));
         assert_eq!(found.regime, LateralRegime::BackwardWhirl);
@@ -249,14 +256,7 @@ fn the_limit_of_whirl_falls_with_the_impulse() {
     let limits = [1.5, 2.0, 3.0, 5.0].map(limit);
     let falls = limits.windows(2).all(|pair| pair[1] <= pair[0]);
     assert!(falls && limits[0] > 1.2 * limits[3], "{limits:?}");
-    let string = academic::string();
-    let network = network(&string);
-    let site = sim::WhirlingSite {
-        wall: wall(0.0),
-        dynamic_stiffness: |rate| network.dynamic_stiffness(0, rate),
-        decay_rate: linear::estimates::bending_decay_rate(&string, &BENDING),
-    };
-    let least = site.rolling_at(SPEED)[0].least_friction;
+    let least = steady_whirl(&academic::string(), wall(0.0)).least_friction;
     let above = |limit: &f64| (1.0..1.1).contains(&(limit / least));
     assert!(limits[2..].iter().all(above), "{limits:?} {least}");
 }

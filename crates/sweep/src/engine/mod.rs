@@ -3,6 +3,8 @@
 
 mod case;
 mod case_error;
+#[cfg(test)]
+mod fuzz;
 mod instability;
 mod log;
 mod memory;

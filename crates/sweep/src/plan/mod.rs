@@ -5,7 +5,7 @@ mod bit;
 mod choice;
 mod conditions;
 #[cfg(test)]
-mod fuzz;
+mod guide;
 mod impulses;
 mod lateral;
 mod map;

@@ -1,21 +1,19 @@
 //! The sweep file as it is written: its text with its bases, its keys, and errors with
 //! file, line and key. What the keys mean together is the business of `plan`.
 
-mod bit;
+pub mod bit;
 mod change;
-mod design;
+pub mod design;
 mod error;
-mod file;
-#[cfg(test)]
-mod guide;
-mod lateral;
-mod map;
-mod methods;
+pub mod file;
+pub mod lateral;
+pub mod map;
+pub mod methods;
 mod number_or;
 mod placed;
 mod source;
-mod string;
-mod wording;
+pub mod string;
+pub mod wording;
 
 pub use bit::{BitTable, LawTable, RockName};
 pub use design::{AxisRange, DesignKind, DesignTable, Spacing};

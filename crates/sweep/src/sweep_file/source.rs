@@ -189,7 +189,9 @@ impl Source {
                 return Err(no_base("names a file, so it is a string".to_owned()));
             };
             let base = path.parent().unwrap_or(Path::new("")).join(base.as_ref());
-            self.check_base(&base).map_err(no_base)?;
+            if let Some(reason) = self.reason_against(&base) {
+                return Err(no_base(reason));
+            }
             self.add_file(&base, text_of)
                 .map_err(|error| match error.line {
                     None => no_base(error.to_string()),
@@ -213,20 +215,18 @@ impl Source {
         Ok(())
     }
 
-    /// Why a file is refused as a base.
-    fn check_base(&self, base: &Path) -> Result<(), String> {
+    /// Why a file is refused as a base, if it is.
+    fn reason_against(&self, base: &Path) -> Option<String> {
         let same = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let file = same(base);
         if self.files.iter().any(|known| same(known) == file) {
             let base = base.display();
-            return Err(format!(
+            return Some(format!(
                 "the bases go in a circle: {base} would be its own base"
             ));
         }
-        if self.files.len() >= MOST_FILES {
-            let message = "files, each the base of the one before";
-            return Err(format!("there are more than {MOST_FILES} {message}"));
-        }
-        Ok(())
+        (self.files.len() >= MOST_FILES).then(|| {
+            format!("there are more than {MOST_FILES} files, each the base of the one before")
+        })
     }
 }

@@ -8,16 +8,16 @@ use linear::method::{FiniteElement, Transform};
 use serde::de::DeserializeOwned;
 use toml::{Table, Value};
 
-use super::bit::{BitTable, LawTable};
-use super::design::{AxisRange, DesignTable};
-use super::file::FileContent;
-use super::lateral::*;
-use super::map::{MapTable, MarkTable};
-use super::methods::MethodTables;
-use super::string::{SectionTable, StringTable, TubeTable};
-use super::wording::keys_of;
-use crate::plan::Sweep;
+use super::Sweep;
 use crate::quantities::Axis;
+use crate::sweep_file::bit::{BitTable, LawTable};
+use crate::sweep_file::design::{AxisRange, DesignTable};
+use crate::sweep_file::file::FileContent;
+use crate::sweep_file::lateral::*;
+use crate::sweep_file::map::{MapTable, MarkTable};
+use crate::sweep_file::methods::MethodTables;
+use crate::sweep_file::string::{SectionTable, StringTable, TubeTable};
+use crate::sweep_file::wording::keys_of;
 
 const PAGE: &str = include_str!("../../../../docs/sweep-file.md");
 

@@ -11,8 +11,8 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::test_runner::TestRunner;
 
-use super::{Setting, Sweep};
-use crate::engine::Case;
+use super::Case;
+use crate::plan::{Setting, Sweep};
 use crate::sweep_file::SweepFileError;
 
 /// Inputs made by changing a sweep file. A sixth can still be read.
