@@ -185,5 +185,6 @@ fn a_damaged_log_gives_only_what_was_written() {
         }
     });
     let seen = seen.map(Cell::into_inner);
-    assert!(seen.iter().all(|&count| count >= 50), "{seen:?}");
+    // The rarest is seen fifty times, give or take seven.
+    assert!(seen.iter().all(|&count| count >= 10), "{seen:?}");
 }
