@@ -1,6 +1,7 @@
 //! Compares two results folders: which labels differ where the same cases were run.
 
 use anyhow::Result;
+use thiserror::Error;
 
 use super::results::Results;
 use crate::output::{CaseRows, read_cases};
@@ -8,6 +9,20 @@ use crate::words::short;
 
 /// Differing labels that are kept to be listed.
 const MOST_LISTED: usize = 30;
+
+/// Why two folders are not of the same cases.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum Unlike {
+    /// Their axes differ.
+    #[error("their axes are different")]
+    Axes,
+    /// A case has other values along them.
+    #[error("case {0} has other values")]
+    Values(usize),
+    /// They have no row in common.
+    #[error("no case was answered by the same method in both")]
+    NoneInCommon,
+}
 
 /// What two folders say of the cases that both answer.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -26,9 +41,9 @@ pub struct Compared {
 ///
 /// # Errors
 /// Where their labels cannot be read.
-pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, String>> {
+pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, Unlike>> {
     if one.manifest.axes != other.manifest.axes {
-        return Ok(Err("their axes are different".to_owned()));
+        return Ok(Err(Unlike::Axes));
     }
     let mut compared = Compared::default();
     let cases = |of: &Results| read_cases(&of.tables.folder.join("labels.csv"), &one.manifest.axes);
@@ -45,13 +60,12 @@ pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, String
             continue;
         };
         if theirs.values != ours.values {
-            return Ok(Err(format!("case {} has other values", ours.case)));
+            return Ok(Err(Unlike::Values(ours.case)));
         }
         compared.add(&ours, theirs);
     }
     if compared.rows == 0 {
-        let why = "no case was answered by the same method in both";
-        return Ok(Err(why.to_owned()));
+        return Ok(Err(Unlike::NoneInCommon));
     }
     Ok(Ok(compared))
 }

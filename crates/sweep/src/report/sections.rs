@@ -2,7 +2,7 @@
 
 use sim::Label;
 
-use super::comparison::Compared;
+use super::comparison::{Compared, Unlike};
 use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, table_of};
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
@@ -12,7 +12,7 @@ use crate::words::{counted, short};
 
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.
-pub fn sections(all: &[Results], comparisons: &[Result<Compared, String>]) -> Vec<Section> {
+pub fn sections(all: &[Results], comparisons: &[Result<Compared, Unlike>]) -> Vec<Section> {
     let sections = [
         ("What was run", overview(all)),
         ("Regime map", maps(all)),
@@ -285,7 +285,7 @@ fn failures(all: &[Results]) -> Vec<Block> {
     all.iter().map(of_folder).collect()
 }
 
-fn between(all: &[Results], comparisons: &[Result<Compared, String>]) -> Vec<Block> {
+fn between(all: &[Results], comparisons: &[Result<Compared, Unlike>]) -> Vec<Block> {
     let mut blocks = Vec::new();
     let Some((first, others)) = all.split_first() else {
         return blocks;
