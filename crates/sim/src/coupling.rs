@@ -46,12 +46,18 @@ impl Coupling {
     /// Solves a step by solving one site after the other, from the loads of the last
     /// step on: `solve` gives the load of a site and its normal force, N. Gives whether
     /// they settled; `radius` is that of the string at a site.
+    #[inline]
     pub(crate) fn settle<E>(
         &mut self,
         system: &System,
         radius: impl Fn(usize) -> f64,
         mut solve: impl FnMut(usize, &[Load]) -> Result<(Load, f64), E>,
     ) -> Result<bool, E> {
+        if self.loads.len() == 1 {
+            // There is no other site to agree with.
+            self.loads[0] = solve(0, &self.loads)?.0;
+            return Ok(true);
+        }
         for _ in 0..MOST_TURNS {
             let mut largest: f64 = 0.0;
             for index in 0..self.loads.len() {
