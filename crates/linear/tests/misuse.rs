@@ -172,17 +172,11 @@ fn a_string_longer_than_all_numbers_has_no_responses() {
 /// A collar of a million kilometres beside a drillpipe of centimetres: 10¹² elements.
 #[test]
 fn more_elements_than_are_made_are_refused() {
-    let sections = vec![
-        Section {
-            repeat: 2,
-            parts: vec![pipe(0.01)],
-        },
-        Section {
-            repeat: 1,
-            parts: vec![pipe(1e9)],
-        },
-    ];
-    let string = Drillstring::new(STEEL, sections, 10.0).unwrap();
+    let sections = [(2, 0.01), (1, 1e9)].map(|(repeat, length)| Section {
+        repeat,
+        parts: vec![pipe(length)],
+    });
+    let string = Drillstring::new(STEEL, sections.to_vec(), 10.0).unwrap();
     let method = Method::FiniteElement(FiniteElement::default());
     let found = responses(&string, &method, &request(Sites::bit(), vec![IN_BENDING()]));
     assert!(matches!(found, Err(BuildError::TooManyElements { .. })));
@@ -206,12 +200,8 @@ fn forces_that_do_not_fit_the_sites_are_refused() {
 fn responses_put_together_by_hand_are_checked() {
     let string = string(3);
     let sites = Sites::new(&string, &[0.0, 10.0]).unwrap();
-    let good = responses(
-        &string,
-        &Method::Quadrature,
-        &request(sites, vec![TORSION()]),
-    );
-    let good = good.unwrap();
+    let asked = request(sites, vec![TORSION()]);
+    let good = responses(&string, &Method::Quadrature, &asked).unwrap();
     assert_eq!((good.sites.bit_site(), good.check()), (Some(1), Ok(())));
     assert!(torsion_error(&string, &good).is_ok());
     type Change = fn(&mut Responses);
