@@ -53,11 +53,6 @@ impl Coupling {
         radius: impl Fn(usize) -> f64,
         mut solve: impl FnMut(usize, &[Load]) -> Result<(Load, f64), E>,
     ) -> Result<bool, E> {
-        if self.loads.len() == 1 {
-            // There is no other site to agree with.
-            self.loads[0] = solve(0, &self.loads)?.0;
-            return Ok(true);
-        }
         for _ in 0..MOST_TURNS {
             let mut largest: f64 = 0.0;
             for index in 0..self.loads.len() {
@@ -70,7 +65,8 @@ impl Coupling {
                 );
                 largest = largest.max(normal_force);
             }
-            if self.largest_effect(system, &radius) <= COUPLING_TOLERANCE * largest {
+            let is_alone = self.loads.len() == 1;
+            if is_alone || self.largest_effect(system, &radius) <= COUPLING_TOLERANCE * largest {
                 return Ok(true);
             }
         }
