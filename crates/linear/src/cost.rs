@@ -11,12 +11,14 @@ use rayon::current_num_threads;
 use crate::drillstring::Drillstring;
 use crate::elements::mesh::most_elements;
 use crate::estimates::torsional_settling_time;
+use crate::filters::held;
 use crate::filters::quadrature::SAMPLES_PER_TAP;
 use crate::method::{FiniteElement, Method};
 use crate::passivity::REFINEMENT;
 use crate::responses::length::{MOST_TAPS, needed_taps};
 use crate::responses::{ChannelRequest, Request, bending, decay, torsion};
 use crate::sites::Sites;
+use crate::waves::lattice::Lattice;
 
 /// Bytes of a real and of a complex number.
 const REAL: f64 = 8.0;
@@ -143,6 +145,12 @@ fn of_torsion(
     let samples_of =
         |transform| torsion::transform_samples(string, transform, request.sampling_frequency);
     match method {
+        Method::Held => {
+            let impulses = held_impulses(string, request, until_decayed);
+            let samples = SAMPLES_PER_TAP as f64 * impulses;
+            let memory = filter(responses, samples, impulses, networks);
+            cost(impulses, until_decayed, memory)
+        }
         Method::Quadrature | Method::Trapezoidal => {
             let samples = SAMPLES_PER_TAP as f64 * until_decayed;
             let memory = filter(responses, samples, until_decayed, networks);
@@ -170,6 +178,13 @@ fn of_torsion(
     }
 }
 
+/// Impulses that so many taps are made of.
+fn held_impulses(string: &Drillstring, request: &Request, taps: f64) -> f64 {
+    Lattice::new(string, &request.sites).map_or(taps, |lattice| {
+        (taps / (lattice.step * request.sampling_frequency)).max(taps)
+    })
+}
+
 fn of_bending(string: &Drillstring, method: &Method, request: &Request) -> ChannelCost {
     let sites = request.sites.len() as f64;
     let responses = sites * sites;
@@ -180,6 +195,11 @@ fn of_bending(string: &Drillstring, method: &Method, request: &Request) -> Chann
     let networks = current_num_threads() as f64 * COMPLEX * numbers;
     let kept = REAL * responses * taps;
     let (asked, memory) = match method {
+        Method::Held => {
+            let finer = held::SUBSTEPS as f64 * taps;
+            let samples = SAMPLES_PER_TAP as f64 * finer;
+            (finer, filter(responses, samples, finer, networks))
+        }
         Method::Quadrature | Method::Trapezoidal => {
             let samples = SAMPLES_PER_TAP as f64 * taps;
             (taps, filter(responses, samples, taps, networks))

@@ -29,8 +29,9 @@ impl Method {
                 numerator: [1.5, -2.0, 0.5],
                 denominator: [1.0, 0.0, 0.0],
             },
-            // δ(ζ) of the trapezoidal rule.
-            Method::Trapezoidal => Derivative {
+            // δ(ζ) of the trapezoidal rule; a displacement that is the mean of those at
+            // both ends of a step has the mean speed over it.
+            Method::Held | Method::Trapezoidal => Derivative {
                 numerator: [2.0, -2.0, 0.0],
                 denominator: [1.0, 1.0, 0.0],
             },

@@ -9,6 +9,8 @@ use crate::error::BuildError;
 pub enum Method {
     /// The paper's digital filter (Eqs. 39–40).
     Hilbert(Transform),
+    /// Loads held over every step, answered exactly by the mean motion over it.
+    Held,
     /// Convolution quadrature with BDF2.
     Quadrature,
     /// Convolution quadrature with the trapezoidal rule, which fails.
@@ -20,10 +22,21 @@ pub enum Method {
 }
 
 impl Method {
+    /// The part of a step that is still to go when its loads and its motion are taken: 0
+    /// where they are sampled, step k at k/f_s; ½ where loads are held over the step and
+    /// motion is the mean over it, step k from k/f_s to (k + 1)/f_s.
+    pub fn moment(&self) -> f64 {
+        match self {
+            Method::Held => 0.5,
+            _ => 0.0,
+        }
+    }
+
     /// The name used in files and on the command line.
     pub fn name(&self) -> &'static str {
         match self {
             Method::Hilbert(_) => "hilbert",
+            Method::Held => "held",
             Method::Quadrature => "quadrature",
             Method::Trapezoidal => "trapezoidal",
             Method::FiniteElement(_) => "finite-element",

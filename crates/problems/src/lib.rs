@@ -3,3 +3,4 @@
 pub mod academic;
 pub mod oracles;
 pub mod pipes;
+pub mod plain_lattice;

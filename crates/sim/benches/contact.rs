@@ -19,7 +19,8 @@ fn approach(free_speed: f64) -> Approach<'static> {
             compliance: 5e-5,
             resistance: None,
         },
-        sampling_frequency: 640.0,
+        moment: 0.0,
+        rate: 640.0,
     }
 }
 

@@ -79,6 +79,7 @@ pub mod laws;
 pub mod oscillator;
 mod outcome;
 mod ranges;
+mod sampling;
 pub mod scene;
 mod shortcuts;
 pub mod simulator;

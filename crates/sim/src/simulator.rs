@@ -115,16 +115,19 @@ struct End {
 
 impl Watch {
     fn new(system: &System, scene: &Scene, rules: Rules, stepper: &Stepper) -> Self {
-        let (frequency, steps) = (system.sampling_frequency, stepper.steps());
+        let (sampling, steps) = (system.sampling, stepper.steps());
         let window = scene.timing.closing_window;
         let bit = scene.bit.map(|_| {
-            let mut watch = BitWatch::new(rules, frequency, steps, window);
+            let mut watch = BitWatch::new(rules, sampling, steps, window);
             watch.skip_stuck(stepper.next_step().min(steps));
             watch
         });
         let walls = scene.lateral.as_ref().map(|_| {
-            let walls = WallWatch::new(rules, system.sites, frequency, steps, window);
-            (walls, Settling::new(rules, system.sites, frequency, steps))
+            let walls = WallWatch::new(rules, system.sites, sampling, steps, window);
+            (
+                walls,
+                Settling::new(rules, system.sites, sampling.frequency, steps),
+            )
         });
         Self { bit, walls }
     }
@@ -232,7 +235,8 @@ impl Case<'_> {
             return (watch.is_settled()).then_some(Label::Torsion(TorsionRegime::StickSlip));
         }
         let (lateral, step) = (self.scene.lateral.as_ref()?, self.stepper.next_step());
-        if self.scene.bit.is_some() || !is_left_alone(lateral, self.system.time_of(step)) {
+        if self.scene.bit.is_some() || !is_left_alone(lateral, self.system.sampling.start_of(step))
+        {
             return None;
         }
         let (watch, settling) = self.watch.walls.as_mut()?;
@@ -256,7 +260,7 @@ impl Case<'_> {
             }
         });
         Outcome {
-            simulated: self.system.time_of(end.last),
+            simulated: self.system.sampling.start_of(end.last),
             ended: end.ended,
             predicted: end.predicted,
             torsion: self.watch.bit.as_ref().map(BitWatch::measures),

@@ -3,6 +3,7 @@
 
 use crate::laws::contact::{Approach, Contact, ContactError, Resistance, Spin, WallLaw};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
+use crate::sampling::Sampling;
 
 /// What a step leaves open in bending, the loads of other sites given: the position is
 /// `free_position + compliance × force`.
@@ -11,7 +12,7 @@ pub(crate) struct LateralLine {
     pub(crate) free_position: [f64; 2],
     pub(crate) previous_position: [f64; 2],
     pub(crate) compliance: f64,
-    pub(crate) sampling_frequency: f64,
+    pub(crate) sampling: Sampling,
 }
 
 /// The laws at a site.
@@ -77,7 +78,8 @@ impl<B: TorqueLaw, W: WallLaw> SiteLaws<'_, B, W> {
                 compliance: line.compliance,
                 resistance,
             },
-            sampling_frequency: lateral.sampling_frequency,
+            moment: lateral.sampling.moment,
+            rate: lateral.sampling.rate_in_step(),
         })?;
         let free_speed = line.free_speed + line.compliance * contact.torque;
         let bit = turned(free_speed);

@@ -159,7 +159,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         if self.next >= self.steps {
             return Ok(None);
         }
-        self.now.time = self.system.time_of(self.next);
+        self.now.time = self.system.sampling.time_of(self.next);
         self.find_free_motion();
         match self.lateral {
             None => self.meet_bit()?,
@@ -315,6 +315,20 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         self.lateral.as_ref()?.forces.next_block()
     }
 
+    /// Where the sites are at the end of a block in which they are at `x` and `y`, a block
+    /// each.
+    pub(crate) fn end_of_block(&self, x: &[f64], y: &[f64], block: usize) -> Vec<[f64; 2]> {
+        let beginnings = self.lateral.iter().flat_map(|lateral| &lateral.positions);
+        let sites = x.chunks_exact(block).zip(y.chunks_exact(block));
+        let end = |(beginning, (x, y)): (&[f64; 2], (&[f64], &[f64]))| {
+            let positions = x.iter().zip(y).map(|(x, y)| [*x, *y]);
+            positions.fold(*beginning, |beginning, position| {
+                self.system.sampling.end_of_step(position, beginning)
+            })
+        };
+        beginnings.zip(sites).map(end).collect()
+    }
+
     /// Passes a block in which nothing acts on any site, at the end of which the sites
     /// are at `positions`; of its steps only so many are the scene's.
     pub(crate) fn pass_block(&mut self, steps: usize, positions: &[[f64; 2]]) {
@@ -365,7 +379,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
 
     fn find_free_motion(&mut self, system: &System, time: f64, last_speeds: &[f64]) {
         let sites = system.sites;
-        self.find_external_forces(time, last_speeds);
+        self.find_external_forces(system, time, last_speeds);
         self.forces.write_past(&mut self.free_positions);
         let kernels = self.forces.kernels();
         for (place, position) in self.free_positions.iter_mut().enumerate() {
@@ -379,7 +393,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
 
     /// Disturbances of this step; an eccentric mass pulls as the last step
     /// left it.
-    fn find_external_forces(&mut self, time: f64, last_speeds: &[f64]) {
+    fn find_external_forces(&mut self, system: &System, time: f64, last_speeds: &[f64]) {
         let sites = self.positions.len();
         self.external.fill(0.0);
         let mut add = |site: usize, [x, y]: [f64; 2]| {
@@ -391,7 +405,9 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         }
         for mass in &self.scene.eccentric_masses {
             let [x, y] = self.positions[mass.site];
-            let (rotation, speed) = (self.rotations[mass.site], last_speeds[mass.site]);
+            let speed = last_speeds[mass.site];
+            let since = system.sampling.moment / system.sampling.frequency;
+            let rotation = self.rotations[mass.site] + since * speed;
             add(mass.site, mass.force(x.hypot(y), rotation, speed));
         }
     }
@@ -413,7 +429,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             free_position,
             previous_position: self.positions[site],
             compliance: kernels.instant(site, site),
-            sampling_frequency: system.sampling_frequency,
+            sampling: system.sampling,
         }
     }
 
@@ -424,8 +440,10 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
                 let place = axis * sites + site;
                 self.step_forces[place] = self.external[place] + contact.force[axis];
             }
-            self.positions[site] = contact.position;
-            self.rotations[site] += now.speeds[site] / system.sampling_frequency;
+            self.positions[site] = system
+                .sampling
+                .end_of_step(contact.position, self.positions[site]);
+            self.rotations[site] += now.speeds[site] / system.sampling.frequency;
         }
         self.forces.add(&self.step_forces);
     }

@@ -5,6 +5,7 @@ use linear::{ChannelResponses, ResponseError, Responses};
 use crate::convolution::{Kernel, Kernels};
 use crate::error::SimulationError;
 use crate::ranges::not_negative;
+use crate::sampling::Sampling;
 
 /// The linear part as all cases share it. What does not depend on the case is computed
 /// here once.
@@ -13,7 +14,7 @@ pub struct System {
     pub(crate) sites: usize,
     /// The site that is the bit, where one is.
     bit_site: Option<usize>,
-    pub(crate) sampling_frequency: f64,
+    pub(crate) sampling: Sampling,
     /// The longest case, s.
     longest_time: f64,
     /// Response of each site to a surface that starts to turn at 1 rad/s.
@@ -51,7 +52,10 @@ impl System {
         Ok(Self {
             sites,
             bit_site: responses.sites.bit_site(),
-            sampling_frequency: responses.sampling_frequency,
+            sampling: Sampling {
+                frequency: responses.sampling_frequency,
+                moment: responses.method.moment(),
+            },
             longest_time: responses.longest_time,
             surface_steps: (torsion.from_surface.iter())
                 .map(|taps| running_sum(taps))
@@ -108,12 +112,7 @@ impl System {
 
     /// Steps of a case, that at its start included.
     pub(crate) fn steps_of(&self, duration: f64) -> usize {
-        (duration * self.sampling_frequency).ceil() as usize + 1
-    }
-
-    /// Time of a step, s.
-    pub(crate) fn time_of(&self, step: usize) -> f64 {
-        step as f64 / self.sampling_frequency
+        (duration * self.sampling.frequency).ceil() as usize + 1
     }
 
     /// What is said where the motion of a loaded site is no number.

@@ -5,9 +5,11 @@ use crate::scene::Scene;
 use crate::stepper::{Step, Stepper};
 use crate::system::System;
 
-/// Samples at k / f_s, one entry a step; sites from the surface down.
+/// One entry a step; sites from the surface down.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Trajectory {
+    /// Time of each step, s.
+    pub times: Vec<f64>,
     /// Rotation speed of each site, rad/s.
     pub speeds: Vec<Vec<f64>>,
     /// Torque on the bit, positive in the direction of rotation, N m; empty
@@ -31,6 +33,7 @@ impl Trajectory {
             .as_ref()
             .map_or(0, |lateral| lateral.walls.len());
         *self = Self {
+            times: Vec::new(),
             speeds: vec![vec![0.0; held.len()]; system.loaded.len()],
             bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
             positions: vec![Vec::new(); walls],
@@ -51,14 +54,17 @@ impl Trajectory {
             .extend(now.bit.as_ref().map(|bit| bit.torque));
     }
 
-    /// Adds the speeds of the other sites, and the forces.
+    /// Adds the times, the speeds of the other sites, and the forces.
     pub(crate) fn finish(&mut self, system: &System, scene: &Scene, stepper: &Stepper) {
+        let steps = stepper.steps();
+        self.times = (0..steps)
+            .map(|step| system.sampling.time_of(step))
+            .collect();
         let loaded = std::mem::take(&mut self.speeds);
         let is_stepped = scene.bit.is_some() || scene.lateral.is_some();
         if is_stepped && loaded.len() == system.sites {
             self.speeds = loaded;
         } else {
-            let steps = stepper.steps();
             self.speeds = system.driven_speeds(scene.surface_speed, &self.bit_torque, steps);
             for (site, speeds) in system.loaded.iter().zip(loaded).filter(|_| is_stepped) {
                 self.speeds[*site] = speeds;

@@ -16,7 +16,7 @@ struct Arrival {
     torsional_compliance: f64,
     /// Torque law and last motion of the bit, where the site is the bit and cuts.
     bit: Option<(BitTorque, BitMotion)>,
-    sampling_frequency: f64,
+    rate: f64,
 }
 
 impl Arrival {
@@ -44,7 +44,8 @@ impl Arrival {
                     jump: self.torsional_compliance * law.largest_drop(),
                 }),
             },
-            sampling_frequency: self.sampling_frequency,
+            moment: self.moment,
+            rate: self.rate,
         })
     }
 }
@@ -91,7 +92,7 @@ fn approaches(furthest: f64) -> impl Strategy<Value = Arrival> {
                 compliance: 10f64.powf(h),
                 torsional_compliance: 10f64.powf(g),
                 bit: None,
-                sampling_frequency: 640.0,
+                rate: 640.0,
             }
         })
 }
@@ -167,7 +168,8 @@ fn any_approach() -> impl Strategy<Value = Arrival> {
                 compliance,
                 torsional_compliance: torsional,
                 bit,
-                sampling_frequency: frequency,
+                moment: 0.0,
+                rate: frequency,
             },
         )
 }
@@ -228,9 +230,8 @@ fn obeys(wall: &Wall, approach: &Arrival, tolerance: f64) -> Result<(), TestCase
         return Ok(());
     }
     let [cos, sin] = [x / radius, y / radius];
-    let velocity = |axis: usize| {
-        (contact.position[axis] - approach.previous_position[axis]) * approach.sampling_frequency
-    };
+    let velocity =
+        |axis: usize| (contact.position[axis] - approach.previous_position[axis]) * approach.rate;
     let (gives, free) = (approach.torsional_compliance, approach.free_speed);
     let turned = free + gives * contact.torque;
     let spin = approach.resisted(turned);
@@ -240,7 +241,7 @@ fn obeys(wall: &Wall, approach: &Arrival, tolerance: f64) -> Result<(), TestCase
     let previous = approach.previous_position[0].hypot(approach.previous_position[1]);
     let by_friction = gives * wall.radius * wall.friction * contact.normal_force;
     let turns = free.abs() + spin.abs() + turned.abs() + by_friction.abs();
-    let goes = approach.sampling_frequency * (scale + previous);
+    let goes = approach.rate * (scale + previous);
     let parts = (wall.radius * turns).abs() + goes.abs();
     if !parts.is_finite() {
         return Ok(());
@@ -316,7 +317,7 @@ fn a_position_beyond_all_numbers_is_an_error() {
             compliance: 1e-8,
             torsional_compliance: 5e-5,
             bit: None,
-            sampling_frequency: 640.0,
+            rate: 640.0,
         };
         assert_eq!(approach.meet(&wall), Err(ContactError::NotFinite));
         let beyond_law = Wall {
@@ -353,7 +354,7 @@ fn rotating_the_axes_rotates_the_answer() {
             compliance: 1e-8,
             torsional_compliance: 5e-5,
             bit: None,
-            sampling_frequency: 640.0,
+            rate: 640.0,
         }
         .meet(&wall);
         (contact.unwrap(), turn)

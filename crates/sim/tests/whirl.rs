@@ -44,7 +44,7 @@ impl Case {
         let least_impulses = (0..distances.len())
             .map(|site| {
                 let taps = &bending.from_loads[site][site];
-                least_impulse(taps, academic::SAMPLING_FREQUENCY, PULSE, CLEARANCE)
+                least_impulse(taps, academic::SAMPLING_FREQUENCY, 0.0, PULSE, CLEARANCE)
             })
             .collect();
         Self {

@@ -5,6 +5,7 @@
 //! carries the paper's factor 1/f_s.
 
 pub(crate) mod direct;
+pub(crate) mod held;
 pub(crate) mod hilbert;
 pub(crate) mod quadrature;
 pub mod radau;

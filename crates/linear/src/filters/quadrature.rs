@@ -86,10 +86,27 @@ pub fn taps(
     channels: usize,
     response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
 ) -> Vec<Vec<f64>> {
+    series(
+        count,
+        channels,
+        &|zeta: Complex64, values: &mut [Complex64]| {
+            response(
+                formula.generating_function(zeta) * sampling_frequency,
+                values,
+            );
+        },
+    )
+}
+
+/// The first `count` coefficients of every channel's generating function of ζ, |ζ| < 1.
+pub(super) fn series(
+    count: usize,
+    channels: usize,
+    generating: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+) -> Vec<Vec<f64>> {
     let circle = circle(count);
-    let on_circle =
-        |index: usize| formula.generating_function(circle.point(index)) * sampling_frequency;
-    sample(channels, circle.samples / 2 + 1, on_circle, response)
+    let on_circle = |index: usize| circle.point(index);
+    sample(channels, circle.samples / 2 + 1, on_circle, generating)
         .map(|spectrum| coefficients(spectrum, &circle, count))
         .collect()
 }

@@ -45,6 +45,22 @@ pub fn taps(
     std::array::from_fn(|_| channels.next().unwrap_or_default())
 }
 
+/// The generating function bᵀ K(Δ(ζ) f_s) 1 of what is held over each step and answered
+/// by the mean over it, as the eigenvalues of Δ(ζ), at which K is taken, with the weights
+/// of these.
+pub(super) fn held(zeta: Complex64) -> [(Complex64, Complex64); 2] {
+    let [[a, b], [c, d]] = generating_matrix(zeta);
+    let (mean, determinant) = (0.5 * (a + d), a * d - b * c);
+    let root = (mean * mean - determinant).sqrt();
+    let (one, other) = (mean + root, mean - root);
+    let [_, [first, last]] = A;
+    let of_held = first * (a + b) + last * (c + d);
+    [
+        (one, (of_held - other) / (one - other)),
+        (other, (one - of_held) / (one - other)),
+    ]
+}
+
 /// Δ(ζ).
 fn generating_matrix(zeta: Complex64) -> [[Complex64; 2]; 2] {
     let carried = zeta / (1.0 - zeta);

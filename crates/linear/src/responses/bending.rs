@@ -13,7 +13,7 @@ use crate::elements::newmark::Weights;
 use crate::elements::reduction::CondensedBeam;
 use crate::error::BuildError;
 use crate::filters::quadrature::Formula;
-use crate::filters::{direct, hilbert, quadrature};
+use crate::filters::{direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
 use crate::waves::lateral::BendingNetwork;
@@ -81,6 +81,10 @@ impl Lateral<'_> {
             }
         };
         Ok(match self.method {
+            Method::Held => {
+                let taps = held::smooth_taps(sampling_frequency, needed, count, &velocity);
+                at_mid_step(integrate(taps, needed, sampling_frequency))
+            }
             Method::Quadrature => by_formula(Formula::BackwardDifferences),
             Method::Trapezoidal => by_formula(Formula::Trapezoidal),
             Method::FiniteElement(parameters) => self.element_taps(parameters, needed)?,
@@ -184,6 +188,18 @@ fn integrate(velocity: Vec<Vec<f64>>, needed: usize, sampling_frequency: f64) ->
                 .collect()
         })
         .collect()
+}
+
+/// The mean of the displacements at both ends of every step, from those at its end.
+fn at_mid_step(mut displacements: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    for taps in &mut displacements {
+        let mut before = 0.0;
+        for tap in taps {
+            let end = std::mem::replace(tap, 0.5 * (before + *tap));
+            before = end;
+        }
+    }
+    displacements
 }
 
 /// Displacements of all sites after a unit force in the first step.

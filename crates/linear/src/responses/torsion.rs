@@ -14,10 +14,11 @@ use crate::elements::reduction::{CondensedString, StringState};
 use crate::error::BuildError;
 use crate::estimates::torsional_settling_time;
 use crate::filters::quadrature::Formula;
-use crate::filters::{direct, hilbert, quadrature};
+use crate::filters::{direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
-use crate::waves::network::TorsionNetwork;
+use crate::waves::lattice::Lattice;
+use crate::waves::network::{TorsionAdmittance, TorsionNetwork};
 
 /// A digital filter lasts at least so many time constants of what seeps along the
 /// string: its static stiffness is then right to a part in a thousand.
@@ -54,6 +55,7 @@ impl Torsion<'_> {
     /// Responses of all sites from the surface, then of all sites from each torque.
     fn taps(&self) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
         match self.method {
+            Method::Held => self.held_taps(),
             Method::Quadrature => self.quadrature_taps(Formula::BackwardDifferences),
             Method::Trapezoidal => self.quadrature_taps(Formula::Trapezoidal),
             Method::Hilbert(transform) => {
@@ -87,6 +89,17 @@ impl Torsion<'_> {
         })
     }
 
+    fn held_taps(&self) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
+        let lattice = Lattice::new(self.string, &self.request.sites)?;
+        let spacing = lattice.step * self.request.sampling_frequency;
+        let response = |zeta: Complex64, responses: &mut [Complex64]| {
+            self.fill(&lattice.admittance(zeta), responses)
+        };
+        until_decayed(self.string, self.request, |length| {
+            held::taps(spacing, length, self.count(), &response)
+        })
+    }
+
     /// Length of the transform behind a filter.
     fn transform_length(&self, transform: &Transform) -> Result<usize, BuildError> {
         if self.string.torsional_damping() <= 0.0 {
@@ -103,19 +116,23 @@ impl Torsion<'_> {
     fn wave_response(
         &self,
     ) -> Result<impl Fn(Complex64, &mut [Complex64]) + Sync + '_, BuildError> {
-        let sites = self.request.sites.len();
         let network = TorsionNetwork::new(self.string, &self.request.sites)?;
         Ok(move |s: Complex64, responses: &mut [Complex64]| {
-            let admittance = network.admittance(s);
-            responses[..sites].copy_from_slice(&admittance.from_surface);
-            let from_torques = (0..sites).flat_map(|site| {
-                let admittance = &admittance.from_torque;
-                (self.torques.iter()).map(move |&input| admittance[(site, input)])
-            });
-            for (response, value) in responses[sites..].iter_mut().zip(from_torques) {
-                *response = value;
-            }
+            self.fill(&network.admittance(s), responses)
         })
+    }
+
+    /// Writes those responses that are asked for.
+    fn fill(&self, admittance: &TorsionAdmittance, responses: &mut [Complex64]) {
+        let sites = self.request.sites.len();
+        responses[..sites].copy_from_slice(&admittance.from_surface);
+        let from_torques = (0..sites).flat_map(|site| {
+            let admittance = &admittance.from_torque;
+            (self.torques.iter()).map(move |&input| admittance[(site, input)])
+        });
+        for (response, value) in responses[sites..].iter_mut().zip(from_torques) {
+            *response = value;
+        }
     }
 
     fn element_taps(

@@ -7,6 +7,7 @@ pub(crate) mod block;
 pub(crate) mod chain;
 pub mod inversion;
 pub mod lateral;
+pub mod lattice;
 mod matrix;
 pub mod network;
 pub(crate) mod torsion;

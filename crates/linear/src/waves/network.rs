@@ -7,7 +7,7 @@ use num_complex::Complex64;
 
 use super::chain;
 use super::matrix::ResponseMatrix;
-use super::torsion::uniform;
+use super::torsion::{DynamicStiffness, uniform};
 use crate::drillstring::Drillstring;
 use crate::error::DrillstringError;
 use crate::sites::Sites;
@@ -52,46 +52,55 @@ impl<'a> TorsionNetwork<'a> {
 
     /// The response at the Laplace variable `s` (rad/s, Re s ≥ 0).
     pub fn admittance(&self, s: Complex64) -> TorsionAdmittance {
-        let nodes = self.spans.len();
-        let mut stiffness = Mat::<Complex64>::zeros(nodes, nodes);
-        let mut inputs = Mat::<Complex64>::zeros(nodes, self.sites + 1);
-        for (node, span) in self.spans.iter().enumerate() {
-            let tube = |tube: &_| uniform(self.string, tube, s);
-            let Some(piece) = chain::span(span, tube) else {
-                continue;
-            };
-            stiffness[(node, node)] += piece.bottom;
-            if node == 0 {
-                // The surface turns as prescribed: its torque on the first node.
-                inputs[(0, 0)] = -piece.cross;
-            } else {
-                stiffness[(node - 1, node - 1)] += piece.top;
-                stiffness[(node - 1, node)] = piece.cross;
-                stiffness[(node, node - 1)] = piece.cross;
-            }
-        }
-        for site in 0..self.sites {
-            // Torque to speed: s K⁻¹ in the rotation form.
-            inputs[(site, site + 1)] = s;
-        }
-        let response = solve(stiffness, inputs);
-        TorsionAdmittance {
-            from_surface: (0..self.sites).map(|site| response[(site, 0)]).collect(),
-            from_torque: ResponseMatrix(
-                response.submatrix(0, 1, self.sites, self.sites).to_owned(),
-            ),
-        }
+        let tube = |tube: &_| uniform(self.string, tube, s);
+        let pieces = self.spans.iter().map(|span| chain::span(span, tube));
+        reduce(pieces, self.sites, s)
     }
 }
 
-/// K⁻¹ B; one node alone, by far the most frequent case, needs no factors.
-fn solve(stiffness: Mat<Complex64>, mut inputs: Mat<Complex64>) -> Mat<Complex64> {
-    if stiffness.nrows() == 1 {
-        let compliance = stiffness[(0, 0)].inv();
-        inputs.col_mut(0).iter_mut().for_each(|x| *x *= compliance);
-        inputs.col_mut(1).iter_mut().for_each(|x| *x *= compliance);
-    } else {
-        stiffness.partial_piv_lu().solve_in_place(&mut inputs);
+/// The response of nodes, from the surface down, of which the first `sites` are sites:
+/// each hangs from the one above by a piece, `None` where there is nothing. Stiffnesses
+/// are torques per motion, and a speed is `rate` times that motion.
+pub(super) fn reduce(
+    pieces: impl ExactSizeIterator<Item = Option<DynamicStiffness>>,
+    sites: usize,
+    rate: Complex64,
+) -> TorsionAdmittance {
+    let nodes = pieces.len();
+    let mut pieces = pieces.peekable();
+    if nodes == 1
+        && let Some(piece) = pieces.next_if(Option::is_some).flatten()
+    {
+        // The bit alone, by far the most frequent case, needs no matrices.
+        let compliance = piece.bottom.inv();
+        return TorsionAdmittance {
+            from_surface: vec![-piece.cross * compliance],
+            from_torque: ResponseMatrix(Mat::from_fn(1, 1, |_, _| rate * compliance)),
+        };
     }
-    inputs
+    let mut stiffness = Mat::<Complex64>::zeros(nodes, nodes);
+    let mut inputs = Mat::<Complex64>::zeros(nodes, sites + 1);
+    for (node, piece) in pieces.enumerate() {
+        let Some(piece) = piece else {
+            continue;
+        };
+        stiffness[(node, node)] += piece.bottom;
+        if node == 0 {
+            // The surface turns as prescribed: its torque on the first node.
+            inputs[(0, 0)] = -piece.cross;
+        } else {
+            stiffness[(node - 1, node - 1)] += piece.top;
+            stiffness[(node - 1, node)] = piece.cross;
+            stiffness[(node, node - 1)] = piece.cross;
+        }
+    }
+    for site in 0..sites {
+        inputs[(site, site + 1)] = rate;
+    }
+    stiffness.partial_piv_lu().solve_in_place(&mut inputs);
+    let response = inputs;
+    TorsionAdmittance {
+        from_surface: (0..sites).map(|site| response[(site, 0)]).collect(),
+        from_torque: ResponseMatrix(response.submatrix(0, 1, sites, sites).to_owned()),
+    }
 }

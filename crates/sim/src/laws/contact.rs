@@ -11,14 +11,17 @@ use crate::ranges::SceneError;
 pub struct Approach<'a> {
     /// Displacement p_h without contact, m.
     pub free_position: [f64; 2],
-    /// Position in the step before, m.
+    /// Position from which the site comes, at the end of the step before, m.
     pub previous_position: [f64; 2],
     /// h₀: displacement per force within the step, m/N.
     pub compliance: f64,
     /// How the site turns.
     pub spin: Spin<'a>,
-    /// Sampling frequency, Hz.
-    pub sampling_frequency: f64,
+    /// The part of the step that is still to go when the law is met: 0 at its end, ½ in
+    /// its middle, by when the site has gone half of the way.
+    pub moment: f64,
+    /// Velocity per distance from the previous position, Hz: f_s / (1 − moment).
+    pub rate: f64,
 }
 
 /// How a site turns under the torque of friction within a step.
@@ -47,6 +50,17 @@ impl Debug for Resistance<'_> {
         f.debug_struct("Resistance")
             .field("jump", &self.jump)
             .finish_non_exhaustive()
+    }
+}
+
+impl Approach<'_> {
+    /// Where the site is at the end of the step, if it is at a position when the law is
+    /// met, m.
+    pub fn end_of_step(&self, position: [f64; 2]) -> [f64; 2] {
+        let end = |axis: usize| {
+            (position[axis] - self.moment * self.previous_position[axis]) / (1.0 - self.moment)
+        };
+        [end(0), end(1)]
     }
 }
 

@@ -3,6 +3,7 @@
 
 pub mod bit;
 mod bracket;
+mod chord;
 pub mod contact;
 mod newton;
 mod obeyed;

@@ -32,6 +32,22 @@ impl WallLaw for Wall {
     /// the bit's speed jumps by where its torque falls from T_s to T_d. Lengths
     /// below 1e-150 m count as none.
     fn meet(&self, approach: &Approach) -> Result<Contact, ContactError> {
+        if approach.moment > 0.0 && self.stiffness == f64::INFINITY {
+            self.meet_along_chord(approach)
+        } else {
+            self.meet_at(approach)
+        }
+    }
+
+    fn check(&self) -> Result<(), SceneError> {
+        self.check_numbers()
+    }
+}
+
+impl Wall {
+    /// One step of a wall that is where it is.
+    #[inline]
+    pub(super) fn meet_at(&self, approach: &Approach) -> Result<Contact, ContactError> {
         let [x, y] = approach.free_position;
         let distance = (x * x + y * y).sqrt();
         if distance <= self.clearance {
@@ -47,10 +63,6 @@ impl WallLaw for Wall {
         } else {
             press.solve()
         }
-    }
-
-    fn check(&self) -> Result<(), SceneError> {
-        self.check_numbers()
     }
 }
 
@@ -94,7 +106,7 @@ impl Press<'_> {
         let [x, y] = approach.free_position;
         let [px, py] = approach.previous_position;
         let spin = approach.spin.under(0.0);
-        let drift = (px * y - py * x) * approach.sampling_frequency;
+        let drift = (px * y - py * x) * approach.rate;
         self.wall.radius * spin * self.distance + drift > 0.0
     }
 
@@ -144,7 +156,7 @@ impl Press<'_> {
         let turning = self.wall.radius.powi(2) * approach.spin.compliance / approach.compliance;
         let [wx, wy]: [f64; 2] = std::array::from_fn(|axis| {
             turning * approach.free_position[axis]
-                + approach.sampling_frequency * approach.previous_position[axis]
+                + approach.rate * approach.previous_position[axis]
         });
         let length = (wx * wx + wy * wy).sqrt();
         let sine = self.wall.radius * approach.spin.free_speed / length;
@@ -220,7 +232,7 @@ impl Press<'_> {
         let [cos, sin] = direction;
         let [px, py] = self.approach.previous_position;
         // e_θ = (−sin, cos), to which the new position is orthogonal.
-        let drift = (px * sin - py * cos) * self.approach.sampling_frequency;
+        let drift = (px * sin - py * cos) * self.approach.rate;
         let torque = self.wall.radius * ratio * normal_force;
         let spin = self.approach.spin.under(torque);
         Trial {

@@ -26,8 +26,8 @@ pub(crate) fn pass_free_block(
     if count == 0
         || !is_quiet(
             lateral,
-            system.time_of(step),
-            system.time_of(step + FIRST_BLOCK),
+            system.sampling.start_of(step),
+            system.sampling.start_of(step + FIRST_BLOCK),
         )
     {
         return 0;
@@ -48,10 +48,7 @@ pub(crate) fn pass_free_block(
         return 0;
     }
     watch.see_free_block(x, y, FIRST_BLOCK, count);
-    let last = |site: usize| (site + 1) * FIRST_BLOCK - 1;
-    let positions: Vec<[f64; 2]> = (0..lateral.walls.len())
-        .map(|site| [x[last(site)], y[last(site)]])
-        .collect();
+    let positions = stepper.end_of_block(x, y, FIRST_BLOCK);
     stepper.pass_block(count, &positions);
     count
 }

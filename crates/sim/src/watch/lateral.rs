@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::rules::{Rules, THROUGH_THE_MIDDLE};
 use crate::laws::contact::{Contact, Touch};
+use crate::sampling::Sampling;
 use crate::words::with_words;
 
 with_words! {
@@ -108,7 +109,7 @@ impl SiteSums {
 #[derive(Debug, Clone)]
 pub(crate) struct WallWatch {
     rules: Rules,
-    sampling_frequency: f64,
+    sampling: Sampling,
     closing_from: usize,
     step: usize,
     first_contact: Option<usize>,
@@ -123,14 +124,14 @@ impl WallWatch {
     pub(crate) fn new(
         rules: Rules,
         sites: usize,
-        sampling_frequency: f64,
+        sampling: Sampling,
         steps: usize,
         closing_window: f64,
     ) -> Self {
-        let window = (closing_window * sampling_frequency).round() as usize;
+        let window = (closing_window * sampling.frequency).round() as usize;
         Self {
             rules,
-            sampling_frequency,
+            sampling,
             closing_from: steps.saturating_sub(window.max(1)),
             step: 0,
             first_contact: None,
@@ -207,13 +208,11 @@ impl WallWatch {
         LateralMeasures {
             regime,
             site,
-            first_contact: self
-                .first_contact
-                .map(|step| step as f64 / self.sampling_frequency),
+            first_contact: self.first_contact.map(|step| self.sampling.time_of(step)),
             peak_radius: self.furthest[site].sqrt(),
             contact_fraction,
             rolling_fraction: sums.rolling as f64 / in_contact,
-            precession_rate: sums.angle * self.sampling_frequency / steps,
+            precession_rate: sums.angle * self.sampling.frequency / steps,
             mean_radius: sums.radius / steps,
             mean_normal_force: sums.normal_force / in_contact,
             ambiguous_steps: self.ambiguous,

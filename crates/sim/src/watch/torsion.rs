@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::rules::{AGREEING_CYCLES, Rules};
 use crate::laws::bit::BitMotion;
+use crate::sampling::Sampling;
 use crate::words::with_words;
 
 with_words! {
@@ -71,7 +72,7 @@ pub(crate) struct BitWatch {
     since_slip: Vec<f64>,
     last_cycle: Vec<f64>,
     recaptured_at: usize,
-    sampling_frequency: f64,
+    sampling: Sampling,
     closing_from: usize,
     step: usize,
     motion: BitMotion,
@@ -86,14 +87,9 @@ pub(crate) struct BitWatch {
 }
 
 impl BitWatch {
-    pub(crate) fn new(
-        rules: Rules,
-        sampling_frequency: f64,
-        steps: usize,
-        closing_window: f64,
-    ) -> Self {
+    pub(crate) fn new(rules: Rules, sampling: Sampling, steps: usize, closing_window: f64) -> Self {
         // What is asked of more steps than there are is asked of all.
-        let window = ((closing_window * sampling_frequency).round() as usize).min(steps);
+        let window = ((closing_window * sampling.frequency).round() as usize).min(steps);
         Self {
             rules,
             steps,
@@ -102,7 +98,7 @@ impl BitWatch {
             since_slip: Vec::new(),
             last_cycle: Vec::new(),
             recaptured_at: 0,
-            sampling_frequency,
+            sampling,
             closing_from: steps.saturating_sub(window.max(1)),
             step: 0,
             motion: BitMotion::Stuck,
@@ -250,7 +246,7 @@ impl BitWatch {
     }
 
     pub(crate) fn measures(&self) -> TorsionMeasures {
-        let time = |steps: usize| steps as f64 / self.sampling_frequency;
+        let time = |steps: usize| self.sampling.start_of(steps);
         let regime = match self.first_slip {
             None => TorsionRegime::Stuck,
             Some(_) if self.is_sustained() => TorsionRegime::StickSlip,
@@ -263,7 +259,7 @@ impl BitWatch {
         let closing_steps = self.step.saturating_sub(self.closing_from).max(1);
         TorsionMeasures {
             regime,
-            first_slip: self.first_slip.map(time),
+            first_slip: self.first_slip.map(|step| self.sampling.time_of(step)),
             period: between_slips,
             slip_time: (self.sticks > 0).then(|| time(self.slipping_steps) / self.sticks as f64),
             sticks: self.sticks,

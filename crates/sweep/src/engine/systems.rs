@@ -233,6 +233,7 @@ fn least_impulses(setting: &Setting, responses: &Responses) -> Vec<f64> {
         least_impulse(
             &bending.from_loads[impulse.site][impulse.site],
             setting.sampling_frequency,
+            responses.method.moment(),
             impulse.duration,
             lateral.walls[impulse.site].clearance,
         )

@@ -52,14 +52,12 @@ impl Histories<'_> {
 
     /// A series of each simulation, over its own time.
     fn of_each(&self, values: &dyn Fn(&Trajectory, usize) -> f64) -> Vec<Series> {
-        let step = 1.0 / self.sweep.setting.sampling_frequency;
         let series = self.simulations.iter().map(|simulation| {
             let motion = &simulation.trajectory;
-            let steps = 0..motion.speeds.first().map_or(0, Vec::len);
             Series {
                 name: simulation.name.clone(),
-                points: steps
-                    .map(|index| (index as f64 * step, values(motion, index)))
+                points: (motion.times.iter().enumerate())
+                    .map(|(index, &time)| (time, values(motion, index)))
                     .collect(),
             }
         });

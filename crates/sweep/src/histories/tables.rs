@@ -19,7 +19,6 @@ fn site_name(distance: f64) -> String {
 /// positive against the rotation, as drillers do.
 pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>> {
     let sites = &sweep.setting.sites;
-    let step = 1.0 / sweep.setting.sampling_frequency;
     let with_torque = has_torque(simulations);
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut header = ["case", "method", "time_s"].map(str::to_owned).to_vec();
@@ -38,11 +37,11 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
     writer.write_record(&header)?;
     for simulation in simulations {
         let trajectory = &simulation.trajectory;
-        for index in 0..trajectory.speeds[0].len() {
+        for (index, time) in trajectory.times.iter().enumerate() {
             let mut fields = vec![
                 simulation.case.to_string(),
                 simulation.method.to_owned(),
-                (index as f64 * step).to_string(),
+                time.to_string(),
             ];
             let speeds = trajectory.speeds.iter();
             fields.extend(speeds.map(|speeds| to_rpm(speeds[index]).to_string()));

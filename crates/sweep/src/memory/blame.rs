@@ -162,7 +162,7 @@ fn suspects(sweep: &Sweep) -> Vec<(String, Change)> {
                 list.push((key("transform_s"), usual_transforms));
             }
             Method::FiniteElement(_) => list.push((key("elements_per_cell"), usual_elements)),
-            Method::Quadrature | Method::Trapezoidal => {}
+            Method::Held | Method::Quadrature | Method::Trapezoidal => {}
         }
     }
     let damping = "string.torsional_damping_nms_rad_m";

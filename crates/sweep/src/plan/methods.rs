@@ -64,6 +64,7 @@ fn finite_element(source: &Source, parameters: &FiniteElement) -> Result<(), Swe
 fn method(content: &FileContent, name: MethodName) -> Method {
     match name {
         MethodName::Hilbert => Method::Hilbert(content.method.hilbert),
+        MethodName::Held => Method::Held,
         MethodName::Quadrature => Method::Quadrature,
         MethodName::FiniteElement => Method::FiniteElement(content.method.finite_element),
         MethodName::DirectIdft => Method::DirectIdft(content.method.direct_idft),
@@ -75,6 +76,7 @@ fn method(content: &FileContent, name: MethodName) -> Method {
 pub fn put(content: &mut FileContent, method: Method) {
     content.methods = vec![match method {
         Method::Hilbert(_) => MethodName::Hilbert,
+        Method::Held => MethodName::Held,
         Method::Quadrature => MethodName::Quadrature,
         Method::Trapezoidal => MethodName::Trapezoidal,
         Method::FiniteElement(parameters) => {

@@ -11,6 +11,9 @@ pub enum MethodName {
     /// Convolution quadrature, BDF2.
     #[value(help = "convolution quadrature, BDF2: the default")]
     Quadrature,
+    /// Held loads, answered exactly.
+    #[value(help = "loads held over every step, answered by the exact mean motion over it")]
+    Held,
     /// The paper's digital filter.
     #[value(help = "the paper's digital filter")]
     Hilbert,
@@ -29,6 +32,7 @@ impl MethodName {
     /// The name used in files and on the command line.
     pub fn name(self) -> &'static str {
         match self {
+            MethodName::Held => "held",
             MethodName::Hilbert => "hilbert",
             MethodName::Quadrature => "quadrature",
             MethodName::FiniteElement => "finite-element",

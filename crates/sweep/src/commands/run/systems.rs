@@ -54,7 +54,9 @@ fn refuse_unstable(task: &Task, systems: &[MethodSystem]) -> Result<()> {
     let remedy = match system.method {
         Method::Hilbert(_) => "take another method or a longer transform",
         Method::FiniteElement(_) => "take another method or a larger gamma",
-        Method::Quadrature | Method::Trapezoidal | Method::DirectIdft(_) => "take another method",
+        Method::Held | Method::Quadrature | Method::Trapezoidal | Method::DirectIdft(_) => {
+            "take another method"
+        }
     };
     let message = format!("{instability}; {remedy}, or give --allow-unstable");
     if arguments.work.methods.is_empty() {

@@ -1,0 +1,80 @@
+//! Responses to what is held over a step, as means over a step.
+//!
+//! A torque or force constant over each step does the work Σ F(n) Δt · v̄(n) with v̄ the
+//! mean speed over the step. With g the speed after an impulse and R = ∬ g, the taps
+//! from the one to the other are
+//!
+//! A(0) = R(Δt)/Δt, A(n) = [R((n + 1)Δt) − 2 R(nΔt) + R((n − 1)Δt)]/Δt,
+//!
+//! so that Σ F(n) (A ∗ F)(n) is the exact work, which no passive string gives back: they
+//! are positive-real at any sampling frequency. (A response sampled at points in time is
+//! not.) Where g is a train of impulses, R is piecewise straight, and each impulse is
+//! shared between the two steps that it lies between.
+
+use num_complex::Complex64;
+
+use super::quadrature::series;
+use super::radau;
+
+/// The first `count` taps of every channel whose response is a train of impulses, one
+/// every `spacing` steps, given as its generating function of the delay ζ from one
+/// impulse to the next.
+pub(crate) fn taps(
+    spacing: f64,
+    count: usize,
+    channels: usize,
+    generating: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+) -> Vec<Vec<f64>> {
+    let impulses = (count as f64 / spacing).ceil() as usize + 1;
+    let trains = series(impulses, channels, generating);
+    (trains.iter())
+        .map(|train| shared(train, spacing, count))
+        .collect()
+}
+
+/// Steps of Radau IIA in one step of the taps.
+pub(crate) const SUBSTEPS: usize = 4;
+
+/// The first `count` taps of every channel whose response at s (rad/s) has no fronts, by
+/// convolution quadrature with Radau IIA in shorter steps: passive as that is.
+pub(crate) fn smooth_taps(
+    sampling_frequency: f64,
+    count: usize,
+    channels: usize,
+    response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+) -> Vec<Vec<f64>> {
+    let fine = SUBSTEPS as f64 * sampling_frequency;
+    let spacing = (SUBSTEPS as f64).recip();
+    taps(
+        spacing,
+        count,
+        channels,
+        &|zeta: Complex64, values: &mut [Complex64]| {
+            let [(one, weight), (other, other_weight)] = radau::held(zeta);
+            let mut others = vec![Complex64::new(0.0, 0.0); values.len()];
+            response(one * fine, values);
+            response(other * fine, &mut others);
+            for (value, other) in values.iter_mut().zip(others) {
+                *value = weight * *value + other_weight * other;
+            }
+        },
+    )
+}
+
+/// The first `count` taps of a response that is a train of impulses, one every `spacing`
+/// steps, the first at time zero.
+fn shared(train: &[f64], spacing: f64, count: usize) -> Vec<f64> {
+    let mut taps = vec![0.0; count + 1];
+    for (index, impulse) in train.iter().enumerate() {
+        let place = index as f64 * spacing;
+        let step = place as usize;
+        if step >= count {
+            break;
+        }
+        let part = place - step as f64;
+        taps[step] += (1.0 - part) * impulse;
+        taps[step + 1] += part * impulse;
+    }
+    taps.truncate(count);
+    taps
+}

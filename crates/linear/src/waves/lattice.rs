@@ -1,0 +1,292 @@
+//! Torsional waves on a lattice: every piece of string takes the same time to travel,
+//! so that a front stays a front and arrives when it does.
+//!
+//! Torsional waves of an undamped tube keep their shape. A string cut into pieces of one
+//! travel time h hands whole waves from node to node: impedance steps scatter them, the
+//! damping c_t of each piece is lumped, half at either end. That is itself a passive
+//! string, of the second order in the damping and without error in anything else but
+//! the lengths that are no multiples of a piece. What is turned or held constant over
+//! times of h leaves speeds that are constant over them, and the delay ζ of one such time
+//! takes the place of e^(−sh).
+//!
+//! Equal cells whose travel time is no multiple of h have two lengths, one piece
+//! apart, spread as evenly as can be, so that no place of the string is further off
+//! than a piece.
+
+use num_complex::Complex64;
+
+use super::chain::{Stiffness, repeated};
+use super::network::{TorsionAdmittance, reduce};
+use super::torsion::DynamicStiffness;
+use crate::drillstring::{Drillstring, Section};
+use crate::error::DrillstringError;
+use crate::estimates::{torsional_impedance, torsional_travel_time};
+use crate::sites::Sites;
+use crate::spans::Span;
+
+/// A string has at least so many pieces.
+const FEWEST_PIECES: f64 = 1000.0;
+
+/// It has no more than so many, unless its damping or its shortest part want them; and for
+/// the sake of a part never more than that.
+const USUAL_PIECES: f64 = 8000.0;
+const MOST_PIECES: f64 = 50_000.0;
+
+/// Damping takes at most this part of a wave within a piece.
+const LARGEST_LOSS: f64 = 0.01;
+
+/// What a piece costs, as a part of the string's travel time by which lengths fit worse:
+/// five thousand more, if they fit better by a ten-thousandth.
+const PRICE: f64 = 2e-8;
+
+/// A string as a lattice, from the surface down.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lattice {
+    /// Travel time h of a piece, s.
+    pub step: f64,
+    /// By how much the travel times of parts, and those from the surface to the ends of
+    /// sections and to sites, are off, all together, s.
+    pub misfit: f64,
+    spans: Vec<Vec<Run>>,
+    sites: usize,
+}
+
+/// Cells in a row.
+#[derive(Debug, Clone, PartialEq)]
+struct Run {
+    cells: usize,
+    /// How many of them are one piece longer.
+    longer: usize,
+    parts: Vec<Part>,
+    /// The part that is.
+    longest: usize,
+}
+
+/// A tube.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Part {
+    pieces: usize,
+    /// Impedance without damping, N m s/rad.
+    impedance: f64,
+    /// Damping of all pieces together, N m s/rad.
+    damping: f64,
+}
+
+impl Lattice {
+    /// The lattice of a string cut at sites.
+    ///
+    /// # Errors
+    /// Where these are not places of this string.
+    pub fn new(string: &Drillstring, sites: &Sites) -> Result<Self, DrillstringError> {
+        let spans = string.spans(sites)?;
+        let travel = torsional_travel_time(string);
+        let longest = (travel / FEWEST_PIECES).min(longest_damped(string));
+        let parts = string.tubes().map(|(_, tube)| tube.length);
+        let part = parts.fold(f64::INFINITY, f64::min) / string.torsional_wave_speed();
+        let shortest = part.clamp(travel / MOST_PIECES, travel / USUAL_PIECES);
+        let shortest = longest.min(shortest);
+        let price = |lattice: &Self| lattice.misfit / travel + PRICE * travel / lattice.step;
+        let lattices = (steps(string, &spans, [shortest, longest]).into_iter())
+            .map(|step| Self::of_steps(string, &spans, sites.len(), step));
+        let best = lattices.min_by(|one, other| price(one).total_cmp(&price(other)));
+        Ok(best.unwrap_or_else(|| Self::of_steps(string, &spans, sites.len(), longest)))
+    }
+
+    /// Cuts a string into pieces of one travel time, s.
+    fn of_steps(string: &Drillstring, spans: &[Span], sites: usize, step: f64) -> Self {
+        let mut cutter = Cutter {
+            string,
+            step,
+            place: 0.0,
+            pieces: 0,
+            misfit: 0.0,
+        };
+        let spans = (spans.iter())
+            .map(|span| {
+                let is_alone = span.runs.len() == 1;
+                let runs = span.runs.iter();
+                runs.map(|run| cutter.cut(run, is_alone)).collect()
+            })
+            .collect();
+        Self {
+            step,
+            misfit: cutter.misfit,
+            spans,
+            sites,
+        }
+    }
+
+    /// The response to what is held over each time h, as speeds in them, at the delay ζ
+    /// of h, |ζ| < 1.
+    pub fn admittance(&self, zeta: Complex64) -> TorsionAdmittance {
+        let spans = self.spans.iter().map(|runs| {
+            let runs = runs.iter().filter_map(|run| run.stiffness(zeta));
+            runs.reduce(DynamicStiffness::join)
+        });
+        reduce(spans, self.sites, Complex64::new(1.0, 0.0))
+    }
+}
+
+/// The longest piece in which no wave loses more than it may, s.
+fn longest_damped(string: &Drillstring) -> f64 {
+    let rates = string.tubes().map(|(_, tube)| {
+        string.torsional_damping() / (2.0 * string.material().density * tube.polar_moment())
+    });
+    LARGEST_LOSS / rates.fold(0.0, f64::max)
+}
+
+/// Lengths of pieces to try, from the longest: those of which some part is a multiple.
+fn steps(string: &Drillstring, spans: &[Span], [shortest, longest]: [f64; 2]) -> Vec<f64> {
+    let speed = string.torsional_wave_speed();
+    let lengths = |run: &Section| -> Vec<f64> {
+        let parts = run.parts.iter().map(|part| part.length);
+        parts.chain([run.length()]).collect()
+    };
+    let mut steps: Vec<f64> = (spans.iter().flat_map(|span| &span.runs))
+        .flat_map(lengths)
+        .flat_map(|length| {
+            let time = length / speed;
+            let fewest = (time / longest * (1.0 - 1e-9)).ceil().max(1.0);
+            (0..TRIED).map(move |more| time / (fewest + f64::from(more)))
+        })
+        .filter(|step| (shortest..=longest * (1.0 + 1e-9)).contains(step))
+        .collect();
+    steps.sort_by(|one, other| other.total_cmp(one));
+    steps.dedup_by(|one, other| (*one / *other - 1.0).abs() < 1e-9);
+    steps
+}
+
+/// For each length, so many numbers of pieces are tried.
+const TRIED: u32 = 64;
+
+/// Cuts run after run.
+struct Cutter<'a> {
+    string: &'a Drillstring,
+    /// s.
+    step: f64,
+    /// Travel time from the surface, s, and in pieces.
+    place: f64,
+    pieces: usize,
+    misfit: f64,
+}
+
+impl Cutter<'_> {
+    /// The next run; one that is all there is between two nodes has at least a piece.
+    fn cut(&mut self, run: &Section, is_alone: bool) -> Run {
+        let speed = self.string.torsional_wave_speed();
+        let in_pieces = |length: f64| length / speed / self.step;
+        let mut parts: Vec<Part> = (run.parts.iter())
+            .map(|tube| Part {
+                pieces: in_pieces(tube.length).round() as usize,
+                impedance: torsional_impedance(self.string, tube),
+                damping: self.string.torsional_damping() * tube.length,
+            })
+            .collect();
+        let longest = (0..parts.len())
+            .max_by(|&one, &other| run.parts[one].length.total_cmp(&run.parts[other].length))
+            .unwrap_or(0);
+        let mut others = 0;
+        for (index, (part, tube)) in parts.iter().zip(&run.parts).enumerate() {
+            if index != longest {
+                others += part.pieces;
+                let misfit = (part.pieces as f64 - in_pieces(tube.length)).abs();
+                self.misfit += run.repeat as f64 * misfit * self.step;
+            }
+        }
+        self.place += run.length() / speed;
+        let end = (self.place / self.step).round() as usize;
+        let least = usize::from(is_alone);
+        let left = end
+            .saturating_sub(self.pieces + run.repeat * others)
+            .max(least);
+        parts[longest].pieces = left / run.repeat;
+        self.pieces += run.repeat * others + left;
+        self.misfit += (self.pieces as f64 * self.step - self.place).abs();
+        if left % run.repeat > 0 {
+            // Within, places are off by up to a piece, to either side.
+            self.misfit += 0.5 * self.step;
+        }
+        Run {
+            cells: run.repeat,
+            longer: left % run.repeat,
+            parts,
+            longest,
+        }
+    }
+}
+
+impl Run {
+    fn stiffness(&self, zeta: Complex64) -> Option<DynamicStiffness> {
+        let plain = self.cell(0, zeta);
+        if self.longer == 0 {
+            return plain.map(|cell| repeated(cell, self.cells));
+        }
+        let longer = self.cell(1, zeta)?;
+        Some(match plain {
+            // Cells without a piece are no longer than rounding.
+            None => repeated(longer, self.longer),
+            Some(plain) => evenly((plain, self.cells - self.longer), (longer, self.longer)),
+        })
+    }
+
+    /// A cell with so many more pieces; `None` where it has none.
+    fn cell(&self, more: usize, zeta: Complex64) -> Option<DynamicStiffness> {
+        let parts = self.parts.iter().enumerate().filter_map(|(index, part)| {
+            let more = if index == self.longest { more } else { 0 };
+            part.stiffness(part.pieces + more, zeta)
+        });
+        parts.reduce(DynamicStiffness::join)
+    }
+}
+
+impl Part {
+    /// Torques per speed of so many pieces in a row. A piece has Z(1 + ζ²)/(1 − ζ²) +
+    /// D/2 at either end and −2Zζ/(1 − ζ²) across; with p² and m² the sum and the
+    /// difference of the two, a row has the characteristic impedance pm, and a wave that
+    /// goes down it is multiplied by (p − m)/(p + m) from node to node.
+    fn stiffness(&self, pieces: usize, zeta: Complex64) -> Option<DynamicStiffness> {
+        if pieces == 0 {
+            return None;
+        }
+        let dashpot = 0.5 * self.damping / pieces as f64;
+        let tangent = (1.0 - zeta) / (1.0 + zeta);
+        let symmetric = root(self.impedance * tangent + dashpot);
+        let opposite = root(self.impedance / tangent + dashpot);
+        let step = (opposite - symmetric) / (opposite + symmetric);
+        let passed = step.powu(pieces as u32);
+        let scale = symmetric * opposite / (1.0 - passed * passed);
+        let driving = scale * (1.0 + passed * passed);
+        Some(DynamicStiffness {
+            top: driving,
+            cross: -scale * passed * 2.0,
+            bottom: driving,
+        })
+    }
+}
+
+/// The square root of a number with a positive real part, without its angle.
+fn root(z: Complex64) -> Complex64 {
+    let real = (0.5 * (z.norm_sqr().sqrt() + z.re)).sqrt();
+    Complex64::new(real, 0.5 * z.im / real)
+}
+
+/// Two kinds of cells in a row, each in its number, spread as evenly as can be: by
+/// Euclid's algorithm, whose groups become the cells of the next step. The one that is
+/// rarer is in the middle of its group, so that places are off to either side alike.
+fn evenly<S: Stiffness>((mut many, mut count): (S, usize), (mut few, mut others): (S, usize)) -> S {
+    while others > 0 {
+        if count < others {
+            (many, few) = (few, many);
+            (count, others) = (others, count);
+        }
+        let each = count / others;
+        let above = repeated(many, each.div_ceil(2)).join(few);
+        let group = match each / 2 {
+            0 => above,
+            below => above.join(repeated(many, below)),
+        };
+        (many, few) = (group, many);
+        (count, others) = (others, count % others);
+    }
+    repeated(many, count)
+}

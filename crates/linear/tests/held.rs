@@ -1,0 +1,204 @@
+//! Validation of `held`: closed forms, waves handed on in time without a transform, the
+//! exact waves inverted numerically, and passivity on random strings.
+
+use linear::deviation::{bending_error, torsion_error};
+use linear::estimates::{
+    largest_undershoot, torsional_impedance, torsional_stiffness, torsional_travel_time,
+};
+use linear::waves::lattice::Lattice;
+use linear::{
+    ChannelRequest, Drillstring, Method, Request, Responses, Section, Sites, SurfaceSupport, Tube,
+};
+use problems::academic::{self, BENDING, tube};
+use problems::oracles::assert_close;
+use problems::plain_lattice::PlainLattice;
+use proptest::prelude::*;
+
+fn string_of(sections: Vec<Section>, torsional_damping: f64) -> Drillstring {
+    let material = academic::string().material();
+    Drillstring::new(material, sections, torsional_damping).unwrap()
+}
+
+/// One tube of a kilometre.
+fn uniform() -> Drillstring {
+    let whole = Section {
+        repeat: 1,
+        parts: vec![tube(1000.0, 0.15)],
+    };
+    string_of(vec![whole], 10.0)
+}
+
+fn at_bit(string: &Drillstring, sampling_frequency: f64, longest_time: f64) -> Responses {
+    let request = Request {
+        sampling_frequency,
+        ..academic::bit_request(longest_time)
+    };
+    linear::responses(string, &Method::Held, &request).unwrap()
+}
+
+/// The modified Bessel function I₀, by its series.
+fn bessel_i0(x: f64) -> f64 {
+    let terms = (1..60).scan(1.0, |term, k| {
+        *term *= (0.5 * x / f64::from(k)).powi(2);
+        Some(*term)
+    });
+    1.0 + terms.sum::<f64>()
+}
+
+/// After a step of torque a uniform tube turns as an endless one does, e^(−at/2) I₀(at/2)/Z₀
+/// with a = c_t/(ρJ), until the front has been to the surface and back; that lowers it by
+/// twice what damping leaves of it. Where f_s fits, no step has both.
+#[test]
+fn the_front_of_a_uniform_tube_comes_back_as_it_left() {
+    let string = uniform();
+    let pipe = &string.sections()[0].parts[0];
+    let impedance = torsional_impedance(&string, pipe);
+    let inertia = string.material().density * pipe.polar_moment();
+    let rate = string.torsional_damping() / inertia;
+    let travel = torsional_travel_time(&string);
+    let undershoot = (-rate * travel).exp() * (2.0 - bessel_i0(rate * travel)) / impedance;
+    for steps_to_bit in [25.0, 200.0, 2000.0] {
+        let sampling_frequency = steps_to_bit / travel;
+        let responses = at_bit(&string, sampling_frequency, 60.0);
+        let taps = responses.at_bit().unwrap();
+        let mut speed = 0.0;
+        for (step, tap) in taps.iter().take(2 * steps_to_bit as usize).enumerate() {
+            speed += tap;
+            let half = 0.5 * rate * (step as f64 + 0.5) / sampling_frequency;
+            assert_close(speed, (-half).exp() * bessel_i0(half) / impedance, 2e-4);
+        }
+        // The lowest of the means over a step, half a step after the front.
+        assert_close(
+            largest_undershoot(taps),
+            undershoot,
+            0.3 / steps_to_bit + 3e-4,
+        );
+    }
+}
+
+/// Taps of impulses that are one step apart are the impulses.
+#[test]
+fn a_step_as_long_as_a_piece_gives_the_waves_handed_on_in_time() {
+    let string = academic::string();
+    let lattice = Lattice::new(&string, &Sites::bit()).unwrap();
+    assert!(lattice.misfit < 1e-12);
+    let piece = lattice.step * string.torsional_wave_speed();
+    let responses = at_bit(&string, 1.0 / lattice.step, 3.0);
+    let mut plain = PlainLattice::new(&string, piece);
+    for (step, tap) in responses.at_bit().unwrap().iter().take(10_000).enumerate() {
+        let torque = if step == 0 { 1.0 } else { 0.0 };
+        let speed = plain.advance(0.0, |_| torque);
+        assert!((speed - tap).abs() < 1e-9 * plain.compliance(), "{step}");
+    }
+    let mut plain = PlainLattice::new(&string, piece);
+    let from_surface = &responses.torsion().unwrap().from_surface[0];
+    for (step, tap) in from_surface.iter().take(10_000).enumerate() {
+        let surface = if step == 0 { 1.0 } else { 0.0 };
+        let speed = plain.advance(surface, |_| 0.0);
+        assert!((speed - tap).abs() < 1e-9, "{step}");
+    }
+}
+
+/// Uniform, plain pipe and collar, jointed, three sections: 100 m to 5 km, lightly and
+/// heavily damped.
+fn any_string() -> impl Strategy<Value = Drillstring> {
+    let tubes = (0.03..0.06f64, 1.2..2.0f64, 1.05..1.5f64, 0.3..0.8f64);
+    let kind = (0..4usize, 100.0..5000.0f64, 0.05..0.3f64, 8.0..14.0f64);
+    (tubes, kind, 0.1..4.0f64).prop_map(|((inner, ratio, wider, joint), kind, loss)| {
+        let (kind, length, collars, pipe) = kind;
+        let of = |length: f64, outer_radius: f64| Tube {
+            length,
+            inner_radius: inner,
+            outer_radius,
+        };
+        let outer = inner * ratio;
+        let plain = |length: f64, outer: f64| Section {
+            repeat: 1,
+            parts: vec![of(length, outer)],
+        };
+        let jointed = |length: f64, pipe: f64, outer: f64| Section {
+            repeat: ((length / pipe) as usize).max(1),
+            parts: vec![of(pipe - joint, outer), of(joint, outer * wider)],
+        };
+        let sections = match kind {
+            0 => vec![plain(length, outer)],
+            1 => vec![
+                plain(length * (1.0 - collars), outer),
+                plain(length * collars, outer * 1.4),
+            ],
+            2 => vec![jointed(length, pipe, outer)],
+            _ => vec![
+                jointed(length * (0.9 - collars), pipe, outer),
+                jointed(length * 0.1, 0.97 * pipe, 1.1 * outer),
+                plain(length * collars, outer * 1.6),
+            ],
+        };
+        // What is left of a wave after its way to the bit is e^(−loss).
+        let undamped = string_of(sections.clone(), 0.0);
+        let damped = 2.0 * loss / torsional_travel_time(&undamped);
+        let moment = of(1.0, outer).polar_moment();
+        string_of(sections, damped * undamped.material().density * moment)
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 10, failure_persistence: None, ..Default::default() })]
+
+    /// Taps run until they have decayed to 1e-8 of their sum are as passive as that.
+    #[test]
+    fn held_taps_of_any_string_are_passive_at_any_sampling_frequency(
+        string in any_string(),
+        steps_to_bit in 3.0..300.0f64,
+    ) {
+        let travel = torsional_travel_time(&string);
+        let responses = at_bit(&string, steps_to_bit / travel, 100.0 * travel);
+        let taps = responses.at_bit().unwrap();
+        let tail = 1e-8 * taps.iter().map(|tap| tap.abs()).sum::<f64>() / taps[0];
+        let margin = responses.torsion_margin().unwrap().unwrap();
+        prop_assert!(margin >= -1e-9 - 4.0 * tail, "{margin} {tail}");
+    }
+
+    /// The lattice is the string that the exact waves are of, but for its misfit.
+    #[test]
+    fn held_taps_of_any_string_are_those_of_the_exact_waves(string in any_string()) {
+        let travel = torsional_travel_time(&string);
+        let responses = at_bit(&string, 160.0 / travel, 20.0 * travel);
+        let error = torsion_error(&string, &responses).unwrap();
+        let lattice = Lattice::new(&string, &Sites::bit()).unwrap();
+        let misfit = lattice.misfit / travel;
+        prop_assert!(error <= 3e-4 + 20.0 * misfit, "{error} {misfit}");
+        prop_assert!(misfit <= 1e-3, "{misfit}");
+        // A torque held for ever winds the bit up by its static flexibility.
+        let mut speed = 0.0;
+        let mut wound_up = 0.0;
+        for tap in responses.at_bit().unwrap() {
+            speed += tap;
+            wound_up += speed / responses.sampling_frequency;
+        }
+        if responses.torsion().unwrap().ending == linear::passivity::Ending::Whole {
+            let stiffness = torsional_stiffness(&string);
+            prop_assert!((wound_up * stiffness - 1.0).abs() < 1e-4 + 2.0 * misfit);
+        }
+    }
+}
+
+/// In bending nothing is a front; means at both ends of a step are of second order.
+#[test]
+fn the_middle_of_a_step_is_of_second_order_in_bending() {
+    let string = academic::string();
+    let error = |sampling_frequency: f64| {
+        let request = Request {
+            sampling_frequency,
+            channels: vec![ChannelRequest::Bending {
+                bending: BENDING,
+                support: SurfaceSupport::Free,
+            }],
+            ..academic::bit_request(4.0)
+        };
+        let responses = linear::responses(&string, &Method::Held, &request).unwrap();
+        assert!(responses.bending_margin().unwrap().unwrap() > 0.0);
+        bending_error(&string, &BENDING, SurfaceSupport::Free, 0.02, &responses).unwrap()
+    };
+    let (coarse, fine) = (error(320.0), error(640.0));
+    assert!(fine < 2e-3 && coarse / fine > 3.5, "{coarse} {fine}");
+}
