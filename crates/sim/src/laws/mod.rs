@@ -3,8 +3,8 @@
 
 pub mod bit;
 mod bracket;
-mod chord;
 pub mod contact;
+mod in_step;
 mod newton;
 mod obeyed;
 mod press;

@@ -32,8 +32,8 @@ impl WallLaw for Wall {
     /// the bit's speed jumps by where its torque falls from T_s to T_d. Lengths
     /// below 1e-150 m count as none.
     fn meet(&self, approach: &Approach) -> Result<Contact, ContactError> {
-        if approach.moment > 0.0 && self.stiffness == f64::INFINITY {
-            self.meet_along_chord(approach)
+        if approach.moment > 0.0 {
+            self.meet_in_step(approach)
         } else {
             self.meet_at(approach)
         }
