@@ -95,7 +95,7 @@ impl Sweep {
         if let Some(accuracy) = content.accuracy {
             choice::check(&source, accuracy)?;
         }
-        let methods = methods::resolve(&source, &content, methods.is_empty())?;
+        let methods = methods::resolve(&source, &content)?;
         let map = map::resolve(&source, &content, &design, bit.as_ref())?;
         Ok(Self {
             title: content.title.clone().unwrap_or_else(|| name.clone()),
