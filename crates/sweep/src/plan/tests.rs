@@ -130,3 +130,16 @@ fn sites_move_at_once_each_with_what_is_there() {
     let setting = sweep.setting_with(twice.into_iter()).unwrap();
     assert_eq!(places(&setting), [40.0, 30.0]);
 }
+
+/// The greatest friction there is, missed by a rounding.
+#[test]
+fn a_logarithmic_axis_ends_where_it_is_said_to() {
+    let sweep = read(
+        "sites = [{ distance_from_bit_m = 0 }]\n[wall]\nclearance_mm = 15\n\
+         [design]\nkind = \"grid\"\n[design.axes]\n\
+         friction = { from = 0.3, to = 50, count = 4, spacing = \"log\" }\n",
+    )
+    .unwrap();
+    let [first, last] = [0, 3].map(|case| sweep.design.values(case));
+    assert_eq!([first, last], [[0.3], [50.0]]);
+}
