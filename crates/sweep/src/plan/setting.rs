@@ -22,7 +22,7 @@ const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
 pub struct Setting {
     /// The drillstring.
     pub string: Drillstring,
-    /// Sites from the surface down; the bit is always the last.
+    /// Sites from the surface down; the bit, where it is one, is the last.
     pub sites: Sites,
     /// Sampling frequency, Hz.
     pub sampling_frequency: f64,
