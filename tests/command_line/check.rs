@@ -163,7 +163,7 @@ fn check_refuses_a_reference_that_does_not_belong_to_the_sweep() {
         ),
         (
             with(&reference, row, &row.replace("0.02", "slow")),
-            "reference.csv:2: `slow` is not a number",
+            "reference.csv:2: surface_speed_rpm: `slow` is not a number",
         ),
         (
             with(&reference, row, &row.replace("0.02", "0")),
@@ -184,6 +184,10 @@ fn check_refuses_a_reference_that_does_not_belong_to_the_sweep() {
         (
             with(&reference, ",weight_on_bit_kn,", ",weight,"),
             "reference.csv:1: has no column `weight_on_bit_kn`",
+        ),
+        (
+            with(&reference, ",lateral,", ",torsion,"),
+            "reference.csv:1: has the column `torsion` twice",
         ),
         (format!("{header}\n"), "reference.csv has no rows"),
         (String::new(), "reference.csv"),
@@ -236,6 +240,20 @@ fn a_label_that_is_no_regime_is_a_mistake_in_the_reference() {
         let check = ["check", "small.toml", "reference.csv"];
         refused(&place, &check, &["error: reference.csv:2: ", meant]);
     }
+}
+
+#[test]
+fn a_label_that_the_sweep_does_not_give_is_found_to_be_none() {
+    let place = with_reference();
+    let reference = text(&place, "reference.csv");
+    let row = reference.lines().nth(1).unwrap();
+    let fields: Vec<&str> = row.split(',').collect();
+    let lateral = [&fields[..6], &["no_contact"], &fields[7..]].concat();
+    place.write("reference.csv", with(&reference, row, &lateral.join(",")));
+    let answer = place.sweep(&["check", "small.toml", "reference.csv"]);
+    assert_eq!(answer.code, 5, "{answer:?}");
+    let told = "expected no_contact, found none";
+    assert!(answer.output.contains(told), "{answer:?}");
 }
 
 /// Through a spreadsheet and back.

@@ -26,7 +26,7 @@ const ROUND_TRIPS_SHOWN: f64 = 5.0;
 pub struct Setting {
     /// The drillstring.
     pub string: Drillstring,
-    /// Sites from the surface down; the bit is always the last.
+    /// Sites from the surface down; the bit, where it is one, is the last.
     pub sites: Sites,
     /// Sampling frequency, Hz.
     pub sampling_frequency: f64,

@@ -41,9 +41,10 @@ pub fn compare(
 
 fn label(record: &Record, motion: Motion) -> String {
     match &record.outcome {
-        Ok(outcome) => Labels::of(outcome)
-            .get(motion)
-            .map_or_else(String::new, |label| label.name().to_owned()),
+        Ok(outcome) => {
+            let label = Labels::of(outcome).get(motion);
+            label.map_or("none", Label::name).to_owned()
+        }
         Err(reason) => format!("failed ({reason})"),
     }
 }
