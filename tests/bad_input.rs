@@ -398,8 +398,22 @@ fn a_map_that_cannot_be_drawn_is_refused() {
         [map] => [map]⏎x = "weight_on_bit_kn"⏎y = "weight_on_bit_kn" | map.x | is the axis upwards too | x =
         surface_speed_rpm = 0.3,  =>  | map.marks[0] | does not say its surface_speed_rpm | marks
         , weight_on_bit_kn = 50 =>  | map.marks[0] | does not say its weight_on_bit_kn | marks
+        surface_speed_rpm = { from = 0.02, to = 0.6, count = 3 } => torsional_damping_nms_rad_m = { values = [5, 9] } | map.marks[0] | a mark has no place on a map over torsional_damping_nms_rad_m | marks
         "#,
     );
+    let rock = "rock = \"table\"\ntable_kn_nm = [[10, 200], [80, 6000]]";
+    let text = with(SMALL, "rock = \"sandstone\"", rock);
+    let text = with(&text, "weight_on_bit_kn = 50", "torque_dynamic_nm = 9000");
+    let key = "map.marks[0].torque_dynamic_nm";
+    let meant = "9000 N m is outside the rock's table, 200 to 6000 N m";
+    refused_at(&text, "9000", key, meant);
+    // On a map over the torque, none is asked for its weight.
+    let axes = "surface_speed_rpm = { from = 0.02, to = 0.6, count = 3 }\n";
+    let by_speed = with(&text, "weight_on_bit_kn = { values = [30, 70] }\n", "");
+    let by_torque = "torque_dynamic_nm = { values = [900, 1800] }\n";
+    let text = with(&by_speed, axes, &format!("{axes}{by_torque}"));
+    let answer = Workplace::with_small(&text).sweep(&RUN);
+    assert_eq!((answer.code, answer.errors.as_str()), (0, ""));
 }
 
 #[test]
@@ -516,15 +530,18 @@ fn axes_of_the_string_that_cannot_be_are_refused() {
 /// A title, a section or a mark that steers a terminal or turns the text around it.
 #[test]
 fn control_characters_in_texts_are_refused() {
-    for (escape, code) in [
-        ("\\u001b[31m", "U+001B"),
-        ("\\u0007", "U+0007"),
-        ("\\n", "U+000A"),
-        ("\\u009b31m", "U+009B"),
-        ("\\u202egnp.exe", "U+202E"),
-        ("\\u2066", "U+2066"),
+    for (escape, letter) in [
+        ("\\u001b[31m", "control character U+001B"),
+        ("\\u0007", "control character U+0007"),
+        ("\\n", "control character U+000A"),
+        ("\\u009b31m", "control character U+009B"),
+        ("\\u202egnp.exe", "control character U+202E"),
+        ("\\u2066", "control character U+2066"),
+        // No picture can hold these.
+        ("\\uFFFE", "noncharacter U+FFFE"),
+        ("\\uFFFF", "noncharacter U+FFFF"),
     ] {
-        let meant = format!("has the control character {code}: leave it out");
+        let meant = format!("has the {letter}: leave it out");
         for (piece, key) in [
             ("\"A small sweep\"", "title"),
             ("\"pipe\"", "string.sections[0].name"),

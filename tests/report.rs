@@ -224,6 +224,19 @@ fn files_that_are_not_of_one_run_are_refused() {
     assert!(
         answer
             .errors
-            .contains("broken/labels.csv:2: `thirty` is not a number")
+            .contains("broken/labels.csv:2: weight_on_bit_kn: `thirty` is not a number")
     );
+}
+
+#[test]
+fn a_map_of_other_axes_than_the_cases_have_is_told_with_its_folder() {
+    let place = with_results();
+    let manifest = text(&place, "results/manifest.json");
+    let mut manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+    manifest["map"]["x"] = "friction".into();
+    place.write("results/manifest.json", manifest.to_string());
+    let answer = place.sweep(&["summary", "results"]);
+    assert_eq!(answer.code, 1, "{answer:?}");
+    let told = "error: results: the map of manifest.json has an axis";
+    assert!(answer.errors.starts_with(told), "{answer:?}");
 }

@@ -128,6 +128,18 @@ fn responses_longer_than_any_method_gives_are_refused() {
     refused(&Workplace::with_small(&text), &arguments, &words);
 }
 
+/// The curves of a look last for some round trips of a wave, however short the cases are.
+#[test]
+fn curves_that_fill_the_memory_are_refused() {
+    let text = with(SMALL, "repeat = 10", "repeat = 1900");
+    let text = with(&text, "time_s = 12", "time_s = 0.1");
+    let frequency = "sampling_frequency_hz = 100000";
+    let text = with(&text, "sampling_frequency_hz = 100", frequency);
+    let words = ["small.toml:5: `sampling_frequency_hz`: would take"];
+    let arguments = ["inspect", "small.toml", "--memory", "400M"];
+    refused(&Workplace::with_small(&text), &arguments, &words);
+}
+
 #[test]
 fn an_impulse_is_short() {
     let text = lateral(1, 0.0) + "duration_s = 100\n";

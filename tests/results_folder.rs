@@ -15,7 +15,7 @@ mod locks;
 #[allow(dead_code)]
 mod support;
 
-use support::{Answer, SMALL, Workplace};
+use support::{Answer, SMALL, Workplace, with};
 
 const RUN: [&str; 4] = ["run", "small.toml", "--out", "results"];
 
@@ -90,4 +90,33 @@ fn without_checksums(place: &Workplace, folder: &str) {
     let files = manifest.as_object_mut().unwrap().remove("files");
     assert!(files.is_some());
     place.write(&format!("{folder}/manifest.json"), manifest.to_string());
+}
+
+#[test]
+fn a_page_does_not_outlive_the_title_or_the_tables_it_shows() {
+    let place = with_results();
+    succeeds(&place, &["report", "results"]);
+    succeeds(&place, &RUN);
+    assert!(place.path("results/report.html").exists());
+    place.write("small.toml", with(SMALL, "A small sweep\"", "Another\""));
+    succeeds(&place, &RUN);
+    assert!(!place.path("results/report.html").exists());
+    run_shards(&place);
+    let merge = ["merge", "0", "1", "--out", "merged"];
+    succeeds(&place, &merge);
+    succeeds(&place, &["report", "merged"]);
+    succeeds(&place, &merge);
+    assert!(!place.path("merged/report.html").exists());
+}
+
+#[test]
+fn a_shard_that_is_complete_is_not_said_to_have_a_map() {
+    let place = Workplace::with_small(SMALL);
+    run_shards(&place);
+    let run = ["run", "small.toml", "--shard", "0/2", "--out", "0"];
+    let again = succeeds(&place, &run).output;
+    assert!(
+        again.contains("\nlabels.csv and more are in 0\n"),
+        "{again}"
+    );
 }

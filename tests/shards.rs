@@ -238,10 +238,16 @@ fn a_stopped_run_is_not_merged_over() {
 #[test]
 fn a_shard_that_cannot_be_is_refused() {
     let place = Workplace::with_small(SMALL);
-    for shard in ["2/2", "x", "1", "0/0"] {
+    for (shard, meant) in [
+        ("2/2", "I from 0 to N − 1"),
+        ("x", "I from 0 to N − 1"),
+        ("1", "I from 0 to N − 1"),
+        ("0/0", "I from 0 to N − 1"),
+        ("0/1000000000000000", "N is more than 10000000"),
+    ] {
         let answer = place.sweep(&["run", "small.toml", "--shard", shard]);
         assert_eq!(answer.code, 2, "{answer:?}");
-        assert!(answer.errors.contains("I from 0 to N − 1"), "{answer:?}");
+        assert!(answer.errors.contains(meant), "{answer:?}");
     }
     assert!(!place.path("results").exists());
 }

@@ -3,7 +3,7 @@
 #[allow(dead_code, reason = "other tests use the rest of it")]
 mod support;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use support::Workplace;
 
@@ -32,7 +32,9 @@ fn error(rows: &[Row], measure: &str, method: &str, frequency: &str) -> f64 {
 #[test]
 fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
     let place = Workplace::new();
-    let measures = "surface_step,static_stiffness_nm_rad,lateral_impulse,whirl_normal_force_n";
+    // One is named twice.
+    let measures = "surface_step,static_stiffness_nm_rad,lateral_impulse,whirl_normal_force_n,\
+        surface_step";
     let ladder = ["tradeoff", "--ladder", "640,160,320", "--out", "out"];
     let answer = place.sweep(&[&ladder[..], &["--measures", measures]].concat());
     assert_eq!(answer.code, 0, "{answer:?}");
@@ -44,6 +46,18 @@ fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
     let is_narrow = |line: &str| line.chars().count() <= 80;
     assert!(answer.output.lines().all(is_narrow), "{answer:?}");
     let rows = rows(&place);
+    let columns = [
+        "measure",
+        "method",
+        "gamma",
+        "elements_per_cell",
+        "transform_s",
+        "sampling_frequency_hz",
+    ];
+    let different: BTreeSet<[&String; 6]> = (rows.iter())
+        .map(|row| columns.map(|name| &row[name]))
+        .collect();
+    assert_eq!(different.len(), rows.len());
     let of = |measure, method, frequency| error(&rows, measure, method, frequency);
     // Within its band the digital filter is exact; the others have their order.
     assert!(of("surface_step", "hilbert", "640") < 1e-5);

@@ -55,6 +55,27 @@ fn a_number_of_cores_that_a_cluster_cannot_mean_is_told_and_passed_over() {
     assert_eq!(output.stderr, b"");
 }
 
+#[test]
+fn an_amount_of_memory_that_a_cluster_cannot_mean_is_told_and_passed_over() {
+    let place = Workplace::with_small(SMALL);
+    let errors = |value: &str, more: &[&str]| {
+        let arguments = [&["run", "small.toml", "--dry-run"], more].concat();
+        let mut command = place.command(&arguments);
+        let output = command.env("SLURM_MEM_PER_NODE", value).output().unwrap();
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(0), "{errors}");
+        errors
+    };
+    for value in ["8G", "-1", "nan", "inf", "1e308"] {
+        let meant = format!("warning: SLURM_MEM_PER_NODE=\"{value}\" is passed over: ");
+        let errors = errors(value, &[]);
+        assert!(errors.starts_with(&meant), "{errors}");
+        assert_eq!(errors.lines().count(), 1, "{errors}");
+    }
+    // All of the node, and what is given instead.
+    assert_eq!(errors("0", &[]) + &errors("8G", &["--memory", "1G"]), "");
+}
+
 /// What the parser of the command line finds; it adds a hint of its own.
 #[test]
 fn an_argument_that_cannot_be_read_is_named() {

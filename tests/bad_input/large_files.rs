@@ -48,6 +48,31 @@ fn a_pipe_or_a_device_is_refused_by_name() {
     }
 }
 
+#[cfg(unix)]
+#[test]
+fn a_pipe_in_the_place_of_a_manifest_is_not_waited_for() {
+    let place = Workplace::with_small(SMALL);
+    assert_eq!(place.sweep(&["run", "small.toml", "--out", "out"]).code, 0);
+    let manifest = place.path("out/manifest.json");
+    std::fs::remove_file(&manifest).unwrap();
+    let made = std::process::Command::new("mkfifo").arg(&manifest).status();
+    assert!(made.unwrap().success());
+    for arguments in [
+        &["summary", "out"][..],
+        &["plot", "out"],
+        &["report", "out"],
+        &["merge", "out", "--out", "merged"],
+        &["run", "small.toml", "--out", "out"],
+        &["run", "small.toml", "--out", "out", "--fresh"],
+    ] {
+        let answer = answers(&place, arguments);
+        assert_ne!(answer.code, 0, "{answer:?}");
+        let meant = "out/manifest.json cannot be read: it is a device or a pipe";
+        let is_foreign = answer.errors.contains("out holds ");
+        assert!(is_foreign || answer.errors.contains(meant), "{answer:?}");
+    }
+}
+
 #[test]
 fn a_file_larger_than_makes_sense_is_refused_before_it_is_read() {
     let place = Workplace::new();

@@ -189,6 +189,66 @@ fn lateral_keys_without_a_wall_are_refused() {
     refused_at(&without, "[[impulses]]", "impulses", "needs a table [wall]");
 }
 
+/// The small sweep, its string able to bend and no wall to touch.
+fn bending() -> String {
+    let bending = "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n\n";
+    let sections = "[[string.sections]]";
+    with(SMALL, sections, &format!("{bending}{sections}"))
+}
+
+#[test]
+fn what_changes_nothing_without_a_wall_is_refused() {
+    for axis in ["compression_kn", "bending_damping_ns_m2"] {
+        let axes = format!("[design.axes]\n{axis} = {{ values = [1, 2] }} # here\n");
+        let text = with(&bending(), "[design.axes]\n", &axes);
+        let key = format!("design.axes.{axis}");
+        refused_at(&text, "# here", &key, "needs tables [wall] and");
+        let place = crate::support::Workplace::with_small(&bending());
+        let command = ["simulate", "small.toml", "--set", &format!("{axis}=1")];
+        let meant = format!("--set {axis}: there is no wall");
+        refused(&place, &command, &[&meant]);
+    }
+    for key in ["clearance_mm", "stiffness_gn_m15", "friction"] {
+        let site = format!("distance_from_bit_m = 50\n{key} = 2 # here");
+        let text = with(SMALL, "distance_from_bit_m = 50", &site);
+        let key = format!("sites[0].{key}");
+        refused_at(&text, "# here", &key, "needs a table [wall]");
+    }
+}
+
+#[test]
+fn ratios_of_impulses_given_in_newton_seconds_are_refused() {
+    let design = "\n[design]\nkind = \"grid\"\n[design.axes]\n\
+                  impulse_ratio = { values = [1, 2] } # here\n";
+    let newton_seconds = with(&lateral(), "ratio = 3", "amount_ns = 3");
+    let key = "design.axes.impulse_ratio";
+    refused_at(
+        &(newton_seconds.clone() + design),
+        "# here",
+        key,
+        "without `amount_ns`",
+    );
+    let another = "\n[[impulses]]\ndistance_from_bit_m = 0\n";
+    let place = crate::support::Workplace::with_small(&(newton_seconds + another + design));
+    let answer = place.sweep(&["run", "small.toml", "--dry-run"]);
+    assert_eq!((answer.code, answer.errors.as_str()), (0, ""));
+}
+
+/// They are written down with the results, and no number read back is infinite.
+#[test]
+fn numbers_that_are_not_used_are_looked_at() {
+    for number in ["nan", "inf"] {
+        let damping = format!("damping_ns_m2 = {number} # here");
+        let text = with(&bending(), "damping_ns_m2 = 2000", &damping);
+        refused_at(&text, "# here", "string.bending.damping_ns_m2", "between");
+        let clearance = format!("clearance_mm = {number} # here");
+        let text = with(&lateral(), "clearance_mm = 15", &clearance);
+        let own = "\n[[sites]]\nclearance_mm = 15\n";
+        let text = with(&text, "\n[[sites]]\n", own);
+        refused_at(&text, "# here", "wall.clearance_mm", "between");
+    }
+}
+
 /// Its label would say nothing of the impulse.
 #[test]
 fn an_impulse_that_begins_after_the_end_of_a_case_is_refused() {

@@ -73,6 +73,72 @@ fn check_prints_labels_that_differ() {
     );
 }
 
+/// A label that differs is told of by the limit of its own motion; where axes change the
+/// string, of which each has its own limits, by none.
+#[test]
+fn a_label_that_differs_is_measured_by_the_limit_of_its_motion() {
+    let wall = "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n\n\
+                [wall]\nclearance_mm = 15\nstiffness_gn_m15 = 1\n\n\
+                [[impulses]]\ndistance_from_bit_m = 0\nratio = 3\n\n[[string.sections]]";
+    let sweep = with(SMALL, "[[string.sections]]", wall);
+    let sweep = with(
+        &sweep,
+        "distance_from_bit_m = 50",
+        "distance_from_bit_m = 0",
+    );
+    let sweep = with(&sweep, "to = 0.6, count = 3", "to = 60, count = 2");
+    let sweep = with(&sweep, "values = [30, 70]", "values = [70]");
+    let axes = "[design.axes]\nfriction = { values = [2] }\n";
+    let sweep = with(&sweep, "[design.axes]\n", axes);
+    let lines_with = |axes: &str| {
+        let place = Workplace::with_small(&with(&sweep, "[design.axes]\n", axes));
+        run(&place, "small.toml", "results");
+        let labels = text(&place, "results/labels.csv");
+        place.write("reference.csv", other_labels(&labels));
+        let answer = place.sweep(&["check", "small.toml", "reference.csv"]);
+        assert_eq!(answer.code, 5, "{answer:?}");
+        answer.output
+    };
+    let lines = lines_with("[design.axes]\n");
+    let (torsion, lateral): (Vec<&str>, Vec<&str>) = (lines.lines())
+        .filter(|line| line.contains(": expected "))
+        .partition(|line| line.contains("expected stuck"));
+    assert!(torsion.len() == 2 && lateral.len() == 2, "{lines}");
+    for line in torsion {
+        assert!(
+            line.ends_with(" times the speed limit of Eq. 74"),
+            "{lines}"
+        );
+    }
+    for line in lateral {
+        assert!(!line.contains("Eq. 74"), "{lines}");
+    }
+    assert!(
+        lines.contains("least friction of steady rolling whirl"),
+        "{lines}"
+    );
+    let strings = "[design.axes]\nsection_0_repeat = { values = [10] }\n";
+    let lines = lines_with(strings);
+    assert!(!lines.contains(" times the "), "{lines}");
+}
+
+/// A reference in which no label is what it was.
+fn other_labels(labels: &str) -> String {
+    let mut rows = table(labels);
+    let places = ["torsion", "lateral"].map(|name| {
+        let mut names = rows[0].iter();
+        names.position(|known| known == name).unwrap()
+    });
+    for row in &mut rows[1..] {
+        for (place, other) in places.into_iter().zip(["stuck", "forward_whirl"]) {
+            assert_ne!(row[place], other);
+            row[place] = other.to_owned();
+        }
+    }
+    let lines = rows.iter().map(|row| row.join(",") + "\n");
+    lines.collect()
+}
+
 #[test]
 fn check_refuses_a_reference_that_does_not_belong_to_the_sweep() {
     let place = with_reference();
@@ -97,7 +163,7 @@ fn check_refuses_a_reference_that_does_not_belong_to_the_sweep() {
         ),
         (
             with(&reference, row, &row.replace("0.02", "slow")),
-            "reference.csv:2: `slow` is not a number",
+            "reference.csv:2: surface_speed_rpm: `slow` is not a number",
         ),
         (
             with(&reference, row, &row.replace("0.02", "0")),
@@ -118,6 +184,10 @@ fn check_refuses_a_reference_that_does_not_belong_to_the_sweep() {
         (
             with(&reference, ",weight_on_bit_kn,", ",weight,"),
             "reference.csv:1: has no column `weight_on_bit_kn`",
+        ),
+        (
+            with(&reference, ",lateral,", ",torsion,"),
+            "reference.csv:1: has the column `torsion` twice",
         ),
         (format!("{header}\n"), "reference.csv has no rows"),
         (String::new(), "reference.csv"),
@@ -170,6 +240,20 @@ fn a_label_that_is_no_regime_is_a_mistake_in_the_reference() {
         let check = ["check", "small.toml", "reference.csv"];
         refused(&place, &check, &["error: reference.csv:2: ", meant]);
     }
+}
+
+#[test]
+fn a_label_that_the_sweep_does_not_give_is_found_to_be_none() {
+    let place = with_reference();
+    let reference = text(&place, "reference.csv");
+    let row = reference.lines().nth(1).unwrap();
+    let fields: Vec<&str> = row.split(',').collect();
+    let lateral = [&fields[..6], &["no_contact"], &fields[7..]].concat();
+    place.write("reference.csv", with(&reference, row, &lateral.join(",")));
+    let answer = place.sweep(&["check", "small.toml", "reference.csv"]);
+    assert_eq!(answer.code, 5, "{answer:?}");
+    let told = "expected no_contact, found none";
+    assert!(answer.output.contains(told), "{answer:?}");
 }
 
 /// Through a spreadsheet and back.

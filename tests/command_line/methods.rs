@@ -16,10 +16,7 @@ fn whatever_methods_the_file_has_others_run() {
     let none = with(SMALL, OWN, "methods = []");
     let no_list = with(SMALL, OWN, "methods = \"quadrature\"");
     let impossible = undamped(&with(SMALL, OWN, "methods = [\"hilbert\"]"));
-    let parameters = "[method.finite-element]\nelements_per_cell = 0\n[method.hilbert]\n\
-                      transform_s = -1\n[design]\n";
-    let without_parameters = with(SMALL, "[design]\n", parameters);
-    for file in [unknown, none, no_list, impossible, without_parameters] {
+    for file in [unknown, none, no_list, impossible] {
         let place = Workplace::with_small(&file);
         refused(&place, &["run", "small.toml"], &["small.toml:", "`: "]);
         for command in ["run", "simulate", "inspect"] {
@@ -44,11 +41,35 @@ fn the_methods_asked_for_are_looked_at_as_the_file_s_are() {
             ],
         );
     }
-    let parameters = "[method.finite-element]\nelements_per_cell = 0\n[design]\n";
-    let place = Workplace::with_small(&with(SMALL, "[design]\n", parameters));
-    refused(
-        &place,
-        &["run", "small.toml", "--methods", "finite-element"],
-        &["`method.finite-element.elements_per_cell`: "],
-    );
+}
+
+/// Whatever runs: finite elements draw the whole string, and all of them are written down
+/// with the results.
+#[test]
+fn the_parameters_of_every_method_are_looked_at() {
+    for (parameter, key) in [
+        (
+            "[method.finite-element]\ngamma = 2.0",
+            "method.finite-element.gamma",
+        ),
+        (
+            "[method.finite-element]\nbeta = nan",
+            "method.finite-element.beta",
+        ),
+        (
+            "[method.hilbert]\ntransform_s = inf",
+            "method.hilbert.transform_s",
+        ),
+    ] {
+        let text = with(SMALL, "[design]\n", &format!("{parameter}\n[design]\n"));
+        let place = Workplace::with_small(&text);
+        for method in ["quadrature", "finite-element"] {
+            let arguments = ["simulate", "small.toml", "--methods", method];
+            refused(
+                &place,
+                &arguments,
+                &["small.toml:28: ", &format!("`{key}`: ")],
+            );
+        }
+    }
 }

@@ -140,6 +140,16 @@ fn a_file_that_is_there_is_kept_unless_forced() {
 }
 
 #[test]
+fn the_commands_for_a_new_file_can_be_given_as_they_are() {
+    let place = Workplace::new();
+    let told = succeeds(&place, &["new", "my sweep.toml"]).output;
+    for command in ["inspect", "run"] {
+        let line = format!("\n  sweep {command} 'my sweep.toml'\n");
+        assert!(told.contains(&line), "{told}");
+    }
+}
+
+#[test]
 fn every_shell_and_man_can_be_told_every_command() {
     let place = Workplace::new();
     let help = succeeds(&place, &["--help"]).output;

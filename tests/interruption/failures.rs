@@ -51,7 +51,7 @@ fn fail_fast_stops_at_the_first_and_goes_on_without_it() {
     let place = Workplace::with_small(&with_impossible_string());
     for meant in [
         "case 6 by quadrature has no answer",
-        "1 case without an answer already",
+        "1 simulation without an answer already",
     ] {
         let answer = run(&place, &["--fail-fast", "--jobs", "1"]);
         assert_eq!(answer.code, 1, "{answer:?}");

@@ -80,6 +80,18 @@ fn what_follows_from_the_labels_is_made_again() {
     }
 }
 
+/// The limit is made again from the linear systems, which take memory.
+#[test]
+fn what_is_made_again_stays_within_the_memory_allowed() {
+    let place = with_results();
+    std::fs::remove_file(place.path("results/boundary.csv")).unwrap();
+    let before = place.files();
+    let answer = place.sweep(&[&RUN[..], &["--memory", "1M"]].concat());
+    assert_eq!(answer.code, 2, "{answer:?}");
+    assert!(answer.errors.contains("given by --memory"), "{answer:?}");
+    assert!(place.files() == before);
+}
+
 /// Drawn by another hand, it is still the picture of this folder.
 #[test]
 fn a_map_that_is_drawn_again_is_noted() {

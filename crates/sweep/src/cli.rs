@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use crate::allotted::PassedOver;
 use crate::engine::{RunOptions, Shard};
 use crate::memory::{Limit, Size};
 use crate::quantities::Axis;
@@ -209,6 +210,11 @@ impl MemoryArguments {
     /// The limit they set.
     pub fn limit(&self) -> Limit {
         Limit::of(self.memory)
+    }
+
+    /// What stands in the place of a limit and sets none.
+    pub fn passed_over(&self) -> Option<PassedOver> {
+        Limit::passed_over(self.memory)
     }
 }
 

@@ -28,6 +28,7 @@
 //! sweep help                     # everything else
 //! ```
 
+mod allotted;
 mod cli;
 mod commands;
 mod design;

@@ -14,7 +14,12 @@ pub fn steers(letter: char) -> bool {
         )
 }
 
-/// A text with such letters spelt out, as `\u{1b}`; breaks of lines and tabs stay.
+/// Whether XML, and so a picture, has no place for a letter besides control characters.
+pub fn is_noncharacter(letter: char) -> bool {
+    matches!(letter, '\u{fffe}'..='\u{ffff}')
+}
+
+/// A text with letters that steer spelt out, as `\u{1b}`; breaks of lines and tabs stay.
 pub fn printable(text: &str) -> Cow<'_, str> {
     let spelt_out = |letter: char| steers(letter) && letter != '\n' && letter != '\t';
     spell_out(text, spelt_out, |letter| {

@@ -45,6 +45,18 @@ pub fn site_title(distance: f64) -> String {
     }
 }
 
+/// A path as a shell takes it, and then a command: one that begins with a dash is no
+/// option.
+pub fn shell_word(path: &str) -> String {
+    let dash = if path.starts_with('-') { "./" } else { "" };
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "/._-".contains(letter);
+    if path.chars().all(is_plain) {
+        format!("{dash}{path}")
+    } else {
+        format!("'{dash}{}'", path.replace('\'', r"'\''"))
+    }
+}
+
 /// Words that stay on one line of [`wrapped`] text.
 pub fn together(words: &str) -> String {
     words.replace(' ', NO_BREAK)
@@ -100,6 +112,17 @@ mod tests {
     fn one_of_a_thing_is_no_plural() {
         let both = [0, 1, 2].map(|count| counted(count, "case"));
         assert_eq!(both, ["0 cases", "1 case", "2 cases"]);
+    }
+
+    #[test]
+    fn a_path_is_one_word_of_a_shell_and_no_option() {
+        for (path, expected) in [
+            ("a/b-c_1.toml", "a/b-c_1.toml"),
+            ("my sweep.toml", "'my sweep.toml'"),
+            ("-a'b", r"'./-a'\''b'"),
+        ] {
+            assert_eq!(shell_word(path), expected);
+        }
     }
 
     #[test]

@@ -7,6 +7,7 @@ use anyhow::{Result, bail};
 use super::status::{Status, UsageError};
 use super::terminal::say;
 use crate::output::write_atomically;
+use crate::words::shell_word;
 
 /// The file, which runs as it is. A test switches on each of its settings.
 const TEMPLATE: &str = include_str!("new.toml");
@@ -20,10 +21,11 @@ pub fn new(path: &Path, force: bool) -> Result<Status> {
         )));
     }
     write_atomically(path, TEMPLATE.as_bytes())?;
+    let word = shell_word(&file.to_string());
     say(&format!(
         "{file} is written: put in your own numbers, then try\n  \
-         sweep inspect {file}\n  \
-         sweep run {file}\n"
+         sweep inspect {word}\n  \
+         sweep run {word}\n"
     ))?;
     Ok(Status::Complete)
 }

@@ -7,6 +7,7 @@ use anyhow::Result;
 use super::choosing::choose;
 use super::status::UsageError;
 use super::terminal::Terminal;
+use super::warnings::warn_of_memory;
 use crate::cli::WorkArguments;
 use crate::engine::{MethodSystem, Survey, survey};
 use crate::plan::{Setting, Sweep};
@@ -25,6 +26,7 @@ pub fn read_sweep(
     quiet: bool,
     terminal: Terminal,
 ) -> Result<Sweep> {
+    warn_of_memory(&work.memory, terminal);
     let methods = unique(&work.methods);
     let sweep = Sweep::read_from(file, &methods, &read_text)?;
     choose(sweep, full, &work.memory.limit(), quiet, terminal)

@@ -5,9 +5,11 @@ use std::num::NonZero;
 use std::thread::available_parallelism;
 
 use anyhow::{Context, Result};
+use thiserror::Error;
 
 use super::status::UsageError;
 use super::terminal::Terminal;
+use crate::allotted::allotted;
 
 /// More threads than this for each core only cost memory, and the machine its
 /// answer to anybody else.
@@ -30,7 +32,7 @@ pub fn use_threads(jobs: Option<usize>, terminal: Terminal) -> Result<()> {
             jobs
         }
         None => (ALLOTTED.iter())
-            .find_map(|name| allotted(name, cores, terminal))
+            .find_map(|name| allotted_threads(name, cores, terminal))
             .unwrap_or(cores),
     };
     rayon::ThreadPoolBuilder::new()
@@ -39,35 +41,36 @@ pub fn use_threads(jobs: Option<usize>, terminal: Terminal) -> Result<()> {
         .context("the threads cannot be started")
 }
 
-fn allotted(name: &str, cores: usize, terminal: Terminal) -> Option<usize> {
-    let value = std::env::var_os(name)?;
-    let text = value.to_string_lossy();
-    // An empty variable is how a shell script unsets one.
-    if text.trim().is_empty() {
-        return None;
-    }
-    let threads = (text.trim().parse::<usize>())
-        .map_err(|_| "it is not a number of threads".to_owned())
-        .and_then(|threads| check(threads, cores).map(|()| threads));
-    match threads {
-        Ok(threads) => Some(threads),
-        Err(reason) => {
-            terminal.complain(&format!(
-                "warning: {name}={text:?} is passed over: {reason}"
-            ));
-            None
-        }
-    }
+fn allotted_threads(name: &'static str, cores: usize, terminal: Terminal) -> Option<usize> {
+    let threads = allotted(name, |text| {
+        let threads = text.parse().map_err(|_| ThreadsError::NoNumber)?;
+        check(threads, cores).map(|()| threads)
+    });
+    threads.unwrap_or_else(|doubt| {
+        terminal.complain(&format!("warning: {doubt}"));
+        None
+    })
 }
 
-/// The error is a sentence.
-fn check(threads: usize, cores: usize) -> Result<(), String> {
+/// Why no command uses so many threads.
+#[derive(Debug, Error)]
+enum ThreadsError {
+    #[error("it is not a number of threads")]
+    NoNumber,
+    #[error("at least one thread is needed")]
+    TooFew,
+    #[error(
+        "more than {most} threads, which are {} for each of {cores} cores here",
+        MOST_PER_CORE
+    )]
+    TooMany { most: usize, cores: usize },
+}
+
+fn check(threads: usize, cores: usize) -> Result<(), ThreadsError> {
     let most = cores.saturating_mul(MOST_PER_CORE);
     match threads {
-        0 => Err("at least one thread is needed".to_owned()),
-        threads if threads > most => Err(format!(
-            "more than {most} threads, which are {MOST_PER_CORE} for each of {cores} cores here"
-        )),
+        0 => Err(ThreadsError::TooFew),
+        threads if threads > most => Err(ThreadsError::TooMany { most, cores }),
         _ => Ok(()),
     }
 }

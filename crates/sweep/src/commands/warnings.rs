@@ -1,9 +1,17 @@
 //! What is worth knowing before the work, though nothing is wrong with it.
 
 use super::terminal::Terminal;
+use crate::cli::MemoryArguments;
 use crate::engine::{Log, MethodSystem};
 use crate::plan::Sweep;
 use crate::words::counted;
+
+/// Warns of an amount of memory that the cluster allots and cannot mean.
+pub fn warn_of_memory(memory: &MemoryArguments, terminal: Terminal) {
+    if let Some(doubt) = memory.passed_over() {
+        terminal.complain(&format!("warning: {doubt}"));
+    }
+}
 
 /// Warns of parts of the string such as none are made.
 pub fn warn_of_string(sweep: &Sweep, terminal: Terminal) {

@@ -6,5 +6,6 @@ mod grid;
 mod list;
 mod monte_carlo;
 
+pub use axes::MOST_CASES;
 pub use cases::Design;
 pub use list::List;

@@ -4,6 +4,9 @@ use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::design::MOST_CASES;
 
 /// Part `index` of `of`, counted from 0. The whole sweep is part 0 of 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -43,16 +46,29 @@ impl fmt::Display for Shard {
     }
 }
 
-impl FromStr for Shard {
-    type Err = String;
+/// Why a text names no part of a sweep.
+#[derive(Debug, PartialEq, Error)]
+pub enum ShardError {
+    /// It is not written as one.
+    #[error("expected I/N with I from 0 to N − 1, such as 0/4")]
+    NoShard,
+    /// Some parts could only be empty.
+    #[error("N is more than {}, the most cases of a sweep", MOST_CASES)]
+    TooMany,
+}
 
-    fn from_str(text: &str) -> Result<Self, String> {
+impl FromStr for Shard {
+    type Err = ShardError;
+
+    fn from_str(text: &str) -> Result<Self, ShardError> {
         let numbers = text.split_once('/').and_then(|(index, of)| {
             let number = |text: &str| text.trim().parse::<usize>().ok();
             number(index).zip(number(of))
         });
-        let (index, of) = (numbers.filter(|(index, of)| index < of))
-            .ok_or("expected I/N with I from 0 to N − 1, such as 0/4")?;
+        let (index, of) = (numbers.filter(|(index, of)| index < of)).ok_or(ShardError::NoShard)?;
+        if of > MOST_CASES {
+            return Err(ShardError::TooMany);
+        }
         Ok(Self { index, of })
     }
 }
@@ -97,6 +113,9 @@ mod tests {
 
     #[test]
     fn what_is_no_shard_is_refused() {
+        let (many, too_many) = (format!("0/{MOST_CASES}"), format!("0/{}", MOST_CASES + 1));
+        assert!(many.parse::<Shard>().is_ok());
+        assert_eq!(too_many.parse::<Shard>(), Err(ShardError::TooMany));
         for text in ["", "1", "4/4", "-1/4", "0/0", "a/b", "1/2/3"] {
             assert!(text.parse::<Shard>().is_err(), "{text}");
         }

@@ -2,46 +2,55 @@
 //! than can be told apart.
 
 use super::extent::Extent;
+use super::mesh::Mesh;
 use crate::plot::{Ground, MapCell, Symbol};
 
 /// Symbols counted in cells.
 pub struct Cells {
-    ranges: [[f64; 2]; 2],
-    size: [usize; 2],
+    mesh: Mesh,
+    /// By cell.
     counts: Vec<[usize; 3]>,
 }
 
 impl Cells {
-    /// At most `most` cells to the right and upwards; fewer where an axis has fewer
-    /// values, so that none is empty between them.
+    /// At most `most` cells to the right and upwards, around the values of a grid; of other
+    /// cases, cells of one size.
     pub fn new(extent: &Extent, most: [usize; 2]) -> Self {
-        let size = [0, 1].map(|axis| most[axis].min(extent.values[axis].len()).max(1));
+        let mesh = if extent.is_grid() {
+            Mesh::around(&extent.values, most)
+        } else {
+            Mesh::even(extent, most)
+        };
+        let [columns, rows] = mesh.size();
         Self {
-            ranges: extent.ranges,
-            size,
-            counts: vec![[0; 3]; size[0] * size[1]],
+            mesh,
+            counts: vec![[0; 3]; columns * rows],
         }
     }
 
     /// Counts the symbol of a case.
-    pub fn add(&mut self, [x, y]: [f64; 2], symbol: Symbol) {
-        let place = |[from, to]: [f64; 2], value: f64, cells: usize| {
-            let fraction = (value - from) / (to - from).max(f64::MIN_POSITIVE);
-            ((fraction * cells as f64) as usize).min(cells - 1)
-        };
-        let column = place(self.ranges[0], x, self.size[0]);
-        let row = place(self.ranges[1], y, self.size[1]);
-        self.counts[column * self.size[1] + row][symbol as usize] += 1;
+    pub fn add(&mut self, place: [f64; 2], symbol: Symbol) {
+        self.counts[self.mesh.cell_of(place)][symbol as usize] += 1;
     }
 
     /// Cells to the right and upwards.
     pub fn size(&self) -> [usize; 2] {
-        self.size
+        self.mesh.size()
+    }
+
+    /// Whether any cell has more than one case.
+    pub fn are_shared(&self) -> bool {
+        let mut counts = self.counts.iter();
+        counts.any(|counts| counts.iter().sum::<usize>() > 1)
     }
 
     /// The symbol that most cases of a cell have; none where it has no case.
     pub fn symbol(&self, column: usize, row: usize) -> Option<Symbol> {
-        let counts = self.counts[column * self.size[1] + row];
+        self.symbol_in(self.mesh.number(column, row))
+    }
+
+    fn symbol_in(&self, cell: usize) -> Option<Symbol> {
+        let counts = self.counts[cell];
         let symbols = [Symbol::Circle, Symbol::Cross, Symbol::Square];
         let most = symbols
             .into_iter()
@@ -51,49 +60,24 @@ impl Cells {
 
     /// Neighbours to the right that are alike as one.
     pub fn joined(&self) -> Vec<MapCell> {
-        let corner = |column, row| self.place(column as f64, row as f64);
-        joined(self.size, corner, |column, row| {
-            self.symbol(column, row).map(Ground::Symbol)
-        })
+        let ground = |cell| self.symbol_in(cell).map(Ground::Symbol);
+        self.mesh.joined(ground)
     }
 
-    /// A place to the right and upwards, counted in cells.
-    pub fn place(&self, column: f64, row: f64) -> [f64; 2] {
-        let index = [column, row];
-        [0, 1].map(|axis| {
-            let [from, to] = self.ranges[axis];
-            from + (to - from) * index[axis] / self.size[axis] as f64
-        })
+    /// The middle of a cell.
+    pub fn centre(&self, column: usize, row: usize) -> (f64, f64) {
+        self.mesh.centre(column, row)
     }
-}
-
-/// Cells of a `ground`, neighbours to the right that are alike as one, by the lower left
-/// `corner` of each. A cell without a ground is left out.
-pub fn joined(
-    [columns, rows]: [usize; 2],
-    corner: impl Fn(usize, usize) -> [f64; 2],
-    ground: impl Fn(usize, usize) -> Option<Ground>,
-) -> Vec<MapCell> {
-    let columns: Vec<usize> = (0..columns).collect();
-    let mut cells = Vec::new();
-    for row in 0..rows {
-        for run in columns.chunk_by(|&one, &next| ground(one, row) == ground(next, row)) {
-            let [left, bottom] = corner(run[0], row);
-            let [right, top] = corner(run[run.len() - 1] + 1, row + 1);
-            let ends = [[left, right], [bottom, top]];
-            cells.extend(ground(run[0], row).map(|ground| MapCell { ends, ground }));
-        }
-    }
-    cells
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// Cases enough for a grid would have cells around its values.
     #[test]
     fn a_cell_shows_what_most_of_its_cases_are() {
-        let mut cells = Cells::new(&Extent::example([&[0.0, 4.0], &[1.0, 2.0]], 4), [2, 2]);
+        let mut cells = Cells::new(&Extent::example([&[0.0, 4.0], &[1.0, 2.0]], 3), [2, 2]);
         for (x, symbol) in [
             (0.0, Symbol::Circle),
             (1.0, Symbol::Circle),
@@ -105,7 +89,7 @@ mod tests {
         let bottom = [cells.symbol(0, 0), cells.symbol(1, 0)];
         assert_eq!(bottom, [Some(Symbol::Circle), Some(Symbol::Square)]);
         assert_eq!(cells.symbol(0, 1), None);
-        assert_eq!(cells.place(1.5, 0.5), [3.0, 1.25]);
+        assert_eq!(cells.centre(1, 0), (3.0, 1.25));
         let cell = |x, symbol| MapCell {
             ends: [x, [1.0, 1.5]],
             ground: Ground::Symbol(symbol),
@@ -118,16 +102,22 @@ mod tests {
     }
 
     #[test]
-    fn a_grid_gets_a_cell_for_each_of_its_values() {
-        let values = [0.0, 1.0, 2.0, 3.0, 4.0];
-        let mut cells = Cells::new(&Extent::example([&values, &[1.5]], 5), [72, 54]);
-        assert_eq!(cells.size(), [5, 1]);
-        for x in values {
-            cells.add([x, 1.5], Symbol::Cross);
+    fn a_grid_gets_a_cell_for_each_of_its_values_however_uneven() {
+        let values: Vec<f64> = (0..100).map(|step| 1.07f64.powi(step)).collect();
+        let mut cells = Cells::new(&Extent::example([&values, &[1.5]], 100), [104, 78]);
+        assert_eq!(cells.size(), [100, 1]);
+        for (index, &x) in values.iter().enumerate() {
+            let symbol = [Symbol::Cross, Symbol::Circle][index % 2];
+            cells.add([x, 1.5], symbol);
         }
-        let [cell] = &cells.joined()[..] else {
-            panic!("{:?}", cells.joined());
-        };
-        assert_eq!(cell.ends[0], [0.0, 4.0]);
+        assert!(!cells.are_shared());
+        // Without a gap, and with some height.
+        let joined = cells.joined();
+        assert_eq!(joined.len(), 100);
+        let touch = |pair: &[MapCell]| pair[0].ends[0][1] == pair[1].ends[0][0];
+        assert!(joined.windows(2).all(touch));
+        assert_eq!(joined[0].ends[1], [1.425, 1.575]);
+        cells.add([1.0, 1.5], Symbol::Cross);
+        assert!(cells.are_shared());
     }
 }

@@ -142,8 +142,8 @@ impl Counted {
     }
 }
 
-/// As many cells as have some cases each, in the shape of the picture; a grid has a
-/// cell for each of its values. The maps of a sheet have no more than one alone.
+/// As many cells as have some cases each, in the shape of the picture; a grid has cells of
+/// its values. The maps of a sheet have no more than one alone.
 fn most_cells(extent: &Extent, count: usize, motions: usize) -> [usize; 2] {
     let share = ((count * motions) as f64).sqrt();
     let most = MOST_CELLS.map(|cells| cells as f64 / share);
@@ -165,9 +165,9 @@ fn sparse_symbols(cells: &Cells) -> Vec<MapPoint> {
     });
     places
         .filter_map(|(column, row)| {
-            let [x, y] = cells.place(column as f64 + 0.5, row as f64 + 0.5);
             let symbol = cells.symbol(column, row)?;
-            Some(MapPoint { at: (x, y), symbol })
+            let at = cells.centre(column, row);
+            Some(MapPoint { at, symbol })
         })
         .collect()
 }

@@ -11,7 +11,7 @@ use crate::output::{Motion, read_cases};
 use crate::quantities::Axis;
 
 /// Distinct values along an axis are kept up to this number.
-const MOST_DISTINCT: usize = 200;
+const MOST_DISTINCT: usize = 2000;
 
 /// Combinations of the values of further axes are kept up to this number: as many
 /// maps as can be compared side by side.

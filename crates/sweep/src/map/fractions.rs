@@ -1,8 +1,8 @@
 //! How large a part of the cases has a regime, over two axes: what is drawn where
 //! cases that differ along further axes lie on top of one another.
 
-use super::cells::joined;
 use super::extent::Extent;
+use super::mesh::Mesh;
 use crate::plot::{Ground, MapCell, Part};
 
 /// Cells to the right and upwards at most.
@@ -16,9 +16,8 @@ const CASES_PER_CELL: f64 = 10.0;
 
 /// Counts in cells.
 pub struct Fractions {
-    /// The lines between cells, to the right and upwards.
-    edges: [Vec<f64>; 2],
-    /// Simulations with the regime, and all with a determined label, column by column.
+    mesh: Mesh,
+    /// Simulations with the regime, and all with a determined label, by cell.
     counts: Vec<[usize; 2]>,
 }
 
@@ -26,83 +25,40 @@ impl Fractions {
     /// Cells around the values of a grid; of other cases, cells of one size with some
     /// cases each.
     pub fn new(extent: &Extent) -> Self {
-        let sizes = [0, 1].map(|axis| extent.values[axis].len());
-        let is_grid = extent.is_grid() && sizes[0] <= MOST_CELLS[0] && sizes[1] <= MOST_CELLS[1];
-        let edges = if is_grid {
-            [0, 1].map(|axis| around(&extent.values[axis]))
+        let mesh = if extent.is_grid() {
+            Mesh::around(&extent.values, MOST_CELLS)
         } else {
             let most = MOST_CELLS.map(|cells| cells as f64);
             let wanted = extent.cases as f64 / CASES_PER_CELL;
             let scale = (wanted / (most[0] * most[1])).sqrt().min(1.0);
-            [0, 1].map(|axis| {
-                let cells = ((scale * most[axis]) as usize).max(FEWEST_CELLS[axis]);
-                even(extent.ranges[axis], cells.min(sizes[axis]).max(1))
-            })
+            let cells = |axis: usize| ((scale * most[axis]) as usize).max(FEWEST_CELLS[axis]);
+            Mesh::even(extent, [0, 1].map(cells))
         };
-        let cells = (edges[0].len() - 1) * (edges[1].len() - 1);
+        let [columns, rows] = mesh.size();
         Self {
-            edges,
-            counts: vec![[0; 2]; cells],
+            mesh,
+            counts: vec![[0; 2]; columns * rows],
         }
     }
 
     /// Counts a case: how many of its simulations have the regime, of those whose label is
     /// determined.
     pub fn add(&mut self, place: [f64; 2], [sustained, told]: [usize; 2]) {
-        let [column, row] = [0, 1].map(|axis| {
-            let edges = &self.edges[axis];
-            let after = edges.partition_point(|&edge| edge <= place[axis]);
-            after.saturating_sub(1).min(edges.len() - 2)
-        });
-        let rows = self.rows();
-        let count = &mut self.counts[column * rows + row];
+        let count = &mut self.counts[self.mesh.cell_of(place)];
         *count = [count[0] + sustained, count[1] + told];
     }
 
     /// The part of each cell's simulations that has the regime, neighbours to the right in
     /// the same class as one.
     pub fn joined(&self) -> Vec<MapCell> {
-        let [x, y] = &self.edges;
-        let corner = |column, row| [x[column], y[row]];
-        joined([x.len() - 1, self.rows()], corner, |column, row| {
-            let [sustained, told] = self.counts[column * self.rows() + row];
+        self.mesh.joined(|cell| {
+            let [sustained, told] = self.counts[cell];
             Some(match told {
                 0 => Ground::NoCase,
                 _ => Ground::Part(Part::of(sustained as f64 / told as f64)),
             })
         })
     }
-
-    fn rows(&self) -> usize {
-        self.edges[1].len() - 1
-    }
-}
-
-/// Lines half-way between neighbours, and as far beyond the first and the last.
-fn around(values: &[f64]) -> Vec<f64> {
-    let ([first, .., last], Some(count)) = (values, values.len().checked_sub(2)) else {
-        let value = values.first().copied().unwrap_or_default();
-        let half = if value == 0.0 {
-            0.5
-        } else {
-            0.05 * value.abs()
-        };
-        return vec![value - half, value + half];
-    };
-    let between = values.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-    let before = first - 0.5 * (values[1] - first);
-    let after = last + 0.5 * (last - values[count]);
-    [before].into_iter().chain(between).chain([after]).collect()
-}
-
-/// Lines at even distances.
-fn even([from, to]: [f64; 2], cells: usize) -> Vec<f64> {
-    if from >= to {
-        return around(&[from]);
-    }
-    (0..=cells)
-        .map(|index| from + (to - from) * index as f64 / cells as f64)
-        .collect()
 }
 
 #[cfg(test)]

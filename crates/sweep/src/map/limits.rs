@@ -1,9 +1,8 @@
 //! The limit on a map: its line where both of its quantities are axes of the map, a
 //! line or a range across the map where one is, and in words where it is out of view.
 
-use std::collections::BTreeMap;
-
 use super::extent::Extent;
+use super::mesh::around;
 use super::words::{ends, quantity};
 use crate::output::{Curve, Motion};
 use crate::plot::{Band, Series, is_within};
@@ -20,36 +19,27 @@ pub struct Limits {
     pub notes: Vec<String>,
 }
 
-/// A limit out of view: how far it is, and the note about it.
-type Unseen = (f64, String);
-
 /// Ranges narrower than this part of their value are lines.
 const NARROW: f64 = 1e-6;
 
+/// How far the line through a single point reaches to either side, as a part of its axis.
+const REACH: f64 = 0.01;
+
 impl Limits {
     /// The limits that `curves` are on a map, while quantities off the map are `held`
-    /// within the ranges of its cases. Of the curves of one name, such as the branches
-    /// of a motion, a note tells the nearest, and only if none is drawn.
+    /// within the ranges of its cases.
     pub fn of(curves: &[&Curve], extent: &Extent, held: impl Fn(Axis) -> [f64; 2]) -> Limits {
         let mut limits = Limits::default();
         let curves = match Self::least_over_a_range(curves, extent, &held) {
             Some(least) => &[least][..],
             None => curves,
         };
-        let mut unseen: BTreeMap<&str, Vec<Option<Unseen>>> = BTreeMap::new();
         for curve in curves {
-            let found = limits.add(curve, extent, &held);
-            unseen.entry(&curve.name).or_default().push(found);
+            let note = limits.add(curve, extent, &held);
+            limits.notes.extend(note);
         }
-        let nearest = |of_name: Vec<Option<Unseen>>| {
-            // A curve that is drawn says enough of its name.
-            let all: Vec<Unseen> = of_name.into_iter().collect::<Option<_>>()?;
-            let nearest = all
-                .into_iter()
-                .min_by(|one, other| one.0.total_cmp(&other.0));
-            nearest.map(|(_, note)| note)
-        };
-        limits.notes = unseen.into_values().filter_map(nearest).collect();
+        // By the names that they begin with.
+        limits.notes.sort();
         limits
     }
 
@@ -69,13 +59,13 @@ impl Limits {
         is_range.then_some(least)
     }
 
-    /// Adds a curve to what is drawn, or says where it is.
+    /// Adds a curve to what is drawn, or gives a note on where it is.
     fn add(
         &mut self,
         curve: &Curve,
         extent: &Extent,
         held: impl Fn(Axis) -> [f64; 2],
-    ) -> Option<Unseen> {
+    ) -> Option<String> {
         let place = |axis| extent.axes.iter().position(|&other| other == axis);
         match (place(curve.along), place(curve.limited)) {
             (Some(_), Some(limited)) => self.add_line(curve, extent, limited),
@@ -84,30 +74,36 @@ impl Limits {
             (None, None) => {
                 let values = span(&curve.ranges(1, held(curve.along)))?;
                 let values = ends(curve.limited, values);
-                let note = format!("{}: {values}, on neither axis of this map", curve.name);
-                Some((f64::INFINITY, note))
+                let name = &curve.name;
+                Some(format!("{name}: {values}, on neither axis of this map"))
             }
         }
     }
 
     /// Both quantities are axes of the map, the limited one at the given place.
-    fn add_line(&mut self, curve: &Curve, extent: &Extent, limited: usize) -> Option<Unseen> {
+    fn add_line(&mut self, curve: &Curve, extent: &Extent, limited: usize) -> Option<String> {
         let on_map = |&[along, value]: &[f64; 2]| match limited {
             0 => (value, along),
             _ => (along, value),
         };
-        let pieces = curve.pieces.iter();
-        let pieces = pieces.map(|piece| piece.iter().map(on_map).collect());
-        let pieces: Vec<Vec<_>> = pieces.collect();
-        if pieces.iter().any(|piece| is_within(piece, extent.ranges)) {
+        let places = |piece: &[[f64; 2]]| piece.iter().map(on_map).collect::<Vec<_>>();
+        let (ranges, pieces) = (extent.ranges, &curve.pieces);
+        if pieces.iter().any(|piece| is_within(&places(piece), ranges)) {
+            let range = ranges[1 - limited];
+            let lines = pieces
+                .iter()
+                .map(|piece| places(&with_length(piece, range)));
             self.lines.push(Series {
                 name: curve.name.clone(),
-                points: pieces.join(&(f64::NAN, f64::NAN)),
+                points: lines.collect::<Vec<_>>().join(&(f64::NAN, f64::NAN)),
             });
             return None;
         }
-        let range = extent.ranges[limited];
-        out_of_view(curve, range, |value| side(limited, value, range).to_owned())
+        // The place on the map of what the limit depends on, and of what is limited.
+        let places = [1 - limited, limited];
+        out_of_view(curve, places.map(|place| ranges[place]), |of, value| {
+            side(places[of], value, ranges[places[of]]).to_owned()
+        })
     }
 
     /// One quantity, 0 for what the limit depends on and 1 for what is limited, is the
@@ -119,7 +115,7 @@ impl Limits {
         on_map: usize,
         shown: usize,
         held: [f64; 2],
-    ) -> Option<Unseen> {
+    ) -> Option<String> {
         let stretches = curve.ranges(shown, held);
         let Some(whole) = span(&stretches) else {
             return Some(beyond(curve, shown, held));
@@ -174,39 +170,69 @@ impl Limits {
 }
 
 /// A curve that never reaches what is held: `shown` is the quantity on the map.
-fn beyond(curve: &Curve, shown: usize, held: [f64; 2]) -> Unseen {
+fn beyond(curve: &Curve, shown: usize, held: [f64; 2]) -> String {
     let held_words = ends([curve.limited, curve.along][shown], held);
     let nearest = || {
-        out_of_view(curve, held, |limited| {
+        let anywhere = [f64::NEG_INFINITY, f64::INFINITY];
+        out_of_view(curve, [anywhere, held], |_, limited| {
             let side = if limited < held[0] { "below" } else { "above" };
             format!("{side} the {held_words} of")
         })
     };
     let nearest = (shown == 0).then(nearest).flatten();
-    nearest.unwrap_or_else(|| {
-        let note = format!("{}: none at {held_words}", curve.name);
-        (f64::INFINITY, note)
-    })
+    nearest.unwrap_or_else(|| format!("{}: none at {held_words}", curve.name))
 }
 
-/// The point of a curve nearest to a range of the limited quantity, and on which `side` of
-/// the map it is.
-fn out_of_view(curve: &Curve, range: [f64; 2], side: impl Fn(f64) -> String) -> Option<Unseen> {
+/// A note on the point of a curve nearest to a map: in the limited quantity, or in the other
+/// one where the curve ends beside the map. `ranges` are of both quantities; `side` tells
+/// by one of them (0 or 1) and its value where the point is.
+fn out_of_view(
+    curve: &Curve,
+    ranges: [[f64; 2]; 2],
+    side: impl Fn(usize, f64) -> String,
+) -> Option<String> {
+    let margins = |point: &[f64; 2]| [0, 1].map(|of| margin(point[of], ranges[of]));
     let points = curve.pieces.iter().flatten();
-    let (margin, [along, limited]) = points
-        .map(|point| (margin(point[1], range), *point))
-        .min_by(|one, other| one.0.total_cmp(&other.0))?;
-    let [along, at] =
-        [(curve.along, along), (curve.limited, limited)].map(|(axis, value)| quantity(axis, value));
-    let limit = format!("{at} at {along}");
-    Some(unseen(curve, &limit, &side(limited), curve.limited, margin))
+    let nearest = points.min_by(|one, other| {
+        let [one, other] = [one, other].map(|point| margins(point));
+        (one[1].total_cmp(&other[1])).then(one[0].total_cmp(&other[0]))
+    })?;
+    let of = usize::from(margins(nearest)[1] > 0.0);
+    let axes = [curve.along, curve.limited];
+    let [along, at] = [0, 1].map(|of| quantity(axes[of], nearest[of]));
+    let (side, margin) = (side(of, nearest[of]), margins(nearest)[of]);
+    Some(unseen(
+        curve,
+        &format!("{at} at {along}"),
+        &side,
+        axes[of],
+        margin,
+    ))
 }
 
 /// A limit that is on a `side` of the map, by a margin along an axis.
-fn unseen(curve: &Curve, limit: &str, side: &str, axis: Axis, margin: f64) -> Unseen {
+fn unseen(curve: &Curve, limit: &str, side: &str, axis: Axis, margin: f64) -> String {
     let (name, words) = (&curve.name, quantity(axis, margin));
-    let note = format!("{name}: limit {limit}, {side} this map; margin {words}");
-    (margin, note)
+    format!("{name}: limit {limit}, {side} this map; margin {words}")
+}
+
+/// The points of a piece. A single one, of a map over one value or of a branch that is the
+/// least only there, becomes a line that can be seen: along all of an axis without other
+/// values, whose `range` has no length.
+fn with_length(piece: &[[f64; 2]], [low, high]: [f64; 2]) -> Vec<[f64; 2]> {
+    let Some(&[along, limited]) = piece.first() else {
+        return Vec::new();
+    };
+    if piece.iter().any(|point| *point != piece[0]) {
+        return piece.to_vec();
+    }
+    let reach = REACH * (high - low);
+    let ends = if low < high {
+        vec![along - reach, along + reach]
+    } else {
+        around(&[along])
+    };
+    ends.into_iter().map(|along| [along, limited]).collect()
 }
 
 /// From the least to the greatest of several ranges.
@@ -301,6 +327,14 @@ mod tests {
                 [0.4, 0.7],
                 "bound: limit 1 at 0 rpm, above the 0.4 to 0.7 of this map; margin 0.3",
             ),
+            (
+                view(
+                    (Axis::SurfaceSpeedRpm, [120.0, 130.0]),
+                    friction([0.5, 3.0]),
+                ),
+                [0.0; 2],
+                "bound: limit 2 at 100 rpm, left of this map; margin 20 rpm",
+            ),
         ] {
             let limits = Limits::of(&[&slope()], &map, |_| held);
             assert!(limits.lines.is_empty());
@@ -309,21 +343,23 @@ mod tests {
     }
 
     #[test]
-    fn of_the_curves_of_a_name_only_the_nearest_is_told_and_none_if_one_is_seen() {
-        let map = view(IMPULSE, (Axis::Friction, [1.2, 3.0]));
-        let [low, lower] = [1.0, 0.5].map(|friction| whirl(&[&[[60.0, friction]]]));
-        let held = |_| [60.0; 2];
-        let limits = Limits::of(&[&lower, &low], &map, held);
-        assert_eq!(limits.notes.len(), 1);
-        assert!(limits.notes[0].contains("limit 1 at"), "{:?}", limits.notes);
-        let seen = whirl(&[&[[60.0, 1.5]]]);
-        let limits = Limits::of(&[&lower, &seen], &map, held);
-        assert_eq!((limits.lines.len(), limits.notes.len()), (1, 0));
-        let other = Curve {
-            name: "another".to_owned(),
-            ..low
-        };
-        let limits = Limits::of(&[&lower, &seen, &other], &map, held);
-        assert_eq!((limits.lines.len(), limits.notes.len()), (1, 1));
+    fn a_limit_at_the_one_speed_of_a_map_is_drawn_across_its_room() {
+        let speed = (Axis::SurfaceSpeedRpm, [60.0; 2]);
+        let points = [[60.0, 1.5]; 3];
+        for piece in [&points[..1], &points] {
+            let curve = whirl(&[&[[60.0, 9.0]], piece]);
+            let limits = Limits::of(&[&curve], &view(FRICTION, speed), |_| [0.0; 2]);
+            assert_eq!(limits.notes, [""; 0]);
+            assert_eq!(limits.lines[0].points[3..], [(1.5, 57.0), (1.5, 63.0)]);
+        }
+        // Among others, a short one; and none where it is outside.
+        let curve = whirl(&[&[[60.0, 1.5]]]);
+        let limits = Limits::of(&[&curve], &view(FRICTION, SPEED), |_| [0.0; 2]);
+        assert_eq!(limits.lines[0].points, [(1.5, 59.0), (1.5, 61.0)]);
+        let slower = (Axis::SurfaceSpeedRpm, [10.0, 59.5]);
+        let limits = Limits::of(&[&curve], &view(FRICTION, slower), |_| [0.0; 2]);
+        let note = "bound: limit 1.5 at 60 rpm, above this map; margin 0.5 rpm";
+        assert!(limits.lines.is_empty());
+        assert_eq!(limits.notes, [note]);
     }
 }

@@ -3,13 +3,15 @@
 //! cases has the regime.
 //!
 //! `extent` says what the cases span, `symbol`, `cells` and `fractions` what they are
-//! drawn as, `limits` where their limit is; `picture` puts them together.
+//! drawn as, in the cells of a `mesh`, `limits` where their limit is; `picture` puts them
+//! together.
 
 mod cells;
 mod content;
 mod extent;
 mod fractions;
 mod limits;
+mod mesh;
 mod picture;
 mod symbol;
 mod words;

@@ -6,10 +6,17 @@ use crate::plan::MapMark;
 use crate::plot::{Ground, Part, Symbol};
 use crate::quantities::Axis;
 
-/// A number in three digits.
-pub fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+/// Digits of a value that is one of a few, and exact but for rounding.
+const EXACT: usize = 10;
+
+/// A number in so many significant digits, with a minus before it, not a hyphen.
+fn in_digits(count: usize, value: f64) -> String {
+    let rounded: f64 = format!("{value:.*e}", count - 1).parse().unwrap_or(value);
     rounded.to_string().replace('-', "−")
+}
+
+fn in_three(value: f64) -> String {
+    in_digits(3, value)
 }
 
 /// The name of an axis and its unit, which is empty where it has none.
@@ -24,13 +31,13 @@ fn name_and_unit(axis: Axis) -> (String, String) {
 /// A value with its unit.
 pub fn quantity(axis: Axis, value: f64) -> String {
     let (_, unit) = name_and_unit(axis);
-    format!("{} {unit}", short(value)).trim_end().to_owned()
+    format!("{} {unit}", in_three(value)).trim_end().to_owned()
 }
 
 /// A range with its unit, or the one value.
 pub fn ends(axis: Axis, [low, high]: [f64; 2]) -> String {
-    let [from, to] = [short(low), quantity(axis, high)];
-    if from == short(high) {
+    let [from, to] = [in_three(low), quantity(axis, high)];
+    if from == in_three(high) {
         to
     } else {
         format!("{from} to {to}")
@@ -40,6 +47,7 @@ pub fn ends(axis: Axis, [low, high]: [f64; 2]) -> String {
 /// An axis with one of its values.
 pub fn equation(axis: Axis, value: f64) -> String {
     let (name, unit) = name_and_unit(axis);
+    let value = in_digits(EXACT, value);
     format!("{name} = {value} {unit}").trim_end().to_owned()
 }
 
@@ -166,8 +174,10 @@ mod tests {
         assert_eq!(quantity(Axis::Friction, -0.054321), "−0.0543");
         assert_eq!(ends(Axis::TorqueDynamicNm, [1.0, 2e3]), "1 to 2000 N m");
         assert_eq!(ends(Axis::SurfaceSpeedRpm, [40.0; 2]), "40 rpm");
-        let equation = equation(Axis::SurfaceSpeedRpm, 62.5);
-        assert_eq!(equation, "Surface speed Ω = 62.5 rpm");
+        let speed = equation(Axis::SurfaceSpeedRpm, 62.5);
+        assert_eq!(speed, "Surface speed Ω = 62.5 rpm");
+        let noisy = equation(Axis::Friction, -(0.1 + 0.2));
+        assert!(noisy.ends_with(" = −0.3"), "{noisy}");
     }
 
     #[test]

@@ -159,7 +159,10 @@ impl<'a> Demand<'a> {
                 let whole = if is_lateral { whole } else { 0.0 };
                 Memory::lasting(methods * cases as f64 * kept + case.max(whole))
             }
-            Purpose::Look => Memory::lasting(methods * line * steps),
+            Purpose::Look => {
+                let points = steps.max(setting.steps_shown() as f64);
+                Memory::lasting(methods * line * points)
+            }
         }
     }
 

@@ -5,6 +5,10 @@ use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
 
+use thiserror::Error;
+
+use crate::allotted::{PassedOver, allotted};
+
 /// Part of the machine's memory that is taken without being asked for.
 const PART: f64 = 0.5;
 
@@ -68,7 +72,7 @@ impl Limit {
     pub fn of(given: Option<Size>) -> Self {
         let (bytes, source) = if let Some(Size(bytes)) = given {
             (bytes, "given by --memory")
-        } else if let Some(bytes) = allotted() {
+        } else if let Ok(Some(bytes)) = allotted_memory() {
             (bytes, "allotted by Slurm")
         } else if let Some(bytes) = available() {
             (PART * bytes, "half of what this machine gives")
@@ -80,6 +84,11 @@ impl Limit {
         };
         Self { bytes, source }
     }
+
+    /// What Slurm allots and cannot mean, where it would be the limit.
+    pub fn passed_over(given: Option<Size>) -> Option<PassedOver> {
+        given.is_none().then(allotted_memory)?.err()
+    }
 }
 
 impl fmt::Display for Limit {
@@ -88,11 +97,19 @@ impl fmt::Display for Limit {
     }
 }
 
-/// What Slurm allots to a job on this node, in MiB; 0 is all of it.
-fn allotted() -> Option<f64> {
-    let text = std::env::var("SLURM_MEM_PER_NODE").ok()?;
-    let mebibytes: f64 = text.trim().parse().ok()?;
-    (mebibytes >= 1.0).then_some(mebibytes * KIB * KIB)
+/// Why an amount of memory cannot be meant.
+#[derive(Debug, Error)]
+#[error("it is not a number of MiB")]
+struct NotMebibytes;
+
+/// What Slurm allots to a job on this node, bytes; 0 MiB are all of it.
+fn allotted_memory() -> Result<Option<f64>, PassedOver> {
+    let bytes = allotted("SLURM_MEM_PER_NODE", |text| {
+        let bytes = text.parse::<f64>().ok().map(|amount| amount * KIB * KIB);
+        let is_amount = |bytes: &f64| bytes.is_finite() && *bytes >= 0.0;
+        bytes.filter(is_amount).ok_or(NotMebibytes)
+    })?;
+    Ok(bytes.filter(|bytes| *bytes >= KIB * KIB))
 }
 
 /// What the machine has for this process: its memory, or less by a control group or a

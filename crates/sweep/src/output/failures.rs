@@ -5,6 +5,7 @@ use anyhow::Result;
 
 use super::about::About;
 use super::manifest::Manifest;
+use crate::words::shell_word;
 
 /// The first line of `failures.csv`.
 pub const FAILURES_HEADER: &str = "case,method,reason,repeat_with";
@@ -37,16 +38,4 @@ pub fn repeat_command(about: &About, case: usize, method: &str) -> String {
         command += if given { option } else { "" };
     }
     command
-}
-
-/// A path as a shell takes it, and then a command: one that begins with a dash is no
-/// option.
-fn shell_word(path: &str) -> String {
-    let dash = if path.starts_with('-') { "./" } else { "" };
-    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "/._-".contains(letter);
-    if path.chars().all(is_plain) {
-        format!("{dash}{path}")
-    } else {
-        format!("'{dash}{}'", path.replace('\'', r"'\''"))
-    }
 }

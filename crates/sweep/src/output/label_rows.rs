@@ -60,7 +60,7 @@ impl LabelRow {
 pub struct LabelColumns {
     case: usize,
     method: usize,
-    values: Vec<usize>,
+    values: Vec<(Axis, usize)>,
     torsion: usize,
     lateral: Option<usize>,
     predicted: Option<usize>,
@@ -73,12 +73,20 @@ pub enum LabelError {
     /// A column is missing.
     #[error("has no column `{0}`")]
     MissingColumn(String),
+    /// It is not clear which of two columns is meant.
+    #[error("has the column `{0}` twice")]
+    TwoColumns(String),
     /// The case is no number.
     #[error("`{0}` is not a case number")]
     Case(String),
     /// A value along an axis is no number.
-    #[error("{0}")]
-    Value(NumberError),
+    #[error("{}: {error}", axis.name())]
+    Value {
+        /// The axis.
+        axis: Axis,
+        /// What it holds instead.
+        error: NumberError,
+    },
     /// What was predicted is no label.
     #[error("`{0}` is no regime")]
     Predicted(String),
@@ -98,25 +106,32 @@ impl LabelColumns {
     /// From the names of all columns, the values along `axes` being wanted.
     ///
     /// # Errors
-    /// Where one is missing.
+    /// Where one is missing, or there twice.
     pub fn find<'a>(
         header: impl Iterator<Item = &'a str> + Clone,
         axes: &[Axis],
     ) -> Result<Self, LabelError> {
-        let place = |name: &str| header.clone().position(|field| field == name);
+        let place = |name: &str| {
+            let mut fields = header.clone().enumerate();
+            let mut next = || fields.find(|(_, field)| *field == name);
+            match (next(), next()) {
+                (Some(_), Some(_)) => Err(LabelError::TwoColumns(name.to_owned())),
+                (first, _) => Ok(first.map(|(place, _)| place)),
+            }
+        };
         let no_column = |name: &str| LabelError::MissingColumn(name.to_owned());
-        let column = |name: &str| place(name).ok_or_else(|| no_column(name));
+        let column = |name: &str| place(name)?.ok_or_else(|| no_column(name));
         Ok(Self {
             case: column("case")?,
             method: column("method")?,
             values: (axes.iter())
-                .map(|axis| column(&axis.name()))
+                .map(|&axis| column(&axis.name()).map(|place| (axis, place)))
                 .collect::<Result<_, _>>()?,
             torsion: column("torsion")?,
-            lateral: place("lateral"),
+            lateral: place("lateral")?,
             // As version 0.1.0 called it.
-            predicted: place("predicted").or_else(|| place("foretold")),
-            status: place("status"),
+            predicted: place("predicted")?.or(place("foretold")?),
+            status: place("status")?,
         })
     }
 
@@ -137,7 +152,9 @@ impl LabelColumns {
             case: (case.parse()).map_err(|_| LabelError::Case(case.to_owned()))?,
             method: field(self.method).to_owned(),
             values: (self.values.iter())
-                .map(|&column| number(field(column)).map_err(LabelError::Value))
+                .map(|&(axis, column)| {
+                    number(field(column)).map_err(|error| LabelError::Value { axis, error })
+                })
                 .collect::<Result<_, _>>()?,
             labels: Labels {
                 torsion: regime("torsion", field(self.torsion), &TorsionRegime::ALL)?,

@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use super::tally::Tally;
 use crate::design::Design;
 use crate::engine::{MethodSystem, RunOptions, Shard};
-use crate::files::{Checksum, hexadecimal, write_atomically};
+use crate::files::{Checksum, hexadecimal, refuse_irregular, write_atomically};
 use crate::plan::{Choice, MapSettings, Sweep};
 use crate::quantities::Axis;
 use crate::sweep_file::FileContent;
@@ -178,7 +178,9 @@ impl Manifest {
     /// Reads the manifest of a results folder.
     pub fn read(folder: &Path) -> Result<Self> {
         let path = folder.join("manifest.json");
-        let text = std::fs::read_to_string(&path).with_context(|| unreadable(&path))?;
+        // Before it is opened: that alone waits for the other end of a pipe.
+        let text = refuse_irregular(&path).and_then(|()| std::fs::read_to_string(&path));
+        let text = text.with_context(|| unreadable(&path))?;
         serde_json::from_str(&text)
             .with_context(|| format!("{} is not a manifest of this program", path.display()))
     }

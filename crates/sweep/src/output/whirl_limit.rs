@@ -319,7 +319,13 @@ fn of_any_motion(sites: &[SiteWhirls], [slowest, fastest]: [f64; 2]) -> Vec<Whir
         }
         least = Some(candidate);
     }
-    points.extend(least.map(|least| least.at(fastest)));
+    if let Some(least) = least {
+        // One of slower whirls may stay the least to the end.
+        if points.is_empty() && slowest < fastest {
+            points.push(least.at(slowest));
+        }
+        points.push(least.at(fastest));
+    }
     points
 }
 
@@ -338,5 +344,37 @@ impl Candidate<'_> {
             motion: WhirlMotion::RollingOrSliding,
             ..point(self.whirl, surface_speed, self.site_from_bit_m)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn whirl(surface_speed: f64, least_friction: f64) -> SteadyWhirl {
+        SteadyWhirl {
+            surface_speed,
+            radius: 0.02,
+            rate: -9.0,
+            normal_force: 1e3,
+            least_friction,
+        }
+    }
+
+    #[test]
+    fn whirl_that_slides_and_stays_the_least_is_so_from_the_slowest_speed_on() {
+        let site = SiteWhirls {
+            distance_from_bit: 50.0,
+            slower: Some(whirl(3.0, 0.5)),
+            rolling: vec![vec![whirl(5.0, 1.1), whirl(6.0, 1.2)]],
+        };
+        let least = |range| {
+            let points = of_any_motion(std::slice::from_ref(&site), range);
+            let speeds = points.iter().map(|point| point.surface_speed_rpm);
+            assert!(points.iter().all(|point| point.friction == 0.5));
+            speeds.collect::<Vec<_>>()
+        };
+        assert_eq!(least([5.0, 6.0]), [5.0, 6.0].map(to_rpm));
+        assert_eq!(least([6.0; 2]), [to_rpm(6.0)]);
     }
 }

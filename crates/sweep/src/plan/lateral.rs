@@ -41,15 +41,17 @@ pub fn resolve(
     conditions: &Conditions,
     design: &Design,
 ) -> Result<Option<LateralSettings>, SweepFileError> {
+    let table = content.string.bending.as_ref();
+    // Numbers that are not used either: whatever the file says is read back.
+    let bending = table.map(|table| bending(source, table)).transpose()?;
     if content.wall.is_none() {
         refuse_keys(source, content, design)?;
         return Ok(None);
     }
-    let Some(table) = &content.string.bending else {
+    let Some((bending, support)) = bending else {
         let message = "a wall needs a table [string.bending]";
         return Err(source.error("wall", message));
     };
-    let (bending, support) = bending(source, table)?;
     let has = |axis| conditions.has(axis, design);
     // As the sites are: from the surface down.
     let mut order: Vec<usize> = (0..content.sites.len()).collect();
@@ -66,8 +68,9 @@ pub fn resolve(
             impulses::resolve(source, index, table, sites, has(Axis::ImpulseRatio))
         })
         .collect::<Result<Vec<_>, _>>()?;
-    let is_idle = design.axes().contains(&Axis::ImpulseRatio) && impulses.is_empty();
-    let message = "the axis impulse_ratio needs an entry [[impulses]]";
+    let has_ratio = impulses.iter().any(ImpulseSettings::is_relative);
+    let is_idle = design.axes().contains(&Axis::ImpulseRatio) && !has_ratio;
+    let message = "the axis impulse_ratio needs an entry [[impulses]] without `amount_ns`";
     source.refuse_if(is_idle, "design.axes.impulse_ratio", message)?;
     let eccentric_masses = (content.eccentric_masses.iter().enumerate())
         .map(|(index, table)| eccentric_mass(source, index, table, sites))
@@ -88,14 +91,30 @@ fn refuse_keys(
     design: &Design,
 ) -> Result<(), SweepFileError> {
     let varies = |axis| design.axes().contains(&axis);
-    let keys = [
+    let message = "needs a table [wall]";
+    for (key, is_given) in [
         ("impulses", !content.impulses.is_empty()),
         ("eccentric_masses", !content.eccentric_masses.is_empty()),
         ("design.axes.impulse_ratio", varies(Axis::ImpulseRatio)),
         ("design.axes.friction", varies(Axis::Friction)),
-    ];
-    (keys.into_iter())
-        .try_for_each(|(key, is_given)| source.refuse_if(is_given, key, "needs a table [wall]"))
+    ] {
+        source.refuse_if(is_given, key, message)?;
+    }
+    for axis in [StringAxis::BendingDamping, StringAxis::Compression].map(Axis::String) {
+        let message = "needs tables [wall] and [string.bending]";
+        let key = format!("design.axes.{}", axis.name());
+        source.refuse_if(varies(axis), &key, message)?;
+    }
+    for (index, site) in content.sites.iter().enumerate() {
+        for (name, value) in [
+            ("clearance_mm", site.clearance_mm),
+            ("stiffness_gn_m15", site.stiffness_gn_m15),
+            ("friction", site.friction),
+        ] {
+            source.refuse_if(value.is_some(), &format!("sites[{index}].{name}"), message)?;
+        }
+    }
+    Ok(())
 }
 
 fn bending(

@@ -72,7 +72,7 @@ fn mark(
     (x, y): (Axis, Axis),
     bit: Option<&Bit>,
 ) -> Result<MapMark, SweepFileError> {
-    let mut conditions = Conditions {
+    let conditions = Conditions {
         surface_speed_rpm: mark.surface_speed_rpm,
         weight_on_bit_kn: mark.weight_on_bit_kn,
         torque_dynamic_nm: mark.torque_dynamic_nm,
@@ -86,16 +86,20 @@ fn mark(
             source.check_axis(&key, axis, value)?;
         }
     }
-    let weight_for_torque = || {
-        let rock = bit?.rock.as_ref()?;
-        Some(1e-3 * rock.weight_on_bit(mark.torque_dynamic_nm?).ok()?)
-    };
-    conditions.weight_on_bit_kn = conditions.weight_on_bit_kn.or_else(weight_for_torque);
-    let value = |axis: Axis| {
-        conditions.value(axis).ok_or_else(|| {
-            let message = format!("does not say its {}", axis.name());
-            source.error(&format!("map.marks[{index}]"), message)
-        })
+    let key = format!("map.marks[{index}]");
+    let rock = bit.and_then(|bit| bit.rock.as_ref());
+    let value = |axis: Axis| match (conditions.value(axis), axis, mark.torque_dynamic_nm, rock) {
+        (Some(value), ..) => Ok(value),
+        (None, Axis::WeightOnBitKn, Some(torque), Some(rock)) => {
+            let weight = rock.weight_on_bit(torque);
+            Ok(1e-3 * source.checked(&format!("{key}.torque_dynamic_nm"), weight)?)
+        }
+        (None, Axis::String(_), ..) => {
+            let name = axis.name();
+            let message = format!("a mark has no place on a map over {name}: leave it out");
+            Err(source.error(&key, message))
+        }
+        _ => Err(source.error(&key, format!("does not say its {}", axis.name()))),
     };
     Ok(MapMark {
         name: mark.name.clone(),

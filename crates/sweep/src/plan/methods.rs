@@ -8,26 +8,19 @@ use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
 /// More elements in a cell resolve no more than rounding leaves.
 const MOST_ELEMENTS_PER_CELL: usize = 10_000;
 
-/// The methods. Parameters of the others are looked at too where the file names
-/// its methods itself.
+/// The methods. Parameters of the others are looked at too: finite elements draw the whole
+/// string whatever it is stepped by, and whatever the file says is read back.
 ///
 /// # Errors
 /// Where one is refused.
-pub fn resolve(
-    source: &Source,
-    content: &FileContent,
-    by_file: bool,
-) -> Result<Vec<Method>, SweepFileError> {
+pub fn resolve(source: &Source, content: &FileContent) -> Result<Vec<Method>, SweepFileError> {
     source.refuse_if(content.methods.is_empty(), "methods", "names no method")?;
-    let counts = |name: MethodName| by_file || content.methods.contains(&name);
-    if counts(MethodName::FiniteElement) {
-        finite_element(source, &content.method.finite_element)?;
-    }
+    finite_element(source, &content.method.finite_element)?;
     for (name, transform) in [
         (MethodName::Hilbert, content.method.hilbert),
         (MethodName::DirectIdft, content.method.direct_idft),
     ] {
-        if let Some(seconds) = transform.seconds.filter(|_| counts(name)) {
+        if let Some(seconds) = transform.seconds {
             let key = format!("method.{}.transform_s", name.name());
             source.within(&key, seconds, 1e-2, 1e5, "s")?;
         }

@@ -4,7 +4,7 @@
 
 use std::borrow::Cow;
 
-use linear::estimates::sampling_frequency;
+use linear::estimates::{sampling_frequency, torsional_travel_time};
 use linear::{Drillstring, Sites};
 
 use super::conditions::Conditions;
@@ -17,12 +17,16 @@ use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
 /// The samples of a raised cosine have its area from two on.
 const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
 
+/// Time for which a response to a step at the surface is looked at, in round trips of a
+/// wave.
+const ROUND_TRIPS_SHOWN: f64 = 5.0;
+
 /// A string, ready to be built.
 #[derive(Debug, Clone)]
 pub struct Setting {
     /// The drillstring.
     pub string: Drillstring,
-    /// Sites from the surface down; the bit is always the last.
+    /// Sites from the surface down; the bit, where it is one, is the last.
     pub sites: Sites,
     /// Sampling frequency, Hz.
     pub sampling_frequency: f64,
@@ -43,6 +47,12 @@ impl Setting {
             sites: Sites::bit(),
             ..self.clone()
         })
+    }
+
+    /// Samples of a response to a step that are looked at, however short the cases are.
+    pub fn steps_shown(&self) -> usize {
+        let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&self.string);
+        (shown * self.sampling_frequency).ceil() as usize
     }
 
     /// The same, sampled at another frequency, Hz.

@@ -95,7 +95,7 @@ impl Sweep {
         if let Some(accuracy) = content.accuracy {
             choice::check(&source, accuracy)?;
         }
-        let methods = methods::resolve(&source, &content, methods.is_empty())?;
+        let methods = methods::resolve(&source, &content)?;
         let map = map::resolve(&source, &content, &design, bit.as_ref())?;
         Ok(Self {
             title: content.title.clone().unwrap_or_else(|| name.clone()),
@@ -149,8 +149,8 @@ impl Sweep {
         self.setting_with(axes.zip(values.iter().copied()))
     }
 
-    /// The setting with some quantities of the string changed; other axes do
-    /// not matter here.
+    /// The setting with some quantities of the string changed, all at once; of one given
+    /// twice the last value counts. Other axes do not matter here.
     ///
     /// # Errors
     /// As [`Sweep::setting_at`].
@@ -167,7 +167,8 @@ impl Sweep {
         }
         match content {
             Cow::Borrowed(_) => Ok(Cow::Borrowed(&self.setting)),
-            Cow::Owned(content) => {
+            Cow::Owned(mut content) => {
+                content.take_along(&self.content.sites);
                 Setting::resolve(&self.source, &content, &self.conditions, &self.design)
                     .map(Cow::Owned)
             }

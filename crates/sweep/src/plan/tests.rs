@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::Sweep;
+use super::{Setting, Sweep};
 use crate::sweep_file::SweepFileError;
 
 /// Reads a file on top of the paper's drillstring.
@@ -101,4 +101,45 @@ fn labels_need_the_bit_alone_where_there_is_no_wall() {
     );
     let touching = touching.unwrap();
     assert_eq!(touching.setting.for_labels().sites.len(), 2);
+}
+
+/// Where one site goes, another still stood: what is at either goes with its own.
+#[test]
+fn sites_move_at_once_each_with_what_is_there() {
+    let sweep = read(
+        "sites = [{ distance_from_bit_m = 10 }, { distance_from_bit_m = 20 }]\n\
+         impulses = [{ distance_from_bit_m = 10, ratio = 3 }]\n\
+         eccentric_masses = [{ distance_from_bit_m = 20, mass_kg = 1, offset_m = 1 }]\n\
+         [wall]\nclearance_mm = 15\nfriction = 0.5\n\
+         [design]\nkind = \"grid\"\n[design.axes]\n\
+         site_0_distance_from_bit_m = { values = [10, 20] }\n\
+         site_1_distance_from_bit_m = { values = [20, 30] }\n",
+    )
+    .unwrap();
+    let places = |setting: &Setting| {
+        let (distances, lateral) = (setting.sites.distances_from_bit(), &setting.lateral);
+        let lateral = lateral.as_ref().unwrap();
+        [lateral.impulses[0].site, lateral.eccentric_masses[0].site].map(|site| distances[site])
+    };
+    for values in [[10.0, 20.0], [10.0, 30.0], [20.0, 30.0], [20.0, 10.0]] {
+        assert_eq!(places(&sweep.setting_at(&values).unwrap()), values);
+    }
+    // Of a value given twice, as by `--set`, the last counts.
+    let values = [(0, 20.0), (1, 30.0), (0, 40.0)];
+    let twice = values.map(|(site, value)| (sweep.design.axes()[site], value));
+    let setting = sweep.setting_with(twice.into_iter()).unwrap();
+    assert_eq!(places(&setting), [40.0, 30.0]);
+}
+
+/// The greatest friction there is, missed by a rounding.
+#[test]
+fn a_logarithmic_axis_ends_where_it_is_said_to() {
+    let sweep = read(
+        "sites = [{ distance_from_bit_m = 0 }]\n[wall]\nclearance_mm = 15\n\
+         [design]\nkind = \"grid\"\n[design.axes]\n\
+         friction = { from = 0.3, to = 50, count = 4, spacing = \"log\" }\n",
+    )
+    .unwrap();
+    let [first, last] = [0, 3].map(|case| sweep.design.values(case));
+    assert_eq!([first, last], [[0.3], [50.0]]);
 }

@@ -3,7 +3,7 @@
 use sim::Wall;
 
 use crate::quantities::Axis;
-use crate::sweep_file::{FileContent, Source, SweepFileError};
+use crate::sweep_file::{FileContent, Source, SweepFileError, WallTable};
 
 /// The wall at a site, but for what a case says of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,26 +43,21 @@ pub fn resolve(
 ) -> Result<WallSettings, SweepFileError> {
     let common = content.wall.unwrap_or_default();
     let site = &content.sites[index];
-    let chosen = |own: Option<f64>, common: Option<f64>, name: &str| match own {
-        Some(value) => (Some(value), format!("sites[{index}].{name}")),
-        None => (common, format!("wall.{name}")),
+    let own = WallTable {
+        clearance_mm: site.clearance_mm,
+        stiffness_gn_m15: site.stiffness_gn_m15,
+        friction: site.friction,
     };
-    let (clearance, key) = chosen(site.clearance_mm, common.clearance_mm, "clearance_mm");
-    let Some(clearance) = clearance else {
+    // Both: where a site has its own, what holds for all is still read back.
+    check(source, "wall", &common)?;
+    check(source, &format!("sites[{index}]"), &own)?;
+    let Some(clearance) = own.clearance_mm.or(common.clearance_mm) else {
         let distance = site.distance_from_bit_m;
         let message = format!("the site {distance} m from the bit has no clearance");
         return Err(source.error("wall", message));
     };
-    source.within(&key, clearance, 1e-3, 1e3, "mm")?;
-    let (own, of_all) = (site.stiffness_gn_m15, common.stiffness_gn_m15);
-    let (stiffness, key) = chosen(own, of_all, "stiffness_gn_m15");
-    if let Some(stiffness) = stiffness {
-        source.within(&key, stiffness, 1e-6, 1e6, "GN/m^1.5")?;
-    }
-    let (friction, key) = chosen(site.friction, common.friction, "friction");
-    if let Some(friction) = friction {
-        source.check_axis(&key, Axis::Friction, friction)?;
-    }
+    let stiffness = own.stiffness_gn_m15.or(common.stiffness_gn_m15);
+    let friction = own.friction.or(common.friction);
     let is_missing = friction.is_none() && !friction_by_axis;
     let message = "is needed: give a number, or make it an axis of the design";
     source.refuse_if(is_missing, "wall.friction", message)?;
@@ -72,4 +67,18 @@ pub fn resolve(
         friction,
         radius,
     })
+}
+
+fn check(source: &Source, at: &str, table: &WallTable) -> Result<(), SweepFileError> {
+    if let Some(clearance) = table.clearance_mm {
+        source.within(&format!("{at}.clearance_mm"), clearance, 1e-3, 1e3, "mm")?;
+    }
+    if let Some(stiffness) = table.stiffness_gn_m15 {
+        let key = format!("{at}.stiffness_gn_m15");
+        source.within(&key, stiffness, 1e-6, 1e6, "GN/m^1.5")?;
+    }
+    if let Some(friction) = table.friction {
+        source.check_axis(&format!("{at}.friction"), Axis::Friction, friction)?;
+    }
+    Ok(())
 }

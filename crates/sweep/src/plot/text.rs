@@ -4,6 +4,8 @@ use anyhow::{Result, anyhow, ensure};
 use plotters::style::{FontDesc, FontStyle, IntoFont, register_font};
 use std::sync::LazyLock;
 
+use crate::printable::is_noncharacter;
+
 /// The embedded font: Latin-1, Greek, sub- and superscripts of DejaVu Sans.
 pub(super) static FONT: &[u8] = include_bytes!("fonts/DejaVuSans.ttf");
 /// The family name inside [`FONT`].
@@ -59,8 +61,9 @@ pub(super) struct Block {
 impl Block {
     /// Breaks `text` so that no line is wider than `max_width`.
     pub fn new(text: &str, size: f64, max_width: f64) -> Result<Block> {
-        // XML forbids control characters.
-        let lines = wrap(&text.replace(char::is_control, " "), size, max_width)?;
+        // XML forbids these.
+        let is_forbidden = |letter: char| letter.is_control() || is_noncharacter(letter);
+        let lines = wrap(&text.replace(is_forbidden, " "), size, max_width)?;
         Ok(Block {
             width: widest(&lines, size)?,
             lines,
@@ -143,8 +146,8 @@ mod tests {
 
     #[test]
     fn control_characters_and_empty_text_are_harmless() {
-        let block = Block::new("a\u{0}b", 14.0, 100.0).expect("wrapped");
-        assert_eq!(block.lines, ["a b"]);
+        let block = Block::new("a\u{0}b\u{ffff}c", 14.0, 100.0).expect("wrapped");
+        assert_eq!(block.lines, ["a b c"]);
         let empty = Block::new("", 14.0, 100.0).expect("wrapped");
         assert_eq!(empty.height(), 0.0);
     }

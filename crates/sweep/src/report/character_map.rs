@@ -30,8 +30,7 @@ pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Ax
     text += &format!("{indent}  {left}{}{right}\n", " ".repeat(room));
     text += &format!("{indent}  {}\n\n", x.title());
     text += &legend(cells, motion);
-    let shared = extent.cases > columns * rows;
-    if shared {
+    if cells.are_shared() {
         text += "A character stands for most of the cases in its cell.\n";
     }
     text
@@ -84,5 +83,26 @@ mod tests {
             lines,
             ["Weight on bit W (kN)", "100 |O#", "  5 | .", "    +--"]
         );
+        assert!(!text.contains("stands for most"), "{text}");
+    }
+
+    #[test]
+    fn an_uneven_grid_has_a_column_for_each_value_and_shared_ones_are_told() {
+        let speeds = [1.0, 2.0, 4.0, 1000.0];
+        let extent = Extent::example([&speeds, &[5.0]], 4);
+        let mut cells = Cells::new(&extent, [64, 20]);
+        let map = |cells: &Cells| character_map(cells, &extent, Motion::Torsion, extent.axes);
+        for speed in speeds {
+            cells.add([speed, 5.0], Symbol::Circle);
+        }
+        let text = map(&cells);
+        assert!(text.contains("5 |OOOO\n"), "{text}");
+        assert!(!text.contains("stands for most"), "{text}");
+        // As many cases as cells, but two in one of them.
+        let mut cells = Cells::new(&extent, [64, 20]);
+        for speed in [1.0, 1.0, 4.0, 1000.0] {
+            cells.add([speed, 5.0], Symbol::Circle);
+        }
+        assert!(map(&cells).contains("stands for most"));
     }
 }

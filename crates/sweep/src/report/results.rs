@@ -47,7 +47,7 @@ impl Results {
         let mut limits = Limits::new(&boundary, &manifest.axes, &methods);
         let motions = manifest.tally.motions();
         let mut agreement = Agreement::new(&methods, &motions);
-        let mut map = MapCells::new(&manifest, &labels)?;
+        let mut map = MapCells::new(folder, &manifest, &labels)?;
         let mut rows = 0;
         for case in read_cases(&labels, &manifest.axes)? {
             let case = case?;
@@ -108,14 +108,17 @@ struct MapCells {
 }
 
 impl MapCells {
-    fn new(manifest: &Manifest, labels: &Path) -> Result<Option<Self>> {
+    fn new(folder: &Path, manifest: &Manifest, labels: &Path) -> Result<Option<Self>> {
         let Some(map) = &manifest.map else {
             return Ok(None);
         };
         let axes = [map.x, map.y];
         let place = |axis| manifest.axes.iter().position(|&other| other == axis);
         let (Some(x), Some(y)) = (place(map.x), place(map.y)) else {
-            bail!("the map of manifest.json has an axis that its cases do not have");
+            bail!(
+                "{}: the map of manifest.json has an axis that its cases do not have",
+                folder.display()
+            );
         };
         let extent = Extent::of(labels, axes, Vec::new())?;
         let motions = extent.motions.iter();

@@ -4,7 +4,7 @@
 use thiserror::Error;
 
 use super::file::FileContent;
-use super::lateral::BendingTable;
+use super::lateral::{BendingTable, SiteTable};
 use super::string::SectionTable;
 use crate::quantities::StringAxis;
 
@@ -26,7 +26,8 @@ pub enum NoPlace {
 }
 
 impl FileContent {
-    /// Puts a value in the place of a quantity of the string.
+    /// Puts a value in the place of a quantity of the string. What is at a site that
+    /// moves stays, until all have: see [`FileContent::take_along`].
     ///
     /// # Errors
     /// Where the file has no such place.
@@ -45,7 +46,7 @@ impl FileContent {
                 let nowhere = NoPlace::Part(section, parts.len());
                 *parts.get_mut(part).ok_or(nowhere)?.measure(measure) = value;
             }
-            StringAxis::SitePlace { site } => self.move_site(site, value)?,
+            StringAxis::SitePlace { site } => self.site(site)?.distance_from_bit_m = value,
         }
         Ok(())
     }
@@ -59,17 +60,23 @@ impl FileContent {
         self.string.sections.get_mut(section).ok_or(nowhere)
     }
 
-    /// Impulses and masses at a site go with it.
-    fn move_site(&mut self, site: usize, distance: f64) -> Result<(), NoPlace> {
+    fn site(&mut self, site: usize) -> Result<&mut SiteTable, NoPlace> {
         let nowhere = NoPlace::Site(self.sites.len());
-        let table = self.sites.get_mut(site).ok_or(nowhere)?;
-        let before = std::mem::replace(&mut table.distance_from_bit_m, distance);
+        self.sites.get_mut(site).ok_or(nowhere)
+    }
+
+    /// Impulses and masses go with the sites they were at `before` any was moved: a place
+    /// that one site leaves may be where another goes.
+    pub fn take_along(&mut self, before: &[SiteTable]) {
         let impulses = self.impulses.iter_mut();
         let masses = self.eccentric_masses.iter_mut();
-        (impulses.map(|impulse| &mut impulse.distance_from_bit_m))
-            .chain(masses.map(|mass| &mut mass.distance_from_bit_m))
-            .filter(|place| **place == before)
-            .for_each(|place| *place = distance);
-        Ok(())
+        let places = (impulses.map(|impulse| &mut impulse.distance_from_bit_m))
+            .chain(masses.map(|mass| &mut mass.distance_from_bit_m));
+        for place in places {
+            let mut sites = before.iter().zip(&self.sites);
+            if let Some((_, now)) = sites.find(|(site, _)| site.distance_from_bit_m == *place) {
+                *place = now.distance_from_bit_m;
+            }
+        }
     }
 }

@@ -76,11 +76,16 @@ pub enum Spacing {
 }
 
 impl Spacing {
-    /// The value a fraction of the way from `from` to `to`.
+    /// The value a fraction of the way up from `from` to `to`.
     pub fn between(self, from: f64, to: f64, fraction: f64) -> f64 {
-        match self {
+        // Rounding may miss the end, and step beyond it before.
+        if fraction >= 1.0 {
+            return to;
+        }
+        let value = match self {
             Spacing::Linear => from + (to - from) * fraction,
             Spacing::Log => from * (to / from).powf(fraction),
-        }
+        };
+        value.min(to)
     }
 }

@@ -8,9 +8,10 @@ use crate::quantities::Axis;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct MapTable {
-    /// Axis to the right. Default: the design's second axis.
+    /// Axis to the right. Default: the first of the design's axes that is not that upwards.
     pub x: Option<Axis>,
-    /// Axis upwards. Default: the design's first axis.
+    /// Axis upwards. Default: the first of the design's axes that is not that to the right.
+    /// Operating conditions come before quantities of the string.
     pub y: Option<Axis>,
     /// Cases to point out.
     pub marks: Vec<MarkTable>,

@@ -19,7 +19,7 @@ pub use bit::{BitTable, LawTable, RockName};
 pub use design::{AxisRange, DesignKind, DesignTable, Spacing};
 pub use error::SweepFileError;
 pub use file::FileContent;
-pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SupportName};
+pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SupportName, WallTable};
 pub use map::MarkTable;
 pub use methods::MethodName;
 pub use number_or::{Accuracy, AutoOr, per_cent};

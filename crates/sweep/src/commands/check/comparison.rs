@@ -41,9 +41,10 @@ pub fn compare(
 
 fn label(record: &Record, motion: Motion) -> String {
     match &record.outcome {
-        Ok(outcome) => Labels::of(outcome)
-            .get(motion)
-            .map_or_else(String::new, |label| label.name().to_owned()),
+        Ok(outcome) => {
+            let label = Labels::of(outcome).get(motion);
+            label.map_or("none", Label::name).to_owned()
+        }
         Err(reason) => format!("failed ({reason})"),
     }
 }
@@ -61,7 +62,13 @@ fn difference(
         .zip(&expected.values)
         .map(|(axis, value)| format!("{} = {value}", axis.name()))
         .collect();
-    let distance = distance_to_limit(sweep, systems, expected, record).unwrap_or_default();
+    // Each string has a limit of its own, and none but that of the file is at hand.
+    let distance = match Motion::of(expected_label) {
+        _ if sweep.design.varies_string() => None,
+        Motion::Torsion => distance_in_torsion(sweep, systems, expected, record),
+        Motion::Lateral => distance_of_whirl(sweep, expected),
+    };
+    let distance = distance.unwrap_or_default();
     format!(
         "case {} by {}: {}: expected {}, found {label}{distance}\n",
         expected.case,
@@ -71,24 +78,24 @@ fn difference(
     )
 }
 
-/// Where a case is in relation to the analytic limit, in words.
-fn distance_to_limit(
+/// Where a case is in relation to the analytic limit of whirl, in words.
+fn distance_of_whirl(sweep: &Sweep, expected: &LabelRow) -> Option<String> {
+    let conditions = sweep.conditions_at(&expected.values);
+    let lateral = sweep.setting.lateral.as_ref()?;
+    let bound = rolling_bound(&sweep.setting, lateral, conditions.surface_speed_rpm?);
+    let ratio = conditions.friction? / bound.ok().flatten()?;
+    Some(format!(
+        ", at {ratio:.3} times the least friction of steady rolling whirl"
+    ))
+}
+
+/// Where a case is in relation to the analytic limit of stick-slip, in words.
+fn distance_in_torsion(
     sweep: &Sweep,
     systems: &[MethodSystem],
     expected: &LabelRow,
     record: &Record,
 ) -> Option<String> {
-    let conditions = sweep.conditions_at(&expected.values);
-    if let (Some(lateral), Some(friction)) = (&sweep.setting.lateral, conditions.friction) {
-        let speed = conditions.surface_speed_rpm?;
-        let bound = rolling_bound(&sweep.setting, lateral, speed)
-            .ok()
-            .flatten()?;
-        let ratio = friction / bound;
-        return Some(format!(
-            ", at {ratio:.3} times the least friction of steady rolling whirl"
-        ));
-    }
     let system = systems.get(record.method)?;
     let torques = sweep.bit.as_ref()?.torques(record.torque_dynamic_nm?);
     let limit = stick_slip_speed_limit(
@@ -96,6 +103,6 @@ fn distance_to_limit(
         torques.torque_static,
         torques.torque_dynamic,
     );
-    let ratio = conditions.surface_speed()? / limit;
+    let ratio = sweep.conditions_at(&expected.values).surface_speed()? / limit;
     Some(format!(", at {ratio:.3} times the speed limit of Eq. 74"))
 }

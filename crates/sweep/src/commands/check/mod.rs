@@ -14,7 +14,7 @@ use super::progress::Progress;
 use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::warn_of_unstable;
+use super::warnings::{warn_of_memory, warn_of_unstable};
 use crate::cli::CheckArguments;
 use crate::design::{Design, List};
 use crate::engine::{MethodSystem, Record, RunOptions, Shard, Work};
@@ -27,6 +27,7 @@ use reference::{cases_of, read_reference};
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     use_threads(arguments.jobs, terminal)?;
+    warn_of_memory(&arguments.memory, terminal);
     let limit = arguments.memory.limit();
     let sweep = Sweep::read(&arguments.file)?;
     let sweep = choose(sweep, false, &limit, false, terminal)?;

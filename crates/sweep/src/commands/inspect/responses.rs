@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use anyhow::Result;
-use linear::estimates::torsional_travel_time;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 
@@ -14,9 +13,6 @@ use crate::words::site_title;
 
 /// Points of the frequency response drawn.
 const FREQUENCIES: usize = 4000;
-
-/// Time shown of the step responses, in round trips of a wave.
-const ROUND_TRIPS_SHOWN: f64 = 5.0;
 
 /// Points of a curve.
 type Curve = Vec<(f64, f64)>;
@@ -128,10 +124,8 @@ fn exact_panel(label: &str, sweep: &Sweep, response: &dyn Fn(f64) -> f64) -> Pan
 
 /// The response to a unit step, times `factor`.
 fn step_response(taps: &[f64], factor: f64, sweep: &Sweep) -> Curve {
-    let shown = ROUND_TRIPS_SHOWN * 2.0 * torsional_travel_time(&sweep.setting.string);
-    let count = (shown * sweep.setting.sampling_frequency).ceil() as usize;
     let mut sum = 0.0;
-    (0..count)
+    (0..sweep.setting.steps_shown())
         .map(|index| {
             sum += taps.get(index).copied().unwrap_or(0.0);
             let time = index as f64 / sweep.setting.sampling_frequency;

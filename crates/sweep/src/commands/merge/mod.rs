@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail};
 
 use super::drawing::draw_and_note;
-use super::folder::{LOG, MANIFEST, Ours, hold, make_folder};
+use super::folder::{LOG, MANIFEST, Ours, hold, make_folder, remove_page};
 use super::outcome::{status_of, summary};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
@@ -18,17 +18,18 @@ use crate::output::Manifest;
 use parts::{Part, read_parts, refuse_damaged_parts};
 use tables::join_tables;
 
+/// Missing shards are told in no more ranges of numbers than this.
+const MOST_RANGES: usize = 100;
+
 /// Joins shards.
 pub fn merge(folders: &[PathBuf], out: &Path, terminal: Terminal) -> Result<Status> {
     let (parts, unfinished) = read_parts(folders)?;
     let of = division(&parts, &unfinished)?;
-    let missing = (0..of).filter(|index| !parts.contains_key(index));
-    let missing: Vec<String> = missing.map(|index| index.to_string()).collect();
-    if !missing.is_empty() {
+    if parts.len() < of {
+        let missing = missing(parts.keys().copied(), of);
         terminal.complain(&format!(
-            "incomplete: {} of {of} shards are finished\nrun again: {}",
-            of - missing.len(),
-            missing.join(",")
+            "incomplete: {} of {of} shards are finished\nrun again: {missing}",
+            parts.len(),
         ));
         return Ok(Status::Incomplete);
     }
@@ -51,6 +52,27 @@ fn division(parts: &BTreeMap<usize, Part>, unfinished: &[Header]) -> Result<usiz
     Ok(known.next().ok_or_else(none)?)
 }
 
+/// The shards that are not among those finished, which are in order, as a scheduler takes
+/// numbers and ranges; only the first ranges, for there may be millions.
+fn missing(finished: impl Iterator<Item = usize>, of: usize) -> String {
+    let mut next = 0;
+    let ranges = finished.chain([of]).filter_map(|index| {
+        let (first, last) = (next, index.checked_sub(1));
+        next = index.saturating_add(1);
+        let last = last.filter(|&last| first <= last)?;
+        Some(if first == last {
+            first.to_string()
+        } else {
+            format!("{first}-{last}")
+        })
+    });
+    let mut ranges: Vec<String> = ranges.take(MOST_RANGES + 1).collect();
+    if ranges.len() > MOST_RANGES {
+        ranges[MOST_RANGES] = " and more, told after these".to_owned();
+    }
+    ranges.join(",")
+}
+
 /// Puts the tables of shards together, with a manifest of them all.
 fn join(parts: &[Part], out: &Path) -> Result<Manifest> {
     let (tables, tally) = join_tables(parts, out)?;
@@ -63,6 +85,7 @@ fn join(parts: &[Part], out: &Path) -> Result<Manifest> {
     // Before the tables: from here on, they are known to be of a merge, should it be
     // killed.
     manifest.write(out)?;
+    remove_page(out)?;
     for (_, table) in tables {
         table.publish()?;
     }
@@ -91,4 +114,21 @@ fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
         }
     }
     ours.refuse_foreign(out, merged.map.is_some())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn missing_shards_are_told_in_ranges_and_only_the_first_of_very_many() {
+        let told = |finished: &[usize], of| missing(finished.iter().copied(), of);
+        assert_eq!(told(&[0, 2, 5], 9), "1,3-4,6-8");
+        assert_eq!(told(&[1, 2], 4), "0,3");
+        assert_eq!(told(&[0], usize::MAX), format!("1-{}", usize::MAX - 1));
+        let every_other: Vec<usize> = (0..1000).map(|index| 2 * index).collect();
+        let text = told(&every_other, 2000);
+        assert!(text.starts_with("1,3,5,") && text.len() < 500, "{text}");
+        assert!(text.ends_with(",199, and more, told after these"), "{text}");
+    }
 }

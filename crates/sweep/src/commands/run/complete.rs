@@ -3,11 +3,13 @@
 
 use anyhow::{Result, bail};
 
+use super::systems::build_admitted;
 use super::task::Task;
 use crate::commands::drawing::draw_and_note;
-use crate::commands::folder::{Found, MANIFEST, hold, in_words, tell_if_unverified, tidy};
+use crate::commands::folder::{
+    Found, MANIFEST, hold, in_words, remove_page, tell_if_unverified, tidy,
+};
 use crate::commands::outcome::{status_of, summary};
-use crate::commands::prepare::build_systems;
 use crate::commands::status::{Status, UsageError};
 use crate::commands::terminal::say;
 use crate::files::write_with_checksum;
@@ -27,7 +29,7 @@ pub fn show_again(task: &Task, manifest: Manifest) -> Result<Status> {
         put_in_order(task)?
     };
     if !task.arguments.quiet {
-        let text = summary(&manifest, &task.folder, manifest.map.is_some())?;
+        let text = summary(&manifest, &task.folder, manifest.draws())?;
         say(&format!("complete already, nothing to run\n{text}"))?;
     }
     Ok(status_of(&manifest))
@@ -91,6 +93,7 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
     }
     if draws || !damage.is_empty() {
         manifest.write(folder)?;
+        remove_page(folder)?;
     }
     if draws && manifest.draws() {
         draw_and_note(folder, &mut manifest)?;
@@ -99,9 +102,7 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
 }
 
 fn boundary_again(task: &Task) -> Result<Vec<u8>> {
-    let (file, sweep) = (&task.arguments.file, &task.sweep);
-    let setting = sweep.setting.for_labels();
-    let systems = build_systems(file, sweep, &setting, task.survey.longest)?;
-    let limit = boundary(sweep, &systems).map_err(|error| UsageError(error.to_string()))?;
+    let (_, systems) = build_admitted(task)?;
+    let limit = boundary(&task.sweep, &systems).map_err(|error| UsageError(error.to_string()))?;
     Ok(boundary_csv(&limit).into_bytes())
 }

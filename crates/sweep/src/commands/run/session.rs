@@ -111,7 +111,7 @@ impl<'a> Session<'a> {
         if arguments.fail_fast && log.counts().failed > 0 {
             bail!(
                 "{} without an answer already (--fail-fast)",
-                counted(log.counts().failed, "case")
+                counted(log.counts().failed, "simulation")
             );
         }
         let is_done = log.done();

@@ -7,7 +7,7 @@ use super::task::Task;
 use crate::commands::prepare::build_systems;
 use crate::commands::status::UsageError;
 use crate::engine::MethodSystem;
-use crate::memory::{Purpose, admit};
+use crate::memory::{Estimate, Purpose, admit};
 use crate::output::{Boundary, boundary};
 
 /// What is built before the first case.
@@ -26,11 +26,8 @@ impl Systems {
     /// # Errors
     /// Where they take more, or a method cannot treat the string.
     pub fn build(task: &Task) -> Result<Self> {
-        let (arguments, sweep, survey) = (task.arguments, &task.sweep, &task.survey);
-        let setting = sweep.setting.for_labels();
-        let most = arguments.work.memory.limit();
-        let memory = admit(sweep, &setting, survey, Purpose::Labels, &most)?;
-        let methods = build_systems(&arguments.file, sweep, &setting, survey.longest)?;
+        let (arguments, sweep) = (task.arguments, &task.sweep);
+        let (memory, methods) = build_admitted(task)?;
         if !arguments.allow_unstable && !sweep.design.varies_string() {
             refuse_unstable(task, &methods)?;
         }
@@ -40,6 +37,19 @@ impl Systems {
             methods,
         })
     }
+}
+
+/// The linear systems of the sweep, and what a run with them takes.
+///
+/// # Errors
+/// Where that is more memory than is allowed, or a method cannot treat the string.
+pub fn build_admitted(task: &Task) -> Result<(Estimate, Vec<MethodSystem>)> {
+    let (arguments, sweep, survey) = (task.arguments, &task.sweep, &task.survey);
+    let setting = sweep.setting.for_labels();
+    let most = arguments.work.memory.limit();
+    let memory = admit(sweep, &setting, survey, Purpose::Labels, &most)?;
+    let methods = build_systems(&arguments.file, sweep, &setting, survey.longest)?;
+    Ok((memory, methods))
 }
 
 /// Refuses a method that chatters where a site sticks. Where axes change the

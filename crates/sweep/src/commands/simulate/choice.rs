@@ -9,7 +9,7 @@ use crate::commands::prepare::unique;
 use crate::commands::status::UsageError;
 use crate::engine::{Case, longest_beside};
 use crate::plan::{Conditions, ImpulseSettings, Setting, Sweep};
-use crate::quantities::Axis;
+use crate::quantities::{Axis, StringAxis};
 use crate::sweep_file::SweepFileError;
 
 /// A case, and for how long its linear systems are built, s.
@@ -109,7 +109,11 @@ fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
         Axis::WeightOnBitKn | Axis::TorqueDynamicNm if sweep.bit.is_none() => {
             "the bit is free in this sweep"
         }
-        Axis::Friction if lateral.is_none() => "there is no wall in this sweep",
+        Axis::Friction | Axis::String(StringAxis::BendingDamping | StringAxis::Compression)
+            if lateral.is_none() =>
+        {
+            "there is no wall in this sweep"
+        }
         Axis::ImpulseRatio if !has_ratio => "no impulse of this sweep is in multiples of I₀",
         _ => return Ok(()),
     };

@@ -8,6 +8,7 @@ use anyhow::{Context, Result, bail};
 
 use super::drawing::save_picture;
 use super::folder::make_folder;
+use super::prepare::unique;
 use super::progress::Progress;
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
@@ -29,7 +30,7 @@ pub fn tradeoff(arguments: &TradeoffArguments, terminal: Terminal) -> Result<Sta
     let measures = if arguments.measures.is_empty() {
         Measure::all().to_vec()
     } else {
-        arguments.measures.clone()
+        unique(&arguments.measures)
     };
     make_folder(&arguments.out)?;
     let configurations = configurations(&ladder);

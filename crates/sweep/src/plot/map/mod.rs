@@ -91,7 +91,8 @@ pub struct MapSheet {
     pub groups: Vec<MapGroup>,
 }
 
-/// Whether a part of a line lies within the ranges of both axes.
+/// Whether a part of a line, which may be a single point, lies within the ranges of both
+/// axes.
 pub fn is_within(points: &[(f64, f64)], [[left, right], [top, bottom]]: [[f64; 2]; 2]) -> bool {
     let range = Rect {
         left,
@@ -99,7 +100,10 @@ pub fn is_within(points: &[(f64, f64)], [[left, right], [top, bottom]]: [[f64; 2
         right,
         bottom,
     };
-    !range.clip(points).is_empty()
+    match points {
+        [point] => !range.clip(&[*point; 2]).is_empty(),
+        points => !range.clip(points).is_empty(),
+    }
 }
 
 impl MapGroup {

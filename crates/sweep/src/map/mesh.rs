@@ -1,0 +1,135 @@
+//! The cells of a map: around the values of a grid, or of one size.
+
+use super::extent::Extent;
+use crate::plot::{Ground, MapCell};
+
+/// Cells over two axes, column by column.
+pub struct Mesh {
+    /// The lines between cells, to the right and upwards.
+    edges: [Vec<f64>; 2],
+}
+
+impl Mesh {
+    /// Around the values of a grid: at most `most` cells to the right and upwards, of
+    /// neighbouring values together where there are more.
+    pub fn around(values: &[Vec<f64>; 2], most: [usize; 2]) -> Self {
+        let edges = [0, 1].map(|axis| {
+            let (lines, values) = (around(&values[axis]), values[axis].len().max(1));
+            let cells = most[axis].clamp(1, values);
+            let line = |cell: usize| lines[cell * values / cells];
+            (0..=cells).map(line).collect()
+        });
+        Self { edges }
+    }
+
+    /// Cells of one size over the ranges of cases that lie anywhere; fewer where an axis
+    /// has fewer values.
+    pub fn even(extent: &Extent, most: [usize; 2]) -> Self {
+        let edges = [0, 1].map(|axis| {
+            let cells = most[axis].min(extent.values[axis].len()).max(1);
+            even(extent.ranges[axis], cells)
+        });
+        Self { edges }
+    }
+
+    /// Cells to the right and upwards.
+    pub fn size(&self) -> [usize; 2] {
+        [0, 1].map(|axis| self.edges[axis].len() - 1)
+    }
+
+    /// The number of a cell.
+    pub fn number(&self, column: usize, row: usize) -> usize {
+        column * self.size()[1] + row
+    }
+
+    /// The number of the cell that has a place; of one outside, the nearest.
+    pub fn cell_of(&self, place: [f64; 2]) -> usize {
+        let [column, row] = [0, 1].map(|axis| {
+            let edges = &self.edges[axis];
+            let after = edges.partition_point(|&edge| edge <= place[axis]);
+            after.saturating_sub(1).min(edges.len() - 2)
+        });
+        self.number(column, row)
+    }
+
+    /// The middle of a cell.
+    pub fn centre(&self, column: usize, row: usize) -> (f64, f64) {
+        let [x, y] = &self.edges;
+        let middle = |edges: &[f64], cell: usize| 0.5 * (edges[cell] + edges[cell + 1]);
+        (middle(x, column), middle(y, row))
+    }
+
+    /// Cells of a `ground`, by their numbers, neighbours to the right that are alike as one.
+    /// A cell without a ground is left out.
+    pub fn joined(&self, ground: impl Fn(usize) -> Option<Ground>) -> Vec<MapCell> {
+        let [x, y] = &self.edges;
+        let [columns, rows] = self.size();
+        let columns: Vec<usize> = (0..columns).collect();
+        let mut cells = Vec::new();
+        for row in 0..rows {
+            let ground = |column: usize| ground(self.number(column, row));
+            for run in columns.chunk_by(|&one, &next| ground(one) == ground(next)) {
+                let [first, last] = [run[0], run[run.len() - 1]];
+                let ends = [[x[first], x[last + 1]], [y[row], y[row + 1]]];
+                cells.extend(ground(first).map(|ground| MapCell { ends, ground }));
+            }
+        }
+        cells
+    }
+}
+
+/// Lines half-way between neighbours, and as far beyond the first and the last.
+pub fn around(values: &[f64]) -> Vec<f64> {
+    let ([first, .., last], Some(count)) = (values, values.len().checked_sub(2)) else {
+        let value = values.first().copied().unwrap_or_default();
+        let half = if value == 0.0 {
+            0.5
+        } else {
+            0.05 * value.abs()
+        };
+        return vec![value - half, value + half];
+    };
+    let between = values.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    let before = first - 0.5 * (values[1] - first);
+    let after = last + 0.5 * (last - values[count]);
+    [before].into_iter().chain(between).chain([after]).collect()
+}
+
+/// Lines at even distances.
+fn even([from, to]: [f64; 2], cells: usize) -> Vec<f64> {
+    if from >= to {
+        return around(&[from]);
+    }
+    (0..=cells)
+        .map(|index| from + (to - from) * index as f64 / cells as f64)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn edges(values: &[f64], most: usize) -> Vec<f64> {
+        let [x, _] = Mesh::around(&[values.to_vec(), vec![0.0]], [most, 1]).edges;
+        x
+    }
+
+    #[test]
+    fn values_of_a_grid_have_cells_of_their_own_or_share_one_with_neighbours() {
+        let values = [1.0, 2.0, 4.0, 8.0, 16.0];
+        assert_eq!(edges(&values, 104), [0.5, 1.5, 3.0, 6.0, 12.0, 20.0]);
+        assert_eq!(edges(&values, 2), [0.5, 3.0, 20.0]);
+        assert_eq!(edges(&values, 0), [0.5, 20.0]);
+        assert_eq!(edges(&[60.0], 9), [57.0, 63.0]);
+        assert_eq!(edges(&[], 9), [-0.5, 0.5]);
+    }
+
+    #[test]
+    fn cells_of_cases_that_lie_anywhere_are_of_one_size() {
+        let values = [0.0, 1.0, 4.0];
+        let mesh = Mesh::even(&Extent::example([&values, &[5.0]], 3), [2, 2]);
+        assert_eq!(mesh.edges, [vec![0.0, 2.0, 4.0], vec![4.75, 5.25]]);
+        let cells = [-1.0, 1.9, 2.0, 4.0].map(|x| mesh.cell_of([x, 5.0]));
+        assert_eq!(cells, [0, 0, 1, 1]);
+    }
+}
