@@ -11,9 +11,10 @@
 //!              Drillstring, Sites                sections from the surface down
 //!                │            │
 //!        waves (exact,     elements (matrices,
-//!        any complex s)    Newmark's scheme)
+//!        any complex s;    Newmark's scheme)
+//!        or a lattice)        │
 //!                │            │
-//!   filters: hilbert,         │
+//!   filters: held, hilbert,   │
 //!   quadrature, direct-idft   │
 //!                │            │
 //!                └─────┬──────┘
@@ -32,6 +33,7 @@
 //! | Eqs. 19–26: bending waves in a tube | `waves/bending.rs` |
 //! | Eqs. 4–11, 25: the chain of sections | `waves/chain.rs` |
 //! | Eqs. 12–13, 41–48: surface and sites | [`waves::network`] |
+//! | sharp fronts: waves handed on from piece to piece | [`waves::lattice`] |
 //! | Eqs. 50–58: bending at the sites | [`waves::lateral`] |
 //! | Section 2.4: digital filters | [`filters`] |
 //! | which method, and its parameters | [`method`] |

@@ -44,7 +44,7 @@ impl Arrival {
                     jump: self.torsional_compliance * law.largest_drop(),
                 }),
             },
-            moment: self.moment,
+            moment: 0.0,
             rate: self.rate,
         })
     }
@@ -168,7 +168,6 @@ fn any_approach() -> impl Strategy<Value = Arrival> {
                 compliance,
                 torsional_compliance: torsional,
                 bit,
-                moment: 0.0,
                 rate: frequency,
             },
         )

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::channels::ChannelResponses;
 use super::decay::{first_length, until_decayed};
-use super::length::{all_finite, samples_of, transform_length};
+use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
 use super::request::Request;
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
@@ -92,6 +92,12 @@ impl Torsion<'_> {
     fn held_taps(&self) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
         let lattice = Lattice::new(self.string, &self.request.sites)?;
         let spacing = lattice.step * self.request.sampling_frequency;
+        let first = first_length(self.string, self.request.sampling_frequency)?;
+        let needed = needed_taps(self.request.longest_time, self.request.sampling_frequency);
+        let impulses = needed.max(first as f64) / spacing;
+        if impulses > MOST_TAPS as f64 {
+            return Err(too_many(impulses));
+        }
         let response = |zeta: Complex64, responses: &mut [Complex64]| {
             self.fill(&lattice.admittance(zeta), responses)
         };

@@ -153,11 +153,15 @@ fn steps(string: &Drillstring, spans: &[Span], [shortest, longest]: [f64; 2]) ->
         .collect();
     steps.sort_by(|one, other| other.total_cmp(one));
     steps.dedup_by(|one, other| (*one / *other - 1.0).abs() < 1e-9);
-    steps
+    let stride = steps.len().div_ceil(MOST_TRIED).max(1);
+    steps.into_iter().step_by(stride).collect()
 }
 
 /// For each length, so many numbers of pieces are tried.
 const TRIED: u32 = 64;
+
+/// And no more than so many in all, spread over a string of very many parts.
+const MOST_TRIED: usize = 2000;
 
 /// Cuts run after run.
 struct Cutter<'a> {

@@ -10,7 +10,7 @@
 //! along the middle position, at distance r, does the work V₀ − V₁ on the site. A rigid wall
 //! leaves the ends on it, the middle on the chord between them, and does none. Were the
 //! depth of the middle taken instead, rattling would feed energy in, and along a rigid wall
-//! the ends would go in and out by turns.
+//! the ends would go in and out in turn.
 //!
 //! The law is that of a wall met at the middle position itself, but closer to the centre:
 //! how much so follows from the answer, and is found by the secant rule. Where that fails
