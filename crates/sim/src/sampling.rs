@@ -8,9 +8,19 @@ pub(crate) struct Sampling {
     /// The part of a step that is still to go when its loads and motion are taken (see
     /// [`linear::Method::moment`]).
     pub(crate) moment: f64,
+    /// The way of a whole step per way gone, 1/(1 − moment).
+    whole_way: f64,
 }
 
 impl Sampling {
+    pub(crate) fn new(frequency: f64, moment: f64) -> Self {
+        Self {
+            frequency,
+            moment,
+            whole_way: 1.0 / (1.0 - moment),
+        }
+    }
+
     /// Time at which a step begins, s.
     pub(crate) fn start_of(&self, step: usize) -> f64 {
         step as f64 / self.frequency
@@ -24,13 +34,12 @@ impl Sampling {
     /// Where a site is at the end of a step, from where it is in it and at its beginning:
     /// within a step it moves straight on.
     pub(crate) fn end_of_step(&self, position: [f64; 2], beginning: [f64; 2]) -> [f64; 2] {
-        let end =
-            |axis: usize| (position[axis] - self.moment * beginning[axis]) / (1.0 - self.moment);
+        let end = |axis: usize| (position[axis] - self.moment * beginning[axis]) * self.whole_way;
         [end(0), end(1)]
     }
 
     /// Velocity in a step per distance from where the site was at its beginning, Hz.
     pub(crate) fn rate_in_step(&self) -> f64 {
-        self.frequency / (1.0 - self.moment)
+        self.frequency * self.whole_way
     }
 }

@@ -52,10 +52,7 @@ impl System {
         Ok(Self {
             sites,
             bit_site: responses.sites.bit_site(),
-            sampling: Sampling {
-                frequency: responses.sampling_frequency,
-                moment: responses.method.moment(),
-            },
+            sampling: Sampling::new(responses.sampling_frequency, responses.method.moment()),
             longest_time: responses.longest_time,
             surface_steps: (torsion.from_surface.iter())
                 .map(|taps| running_sum(taps))
