@@ -73,3 +73,31 @@ fn the_parameters_of_every_method_are_looked_at() {
         }
     }
 }
+
+#[test]
+fn fronts_that_overshoot_are_warned_of_with_how_far() {
+    let parts = "{ length_m = 9.5, inner_radius_m = 0.05, outer_radius_m = 0.125 },\n    \
+                 { length_m = 0.5, inner_radius_m = 0.04, outer_radius_m = 0.15 },";
+    let tube = "{ length_m = 1000, inner_radius_m = 0.05, outer_radius_m = 0.15 },";
+    let uniform = with(&with(SMALL, parts, tube), "repeat = 10", "repeat = 1");
+    let uniform = with(&uniform, "frequency_hz = 100", "frequency_hz = 640");
+    let place = Workplace::with_small(&uniform);
+    for (method, overshoot) in [("quadrature", Some("47 %")), ("held", None)] {
+        for command in ["run", "inspect"] {
+            let folder = format!("{command}-{method}");
+            let answer =
+                place.sweep(&[command, "small.toml", "--methods", method, "--out", &folder]);
+            let warning = format!("warning: on this string fronts overshoot by {method}");
+            assert_eq!(answer.errors.contains(&warning), overshoot.is_some());
+            assert!(
+                overshoot.is_none_or(|part| answer.errors.contains(part)),
+                "{answer:?}"
+            );
+        }
+    }
+    let manifest = std::fs::read_to_string(place.path("run-held/manifest.json")).unwrap();
+    assert!(
+        manifest.contains("\"exact_undershoot\": 0.0000285"),
+        "{manifest}"
+    );
+}

@@ -10,11 +10,15 @@ use num_complex::Complex64;
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::{BuildError, ResponseError};
-use crate::estimates::torsional_travel_time;
+use crate::estimates::{largest_undershoot, torsional_period, torsional_travel_time};
+use crate::filters::quadrature::series;
 use crate::pulse::RaisedCosine;
+use crate::responses::length::{MOST_TAPS, too_many};
 use crate::responses::{ChannelResponses, Responses};
+use crate::sites::Sites;
 use crate::waves::inversion::time_response;
 use crate::waves::lateral::BendingNetwork;
+use crate::waves::lattice::Lattice;
 use crate::waves::network::TorsionNetwork;
 
 /// Time compared in torsion, in travel times of a wave along the string.
@@ -32,6 +36,29 @@ const OVERSAMPLING: usize = 64;
 
 /// Times compared.
 const TIMES: usize = 128;
+
+/// Δ of Eq. 75 as it is, rad/s per N m: the largest undershoot of the bit's speed after a
+/// unit step of torque there, by waves on a lattice, whose fronts are sharp. Filters and
+/// elements let fronts overshoot, however short their steps, or smear them. The bit swings
+/// back furthest within the first period of its slowest vibration.
+///
+/// # Errors
+/// Where the lattice of so strongly damped a string would not fit in memory.
+pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
+    let lattice = Lattice::new(string, &Sites::bit())?;
+    let impulses = (torsional_period(string) / lattice.step).ceil();
+    if impulses > MOST_TAPS as f64 {
+        return Err(too_many(impulses));
+    }
+    let train = series(
+        impulses as usize,
+        1,
+        &|zeta: Complex64, response: &mut [Complex64]| {
+            response[0] = lattice.admittance(zeta).from_torque[(0, 0)];
+        },
+    );
+    Ok(largest_undershoot(&train[0]))
+}
 
 /// Largest error of speeds in torsion, relative to the largest exact speed: of every
 /// site, from the surface and from every torque.

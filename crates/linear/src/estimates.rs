@@ -36,12 +36,22 @@ pub fn sampling_frequency(string: &Drillstring) -> f64 {
 /// Rate at which torsional vibration of the whole string decays: the damping
 /// coefficient over twice the moment of inertia, 1/s.
 pub fn torsional_decay_rate(string: &Drillstring) -> f64 {
-    let inertia: f64 = string
+    string.torsional_damping() * string.length() / (2.0 * torsional_inertia(string))
+}
+
+/// No period of torsional vibration with the bit free is longer than this, s: that of all
+/// the string's inertia at the end of its flexibility. It is at least 2π travel times.
+pub fn torsional_period(string: &Drillstring) -> f64 {
+    let inertia = torsional_inertia(string);
+    std::f64::consts::TAU * (inertia / torsional_stiffness(string)).sqrt()
+}
+
+/// Moment of inertia of the whole string about its axis, kg m².
+fn torsional_inertia(string: &Drillstring) -> f64 {
+    let moments = string
         .tubes()
-        .map(|(count, tube)| count * tube.length * tube.polar_moment())
-        .sum::<f64>()
-        * string.material().density;
-    string.torsional_damping() * string.length() / (2.0 * inertia)
+        .map(|(count, tube)| count * tube.length * tube.polar_moment());
+    moments.sum::<f64>() * string.material().density
 }
 
 /// The least rate, 1/s, at which oscillations of the string in bending decay, whatever

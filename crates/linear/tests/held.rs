@@ -1,7 +1,7 @@
 //! Validation of `held`: closed forms, waves handed on in time without a transform, the
 //! exact waves inverted numerically, and passivity on random strings.
 
-use linear::deviation::{bending_error, torsion_error};
+use linear::deviation::{bending_error, exact_undershoot, torsion_error};
 use linear::estimates::{
     largest_undershoot, torsional_impedance, torsional_stiffness, torsional_travel_time,
 };
@@ -57,6 +57,7 @@ fn the_front_of_a_uniform_tube_comes_back_as_it_left() {
     let rate = string.torsional_damping() / inertia;
     let travel = torsional_travel_time(&string);
     let undershoot = (-rate * travel).exp() * (2.0 - bessel_i0(rate * travel)) / impedance;
+    assert_close(exact_undershoot(&string).unwrap(), undershoot, 3e-4);
     for steps_to_bit in [25.0, 200.0, 2000.0] {
         let sampling_frequency = steps_to_bit / travel;
         let responses = at_bit(&string, sampling_frequency, 60.0);
@@ -168,6 +169,10 @@ proptest! {
         let misfit = lattice.misfit / travel;
         prop_assert!(error <= 3e-4 + 20.0 * misfit, "{error} {misfit}");
         prop_assert!(misfit <= 1e-3, "{misfit}");
+        // No mean over a step is lower than the lowest, which comes early.
+        let lowest = exact_undershoot(&string).unwrap();
+        let found = largest_undershoot(responses.at_bit().unwrap());
+        prop_assert!(found <= lowest.max(0.0) * (1.0 + 1e-6) + 1e-12, "{found} {lowest}");
         // A torque held for ever winds the bit up by its static flexibility.
         let mut speed = 0.0;
         let mut wound_up = 0.0;

@@ -99,7 +99,7 @@ pub fn taps(
 }
 
 /// The first `count` coefficients of every channel's generating function of ζ, |ζ| < 1.
-pub(super) fn series(
+pub(crate) fn series(
     count: usize,
     channels: usize,
     generating: &(impl Fn(Complex64, &mut [Complex64]) + Sync),

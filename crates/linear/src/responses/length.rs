@@ -31,7 +31,7 @@ pub(super) fn transform_length(samples: f64, sampling_frequency: f64) -> Result<
     Ok(2 * (samples / 2.0).round() as usize)
 }
 
-pub(super) fn too_many(taps: f64) -> BuildError {
+pub(crate) fn too_many(taps: f64) -> BuildError {
     BuildError::TooManyTaps {
         taps,
         most: MOST_TAPS,

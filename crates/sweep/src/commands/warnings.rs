@@ -30,6 +30,13 @@ pub fn warn_of_unstable<'a>(
     }
 }
 
+/// Warns of methods whose fronts overshoot.
+pub fn warn_of_overshoot(systems: &[MethodSystem], terminal: Terminal) {
+    for overshoot in systems.iter().filter_map(MethodSystem::overshoot) {
+        terminal.complain(&format!("warning: {overshoot}"));
+    }
+}
+
 /// Says what of a log is lost.
 pub fn warn_of_broken_lines(log: &Log, terminal: Terminal) {
     let broken = log.counts().broken_lines;

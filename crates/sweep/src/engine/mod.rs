@@ -3,6 +3,7 @@
 
 mod case;
 mod case_error;
+mod front;
 #[cfg(test)]
 mod fuzz;
 mod instability;
@@ -25,7 +26,7 @@ pub use record::{Failure, Record};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
-pub use systems::MethodSystem;
+pub use systems::{MethodSystem, compare_fronts};
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -4,6 +4,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
+use linear::deviation::exact_undershoot;
+use linear::estimates::largest_undershoot;
 use linear::{ChannelRequest, ChannelResponses, Method, Request, Responses, responses};
 use rayon::prelude::*;
 use sim::excitation::least_impulse;
@@ -11,6 +13,7 @@ use sim::{Outcome, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::Case;
 use super::case_error::CaseError;
+use super::front::{Front, Overshoot};
 use super::instability::{Instability, is_unstable};
 use super::record::{Failure, Record};
 use super::run_options::RunOptions;
@@ -29,6 +32,8 @@ pub struct MethodSystem {
     pub torsion_margin: Option<f64>,
     /// Positive-real margin in bending; `None` where that is not modelled.
     pub bending_margin: Option<f64>,
+    /// Its fronts, where they have been compared with the exact ones.
+    pub front: Option<Front>,
     /// Time to build, s.
     pub build_seconds: f64,
     /// What it was built from.
@@ -95,6 +100,7 @@ impl MethodSystem {
             torsion_margin: responses.torsion_margin()?,
             bending_margin: responses.bending_margin()?,
             least_impulses: least_impulses(setting, &responses),
+            front: None,
             build_seconds,
             setting: setting.clone(),
             simulator,
@@ -124,6 +130,13 @@ impl MethodSystem {
             motion,
             margin,
         })
+    }
+
+    /// What is to be said of its fronts, where they were compared and overshoot.
+    pub fn overshoot(&self) -> Option<Overshoot> {
+        let front = self.front.filter(Front::is_off)?;
+        let method = self.method.name();
+        Some(Overshoot { method, front })
     }
 
     /// The torque that holds the bit fast, where only torsion is modelled and a
@@ -221,6 +234,28 @@ pub(super) fn request(setting: &Setting, cuts: bool, longest_time: f64) -> Reque
         channels: std::iter::once(in_torsion).chain(in_bending).collect(),
         sampling_frequency: setting.sampling_frequency,
         longest_time,
+    }
+}
+
+/// Holds the fronts of systems of one string against the exact ones; where no torque cuts
+/// there are none, and where a string does not undershoot nothing is said.
+pub fn compare_fronts(systems: &mut [MethodSystem]) {
+    let Some(string) = systems.first().map(|system| &system.setting.string) else {
+        return;
+    };
+    if systems
+        .iter()
+        .all(|system| system.driving_point().is_none())
+    {
+        return;
+    }
+    // A string whose lattice does not fit in memory stays without a comparison.
+    let Some(exact) = exact_undershoot(string).ok().filter(|exact| *exact > 0.0) else {
+        return;
+    };
+    for system in systems {
+        let undershoot = system.driving_point().map(largest_undershoot);
+        system.front = undershoot.map(|undershoot| Front { undershoot, exact });
     }
 }
 

@@ -69,11 +69,10 @@ impl Histories<'_> {
         let ([_], [first, second, ..]) = (self.cases, &panel?.series[..]) else {
             return None;
         };
-        let points = first.points.iter().zip(&second.points);
         let series = Series {
             name: format!("{} − {}", first.name, second.name),
-            points: points
-                .map(|(one, other)| (one.0, one.1 - other.1))
+            points: (first.points.iter().enumerate())
+                .map(|(step, &(time, one))| (time, one - value_at(&second.points, step, time)))
                 .collect(),
         };
         Some(self.panel(label, vec![series], Vec::new()))
@@ -166,4 +165,21 @@ fn levels(cases: &[Case], name: &str, of: impl Fn(&Case) -> Option<f64>) -> Vec<
     values.sort_by(f64::total_cmp);
     values.dedup();
     values.into_iter().map(|value| level(value, name)).collect()
+}
+
+/// A series at a time in or next to one of its steps: methods differ in where in a step
+/// their motion is.
+fn value_at(points: &[(f64, f64)], step: usize, time: f64) -> f64 {
+    let last = points.len() - 1;
+    let (now, own) = points[step.min(last)];
+    let beside = if time > now {
+        step + 1
+    } else {
+        step.saturating_sub(1)
+    };
+    let (then, other) = points[beside.min(last)];
+    if then == now {
+        return own;
+    }
+    own + (other - own) * (time - now) / (then - now)
 }

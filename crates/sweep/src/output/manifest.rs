@@ -85,6 +85,12 @@ pub struct MethodRecord {
     pub positive_real_margin: Option<f64>,
     /// Positive-real margin in bending, where it is modelled.
     pub bending_margin: Option<f64>,
+    /// Δ of Eq. 75, rad/s per N m, and as it is on this string, where they were compared.
+    #[serde(default)]
+    pub undershoot: Option<f64>,
+    /// See `undershoot`.
+    #[serde(default)]
+    pub exact_undershoot: Option<f64>,
     /// I₀ of each impulse, N s.
     pub least_impulses_ns: Vec<f64>,
     /// Time to build, s; not known of a run that is not finished.
@@ -98,6 +104,8 @@ impl MethodRecord {
             taps: system.torsion_taps(),
             positive_real_margin: system.torsion_margin,
             bending_margin: system.bending_margin,
+            undershoot: system.front.map(|front| front.undershoot),
+            exact_undershoot: system.front.map(|front| front.exact),
             least_impulses_ns: system.least_impulses.clone(),
             build_seconds: Some(system.build_seconds),
         }

@@ -121,6 +121,14 @@ fn method_lines(system: &MethodSystem) -> String {
             text += &row(4, title, &format!("{value:.4e} rad/s per N m"));
         }
     }
+    if let Some(front) = system.front {
+        let value = format!(
+            "{:.4e}: {:+.1} % here",
+            front.exact,
+            100.0 * front.overshoot()
+        );
+        text += &row(4, "exactly", &value);
+    }
     for least in &system.least_impulses {
         text += &row(4, "least impulse I₀", &format!("{least:.1} N s"));
     }

@@ -15,7 +15,7 @@ use crate::commands::progress::Progress;
 use crate::commands::status::Status;
 use crate::commands::stop;
 use crate::commands::terminal::say;
-use crate::commands::warnings::{warn_of_broken_lines, warn_of_unstable};
+use crate::commands::warnings::{warn_of_broken_lines, warn_of_overshoot, warn_of_unstable};
 use crate::engine::{Log, Record, Work, pairs_of};
 use crate::files::write_with_checksum;
 use crate::output::{About, Manifest, TableWriter, boundary_csv};
@@ -63,6 +63,7 @@ impl<'a> Session<'a> {
         let about = About::new(sweep, file, shard, options, &systems.methods)?;
         log.describe(serde_json::to_string(&about)?)?;
         warn_of_unstable(&systems.methods, task.terminal);
+        warn_of_overshoot(&systems.methods, task.terminal);
         warn_of_broken_lines(&log, task.terminal);
         Ok(Self {
             log: Arc::new(log),

@@ -6,7 +6,7 @@ use linear::Method;
 use super::task::Task;
 use crate::commands::prepare::build_systems;
 use crate::commands::status::UsageError;
-use crate::engine::MethodSystem;
+use crate::engine::{MethodSystem, compare_fronts};
 use crate::memory::{Estimate, Purpose, admit};
 use crate::output::{Boundary, boundary};
 
@@ -27,7 +27,11 @@ impl Systems {
     /// Where they take more, or a method cannot treat the string.
     pub fn build(task: &Task) -> Result<Self> {
         let (arguments, sweep) = (task.arguments, &task.sweep);
-        let (memory, methods) = build_admitted(task)?;
+        let (memory, mut methods) = build_admitted(task)?;
+        // Where axes change the string, none stands for all.
+        if !sweep.design.varies_string() {
+            compare_fronts(&mut methods);
+        }
         if !arguments.allow_unstable && !sweep.design.varies_string() {
             refuse_unstable(task, &methods)?;
         }

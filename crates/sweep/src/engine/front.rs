@@ -1,0 +1,44 @@
+//! How a method treats the front that a torque which jumps sends up the string.
+
+use thiserror::Error;
+
+/// A front that overshoots by more than this part is warned of: a limit of stick-slip is
+/// off by about as much.
+const LARGEST_OVERSHOOT: f64 = 0.05;
+
+/// The largest undershoot Δ after a step of torque at the bit (Eq. 75), rad/s per N m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Front {
+    /// By the method.
+    pub undershoot: f64,
+    /// As it is.
+    pub exact: f64,
+}
+
+/// A method whose fronts overshoot on a string.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "on this string fronts overshoot by {method}: the undershoot Δ of Eq. 75 is {:.3e} \
+     rad/s per N m, {:.0} % above the exact one; a limit of stick-slip may be off by as much \
+     (`held` keeps fronts as they are)",
+    .front.undershoot,
+    100.0 * .front.overshoot()
+)]
+pub struct Overshoot {
+    /// Name of the method.
+    pub method: &'static str,
+    /// Its front.
+    pub front: Front,
+}
+
+impl Front {
+    /// By which part of the exact undershoot it is more than that.
+    pub fn overshoot(&self) -> f64 {
+        self.undershoot / self.exact - 1.0
+    }
+
+    /// Whether that is worth a warning.
+    pub fn is_off(&self) -> bool {
+        self.overshoot() > LARGEST_OVERSHOOT
+    }
+}
