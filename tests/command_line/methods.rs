@@ -97,7 +97,7 @@ fn fronts_that_overshoot_are_warned_of_with_how_far() {
     }
     let manifest = std::fs::read_to_string(place.path("run-held/manifest.json")).unwrap();
     assert!(
-        manifest.contains("\"exact_undershoot\": 0.0000285"),
+        manifest.contains("\"exact_undershoot_rad_s_per_nm\": 0.0000285"),
         "{manifest}"
     );
 }

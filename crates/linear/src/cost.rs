@@ -178,7 +178,7 @@ fn of_torsion(
     }
 }
 
-/// Impulses that so many taps are made of.
+/// Impulses that so many taps are made of; no fewer than these, which they become.
 fn held_impulses(string: &Drillstring, request: &Request, taps: f64) -> f64 {
     Lattice::new(string, &request.sites).map_or(taps, |lattice| {
         (taps / (lattice.step * request.sampling_frequency)).max(taps)

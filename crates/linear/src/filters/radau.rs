@@ -29,10 +29,8 @@ pub fn taps(
     let circle = circle(count);
     let on_circle = |index: usize| circle.point(index);
     let between_stages = |zeta: Complex64, channels: &mut [Complex64]| {
-        let [[a, b], [c, d]] = generating_matrix(zeta);
-        let (mean, determinant) = (0.5 * (a + d), a * d - b * c);
-        let root = (mean * mean - determinant).sqrt();
-        let (one, other) = (mean + root, mean - root);
+        let matrix = generating_matrix(zeta);
+        let ([[a, b], [c, d]], [one, other]) = (matrix, eigenvalues(matrix));
         // Sylvester's formula: K(Δ) = p + q Δ.
         let [k_one, k_other] =
             [one, other].map(|eigenvalue| response(eigenvalue * sampling_frequency));
@@ -49,16 +47,20 @@ pub fn taps(
 /// by the mean over it, as the eigenvalues of Δ(ζ), at which K is taken, with the weights
 /// of these.
 pub(super) fn held(zeta: Complex64) -> [(Complex64, Complex64); 2] {
-    let [[a, b], [c, d]] = generating_matrix(zeta);
-    let (mean, determinant) = (0.5 * (a + d), a * d - b * c);
-    let root = (mean * mean - determinant).sqrt();
-    let (one, other) = (mean + root, mean - root);
+    let matrix = generating_matrix(zeta);
+    let ([[a, b], [c, d]], [one, other]) = (matrix, eigenvalues(matrix));
     let [_, [first, last]] = A;
     let of_held = first * (a + b) + last * (c + d);
     [
         (one, (of_held - other) / (one - other)),
         (other, (one - of_held) / (one - other)),
     ]
+}
+
+fn eigenvalues([[a, b], [c, d]]: [[Complex64; 2]; 2]) -> [Complex64; 2] {
+    let (mean, determinant) = (0.5 * (a + d), a * d - b * c);
+    let root = (mean * mean - determinant).sqrt();
+    [mean + root, mean - root]
 }
 
 /// Δ(ζ).

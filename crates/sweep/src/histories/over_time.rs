@@ -72,7 +72,9 @@ impl Histories<'_> {
         let series = Series {
             name: format!("{} − {}", first.name, second.name),
             points: (first.points.iter().enumerate())
-                .map(|(step, &(time, one))| (time, one - value_at(&second.points, step, time)))
+                .filter_map(|(step, &(time, value))| {
+                    Some((time, value - value_at(&second.points, step, time)?))
+                })
                 .collect(),
         };
         Some(self.panel(label, vec![series], Vec::new()))
@@ -167,19 +169,31 @@ fn levels(cases: &[Case], name: &str, of: impl Fn(&Case) -> Option<f64>) -> Vec<
     values.into_iter().map(|value| level(value, name)).collect()
 }
 
-/// A series at a time in or next to one of its steps: methods differ in where in a step
-/// their motion is.
-fn value_at(points: &[(f64, f64)], step: usize, time: f64) -> f64 {
-    let last = points.len() - 1;
-    let (now, own) = points[step.min(last)];
+/// A series at a time in one of its steps or between that and the next or the last: methods
+/// differ in where in a step their motion is.
+fn value_at(points: &[(f64, f64)], step: usize, time: f64) -> Option<f64> {
+    let &(now, own) = points.get(step)?;
     let beside = if time > now {
-        step + 1
+        points.get(step + 1)
     } else {
-        step.saturating_sub(1)
+        points[..step].last()
     };
-    let (then, other) = points[beside.min(last)];
-    if then == now {
-        return own;
+    Some(match beside {
+        Some(&(then, other)) if time != now => own + (other - own) * (time - now) / (then - now),
+        _ => own,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_series_is_straight_between_its_steps() {
+        let points = [(0.5, 1.0), (1.5, 3.0), (2.5, 7.0)];
+        let found = [(0, 0.0), (1, 1.0), (1, 1.5), (1, 2.0), (2, 3.0), (3, 3.0)];
+        let found = found.map(|(step, time)| value_at(&points, step, time));
+        let expected = [Some(1.0), Some(2.0), Some(3.0), Some(5.0), Some(7.0), None];
+        assert_eq!(found, expected);
     }
-    own + (other - own) * (time - now) / (then - now)
 }

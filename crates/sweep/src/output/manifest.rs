@@ -85,12 +85,12 @@ pub struct MethodRecord {
     pub positive_real_margin: Option<f64>,
     /// Positive-real margin in bending, where it is modelled.
     pub bending_margin: Option<f64>,
-    /// Δ of Eq. 75, rad/s per N m, and as it is on this string, where they were compared.
+    /// Δ of Eq. 75 by the method, where it was compared with the exact one.
     #[serde(default)]
-    pub undershoot: Option<f64>,
-    /// See `undershoot`.
+    pub undershoot_rad_s_per_nm: Option<f64>,
+    /// The exact one of this string.
     #[serde(default)]
-    pub exact_undershoot: Option<f64>,
+    pub exact_undershoot_rad_s_per_nm: Option<f64>,
     /// I₀ of each impulse, N s.
     pub least_impulses_ns: Vec<f64>,
     /// Time to build, s; not known of a run that is not finished.
@@ -104,8 +104,8 @@ impl MethodRecord {
             taps: system.torsion_taps(),
             positive_real_margin: system.torsion_margin,
             bending_margin: system.bending_margin,
-            undershoot: system.front.map(|front| front.undershoot),
-            exact_undershoot: system.front.map(|front| front.exact),
+            undershoot_rad_s_per_nm: system.front.map(|front| front.undershoot),
+            exact_undershoot_rad_s_per_nm: system.front.map(|front| front.exact),
             least_impulses_ns: system.least_impulses.clone(),
             build_seconds: Some(system.build_seconds),
         }

@@ -30,10 +30,10 @@ impl Systems {
         let (memory, mut methods) = build_admitted(task)?;
         // Where axes change the string, none stands for all.
         if !sweep.design.varies_string() {
+            if !arguments.allow_unstable {
+                refuse_unstable(task, &methods)?;
+            }
             compare_fronts(&mut methods);
-        }
-        if !arguments.allow_unstable && !sweep.design.varies_string() {
-            refuse_unstable(task, &methods)?;
         }
         Ok(Self {
             limit: boundary(sweep, &methods).map_err(|error| UsageError(error.to_string()))?,
