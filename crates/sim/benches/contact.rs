@@ -3,7 +3,7 @@
 
 use divan::{Bencher, black_box};
 use sim::laws::contact::{Approach, Spin, Touch};
-use sim::{Wall, WallLaw};
+use sim::{Sampling, Wall, WallLaw};
 
 fn main() {
     divan::main();
@@ -19,8 +19,7 @@ fn approach(free_speed: f64) -> Approach<'static> {
             compliance: 5e-5,
             resistance: None,
         },
-        moment: 0.0,
-        rate: 640.0,
+        sampling: Sampling::new(640.0, 0.0),
     }
 }
 

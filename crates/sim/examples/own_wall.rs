@@ -32,7 +32,7 @@ impl WallLaw for Rubber {
         if distance <= self.clearance {
             return Contact::free(approach.free_position);
         }
-        let damping = self.damping * approach.rate;
+        let damping = self.damping * approach.sampling.rate_in_step();
         let push = self.stiffness * (distance - self.clearance) + damping * (distance - before);
         let force = (push / (1.0 + approach.compliance * (self.stiffness + damping))).max(0.0);
         let radius = distance - approach.compliance * force;

@@ -5,6 +5,7 @@ use linear::RaisedCosine;
 
 use crate::convolution::partition::FIRST_BLOCK;
 use crate::convolution::{Convolution, Kernels};
+use crate::sampling::Sampling;
 
 /// A band-limited lateral impulse: a raised cosine of unit area times its
 /// amount, (1 − cos 2πt/τ)/τ.
@@ -60,15 +61,8 @@ impl EccentricMass {
 
 /// I₀: the least impulse (N s) of the given duration that brings a site from
 /// its response to a unit force in one step, `taps`, to its clearance. Infinite
-/// where none does; not a number where the taps or the impulse are none. `moment` is
-/// [`linear::Method::moment`] of the method that gave the taps.
-pub fn least_impulse(
-    taps: &[f64],
-    sampling_frequency: f64,
-    moment: f64,
-    duration: f64,
-    clearance: f64,
-) -> f64 {
+/// where none does; not a number where the taps or the impulse are none.
+pub fn least_impulse(taps: &[f64], sampling: Sampling, duration: f64, clearance: f64) -> f64 {
     let unit = Impulse {
         site: 0,
         amount: 1.0,
@@ -77,9 +71,9 @@ pub fn least_impulse(
         direction: 0.0,
     };
     // What follows the response moves nothing.
-    let steps = ((duration * sampling_frequency).ceil() as usize).min(taps.len());
+    let steps = ((duration * sampling.frequency).ceil() as usize).min(taps.len());
     let pulse: Vec<f64> = (0..=steps)
-        .map(|step| unit.force((step as f64 + moment) / sampling_frequency)[0])
+        .map(|step| unit.force(sampling.time_of(step))[0])
         .collect();
     clearance / furthest(&pulse, taps)
 }

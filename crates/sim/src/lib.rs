@@ -101,6 +101,7 @@ pub use laws::torque::{LoadLine, TorqueLaw};
 pub use laws::wall::Wall;
 pub use outcome::{Ended, Label, Outcome, Stopping};
 pub use ranges::SceneError;
+pub use sampling::Sampling;
 pub use scene::{Lateral, Scene, Timing};
 pub use simulator::Simulator;
 pub use steady_whirl::{SteadyWhirl, WhirlingSite};

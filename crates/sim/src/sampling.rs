@@ -2,18 +2,19 @@
 
 /// The sampling of responses.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Sampling {
+pub struct Sampling {
     /// Sampling frequency f_s, Hz.
-    pub(crate) frequency: f64,
+    pub frequency: f64,
     /// The part of a step that is still to go when its loads and motion are taken (see
     /// [`linear::Method::moment`]).
-    pub(crate) moment: f64,
+    pub moment: f64,
     /// The way of a whole step per way gone, 1/(1 − moment).
     whole_way: f64,
 }
 
 impl Sampling {
-    pub(crate) fn new(frequency: f64, moment: f64) -> Self {
+    /// At a frequency (Hz), with the [`linear::Method::moment`] of a method.
+    pub fn new(frequency: f64, moment: f64) -> Self {
         Self {
             frequency,
             moment,
@@ -22,24 +23,24 @@ impl Sampling {
     }
 
     /// Time at which a step begins, s.
-    pub(crate) fn start_of(&self, step: usize) -> f64 {
+    pub fn start_of(&self, step: usize) -> f64 {
         step as f64 / self.frequency
     }
 
     /// Time of a step's loads and motion, s.
-    pub(crate) fn time_of(&self, step: usize) -> f64 {
+    pub fn time_of(&self, step: usize) -> f64 {
         (step as f64 + self.moment) / self.frequency
     }
 
     /// Where a site is at the end of a step, from where it is in it and at its beginning:
     /// within a step it moves straight on.
-    pub(crate) fn end_of_step(&self, position: [f64; 2], beginning: [f64; 2]) -> [f64; 2] {
+    pub fn end_of_step(&self, position: [f64; 2], beginning: [f64; 2]) -> [f64; 2] {
         let end = |axis: usize| (position[axis] - self.moment * beginning[axis]) * self.whole_way;
         [end(0), end(1)]
     }
 
     /// Velocity in a step per distance from where the site was at its beginning, Hz.
-    pub(crate) fn rate_in_step(&self) -> f64 {
+    pub fn rate_in_step(&self) -> f64 {
         self.frequency * self.whole_way
     }
 }

@@ -78,8 +78,7 @@ impl<B: TorqueLaw, W: WallLaw> SiteLaws<'_, B, W> {
                 compliance: line.compliance,
                 resistance,
             },
-            moment: lateral.sampling.moment,
-            rate: lateral.sampling.rate_in_step(),
+            sampling: lateral.sampling,
         })?;
         let free_speed = line.free_speed + line.compliance * contact.torque;
         let bit = turned(free_speed);

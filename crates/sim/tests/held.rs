@@ -12,7 +12,7 @@ use sim::excitation::least_impulse;
 use sim::laws::contact::{Approach, Spin, WallLaw};
 use sim::watch::lateral::{LateralMeasures, LateralRegime};
 use sim::{
-    BitTorque, Impulse, Lateral, Scene, Simulator, Stopping, Timing, TorsionRegime, Wall,
+    BitTorque, Impulse, Lateral, Sampling, Scene, Simulator, Stopping, Timing, TorsionRegime, Wall,
     WhirlingSite, torsion_timing,
 };
 
@@ -119,17 +119,18 @@ struct Pushed {
 }
 
 impl Pushed {
-    fn new(sampling_frequency: f64) -> Self {
+    fn new(method: Method, sampling_frequency: f64) -> Self {
         let string = academic::string();
         let request = Request {
             sampling_frequency,
             ..academic::lateral_request(&string, &[0.0], 10.0)
         };
-        let responses = responses(&string, &Method::Held, &request).unwrap();
-        let (taps, moment) = (&responses.bending().unwrap().from_loads[0][0], 0.5);
+        let responses = responses(&string, &method, &request).unwrap();
+        let taps = &responses.bending().unwrap().from_loads[0][0];
+        let sampling = Sampling::new(sampling_frequency, method.moment());
         let impulse = Impulse {
             site: 0,
-            amount: 3.0 * least_impulse(taps, sampling_frequency, moment, 0.02, CLEARANCE),
+            amount: 3.0 * least_impulse(taps, sampling, 0.02, CLEARANCE),
             start: 1.0,
             duration: 0.02,
             direction: 0.0,
@@ -169,9 +170,12 @@ impl Pushed {
 /// Met at the end of a step, the law of the wall would put it off by a fifth at 160 Hz.
 #[test]
 fn the_limit_of_whirl_is_found_in_few_steps() {
-    let [coarse, middle, fine] = [160.0, 320.0, 640.0].map(|f| Pushed::new(f).limit());
+    let limit = |method, frequency| Pushed::new(method, frequency).limit();
+    let [coarse, middle, fine] = [160.0, 320.0, 640.0].map(|f| limit(Method::Held, f));
     assert_close(coarse, fine, 3e-3);
     assert_close(middle, fine, 2e-3);
+    // Quadrature, met at the ends of steps, comes there by much finer ones.
+    assert_close(fine, limit(Method::Quadrature, 1280.0), 2e-3);
 }
 
 /// On a rigid wall too the site rolls in every step, with the force that the exact waves
@@ -190,7 +194,7 @@ fn rolling_along_a_rigid_wall_obeys_the_balance_of_forces() {
         panic!("one steady whirl");
     };
     let error = |sampling_frequency: f64| {
-        let found = Pushed::new(sampling_frequency).run(site.wall);
+        let found = Pushed::new(Method::Held, sampling_frequency).run(site.wall);
         assert_eq!(found.rolling_fraction, 1.0, "{sampling_frequency}");
         found.mean_normal_force / steady.normal_force - 1.0
     };
@@ -225,8 +229,7 @@ proptest! {
                 compliance: 10f64.powf(exponents.2),
                 resistance: None,
             },
-            moment: 0.5,
-            rate: 1280.0,
+            sampling: Sampling::new(640.0, 0.5),
         };
         let contact = wall.meet(&approach);
         prop_assert!(contact.is_ok(), "{contact:?}");

@@ -9,8 +9,8 @@ use proptest::prelude::*;
 use sim::excitation::least_impulse;
 use sim::oscillator::worst_load_gain;
 use sim::{
-    BitTorque, EccentricMass, Impulse, Lateral, Outcome, Scene, SceneError, SimulationError,
-    Simulator, Stopping, System, Timing, Wall,
+    BitTorque, EccentricMass, Impulse, Lateral, Outcome, Sampling, Scene, SceneError,
+    SimulationError, Simulator, Stopping, System, Timing, Wall,
 };
 
 const SAMPLING_FREQUENCY: f64 = 200.0;
@@ -323,7 +323,14 @@ fn responses_that_no_string_gives_are_refused() {
 #[test]
 fn an_impulse_without_end_has_a_least_amount() {
     let taps = [1.0, 0.5, 0.25];
-    let of = |duration: f64| least_impulse(&taps, SAMPLING_FREQUENCY, 0.0, duration, 0.015);
+    let of = |duration: f64| {
+        least_impulse(
+            &taps,
+            Sampling::new(SAMPLING_FREQUENCY, 0.0),
+            duration,
+            0.015,
+        )
+    };
     assert!(of(0.01).is_finite());
     for duration in [1e7, 1e308] {
         assert!(of(duration) > of(1.0));

@@ -4,7 +4,7 @@
 use proptest::prelude::*;
 use sim::laws::bit::BitMotion;
 use sim::laws::contact::{Approach, Contact, ContactError, Resistance, Spin, Touch};
-use sim::{BitTorque, LoadLine, TorqueLaw, Wall, WallLaw};
+use sim::{BitTorque, LoadLine, Sampling, TorqueLaw, Wall, WallLaw};
 
 /// What a step brings to a site, in plain numbers.
 #[derive(Debug, Clone, Copy)]
@@ -44,8 +44,7 @@ impl Arrival {
                     jump: self.torsional_compliance * law.largest_drop(),
                 }),
             },
-            moment: 0.0,
-            rate: self.rate,
+            sampling: Sampling::new(self.rate, 0.0),
         })
     }
 }

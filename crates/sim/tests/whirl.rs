@@ -11,8 +11,8 @@ use problems::academic::{self, BENDING};
 use problems::oracles::assert_close;
 use sim::excitation::least_impulse;
 use sim::{
-    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Scene, Simulator, SteadyWhirl,
-    Stopping, Timing, Trajectory, Wall, WhirlingSite,
+    EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Sampling, Scene, Simulator,
+    SteadyWhirl, Stopping, Timing, Trajectory, Wall, WhirlingSite,
 };
 
 const DURATION: f64 = 10.0;
@@ -44,7 +44,12 @@ impl Case {
         let least_impulses = (0..distances.len())
             .map(|site| {
                 let taps = &bending.from_loads[site][site];
-                least_impulse(taps, academic::SAMPLING_FREQUENCY, 0.0, PULSE, CLEARANCE)
+                least_impulse(
+                    taps,
+                    Sampling::new(academic::SAMPLING_FREQUENCY, 0.0),
+                    PULSE,
+                    CLEARANCE,
+                )
             })
             .collect();
         Self {

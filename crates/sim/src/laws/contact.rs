@@ -5,6 +5,7 @@ use std::fmt::Debug;
 use thiserror::Error;
 
 use crate::ranges::SceneError;
+use crate::sampling::Sampling;
 
 /// What one step brings to a site, before contact.
 #[derive(Debug, Clone, Copy)]
@@ -17,11 +18,9 @@ pub struct Approach<'a> {
     pub compliance: f64,
     /// How the site turns.
     pub spin: Spin<'a>,
-    /// The part of the step that is still to go when the law is met: 0 at its end, ½ in
-    /// its middle, by when the site has gone half of the way.
-    pub moment: f64,
-    /// Velocity per distance from the previous position, Hz: f_s / (1 − moment).
-    pub rate: f64,
+    /// When in the step the law is met: at its end, or in its middle, by when the site has
+    /// gone half of the way.
+    pub sampling: Sampling,
 }
 
 /// How a site turns under the torque of friction within a step.
@@ -57,10 +56,7 @@ impl Approach<'_> {
     /// Where the site is at the end of the step, if it is at a position when the law is
     /// met, m.
     pub fn end_of_step(&self, position: [f64; 2]) -> [f64; 2] {
-        let end = |axis: usize| {
-            (position[axis] - self.moment * self.previous_position[axis]) / (1.0 - self.moment)
-        };
-        [end(0), end(1)]
+        (self.sampling).end_of_step(position, self.previous_position)
     }
 }
 

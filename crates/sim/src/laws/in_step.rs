@@ -106,7 +106,7 @@ impl Wall {
     /// on the wall: r with |r e − m p| = (1 − m) c for the position p before and the part
     /// m of the step that is still to go.
     fn chord(&self, approach: &Approach, [x, y]: [f64; 2]) -> f64 {
-        let ([px, py], moment) = (approach.previous_position, approach.moment);
+        let ([px, py], moment) = (approach.previous_position, approach.sampling.moment);
         let length = length([x, y]);
         let along = moment * (px * x + py * y) / length;
         let across = moment * (px * y - py * x) / length;

@@ -62,11 +62,11 @@ impl Obeyed<'_> {
         // A bit that holds any torque never slips.
         let jump = if jump.is_finite() { jump } else { 0.0 };
         let ([cos, sin], [px, py]) = (trial.direction, approach.previous_position);
-        let drift = (px * sin - py * cos) * approach.rate;
+        let drift = (px * sin - py * cos) * approach.sampling.rate_in_step();
         let sliding_speed = wall.radius * spin + drift;
         let by_friction = gives * wall.radius * wall.friction * trial.normal_force;
         let turns = wall.radius * (free_speed.abs() + by_friction);
-        let goes = (self.distance + px.abs() + py.abs()) * approach.rate;
+        let goes = (self.distance + px.abs() + py.abs()) * approach.sampling.rate_in_step();
         let speeds = turns.abs() + goes.abs();
         let least = TOLERANCE * speeds + (1.0 + TOLERANCE) * (wall.radius * jump).abs();
         speeds.is_finite() && sliding_speed.abs() <= least + f64::MIN_POSITIVE

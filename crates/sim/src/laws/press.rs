@@ -32,7 +32,7 @@ impl WallLaw for Wall {
     /// the bit's speed jumps by where its torque falls from T_s to T_d. Lengths
     /// below 1e-150 m count as none.
     fn meet(&self, approach: &Approach) -> Result<Contact, ContactError> {
-        if approach.moment > 0.0 {
+        if approach.sampling.moment > 0.0 {
             self.meet_in_step(approach)
         } else {
             self.meet_at(approach)
@@ -106,7 +106,7 @@ impl Press<'_> {
         let [x, y] = approach.free_position;
         let [px, py] = approach.previous_position;
         let spin = approach.spin.under(0.0);
-        let drift = (px * y - py * x) * approach.rate;
+        let drift = (px * y - py * x) * approach.sampling.rate_in_step();
         self.wall.radius * spin * self.distance + drift > 0.0
     }
 
@@ -156,7 +156,7 @@ impl Press<'_> {
         let turning = self.wall.radius.powi(2) * approach.spin.compliance / approach.compliance;
         let [wx, wy]: [f64; 2] = std::array::from_fn(|axis| {
             turning * approach.free_position[axis]
-                + approach.rate * approach.previous_position[axis]
+                + approach.sampling.rate_in_step() * approach.previous_position[axis]
         });
         let length = (wx * wx + wy * wy).sqrt();
         let sine = self.wall.radius * approach.spin.free_speed / length;
@@ -232,7 +232,7 @@ impl Press<'_> {
         let [cos, sin] = direction;
         let [px, py] = self.approach.previous_position;
         // e_θ = (−sin, cos), to which the new position is orthogonal.
-        let drift = (px * sin - py * cos) * self.approach.rate;
+        let drift = (px * sin - py * cos) * self.approach.sampling.rate_in_step();
         let torque = self.wall.radius * ratio * normal_force;
         let spin = self.approach.spin.under(torque);
         Trial {

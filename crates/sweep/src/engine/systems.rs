@@ -9,7 +9,7 @@ use linear::estimates::largest_undershoot;
 use linear::{ChannelRequest, ChannelResponses, Method, Request, Responses, responses};
 use rayon::prelude::*;
 use sim::excitation::least_impulse;
-use sim::{Outcome, SimulationError, Simulator, Stopping, Trajectory};
+use sim::{Outcome, Sampling, SimulationError, Simulator, Stopping, Trajectory};
 
 use super::case::Case;
 use super::case_error::CaseError;
@@ -267,8 +267,7 @@ fn least_impulses(setting: &Setting, responses: &Responses) -> Vec<f64> {
     let of = |impulse: &ImpulseSettings| {
         least_impulse(
             &bending.from_loads[impulse.site][impulse.site],
-            setting.sampling_frequency,
-            responses.method.moment(),
+            Sampling::new(setting.sampling_frequency, responses.method.moment()),
             impulse.duration,
             lateral.walls[impulse.site].clearance,
         )
