@@ -96,5 +96,7 @@ pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
 pub use num_complex::Complex64;
 pub use pulse::RaisedCosine;
-pub use responses::{ChannelRequest, ChannelResponses, Request, Responses, responses};
+pub use responses::{
+    ChannelRequest, ChannelResponses, ImpulseTrains, Request, Responses, responses, responses_with,
+};
 pub use sites::Sites;

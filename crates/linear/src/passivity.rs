@@ -53,8 +53,10 @@ pub struct WorstPoint {
 pub enum Ending {
     /// With its last tap: it has decayed, or it is what is simulated with.
     Whole,
-    /// It goes on; the simulation does not.
+    /// It goes on, ever more smoothly; the simulation does not.
     Cut,
+    /// It goes on, with fronts as sharp as at the beginning; the simulation does not.
+    Ringing,
 }
 
 impl Ending {
@@ -169,6 +171,9 @@ fn spectrum(taps: &[f64], ending: Ending, length: usize) -> Vec<Complex64> {
     let count = taps.len() as f64;
     let weighted = (taps.iter().enumerate()).map(|(index, tap)| tap * (1.0 - index as f64 / count));
     let mut spectrum = transform(weighted, length);
+    if ending == Ending::Ringing {
+        return spectrum;
+    }
     let rough = transform(half_differences(taps).into_iter(), length);
     for index in length / 4..=length / 2 {
         let angle = -std::f64::consts::TAU * index as f64 / length as f64;

@@ -5,12 +5,14 @@ use linear::deviation::{bending_error, exact_undershoot, torsion_error};
 use linear::estimates::{
     largest_undershoot, torsional_impedance, torsional_stiffness, torsional_travel_time,
 };
+use linear::passivity::Ending;
 use linear::waves::lattice::Lattice;
 use linear::{
-    ChannelRequest, Drillstring, Method, Request, Responses, Section, Sites, SurfaceSupport, Tube,
+    ChannelRequest, Drillstring, ImpulseTrains, Method, Request, Responses, Section, Sites,
+    SurfaceSupport, Tube, responses_with,
 };
 use problems::academic::{self, BENDING, tube};
-use problems::oracles::assert_close;
+use problems::oracles::{assert_close, relative_difference};
 use problems::plain_lattice::PlainLattice;
 use proptest::prelude::*;
 
@@ -181,7 +183,7 @@ proptest! {
             speed += tap;
             wound_up += speed / responses.sampling_frequency;
         }
-        if responses.torsion().unwrap().ending == linear::passivity::Ending::Whole {
+        if responses.torsion().unwrap().ending == Ending::Whole {
             let stiffness = torsional_stiffness(&string);
             prop_assert!((wound_up * stiffness - 1.0).abs() < 5e-4 + 4.0 * misfit);
         }
@@ -207,4 +209,56 @@ fn the_middle_of_a_step_is_of_second_order_in_bending() {
     };
     let (coarse, fine) = (error(320.0), error(640.0));
     assert!(fine < 2e-3 && coarse / fine > 3.5, "{coarse} {fine}");
+}
+
+/// Trains of impulses are the same at any sampling frequency, and are not taken for those
+/// of another string or a shorter time.
+#[test]
+fn trains_serve_all_sampling_frequencies_of_their_own_request() {
+    let string = academic::string();
+    let request = academic::bit_request(10.0);
+    let trains = ImpulseTrains::new(&string, &request).unwrap().unwrap();
+    for sampling_frequency in [77.7, 640.0] {
+        let request = Request {
+            sampling_frequency,
+            ..request.clone()
+        };
+        let found = responses_with(&string, &Method::Held, &request, &trains).unwrap();
+        let own = linear::responses(&string, &Method::Held, &request).unwrap();
+        let difference = relative_difference(found.at_bit().unwrap(), own.at_bit().unwrap());
+        assert!(difference < 1e-9, "{difference}");
+    }
+    let longer = academic::bit_request(20.0);
+    assert!(responses_with(&string, &Method::Held, &longer, &trains).is_err());
+    let other = academic::damped_string(11.0);
+    assert!(responses_with(&other, &Method::Held, &request, &trains).is_err());
+    let none = Request {
+        channels: Vec::new(),
+        ..request
+    };
+    assert_eq!(ImpulseTrains::new(&string, &none), Ok(None));
+}
+
+/// A heavy collar rings on for longer than is simulated, with all its fronts: what is left
+/// out of the responses is no loss of passivity.
+#[test]
+fn what_rings_on_is_passive_too() {
+    let part = |length: f64, outer_radius: f64| Tube {
+        length,
+        inner_radius: 0.04,
+        outer_radius,
+    };
+    let pipe = Section {
+        repeat: 300,
+        parts: vec![part(9.6, 0.06), part(0.4, 0.08)],
+    };
+    let collar = Section {
+        repeat: 1,
+        parts: vec![part(250.0, 0.16)],
+    };
+    let string = string_of(vec![pipe, collar], 0.3);
+    let responses = at_bit(&string, academic::SAMPLING_FREQUENCY, 10.0);
+    assert_eq!(responses.torsion().unwrap().ending, Ending::Ringing);
+    let margin = responses.torsion_margin().unwrap().unwrap();
+    assert!(margin > -1e-9, "{margin}");
 }

@@ -16,22 +16,6 @@ use num_complex::Complex64;
 use super::quadrature::series;
 use super::radau;
 
-/// The first `count` taps of every channel whose response is a train of impulses, one
-/// every `spacing` steps, given as its generating function of the delay ζ from one
-/// impulse to the next.
-pub(crate) fn taps(
-    spacing: f64,
-    count: usize,
-    channels: usize,
-    generating: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
-) -> Vec<Vec<f64>> {
-    let impulses = (count as f64 / spacing).ceil() as usize + 1;
-    let trains = series(impulses, channels, generating);
-    (trains.iter())
-        .map(|train| shared(train, spacing, count))
-        .collect()
-}
-
 /// Steps of Radau IIA in one step of the taps.
 pub(crate) const SUBSTEPS: usize = 4;
 
@@ -44,10 +28,8 @@ pub(crate) fn smooth_taps(
     response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
 ) -> Vec<Vec<f64>> {
     let fine = SUBSTEPS as f64 * sampling_frequency;
-    let spacing = (SUBSTEPS as f64).recip();
-    taps(
-        spacing,
-        count,
+    let trains = series(
+        SUBSTEPS * count + 1,
         channels,
         &|zeta: Complex64, values: &mut [Complex64]| {
             let [(one, weight), (other, other_weight)] = radau::held(zeta);
@@ -58,12 +40,16 @@ pub(crate) fn smooth_taps(
                 *value = weight * *value + other_weight * other;
             }
         },
-    )
+    );
+    let spacing = (SUBSTEPS as f64).recip();
+    (trains.iter())
+        .map(|train| shared(train, spacing, count))
+        .collect()
 }
 
 /// The first `count` taps of a response that is a train of impulses, one every `spacing`
 /// steps, the first at time zero.
-fn shared(train: &[f64], spacing: f64, count: usize) -> Vec<f64> {
+pub(crate) fn shared(train: &[f64], spacing: f64, count: usize) -> Vec<f64> {
     let mut taps = vec![0.0; count + 1];
     for (index, impulse) in train.iter().enumerate() {
         let place = index as f64 * spacing;

@@ -100,7 +100,7 @@ impl Responses {
             channel.check(self.sites.len())?;
             let needed = self.longest_time * self.sampling_frequency;
             let reaches = channel.taps() as f64 >= needed * (1.0 - SAME_TIME);
-            if channel.ending == Ending::Cut && !reaches {
+            if channel.ending != Ending::Whole && !reaches {
                 return Err(ResponseError::TooShort {
                     taps: channel.taps(),
                     longest_time: self.longest_time,

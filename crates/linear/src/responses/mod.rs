@@ -8,9 +8,11 @@ pub(crate) mod length;
 mod margin;
 mod request;
 pub(crate) mod torsion;
+mod trains;
 
 pub use channels::{ChannelResponses, Responses};
 pub use request::{ChannelRequest, Request};
+pub use trains::ImpulseTrains;
 
 use rayon::prelude::*;
 
@@ -28,9 +30,34 @@ pub fn responses(
     method: &Method,
     request: &Request,
 ) -> Result<Responses, BuildError> {
+    responses_of(string, method, request, None)
+}
+
+/// The same, with the trains of impulses of such a request that held responses in torsion
+/// are made of: those at many sampling frequencies then cost little more than those at one.
+///
+/// # Errors
+/// As [`responses()`], and where the trains are those of another string or request.
+pub fn responses_with(
+    string: &Drillstring,
+    method: &Method,
+    request: &Request,
+    trains: &ImpulseTrains,
+) -> Result<Responses, BuildError> {
+    responses_of(string, method, request, Some(trains))
+}
+
+fn responses_of(
+    string: &Drillstring,
+    method: &Method,
+    request: &Request,
+    trains: Option<&ImpulseTrains>,
+) -> Result<Responses, BuildError> {
     request.check(string)?;
     let build = |channel: &ChannelRequest| match channel {
-        ChannelRequest::Torsion { torques } => torsion::responses(string, method, request, torques),
+        ChannelRequest::Torsion { torques } => {
+            torsion::responses(string, method, request, torques, trains)
+        }
         ChannelRequest::Bending { bending, support } => {
             bending::responses(string, method, request, bending, *support)
         }

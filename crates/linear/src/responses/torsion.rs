@@ -5,8 +5,9 @@ use rayon::prelude::*;
 
 use super::channels::ChannelResponses;
 use super::decay::{first_length, until_decayed};
-use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
+use super::length::{all_finite, samples_of, transform_length};
 use super::request::Request;
+use super::trains::ImpulseTrains;
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
@@ -14,10 +15,9 @@ use crate::elements::reduction::{CondensedString, StringState};
 use crate::error::BuildError;
 use crate::estimates::torsional_settling_time;
 use crate::filters::quadrature::Formula;
-use crate::filters::{direct, held, hilbert, quadrature};
+use crate::filters::{direct, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
-use crate::waves::lattice::Lattice;
 use crate::waves::network::{TorsionAdmittance, TorsionNetwork};
 
 /// A digital filter lasts at least so many time constants of what seeps along the
@@ -31,6 +31,8 @@ struct Torsion<'a> {
     request: &'a Request,
     /// The sites that torques act on.
     torques: &'a [usize],
+    /// What held responses are made of, where that is there.
+    trains: Option<&'a ImpulseTrains>,
 }
 
 /// Builds the torsional responses of a string by one method.
@@ -39,12 +41,14 @@ pub(super) fn responses(
     method: &Method,
     request: &Request,
     torques: &[usize],
+    trains: Option<&ImpulseTrains>,
 ) -> Result<ChannelResponses, BuildError> {
     let torsion = Torsion {
         string,
         method,
         request,
         torques,
+        trains,
     };
     let (taps, ending) = torsion.taps()?;
     all_finite(&taps, method)?;
@@ -76,6 +80,20 @@ impl Torsion<'_> {
         }
     }
 
+    fn held_taps(&self) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
+        let taps = |trains: &ImpulseTrains| trains.taps(self.request.sampling_frequency);
+        match self.trains {
+            Some(trains) => {
+                trains.check(self.string, self.request, self.torques)?;
+                Ok(taps(trains))
+            }
+            None => {
+                let trains = ImpulseTrains::of_torques(self.string, self.request, self.torques)?;
+                Ok(taps(&trains))
+            }
+        }
+    }
+
     fn quadrature_taps(&self, formula: Formula) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
         let response = self.wave_response()?;
         until_decayed(self.string, self.request, |length| {
@@ -86,23 +104,6 @@ impl Torsion<'_> {
                 self.count(),
                 &response,
             )
-        })
-    }
-
-    fn held_taps(&self) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-        let lattice = Lattice::new(self.string, &self.request.sites)?;
-        let spacing = lattice.step * self.request.sampling_frequency;
-        let first = first_length(self.string, self.request.sampling_frequency)?;
-        let needed = needed_taps(self.request.longest_time, self.request.sampling_frequency);
-        let impulses = needed.max(first as f64) / spacing;
-        if impulses > MOST_TAPS as f64 {
-            return Err(too_many(impulses));
-        }
-        let response = |zeta: Complex64, responses: &mut [Complex64]| {
-            self.fill(&lattice.admittance(zeta), responses)
-        };
-        until_decayed(self.string, self.request, |length| {
-            held::taps(spacing, length, self.count(), &response)
         })
     }
 
@@ -124,21 +125,8 @@ impl Torsion<'_> {
     ) -> Result<impl Fn(Complex64, &mut [Complex64]) + Sync + '_, BuildError> {
         let network = TorsionNetwork::new(self.string, &self.request.sites)?;
         Ok(move |s: Complex64, responses: &mut [Complex64]| {
-            self.fill(&network.admittance(s), responses)
+            fill(self.torques, &network.admittance(s), responses)
         })
-    }
-
-    /// Writes those responses that are asked for.
-    fn fill(&self, admittance: &TorsionAdmittance, responses: &mut [Complex64]) {
-        let sites = self.request.sites.len();
-        responses[..sites].copy_from_slice(&admittance.from_surface);
-        let from_torques = (0..sites).flat_map(|site| {
-            let admittance = &admittance.from_torque;
-            (self.torques.iter()).map(move |&input| admittance[(site, input)])
-        });
-        for (response, value) in responses[sites..].iter_mut().zip(from_torques) {
-            *response = value;
-        }
     }
 
     fn element_taps(
@@ -182,6 +170,20 @@ impl Torsion<'_> {
                 .collect(),
             ending,
         }
+    }
+}
+
+/// Writes those responses that are asked for: of all sites from the surface, then of all
+/// sites from each torque.
+pub(super) fn fill(torques: &[usize], admittance: &TorsionAdmittance, responses: &mut [Complex64]) {
+    let sites = admittance.from_surface.len();
+    responses[..sites].copy_from_slice(&admittance.from_surface);
+    let from_torques = (0..sites).flat_map(|site| {
+        let admittance = &admittance.from_torque;
+        torques.iter().map(move |&input| admittance[(site, input)])
+    });
+    for (response, value) in responses[sites..].iter_mut().zip(from_torques) {
+        *response = value;
     }
 }
 
