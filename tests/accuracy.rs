@@ -209,7 +209,7 @@ fn what_was_chosen_is_told() {
         &["run", "small.toml"],
     ] {
         let answer = place.sweep(arguments);
-        for told in ["accuracy 30 %: ", "reference: hilbert at"] {
+        for told in ["accuracy 30 %: ", "reference: held at"] {
             assert!(answer.output.contains(told), "{answer:?}");
         }
     }

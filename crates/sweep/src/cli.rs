@@ -9,6 +9,7 @@ use crate::allotted::PassedOver;
 use crate::engine::{RunOptions, Shard};
 use crate::memory::{Limit, Size};
 use crate::quantities::Axis;
+use crate::studies::promises::Motion;
 use crate::studies::stability::Family;
 use crate::studies::tradeoff::{LADDER, Measure};
 use crate::sweep_file::{MethodName, nearest};
@@ -100,6 +101,11 @@ pub enum Command {
     #[command(after_help = "Examples:\n  sweep stability\n  \
         sweep stability --family newmark --out /tmp/newmark")]
     Stability(StabilityArguments),
+    /// Test how often accuracies asked for are kept, on random strings
+    #[command(after_help = "Examples:\n  sweep promises\n  \
+        sweep promises --strings 4 --motion whirl --out /tmp/promises\n\n\
+        The whole study takes hours on two cores; a string, about a minute.")]
+    Promises(PromisesArguments),
     /// Write a page about a results folder, or several side by side
     #[command(after_help = "Examples:\n  sweep report results/fig09\n  \
         sweep report results/fig14 results/fig17 --out whirl.html\n\n\
@@ -300,6 +306,31 @@ pub struct StabilityArguments {
     /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Arguments of `promises`.
+#[derive(Debug, Args)]
+pub struct PromisesArguments {
+    /// Strings drawn for each motion; every one is asked for several accuracies
+    #[arg(long, default_value_t = 40)]
+    pub strings: usize,
+    /// What the random numbers begin with
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Only this motion; may be repeated
+    #[arg(long, value_name = "MOTION", value_delimiter = ',')]
+    pub motion: Vec<Motion>,
+    /// Results folder
+    #[arg(long, default_value = "results/promises")]
+    pub out: PathBuf,
+    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    #[arg(long)]
+    pub jobs: Option<usize>,
+    #[command(flatten)]
+    pub memory: MemoryArguments,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,

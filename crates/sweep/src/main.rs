@@ -70,6 +70,7 @@ fn main() -> ExitCode {
         Command::Plot { folder } => commands::plot::plot(&folder, terminal),
         Command::Merge { folders, out } => commands::merge::merge(&folders, &out, terminal),
         Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments, terminal),
+        Command::Promises(arguments) => commands::promises::promises(&arguments, terminal),
         Command::Stability(arguments) => commands::stability::stability(&arguments, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
         Command::Summary { folder } => commands::report::summary(&folder, terminal),

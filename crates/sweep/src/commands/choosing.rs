@@ -17,6 +17,9 @@ use crate::memory::Limit;
 use crate::plan::{Candidate, Sweep};
 use crate::studies::accuracy::{self, Attempt};
 
+/// An attempt that is expected to take longer than this, s, is told before it is made.
+const LONG: f64 = 5.0;
+
 /// The sweep or, where it asks for an accuracy, that with what is chosen for it; tells
 /// of that unless `quiet`.
 ///
@@ -73,10 +76,11 @@ impl Choosing {
     }
 
     fn begin(&self, attempt: Attempt) {
+        let is_long = attempt.seconds.is_some_and(|seconds| seconds > LONG);
         if let Ok(mut current) = self.attempt.lock() {
             *current = Some(attempt);
         }
-        if let Display::Bar(_) = self.display {
+        if is_long || matches!(self.display, Display::Bar(_)) {
             self.tell();
         }
     }
@@ -101,8 +105,10 @@ impl Choosing {
             } else {
                 ""
             };
+            let long = attempt.seconds.filter(|seconds| *seconds > 1.0);
+            let long = long.map_or_else(String::new, |seconds| format!(" (about {seconds:.0} s)"));
             format!(
-                "accuracy: {} so far; {by}{}",
+                "accuracy: {} so far; {by}{}{long}",
                 self.cost(", "),
                 attempt.candidate
             )
@@ -115,6 +121,7 @@ impl Choosing {
                 "event": "choosing",
                 "candidate": attempt.candidate,
                 "is_reference": attempt.is_reference,
+                "expected_seconds": attempt.seconds,
                 "seconds": self.start.elapsed().as_secs_f64(),
                 "memory_bytes": peak_memory(),
             })),

@@ -14,6 +14,7 @@ mod outcome;
 pub mod plot;
 mod prepare;
 mod progress;
+pub mod promises;
 pub mod report;
 pub mod run;
 pub mod shell;

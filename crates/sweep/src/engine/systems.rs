@@ -6,7 +6,10 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail};
 use linear::deviation::exact_undershoot;
 use linear::estimates::largest_undershoot;
-use linear::{ChannelRequest, ChannelResponses, Method, Request, Responses, responses};
+use linear::{
+    ChannelRequest, ChannelResponses, ImpulseTrains, Method, Request, Responses, responses,
+    responses_with,
+};
 use rayon::prelude::*;
 use sim::excitation::least_impulse;
 use sim::{Outcome, Sampling, SimulationError, Simulator, Stopping, Trajectory};
@@ -90,9 +93,40 @@ impl MethodSystem {
     /// # Errors
     /// Where the method cannot treat the string.
     pub fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
-        let start = Instant::now();
+        Self::build_with(setting, method, cuts, longest_time, None)
+    }
+
+    /// The trains of impulses that systems by [`Method::Held`] are made of at any sampling
+    /// frequency; `None` where nothing turns.
+    ///
+    /// # Errors
+    /// As [`MethodSystem::build`].
+    pub fn trains(
+        setting: &Setting,
+        cuts: bool,
+        longest_time: f64,
+    ) -> Result<Option<ImpulseTrains>> {
         let request = request(setting, cuts, longest_time);
-        let responses = responses(&setting.string, &method, &request)?;
+        Ok(ImpulseTrains::new(&setting.string, &request)?)
+    }
+
+    /// As [`MethodSystem::build`], with such trains where they are there.
+    ///
+    /// # Errors
+    /// As [`MethodSystem::build`], and where the trains are not of this setting.
+    pub fn build_with(
+        setting: &Setting,
+        method: Method,
+        cuts: bool,
+        longest_time: f64,
+        trains: Option<&ImpulseTrains>,
+    ) -> Result<Self> {
+        let start = Instant::now();
+        let (string, request) = (&setting.string, request(setting, cuts, longest_time));
+        let responses = match trains {
+            None => responses(string, &method, &request)?,
+            Some(trains) => responses_with(string, &method, &request, trains)?,
+        };
         let simulator = Simulator::new(&responses)?;
         let build_seconds = start.elapsed().as_secs_f64();
         Ok(Self {

@@ -36,8 +36,14 @@ pub struct Choice {
     pub reference_method: String,
     /// Its sampling frequency, Hz.
     pub reference_hz: f64,
-    /// The change of its answers from a quarter of that frequency.
+    /// By how much its answers may be wrong: their change from half and a quarter of that
+    /// frequency, and what its linear responses are off from the exact ones.
     pub reference_uncertainty: f64,
+    /// The method of another family whose answers counted in that too; none where its
+    /// linear responses are not near enough to the exact ones for its answers to tell
+    /// anything.
+    #[serde(default)]
+    pub reference_seconded_by: Option<String>,
     /// Cases that were simulated to compare.
     pub probes: Vec<usize>,
     /// Everything tried, the chosen last.
@@ -86,8 +92,10 @@ impl Choice {
             self.chosen,
             per_cent(self.delivered)
         );
+        let second = (self.reference_seconded_by.as_ref())
+            .map_or_else(String::new, |method| format!(", {method} included"));
         let reference = format!(
-            "(reference: {} at {} Hz, uncertain by {} %)",
+            "(reference: {} at {} Hz, uncertain by {} %{second})",
             self.reference_method,
             short(self.reference_hz),
             per_cent(self.reference_uncertainty)

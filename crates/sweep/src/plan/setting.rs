@@ -91,7 +91,10 @@ impl Setting {
             sampling_by_rule,
             lateral,
         };
-        setting.check_sampling(source)?;
+        // For an accuracy another frequency is chosen.
+        if content.accuracy.is_none() {
+            setting.check_sampling(source)?;
+        }
         Ok(setting)
     }
 

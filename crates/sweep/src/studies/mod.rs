@@ -9,6 +9,7 @@
 pub mod accuracy;
 mod limit;
 mod methods;
+pub mod promises;
 mod scenes;
 pub mod stability;
 pub mod tradeoff;

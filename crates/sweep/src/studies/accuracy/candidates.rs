@@ -6,16 +6,34 @@ use linear::method::{FiniteElement, Transform};
 use crate::plan::Candidate;
 use crate::studies::methods::Parameters;
 
-/// Sampling frequencies, Hz. The last is for the reference alone.
-pub const FREQUENCIES: [f64; 11] = [
-    20.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0, 2560.0, 5120.0, 10240.0, 20480.0,
-];
+/// The lowest sampling frequency tried, about, Hz.
+const LOWEST: f64 = 20.0;
+
+/// How often it may be doubled. The last frequencies are for the reference alone.
+const DOUBLINGS: u32 = 10;
+
+/// Sampling frequencies, Hz, on a string that a torsional wave travels in `travel` (s): in
+/// a whole number of steps, for a front that arrives within a step is met as a slope of
+/// one step, and where it catches a bit that creeps, its limit hangs on that.
+pub fn frequencies(travel: f64) -> Vec<f64> {
+    let steps = (LOWEST * travel).round().max(1.0);
+    (0..=DOUBLINGS)
+        .map(|doublings| steps * 2f64.powi(doublings as i32) / travel)
+        .collect()
+}
+
+/// Two frequencies below one, at which fronts that travel the whole string arrive within a
+/// step.
+pub fn off_beat(frequency: f64, travel: f64) -> [f64; 2] {
+    let steps = frequency * travel;
+    [0.75, 0.5].map(|part| ((part * steps).round() + 0.5) / travel)
+}
 
 /// At one frequency, by the cost of building: the quadrature takes four samples of the
-/// waves a tap; finite elements take a step of the whole mesh a tap; the digital
-/// filter needs taps for as long as the response lasts twice, and memory for them in
-/// every case.
-pub fn methods() -> [Method; 5] {
+/// waves a tap; finite elements take a step of the whole mesh a tap; held responses take
+/// those of a lattice whose pieces are far shorter than a step; the digital filter needs
+/// taps for as long as the response lasts twice, and memory for them in every case.
+pub fn methods() -> [Method; 6] {
     let elements = |elements_per_cell| {
         Method::FiniteElement(FiniteElement {
             elements_per_cell,
@@ -26,6 +44,7 @@ pub fn methods() -> [Method; 5] {
         Method::Quadrature,
         elements(2),
         elements(5),
+        Method::Held,
         elements(20),
         Method::Hilbert(Transform::default()),
     ]

@@ -25,12 +25,15 @@ mod candidates;
 mod probes;
 mod search;
 
+use std::cell::Cell;
+
 use linear::Method;
 use sim::Stopping;
 
 use crate::memory::Limit;
 use crate::plan::{Choice, Sweep};
 use crate::sweep_file::{Accuracy, SweepFileError};
+pub use answer::is_inside;
 use probes::Probes;
 pub use search::Attempt;
 use search::Search;
@@ -62,6 +65,8 @@ pub fn choose(
             asked,
             stopping,
             tell,
+            undershoots: probes.exact_undershoots()?,
+            pace: Cell::new(None),
         };
         search.run()
     });

@@ -1,11 +1,13 @@
 //! A few of the sweep's own cases, simulated to compare methods, and the limits near
 //! them.
 
+use std::sync::OnceLock;
+
 use anyhow::{Result, anyhow, bail};
-use linear::Method;
 use linear::cost::Memory;
-use linear::deviation::{bending_error, torsion_error};
-use linear::method::Transform;
+use linear::deviation::{bending_error, exact_undershoot, torsion_error};
+use linear::estimates::{largest_undershoot, torsional_travel_time};
+use linear::{ImpulseTrains, Method};
 use rayon::prelude::*;
 use sim::Stopping;
 
@@ -27,6 +29,9 @@ const LIMIT_PART: f64 = 1.0 / 16.0;
 
 /// A limit is looked for within this factor of a known one.
 const NEAR: f64 = 1.2;
+
+/// Islands are looked for within this factor of a limit.
+const FURTHEST: f64 = 1.3;
 
 /// Duration of the impulse in bending where the scene has none, s.
 const DURATION: f64 = 0.02;
@@ -50,6 +55,9 @@ pub struct Probes<'a> {
     longest: f64,
     asked: f64,
     limit: Limit,
+    /// The trains of impulses of each string, as soon as they are wanted, or why there are
+    /// none.
+    trains: Vec<OnceLock<Result<Option<ImpulseTrains>, String>>>,
 }
 
 impl<'a> Probes<'a> {
@@ -65,6 +73,7 @@ impl<'a> Probes<'a> {
             longest: 0.0,
             asked,
             limit: *limit,
+            trains: Vec::new(),
         };
         let cases = sweep.design.cases();
         let count = cases.min(MOST_PROBES);
@@ -93,6 +102,7 @@ impl<'a> Probes<'a> {
         let string = self.strings.iter().position(has_its_string);
         let string = string.unwrap_or_else(|| {
             self.strings.push(case);
+            self.trains.push(OnceLock::new());
             self.strings.len() - 1
         });
         self.probes.push(Probe { case, string });
@@ -123,20 +133,28 @@ impl<'a> Probes<'a> {
         conditions
     }
 
-    /// The method of the reference. In torsion alone the limit of stick-slip hangs on
-    /// wave fronts, which the digital filter has within its band and the quadrature
-    /// smooths up to a hundred times higher frequencies; in bending the filter loses
-    /// the slow tail, and without damping it cannot be.
-    pub fn reference(&self) -> Method {
-        let is_damped = |&case: &usize| {
+    /// The time (s) a torsional wave takes along the string of the first probe.
+    ///
+    /// # Errors
+    /// Where that string cannot be.
+    pub fn travel(&self) -> Result<f64> {
+        let values = self.sweep.design.values(self.strings[0]);
+        Ok(torsional_travel_time(
+            &self.sweep.setting_at(&values)?.string,
+        ))
+    }
+
+    /// Whether no string has a step of impedance: then fronts travel the whole of it.
+    pub fn are_uniform(&self) -> bool {
+        self.strings.iter().all(|&case| {
             let setting = self.sweep.setting_at(&self.sweep.design.values(case));
-            setting.is_ok_and(|setting| setting.string.torsional_damping() > 0.0)
-        };
-        if self.sweep.setting.lateral.is_none() && self.strings.iter().all(is_damped) {
-            Method::Hilbert(Transform::default())
-        } else {
-            Method::Quadrature
-        }
+            setting.is_ok_and(|setting| {
+                let parts = setting.string.sections().iter().flat_map(|one| &one.parts);
+                let mut moments = parts.map(|part| part.polar_moment());
+                let first = moments.next();
+                moments.all(|moment| Some(moment) == first)
+            })
+        })
     }
 
     /// The setting of a string's case, sampled at another frequency.
@@ -168,7 +186,7 @@ impl<'a> Probes<'a> {
             case = case.max(of_string.case);
         }
         let stepped = Memory::lasting(rayon::current_num_threads() as f64 * case);
-        let bytes = held + systems.then(stepped).peak;
+        let bytes = held + self.memory_of_trains() + systems.then(stepped).peak;
         if bytes > self.limit.bytes {
             let (size, limit) = (Size(bytes), self.limit);
             bail!("is too large for the memory: {size}, more than {limit}; --memory changes that");
@@ -181,10 +199,14 @@ impl<'a> Probes<'a> {
     /// # Errors
     /// Where it cannot treat one, or a stuck site chatters.
     pub fn systems(&self, method: Method, frequency: f64) -> Result<Systems> {
-        let build = |&case: &usize| {
-            let setting = self.setting(case, frequency)?;
+        let build = |string: usize| {
+            let setting = self.setting(self.strings[string], frequency)?;
+            let trains = match method {
+                Method::Held => self.trains_of(string, &setting)?,
+                _ => None,
+            };
             let cuts = self.sweep.bit.is_some();
-            let system = MethodSystem::build(&setting, method, cuts, self.longest)
+            let system = MethodSystem::build_with(&setting, method, cuts, self.longest, trains)
                 .map_err(|error| anyhow!("{error:#}"))?;
             match system.instability() {
                 Some(instability) => Err(instability.into()),
@@ -192,8 +214,29 @@ impl<'a> Probes<'a> {
             }
         };
         // The first string's error, whichever was found first.
-        let systems: Vec<Result<MethodSystem>> = self.strings.par_iter().map(build).collect();
+        let strings = (0..self.strings.len()).into_par_iter();
+        let systems: Vec<Result<MethodSystem>> = strings.map(build).collect();
         systems.into_iter().collect()
+    }
+
+    /// The trains of a string, found once.
+    fn trains_of(&self, string: usize, setting: &Setting) -> Result<Option<&ImpulseTrains>> {
+        let found = self.trains[string].get_or_init(|| {
+            let cuts = self.sweep.bit.is_some();
+            let trains = MethodSystem::trains(setting, cuts, self.longest);
+            trains.map_err(|reason| format!("{reason:#}"))
+        });
+        match found {
+            Ok(trains) => Ok(trains.as_ref()),
+            Err(reason) => bail!(reason.clone()),
+        }
+    }
+
+    /// Memory that is kept for all sampling frequencies, bytes.
+    pub fn memory_of_trains(&self) -> f64 {
+        let found = self.trains.iter().filter_map(OnceLock::get);
+        let trains = found.filter_map(|found| found.as_ref().ok()?.as_ref());
+        trains.map(ImpulseTrains::bytes).sum()
     }
 
     /// The answers to all probes, their limits looked for near those of `known`
@@ -267,32 +310,99 @@ impl<'a> Probes<'a> {
         None
     }
 
-    /// The error of the linear responses of all strings, on smooth motions.
+    /// Refuses answers whose limits have islands of the other regime near: those are limits
+    /// too, and none that would hold still.
+    ///
+    /// # Errors
+    /// Names the first case with one.
+    pub fn check_for_islands(&self, systems: &Systems, answers: &[Answer]) -> Result<()> {
+        let probes = self.probes.par_iter().zip(answers);
+        let found: Vec<Result<()>> = probes
+            .map(|(probe, answer)| {
+                let Some(limit) = answer.limit else {
+                    return Ok(());
+                };
+                let is_inside_at = |factor: f64| {
+                    let conditions = self.conditions(probe.case, limit * factor);
+                    let system = &systems[probe.string];
+                    let outcome = trial::outcome(self.sweep, system, &conditions, Stopping::Early);
+                    outcome.ok().map(|outcome| is_inside(&outcome))
+                };
+                let reach = FURTHEST.ln();
+                for side in [-1.0, 1.0] {
+                    let distances = (0..).map(|doubled| self.asked * 2f64.powi(doubled));
+                    let distances = distances.take_while(|distance| *distance < reach);
+                    let places = distances.chain([reach]);
+                    let mut regimes = places.map(|distance| {
+                        let factor = (side * distance).exp();
+                        (factor, is_inside_at(factor))
+                    });
+                    let Some((_, near)) = regimes.next() else {
+                        continue;
+                    };
+                    if let Some((factor, _)) = regimes.find(|(_, regime)| *regime != near) {
+                        let case = probe.case;
+                        bail!(
+                            "the limit near case {case} is ragged: at {factor:.2} times it there \
+                             is another"
+                        );
+                    }
+                }
+                Ok(())
+            })
+            .collect();
+        found.into_iter().collect()
+    }
+
+    /// Δ of Eq. 75 of every string as it is, rad/s per N m; none with a wall, where no
+    /// limit hangs on it, and none without a bit.
+    ///
+    /// # Errors
+    /// Where a string cannot be cut into a lattice.
+    pub fn exact_undershoots(&self) -> Result<Vec<f64>> {
+        if self.sweep.setting.lateral.is_some() || self.sweep.bit.is_none() {
+            return Ok(Vec::new());
+        }
+        let of_string = |&case: &usize| {
+            let setting = self.sweep.setting_at(&self.sweep.design.values(case))?;
+            Ok(exact_undershoot(&setting.string)?)
+        };
+        let found: Vec<Result<f64>> = self.strings.par_iter().map(of_string).collect();
+        found.into_iter().collect()
+    }
+
+    /// The error of the linear responses of all strings: on smooth motions, and of the
+    /// `undershoots` that are.
     ///
     /// # Errors
     /// Where they are none of these strings'.
-    pub fn linear_error(&self, systems: &Systems) -> Result<Difference> {
+    pub fn linear_error(&self, systems: &Systems, undershoots: &[f64]) -> Result<Difference> {
         let mut worst = Difference {
             part: 0.0,
             of: "the linear responses".to_owned(),
         };
+        let mut count = |part: f64, of: &str| {
+            if part > worst.part {
+                worst.part = part;
+                of.clone_into(&mut worst.of);
+            }
+        };
         for system in systems {
             let (string, responses) = (&system.setting.string, &system.responses);
             let torsion = torsion_error(string, responses)?;
-            let bending = match &system.setting.lateral {
-                None => 0.0,
-                Some(lateral) => {
-                    let durations = lateral.impulses.iter().map(|impulse| impulse.duration);
-                    let shortest = durations.reduce(f64::min).unwrap_or(DURATION);
-                    let (bending, support) = (&lateral.bending, lateral.support);
-                    bending_error(string, bending, support, shortest, responses)?
-                }
-            };
-            for (part, of) in [(torsion, "torsion"), (bending, "bending")] {
-                if part > worst.part {
-                    worst.part = part;
-                    worst.of = format!("the linear responses in {of}");
-                }
+            count(torsion, "the linear responses in torsion");
+            if let Some(lateral) = &system.setting.lateral {
+                let durations = lateral.impulses.iter().map(|impulse| impulse.duration);
+                let shortest = durations.reduce(f64::min).unwrap_or(DURATION);
+                let (bending, support) = (&lateral.bending, lateral.support);
+                let bending = bending_error(string, bending, support, shortest, responses)?;
+                count(bending, "the linear responses in bending");
+            }
+        }
+        for (system, exact) in systems.iter().zip(undershoots) {
+            if let Some(taps) = system.driving_point().filter(|_| *exact > 0.0) {
+                let part = (largest_undershoot(taps) / exact - 1.0).abs();
+                count(part, "the undershoot after a front");
             }
         }
         Ok(worst)

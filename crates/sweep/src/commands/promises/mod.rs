@@ -1,0 +1,38 @@
+//! `sweep promises`: how often an accuracy asked for is kept, on strings drawn at random.
+
+mod table;
+
+use anyhow::Result;
+
+use super::csv_table::csv_table;
+use super::folder::make_folder;
+use super::progress::Progress;
+use super::status::Status;
+use super::terminal::{Terminal, say};
+use super::threads::use_threads;
+use crate::cli::PromisesArguments;
+use crate::output::write_atomically;
+use crate::studies::promises::{Motion, run};
+use table::{columns, summary};
+
+/// Puts promises to the test and writes their table.
+pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Status> {
+    use_threads(arguments.jobs, terminal)?;
+    make_folder(&arguments.out)?;
+    let is_wanted =
+        |motion: &Motion| arguments.motion.is_empty() || arguments.motion.contains(motion);
+    let motions: Vec<Motion> = Motion::ALL.into_iter().filter(is_wanted).collect();
+    let limit = arguments.memory.limit();
+    let count = motions.len() * arguments.strings;
+    let progress = Progress::new(count, 0, arguments.quiet, terminal);
+    let tick = || progress.tick();
+    let found = run(&motions, arguments.strings, arguments.seed, &limit, &tick);
+    progress.finish();
+    let promises = found?;
+    let table = csv_table(promises.iter().map(columns))?;
+    write_atomically(&arguments.out.join("promises.csv"), &table)?;
+    if !arguments.quiet {
+        say(&summary(&promises))?;
+    }
+    Ok(Status::Complete)
+}

@@ -1,0 +1,216 @@
+//! Promises of accuracy put to the test: strings nobody tuned to, drawn at random, each
+//! with a limit of stick-slip or of whirl; an accuracy is asked for, and the limit by what
+//! is chosen compared with one from a method that the choice does not use.
+
+mod draw;
+mod problem;
+mod stick_slip;
+mod waveguide;
+mod whirl;
+
+use std::time::Instant;
+
+use anyhow::{Context, Result};
+use rayon::prelude::*;
+use sim::Stopping;
+
+pub use problem::{Motion, Problem};
+
+use crate::engine::MethodSystem;
+use crate::memory::Limit;
+use crate::plan::Sweep;
+use crate::quantities::Axis;
+use crate::studies::accuracy::{choose, is_inside};
+use crate::studies::limit::{bisected, geometric};
+use crate::studies::trial;
+
+/// Accuracies asked for on every string, parts of one.
+pub const ASKED: [f64; 3] = [0.1, 0.03, 0.01];
+
+/// A limit by the method chosen is looked for within this factor of the true one, outwards
+/// from this part of it, and found to that.
+const WITHIN: f64 = 1.6;
+const NEAREST: f64 = 0.005;
+const HALVED: f64 = 3e-4;
+
+/// A true limit tests a promise where it is certain to this part of what was asked for.
+const CERTAIN: f64 = 0.5;
+
+/// A limit, and by how much it may be off, in parts of itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Truth {
+    /// Surface speed in rpm, or coefficient of friction.
+    pub limit: f64,
+    /// Part of one.
+    pub uncertainty: f64,
+}
+
+/// What was promised, and what was kept.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kept {
+    /// The method chosen.
+    pub method: String,
+    /// Its sampling frequency, Hz.
+    pub sampling_frequency: f64,
+    /// The error that was estimated, a part of one.
+    pub estimated: f64,
+    /// The limit by the method chosen; `None` where it is further than [`WITHIN`] from the
+    /// true one.
+    pub limit: Option<f64>,
+}
+
+/// One promise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Promise {
+    /// On which string.
+    pub problem: Problem,
+    /// The true limit there, or why it is not known.
+    pub truth: Result<Truth, String>,
+    /// The accuracy asked for, a part of one.
+    pub asked: f64,
+    /// What came of it, or why it was refused.
+    pub kept: Result<Kept, String>,
+    /// Time to choose, s.
+    pub seconds: f64,
+}
+
+impl Promise {
+    /// The error of the limit, a part of one: infinite where it is not found near the true
+    /// one; `None` where there is nothing to compare.
+    pub fn error(&self) -> Option<f64> {
+        let (truth, kept) = (self.truth.as_ref().ok()?, self.kept.as_ref().ok()?);
+        let error = |limit: f64| (limit / truth.limit - 1.0).abs();
+        Some(kept.limit.map_or(f64::INFINITY, error))
+    }
+
+    /// The error in parts of what was asked for, whatever the true limit is within its own
+    /// uncertainty: a broken promise is above one. `None` where the true limit is not known
+    /// well enough to say.
+    pub fn broken_by(&self) -> Option<f64> {
+        let uncertainty = self.truth.as_ref().ok()?.uncertainty;
+        let broken_by = (self.error()? - uncertainty).max(0.0) / self.asked;
+        (uncertainty <= CERTAIN * self.asked).then_some(broken_by)
+    }
+}
+
+/// Puts all accuracies to so many strings for each motion; `done` is called after each
+/// string.
+///
+/// # Errors
+/// Where a string cannot be drawn.
+pub fn run(
+    motions: &[Motion],
+    strings: usize,
+    seed: u64,
+    limit: &Limit,
+    done: &(dyn Fn() + Sync),
+) -> Result<Vec<Promise>> {
+    let numbers: Vec<(Motion, usize)> = (motions.iter())
+        .flat_map(|&motion| (0..strings).map(move |number| (motion, number)))
+        .collect();
+    let of_number = |&(motion, number): &(Motion, usize)| {
+        let promises = promises(&Problem::draw(motion, number, seed)?, limit);
+        done();
+        Ok(promises)
+    };
+    let found: Vec<Result<Vec<Promise>>> =
+        numbers.par_iter().with_max_len(1).map(of_number).collect();
+    let found = found.into_iter().collect::<Result<Vec<_>>>()?;
+    Ok(found.concat())
+}
+
+fn promises(problem: &Problem, limit: &Limit) -> Vec<Promise> {
+    let truth = match problem.motion {
+        Motion::StickSlip => stick_slip::truth(problem),
+        Motion::Whirl => whirl::truth(problem),
+    };
+    let truth = truth.map_err(|reason| format!("{reason:#}"));
+    let promise = |asked: f64| {
+        let start = Instant::now();
+        let chosen = chosen(problem, asked, limit);
+        let seconds = start.elapsed().as_secs_f64();
+        let kept = chosen.and_then(|sweep| kept(problem, &sweep, truth.as_ref().ok()));
+        Promise {
+            problem: problem.clone(),
+            truth: truth.clone(),
+            asked,
+            kept: kept.map_err(|reason| format!("{reason:#}")),
+            seconds,
+        }
+    };
+    ASKED.map(promise).to_vec()
+}
+
+/// The sweep of a problem with what is chosen for an accuracy.
+fn chosen(problem: &Problem, asked: f64, limit: &Limit) -> Result<Sweep> {
+    let sweep = problem.sweep(&format!("accuracy = {asked}\n"))?;
+    let found = choose(&sweep, false, limit, &|_| {})?;
+    let (method, choice) = found.context("an accuracy is asked for")?;
+    Ok(sweep.with_choice(method, choice)?)
+}
+
+fn kept(problem: &Problem, sweep: &Sweep, truth: Option<&Truth>) -> Result<Kept> {
+    let choice = sweep.choice.as_ref().context("something was chosen")?;
+    let limit = match truth {
+        None => None,
+        Some(truth) => Finder::new(problem, sweep, truth.limit)?.nearest(truth.limit),
+    };
+    Ok(Kept {
+        method: choice.chosen.method.clone(),
+        sampling_frequency: choice.chosen.sampling_frequency_hz,
+        estimated: choice.delivered,
+        limit,
+    })
+}
+
+/// Finds limits of a problem by the one method of a sweep.
+struct Finder<'a> {
+    axis: Axis,
+    sweep: &'a Sweep,
+    system: MethodSystem,
+}
+
+impl<'a> Finder<'a> {
+    /// For limits about `middle`.
+    fn new(problem: &Problem, sweep: &'a Sweep, middle: f64) -> Result<Self> {
+        let axis = problem.motion.axis();
+        let mut longest = 0.0f64;
+        for end in [middle / WITHIN, middle * WITHIN] {
+            let conditions = sweep.conditions.with(axis, end);
+            let case = trial::case(sweep, &sweep.setting, &conditions)?;
+            longest = longest.max(case.scene.timing.duration);
+        }
+        let system = MethodSystem::build_for(sweep, &sweep.setting, sweep.methods[0], longest)?;
+        Ok(Self {
+            axis,
+            sweep,
+            system,
+        })
+    }
+
+    /// The limit nearest to a place, within [`WITHIN`].
+    fn nearest(&self, place: f64) -> Option<f64> {
+        (0..)
+            .map(|doubled| NEAREST * 2f64.powi(doubled))
+            .take_while(|distance| *distance < 2.0 * WITHIN.ln())
+            .find_map(|distance| {
+                let factor = distance.min(WITHIN.ln()).exp();
+                self.between([place / factor, place * factor])
+            })
+    }
+
+    /// The limit in a bracket; `None` where the regime is the same at both ends.
+    fn between(&self, [low, high]: [f64; 2]) -> Option<f64> {
+        let is_inside = |value: f64| {
+            let conditions = self.sweep.conditions.with(self.axis, value);
+            let outcome = trial::outcome(self.sweep, &self.system, &conditions, Stopping::Early);
+            outcome.ok().map(|outcome| is_inside(&outcome))
+        };
+        let first = is_inside(low)?;
+        if is_inside(high)? == first {
+            return None;
+        }
+        let halvings = ((high / low).ln() / HALVED).log2().ceil() as usize;
+        bisected([low, high], first, halvings, geometric, is_inside)
+    }
+}

@@ -1,0 +1,98 @@
+//! The true limit of stick-slip, on the waveguide.
+
+use std::f64::consts::TAU;
+
+use anyhow::{Context, Result, ensure};
+use linear::Drillstring;
+use sim::{BitTorque, torsion_timing};
+
+use super::waveguide::{Friction, Waveguide};
+use super::{Problem, Truth};
+use crate::plan::Sweep;
+use crate::studies::limit::{bisected, geometric};
+
+/// Places of damping on the coarser of two waveguides, and pieces, at least: the bit's speed
+/// after a front falls in steps of them. More where joints are to be pieces.
+const PLACES: f64 = 1000.0;
+const PLACES_OF_JOINTED: f64 = 2000.0;
+
+/// How much finer the other is.
+const FINER: f64 = 1.5;
+
+/// Least uncertainty of the limit: what the bracket is halved to.
+const HALVED: f64 = 1e-3;
+
+/// The limit is looked for within this factor of Eq. 74's.
+const WITHIN: f64 = 2.0;
+
+/// Recaptures that make stick-slip, as in the regimes of the program.
+const REPEATED: usize = 3;
+
+/// The limit in rpm by the finer of two waveguides; what the other differs by is its
+/// uncertainty.
+pub fn truth(problem: &Problem) -> Result<Truth> {
+    let sweep = problem.sweep("")?;
+    let string = &sweep.setting.string;
+    let bit = sweep.bit.as_ref().context("there is a bit")?;
+    let law = bit.torques(super::problem::TORQUE);
+    let guess = guess(&sweep)?;
+    let is_jointed = string.sections().iter().any(|section| section.repeat > 1);
+    let places = if is_jointed {
+        PLACES_OF_JOINTED
+    } else {
+        PLACES
+    };
+    let limit = |places: f64, bracket| limit(string, law, places, bracket);
+    let wide = [guess / WITHIN, guess * WITHIN];
+    let coarse = limit(places, wide)?;
+    let near = [coarse / 1.05, coarse * 1.05];
+    let fine = limit(FINER * places, near).or_else(|_| limit(FINER * places, wide))?;
+    Ok(Truth {
+        limit: fine,
+        uncertainty: (fine / coarse - 1.0).abs() + HALVED,
+    })
+}
+
+/// Between the two speeds of the problem.
+fn guess(sweep: &Sweep) -> Result<f64> {
+    let values = [0, 1].map(|case| sweep.design.values(case)[0]);
+    ensure!(values[0] > 0.0, "the string has no undershoot");
+    Ok((values[0] * values[1]).sqrt() / 1.13)
+}
+
+/// The limit in a bracket by a waveguide with so many places.
+fn limit(string: &Drillstring, law: BitTorque, places: f64, [low, high]: [f64; 2]) -> Result<f64> {
+    let sticks = |speed: f64| Some(sticks_and_slips(string, law, places, speed));
+    let (first, last) = (sticks(low), sticks(high));
+    ensure!(
+        first == Some(true) && last == Some(false),
+        "there is no limit"
+    );
+    let halvings = ((high / low).ln() / HALVED).log2().ceil() as usize;
+    bisected([low, high], true, halvings, geometric, sticks).context("there is no limit")
+}
+
+/// Whether the bit is recaptured again and again, in the closing window too.
+fn sticks_and_slips(string: &Drillstring, law: BitTorque, places: f64, rpm: f64) -> bool {
+    let speed = rpm * TAU / 60.0;
+    let timing = torsion_timing(string, speed, &law);
+    let law = Friction {
+        torque_static: law.torque_static,
+        torque_dynamic: law.torque_dynamic,
+    };
+    let mut guide = Waveguide::new(string, places, law);
+    let count = (timing.duration / guide.step) as usize;
+    let closing = count - (timing.closing_window / guide.step) as usize;
+    let (mut turns, mut sticks, mut last) = (false, 0, 0);
+    for step in 0..count {
+        let turned = turns;
+        turns = guide.advance(speed, turned) > 0.0;
+        if turned && !turns {
+            sticks += 1;
+        }
+        if !turns && sticks > 0 {
+            last = step;
+        }
+    }
+    last >= closing && sticks >= REPEATED
+}
