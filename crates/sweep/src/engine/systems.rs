@@ -93,10 +93,18 @@ impl MethodSystem {
         let start = Instant::now();
         let request = request(setting, cuts, longest_time);
         let responses = responses(&setting.string, &method, &request)?;
+        Self::of(setting, responses, start)
+    }
+
+    /// The system of responses, whoever made them, that were begun at a moment.
+    ///
+    /// # Errors
+    /// Where they are not those of a string.
+    pub fn of(setting: &Setting, responses: Responses, begun: Instant) -> Result<Self> {
         let simulator = Simulator::new(&responses)?;
-        let build_seconds = start.elapsed().as_secs_f64();
+        let build_seconds = begun.elapsed().as_secs_f64();
         Ok(Self {
-            method,
+            method: responses.method,
             torsion_margin: responses.torsion_margin()?,
             bending_margin: responses.bending_margin()?,
             least_impulses: least_impulses(setting, &responses),
