@@ -7,14 +7,13 @@
 //! (1/s)√(s/(s + 2α)) e^(−T√(s(s + 2α))) ↔ e^(−αt) I₀(α√(t² − T²)) u(t − T),
 //! e^(−T√(s(s + 2α))) ↔ e^(−αT) δ(t − T) + e^(−αt) αT I₁(α√(t² − T²))/√(t² − T²) u(t − T),
 //!
-//! and 1/(Z tanh⁻¹) and 1/cosh are sums over echoes of alternating sign: of T = 2nτ after
-//! a torque at the bit, of T = (2n + 1)τ after the surface has turned.
+//! and tanh(γL)/Z and 1/cosh(γL), what a torque at the bit and the surface do to its speed,
+//! are sums over echoes of alternating sign: of T = 2nτ, and of T = (2n + 1)τ.
 
 use linear::estimates::{torsional_decay_rate, torsional_impedance, torsional_travel_time};
+use linear::passivity::Ending;
 use linear::{Channel, ChannelResponses, Drillstring, Method, Responses, Sites};
 use rayon::prelude::*;
-
-use linear::passivity::Ending;
 
 /// Taps last until waves have decayed to e^(−26), 5e-12.
 const DECAY_TIMES: f64 = 26.0;
@@ -58,9 +57,8 @@ impl UniformTube {
         let echoes = self.echoes(time, 0.0).enumerate();
         let sum: f64 = echoes
             .map(|(index, travelled)| {
-                let sign = [2.0, -2.0][index % 2];
-                let twice = if index == 0 { 0.5 } else { 1.0 };
-                sign * twice * bessel(0, self.argument(time, travelled))
+                let weight = if index == 0 { 1.0 } else { 2.0 * sign(index) };
+                weight * bessel(0, self.argument(time, travelled))
             })
             .sum();
         (-self.decay * time).exp() * sum / self.impedance
@@ -72,8 +70,7 @@ impl UniformTube {
         let echoes = self.echoes(time, 1.0).enumerate();
         let sum: f64 = echoes
             .map(|(index, travelled)| {
-                let sign = [1.0, -1.0][index % 2];
-                sign * travelled * bessel(1, self.argument(time, travelled))
+                sign(index) * travelled * bessel(1, self.argument(time, travelled))
             })
             .sum();
         // I₁(x)/x is half of the series, and there are two of each echo.
@@ -83,8 +80,8 @@ impl UniformTube {
     /// The times that echoes have travelled until a time, s, the first so many travel
     /// times.
     fn echoes(&self, time: f64, first: f64) -> impl Iterator<Item = f64> {
-        let count = (0..).map(move |index| (first + 2.0 * f64::from(index)) * self.travel);
-        count.take_while(move |travelled| *travelled <= time)
+        let all = (0..).map(move |index| (first + 2.0 * f64::from(index)) * self.travel);
+        all.take_while(move |travelled| *travelled <= time)
     }
 
     /// (α/2)²(t² − T²).
@@ -160,9 +157,13 @@ impl UniformTube {
         if !index.is_multiple_of(steps_to_bit) || travels.is_multiple_of(2) {
             return 0.0;
         }
-        let sign = if travels % 4 == 1 { 2.0 } else { -2.0 };
-        sign * (-self.decay * travels as f64 * self.travel).exp()
+        2.0 * sign(travels / 2) * (-self.decay * travels as f64 * self.travel).exp()
     }
+}
+
+/// Echoes alternate.
+fn sign(index: usize) -> f64 {
+    if index.is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
 /// Differences from one to the next, from rest.
