@@ -105,6 +105,46 @@ fn the_trapezoidal_rule_chatters_and_backward_differences_do_not() {
     assert_holds(&Method::Quadrature);
 }
 
+/// Whatever the sampling frequency.
+#[test]
+fn held_loads_hold_a_sticking_bit() {
+    assert_holds(&Method::Held);
+    let string = academic::string();
+    for sampling_frequency in [100.0, 1000.0] {
+        let request = Request {
+            sampling_frequency,
+            ..academic::bit_request(HELD_FOR)
+        };
+        let responses = linear::responses(&string, &Method::Held, &request).unwrap();
+        let margin = responses.torsion_margin().unwrap().unwrap();
+        assert!(margin > STABLE_MARGIN, "{margin}");
+        let found = sticking_of(&responses, &string);
+        assert!(found.chatter < 1e-6, "{found:?}");
+        assert!(found.drift.abs() < 1e-6, "{found:?}");
+    }
+}
+
+/// A wall meets differences of positions from step to step, by `held` from the beginning
+/// of a step to its middle; from step to step they would give energy.
+#[test]
+fn what_a_wall_takes_for_the_velocity_is_passive_but_by_newmarks_scheme() {
+    let request = Request {
+        sites: Sites::bit(),
+        channels: vec![academic::free_in_bending()],
+        sampling_frequency: academic::SAMPLING_FREQUENCY,
+        longest_time: 9.0,
+    };
+    let margins = |method: &Method| {
+        let found = linear::responses(&academic::string(), method, &request).unwrap();
+        let wall = found.margin_of_differences().unwrap().unwrap();
+        (wall, found.bending_margin().unwrap().unwrap())
+    };
+    let (wall, own) = margins(&Method::Held);
+    assert!(wall > 0.3 && (wall - own).abs() < 1e-9, "{wall} {own}");
+    assert!(margins(&Method::Quadrature).0 > 0.3);
+    assert!(margins(&elements(0.52)).0 < -0.1);
+}
+
 /// The displacement at the bit 9 s after an impulse, m per N s.
 fn displacement_left(method: &Method) -> f64 {
     let request = Request {
@@ -127,6 +167,8 @@ fn a_digital_filter_in_bending_loses_the_tail_and_a_longer_one_loses_less() {
     let left = [20.0, 40.0, 160.0].map(|seconds| displacement_left(&hilbert(seconds)) / truly);
     assert!(left[0] < 0.25 && left[1] < 0.72, "{left:?}");
     assert!((0.9..1.0).contains(&left[2]), "{left:?}");
+    let by_held = displacement_left(&Method::Held) / truly;
+    assert!((by_held - 1.0).abs() < 1e-6, "{by_held}");
 }
 
 #[test]

@@ -61,7 +61,7 @@ fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
     let of = |measure, method, frequency| error(&rows, measure, method, frequency);
     // Within its band the digital filter is exact; the others have their order.
     assert!(of("surface_step", "hilbert", "640") < 1e-5);
-    for method in ["quadrature", "finite-element", "radau-quadrature"] {
+    for method in ["quadrature", "held", "finite-element", "radau-quadrature"] {
         let [coarse, fine] = ["320", "640"].map(|rung| of("surface_step", method, rung));
         let falls = fine < 0.6 * coarse && fine > 1e-5;
         assert!(falls, "{method}: {coarse} {fine}");
@@ -69,11 +69,15 @@ fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
     // Static limits are exact, but for what a finite transform folds back.
     assert!(of("static_stiffness_nm_rad", "quadrature", "160") < 1e-6);
     assert!(of("static_stiffness_nm_rad", "finite-element", "160") < 1e-6);
+    assert!(of("static_stiffness_nm_rad", "held", "160") < 1e-6);
     // In bending the filter loses the slow tail.
     assert!(of("lateral_impulse", "hilbert", "640") > 0.3);
     assert!(of("lateral_impulse", "quadrature", "640") < 0.01);
+    let held = ["320", "640"].map(|rung| of("lateral_impulse", "held", rung));
+    assert!((held[0] / held[1] - 4.0).abs() < 0.5, "{held:?}");
     // Steady whirl is what the balance of forces says.
     assert!(of("whirl_normal_force_n", "quadrature", "640") < 2e-3);
+    assert!(of("whirl_normal_force_n", "held", "640") < 2e-3);
     for file in ["out/tradeoff.svg", "out/tradeoff.png"] {
         assert!(place.path(file).exists());
     }
@@ -87,6 +91,31 @@ fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
                 && number(other, "relative_error") < 0.5 * number(row, "relative_error")
         });
         assert!(!is_beaten, "{row:?}");
+    }
+}
+
+/// Filters and elements let fronts overshoot in steps of any length; loads that are held
+/// do not.
+#[test]
+fn on_a_uniform_tube_fronts_are_sharp_by_held_alone() {
+    let place = Workplace::new();
+    let measure = "tube_undershoot_rad_s_nm";
+    let study = ["tradeoff", "--quiet", "--ladder", "160,320", "--out", "out"];
+    let answer = place.sweep(&[&study[..], &["--measures", measure]].concat());
+    assert_eq!(answer.code, 0, "{answer:?}");
+    let rows = rows(&place);
+    for rung in ["160", "320"] {
+        let of = |method| error(&rows, measure, method, rung);
+        assert!(of("held") < 6e-3);
+        for method in ["quadrature", "finite-element"] {
+            assert!(of(method) > 0.3, "{method}");
+        }
+        assert!(of("hilbert") > 0.1);
+    }
+    // Within 1 % is nothing else.
+    for row in rows.iter().filter(|row| row["on_front"] == "yes") {
+        let error: f64 = row["relative_error"].parse().unwrap();
+        assert!(row["method"] == "held" || error > 0.1, "{row:?}");
     }
 }
 

@@ -92,10 +92,10 @@ pub enum Command {
         #[arg(long)]
         out: PathBuf,
     },
-    /// Chart accuracy against speed, all methods, on the paper's string
+    /// Chart accuracy against speed, all methods, on two strings
     #[command(after_help = "Examples:\n  sweep tradeoff\n  \
         sweep tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
-        The whole study takes five minutes on two cores; a part of it, seconds.")]
+        The whole study takes up to ten minutes on two cores; a part of it, seconds.")]
     Tradeoff(TradeoffArguments),
     /// Chart where methods fail, and whether their margins predict it
     #[command(after_help = "Examples:\n  sweep stability\n  \

@@ -40,23 +40,23 @@ impl Responses {
         margin_of(&velocities, ending).map(Some)
     }
 
-    /// The margin of the differences of positions in bending from step to step, times
-    /// f_s: what a wall meets that takes them for velocities, as the sliding speed of
-    /// Eq. 70 does. By `hilbert` that is the method's own derivative; by
-    /// `quadrature` it stays positive; Newmark's scheme has a velocity of its own,
-    /// a part of a step ahead, and this margin may be below zero where
-    /// [`Self::bending_margin`] is not.
+    /// The margin of the differences of positions in bending, times their rate: what a
+    /// wall meets that takes them for velocities, as the sliding speed of Eq. 70 does.
+    /// They are those from step to step; by `held`, whose wall is met in the middle of a
+    /// step, those from its beginning, which are its mean speed. By `hilbert` that is the
+    /// method's own derivative too; by `quadrature` the margin stays positive; Newmark's
+    /// scheme has a velocity of its own, a part of a step ahead, and this margin may be
+    /// below zero where [`Self::bending_margin`] is not.
     ///
     /// # Errors
     /// Where these are not the responses of a string.
     pub fn margin_of_differences(&self) -> Result<Option<f64>, BuildError> {
         self.check()?;
-        let differences = |taps: &[f64]| -> Vec<f64> {
-            let before = std::iter::once(&0.0).chain(taps);
-            let pairs = taps.iter().zip(before);
-            pairs.map(|(now, before)| now - before).collect()
+        let velocities = if self.method.moment() > 0.0 {
+            self.velocities()
+        } else {
+            self.bending().map(|bending| each(bending, differences))
         };
-        let velocities = self.bending().map(|bending| each(bending, differences));
         velocities
             .map(|velocities| margin_of(&velocities, ending_of(&velocities)))
             .transpose()
@@ -69,6 +69,13 @@ impl Responses {
         let bending = self.bending()?;
         Some(each(bending, |taps| derivative.of(taps)))
     }
+}
+
+/// Differences from tap to tap, from rest.
+fn differences(taps: &[f64]) -> Vec<f64> {
+    let before = std::iter::once(&0.0).chain(taps);
+    let pairs = taps.iter().zip(before);
+    pairs.map(|(now, before)| now - before).collect()
 }
 
 /// Every response to a load, changed.

@@ -127,10 +127,18 @@ impl MethodSystem {
             None => responses(string, &method, &request)?,
             Some(trains) => responses_with(string, &method, &request, trains)?,
         };
+        Self::of(setting, responses, start)
+    }
+
+    /// The system of responses, whoever made them, that were begun at a moment.
+    ///
+    /// # Errors
+    /// Where they are not those of a string.
+    pub fn of(setting: &Setting, responses: Responses, begun: Instant) -> Result<Self> {
         let simulator = Simulator::new(&responses)?;
-        let build_seconds = start.elapsed().as_secs_f64();
+        let build_seconds = begun.elapsed().as_secs_f64();
         Ok(Self {
-            method,
+            method: responses.method,
             torsion_margin: responses.torsion_margin()?,
             bending_margin: responses.bending_margin()?,
             least_impulses: least_impulses(setting, &responses),

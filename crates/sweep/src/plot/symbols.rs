@@ -1,5 +1,7 @@
 //! The symbols of regime maps.
 
+use std::f64::consts::TAU;
+
 use super::canvas::{Canvas, Stroke};
 use super::colours::{BLUE, COLOURS, GREY, ORANGE};
 use super::geometry::{Pixel, Rect};
@@ -45,7 +47,7 @@ pub(super) fn draw_symbol(
 pub(super) fn draw_marker(canvas: &mut Canvas, kind: usize, (x, y): Pixel, r: f64) -> Result<()> {
     let colour = COLOURS[kind % COLOURS.len()];
     let far = 1.3 * r;
-    match kind % 5 {
+    match kind % 6 {
         0 => canvas.disc((x, y), r, colour),
         1 => {
             let diamond = [(x, y - far), (x + far, y), (x, y + far), (x - far, y)];
@@ -53,7 +55,8 @@ pub(super) fn draw_marker(canvas: &mut Canvas, kind: usize, (x, y): Pixel, r: f6
         }
         2 => canvas.polygon(&triangle((x, y), far), colour),
         3 => canvas.polygon(&Rect::centred((x, y), 2.0 * r, 2.0 * r).corners(), colour),
-        _ => draw_cross(canvas, (x, y), r, Stroke::solid(colour, 0.55 * r)),
+        4 => draw_cross(canvas, (x, y), r, Stroke::solid(colour, 0.55 * r)),
+        _ => canvas.polygon(&star((x, y), 1.7 * r), colour),
     }
 }
 
@@ -73,6 +76,19 @@ pub(super) fn draw_triangle(canvas: &Canvas, centre: Pixel) -> Result<()> {
     // The halo is twice as far at the corners as along the sides.
     canvas.polygon(&triangle(centre, MARK_RADIUS + 2.0 * HALO), WHITE)?;
     canvas.polygon(&triangle(centre, MARK_RADIUS), BLACK)
+}
+
+/// A star of five points, one of them up.
+fn star((x, y): Pixel, radius: f64) -> [(f64, f64); 10] {
+    std::array::from_fn(|corner| {
+        let reach = if corner % 2 == 0 {
+            radius
+        } else {
+            0.45 * radius
+        };
+        let (sine, cosine) = (0.1 * TAU * corner as f64).sin_cos();
+        (x + reach * sine, y - reach * cosine)
+    })
 }
 
 fn triangle((x, y): Pixel, radius: f64) -> [(f64, f64); 3] {

@@ -12,10 +12,18 @@ const TWO_SITES: &str = r#"base = "fig12.toml"
 sites = [{ distance_from_bit_m = 10 }, { distance_from_bit_m = 0 }]
 "#;
 
+/// Fig. 8(b) on a uniform tube, in cells as long as those of the paper's string.
+const UNIFORM_TUBE: &str = r#"base = "fig08b.toml"
+
+[string]
+sections = [{ repeat = 100, parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.15 }] }]
+"#;
+
 /// The text of a shipped file.
 fn text_of(path: &Path) -> Option<&'static str> {
     Some(match path.to_str()? {
         "two_sites.toml" => TWO_SITES,
+        "uniform_tube.toml" => UNIFORM_TUBE,
         "academic.toml" => include_str!("../../../../sweeps/academic.toml"),
         "fig08a.toml" => include_str!("../../../../sweeps/fig08a.toml"),
         "fig08b.toml" => include_str!("../../../../sweeps/fig08b.toml"),

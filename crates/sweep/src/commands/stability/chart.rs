@@ -70,7 +70,7 @@ fn titles(family: Family) -> (&'static str, &'static str) {
         ),
         Family::Newmark => ("Newmark's scheme, sticking", "γ"),
         Family::Formulas => (
-            "Convolution quadrature, sticking",
+            "Convolution quadrature and held loads, sticking",
             "sampling frequency (Hz)",
         ),
         Family::Sections => (

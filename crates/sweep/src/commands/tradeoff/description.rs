@@ -24,7 +24,9 @@ pub fn describe_orders(rows: &[Row]) -> Result<String, std::fmt::Error> {
             writeln!(
                 text,
                 "    {:42}{:5.2} up to {} Hz",
-                order.title, order.order, order.highest
+                order.title,
+                order.order,
+                hertz(order.highest)
             )?;
         }
     }
@@ -69,7 +71,7 @@ pub fn describe_cheapest(rows: &[Row], steps: &PaperSteps) -> Result<String, std
 /// stepped as here, and below them the configuration.
 fn line(answer: &Cheapest) -> String {
     let Some(row) = answer.row else {
-        return format!("  {:25}none", answer.measure.name());
+        return format!("  {:32}none", answer.measure.name());
     };
     let ratio = |paper: Option<PaperRatio>| match paper {
         Some(paper) => format!("×{:.1}", paper.stepped_here),
@@ -78,12 +80,17 @@ fn line(answer: &Cheapest) -> String {
     let [filter, elements] = answer.paper;
     let configuration = &row.configuration;
     format!(
-        "  {:25}{:>8.3} s   {:>6} {:>6}\n    {} at {} Hz",
+        "  {:32}{:>8.3} s   {:>6} {:>6}\n    {} at {} Hz",
         answer.measure.name(),
         row.cost(),
         ratio(filter),
         ratio(elements),
         configuration.title(),
-        configuration.sampling_frequency
+        hertz(configuration.sampling_frequency)
     )
+}
+
+/// A frequency to a tenth of a hertz.
+fn hertz(frequency: f64) -> f64 {
+    (10.0 * frequency).round() / 10.0
 }

@@ -15,7 +15,7 @@ pub enum Family {
     DirectIdft,
     /// Newmark's scheme in sticking: γ and sampling frequency
     Newmark,
-    /// Both formulas of convolution quadrature in sticking
+    /// Both formulas of convolution quadrature, and held loads, in sticking
     Formulas,
     /// Strings from one section of drillpipe to 2000
     Sections,
@@ -143,9 +143,10 @@ fn elements(gamma: f64) -> Method {
 
 /// Good and failing ones, at a sampling frequency and transform that suits the
 /// paper's string.
-fn all_methods() -> [Method; 7] {
+fn all_methods() -> [Method; 8] {
     [
         Method::Quadrature,
+        Method::Held,
         Method::Hilbert(Transform::default()),
         elements(0.52),
         Method::Trapezoidal,
@@ -175,11 +176,11 @@ pub fn cells(family: Family) -> Vec<Cell> {
         Family::Hilbert => TRANSFORMS.map(hilbert).to_vec(),
         Family::DirectIdft => TRANSFORMS.map(direct).to_vec(),
         Family::Newmark => GAMMAS.map(elements).to_vec(),
-        Family::Formulas => vec![Method::Quadrature, Method::Trapezoidal],
+        Family::Formulas => vec![Method::Quadrature, Method::Held, Method::Trapezoidal],
         Family::Stiffness | Family::Sites => all_methods().to_vec(),
         Family::LongSticking | Family::LongWhirl => long_methods().collect(),
         Family::Tail => (TAIL_TRANSFORMS.map(hilbert).into_iter())
-            .chain([elements(0.52)])
+            .chain([elements(0.52), Method::Held])
             .collect(),
     };
     (methods.into_iter())
@@ -231,6 +232,7 @@ fn strained(cell: Cell) -> Vec<Cell> {
 fn sections() -> Vec<Cell> {
     let methods = [
         Method::Quadrature,
+        Method::Held,
         Method::Hilbert(Transform::default()),
         elements(0.52),
         Method::Trapezoidal,

@@ -2,7 +2,7 @@
 //! configuration that is good enough.
 
 use super::configuration::Paper;
-use super::measure::Measure;
+use super::measure::{Measure, Subject};
 use super::paper::PaperSteps;
 use super::row::{Row, cost};
 
@@ -151,7 +151,7 @@ pub fn cheapest<'a>(
     let row = known()
         .filter(|row| certain(rows, row) <= accuracy)
         .min_by(|one, other| one.cost().total_cmp(&other.cost()));
-    let scene = usize::from(measure.is_lateral());
+    let scene = usize::from(measure.subject() == Subject::Bending);
     let dearer = |paper, step_seconds: f64| {
         let paper = known().find(|row| row.configuration.paper() == Some(paper))?;
         Some(PaperRatio {

@@ -19,8 +19,11 @@ const ELEMENTS: [usize; 5] = [1, 2, 5, 10, 20];
 /// Newmark's γ: without numerical damping, and the paper's choice.
 const GAMMAS: [f64; 2] = [0.5, 0.52];
 
-/// The paper's sampling frequency, Hz.
+/// The paper's sampling frequency, Hz: 638.9 by its rule, "about 640".
 pub const PAPER_FREQUENCY: f64 = 640.0;
+
+/// A sampling frequency this close to it is the paper's.
+const ABOUT: f64 = 0.005;
 
 /// What makes the taps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +58,7 @@ pub fn configurations(ladder: &[f64]) -> Vec<Configuration> {
         .chain(TRANSFORMS.map(hilbert))
         .chain(elements)
         .map(Scheme::Method)
-        .chain([Scheme::Radau])
+        .chain([Scheme::Radau, Scheme::Method(Method::Held)])
         .flat_map(|scheme| {
             ladder.iter().map(move |&sampling_frequency| Configuration {
                 scheme,
@@ -105,7 +108,7 @@ impl Configuration {
 
     /// Which of the paper's two own ways this is.
     pub fn paper(&self) -> Option<Paper> {
-        if self.sampling_frequency != PAPER_FREQUENCY {
+        if (self.sampling_frequency / PAPER_FREQUENCY - 1.0).abs() > ABOUT {
             return None;
         }
         match self.scheme {

@@ -71,6 +71,8 @@ pub fn part(wanted: &[Measure], highest: f64) -> Result<Part> {
         sweep,
         longest: time,
         impulse_duration,
+        highest: f64::INFINITY,
+        whole_steps_of: None,
         history,
         references,
         number,

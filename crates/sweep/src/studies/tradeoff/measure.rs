@@ -27,13 +27,30 @@ pub enum Measure {
     WhirlForce,
     /// Fig. 14: friction above which an impulse of 3 I₀ starts whirl.
     WhirlLimit,
+    /// Δ of Eq. 75 of a uniform tube, rad/s per N m.
+    TubeUndershoot,
+    /// Its Ω/T_d below which stick-slip sustains itself, rpm per kN m.
+    TubeStickSlipLimit,
+    /// The same by steps that divide the time of a wave along it.
+    TubeFittedLimit,
+}
+
+/// What a measure is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subject {
+    /// The paper's string in torsion.
+    Torsion,
+    /// The paper's string in bending.
+    Bending,
+    /// A uniform tube in torsion, whose fronts stay sharp.
+    Tube,
 }
 
 impl Measure {
     /// All, in the order of the chart and of the variants, each with its name in the table,
     /// where its value has a unit, and the title of its chart.
     #[rustfmt::skip]
-    const ALL: [(Self, &'static str, &'static str); 12] = [
+    const ALL: [(Self, &'static str, &'static str); 15] = [
         (Self::SurfaceStep, "surface_step", "Step of surface speed, Fig. 7(a)"),
         (Self::SteadySpeed, "steady_speed_ratio", "Bit speed in the end"),
         (Self::StaticStiffness, "static_stiffness_nm_rad", "Static stiffness k_eff"),
@@ -46,10 +63,13 @@ impl Measure {
         (Self::WhirlRate, "whirl_rate_turns_s", "Rate of whirl, Fig. 12"),
         (Self::WhirlForce, "whirl_normal_force_n", "Normal force of whirl, Fig. 12"),
         (Self::WhirlLimit, "whirl_limit_friction", "Limit of whirl at 3 I₀, Fig. 14"),
+        (Self::TubeUndershoot, "tube_undershoot_rad_s_nm", "Undershoot Δ, uniform tube"),
+        (Self::TubeStickSlipLimit, "tube_stick_slip_limit_rpm_knm", "Limit of stick-slip, uniform tube"),
+        (Self::TubeFittedLimit, "tube_fitted_limit_rpm_knm", "The same, L/c in whole steps"),
     ];
 
     /// All, in the order of the chart.
-    pub fn all() -> [Self; 12] {
+    pub fn all() -> [Self; 15] {
         Self::ALL.map(|(measure, ..)| measure)
     }
 
@@ -63,9 +83,15 @@ impl Measure {
         Self::ALL[self as usize].2
     }
 
-    /// Whether it is of the string in bending.
-    pub fn is_lateral(self) -> bool {
-        self >= Measure::LateralImpulse
+    /// What it is of.
+    pub fn subject(self) -> Subject {
+        if self < Measure::LateralImpulse {
+            Subject::Torsion
+        } else if self < Measure::TubeUndershoot {
+            Subject::Bending
+        } else {
+            Subject::Tube
+        }
     }
 
     /// The measure of a name.

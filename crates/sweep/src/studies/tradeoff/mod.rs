@@ -1,5 +1,5 @@
 //! Accuracy against speed: what each configuration of each method gives for a
-//! dozen measures, how far that is from references that none of them made, and
+//! number of measures, how far that is from references that none of them made, and
 //! what it costs.
 
 mod analysis;
@@ -11,6 +11,8 @@ mod paper;
 mod part;
 mod row;
 mod torsion;
+mod tube;
+mod tube_waves;
 
 use anyhow::Result;
 
@@ -20,6 +22,7 @@ pub use measure::Measure;
 pub use paper::PaperSteps;
 pub use row::{CASE_SECONDS, CASES, Row};
 
+use measure::Subject;
 use part::Part;
 
 /// Sampling frequencies compared, Hz.
@@ -40,14 +43,18 @@ pub fn study(
 ) -> Result<Vec<Row>> {
     let frequencies = configurations.iter().map(|one| one.sampling_frequency);
     let highest = frequencies.fold(0.0, f64::max);
-    let (lateral, torsion): (Vec<Measure>, Vec<Measure>) =
-        wanted.iter().partition(|measure| measure.is_lateral());
     let mut parts: Vec<Part> = Vec::new();
-    if !torsion.is_empty() {
-        parts.push(torsion::part(&torsion, highest)?);
-    }
-    if !lateral.is_empty() {
-        parts.push(lateral::part(&lateral, highest)?);
+    for subject in [Subject::Torsion, Subject::Bending, Subject::Tube] {
+        let of_subject = |measure: &Measure| measure.subject() == subject;
+        let wanted: Vec<Measure> = wanted.iter().copied().filter(of_subject).collect();
+        if wanted.is_empty() {
+            continue;
+        }
+        match subject {
+            Subject::Torsion => parts.push(torsion::part(&wanted, highest)?),
+            Subject::Bending => parts.push(lateral::part(&wanted, highest)?),
+            Subject::Tube => parts.extend(tube::parts(&wanted)?),
+        }
     }
     let mut rows = Vec::new();
     for configuration in configurations {

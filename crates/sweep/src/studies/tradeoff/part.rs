@@ -36,6 +36,10 @@ pub struct Part {
     pub longest: f64,
     /// How long its shortest impulse lasts, s; infinite where it has none.
     pub impulse_duration: f64,
+    /// The highest sampling frequency that it is measured at, Hz.
+    pub highest: f64,
+    /// The time that is to be a whole number of steps, s, where one is.
+    pub whole_steps_of: Option<f64>,
     /// The measure that is a whole history, if it is wanted.
     pub history: Option<(Measure, History)>,
     /// What the measures wanted should be.
@@ -46,9 +50,17 @@ pub struct Part {
 }
 
 impl Part {
-    /// Whether a configuration samples the impulse.
+    /// Whether a configuration is measured, and samples the impulse.
     pub fn has(&self, configuration: &Configuration) -> bool {
-        configuration.sampling_frequency * self.impulse_duration >= LEAST_SAMPLES
+        let frequency = configuration.sampling_frequency;
+        frequency <= self.highest && frequency * self.impulse_duration >= LEAST_SAMPLES
+    }
+
+    /// A frequency as it is for this scene, Hz: the one next to it of which a time is a
+    /// whole number of steps.
+    pub fn fitted_frequency(&self, frequency: f64) -> f64 {
+        let fitted = |time: f64| (frequency * time).round().max(1.0) / time;
+        self.whole_steps_of.map_or(frequency, fitted)
     }
 
     fn system(&self, method: Method, sampling_frequency: f64) -> Result<MethodSystem> {
@@ -66,10 +78,18 @@ impl Part {
         sampling_frequency: f64,
         measures: &[Measure],
     ) -> Result<Vec<f64>> {
-        let (sweep, system) = (&self.sweep, self.system(method, sampling_frequency)?);
-        let outcome = trial::outcome(sweep, &system, &sweep.conditions, Stopping::Full).ok();
+        self.numbers_of(&self.system(method, sampling_frequency)?, measures)
+    }
+
+    /// Some measures of a system, for references.
+    ///
+    /// # Errors
+    /// Where it does not answer one of them.
+    pub fn numbers_of(&self, system: &MethodSystem, measures: &[Measure]) -> Result<Vec<f64>> {
+        let sweep = &self.sweep;
+        let outcome = trial::outcome(sweep, system, &sweep.conditions, Stopping::Full).ok();
         let number = |measure: &Measure| {
-            (self.number)(sweep, &system, outcome, *measure)
+            (self.number)(sweep, system, outcome, *measure)
                 .with_context(|| format!("there is no reference for {}", measure.name()))
         };
         measures.iter().map(number).collect()
@@ -113,6 +133,10 @@ impl Part {
         method: Method,
         rows: &mut Vec<Row>,
     ) -> Result<()> {
+        let configuration = Configuration {
+            sampling_frequency: self.fitted_frequency(configuration.sampling_frequency),
+            ..*configuration
+        };
         let system = self.system(method, configuration.sampling_frequency)?;
         let case = trial::case(&self.sweep, &system.setting, &self.sweep.conditions)?;
         let (step_seconds, outcome) = timed(&system, &case);
@@ -127,7 +151,7 @@ impl Part {
             };
             rows.push(Row {
                 measure,
-                configuration: *configuration,
+                configuration,
                 value,
                 reference,
                 error,

@@ -77,6 +77,8 @@ pub fn part(wanted: &[Measure], highest: f64) -> Result<Part> {
         longest: longest_time(&sweep)?,
         sweep,
         impulse_duration: f64::INFINITY,
+        highest: f64::INFINITY,
+        whole_steps_of: None,
         history,
         references,
         number,
@@ -129,7 +131,8 @@ fn simulated_references(part: &Part, measures: &[Measure]) -> Result<Vec<Referen
         .collect())
 }
 
-fn number(
+/// A measure in torsion, of any string.
+pub fn number(
     sweep: &Sweep,
     system: &MethodSystem,
     outcome: Option<Outcome>,
@@ -146,10 +149,14 @@ fn number(
             });
             Some(1.0 / turned.sum::<f64>())
         }
-        Measure::Undershoot => Some(largest_undershoot(system.driving_point()?)),
+        Measure::Undershoot | Measure::TubeUndershoot => {
+            Some(largest_undershoot(system.driving_point()?))
+        }
         Measure::FirstSlip => bit?.first_slip,
         Measure::Period => bit?.period,
-        Measure::StickSlipLimit => stick_slip_limit(sweep, system),
+        Measure::StickSlipLimit | Measure::TubeStickSlipLimit | Measure::TubeFittedLimit => {
+            stick_slip_limit(sweep, system)
+        }
         _ => None,
     }
 }
@@ -179,7 +186,7 @@ fn at_ratio(sweep: &Sweep, ratio: f64) -> Option<Conditions> {
 }
 
 /// The longest time that any case lasts, s.
-fn longest_time(sweep: &Sweep) -> Result<f64> {
+pub fn longest_time(sweep: &Sweep) -> Result<f64> {
     let own = trial::case(sweep, &sweep.setting, &sweep.conditions)?;
     let mut longest = own.scene.timing.duration;
     let sweep = until_regime_is_told(sweep);
