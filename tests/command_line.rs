@@ -11,6 +11,8 @@ mod manifest;
 mod methods;
 #[path = "command_line/new.rs"]
 mod new;
+#[path = "command_line/promises.rs"]
+mod promises;
 #[path = "support/refusals.rs"]
 #[allow(dead_code, reason = "its tables of mistakes are for bad_input")]
 mod refusals;

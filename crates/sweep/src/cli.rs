@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -315,8 +316,8 @@ pub struct StabilityArguments {
 #[derive(Debug, Args)]
 pub struct PromisesArguments {
     /// Strings drawn for each motion; every one is asked for several accuracies
-    #[arg(long, default_value_t = 40)]
-    pub strings: usize,
+    #[arg(long, default_value = "40")]
+    pub strings: NonZeroUsize,
     /// What the random numbers begin with
     #[arg(long, default_value_t = 1)]
     pub seed: u64,

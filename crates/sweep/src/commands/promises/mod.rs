@@ -23,10 +23,10 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
         |motion: &Motion| arguments.motion.is_empty() || arguments.motion.contains(motion);
     let motions: Vec<Motion> = Motion::ALL.into_iter().filter(is_wanted).collect();
     let limit = arguments.memory.limit();
-    let count = motions.len() * arguments.strings;
-    let progress = Progress::new(count, 0, arguments.quiet, terminal);
+    let strings = arguments.strings.get();
+    let progress = Progress::new(motions.len() * strings, 0, arguments.quiet, terminal);
     let tick = || progress.tick();
-    let found = run(&motions, arguments.strings, arguments.seed, &limit, &tick);
+    let found = run(&motions, strings, arguments.seed, &limit, &tick);
     progress.finish();
     let promises = found?;
     let table = csv_table(promises.iter().map(columns))?;
