@@ -7,7 +7,7 @@ use super::channels::ChannelResponses;
 use super::decay::{first_length, until_decayed};
 use super::length::{all_finite, samples_of, transform_length};
 use super::request::Request;
-use super::trains::ImpulseTrains;
+use super::trains::{ImpulseTrains, fill};
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
@@ -18,7 +18,7 @@ use crate::filters::quadrature::Formula;
 use crate::filters::{direct, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
-use crate::waves::network::{TorsionAdmittance, TorsionNetwork};
+use crate::waves::network::TorsionNetwork;
 
 /// A digital filter lasts at least so many time constants of what seeps along the
 /// string: its static stiffness is then right to a part in a thousand.
@@ -170,20 +170,6 @@ impl Torsion<'_> {
                 .collect(),
             ending,
         }
-    }
-}
-
-/// Writes those responses that are asked for: of all sites from the surface, then of all
-/// sites from each torque.
-pub(super) fn fill(torques: &[usize], admittance: &TorsionAdmittance, responses: &mut [Complex64]) {
-    let sites = admittance.from_surface.len();
-    responses[..sites].copy_from_slice(&admittance.from_surface);
-    let from_torques = (0..sites).flat_map(|site| {
-        let admittance = &admittance.from_torque;
-        torques.iter().map(move |&input| admittance[(site, input)])
-    });
-    for (response, value) in responses[sites..].iter_mut().zip(from_torques) {
-        *response = value;
     }
 }
 

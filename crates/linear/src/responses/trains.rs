@@ -5,13 +5,13 @@ use num_complex::Complex64;
 use super::decay::{first_length, until_decayed};
 use super::length::{MOST_TAPS, needed_taps, too_many};
 use super::request::{ChannelRequest, Request};
-use super::torsion::fill;
 use crate::drillstring::{Drillstring, StringId};
 use crate::error::{BuildError, ResponseError};
 use crate::filters::{held, quadrature};
 use crate::passivity::Ending;
 use crate::sites::Sites;
 use crate::waves::lattice::Lattice;
+use crate::waves::network::TorsionAdmittance;
 
 /// The torsional responses of a string on its lattice: trains of impulses, one after each
 /// travel time of a piece. What is held over the steps of any sampling frequency is
@@ -118,5 +118,19 @@ impl ImpulseTrains {
     pub fn bytes(&self) -> f64 {
         let numbers: usize = self.trains.iter().map(Vec::len).sum();
         (numbers * size_of::<f64>()) as f64
+    }
+}
+
+/// Writes those responses that are asked for: of all sites from the surface, then of all
+/// sites from each torque.
+pub(super) fn fill(torques: &[usize], admittance: &TorsionAdmittance, responses: &mut [Complex64]) {
+    let sites = admittance.from_surface.len();
+    responses[..sites].copy_from_slice(&admittance.from_surface);
+    let from_torques = (0..sites).flat_map(|site| {
+        let admittance = &admittance.from_torque;
+        torques.iter().map(move |&input| admittance[(site, input)])
+    });
+    for (response, value) in responses[sites..].iter_mut().zip(from_torques) {
+        *response = value;
     }
 }

@@ -7,25 +7,23 @@
 //! sweep chooses the same on any machine, or is refused where that has too little memory
 //! for what is to be tried.
 //!
-//! The reference is one method ([`Probes::reference`]) at a frequency where the last
-//! two doublings changed the answers by no more than a part of the accuracy; that
-//! change is its uncertainty, and counts in full. The error of a candidate is the
-//! largest of
+//! The error of a candidate is the largest of
 //!
 //! - that of its linear responses, on smooth motions, from the exact ones
-//!   ([`linear::deviation`]), which share no time step with anything,
+//!   ([`linear::deviation`]), which share no time step with anything, and of the undershoot
+//!   Δ after a front where a limit of stick-slip hangs on it,
 //! - the shift of the limit between regimes, by surface speed or by friction, near a
 //!   few of the sweep's cases ([`probes`]),
 //! - that of the numbers a person would quote of those cases ([`answer`]),
 //!
-//! the last two as root mean squares over these cases.
+//! the last two as root mean squares over these cases, from a reference whose own
+//! uncertainty counts in full ([`reference`](mod@reference)).
 
 mod answer;
 mod candidates;
 mod probes;
+mod reference;
 mod search;
-
-use std::cell::Cell;
 
 use linear::Method;
 use sim::Stopping;
@@ -35,7 +33,8 @@ use crate::plan::{Choice, Sweep};
 use crate::sweep_file::{Accuracy, SweepFileError};
 pub use answer::is_inside;
 use probes::Probes;
-pub use search::Attempt;
+pub use reference::Attempt;
+use reference::References;
 use search::Search;
 
 /// Where the sweep asks for an accuracy, the method chosen for it and the choice, which
@@ -61,12 +60,8 @@ pub fn choose(
     };
     let chosen = Probes::of(sweep, asked, limit).and_then(|probes| {
         let search = Search {
-            probes: &probes,
-            asked,
+            references: References::new(&probes, asked, tell)?,
             stopping,
-            tell,
-            undershoots: probes.exact_undershoots()?,
-            pace: Cell::new(None),
         };
         search.run()
     });

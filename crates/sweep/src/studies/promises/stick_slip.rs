@@ -6,8 +6,9 @@ use anyhow::{Context, Result, ensure};
 use linear::Drillstring;
 use sim::{BitTorque, torsion_timing};
 
+use super::finder::Truth;
+use super::problem::{Problem, TORQUE};
 use super::waveguide::{Friction, Waveguide};
-use super::{Problem, Truth};
 use crate::plan::Sweep;
 use crate::studies::limit::{bisected, geometric};
 
@@ -34,7 +35,7 @@ pub fn truth(problem: &Problem) -> Result<Truth> {
     let sweep = problem.sweep("")?;
     let string = &sweep.setting.string;
     let bit = sweep.bit.as_ref().context("there is a bit")?;
-    let law = bit.torques(super::problem::TORQUE);
+    let law = bit.torques(TORQUE);
     let guess = guess(&sweep)?;
     let is_jointed = string.sections().iter().any(|section| section.repeat > 1);
     let places = if is_jointed {

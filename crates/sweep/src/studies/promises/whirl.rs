@@ -3,7 +3,8 @@
 use anyhow::{Context, Result};
 use linear::Method;
 
-use super::{Finder, HALVED, Problem, Truth};
+use super::finder::{Finder, HALVED, Truth};
+use super::problem::Problem;
 
 /// Sampling frequencies, Hz, each twice the one before.
 const FREQUENCIES: [f64; 2] = [5120.0, 10_240.0];

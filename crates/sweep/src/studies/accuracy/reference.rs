@@ -1,0 +1,268 @@
+//! What candidates are held to: one method in ever shorter steps, and how far its answers
+//! may be trusted.
+
+use std::cell::Cell;
+use std::time::Instant;
+
+use anyhow::{Result, anyhow, bail};
+use linear::Method;
+use linear::method::Transform;
+use sim::Stopping;
+
+use super::answer::{Answer, Difference, largest_difference};
+use super::candidates::{candidate, off_beat};
+use super::probes::{Probes, Systems};
+use crate::plan::Candidate;
+use crate::words::short;
+
+/// The reference's uncertainty is at most this part of the accuracy; it counts in full.
+const PART: f64 = 0.5;
+
+/// The method of the reference: nothing in it is approximate but the steps in which
+/// forces are held.
+pub const METHOD: Method = Method::Held;
+
+/// What is about to be built and simulated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attempt {
+    /// Method and sampling frequency.
+    pub candidate: Candidate,
+    /// Whether it is to be the reference of the others.
+    pub is_reference: bool,
+    /// Time that it will take, about, s, where something has been tried already.
+    pub seconds: Option<f64>,
+}
+
+/// The references of a search, at one frequency after the other.
+pub struct References<'a> {
+    /// The cases compared.
+    pub probes: &'a Probes<'a>,
+    /// The accuracy.
+    pub asked: f64,
+    /// Δ of Eq. 75 of every string as it is ([`Probes::exact_undershoots`]).
+    undershoots: Vec<f64>,
+    /// Hears of each attempt before it is made.
+    tell: &'a dyn Fn(Attempt),
+    /// Time that stepping the last reference took for each hertz, s: for telling, nothing is
+    /// chosen by it.
+    pace: Cell<Option<f64>>,
+}
+
+impl<'a> References<'a> {
+    /// None yet.
+    ///
+    /// # Errors
+    /// Where a string cannot be cut into a lattice.
+    pub fn new(probes: &'a Probes<'a>, asked: f64, tell: &'a dyn Fn(Attempt)) -> Result<Self> {
+        Ok(Self {
+            probes,
+            asked,
+            undershoots: probes.exact_undershoots()?,
+            tell,
+            pace: Cell::new(None),
+        })
+    }
+
+    /// The reference at a frequency, after those at lower ones.
+    ///
+    /// # Errors
+    /// Where it takes too much memory.
+    pub fn next(&self, frequency: f64, before: &[Reference]) -> Result<Reference> {
+        let probes = self.probes;
+        let held = memory_of(before);
+        let fits = probes.fits(METHOD, frequency, held);
+        let kept = fits.map_err(|why| {
+            let frequency = short(frequency);
+            anyhow!("at {frequency} Hz the reference {why}")
+        })?;
+        self.tell_of(&METHOD, frequency, true);
+        let systems = probes.systems(METHOD, frequency);
+        let start = Instant::now();
+        let known = before.last().map_or(&[][..], |before| &before.answers);
+        let answers = match &systems {
+            Ok(systems) => probes.answers(systems, Stopping::Full, known),
+            Err(_) => Vec::new(),
+        };
+        self.pace
+            .set(Some(start.elapsed().as_secs_f64() / frequency));
+        let mut rung = Reference {
+            frequency,
+            systems,
+            kept,
+            answers,
+            uncertainty: Err(anyhow!("there is nothing to compare")),
+            has_exact_responses: false,
+            is_contested: false,
+            seconded_by: None,
+        };
+        rung.uncertainty = self.uncertainty_of(&mut rung, before);
+        if !rung.is_certain(self.certain()) {
+            return Ok(rung);
+        }
+        for (method, frequency) in self.seconds(frequency)? {
+            self.ask_another(&mut rung, method, frequency, held + kept);
+            if !rung.is_certain(self.certain()) {
+                rung.is_contested = true;
+                return Ok(rung);
+            }
+        }
+        if let Ok(systems) = &rung.systems
+            && let Err(reason) = probes.check_for_islands(systems, &rung.answers)
+        {
+            rung.uncertainty = Err(reason);
+            rung.is_contested = true;
+        }
+        Ok(rung)
+    }
+
+    /// Tells of an attempt before it is made, and about how long it will take: as much
+    /// longer than the last as its steps are shorter.
+    pub fn tell_of(&self, method: &Method, frequency: f64, is_reference: bool) {
+        (self.tell)(Attempt {
+            candidate: candidate(method, frequency),
+            is_reference,
+            seconds: self.pace.get().map(|pace| pace * frequency),
+        });
+    }
+
+    /// Who else is asked at the frequency of a reference: another family, and the reference
+    /// itself in steps that wave fronts are not in time with, but for fronts along a uniform
+    /// string, which always are. On some strings a limit hangs on fronts that arrive
+    /// together, and moves by per cents as soon as they do not quite.
+    fn seconds(&self, frequency: f64) -> Result<Vec<(Method, f64)>> {
+        let probes = self.probes;
+        let mut seconds = vec![(self.other_family(), frequency)];
+        if probes.sweep.setting.lateral.is_some() || !probes.are_uniform() {
+            let off_beat = off_beat(frequency, probes.travel()?);
+            seconds.extend(off_beat.map(|frequency| (METHOD, frequency)));
+        }
+        Ok(seconds)
+    }
+
+    /// The largest uncertainty of a reference.
+    pub fn certain(&self) -> f64 {
+        PART * self.asked
+    }
+
+    /// By how much the answers of the reference may be wrong: by what they changed over
+    /// the last doubling and over the last two, for over either they may agree by chance,
+    /// and by what its linear responses are off from the exact ones, which share nothing
+    /// with it.
+    fn uncertainty_of(&self, rung: &mut Reference, before: &[Reference]) -> Result<Difference> {
+        let [.., quarter, half] = before else {
+            bail!("there is nothing to compare");
+        };
+        let systems = (rung.systems.as_ref()).map_err(|reason| anyhow!("{reason}"))?;
+        let mut largest = self.linear_error(systems, &rung.answers)?;
+        rung.has_exact_responses = largest.part <= self.certain();
+        for coarser in [half, quarter] {
+            let change = largest_difference(&coarser.answers, &rung.answers, self.asked)?;
+            if change.part > largest.part {
+                largest = change;
+            }
+        }
+        Ok(largest)
+    }
+
+    /// Where another method's linear responses are near enough to the exact ones, what its
+    /// answers differ by from the reference's counts too. (Where they are not, and with
+    /// sharp fronts those of another family rarely are, its answers tell nothing.)
+    fn ask_another(&self, rung: &mut Reference, method: Method, frequency: f64, held: f64) {
+        if self.probes.fits(method, frequency, held).is_err() {
+            return;
+        }
+        self.tell_of(&method, frequency, true);
+        let Ok(systems) = self.probes.systems(method, frequency) else {
+            return;
+        };
+        if method != METHOD {
+            match self.linear_error(&systems, &rung.answers) {
+                Ok(linear) if linear.part <= self.certain() => {}
+                _ => return,
+            }
+            rung.seconded_by = Some(method.name());
+        }
+        let answers = self.probes.answers(&systems, Stopping::Full, &rung.answers);
+        let difference = largest_difference(&answers, &rung.answers, self.asked);
+        let is_larger = match (&difference, &rung.uncertainty) {
+            (Ok(other), Ok(own)) => other.part > own.part,
+            (Err(_), _) => true,
+            (Ok(_), Err(_)) => false,
+        };
+        if is_larger {
+            let candidate = candidate(&method, frequency);
+            rung.uncertainty = difference
+                .map(|found| Difference {
+                    of: format!("{} by {candidate}", found.of),
+                    ..found
+                })
+                .map_err(|reason| anyhow!("{candidate} differs: {reason}"));
+        }
+    }
+
+    /// The method that comes nearest to the exact responses without being the reference:
+    /// the digital filter has wave fronts within its band, but loses the slow tail in
+    /// bending.
+    fn other_family(&self) -> Method {
+        match self.probes.sweep.setting.lateral {
+            None => Method::Hilbert(Transform::default()),
+            Some(_) => Method::Quadrature,
+        }
+    }
+
+    /// The error of linear responses; where a limit is looked for, also that of what it
+    /// hangs on.
+    pub fn linear_error(&self, systems: &Systems, reference: &[Answer]) -> Result<Difference> {
+        let has_limit = reference.iter().any(|answer| answer.limit.is_some());
+        let undershoots = if has_limit {
+            &self.undershoots[..]
+        } else {
+            &[]
+        };
+        self.probes.linear_error(systems, undershoots)
+    }
+}
+
+/// The reference's method at one sampling frequency.
+pub struct Reference {
+    /// Hz.
+    pub frequency: f64,
+    /// Its systems, or why it has none.
+    pub systems: Result<Systems>,
+    /// Memory that the systems take, bytes.
+    pub kept: f64,
+    /// Its answers; none without systems.
+    pub answers: Vec<Answer>,
+    /// By how much they may be wrong.
+    pub uncertainty: Result<Difference>,
+    /// Whether its linear responses are near enough to the exact ones.
+    has_exact_responses: bool,
+    /// Whether its answers would do, but for what another method says, or for islands.
+    is_contested: bool,
+    /// The method of another family whose answers count in that.
+    pub seconded_by: Option<&'static str>,
+}
+
+impl Reference {
+    pub fn is_certain(&self, certain: f64) -> bool {
+        matches!(&self.uncertainty, Ok(found) if found.part <= certain)
+    }
+}
+
+/// References whose responses are exact and whose answers are not certain, before limits
+/// count as ragged; and of those that would do but for others, so many one after the other.
+const PATIENCE: usize = 5;
+const CONTESTED: usize = 2;
+
+/// Whether finer steps will not make the last reference certain: the responses have been
+/// exact enough for long, and the limits hang on something else.
+pub fn is_ragged(rungs: &[Reference]) -> bool {
+    let exact = rungs.iter().filter(|rung| rung.has_exact_responses).count();
+    let last = rungs.iter().rev().take(CONTESTED);
+    exact >= PATIENCE || last.filter(|rung| rung.is_contested).count() == CONTESTED
+}
+
+/// Memory that the systems of some frequencies take, bytes.
+pub fn memory_of(rungs: &[Reference]) -> f64 {
+    rungs.iter().map(|rung| rung.kept).sum()
+}

@@ -1,0 +1,82 @@
+//! Where the regime of a problem changes, by one method.
+
+use anyhow::Result;
+use sim::Stopping;
+
+use super::problem::Problem;
+use crate::engine::MethodSystem;
+use crate::plan::Sweep;
+use crate::quantities::Axis;
+use crate::studies::accuracy::is_inside;
+use crate::studies::limit::{bisected, geometric};
+use crate::studies::trial;
+
+/// A limit by the method chosen is looked for within this factor of the true one, outwards
+/// from this part of it, and found to that.
+pub const WITHIN: f64 = 1.6;
+const NEAREST: f64 = 0.005;
+pub const HALVED: f64 = 3e-4;
+
+/// A limit, and by how much it may be off, in parts of itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Truth {
+    /// Surface speed in rpm, or coefficient of friction.
+    pub limit: f64,
+    /// Part of one.
+    pub uncertainty: f64,
+}
+
+/// Finds limits of a problem by the one method of a sweep.
+pub struct Finder<'a> {
+    axis: Axis,
+    sweep: &'a Sweep,
+    system: MethodSystem,
+}
+
+impl<'a> Finder<'a> {
+    /// For limits about `middle`.
+    ///
+    /// # Errors
+    /// Where the method cannot treat the string.
+    pub fn new(problem: &Problem, sweep: &'a Sweep, middle: f64) -> Result<Self> {
+        let axis = problem.motion.axis();
+        let mut longest = 0.0f64;
+        for end in [middle / WITHIN, middle * WITHIN] {
+            let conditions = sweep.conditions.with(axis, end);
+            let case = trial::case(sweep, &sweep.setting, &conditions)?;
+            longest = longest.max(case.scene.timing.duration);
+        }
+        let system = MethodSystem::build_for(sweep, &sweep.setting, sweep.methods[0], longest)?;
+        Ok(Self {
+            axis,
+            sweep,
+            system,
+        })
+    }
+
+    /// The limit nearest to a place, within [`WITHIN`].
+    pub fn nearest(&self, place: f64) -> Option<f64> {
+        (0..)
+            .map(|doubled| NEAREST * 2f64.powi(doubled))
+            .take_while(|distance| *distance < 2.0 * WITHIN.ln())
+            .find_map(|distance| {
+                let factor = distance.min(WITHIN.ln()).exp();
+                self.between([place / factor, place * factor])
+            })
+    }
+
+    /// The limit in a bracket; `None` where the regime is the same at both ends.
+    pub fn between(&self, [low, high]: [f64; 2]) -> Option<f64> {
+        let is_inside = |value: f64| {
+            let conditions = self.sweep.conditions.with(self.axis, value);
+            let outcome = trial::outcome(self.sweep, &self.system, &conditions, Stopping::Early);
+            outcome.ok().map(|outcome| is_inside(&outcome))
+        };
+        let first = is_inside(low)?;
+        if is_inside(high)? == first {
+            return None;
+        }
+        let halvings = ((high / low).ln() / HALVED).log2().ceil() as usize;
+        bisected([low, high], first, halvings, geometric, is_inside)
+    }
+}
