@@ -22,6 +22,14 @@ const PART: f64 = 0.5;
 /// forces are held.
 pub const METHOD: Method = Method::Held;
 
+/// Another family is heard where its linear responses are within this part of what a
+/// reference may be uncertain by: limits are off by more than the responses they hang on.
+const TELLING: f64 = 0.2;
+
+/// Linear responses whose error is no more than this are exact enough for any limit that is
+/// not ragged.
+const EXACT: f64 = 0.01;
+
 /// What is about to be built and simulated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attempt {
@@ -154,7 +162,7 @@ impl<'a> References<'a> {
         };
         let systems = (rung.systems.as_ref()).map_err(|reason| anyhow!("{reason}"))?;
         let mut largest = self.linear_error(systems, &rung.answers)?;
-        rung.has_exact_responses = largest.part <= self.certain();
+        rung.has_exact_responses = largest.part <= EXACT.min(self.certain());
         for coarser in [half, quarter] {
             let change = largest_difference(&coarser.answers, &rung.answers, self.asked)?;
             if change.part > largest.part {
@@ -177,7 +185,7 @@ impl<'a> References<'a> {
         };
         if method != METHOD {
             match self.linear_error(&systems, &rung.answers) {
-                Ok(linear) if linear.part <= self.certain() => {}
+                Ok(linear) if linear.part <= TELLING * self.certain() => {}
                 _ => return,
             }
             rung.seconded_by = Some(method.name());
