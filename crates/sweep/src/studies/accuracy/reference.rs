@@ -252,6 +252,7 @@ pub struct Reference {
 }
 
 impl Reference {
+    /// Whether its uncertainty is known, and no more than this.
     pub fn is_certain(&self, certain: f64) -> bool {
         matches!(&self.uncertainty, Ok(found) if found.part <= certain)
     }

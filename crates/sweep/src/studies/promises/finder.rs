@@ -11,10 +11,13 @@ use crate::studies::accuracy::is_inside;
 use crate::studies::limit::{bisected, geometric};
 use crate::studies::trial;
 
-/// A limit by the method chosen is looked for within this factor of the true one, outwards
-/// from this part of it, and found to that.
+/// A limit is looked for within this factor of a place,
 pub const WITHIN: f64 = 1.6;
+
+/// from this part of it outwards,
 const NEAREST: f64 = 0.005;
+
+/// and found to that.
 pub const HALVED: f64 = 3e-4;
 
 /// A limit, and by how much it may be off, in parts of itself.

@@ -36,8 +36,8 @@ pub struct Kept {
     pub sampling_frequency: f64,
     /// The error that was estimated, a part of one.
     pub estimated: f64,
-    /// The limit by the method chosen; `None` where it is further than the factor `finder::WITHIN` from the
-    /// true one.
+    /// The limit by the method chosen; `None` where that is more than a factor
+    /// [`finder::WITHIN`] from the true one.
     pub limit: Option<f64>,
 }
 
