@@ -22,11 +22,11 @@ pub fn frequencies(travel: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Two frequencies below one, at which fronts that travel the whole string arrive within a
-/// step.
+/// Two frequencies below one, at which a front that has been up the string and down again
+/// arrives within a step, in its middle.
 pub fn off_beat(frequency: f64, travel: f64) -> [f64; 2] {
     let steps = frequency * travel;
-    [0.75, 0.5].map(|part| ((part * steps).round() + 0.5) / travel)
+    [0.75, 0.5].map(|part| ((part * steps).round() + 0.25) / travel)
 }
 
 /// At one frequency, by the cost of building: the quadrature takes four samples of the
@@ -56,5 +56,23 @@ pub fn candidate(method: &Method, frequency: f64) -> Candidate {
         method: method.name().to_owned(),
         elements_per_cell: Parameters::of(method).elements_per_cell,
         sampling_frequency_hz: frequency,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fronts_are_in_time_with_frequencies_and_not_with_others() {
+        let travel = 0.313;
+        for frequency in frequencies(travel) {
+            let steps = frequency * travel;
+            assert!((steps - steps.round()).abs() < 1e-9 && steps >= 1.0);
+            for other in off_beat(frequency, travel) {
+                let round_trip = 2.0 * other * travel;
+                assert!((round_trip.fract() - 0.5).abs() < 1e-9, "{round_trip}");
+            }
+        }
     }
 }

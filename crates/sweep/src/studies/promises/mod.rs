@@ -1,6 +1,6 @@
 //! Promises of accuracy put to the test: strings nobody tuned to, drawn at random, each
 //! with a limit of stick-slip or of whirl; an accuracy is asked for, and the limit by what
-//! is chosen compared with one from a method that the choice does not use.
+//! is chosen compared with one that no reference of the choice has a part in.
 
 mod draw;
 mod finder;
@@ -8,8 +8,6 @@ mod problem;
 mod stick_slip;
 mod waveguide;
 mod whirl;
-
-use std::time::Instant;
 
 use anyhow::{Context, Result};
 use rayon::prelude::*;
@@ -52,8 +50,6 @@ pub struct Promise {
     pub asked: f64,
     /// What came of it, or why it was refused.
     pub kept: Result<Kept, String>,
-    /// Time to choose, s.
-    pub seconds: f64,
 }
 
 impl Promise {
@@ -108,16 +104,13 @@ fn promises(problem: &Problem, limit: &Limit) -> Vec<Promise> {
     };
     let truth = truth.map_err(|reason| format!("{reason:#}"));
     let promise = |asked: f64| {
-        let start = Instant::now();
         let chosen = chosen(problem, asked, limit);
-        let seconds = start.elapsed().as_secs_f64();
         let kept = chosen.and_then(|sweep| kept(problem, &sweep, truth.as_ref().ok()));
         Promise {
             problem: problem.clone(),
             truth: truth.clone(),
             asked,
             kept: kept.map_err(|reason| format!("{reason:#}")),
-            seconds,
         }
     };
     ASKED.map(promise).to_vec()
