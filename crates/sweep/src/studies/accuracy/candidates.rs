@@ -26,7 +26,7 @@ pub fn frequencies(travel: f64) -> Vec<f64> {
 /// arrives within a step, in its middle.
 pub fn off_beat(frequency: f64, travel: f64) -> [f64; 2] {
     let steps = frequency * travel;
-    [0.75, 0.5].map(|part| ((part * steps).round() + 0.25) / travel)
+    [0.9, 0.75].map(|part| ((part * steps).round() + 0.25) / travel)
 }
 
 /// At one frequency, by the cost of building: the quadrature takes four samples of the
