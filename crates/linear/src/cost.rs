@@ -146,10 +146,10 @@ fn of_torsion(
         |transform| torsion::transform_samples(string, transform, request.sampling_frequency);
     match method {
         Method::Held => {
-            let impulses = held_impulses(string, request, until_decayed);
+            let (impulses, taps) = held_length(string, method, request);
             let samples = SAMPLES_PER_TAP as f64 * impulses;
-            let memory = filter(responses, samples, impulses, networks);
-            cost(impulses, until_decayed, memory)
+            let memory = filter(responses, samples, impulses.max(taps), networks);
+            cost(impulses, taps, memory)
         }
         Method::Quadrature | Method::Trapezoidal => {
             let samples = SAMPLES_PER_TAP as f64 * until_decayed;
@@ -178,10 +178,19 @@ fn of_torsion(
     }
 }
 
-/// Impulses that so many taps are made of; no fewer than these, which they become.
-fn held_impulses(string: &Drillstring, request: &Request, taps: f64) -> f64 {
-    Lattice::new(string, &request.sites).map_or(taps, |lattice| {
-        (taps / (lattice.step * request.sampling_frequency)).max(taps)
+/// Impulses on the lattice until they have decayed, and the taps that they become; none
+/// where there is no lattice, which building refuses.
+fn held_length(string: &Drillstring, method: &Method, request: &Request) -> (f64, f64) {
+    Lattice::new(string, &request.sites).map_or((0.0, 0.0), |lattice| {
+        let on_lattice = Request {
+            sampling_frequency: 1.0 / lattice.step,
+            ..request.clone()
+        };
+        let impulses = torsion_length(string, method, &on_lattice);
+        (
+            impulses,
+            impulses * lattice.step * request.sampling_frequency,
+        )
     })
 }
 
