@@ -44,6 +44,7 @@ mod plot;
 mod printable;
 mod program;
 mod quantities;
+mod random;
 mod report;
 mod studies;
 mod sweep_file;

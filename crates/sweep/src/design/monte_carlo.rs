@@ -1,11 +1,8 @@
-//! Independent random values. A case draws from (seed, case index) alone, so
-//! that no order, thread or shard changes it.
-
-use chacha20::ChaCha8Rng;
-use chacha20::rand_core::{Rng, SeedableRng};
+//! Independent random values. A case draws from (seed, case index) alone.
 
 use super::axes::check_ends;
 use crate::quantities::Axis;
+use crate::random::Stream;
 use crate::sweep_file::{AxisRange, DesignTable, Source, Spacing, SweepFileError};
 
 /// Random cases.
@@ -61,15 +58,10 @@ impl MonteCarlo {
     }
 
     pub(super) fn values(&self, index: usize) -> Vec<f64> {
-        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        random.set_stream(index as u64);
-        self.ranges
-            .iter()
-            .map(|range| {
-                // 53 random bits: every double in [0, 1) of that spacing.
-                let fraction = (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
-                range.spacing.between(range.from, range.to, fraction)
-            })
+        let mut stream = Stream::new(self.seed, index as u64);
+        let ranges = self.ranges.iter();
+        ranges
+            .map(|range| stream.between(range.from, range.to, range.spacing))
             .collect()
     }
 }

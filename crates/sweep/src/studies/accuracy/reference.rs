@@ -93,7 +93,7 @@ impl<'a> References<'a> {
         };
         self.pace
             .set(Some(start.elapsed().as_secs_f64() / frequency));
-        let mut rung = Reference {
+        let mut reference = Reference {
             frequency,
             systems,
             kept,
@@ -103,24 +103,24 @@ impl<'a> References<'a> {
             is_contested: false,
             seconded_by: None,
         };
-        rung.uncertainty = self.uncertainty_of(&mut rung, before);
-        if !rung.is_certain(self.certain()) {
-            return Ok(rung);
+        reference.uncertainty = self.uncertainty_of(&mut reference, before);
+        if !reference.is_certain(self.certain()) {
+            return Ok(reference);
         }
         for (method, frequency) in self.seconds(frequency)? {
-            self.ask_another(&mut rung, method, frequency, held + kept);
-            if !rung.is_certain(self.certain()) {
-                rung.is_contested = true;
-                return Ok(rung);
+            self.ask_another(&mut reference, method, frequency, held + kept);
+            if !reference.is_certain(self.certain()) {
+                reference.is_contested = true;
+                return Ok(reference);
             }
         }
-        if let Ok(systems) = &rung.systems
-            && let Err(reason) = probes.check_for_islands(systems, &rung.answers)
+        if let Ok(systems) = &reference.systems
+            && let Err(reason) = probes.check_for_islands(systems, &reference.answers)
         {
-            rung.uncertainty = Err(reason);
-            rung.is_contested = true;
+            reference.uncertainty = Err(reason);
+            reference.is_contested = true;
         }
-        Ok(rung)
+        Ok(reference)
     }
 
     /// Tells of an attempt before it is made, and about how long it will take: as much
@@ -156,15 +156,19 @@ impl<'a> References<'a> {
     /// the last doubling and over the last two, for over either they may agree by chance,
     /// and by what its linear responses are off from the exact ones, which share nothing
     /// with it.
-    fn uncertainty_of(&self, rung: &mut Reference, before: &[Reference]) -> Result<Difference> {
+    fn uncertainty_of(
+        &self,
+        reference: &mut Reference,
+        before: &[Reference],
+    ) -> Result<Difference> {
         let [.., quarter, half] = before else {
             bail!("there is nothing to compare");
         };
-        let systems = (rung.systems.as_ref()).map_err(|reason| anyhow!("{reason}"))?;
-        let mut largest = self.linear_error(systems, &rung.answers)?;
-        rung.has_exact_responses = largest.part <= EXACT.min(self.certain());
+        let systems = (reference.systems.as_ref()).map_err(|reason| anyhow!("{reason}"))?;
+        let mut largest = self.linear_error(systems, &reference.answers)?;
+        reference.has_exact_responses = largest.part <= EXACT.min(self.certain());
         for coarser in [half, quarter] {
-            let change = largest_difference(&coarser.answers, &rung.answers, self.asked)?;
+            let change = largest_difference(&coarser.answers, &reference.answers, self.asked)?;
             if change.part > largest.part {
                 largest = change;
             }
@@ -175,7 +179,7 @@ impl<'a> References<'a> {
     /// Where another method's linear responses are near enough to the exact ones, what its
     /// answers differ by from the reference's counts too. (Where they are not, and with
     /// sharp fronts those of another family rarely are, its answers tell nothing.)
-    fn ask_another(&self, rung: &mut Reference, method: Method, frequency: f64, held: f64) {
+    fn ask_another(&self, reference: &mut Reference, method: Method, frequency: f64, held: f64) {
         if self.probes.fits(method, frequency, held).is_err() {
             return;
         }
@@ -184,22 +188,24 @@ impl<'a> References<'a> {
             return;
         };
         if method != METHOD {
-            match self.linear_error(&systems, &rung.answers) {
+            match self.linear_error(&systems, &reference.answers) {
                 Ok(linear) if linear.part <= TELLING * self.certain() => {}
                 _ => return,
             }
-            rung.seconded_by = Some(method.name());
+            reference.seconded_by = Some(method.name());
         }
-        let answers = self.probes.answers(&systems, Stopping::Full, &rung.answers);
-        let difference = largest_difference(&answers, &rung.answers, self.asked);
-        let is_larger = match (&difference, &rung.uncertainty) {
+        let answers = self
+            .probes
+            .answers(&systems, Stopping::Full, &reference.answers);
+        let difference = largest_difference(&answers, &reference.answers, self.asked);
+        let is_larger = match (&difference, &reference.uncertainty) {
             (Ok(other), Ok(own)) => other.part > own.part,
             (Err(_), _) => true,
             (Ok(_), Err(_)) => false,
         };
         if is_larger {
             let candidate = candidate(&method, frequency);
-            rung.uncertainty = difference
+            reference.uncertainty = difference
                 .map(|found| Difference {
                     of: format!("{} by {candidate}", found.of),
                     ..found
@@ -265,13 +271,16 @@ const CONTESTED: usize = 2;
 
 /// Whether finer steps will not make the last reference certain: the responses have been
 /// exact enough for long, and the limits hang on something else.
-pub fn is_ragged(rungs: &[Reference]) -> bool {
-    let exact = rungs.iter().filter(|rung| rung.has_exact_responses).count();
-    let last = rungs.iter().rev().take(CONTESTED);
-    exact >= PATIENCE || last.filter(|rung| rung.is_contested).count() == CONTESTED
+pub fn is_ragged(references: &[Reference]) -> bool {
+    let exact = references
+        .iter()
+        .filter(|reference| reference.has_exact_responses)
+        .count();
+    let last = references.iter().rev().take(CONTESTED);
+    exact >= PATIENCE || last.filter(|reference| reference.is_contested).count() == CONTESTED
 }
 
 /// Memory that the systems of some frequencies take, bytes.
-pub fn memory_of(rungs: &[Reference]) -> f64 {
-    rungs.iter().map(|rung| rung.kept).sum()
+pub fn memory_of(references: &[Reference]) -> f64 {
+    references.iter().map(|reference| reference.kept).sum()
 }

@@ -27,19 +27,19 @@ impl Search<'_> {
     /// Where nothing delivers the accuracy within the memory.
     pub fn run(&self) -> Result<(Method, Choice)> {
         let mut tried = Vec::new();
-        let mut rungs: Vec<Reference> = Vec::new();
+        let mut references: Vec<Reference> = Vec::new();
         let mut next = 0;
         let mut unsure = "no two frequencies can be compared".to_owned();
         for frequency in frequencies(self.references.probes.travel()?) {
-            match self.references.next(frequency, &rungs) {
-                Ok(rung) => rungs.push(rung),
+            match self.references.next(frequency, &references) {
+                Ok(found) => references.push(found),
                 // Finer frequencies only take more memory.
                 Err(reason) => {
                     unsure = reason.to_string();
                     break;
                 }
             }
-            let Some((reference, below)) = rungs.split_last() else {
+            let Some((reference, below)) = references.split_last() else {
                 continue;
             };
             let uncertainty = match &reference.uncertainty {
@@ -50,16 +50,16 @@ impl Search<'_> {
                         Err(reason) => reason.to_string(),
                     };
                     unsure = format!("at {} Hz {of}", short(frequency));
-                    if is_ragged(&rungs) {
+                    if is_ragged(&references) {
                         break;
                     }
                     continue;
                 }
             };
-            let held = memory_of(&rungs);
+            let held = memory_of(&references);
             let allowed = self.references.asked - uncertainty;
-            for rung in &below[next..] {
-                let found = self.try_rung(rung, &reference.answers, held, allowed, &mut tried)?;
+            for coarser in &below[next..] {
+                let found = self.try_at(coarser, &reference.answers, held, allowed, &mut tried)?;
                 if let Some((method, chosen, error)) = found {
                     let choice = Choice {
                         asked: self.references.asked,
@@ -86,25 +86,25 @@ impl Search<'_> {
     ///
     /// # Errors
     /// Where a candidate takes too much memory to be tried.
-    fn try_rung(
+    fn try_at(
         &self,
-        rung: &Reference,
+        coarser: &Reference,
         reference: &[Answer],
         held: f64,
         allowed: f64,
         tried: &mut Vec<Tried>,
     ) -> Result<Option<(Method, Candidate, f64)>> {
         for method in methods() {
-            let candidate = candidate(&method, rung.frequency);
-            self.references.tell_of(&method, rung.frequency, false);
+            let candidate = candidate(&method, coarser.frequency);
+            self.references.tell_of(&method, coarser.frequency, false);
             let built = if method == METHOD {
                 None
             } else {
-                let fits = self.references.probes.fits(method, rung.frequency, held);
+                let fits = self.references.probes.fits(method, coarser.frequency, held);
                 fits.map_err(|why| anyhow!("{candidate} {why}"))?;
-                Some(self.references.probes.systems(method, rung.frequency))
+                Some(self.references.probes.systems(method, coarser.frequency))
             };
-            let systems = built.as_ref().unwrap_or(&rung.systems);
+            let systems = built.as_ref().unwrap_or(&coarser.systems);
             let (error, of) = match systems {
                 Ok(systems) => match self.error_of(systems, reference, allowed) {
                     Ok(error) => (Some(error.part), error.of),
