@@ -87,7 +87,7 @@ fn fronts_that_overshoot_are_warned_of_with_how_far() {
             let folder = format!("{command}-{method}");
             let answer =
                 place.sweep(&[command, "small.toml", "--methods", method, "--out", &folder]);
-            let warning = format!("warning: on this string fronts overshoot by {method}");
+            let warning = format!("warning: fronts overshoot by {method}: ");
             assert_eq!(answer.errors.contains(&warning), overshoot.is_some());
             assert!(
                 overshoot.is_none_or(|part| answer.errors.contains(part)),

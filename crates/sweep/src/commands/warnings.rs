@@ -30,10 +30,14 @@ pub fn warn_of_unstable<'a>(
     }
 }
 
-/// Warns of methods whose fronts overshoot.
-pub fn warn_of_overshoot(systems: &[MethodSystem], terminal: Terminal) {
+/// Warns of methods whose fronts overshoot on the string as the file has it.
+pub fn warn_of_overshoot(sweep: &Sweep, systems: &[MethodSystem], terminal: Terminal) {
+    let others = match sweep.design.varies_string() {
+        true => "; axes change the string, and others may be farther off",
+        false => "",
+    };
     for overshoot in systems.iter().filter_map(MethodSystem::overshoot) {
-        terminal.complain(&format!("warning: {overshoot}"));
+        terminal.complain(&format!("warning: {overshoot}{others}"));
     }
 }
 

@@ -18,7 +18,7 @@ pub struct Front {
 /// A method whose fronts overshoot on a string.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
-    "on this string fronts overshoot by {method}: the undershoot Δ of Eq. 75 is {:.3e} \
+    "fronts overshoot by {method}: on this string the undershoot Δ of Eq. 75 is {:.3e} \
      rad/s per N m, {:.0} % above the exact one; a limit of stick-slip may be off by as much \
      (`held` keeps fronts as they are)",
     .front.undershoot,

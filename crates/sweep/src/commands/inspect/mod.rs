@@ -37,7 +37,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     let mut systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     let built = start.elapsed().as_secs_f64();
     compare_fronts(&mut systems);
-    warn_of_overshoot(&systems, terminal);
+    warn_of_overshoot(&sweep, &systems, terminal);
     let memory = Demand::of(&sweep, &setting, &survey, Purpose::Labels)?.within(&limit);
     let time = of_built(&sweep, &survey, &systems, built);
     let cost = cost_lines(&memory, &limit, &time);

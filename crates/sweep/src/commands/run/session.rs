@@ -63,7 +63,7 @@ impl<'a> Session<'a> {
         let about = About::new(sweep, file, shard, options, &systems.methods)?;
         log.describe(serde_json::to_string(&about)?)?;
         warn_of_unstable(&systems.methods, task.terminal);
-        warn_of_overshoot(&systems.methods, task.terminal);
+        warn_of_overshoot(sweep, &systems.methods, task.terminal);
         warn_of_broken_lines(&log, task.terminal);
         Ok(Self {
             log: Arc::new(log),

@@ -29,12 +29,10 @@ impl Systems {
         let (arguments, sweep) = (task.arguments, &task.sweep);
         let (memory, mut methods) = build_admitted(task)?;
         // Where axes change the string, none stands for all.
-        if !sweep.design.varies_string() {
-            if !arguments.allow_unstable {
-                refuse_unstable(task, &methods)?;
-            }
-            compare_fronts(&mut methods);
+        if !(sweep.design.varies_string() || arguments.allow_unstable) {
+            refuse_unstable(task, &methods)?;
         }
+        compare_fronts(&mut methods);
         Ok(Self {
             limit: boundary(sweep, &methods).map_err(|error| UsageError(error.to_string()))?,
             strings_at_once: memory.strings_at_once,

@@ -24,6 +24,7 @@ mod candidates;
 mod probes;
 mod reference;
 mod search;
+mod strings;
 
 use linear::Method;
 use sim::Stopping;

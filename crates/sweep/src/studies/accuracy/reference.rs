@@ -11,7 +11,8 @@ use sim::Stopping;
 
 use super::answer::{Answer, Difference, largest_difference};
 use super::candidates::{candidate, off_beat};
-use super::probes::{Probes, Systems};
+use super::probes::Probes;
+use super::strings::Systems;
 use crate::plan::Candidate;
 use crate::words::short;
 
@@ -65,7 +66,7 @@ impl<'a> References<'a> {
         Ok(Self {
             probes,
             asked,
-            undershoots: probes.exact_undershoots()?,
+            undershoots: probes.strings.exact_undershoots()?,
             tell,
             pace: Cell::new(None),
         })
@@ -78,13 +79,13 @@ impl<'a> References<'a> {
     pub fn next(&self, frequency: f64, before: &[Reference]) -> Result<Reference> {
         let probes = self.probes;
         let held = memory_of(before);
-        let fits = probes.fits(METHOD, frequency, held);
+        let fits = probes.strings.fits(METHOD, frequency, held);
         let kept = fits.map_err(|why| {
             let frequency = short(frequency);
             anyhow!("at {frequency} Hz the reference {why}")
         })?;
         self.tell_of(&METHOD, frequency, true);
-        let systems = probes.systems(METHOD, frequency);
+        let systems = probes.strings.systems(METHOD, frequency);
         let start = Instant::now();
         let known = before.last().map_or(&[][..], |before| &before.answers);
         let answers = match &systems {
@@ -140,8 +141,8 @@ impl<'a> References<'a> {
     fn seconds(&self, frequency: f64) -> Result<Vec<(Method, f64)>> {
         let probes = self.probes;
         let mut seconds = vec![(self.other_family(), frequency)];
-        if probes.sweep.setting.lateral.is_some() || !probes.are_uniform() {
-            let off_beat = off_beat(frequency, probes.travel()?);
+        if probes.sweep.setting.lateral.is_some() || !probes.strings.are_uniform() {
+            let off_beat = off_beat(frequency, probes.strings.travel()?);
             seconds.extend(off_beat.map(|frequency| (METHOD, frequency)));
         }
         Ok(seconds)
@@ -180,11 +181,11 @@ impl<'a> References<'a> {
     /// answers differ by from the reference's counts too. (Where they are not, and with
     /// sharp fronts those of another family rarely are, its answers tell nothing.)
     fn ask_another(&self, reference: &mut Reference, method: Method, frequency: f64, held: f64) {
-        if self.probes.fits(method, frequency, held).is_err() {
+        if self.probes.strings.fits(method, frequency, held).is_err() {
             return;
         }
         self.tell_of(&method, frequency, true);
-        let Ok(systems) = self.probes.systems(method, frequency) else {
+        let Ok(systems) = self.probes.strings.systems(method, frequency) else {
             return;
         };
         if method != METHOD {
@@ -233,7 +234,7 @@ impl<'a> References<'a> {
         } else {
             &[]
         };
-        self.probes.linear_error(systems, undershoots)
+        self.probes.strings.linear_error(systems, undershoots)
     }
 }
 

@@ -6,8 +6,8 @@ use sim::Stopping;
 
 use super::answer::{Answer, Difference, largest_difference};
 use super::candidates::{candidate, frequencies, methods};
-use super::probes::Systems;
 use super::reference::{METHOD, Reference, References, is_ragged, memory_of};
+use super::strings::Systems;
 use crate::plan::{Candidate, Choice, Tried};
 use crate::sweep_file::per_cent;
 use crate::words::short;
@@ -30,7 +30,7 @@ impl Search<'_> {
         let mut references: Vec<Reference> = Vec::new();
         let mut next = 0;
         let mut unsure = "no two frequencies can be compared".to_owned();
-        for frequency in frequencies(self.references.probes.travel()?) {
+        for frequency in frequencies(self.references.probes.strings.travel()?) {
             match self.references.next(frequency, &references) {
                 Ok(found) => references.push(found),
                 // Finer frequencies only take more memory.
@@ -100,9 +100,18 @@ impl Search<'_> {
             let built = if method == METHOD {
                 None
             } else {
-                let fits = self.references.probes.fits(method, coarser.frequency, held);
+                let fits = self
+                    .references
+                    .probes
+                    .strings
+                    .fits(method, coarser.frequency, held);
                 fits.map_err(|why| anyhow!("{candidate} {why}"))?;
-                Some(self.references.probes.systems(method, coarser.frequency))
+                Some(
+                    self.references
+                        .probes
+                        .strings
+                        .systems(method, coarser.frequency),
+                )
             };
             let systems = built.as_ref().unwrap_or(&coarser.systems);
             let (error, of) = match systems {
