@@ -6,13 +6,12 @@ use std::time::Instant;
 
 use anyhow::{Result, anyhow, bail};
 use linear::Method;
-use linear::method::Transform;
 use sim::Stopping;
 
 use super::answer::{Answer, Difference, largest_difference};
 use super::candidates::{candidate, off_beat};
 use super::probes::Probes;
-use super::strings::Systems;
+use super::strings::{Steps, Systems};
 use crate::plan::Candidate;
 use crate::words::short;
 
@@ -26,6 +25,13 @@ pub const METHOD: Method = Method::Held;
 /// Another family is heard where its linear responses are within this part of what a
 /// reference may be uncertain by: limits are off by more than the responses they hang on.
 const TELLING: f64 = 0.2;
+
+/// The family that comes nearest to the exact responses with a wall, without being the
+/// reference's; the digital filter loses the slow tail in bending.
+const OTHER_WITH_A_WALL: Method = Method::Quadrature;
+
+/// Pieces of the lattice in a step of a first look.
+const FIRST_PIECES: f64 = 16.0;
 
 /// Linear responses whose error is no more than this are exact enough for any limit that is
 /// not ragged.
@@ -72,29 +78,94 @@ impl<'a> References<'a> {
         })
     }
 
-    /// The reference at a frequency, after those at lower ones.
+    /// The reference with a wall: that at a frequency, after those at lower ones.
     ///
     /// # Errors
     /// Where it takes too much memory.
     pub fn next(&self, frequency: f64, before: &[Reference]) -> Result<Reference> {
-        let probes = self.probes;
         let held = memory_of(before);
-        let fits = probes.strings.fits(METHOD, frequency, held);
+        let known = before.last().map_or(&[][..], |before| &before.answers);
+        let steps = Steps::Frequency(frequency);
+        let mut reference = self.stepped(steps, frequency, held, known)?;
+        reference.uncertainty = self.uncertainty_of(&mut reference, before);
+        if !reference.is_certain(self.certain()) {
+            return Ok(reference);
+        }
+        let travel = self.probes.strings.travel()?;
+        let off_beat = off_beat(frequency, travel).map(|frequency| (METHOD, frequency));
+        for (method, frequency) in std::iter::once((OTHER_WITH_A_WALL, frequency)).chain(off_beat) {
+            let steps = Steps::Frequency(frequency);
+            self.ask_another(&mut reference, method, steps, frequency, held);
+            if !reference.is_certain(self.certain()) {
+                reference.is_contested = true;
+                return Ok(reference);
+            }
+        }
+        self.look_for_islands(&mut reference);
+        Ok(reference)
+    }
+
+    /// The reference in torsion: steps of one piece of the string's lattice, so short that
+    /// each front arrives at every place in time, and none rises within a step. (On many
+    /// strings a limit hangs on that: a front that rises within a step sends a dip ahead of
+    /// its echo, which stops a bit that has nearly stopped. Finer and finer steps that are
+    /// not in time with all of the string may agree with one another on another limit.)
+    /// Steps of two pieces, and the digital filter, count in its uncertainty.
+    ///
+    /// # Errors
+    /// Where it takes too much memory.
+    pub fn in_pieces(&self) -> Result<Reference> {
+        let frequency = self.probes.strings.frequency_of_pieces()?;
+        let stepped = |pieces: f64, held: f64, known: &[Answer]| {
+            self.stepped(Steps::Pieces(pieces), frequency / pieces, held, known)
+        };
+        // What says how long it will take, and where limits are about.
+        let first = stepped(FIRST_PIECES, 0.0, &[])?;
+        let mut whole = stepped(1.0, 0.0, &first.answers)?;
+        let half = stepped(0.5, whole.kept, &whole.answers)?;
+        whole.uncertainty = self.uncertainty_in_pieces(&whole, &half);
+        if whole.is_certain(self.certain()) {
+            self.look_for_islands(&mut whole);
+        }
+        Ok(whole)
+    }
+
+    fn uncertainty_in_pieces(&self, whole: &Reference, half: &Reference) -> Result<Difference> {
+        let systems = (whole.systems.as_ref()).map_err(|reason| anyhow!("{reason}"))?;
+        let linear = self.linear_error(systems, &whole.answers)?;
+        let change = largest_difference(&half.answers, &whole.answers, self.asked)?;
+        Ok(if change.part > linear.part {
+            change
+        } else {
+            linear
+        })
+    }
+
+    /// The answers in some steps, `frequency` of the first string's; others keep `held`
+    /// bytes.
+    fn stepped(
+        &self,
+        steps: Steps,
+        frequency: f64,
+        held: f64,
+        known: &[Answer],
+    ) -> Result<Reference> {
+        let probes = self.probes;
+        let fits = probes.strings.fits(METHOD, steps, held);
         let kept = fits.map_err(|why| {
             let frequency = short(frequency);
             anyhow!("at {frequency} Hz the reference {why}")
         })?;
         self.tell_of(&METHOD, frequency, true);
-        let systems = probes.strings.systems(METHOD, frequency);
+        let systems = probes.strings.systems(METHOD, steps);
         let start = Instant::now();
-        let known = before.last().map_or(&[][..], |before| &before.answers);
         let answers = match &systems {
             Ok(systems) => probes.answers(systems, Stopping::Full, known),
             Err(_) => Vec::new(),
         };
         self.pace
             .set(Some(start.elapsed().as_secs_f64() / frequency));
-        let mut reference = Reference {
+        Ok(Reference {
             frequency,
             systems,
             kept,
@@ -103,25 +174,17 @@ impl<'a> References<'a> {
             has_exact_responses: false,
             is_contested: false,
             seconded_by: None,
-        };
-        reference.uncertainty = self.uncertainty_of(&mut reference, before);
-        if !reference.is_certain(self.certain()) {
-            return Ok(reference);
-        }
-        for (method, frequency) in self.seconds(frequency)? {
-            self.ask_another(&mut reference, method, frequency, held + kept);
-            if !reference.is_certain(self.certain()) {
-                reference.is_contested = true;
-                return Ok(reference);
-            }
-        }
+        })
+    }
+
+    /// A limit with others near is contested.
+    fn look_for_islands(&self, reference: &mut Reference) {
         if let Ok(systems) = &reference.systems
-            && let Err(reason) = probes.check_for_islands(systems, &reference.answers)
+            && let Err(reason) = (self.probes).check_for_islands(systems, &reference.answers)
         {
             reference.uncertainty = Err(reason);
             reference.is_contested = true;
         }
-        Ok(reference)
     }
 
     /// Tells of an attempt before it is made, and about how long it will take: as much
@@ -132,20 +195,6 @@ impl<'a> References<'a> {
             is_reference,
             seconds: self.pace.get().map(|pace| pace * frequency),
         });
-    }
-
-    /// Who else is asked at the frequency of a reference: another family, and the reference
-    /// itself in steps that wave fronts are not in time with, but for fronts along a uniform
-    /// string, which always are. On some strings a limit hangs on fronts that arrive
-    /// together, and moves by per cents as soon as they do not quite.
-    fn seconds(&self, frequency: f64) -> Result<Vec<(Method, f64)>> {
-        let probes = self.probes;
-        let mut seconds = vec![(self.other_family(), frequency)];
-        if probes.sweep.setting.lateral.is_some() || !probes.strings.are_uniform() {
-            let off_beat = off_beat(frequency, probes.strings.travel()?);
-            seconds.extend(off_beat.map(|frequency| (METHOD, frequency)));
-        }
-        Ok(seconds)
     }
 
     /// The largest uncertainty of a reference.
@@ -180,12 +229,20 @@ impl<'a> References<'a> {
     /// Where another method's linear responses are near enough to the exact ones, what its
     /// answers differ by from the reference's counts too. (Where they are not, and with
     /// sharp fronts those of another family rarely are, its answers tell nothing.)
-    fn ask_another(&self, reference: &mut Reference, method: Method, frequency: f64, held: f64) {
-        if self.probes.strings.fits(method, frequency, held).is_err() {
+    fn ask_another(
+        &self,
+        reference: &mut Reference,
+        method: Method,
+        steps: Steps,
+        frequency: f64,
+        held: f64,
+    ) {
+        let held = held + reference.kept;
+        if self.probes.strings.fits(method, steps, held).is_err() {
             return;
         }
         self.tell_of(&method, frequency, true);
-        let Ok(systems) = self.probes.strings.systems(method, frequency) else {
+        let Ok(systems) = self.probes.strings.systems(method, steps) else {
             return;
         };
         if method != METHOD {
@@ -212,16 +269,6 @@ impl<'a> References<'a> {
                     ..found
                 })
                 .map_err(|reason| anyhow!("{candidate} differs: {reason}"));
-        }
-    }
-
-    /// The method that comes nearest to the exact responses without being the reference:
-    /// the digital filter has wave fronts within its band, but loses the slow tail in
-    /// bending.
-    fn other_family(&self) -> Method {
-        match self.probes.sweep.setting.lateral {
-            None => Method::Hilbert(Transform::default()),
-            Some(_) => Method::Quadrature,
         }
     }
 
