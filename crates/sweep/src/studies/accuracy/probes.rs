@@ -26,7 +26,7 @@ const LIMIT_PART: f64 = 1.0 / 16.0;
 const NEAR: f64 = 1.2;
 
 /// Islands are looked for within this factor of a limit, beyond what was asked for, and so
-/// many steps are taken to there on either side.
+/// many steps are taken to there on either side, the closer the nearer.
 const FURTHEST: f64 = 1.3;
 const PLACES: usize = 16;
 
@@ -257,7 +257,7 @@ impl<'a> Probes<'a> {
                 let reach = FURTHEST.ln();
                 for side in [-1.0, 1.0] {
                     let between = (0..=PLACES).map(|place| place as f64 / PLACES as f64);
-                    let places = between.map(|part| self.asked + part * (reach - self.asked));
+                    let places = between.map(|part| self.asked * (reach / self.asked).powf(part));
                     let mut regimes = places.map(|distance| {
                         let factor = (side * distance).exp();
                         (factor, is_inside_at(factor))
