@@ -279,3 +279,61 @@ impl<'a> Probes<'a> {
         found.into_iter().collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use linear::Method;
+
+    use super::super::strings::Steps;
+    use super::*;
+    use crate::memory::Size;
+
+    const SWEEP: &str = "
+accuracy = \"2 %\"
+
+[bit]
+torque_static_ratio = 1.3
+
+[design]
+kind = \"grid\"
+
+[design.axes]
+surface_speed_rpm = { values = [1, 2.5] }
+torque_dynamic_nm = { values = [3000, 5000] }
+
+[string]
+shear_modulus_gpa = 80
+density_kg_m3 = 7840
+torsional_damping_nms_rad_m = 5
+
+[[string.sections]]
+repeat = 1
+parts = [
+    { length_m = 700, inner_radius_m = 0.05, outer_radius_m = 0.1 },
+    { length_m = 80, inner_radius_m = 0.04, outer_radius_m = 0.15 },
+]
+";
+
+    /// In torsion all is proportional to torque: a limit that is known by one case is that of
+    /// the others, as if it had been looked for there.
+    #[test]
+    fn a_limit_is_known_by_that_of_another_torque() {
+        let name = Path::new("small.toml");
+        let sweep = Sweep::read_from(name, &[], &|_: &Path, _| Ok(SWEEP.to_owned())).unwrap();
+        let limit = Limit::of(Some(Size(1e9)));
+        let probes = Probes::of(&sweep, 0.02, &limit).unwrap();
+        let systems = probes
+            .strings
+            .systems(Method::Held, Steps::Frequency(200.0))
+            .unwrap();
+        let answers = probes.answers(&systems, Stopping::Early, &[]);
+        assert_eq!(answers.len(), 4);
+        for (answer, probe) in answers.iter().zip(&probes.probes) {
+            let own = probes.answer(&systems[0], probe.case, Stopping::Early, Some(None));
+            let ratio = answer.limit.unwrap() / own.limit.unwrap();
+            assert!((ratio - 1.0).abs() < 2.0 * LIMIT_PART * 0.02, "{ratio}");
+        }
+    }
+}
