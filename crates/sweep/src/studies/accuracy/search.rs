@@ -5,8 +5,8 @@ use linear::Method;
 use sim::Stopping;
 
 use super::answer::{Answer, Difference, largest_difference};
-use super::candidates::{candidate, frequencies, methods};
-use super::reference::{METHOD, Reference, References, is_ragged, memory_of};
+use super::candidates::{candidate, methods};
+use super::reference::{METHOD, Reference, References};
 use super::strings::{Steps, Systems};
 use crate::plan::{Candidate, Choice, Tried};
 use crate::sweep_file::per_cent;
@@ -21,91 +21,8 @@ pub struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The method chosen, and the choice.
-    ///
-    /// # Errors
-    /// Where nothing delivers the accuracy within the memory.
-    pub fn run(&self) -> Result<(Method, Choice)> {
-        match self.references.probes.sweep.setting.lateral {
-            None => self.by_fronts(),
-            Some(_) => self.by_doubling(),
-        }
-    }
-
-    /// In torsion alone: candidates from coarse to fine, held to exact fronts.
-    fn by_fronts(&self) -> Result<(Method, Choice)> {
-        let mut tried = Vec::new();
-        let reference = (self.references.in_pieces())
-            .map_err(|reason| self.nothing_delivers(&tried, &reason.to_string()))?;
-        let uncertainty = self
-            .uncertainty(&reference)
-            .map_err(|unsure| self.nothing_delivers(&tried, &unsure))?;
-        let frequencies = frequencies(self.references.probes.strings.travel()?);
-        for frequency in frequencies
-            .into_iter()
-            .filter(|one| *one <= reference.frequency)
-        {
-            let found = self.try_at(
-                frequency,
-                None,
-                &reference,
-                uncertainty,
-                reference.kept,
-                &mut tried,
-            )?;
-            if let Some(found) = found {
-                return Ok(self.choice(found, &reference, uncertainty, tried));
-            }
-        }
-        Err(self.nothing_delivers(&tried, "no finer steps are tried"))
-    }
-
-    /// With a wall: the reference's steps are halved until it is certain, candidates are
-    /// what was passed on the way.
-    fn by_doubling(&self) -> Result<(Method, Choice)> {
-        let mut tried = Vec::new();
-        let mut references: Vec<Reference> = Vec::new();
-        let mut next = 0;
-        let mut unsure = "no two frequencies can be compared".to_owned();
-        for frequency in frequencies(self.references.probes.strings.travel()?) {
-            match self.references.next(frequency, &references) {
-                Ok(found) => references.push(found),
-                // Finer frequencies only take more memory.
-                Err(reason) => {
-                    unsure = reason.to_string();
-                    break;
-                }
-            }
-            let Some((reference, below)) = references.split_last() else {
-                continue;
-            };
-            let uncertainty = match self.uncertainty(reference) {
-                Ok(found) => found,
-                Err(reason) => {
-                    unsure = reason;
-                    if is_ragged(&references) {
-                        break;
-                    }
-                    continue;
-                }
-            };
-            let held = memory_of(&references);
-            for coarser in &below[next..] {
-                let (frequency, own) = (coarser.frequency, Some(&coarser.systems));
-                let found =
-                    self.try_at(frequency, own, reference, uncertainty, held, &mut tried)?;
-                if let Some(found) = found {
-                    return Ok(self.choice(found, reference, uncertainty, tried));
-                }
-            }
-            // Finer than the reference has to be, but nothing coarser delivers.
-            next = below.len();
-        }
-        Err(self.nothing_delivers(&tried, &unsure))
-    }
-
     /// The uncertainty of a reference that is certain enough, a part of one; or why it is not.
-    fn uncertainty(&self, reference: &Reference) -> Result<f64, String> {
+    pub fn uncertainty(&self, reference: &Reference) -> Result<f64, String> {
         let of = match &reference.uncertainty {
             Ok(found) if found.part <= self.references.certain() => return Ok(found.part),
             Ok(found) => format!("{} is off by {} %", found.of, per_cent(found.part)),
@@ -114,7 +31,8 @@ impl Search<'_> {
         Err(format!("at {} Hz {of}", short(reference.frequency)))
     }
 
-    fn choice(
+    /// A candidate found, with its error, as what is chosen.
+    pub fn choice(
         &self,
         (method, chosen, error): (Method, Candidate, f64),
         reference: &Reference,
@@ -141,7 +59,7 @@ impl Search<'_> {
     ///
     /// # Errors
     /// Where a candidate takes too much memory to be tried.
-    fn try_at(
+    pub fn try_at(
         &self,
         frequency: f64,
         own: Option<&Result<Systems>>,
@@ -214,7 +132,7 @@ impl Search<'_> {
 
     /// Everything tried is further from the reference than the accuracy asked for, or the
     /// reference is not certain enough, for the reason given.
-    fn nothing_delivers(&self, tried: &[Tried], unsure: &str) -> Error {
+    pub fn nothing_delivers(&self, tried: &[Tried], unsure: &str) -> Error {
         let (asked, certain) = (
             per_cent(self.references.asked),
             per_cent(self.references.certain()),
