@@ -55,7 +55,7 @@ fn promises_are_put_to_the_test_alike_by_any_number_of_threads() {
             "--strings",
             "2",
             "--seed",
-            "2",
+            "3",
             "--motion",
             "stick-slip",
         ];
