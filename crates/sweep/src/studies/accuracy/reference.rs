@@ -39,7 +39,7 @@ pub struct References<'a> {
     pub probes: &'a Probes<'a>,
     /// The accuracy.
     pub asked: f64,
-    /// Δ of Eq. 75 of every string as it is ([`Probes::exact_undershoots`]).
+    /// Δ of Eq. 75 of every string as it is ([`super::strings::Strings::exact_undershoots`]).
     undershoots: Vec<f64>,
     /// Hears of each attempt before it is made.
     tell: &'a dyn Fn(Attempt),
