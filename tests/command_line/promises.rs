@@ -44,8 +44,8 @@ fn promises_are_kept() {
     assert!(tested.iter().all(|(_, by)| *by <= 1.5));
 }
 
-/// A uniform string and one with a collar: what is promised there is kept, whoever asks, and
-/// is what the study has.
+/// A uniform string, which is refused, and one with a collar: all is as the study has it,
+/// whoever asks.
 #[test]
 fn promises_are_put_to_the_test_alike_by_any_number_of_threads() {
     let place = Workplace::new();
@@ -69,12 +69,11 @@ fn promises_are_put_to_the_test_alike_by_any_number_of_threads() {
     let found = columns(&table(&csv), COLUMNS);
     assert_eq!(found.len(), 6);
     for (row, known) in found.iter().zip(study()) {
-        for (value, known) in row.iter().zip(&known) {
+        // What it is broken by follows from the rest.
+        for (value, known) in row[..7].iter().zip(&known) {
             match (value.parse::<f64>(), known.parse::<f64>()) {
                 // Another machine rounds otherwise; a limit is found to 3e-4.
-                (Ok(value), Ok(known)) => {
-                    assert!((value - known).abs() < 1e-3 * known.abs() + 1e-2)
-                }
+                (Ok(value), Ok(known)) => assert!((value - known).abs() <= 1e-3 * known, "{csv}"),
                 _ => assert_eq!(value, known, "{csv}"),
             }
         }

@@ -54,8 +54,8 @@ impl References<'_> {
             self.stepped(Steps::Pieces(pieces), frequency / pieces, held, known)
         };
         // What says how long it will take, and where limits are about.
-        let first = stepped(FIRST_PIECES, 0.0, &[])?;
-        let mut whole = stepped(1.0, 0.0, &first.answers)?;
+        let first = stepped(FIRST_PIECES, 0.0, &[])?.answers;
+        let mut whole = stepped(1.0, 0.0, &first)?;
         let half = stepped(0.5, whole.kept, &whole.answers)?;
         whole.uncertainty = self.uncertainty_in_pieces(&whole, &half);
         if whole.is_certain(self.certain()) {

@@ -30,21 +30,42 @@ const NEAR: f64 = 1.2;
 const FURTHEST: f64 = 1.3;
 const PLACES: usize = 16;
 
-/// A case, its string among those of the probes, and where nothing but the bit acts, its
-/// scale: all is proportional to the torque there.
+/// A case, its string among those of the probes, and its scale.
 struct Probe {
     case: usize,
     string: usize,
-    scale: Option<Scale>,
+    scale: Scale,
 }
 
-/// What a limit of stick-slip hangs on beside the string.
-#[derive(Clone, Copy)]
-struct Scale {
-    /// T_s/T_d.
-    static_ratio: f64,
-    /// Surface speed per dynamic torque, rad/s per N m.
-    speed: f64,
+/// Of what a limit of stick-slip is a multiple. Where nothing but the bit acts, all is
+/// proportional to the torque there.
+#[derive(Clone, Copy, PartialEq)]
+enum Scale {
+    /// Surface speed per dynamic torque, rad/s per N m, with T_s/T_d.
+    Torque { speed: f64, static_ratio: f64 },
+    /// Of nothing that other cases share.
+    Own,
+}
+
+impl Scale {
+    /// The factor from limits of another to its own; `None` where they are not alike.
+    fn from(self, other: Self) -> Option<f64> {
+        let (
+            Scale::Torque {
+                speed,
+                static_ratio,
+            },
+            Scale::Torque {
+                speed: other_speed,
+                static_ratio: other_ratio,
+            },
+        ) = (self, other)
+        else {
+            return None;
+        };
+        let is_alike = (static_ratio / other_ratio - 1.0).abs() < 1e-12;
+        is_alike.then_some(other_speed / speed)
+    }
 }
 
 /// The cases compared.
@@ -110,29 +131,38 @@ impl<'a> Probes<'a> {
         Ok(longest)
     }
 
-    fn scale_of(&self, case: usize) -> Result<Option<Scale>> {
+    fn scale_of(&self, case: usize) -> Result<Scale> {
         let setting = self.sweep.setting_at(&self.sweep.design.values(case))?;
         let scene = trial::case(self.sweep, &setting, &self.conditions(case, 1.0))?.scene;
         let alone = scene.bit.filter(|_| scene.lateral.is_none());
-        Ok(alone.map(|bit| Scale {
-            static_ratio: bit.torque_static / bit.torque_dynamic,
+        Ok(alone.map_or(Scale::Own, |bit| Scale::Torque {
             speed: scene.surface_speed / bit.torque_dynamic,
+            static_ratio: bit.torque_static / bit.torque_dynamic,
         }))
     }
 
-    /// The probe whose limit is that of another, with the factor between the two: itself,
-    /// unless an earlier one has the same string and ratio of torques.
-    fn leader_of(&self, index: usize) -> (usize, f64) {
-        let own = &self.probes[index];
-        let leads = |other: &Probe| {
-            let (own_scale, other_scale) = (own.scale?, other.scale?);
-            let ratio = other_scale.static_ratio / own_scale.static_ratio;
-            let is_same = other.string == own.string && (ratio - 1.0).abs() < 1e-12;
-            is_same.then_some(other_scale.speed / own_scale.speed)
-        };
-        let mut earlier = self.probes[..index].iter().enumerate();
-        let found = earlier.find_map(|(other, probe)| Some((other, leads(probe)?)));
-        found.unwrap_or((index, 1.0))
+    /// The factor from limits of one probe to those of another; `None` where the two have
+    /// nothing to do with one another.
+    fn factor(&self, from: usize, to: usize) -> Option<f64> {
+        let [from_probe, to_probe] = [from, to].map(|index| &self.probes[index]);
+        if from == to {
+            return Some(1.0);
+        }
+        let has_its_string = from_probe.string == to_probe.string;
+        (to_probe.scale.from(from_probe.scale)).filter(|_| has_its_string)
+    }
+
+    /// The probes that share their limits, each group once.
+    fn groups(&self) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for index in 0..self.probes.len() {
+            let of_group = |group: &&mut Vec<usize>| self.factor(group[0], index).is_some();
+            match groups.iter_mut().find(of_group) {
+                Some(group) => group.push(index),
+                None => groups.push(vec![index]),
+            }
+        }
+        groups
     }
 
     /// The conditions of a case with its surface speed, or its friction where there is a
@@ -147,54 +177,57 @@ impl<'a> Probes<'a> {
         conditions
     }
 
-    /// The answers to all probes, their limits looked for near those of `known`
-    /// answers.
+    /// The answers to all probes, their limits looked for near those of `known` answers:
+    /// in each group by the first that finds one.
     pub fn answers(&self, systems: &Systems, stopping: Stopping, known: &[Answer]) -> Vec<Answer> {
-        let mut answers: Vec<Answer> = (self.probes.par_iter().enumerate())
-            .map(|(index, probe)| {
-                let near = known.get(index).and_then(|known| known.limit);
-                let leads = self.leader_of(index).0 == index;
-                self.answer(
-                    &systems[probe.string],
-                    probe.case,
-                    stopping,
-                    leads.then_some(near),
-                )
-            })
+        let found = self.probes.par_iter();
+        let found: Vec<(Answer, Option<bool>)> = found
+            .map(|probe| self.answer(&systems[probe.string], probe.case, stopping))
             .collect();
-        for index in 0..answers.len() {
-            let (leader, factor) = self.leader_of(index);
-            answers[index].limit = answers[leader].limit.map(|limit| limit * factor);
+        let limit_of = |index: usize| {
+            let probe = &self.probes[index];
+            let near = known.get(index).and_then(|known| known.limit);
+            let limit = self.limit(&systems[probe.string], probe.case, found[index].1?, near)?;
+            Some((index, limit))
+        };
+        let groups = self.groups();
+        let limits: Vec<Option<(usize, f64)>> = (groups.par_iter())
+            .map(|group| group.iter().find_map(|&index| limit_of(index)))
+            .collect();
+        let mut answers: Vec<Answer> = found.into_iter().map(|(answer, _)| answer).collect();
+        for (group, limit) in groups.into_iter().zip(limits) {
+            for index in group {
+                let of_it = |(from, limit)| Some(limit * self.factor(from, index)?);
+                answers[index].limit = limit.and_then(of_it);
+            }
         }
         answers
     }
 
-    /// The answer to one, with its limit where it is to be looked for: near that, or
-    /// anywhere.
+    /// The answer to one but for its limit, and whether it is in the regime that this bounds.
     fn answer(
         &self,
         system: &MethodSystem,
         case: usize,
         stopping: Stopping,
-        limit: Option<Option<f64>>,
-    ) -> Answer {
+    ) -> (Answer, Option<bool>) {
         let mut found = Answer {
             case,
             ..Answer::default()
         };
-        match trial::outcome(self.sweep, system, &self.conditions(case, 1.0), stopping) {
+        let outcome = trial::outcome(self.sweep, system, &self.conditions(case, 1.0), stopping);
+        let inside = outcome.as_ref().ok().map(is_inside);
+        match outcome {
             Ok(outcome) => {
                 found.regimes = regimes(&outcome);
                 found.measures = measures(&outcome, system.setting.sites.len());
-                let inside = is_inside(&outcome);
-                found.limit = limit.and_then(|near| self.limit(system, case, inside, near));
             }
             Err(reason) => found.regimes = format!("without an answer ({reason})"),
         }
         let least = (system.least_impulses.iter()).filter(|least| least.is_finite());
         let least = least.map(|&least| ("least impulse", least));
         found.measures.extend(least);
-        found
+        (found, inside)
     }
 
     /// Where the regime changes, in multiples of a case's speed or friction: near a
@@ -238,11 +271,19 @@ impl<'a> Probes<'a> {
     /// # Errors
     /// Names the first case with one.
     pub fn check_for_islands(&self, systems: &Systems, answers: &[Answer]) -> Result<()> {
-        let leaders = (0..self.probes.len()).filter(|&index| self.leader_of(index).0 == index);
-        let leaders: Vec<usize> = leaders.collect();
-        let probes = leaders
-            .par_iter()
-            .map(|&index| (&self.probes[index], &answers[index]));
+        // Of a group the one that is nearest to its limit: others may last too long there.
+        let distance = |index: &usize| {
+            answers[*index]
+                .limit
+                .map_or(f64::INFINITY, |limit| limit.ln().abs())
+        };
+        let nearest = |group: Vec<usize>| {
+            let nearest = group
+                .into_iter()
+                .min_by(|one, other| distance(one).total_cmp(&distance(other)));
+            nearest.map(|index| (&self.probes[index], &answers[index]))
+        };
+        let probes = self.groups().into_par_iter().filter_map(nearest);
         let found: Vec<Result<()>> = probes
             .map(|(probe, answer)| {
                 let Some(limit) = answer.limit else {
@@ -330,9 +371,11 @@ parts = [
             .unwrap();
         let answers = probes.answers(&systems, Stopping::Early, &[]);
         assert_eq!(answers.len(), 4);
+        assert_eq!(probes.groups(), [[0, 1, 2, 3]]);
         for (answer, probe) in answers.iter().zip(&probes.probes) {
-            let own = probes.answer(&systems[0], probe.case, Stopping::Early, Some(None));
-            let ratio = answer.limit.unwrap() / own.limit.unwrap();
+            let (_, inside) = probes.answer(&systems[0], probe.case, Stopping::Early);
+            let own = probes.limit(&systems[0], probe.case, inside.unwrap(), None);
+            let ratio = answer.limit.unwrap() / own.unwrap();
             assert!((ratio - 1.0).abs() < 2.0 * LIMIT_PART * 0.02, "{ratio}");
         }
     }

@@ -180,8 +180,8 @@ impl<'a> Strings<'a> {
         trains.map(ImpulseTrains::bytes).sum()
     }
 
-    /// Δ of Eq. 75 of every string as it is, rad/s per N m; none with a wall, where no
-    /// limit hangs on it, and none without a bit.
+    /// Δ of Eq. 75 of every string as it is, rad/s per N m; none with a wall, where limits
+    /// hang on more than that, and none without a bit.
     ///
     /// # Errors
     /// Where a string cannot be cut into a lattice.
