@@ -21,6 +21,8 @@
 
 mod answer;
 mod candidates;
+mod doubling;
+mod fronts;
 mod probes;
 mod reference;
 mod search;
@@ -64,7 +66,10 @@ pub fn choose(
             references: References::new(&probes, asked, tell)?,
             stopping,
         };
-        search.run()
+        match sweep.setting.lateral {
+            None => search.by_fronts(),
+            Some(_) => search.by_doubling(),
+        }
     });
     let chosen = chosen.map_err(|reason| sweep.source.error("accuracy", reason.to_string()))?;
     Ok(Some(chosen))

@@ -1,18 +1,17 @@
-//! What candidates are held to: one method in ever shorter steps, and how far its answers
-//! may be trusted.
+//! What candidates are held to: one method in short steps, and how far its answers may be
+//! trusted.
 
 use std::cell::Cell;
 use std::time::Instant;
 
-use anyhow::{Result, anyhow, bail};
+use anyhow::{Result, anyhow};
 use linear::Method;
-use linear::method::Transform;
 use sim::Stopping;
 
-use super::answer::{Answer, Difference, largest_difference};
-use super::candidates::{candidate, off_beat};
+use super::answer::{Answer, Difference};
+use super::candidates::candidate;
 use super::probes::Probes;
-use super::strings::Systems;
+use super::strings::{Steps, Systems};
 use crate::plan::Candidate;
 use crate::words::short;
 
@@ -22,14 +21,6 @@ const PART: f64 = 0.5;
 /// The method of the reference: nothing in it is approximate but the steps in which
 /// forces are held.
 pub const METHOD: Method = Method::Held;
-
-/// Another family is heard where its linear responses are within this part of what a
-/// reference may be uncertain by: limits are off by more than the responses they hang on.
-const TELLING: f64 = 0.2;
-
-/// Linear responses whose error is no more than this are exact enough for any limit that is
-/// not ragged.
-const EXACT: f64 = 0.01;
 
 /// What is about to be built and simulated.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +33,7 @@ pub struct Attempt {
     pub seconds: Option<f64>,
 }
 
-/// The references of a search, at one frequency after the other.
+/// The references of a search.
 pub struct References<'a> {
     /// The cases compared.
     pub probes: &'a Probes<'a>,
@@ -72,29 +63,31 @@ impl<'a> References<'a> {
         })
     }
 
-    /// The reference at a frequency, after those at lower ones.
-    ///
-    /// # Errors
-    /// Where it takes too much memory.
-    pub fn next(&self, frequency: f64, before: &[Reference]) -> Result<Reference> {
+    /// The answers in some steps, `frequency` of the first string's; others keep `held`
+    /// bytes.
+    pub fn stepped(
+        &self,
+        steps: Steps,
+        frequency: f64,
+        held: f64,
+        known: &[Answer],
+    ) -> Result<Reference> {
         let probes = self.probes;
-        let held = memory_of(before);
-        let fits = probes.strings.fits(METHOD, frequency, held);
+        let fits = probes.strings.fits(METHOD, steps, held);
         let kept = fits.map_err(|why| {
             let frequency = short(frequency);
             anyhow!("at {frequency} Hz the reference {why}")
         })?;
         self.tell_of(&METHOD, frequency, true);
-        let systems = probes.strings.systems(METHOD, frequency);
+        let systems = probes.strings.systems(METHOD, steps);
         let start = Instant::now();
-        let known = before.last().map_or(&[][..], |before| &before.answers);
         let answers = match &systems {
             Ok(systems) => probes.answers(systems, Stopping::Full, known),
             Err(_) => Vec::new(),
         };
         self.pace
             .set(Some(start.elapsed().as_secs_f64() / frequency));
-        let mut reference = Reference {
+        Ok(Reference {
             frequency,
             systems,
             kept,
@@ -103,25 +96,17 @@ impl<'a> References<'a> {
             has_exact_responses: false,
             is_contested: false,
             seconded_by: None,
-        };
-        reference.uncertainty = self.uncertainty_of(&mut reference, before);
-        if !reference.is_certain(self.certain()) {
-            return Ok(reference);
-        }
-        for (method, frequency) in self.seconds(frequency)? {
-            self.ask_another(&mut reference, method, frequency, held + kept);
-            if !reference.is_certain(self.certain()) {
-                reference.is_contested = true;
-                return Ok(reference);
-            }
-        }
+        })
+    }
+
+    /// A limit with others near is contested.
+    pub fn look_for_islands(&self, reference: &mut Reference) {
         if let Ok(systems) = &reference.systems
-            && let Err(reason) = probes.check_for_islands(systems, &reference.answers)
+            && let Err(reason) = (self.probes).check_for_islands(systems, &reference.answers)
         {
             reference.uncertainty = Err(reason);
             reference.is_contested = true;
         }
-        Ok(reference)
     }
 
     /// Tells of an attempt before it is made, and about how long it will take: as much
@@ -134,95 +119,9 @@ impl<'a> References<'a> {
         });
     }
 
-    /// Who else is asked at the frequency of a reference: another family, and the reference
-    /// itself in steps that wave fronts are not in time with, but for fronts along a uniform
-    /// string, which always are. On some strings a limit hangs on fronts that arrive
-    /// together, and moves by per cents as soon as they do not quite.
-    fn seconds(&self, frequency: f64) -> Result<Vec<(Method, f64)>> {
-        let probes = self.probes;
-        let mut seconds = vec![(self.other_family(), frequency)];
-        if probes.sweep.setting.lateral.is_some() || !probes.strings.are_uniform() {
-            let off_beat = off_beat(frequency, probes.strings.travel()?);
-            seconds.extend(off_beat.map(|frequency| (METHOD, frequency)));
-        }
-        Ok(seconds)
-    }
-
     /// The largest uncertainty of a reference.
     pub fn certain(&self) -> f64 {
         PART * self.asked
-    }
-
-    /// By how much the answers of the reference may be wrong: by what they changed over
-    /// the last doubling and over the last two, for over either they may agree by chance,
-    /// and by what its linear responses are off from the exact ones, which share nothing
-    /// with it.
-    fn uncertainty_of(
-        &self,
-        reference: &mut Reference,
-        before: &[Reference],
-    ) -> Result<Difference> {
-        let [.., quarter, half] = before else {
-            bail!("there is nothing to compare");
-        };
-        let systems = (reference.systems.as_ref()).map_err(|reason| anyhow!("{reason}"))?;
-        let mut largest = self.linear_error(systems, &reference.answers)?;
-        reference.has_exact_responses = largest.part <= EXACT.min(self.certain());
-        for coarser in [half, quarter] {
-            let change = largest_difference(&coarser.answers, &reference.answers, self.asked)?;
-            if change.part > largest.part {
-                largest = change;
-            }
-        }
-        Ok(largest)
-    }
-
-    /// Where another method's linear responses are near enough to the exact ones, what its
-    /// answers differ by from the reference's counts too. (Where they are not, and with
-    /// sharp fronts those of another family rarely are, its answers tell nothing.)
-    fn ask_another(&self, reference: &mut Reference, method: Method, frequency: f64, held: f64) {
-        if self.probes.strings.fits(method, frequency, held).is_err() {
-            return;
-        }
-        self.tell_of(&method, frequency, true);
-        let Ok(systems) = self.probes.strings.systems(method, frequency) else {
-            return;
-        };
-        if method != METHOD {
-            match self.linear_error(&systems, &reference.answers) {
-                Ok(linear) if linear.part <= TELLING * self.certain() => {}
-                _ => return,
-            }
-            reference.seconded_by = Some(method.name());
-        }
-        let answers = self
-            .probes
-            .answers(&systems, Stopping::Full, &reference.answers);
-        let difference = largest_difference(&answers, &reference.answers, self.asked);
-        let is_larger = match (&difference, &reference.uncertainty) {
-            (Ok(other), Ok(own)) => other.part > own.part,
-            (Err(_), _) => true,
-            (Ok(_), Err(_)) => false,
-        };
-        if is_larger {
-            let candidate = candidate(&method, frequency);
-            reference.uncertainty = difference
-                .map(|found| Difference {
-                    of: format!("{} by {candidate}", found.of),
-                    ..found
-                })
-                .map_err(|reason| anyhow!("{candidate} differs: {reason}"));
-        }
-    }
-
-    /// The method that comes nearest to the exact responses without being the reference:
-    /// the digital filter has wave fronts within its band, but loses the slow tail in
-    /// bending.
-    fn other_family(&self) -> Method {
-        match self.probes.sweep.setting.lateral {
-            None => Method::Hilbert(Transform::default()),
-            Some(_) => Method::Quadrature,
-        }
     }
 
     /// The error of linear responses; where a limit is looked for, also that of what it
@@ -251,9 +150,9 @@ pub struct Reference {
     /// By how much they may be wrong.
     pub uncertainty: Result<Difference>,
     /// Whether its linear responses are near enough to the exact ones.
-    has_exact_responses: bool,
+    pub has_exact_responses: bool,
     /// Whether its answers would do, but for what another method says, or for islands.
-    is_contested: bool,
+    pub is_contested: bool,
     /// The method of another family whose answers count in that.
     pub seconded_by: Option<&'static str>,
 }
@@ -263,25 +162,4 @@ impl Reference {
     pub fn is_certain(&self, certain: f64) -> bool {
         matches!(&self.uncertainty, Ok(found) if found.part <= certain)
     }
-}
-
-/// References whose responses are exact and whose answers are not certain, before limits
-/// count as ragged; and of those that would do but for others, so many one after the other.
-const PATIENCE: usize = 5;
-const CONTESTED: usize = 2;
-
-/// Whether finer steps will not make the last reference certain: the responses have been
-/// exact enough for long, and the limits hang on something else.
-pub fn is_ragged(references: &[Reference]) -> bool {
-    let exact = references
-        .iter()
-        .filter(|reference| reference.has_exact_responses)
-        .count();
-    let last = references.iter().rev().take(CONTESTED);
-    exact >= PATIENCE || last.filter(|reference| reference.is_contested).count() == CONTESTED
-}
-
-/// Memory that the systems of some frequencies take, bytes.
-pub fn memory_of(references: &[Reference]) -> f64 {
-    references.iter().map(|reference| reference.kept).sum()
 }

@@ -5,9 +5,9 @@ use linear::Method;
 use sim::Stopping;
 
 use super::answer::{Answer, Difference, largest_difference};
-use super::candidates::{candidate, frequencies, methods};
-use super::reference::{METHOD, Reference, References, is_ragged, memory_of};
-use super::strings::Systems;
+use super::candidates::{candidate, methods};
+use super::reference::{METHOD, Reference, References};
+use super::strings::{Steps, Systems};
 use crate::plan::{Candidate, Choice, Tried};
 use crate::sweep_file::per_cent;
 use crate::words::short;
@@ -21,101 +21,70 @@ pub struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The method chosen, and the choice.
-    ///
-    /// # Errors
-    /// Where nothing delivers the accuracy within the memory.
-    pub fn run(&self) -> Result<(Method, Choice)> {
-        let mut tried = Vec::new();
-        let mut references: Vec<Reference> = Vec::new();
-        let mut next = 0;
-        let mut unsure = "no two frequencies can be compared".to_owned();
-        for frequency in frequencies(self.references.probes.strings.travel()?) {
-            match self.references.next(frequency, &references) {
-                Ok(found) => references.push(found),
-                // Finer frequencies only take more memory.
-                Err(reason) => {
-                    unsure = reason.to_string();
-                    break;
-                }
-            }
-            let Some((reference, below)) = references.split_last() else {
-                continue;
-            };
-            let uncertainty = match &reference.uncertainty {
-                Ok(found) if found.part <= self.references.certain() => found.part,
-                found => {
-                    let of = match found {
-                        Ok(found) => format!("{} is off by {} %", found.of, per_cent(found.part)),
-                        Err(reason) => reason.to_string(),
-                    };
-                    unsure = format!("at {} Hz {of}", short(frequency));
-                    if is_ragged(&references) {
-                        break;
-                    }
-                    continue;
-                }
-            };
-            let held = memory_of(&references);
-            let allowed = self.references.asked - uncertainty;
-            for coarser in &below[next..] {
-                let found = self.try_at(coarser, &reference.answers, held, allowed, &mut tried)?;
-                if let Some((method, chosen, error)) = found {
-                    let choice = Choice {
-                        asked: self.references.asked,
-                        delivered: error + uncertainty,
-                        chosen,
-                        reference_method: METHOD.name().to_owned(),
-                        reference_hz: reference.frequency,
-                        reference_uncertainty: uncertainty,
-                        reference_seconded_by: reference.seconded_by.map(str::to_owned),
-                        probes: self.references.probes.cases(),
-                        tried,
-                    };
-                    return Ok((method, choice));
-                }
-            }
-            // Finer than the reference has to be, but nothing coarser delivers.
-            next = below.len();
-        }
-        Err(self.nothing_delivers(&tried, &unsure))
+    /// The uncertainty of a reference that is certain enough, a part of one; or why it is not.
+    pub fn uncertainty(&self, reference: &Reference) -> Result<f64, String> {
+        let of = match &reference.uncertainty {
+            Ok(found) if found.part <= self.references.certain() => return Ok(found.part),
+            Ok(found) => format!("{} is off by {} %", found.of, per_cent(found.part)),
+            Err(reason) => reason.to_string(),
+        };
+        Err(format!("at {} Hz {of}", short(reference.frequency)))
     }
 
-    /// The first candidate at one frequency whose error is within `allowed`, with that;
-    /// `held` bytes are taken already.
+    /// A candidate found, with its error, as what is chosen.
+    pub fn choice(
+        &self,
+        (method, chosen, error): (Method, Candidate, f64),
+        reference: &Reference,
+        uncertainty: f64,
+        tried: Vec<Tried>,
+    ) -> (Method, Choice) {
+        let choice = Choice {
+            asked: self.references.asked,
+            delivered: error + uncertainty,
+            chosen,
+            reference_method: METHOD.name().to_owned(),
+            reference_hz: reference.frequency,
+            reference_uncertainty: uncertainty,
+            reference_seconded_by: reference.seconded_by.map(str::to_owned),
+            probes: self.references.probes.cases(),
+            tried,
+        };
+        (method, choice)
+    }
+
+    /// The first candidate at one frequency whose error is within what was asked for, with
+    /// that; `held` bytes are taken already, and `own` systems by the reference's method may
+    /// be there.
     ///
     /// # Errors
     /// Where a candidate takes too much memory to be tried.
-    fn try_at(
+    pub fn try_at(
         &self,
-        coarser: &Reference,
-        reference: &[Answer],
+        frequency: f64,
+        own: Option<&Result<Systems>>,
+        reference: &Reference,
+        uncertainty: f64,
         held: f64,
-        allowed: f64,
         tried: &mut Vec<Tried>,
     ) -> Result<Option<(Method, Candidate, f64)>> {
+        let (strings, steps) = (&self.references.probes.strings, Steps::Frequency(frequency));
+        let allowed = self.references.asked - uncertainty;
         for method in methods() {
-            let candidate = candidate(&method, coarser.frequency);
-            self.references.tell_of(&method, coarser.frequency, false);
-            let built = if method == METHOD {
-                None
-            } else {
-                let fits = self
-                    .references
-                    .probes
-                    .strings
-                    .fits(method, coarser.frequency, held);
-                fits.map_err(|why| anyhow!("{candidate} {why}"))?;
-                Some(
-                    self.references
-                        .probes
-                        .strings
-                        .systems(method, coarser.frequency),
-                )
+            let candidate = candidate(&method, frequency);
+            self.references.tell_of(&method, frequency, false);
+            let built;
+            let systems = match own.filter(|_| method == METHOD) {
+                Some(systems) => systems,
+                None => {
+                    let fits = strings.fits(method, steps, held);
+                    fits.map_err(|why| anyhow!("{candidate} {why}"))?;
+                    built = strings.systems(method, steps);
+                    &built
+                }
             };
-            let systems = built.as_ref().unwrap_or(&coarser.systems);
             let (error, of) = match systems {
-                Ok(systems) => match self.error_of(systems, reference, allowed) {
+                Ok(systems) => match self.error_of(systems, &reference.answers, allowed) {
                     Ok(error) => (Some(error.part), error.of),
                     Err(reason) => (None, reason.to_string()),
                 },
@@ -163,7 +132,7 @@ impl Search<'_> {
 
     /// Everything tried is further from the reference than the accuracy asked for, or the
     /// reference is not certain enough, for the reason given.
-    fn nothing_delivers(&self, tried: &[Tried], unsure: &str) -> Error {
+    pub fn nothing_delivers(&self, tried: &[Tried], unsure: &str) -> Error {
         let (asked, certain) = (
             per_cent(self.references.asked),
             per_cent(self.references.certain()),

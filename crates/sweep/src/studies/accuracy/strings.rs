@@ -7,6 +7,7 @@ use anyhow::{Result, anyhow, bail};
 use linear::cost::Memory;
 use linear::deviation::{bending_error, exact_undershoot, torsion_error};
 use linear::estimates::{largest_undershoot, torsional_travel_time};
+use linear::waves::lattice::Lattice;
 use linear::{ImpulseTrains, Method};
 use rayon::prelude::*;
 
@@ -20,6 +21,15 @@ const DURATION: f64 = 0.02;
 
 /// One method's system of every string among the probes.
 pub type Systems = Vec<MethodSystem>;
+
+/// Steps of every string.
+#[derive(Debug, Clone, Copy)]
+pub enum Steps {
+    /// Of so many hertz.
+    Frequency(f64),
+    /// As long as a wave takes along so many pieces of its lattice.
+    Pieces(f64),
+}
 
 /// The strings among some cases of a sweep.
 pub struct Strings<'a> {
@@ -73,22 +83,24 @@ impl<'a> Strings<'a> {
         ))
     }
 
-    /// Whether no string has a step of impedance: then fronts travel the whole of it.
-    pub fn are_uniform(&self) -> bool {
-        self.cases.iter().all(|&case| {
-            let setting = self.sweep.setting_at(&self.sweep.design.values(case));
-            setting.is_ok_and(|setting| {
-                let parts = setting.string.sections().iter().flat_map(|one| &one.parts);
-                let mut moments = parts.map(|part| part.polar_moment());
-                let first = moments.next();
-                moments.all(|moment| Some(moment) == first)
-            })
-        })
+    /// The frequency (Hz) of steps of one piece of the first string's lattice.
+    ///
+    /// # Errors
+    /// Where that string cannot be, or cannot be cut into a lattice.
+    pub fn frequency_of_pieces(&self) -> Result<f64> {
+        let values = self.sweep.design.values(self.cases[0]);
+        frequency_of_pieces(self.sweep.setting_at(&values)?.as_ref())
     }
 
-    /// The setting of a string's case, sampled at another frequency.
-    fn setting(&self, case: usize, frequency: f64) -> Result<Setting> {
+    /// The setting of a string's case, sampled otherwise.
+    fn setting(&self, case: usize, steps: Steps) -> Result<Setting> {
         let values = self.sweep.design.values(case);
+        let frequency = match steps {
+            Steps::Frequency(frequency) => frequency,
+            Steps::Pieces(pieces) => {
+                frequency_of_pieces(self.sweep.setting_at(&values)?.as_ref())? / pieces
+            }
+        };
         let setting = self.sweep.setting_sampled(&values, frequency);
         setting.map_err(|error| anyhow!(error.message().to_owned()))
     }
@@ -98,10 +110,10 @@ impl<'a> Strings<'a> {
     ///
     /// # Errors
     /// Where building and stepping them would take more than the limit.
-    pub fn fits(&self, method: Method, frequency: f64, held: f64) -> Result<f64> {
+    pub fn fits(&self, method: Method, steps: Steps, held: f64) -> Result<f64> {
         let cuts = self.sweep.bit.is_some();
         // A string that cannot be is told when it is to be built.
-        let settings = (self.cases.iter()).filter_map(|&case| self.setting(case, frequency).ok());
+        let settings = (self.cases.iter()).filter_map(|&case| self.setting(case, steps).ok());
         let (mut systems, mut case) = (Memory::default(), 0.0f64);
         for setting in settings {
             let of_string = StringMemory::of(&setting, &[method], cuts, self.longest);
@@ -127,9 +139,9 @@ impl<'a> Strings<'a> {
     ///
     /// # Errors
     /// Where it cannot treat one, or a stuck site chatters.
-    pub fn systems(&self, method: Method, frequency: f64) -> Result<Systems> {
+    pub fn systems(&self, method: Method, steps: Steps) -> Result<Systems> {
         let build = |string: usize| {
-            let setting = self.setting(self.cases[string], frequency)?;
+            let setting = self.setting(self.cases[string], steps)?;
             let trains = match method {
                 Method::Held => self.trains_of(string, &setting)?,
                 _ => None,
@@ -221,4 +233,8 @@ impl<'a> Strings<'a> {
         }
         Ok(worst)
     }
+}
+
+fn frequency_of_pieces(setting: &Setting) -> Result<f64> {
+    Ok(Lattice::new(&setting.string, &setting.sites)?.step.recip())
 }

@@ -37,24 +37,24 @@ pub struct Finder<'a> {
 }
 
 impl<'a> Finder<'a> {
-    /// For limits about `middle`.
+    /// By the sweep's own method, for limits about `middle`.
     ///
     /// # Errors
     /// Where the method cannot treat the string.
     pub fn new(problem: &Problem, sweep: &'a Sweep, middle: f64) -> Result<Self> {
-        let axis = problem.motion.axis();
-        let mut longest = 0.0f64;
-        for end in [middle / WITHIN, middle * WITHIN] {
-            let conditions = sweep.conditions.with(axis, end);
-            let case = trial::case(sweep, &sweep.setting, &conditions)?;
-            longest = longest.max(case.scene.timing.duration);
-        }
+        let longest = longest(problem, sweep, middle)?;
         let system = MethodSystem::build_for(sweep, &sweep.setting, sweep.methods[0], longest)?;
-        Ok(Self {
+        Ok(Self::by(problem, sweep, system))
+    }
+
+    /// By a system.
+    pub fn by(problem: &Problem, sweep: &'a Sweep, system: MethodSystem) -> Self {
+        let axis = problem.motion.axis();
+        Self {
             axis,
             sweep,
             system,
-        })
+        }
     }
 
     /// The limit nearest to a place, within [`WITHIN`].
@@ -82,4 +82,15 @@ impl<'a> Finder<'a> {
         let halvings = ((high / low).ln() / HALVED).log2().ceil() as usize;
         bisected([low, high], first, halvings, geometric, is_inside)
     }
+}
+
+/// The longest time that cases take about `middle`, s.
+pub fn longest(problem: &Problem, sweep: &Sweep, middle: f64) -> Result<f64> {
+    let mut longest = 0.0f64;
+    for end in [middle / WITHIN, middle * WITHIN] {
+        let conditions = sweep.conditions.with(problem.motion.axis(), end);
+        let case = trial::case(sweep, &sweep.setting, &conditions)?;
+        longest = longest.max(case.scene.timing.duration);
+    }
+    Ok(longest)
 }

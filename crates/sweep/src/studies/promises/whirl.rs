@@ -1,10 +1,16 @@
-//! The true limit of whirl: quadrature in very short steps.
+//! The true limit of whirl: in very short steps, by quadrature in bending, where nothing is a
+//! front, and with fronts as they are in torsion, where quadrature would have them overshoot
+//! and the limit off by per cents, however short the steps.
+
+use std::time::Instant;
 
 use anyhow::{Context, Result};
-use linear::Method;
+use linear::{ChannelRequest, Method, Request, Responses};
 
-use super::finder::{Finder, HALVED, Truth};
+use super::finder::{Finder, HALVED, Truth, longest};
 use super::problem::Problem;
+use crate::engine::MethodSystem;
+use crate::plan::Sweep;
 
 /// Sampling frequencies, Hz, each twice the one before.
 const FREQUENCIES: [f64; 2] = [5120.0, 10_240.0];
@@ -20,7 +26,8 @@ pub fn truth(problem: &Problem) -> Result<Truth> {
         let sweep = problem.sweep(&format!(
             "methods = [\"{method}\"]\nsampling_frequency_hz = {frequency}\n"
         ))?;
-        anyhow::Ok(Finder::new(problem, &sweep, bracket[0])?.between(bracket))
+        let system = system(&sweep, longest(problem, &sweep, bracket[0])?)?;
+        anyhow::Ok(Finder::by(problem, &sweep, system).between(bracket))
     };
     let [coarse, fine] = FREQUENCIES;
     let one = limit(coarse, BRACKET)?.context("there is no limit")?;
@@ -29,4 +36,24 @@ pub fn truth(problem: &Problem) -> Result<Truth> {
         limit: other,
         uncertainty: (other / one - 1.0).abs() + HALVED,
     })
+}
+
+/// Quadrature in bending, held torques in torsion.
+fn system(sweep: &Sweep, longest: f64) -> Result<MethodSystem> {
+    let (setting, begun) = (&sweep.setting, Instant::now());
+    let bending = MethodSystem::build_for(sweep, setting, Method::Quadrature, longest)?.responses;
+    let torques = (0..setting.sites.len()).collect();
+    let request = Request {
+        sites: setting.sites.clone(),
+        channels: vec![ChannelRequest::Torsion { torques }],
+        sampling_frequency: setting.sampling_frequency,
+        longest_time: longest,
+    };
+    let torsion = linear::responses(&setting.string, &Method::Held, &request)?;
+    let channels = [torsion.torsion(), bending.bending()];
+    let responses = Responses {
+        channels: channels.into_iter().flatten().cloned().collect(),
+        ..bending.clone()
+    };
+    MethodSystem::of(setting, responses, begun)
 }
