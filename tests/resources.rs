@@ -106,14 +106,28 @@ fn more_sites_than_memory_holds_are_refused() {
     refused(&Workplace::with_small(&text), &RUN, &[&place]);
 }
 
+/// Cells are joined, and none is held: only the shape of a whole string has all elements.
 #[test]
-fn elements_that_fill_the_memory_are_refused() {
-    let text = with(SMALL, "[\"quadrature\"]", "[\"finite-element\"]")
+fn shapes_of_elements_that_fill_the_memory_are_refused() {
+    let text = lateral(1, 0.04)
+        .replace("[\"quadrature\"]", "[\"finite-element\"]")
+        .replace("repeat = 10\n", "repeat = 30\n")
         + "[method.finite-element]\nelements_per_cell = 10000\n";
-    let text = with(&text, "repeat = 10\n", "repeat = 1000\n");
-    let words = ["`method.finite-element.elements_per_cell`: would take"];
-    let arguments = [&RUN[..], &["--memory", "2G"]].concat();
-    refused(&Workplace::with_small(&text), &arguments, &words);
+    let place = Workplace::with_small(&text);
+    let limited = |command: &[&str]| place.sweep(&[command, &["--memory", "400M"]].concat());
+    let ran = limited(&RUN);
+    assert_eq!(ran.code, 0, "{ran:?}");
+    let simulated = limited(&[
+        "simulate",
+        "small.toml",
+        "--case",
+        "0",
+        "--out",
+        "histories",
+    ]);
+    let place = "`method.finite-element.elements_per_cell`: would take";
+    assert_eq!(simulated.code, 2, "{simulated:?}");
+    assert!(simulated.errors.contains(place), "{simulated:?}");
 }
 
 #[test]

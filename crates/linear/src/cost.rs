@@ -33,7 +33,6 @@ const TRANSFORM: f64 = 60.0;
 const MARGIN_TRANSFORM: f64 = 32.0;
 
 /// What assembling and factorising holds for each element, in torsion and in bending.
-const ELEMENT: f64 = 600.0;
 const BEAM_ELEMENT: f64 = 2400.0;
 
 /// Memory that a piece of work takes, bytes.
@@ -112,7 +111,7 @@ pub fn responses(string: &Drillstring, method: &Method, request: &Request) -> Re
                 found
             }
             ChannelRequest::Bending { .. } => {
-                let found = of_bending(string, method, request);
+                let found = of_bending(method, request);
                 cost.bending_taps = found.taps;
                 found
             }
@@ -151,7 +150,7 @@ fn of_torsion(
             let memory = filter(responses, samples, impulses.max(taps), networks);
             cost(impulses, taps, memory)
         }
-        Method::Quadrature | Method::Trapezoidal => {
+        Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
             let samples = SAMPLES_PER_TAP as f64 * until_decayed;
             let memory = filter(responses, samples, until_decayed, networks);
             cost(until_decayed, until_decayed, memory)
@@ -165,15 +164,6 @@ fn of_torsion(
             let samples = samples_of(transform);
             let memory = filter(responses, samples, samples, networks);
             cost(samples, samples, memory)
-        }
-        Method::FiniteElement(parameters) => {
-            let runs = 1.0 + torques;
-            let elements = most_elements(string, &request.sites, parameters.elements_per_cell);
-            // The runs go on from length to length: their outputs are copied.
-            let kept = REAL * responses * until_decayed;
-            let freedoms = REAL * elements * (runs + 4.0 * runs);
-            let peak = ELEMENT * elements + freedoms + 2.0 * kept;
-            cost(until_decayed, until_decayed, Memory { peak, kept })
         }
     }
 }
@@ -194,7 +184,7 @@ fn held_length(string: &Drillstring, method: &Method, request: &Request) -> (f64
     })
 }
 
-fn of_bending(string: &Drillstring, method: &Method, request: &Request) -> ChannelCost {
+fn of_bending(method: &Method, request: &Request) -> ChannelCost {
     let sites = request.sites.len() as f64;
     let responses = sites * sites;
     let taps = needed_taps(request.longest_time, request.sampling_frequency);
@@ -209,7 +199,7 @@ fn of_bending(string: &Drillstring, method: &Method, request: &Request) -> Chann
             let samples = SAMPLES_PER_TAP as f64 * finer;
             (finer, filter(responses, samples, finer, networks))
         }
-        Method::Quadrature | Method::Trapezoidal => {
+        Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
             let samples = SAMPLES_PER_TAP as f64 * taps;
             (taps, filter(responses, samples, taps, networks))
         }
@@ -221,10 +211,6 @@ fn of_bending(string: &Drillstring, method: &Method, request: &Request) -> Chann
             };
             let peak = filtered.peak.max(filtered.kept + kept);
             (samples.max(taps), Memory { peak, kept })
-        }
-        Method::FiniteElement(parameters) => {
-            let peak = beam(string, &request.sites, parameters, sites) + kept;
-            (taps, Memory { peak, kept })
         }
     };
     ChannelCost {

@@ -31,10 +31,10 @@
 //! | Table 2, Fig. 5: the string, and its sites | [`drillstring`], [`Sites`] |
 //! | Eqs. 1–3: waves in a tube | `waves/torsion.rs` |
 //! | Eqs. 19–26: bending waves in a tube | `waves/bending.rs` |
-//! | Eqs. 4–11, 25: the chain of sections | `waves/chain.rs` |
-//! | Eqs. 12–13, 41–48: surface and sites | [`waves::network`] |
+//! | Eqs. 4–11, 25: the chain of sections | `assembly/chain.rs` |
+//! | Eqs. 12–13, 41–48: surface and sites | `assembly/torsion.rs`, [`waves::network`] |
 //! | sharp fronts: waves handed on from piece to piece | [`waves::lattice`] |
-//! | Eqs. 50–58: bending at the sites | [`waves::lateral`] |
+//! | Eqs. 50–58: bending at the sites | `assembly/bending.rs`, [`waves::lateral`] |
 //! | Section 2.4: digital filters | [`filters`] |
 //! | which method, and its parameters | [`method`] |
 //! | where Eqs. 5–10 fail without their scaling | [`waves::transfer`] |
@@ -70,6 +70,7 @@
 #[cfg(test)]
 extern crate self as linear;
 
+mod assembly;
 mod channel;
 mod checks;
 pub mod cost;

@@ -27,8 +27,7 @@ pub fn assemble(
     let mut damping = vec![0.0; size];
     for (upper, element) in mesh.elements.iter().enumerate() {
         let first = 2 * upper;
-        let inertia = string.material().density * element.area();
-        let element_mass = mass_matrix(element.length, inertia);
+        let element_mass = mass_matrix(string, element);
         let element_stiffness = stiffness_matrix(element, bending);
         for row in 0..4 {
             for column in 0..4 {
@@ -44,16 +43,22 @@ pub fn assemble(
         }
         for displacement in [first, first + 2] {
             if let Some(place) = displacement.checked_sub(held) {
-                damping[place] += bending.damping * element.length / 2.0;
+                damping[place] += dashpot(element, bending);
             }
         }
     }
     Matrices::new(&mass, damping, &stiffness)
 }
 
+/// The dashpot on the displacement of either node, N s/m.
+pub(super) fn dashpot(element: &Tube, bending: &Bending) -> f64 {
+    bending.damping * element.length / 2.0
+}
+
 /// ρA L/420 times the consistent mass matrix of cubic shape functions.
-fn mass_matrix(l: f64, inertia: f64) -> [[f64; 4]; 4] {
-    let scale = inertia * l / 420.0;
+pub(super) fn mass_matrix(string: &Drillstring, element: &Tube) -> [[f64; 4]; 4] {
+    let l = element.length;
+    let scale = string.material().density * element.area() * l / 420.0;
     [
         [156.0, 22.0 * l, 54.0, -13.0 * l],
         [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
@@ -64,7 +69,7 @@ fn mass_matrix(l: f64, inertia: f64) -> [[f64; 4]; 4] {
 }
 
 /// Bending stiffness less what compression takes from it.
-fn stiffness_matrix(element: &Tube, bending: &Bending) -> [[f64; 4]; 4] {
+pub(super) fn stiffness_matrix(element: &Tube, bending: &Bending) -> [[f64; 4]; 4] {
     let l = element.length;
     let elastic_scale = bending.youngs_modulus * element.second_moment() / l.powi(3);
     let geometric_scale = bending.compression / (30.0 * l);

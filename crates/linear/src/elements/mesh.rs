@@ -47,7 +47,8 @@ impl Mesh {
             for run in &span.runs {
                 for _ in 0..run.repeat {
                     for part in &run.parts {
-                        divide(part, longest, &mut elements);
+                        let (count, element) = divided(part, longest);
+                        elements.extend(std::iter::repeat_n(element, count));
                     }
                 }
             }
@@ -87,7 +88,7 @@ pub(crate) fn most_elements(string: &Drillstring, sites: &Sites, elements_per_ce
 }
 
 /// Refuses more elements than are made; what is no number of them too.
-fn check_number(spans: &[Span], longest: f64) -> Result<(), BuildError> {
+pub(super) fn check_number(spans: &[Span], longest: f64) -> Result<(), BuildError> {
     let runs = spans.iter().flat_map(|span| &span.runs);
     let elements: f64 = runs
         .map(|run| {
@@ -108,7 +109,8 @@ fn check_number(spans: &[Span], longest: f64) -> Result<(), BuildError> {
     })
 }
 
-fn longest_element(string: &Drillstring, elements_per_cell: usize) -> f64 {
+/// The length (m) that no element of a string is longer than.
+pub(super) fn longest_element(string: &Drillstring, elements_per_cell: usize) -> f64 {
     string.drillpipe().cell_length() / elements_per_cell as f64
 }
 
@@ -117,11 +119,12 @@ fn elements_of(tube: &Tube, longest: f64) -> f64 {
     (tube.length / longest - 1e-6).ceil().max(1.0)
 }
 
-fn divide(tube: &Tube, longest: f64, elements: &mut Vec<Tube>) {
+/// A tube as so many equal elements.
+pub(super) fn divided(tube: &Tube, longest: f64) -> (usize, Tube) {
     let count = elements_of(tube, longest);
     let element = Tube {
         length: tube.length / count,
         ..*tube
     };
-    elements.extend(std::iter::repeat_n(element, count as usize));
+    (count as usize, element)
 }

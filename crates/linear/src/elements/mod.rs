@@ -6,5 +6,6 @@ pub(crate) mod beam;
 pub(crate) mod mesh;
 pub mod newmark;
 pub mod reconstruction;
+pub(crate) mod recurrence;
 pub mod reduction;
 pub(crate) mod torsion;

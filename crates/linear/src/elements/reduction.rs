@@ -137,12 +137,12 @@ impl CondensedString {
     }
 
     /// Adds the effect of a torque at site `input` to the step just taken.
-    pub(crate) fn apply_torque(&self, state: &mut StringState, input: usize, torque: f64) {
+    pub fn apply_torque(&self, state: &mut StringState, input: usize, torque: f64) {
         self.model.apply(&mut state.string, input, torque);
     }
 
     /// Rotation speed at site `output`, rad/s.
-    pub(crate) fn speed(&self, state: &StringState, output: usize) -> f64 {
+    pub fn speed(&self, state: &StringState, output: usize) -> f64 {
         state.string.velocity[self.model.sites[output]]
     }
 }
@@ -192,12 +192,12 @@ impl CondensedBeam {
     }
 
     /// Adds the effect of a force at site `input` to the step just taken.
-    pub(crate) fn apply_force(&self, motion: &mut Motion, input: usize, force: f64) {
+    pub fn apply_force(&self, motion: &mut Motion, input: usize, force: f64) {
         self.model.apply(motion, input, force);
     }
 
     /// Displacement at site `output`, m.
-    pub(crate) fn displacement(&self, motion: &Motion, output: usize) -> f64 {
+    pub fn displacement(&self, motion: &Motion, output: usize) -> f64 {
         motion.displacement[self.model.sites[output]]
     }
 

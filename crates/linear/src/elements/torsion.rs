@@ -5,7 +5,7 @@ use faer::sparse::Triplet;
 
 use super::mesh::Mesh;
 use super::newmark::Matrices;
-use crate::drillstring::Drillstring;
+use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 
 /// Matrices of the nodes below the surface, and how the surface node pulls on
@@ -20,22 +20,45 @@ pub struct TorsionMatrices {
     pub surface_stiffness: f64,
 }
 
+/// A uniform element between its two nodes.
+#[derive(Debug, Clone, Copy)]
+pub struct Element {
+    /// ρJL, kg m²: a third of it at either node, a sixth between them.
+    pub inertia: f64,
+    /// GJ/L, N m/rad.
+    pub spring: f64,
+    /// The dashpot at either node, N m s/rad.
+    pub dashpot: f64,
+}
+
+impl Element {
+    /// That of a piece of tube.
+    pub fn of(string: &Drillstring, tube: &Tube) -> Self {
+        let (material, polar_moment) = (string.material(), tube.polar_moment());
+        Self {
+            inertia: material.density * polar_moment * tube.length,
+            spring: material.shear_modulus * polar_moment / tube.length,
+            dashpot: string.torsional_damping() * tube.length / 2.0,
+        }
+    }
+}
+
 /// Assembles the torsion elements of a mesh.
 ///
 /// # Errors
 /// Where the sparse matrices cannot be formed.
 pub fn assemble(string: &Drillstring, mesh: &Mesh) -> Result<TorsionMatrices, BuildError> {
-    let material = string.material();
     let free = mesh.elements.len();
     let mut mass = Vec::with_capacity(4 * free);
     let mut stiffness = Vec::with_capacity(4 * free);
     let mut damping = vec![0.0; free];
     let (mut surface_mass, mut surface_stiffness) = (0.0, 0.0);
-    for (bottom, element) in mesh.elements.iter().enumerate() {
-        let polar_moment = element.polar_moment();
-        let inertia = material.density * polar_moment * element.length;
-        let spring = material.shear_modulus * polar_moment / element.length;
-        let dashpot = string.torsional_damping() * element.length / 2.0;
+    for (bottom, tube) in mesh.elements.iter().enumerate() {
+        let Element {
+            inertia,
+            spring,
+            dashpot,
+        } = Element::of(string, tube);
         mass.push(Triplet::new(bottom, bottom, inertia / 3.0));
         stiffness.push(Triplet::new(bottom, bottom, spring));
         damping[bottom] += dashpot;

@@ -2,15 +2,15 @@
 //! simulation.
 
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 use super::channels::ChannelResponses;
 use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
 use super::request::Request;
+use crate::assembly::matrix::ResponseMatrix;
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::elements::newmark::Weights;
-use crate::elements::reduction::CondensedBeam;
+use crate::elements::recurrence::ElementChain;
 use crate::error::BuildError;
 use crate::filters::quadrature::Formula;
 use crate::filters::{direct, held, hilbert, quadrature};
@@ -68,7 +68,7 @@ impl Lateral<'_> {
         let sampling_frequency = request.sampling_frequency;
         let count = request.sites.len().pow(2);
         let displacement = |s: Complex64, responses: &mut [Complex64]| {
-            fill(&network, s, Complex64::new(1.0, 0.0), responses)
+            fill(&network.receptance(s), Complex64::new(1.0, 0.0), responses)
         };
         let by_formula = |formula: Formula| {
             quadrature::taps(formula, sampling_frequency, needed, count, &displacement)
@@ -77,7 +77,7 @@ impl Lateral<'_> {
             if s.norm() == 0.0 {
                 self.fill_rigid(responses);
             } else {
-                fill(&network, s, s, responses);
+                fill(&network.receptance(s), s, responses);
             }
         };
         Ok(match self.method {
@@ -138,23 +138,18 @@ impl Lateral<'_> {
         needed: usize,
     ) -> Result<Vec<Vec<f64>>, BuildError> {
         let request = self.request;
-        let beam = CondensedBeam::new(
+        let sites = request.sites.len();
+        let chain = ElementChain::new(
             self.string,
-            self.bending,
-            self.support,
             &request.sites,
             parameters.elements_per_cell,
             Weights::new(parameters, request.sampling_frequency)?,
         )?;
-        let sites = request.sites.len();
-        let mut by_input: Vec<Vec<Vec<f64>>> = (0..sites)
-            .into_par_iter()
-            .map(|input| unit_run(&beam, input, sites, needed))
-            .collect();
-        let pairs = (0..sites).flat_map(|output| (0..sites).map(move |input| (input, output)));
-        Ok(pairs
-            .map(|(input, output)| std::mem::take(&mut by_input[input][output]))
-            .collect())
+        let receptance = |zeta: Complex64, responses: &mut [Complex64]| {
+            let receptance = chain.receptance(self.bending, self.support, zeta);
+            fill(&receptance, Complex64::new(1.0, 0.0), responses);
+        };
+        Ok(quadrature::series(needed, sites * sites, &receptance))
     }
 }
 
@@ -165,8 +160,7 @@ pub(crate) fn transform_samples(transform: &Transform, request: &Request) -> f64
 }
 
 /// Writes `factor` times the receptances between all sites.
-fn fill(network: &BendingNetwork, s: Complex64, factor: Complex64, responses: &mut [Complex64]) {
-    let receptance = network.receptance(s);
+fn fill(receptance: &ResponseMatrix, factor: Complex64, responses: &mut [Complex64]) {
     let sites = receptance.size();
     for (index, value) in responses.iter_mut().enumerate() {
         *value = factor * receptance[(index / sites, index % sites)];
@@ -197,22 +191,6 @@ fn at_mid_step(mut displacements: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         for tap in taps {
             let end = std::mem::replace(tap, 0.5 * (before + *tap));
             before = end;
-        }
-    }
-    displacements
-}
-
-/// Displacements of all sites after a unit force in the first step.
-fn unit_run(beam: &CondensedBeam, input: usize, sites: usize, needed: usize) -> Vec<Vec<f64>> {
-    let mut motion = beam.rest();
-    let mut displacements = vec![Vec::with_capacity(needed); sites];
-    for step in 0..needed {
-        beam.step_free(&mut motion);
-        if step == 0 {
-            beam.apply_force(&mut motion, input, 1.0);
-        }
-        for (site, displacements) in displacements.iter_mut().enumerate() {
-            displacements.push(beam.displacement(&motion, site));
         }
     }
     displacements

@@ -1,7 +1,6 @@
 //! Torsional responses by any method (Sections 2.4 and 3).
 
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 use super::channels::ChannelResponses;
 use super::decay::{first_length, until_decayed};
@@ -11,7 +10,7 @@ use super::trains::{ImpulseTrains, fill};
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
-use crate::elements::reduction::{CondensedString, StringState};
+use crate::elements::recurrence::ElementChain;
 use crate::error::BuildError;
 use crate::estimates::torsional_settling_time;
 use crate::filters::quadrature::Formula;
@@ -135,20 +134,12 @@ impl Torsion<'_> {
     ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
         let weights = Weights::new(parameters, self.request.sampling_frequency)?;
         let sites = &self.request.sites;
-        let condensed =
-            CondensedString::new(self.string, sites, parameters.elements_per_cell, weights)?;
-        let inputs = std::iter::once(None).chain(self.torques.iter().copied().map(Some));
-        let mut runs: Vec<UnitRun> = inputs
-            .map(|input| UnitRun {
-                input,
-                state: condensed.rest(),
-                speeds: vec![Vec::new(); sites.len()],
-            })
-            .collect();
+        let chain = ElementChain::new(self.string, sites, parameters.elements_per_cell, weights)?;
+        let response = |zeta: Complex64, responses: &mut [Complex64]| {
+            fill(self.torques, &chain.admittance(zeta), responses)
+        };
         until_decayed(self.string, self.request, |length| {
-            runs.par_iter_mut()
-                .for_each(|run| run.extend(&condensed, length));
-            in_order_of_sites(&runs, sites.len())
+            quadrature::series(length, self.count(), &response)
         })
     }
 
@@ -185,42 +176,4 @@ pub(crate) fn transform_samples(
     let seeps = SEEPING_TIMES * torsional_settling_time(string) * sampling_frequency;
     let first = first_length(string, sampling_frequency).map_or(f64::INFINITY, |taps| taps as f64);
     samples_of(transform, 2.0 * seeps.max(first), sampling_frequency)
-}
-
-/// One unit input stepped in time, its effect at the sites written down.
-struct UnitRun {
-    /// `None`: the surface speed.
-    input: Option<usize>,
-    state: StringState,
-    speeds: Vec<Vec<f64>>,
-}
-
-impl UnitRun {
-    fn extend(&mut self, string: &CondensedString, length: usize) {
-        for step in self.speeds[0].len()..length {
-            let unit = if step == 0 { 1.0 } else { 0.0 };
-            match self.input {
-                None => string.step_free(&mut self.state, unit),
-                Some(input) => {
-                    string.step_free(&mut self.state, 0.0);
-                    if step == 0 {
-                        string.apply_torque(&mut self.state, input, unit);
-                    }
-                }
-            }
-            for (site, speeds) in self.speeds.iter_mut().enumerate() {
-                speeds.push(string.speed(&self.state, site));
-            }
-        }
-    }
-}
-
-fn in_order_of_sites(runs: &[UnitRun], sites: usize) -> Vec<Vec<f64>> {
-    let from_surface = runs[0].speeds.iter().cloned();
-    let from_torques = (0..sites).flat_map(|site| {
-        runs[1..]
-            .iter()
-            .map(move |run: &UnitRun| run.speeds[site].clone())
-    });
-    from_surface.chain(from_torques).collect()
 }

@@ -10,8 +10,8 @@ use crate::error::{BuildError, ResponseError};
 use crate::filters::{held, quadrature};
 use crate::passivity::Ending;
 use crate::sites::Sites;
+use crate::waves::TorsionAdmittance;
 use crate::waves::lattice::Lattice;
-use crate::waves::network::TorsionAdmittance;
 
 /// The torsional responses of a string on its lattice: trains of impulses, one after each
 /// travel time of a piece. What is held over the steps of any sampling frequency is

@@ -3,11 +3,11 @@
 
 use super::academic::{self, SAMPLING_FREQUENCY, tube};
 use linear::RaisedCosine;
+use linear::assembly::chain::{self, Stiffness};
 use linear::estimates::{
     torsional_impedance, torsional_stiffness, torsional_travel_time, torsional_wave_left,
 };
-use linear::waves::chain::Stiffness;
-use linear::waves::{chain, network::TorsionNetwork, torsion};
+use linear::waves::{network::TorsionNetwork, torsion};
 use linear::{
     ChannelRequest, ChannelResponses, Drillstring, Method, Request, Section, Sites, Tube,
 };

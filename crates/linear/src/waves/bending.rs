@@ -8,35 +8,11 @@
 
 use num_complex::Complex64;
 
-use super::block::Block;
-use super::chain::Stiffness;
+use crate::assembly::bending::Beam;
+use crate::assembly::block::Block;
+use crate::assembly::chain::Stiffness;
+use crate::assembly::stiff_beam::{StiffBeam, turns};
 use crate::drillstring::{Bending, Drillstring, Tube};
-
-/// Dynamic stiffness of a beam between its two ends:
-/// `[f_top; f_bottom] = [[top, cross], [crossᵀ, bottom]] [u_top; u_bottom]`
-/// with u = (x, x′) and f = (force, moment); N/m, N, N m.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BeamStiffness {
-    /// Driving-point stiffness at the top.
-    pub top: Block,
-    /// Transfer stiffness from the bottom's displacements to the top's forces;
-    /// its transpose is the other direction's (reciprocity).
-    pub cross: Block,
-    /// Driving-point stiffness at the bottom.
-    pub bottom: Block,
-}
-
-impl Stiffness for BeamStiffness {
-    fn join(self, lower: Self) -> Self {
-        let shared = (self.bottom + lower.top).inverse();
-        let upward = self.cross * shared;
-        Self {
-            top: self.top - upward * self.cross.transpose(),
-            cross: -(upward * lower.cross),
-            bottom: lower.bottom - lower.cross.transpose() * shared * lower.cross,
-        }
-    }
-}
 
 /// The series is used where |k| times the length is below this, and the length
 /// halved until it is.
@@ -46,39 +22,41 @@ const SHORT: f64 = 1.0;
 const POWERS: usize = 26;
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s).
-pub fn uniform(
-    string: &Drillstring,
-    bending: &Bending,
-    tube: &Tube,
-    s: Complex64,
-) -> BeamStiffness {
+pub fn uniform(string: &Drillstring, bending: &Bending, tube: &Tube, s: Complex64) -> Beam {
     let rigidity = bending.youngs_modulus * tube.second_moment();
     let inertia = string.material().density * tube.area();
     // E I x⁗ + C x″ + q x = 0 (Eq. 20).
     let q = s * (bending.damping + s * inertia);
     let mut length = tube.length;
     let mut halvings = 0;
-    let turns = |length: f64| {
-        let by_inertia = (q.norm() / rigidity).sqrt().sqrt() * length;
-        let by_compression = (bending.compression.abs() / rigidity).sqrt() * length;
-        by_inertia.max(by_compression)
-    };
-    while turns(length) > SHORT {
-        length *= 0.5;
+    let mut turns = turns(bending, tube, q);
+    while turns > SHORT {
+        (turns, length) = (0.5 * turns, 0.5 * length);
         halvings += 1;
     }
     let compression = bending.compression * length * length / rigidity;
     let foundation = q * length.powi(4) / rigidity;
-    let mut stiffness = short_beam(compression, foundation).scaled(rigidity, length);
+    let short = StiffBeam {
+        turns,
+        ..scaled(&short_beam(compression, foundation), rigidity, length)
+    };
+    let mut stiffness = Beam::of(short);
     for _ in 0..halvings {
         stiffness = stiffness.join(stiffness);
     }
     stiffness
 }
 
-/// End values (x, x′, x″, x‴) at 1 of x⁗ + p x″ + Q x = 0 with x^(j)(0)/j! = 1
-/// and the other derivatives up to the third zero at 0.
-fn power_series(p: f64, q: Complex64, j: usize) -> [Complex64; 4] {
+/// What a solution of x⁗ + p x″ + Q x = 0 on (0, 1) with x^(j)(0)/j! = 1, and the other
+/// derivatives up to the third zero at 0, has beside the rigid motion of its start.
+struct Bent {
+    /// x, x′, x″, x‴ at 1.
+    ends: [Complex64; 4],
+    /// The integrals of x and of ξ x.
+    moments: [Complex64; 2],
+}
+
+fn power_series(p: f64, q: Complex64, j: usize) -> Bent {
     let zero = Complex64::new(0.0, 0.0);
     let mut coefficients = [zero; POWERS];
     coefficients[j] = Complex64::new(1.0, 0.0);
@@ -88,57 +66,62 @@ fn power_series(p: f64, q: Complex64, j: usize) -> [Complex64; 4] {
         let divisor = (m + 4.0) * (m + 3.0) * (m + 2.0) * (m + 1.0);
         coefficients[n + 4] -= (second + coefficients[n] * q) / divisor;
     }
-    let mut ends = [zero; 4];
-    for (n, &coefficient) in coefficients.iter().enumerate().rev() {
+    let mut bent = Bent {
+        ends: [zero; 4],
+        moments: [zero; 2],
+    };
+    // The first two are the rigid motion.
+    for (n, &coefficient) in coefficients.iter().enumerate().skip(2).rev() {
         let n = n as f64;
         let falling = [1.0, n, n * (n - 1.0), n * (n - 1.0) * (n - 2.0)];
-        for (end, factor) in ends.iter_mut().zip(falling) {
+        for (end, factor) in bent.ends.iter_mut().zip(falling) {
             *end += coefficient * factor;
         }
+        bent.moments[0] += coefficient / (n + 1.0);
+        bent.moments[1] += coefficient / (n + 2.0);
     }
-    ends
+    bent
 }
 
 /// Stiffness of a beam of unit length and rigidity.
-fn short_beam(p: f64, q: Complex64) -> BeamStiffness {
+fn short_beam(p: f64, q: Complex64) -> StiffBeam {
     let [u0, u1, u2, u3] = [0, 1, 2, 3].map(|j| power_series(p, q, j));
-    let (zero, one) = (Complex64::new(0.0, 0.0), Complex64::new(1.0, 0.0));
-    // (x, x′)(1) = near · (x, x′)(0) + far · (a₂, a₃), solved for (a₂, a₃).
-    let near = Block([[u0[0], u1[0]], [u0[1], u1[1]]]);
-    let far = Block([[u2[0], u3[0]], [u2[1], u3[1]]]).inverse();
-    let from_top = -(far * near);
-    // External forces (force, moment): at the top (x‴ + p x′, −x″) with
-    // x″ = 2 a₂ and x‴ = 6 a₃, at the bottom (−x‴ − p x′, x″).
-    let top_forces = Block([[zero, one * 6.0], [-one * 2.0, zero]]);
-    let direct_top = Block([[zero, one * p], [zero, zero]]);
-    let force = |u: [Complex64; 4]| -u[3] - u[1] * p;
-    let bottom_from_top = Block([[force(u0), force(u1)], [u0[2], u1[2]]]);
-    let bottom_from_far = Block([[force(u2), force(u3)], [u2[2], u3[2]]]);
-    let top = direct_top + top_forces * from_top;
-    let cross = top_forces * far;
-    let bottom = bottom_from_far * far;
-    debug_assert!({
-        let other = bottom_from_top + bottom_from_far * from_top;
-        let difference = other - cross.transpose();
-        difference.0.iter().flatten().all(|x| x.norm() < 1e-10)
-    });
-    BeamStiffness { top, cross, bottom }
+    let constant = |rows: [[f64; 2]; 2]| Block(rows.map(|row| row.map(Complex64::from)));
+    // What it bends by: near · (x, x′)(0) + far · (a₂, a₃), with x″ = 2 a₂ and x‴ = 6 a₃.
+    let motions = |u: &Bent, v: &Bent| Block([0, 1].map(|row| [u.ends[row], v.ends[row]]));
+    let (near, far) = (motions(&u0, &u1), motions(&u2, &u3).inverse());
+    // (force, moment) on the bottom: (−x‴ − p x′, x″).
+    let force = |u: &Bent| -u.ends[3] - u.ends[1] * p;
+    let forces = |u: &Bent, v: &Bent| Block([[force(u), force(v)], [u.ends[2], v.ends[2]]]);
+    let elastic = forces(&u2, &u3) * far;
+    let by_slope = constant([[0.0, -p], [0.0, 0.0]]);
+    // All that acts is Q ∫ x dξ and, about the top, Q ∫ ξ x dξ − p (x(1) − x(0)).
+    let integrals = |u: &Bent, v: &Bent| Block([0, 1].map(|row| [u.moments[row], v.moments[row]]));
+    let Block([[a, b], [c, d]]) = constant([[1.0, 0.5], [0.5, 1.0 / 3.0]]) + integrals(&u0, &u1)
+        - integrals(&u2, &u3) * (far * near);
+    StiffBeam {
+        length: 1.0,
+        turns: 0.0,
+        elastic,
+        mixed: forces(&u0, &u1) + by_slope - elastic * near,
+        rigid: Block([[a * q, b * q], [c * q, d * q - p]]),
+    }
 }
 
-impl BeamStiffness {
-    /// From unit length and rigidity to the real ones.
-    fn scaled(self, rigidity: f64, length: f64) -> Self {
-        let scale = |Block([[a, b], [c, d]]): Block| {
-            let force = rigidity / length.powi(3);
-            Block([
-                [a * force, b * (force * length)],
-                [c * (force * length), d * (force * length * length)],
-            ])
-        };
-        Self {
-            top: scale(self.top),
-            cross: scale(self.cross),
-            bottom: scale(self.bottom),
-        }
+/// From unit length and rigidity to the real ones.
+fn scaled(beam: &StiffBeam, rigidity: f64, length: f64) -> StiffBeam {
+    let scale = |Block([[a, b], [c, d]]): Block| {
+        let force = rigidity / length.powi(3);
+        Block([
+            [a * force, b * (force * length)],
+            [c * (force * length), d * (force * length * length)],
+        ])
+    };
+    StiffBeam {
+        length,
+        turns: beam.turns,
+        elastic: scale(beam.elastic),
+        mixed: scale(beam.mixed),
+        rigid: scale(beam.rigid),
     }
 }

@@ -1,14 +1,12 @@
 //! The string in bending reduced to its sites (Eqs. 50–58): forces in,
 //! displacements out, no external moments.
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
 use num_complex::Complex64;
 
-use super::bending::{BeamStiffness, uniform};
-use super::block::Block;
-use super::chain;
-use super::matrix::ResponseMatrix;
+use super::bending::uniform;
+use crate::assembly::bending::reduce;
+use crate::assembly::chain;
+use crate::assembly::matrix::ResponseMatrix;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
@@ -61,45 +59,8 @@ impl<'a> BendingNetwork<'a> {
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance(&self, s: Complex64) -> ResponseMatrix {
-        // Node 0 is the surface; each has a displacement and a slope.
-        let held = self.support.held();
-        let size = 2 * (self.spans.len() + 1) - held;
-        let mut stiffness = Mat::<Complex64>::zeros(size, size);
-        for (upper, span) in self.spans.iter().enumerate() {
-            let tube = |tube: &_| uniform(self.string, &self.bending, tube, s);
-            if let Some(piece) = chain::span(span, tube) {
-                add_piece(&mut stiffness, upper, held, piece);
-            }
-        }
-        let displacement = |site: usize| 2 * (site + 1) - held;
-        let mut forces = Mat::<Complex64>::zeros(size, self.sites);
-        for site in 0..self.sites {
-            forces[(displacement(site), site)] = Complex64::new(1.0, 0.0);
-        }
-        stiffness.partial_piv_lu().solve_in_place(&mut forces);
-        ResponseMatrix(Mat::from_fn(self.sites, self.sites, |row, column| {
-            forces[(displacement(row), column)]
-        }))
-    }
-}
-
-/// Adds the piece between nodes `upper` and `upper + 1`; the first `held`
-/// degrees of freedom are left out.
-fn add_piece(stiffness: &mut Mat<Complex64>, upper: usize, held: usize, piece: BeamStiffness) {
-    let blocks = [
-        (0, 0, piece.top),
-        (0, 1, piece.cross),
-        (1, 0, piece.cross.transpose()),
-        (1, 1, piece.bottom),
-    ];
-    for (row, column, Block(entries)) in blocks {
-        for (i, line) in entries.iter().enumerate() {
-            for (j, entry) in line.iter().enumerate() {
-                let place = (2 * (upper + row) + i, 2 * (upper + column) + j);
-                if place.0 >= held && place.1 >= held {
-                    stiffness[(place.0 - held, place.1 - held)] += *entry;
-                }
-            }
-        }
+        let tube = |tube: &_| uniform(self.string, &self.bending, tube, s);
+        let pieces = self.spans.iter().map(|span| chain::span(span, tube));
+        reduce(pieces, self.sites, self.support)
     }
 }

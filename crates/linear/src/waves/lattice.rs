@@ -15,9 +15,8 @@
 
 use num_complex::Complex64;
 
-use super::chain::{Stiffness, repeated};
-use super::network::{TorsionAdmittance, reduce};
-use super::torsion::DynamicStiffness;
+use crate::assembly::chain::{Stiffness, repeated};
+use crate::assembly::torsion::{DynamicStiffness, TorsionAdmittance, reduce};
 use crate::drillstring::{Drillstring, Section};
 use crate::error::DrillstringError;
 use crate::estimates::{torsional_impedance, torsional_travel_time};

@@ -1,16 +1,14 @@
 //! Exact frequency responses of the string at any complex Laplace variable s
 //! (Sections 2.2 and 2.5 of the paper): wave solutions of each uniform tube,
-//! joined into a chain, reduced to the surface and the sites.
+//! joined into a chain, reduced to the surface and the sites ([`crate::assembly`]).
 
 pub(crate) mod bending;
-pub(crate) mod block;
-pub(crate) mod chain;
 pub mod inversion;
 pub mod lateral;
 pub mod lattice;
-mod matrix;
 pub mod network;
 pub(crate) mod torsion;
 pub mod transfer;
 
-pub use matrix::ResponseMatrix;
+pub use crate::assembly::matrix::ResponseMatrix;
+pub use crate::assembly::torsion::TorsionAdmittance;

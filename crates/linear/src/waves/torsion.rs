@@ -1,38 +1,9 @@
 //! Torsional waves in a uniform tube (Eqs. 1–3).
-//!
-//! All stiffnesses here relate *rotations* to external torques, both positive
-//! in the positive direction of rotation. Dividing by s gives the paper's
-//! relation between rotation speeds and torques; the rotation form is finite
-//! at s = 0, where the static limit lives.
 
 use num_complex::Complex64;
 
-use super::chain::Stiffness;
+use crate::assembly::torsion::DynamicStiffness;
 use crate::drillstring::{Drillstring, Tube};
-
-/// Dynamic stiffness of a piece of string between its two ends:
-/// `[T_top; T_bottom] = [[top, cross], [cross, bottom]] [θ_top; θ_bottom]`,
-/// N m/rad.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DynamicStiffness {
-    /// Driving-point stiffness at the top.
-    pub top: Complex64,
-    /// Transfer stiffness, the same in both directions (reciprocity).
-    pub cross: Complex64,
-    /// Driving-point stiffness at the bottom.
-    pub bottom: Complex64,
-}
-
-impl Stiffness for DynamicStiffness {
-    fn join(self, lower: Self) -> Self {
-        let shared = (self.bottom + lower.top).inv();
-        Self {
-            top: self.top - self.cross * self.cross * shared,
-            cross: -self.cross * lower.cross * shared,
-            bottom: lower.bottom - lower.cross * lower.cross * shared,
-        }
-    }
-}
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s):
 /// G J γ coth γL and −G J γ csch γL with γ² = s(c_t + sρJ)/(GJ).

@@ -5,14 +5,15 @@
 //! one wave grows along the tube by e^(βL) and another decays as much. Soon the
 //! products hold nothing but the growing wave, and the difference that would be
 //! the answer is rounding; in the end they overflow. The stiffnesses of
-//! `waves/chain.rs` give the same response and do neither.
+//! `assembly/chain.rs` give the same response and do neither.
 
 use std::ops::Mul;
 
 use num_complex::Complex64;
 
-use super::bending::{BeamStiffness, uniform};
-use super::block::Block;
+use super::bending::uniform;
+use crate::assembly::bending::{Beam, BeamStiffness};
+use crate::assembly::block::Block;
 use crate::drillstring::{Bending, Drillstring};
 
 /// From (x, x′) and (force, moment) on the top of a piece to those on the top of
@@ -26,14 +27,15 @@ struct Transfer {
 }
 
 impl Transfer {
-    fn of(piece: &BeamStiffness) -> Self {
-        let b = piece.cross.inverse();
-        let a = -(b * piece.top);
+    fn of(piece: &Beam) -> Self {
+        let BeamStiffness { top, cross, bottom } = piece.between_ends();
+        let b = cross.inverse();
+        let a = -(b * top);
         Self {
             a,
             b,
-            c: -(piece.cross.transpose() + piece.bottom * a),
-            d: -(piece.bottom * b),
+            c: -(cross.transpose() + bottom * a),
+            d: -(bottom * b),
         }
     }
 }

@@ -99,11 +99,7 @@ fn usual_transforms(demand: &mut Demand) {
 }
 
 fn usual_elements(demand: &mut Demand) {
-    for method in &mut demand.methods {
-        if let Method::FiniteElement(elements) = method {
-            *elements = FiniteElement::default();
-        }
-    }
+    demand.mesh = FiniteElement::default();
 }
 
 fn usual_frequency(demand: &mut Demand) {
@@ -161,10 +157,11 @@ fn suspects(sweep: &Sweep) -> Vec<(String, Change)> {
             Method::Hilbert(_) | Method::DirectIdft(_) => {
                 list.push((key("transform_s"), usual_transforms));
             }
-            Method::FiniteElement(_) => list.push((key("elements_per_cell"), usual_elements)),
-            Method::Held | Method::Quadrature | Method::Trapezoidal => {}
+            Method::FiniteElement(_) | Method::Held | Method::Quadrature | Method::Trapezoidal => {}
         }
     }
+    let elements = "method.finite-element.elements_per_cell";
+    list.push((elements.to_owned(), usual_elements));
     let damping = "string.torsional_damping_nms_rad_m";
     list.push((key_of(sweep, "torsional_damping", damping), usual_damping));
     list.push((key_of(sweep, "section", "string.sections"), usual_sections));

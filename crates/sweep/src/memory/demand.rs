@@ -3,6 +3,7 @@
 use anyhow::Result;
 use linear::Method;
 use linear::cost::{self, Memory};
+use linear::method::FiniteElement;
 use rayon::current_num_threads;
 
 use super::Limit;
@@ -57,6 +58,8 @@ pub struct Demand<'a> {
     /// cases which takes most.
     /// Each with the longest time of its cases, s.
     pub strings: Vec<(Setting, f64)>,
+    /// The mesh of the whole string, where its shape is to be shown.
+    pub mesh: FiniteElement,
 }
 
 /// What a command is going to take.
@@ -98,6 +101,7 @@ impl<'a> Demand<'a> {
             purpose,
             methods: sweep.methods.clone(),
             strings,
+            mesh: sweep.content.method.finite_element,
         })
     }
 
@@ -154,8 +158,7 @@ impl<'a> Demand<'a> {
             Purpose::Histories(cases) => {
                 let is_lateral = setting.lateral.is_some();
                 let kept = sim::cost::trajectory(sites, is_lateral, steps) + line * steps;
-                let parameters = &self.sweep.content.method.finite_element;
-                let whole = cost::reconstruction(&setting.string, &setting.sites, parameters);
+                let whole = cost::reconstruction(&setting.string, &setting.sites, &self.mesh);
                 let whole = if is_lateral { whole } else { 0.0 };
                 Memory::lasting(methods * cases as f64 * kept + case.max(whole))
             }

@@ -23,6 +23,18 @@ impl Block {
         Block([[d * scale, -b * scale], [-c * scale, a * scale]])
     }
 
+    /// M R of this M, R the motion of the bottom of a rigid piece by that of its top.
+    pub fn carried(self, length: f64) -> Self {
+        let [[a, b], [c, d]] = self.0;
+        Block([[a, b + a * length], [c, d + c * length]])
+    }
+
+    /// Rᵀ M: moments taken about the top of a rigid piece.
+    pub fn moved(self, length: f64) -> Self {
+        let [[a, b], [c, d]] = self.0;
+        Block([[a, b], [c + a * length, d + b * length]])
+    }
+
     fn zip(self, other: Self, f: impl Fn(Complex64, Complex64) -> Complex64) -> Self {
         let ([[a, b], [c, d]], [[e, g], [h, i]]) = (self.0, other.0);
         Block([[f(a, e), f(b, g)], [f(c, h), f(d, i)]])

@@ -1,0 +1,10 @@
+//! Dynamic stiffnesses of pieces of string, joined at the nodes they share: cells to
+//! sections, sections to the string, and this reduced to the surface and the sites. What a
+//! piece is made of, waves or elements, is not known here.
+
+pub mod bending;
+pub mod block;
+pub mod chain;
+pub mod matrix;
+pub mod stiff_beam;
+pub mod torsion;

@@ -1,0 +1,162 @@
+//! Newmark's scheme without stepping it: what its recurrence makes of generating functions.
+//!
+//! From rest, each step n has M a(n) + C v(n) + K u(n) = f(n), and Eqs. 64 and 65 tie
+//! displacement u and velocity v to the accelerations up to then. For the generating
+//! functions A(ζ) = Σ a(n) ζⁿ, U(ζ), V(ζ), F(ζ) that is (1 − ζ) V = h (γ + (1 − γ) ζ) A and
+//! (1 − ζ)² U = h² (β + (½ + γ − 2β) ζ + (½ − γ + β) ζ²) A, so that each element has the
+//! dynamic stiffness K + (V/U) C + (A/U) M at every ζ, and the string is joined from its
+//! elements as it is from waves: equal ones by doubling. The taps, U of a unit force in the
+//! first step, are what stepping gives ([`super::reduction`]), up to rounding.
+
+use num_complex::Complex64;
+
+use super::beam::{dashpot, mass_matrix, stiffness_matrix};
+use super::mesh::{check_number, divided, longest_element};
+use super::newmark::Weights;
+use super::torsion::Element;
+use crate::assembly::bending::Beam;
+use crate::assembly::block::Block;
+use crate::assembly::matrix::ResponseMatrix;
+use crate::assembly::stiff_beam::{StiffBeam, turns};
+use crate::assembly::torsion::{DynamicStiffness, TorsionAdmittance};
+use crate::assembly::{bending, chain, torsion};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
+use crate::error::BuildError;
+use crate::sites::Sites;
+use crate::spans::Span;
+
+/// Velocity and acceleration per displacement at one ζ.
+#[derive(Debug, Clone, Copy)]
+struct Rates {
+    velocity: Complex64,
+    acceleration: Complex64,
+}
+
+impl Rates {
+    /// Those of the scheme at |ζ| < 1.
+    fn at(weights: &Weights, zeta: Complex64) -> Self {
+        let Weights { gamma, beta, step } = *weights;
+        let advance = 1.0 - zeta;
+        let in_velocity = gamma + (1.0 - gamma) * zeta;
+        let in_displacement =
+            beta + zeta * (0.5 + gamma - 2.0 * beta + zeta * (0.5 - gamma + beta));
+        Self {
+            velocity: advance * in_velocity / (step * in_displacement),
+            acceleration: advance * advance / (step * step * in_displacement),
+        }
+    }
+}
+
+/// A string cut at its sites, its tubes to be divided into elements.
+#[derive(Debug)]
+pub(crate) struct ElementChain<'a> {
+    string: &'a Drillstring,
+    spans: Vec<Span>,
+    sites: usize,
+    longest: f64,
+    weights: Weights,
+}
+
+impl<'a> ElementChain<'a> {
+    /// Divides the string as [`super::mesh`] does.
+    ///
+    /// # Errors
+    /// Where the sites are not the string's, or the elements would be too many.
+    pub fn new(
+        string: &'a Drillstring,
+        sites: &Sites,
+        elements_per_cell: usize,
+        weights: Weights,
+    ) -> Result<Self, BuildError> {
+        let spans = string.spans(sites)?;
+        let longest = longest_element(string, elements_per_cell);
+        check_number(&spans, longest)?;
+        Ok(Self {
+            string,
+            spans,
+            sites: sites.len(),
+            longest,
+            weights,
+        })
+    }
+
+    /// In torsion: rotation speeds at the sites from the surface's and from torques.
+    pub fn admittance(&self, zeta: Complex64) -> TorsionAdmittance {
+        let rates = Rates::at(&self.weights, zeta);
+        let tube = |tube: &Tube| {
+            let (count, element) = divided(tube, self.longest);
+            chain::repeated(torsion_element(self.string, &element, rates), count)
+        };
+        let pieces = self.spans.iter().map(|span| chain::span(span, tube));
+        torsion::reduce(pieces, self.sites, rates.velocity)
+    }
+
+    /// In bending: displacements at the sites from forces there, m/N.
+    pub fn receptance(
+        &self,
+        bending: &Bending,
+        support: SurfaceSupport,
+        zeta: Complex64,
+    ) -> ResponseMatrix {
+        let rates = Rates::at(&self.weights, zeta);
+        let tube = |tube: &Tube| {
+            let (count, element) = divided(tube, self.longest);
+            let element = beam_element(self.string, bending, &element, rates);
+            chain::repeated(Beam::of(element), count)
+        };
+        let pieces = self.spans.iter().map(|span| chain::span(span, tube));
+        bending::reduce(pieces, self.sites, support)
+    }
+}
+
+fn torsion_element(string: &Drillstring, tube: &Tube, rates: Rates) -> DynamicStiffness {
+    let Element {
+        inertia,
+        spring,
+        dashpot,
+    } = Element::of(string, tube);
+    let driving = spring + rates.velocity * dashpot + rates.acceleration * (inertia / 3.0);
+    DynamicStiffness {
+        top: driving,
+        cross: rates.acceleration * (inertia / 6.0) - spring,
+        bottom: driving,
+    }
+}
+
+fn beam_element(string: &Drillstring, bending: &Bending, tube: &Tube, rates: Rates) -> StiffBeam {
+    let mass = mass_matrix(string, tube);
+    let damping = rates.velocity * dashpot(tube, bending);
+    // Of inertia and dashpots, which a rigid motion meets in full.
+    let carried = |row: usize, column: usize| {
+        Block([0, 1].map(|i| {
+            [0, 1].map(|j| {
+                let inertia = rates.acceleration * mass[2 * row + i][2 * column + j];
+                let is_damped = row == column && (i, j) == (0, 0);
+                if is_damped {
+                    inertia + damping
+                } else {
+                    inertia
+                }
+            })
+        }))
+    };
+    let (length, cross, bottom) = (tube.length, carried(0, 1), carried(1, 1));
+    let (along, zero) = (bottom.carried(length), Complex64::new(0.0, 0.0));
+    // It takes no force to carry a beam along, but for what a compressed one pushes aside.
+    let [aside, about] = [1.0, length].map(|arm| Complex64::from(-bending.compression * arm));
+    let stiffness = stiffness_matrix(tube, bending);
+    let elastic = [2, 3].map(|i| [2, 3].map(|j| Complex64::from(stiffness[i][j])));
+    let mixed = cross.transpose() + along;
+    let inertia = rates.acceleration * (string.material().density * tube.area());
+    let foundation = inertia + rates.velocity * bending.damping;
+    StiffBeam {
+        length,
+        turns: turns(bending, tube, foundation),
+        elastic: Block(elastic) + bottom,
+        mixed: mixed + Block([[zero, aside], [zero, zero]]),
+        rigid: carried(0, 0)
+            + cross.carried(length)
+            + mixed.moved(length)
+            + Block([[zero, zero], [zero, about]]),
+    }
+}

@@ -1,0 +1,223 @@
+//! Finite elements: the taps, found without a step, against Newmark's scheme stepped in time
+//! over a sparse model of the whole string, in Clough and Wilson's form. The two share
+//! nothing but the elements.
+
+use linear::elements::newmark::Weights;
+use linear::elements::reduction::{CondensedBeam, CondensedString};
+use linear::method::FiniteElement;
+use linear::{
+    Bending, ChannelRequest, ChannelResponses, Drillstring, Method, Request, Section, Sites,
+    SurfaceSupport,
+};
+use problems::academic::{self, tube};
+use proptest::prelude::*;
+
+/// A string, how it is divided and stepped, and where it is looked at.
+#[derive(Debug, Clone)]
+struct Model {
+    string: Drillstring,
+    parameters: FiniteElement,
+    sampling_frequency: f64,
+    sites: Sites,
+    bending: Bending,
+    support: SurfaceSupport,
+}
+
+/// Steps compared.
+const STEPS: usize = 600;
+
+/// The largest difference of two lists, as far as both go.
+fn difference(a: &[f64], b: &[f64]) -> f64 {
+    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+    differences.fold(0.0, f64::max)
+}
+
+/// The largest magnitude of a list's first steps.
+fn peak(taps: &[f64]) -> f64 {
+    let magnitudes = taps.iter().take(STEPS).map(|tap| tap.abs());
+    magnitudes.fold(0.0, f64::max)
+}
+
+impl Model {
+    fn weights(&self) -> Weights {
+        Weights::new(&self.parameters, self.sampling_frequency).unwrap()
+    }
+
+    /// Taps for as many times [`STEPS`].
+    fn taps(&self, channel: ChannelRequest, times: usize) -> ChannelResponses {
+        let request = Request {
+            sites: self.sites.clone(),
+            channels: vec![channel],
+            sampling_frequency: self.sampling_frequency,
+            longest_time: (times * STEPS - 1) as f64 / self.sampling_frequency,
+        };
+        let method = Method::FiniteElement(self.parameters);
+        let mut found = linear::responses(&self.string, &method, &request).unwrap();
+        found.channels.remove(0)
+    }
+
+    /// The largest difference from steps in torsion, over the largest response of its kind:
+    /// from the surface, and from a torque at each site.
+    fn difference_in_torsion(&self) -> f64 {
+        let count = self.sites.len();
+        let torques = (0..count).collect();
+        let found = self.taps(ChannelRequest::Torsion { torques }, 1);
+        let elements = self.parameters.elements_per_cell;
+        let stepped =
+            CondensedString::new(&self.string, &self.sites, elements, self.weights()).unwrap();
+        let run = |input: Option<usize>| {
+            let mut state = stepped.rest();
+            let mut speeds = vec![Vec::new(); count];
+            for step in 0..STEPS {
+                let unit = if step == 0 { 1.0 } else { 0.0 };
+                stepped.step_free(&mut state, if input.is_none() { unit } else { 0.0 });
+                if let Some(site) = input {
+                    stepped.apply_torque(&mut state, site, unit);
+                }
+                for (site, speeds) in speeds.iter_mut().enumerate() {
+                    speeds.push(stepped.speed(&state, site));
+                }
+            }
+            speeds
+        };
+        let inputs = std::iter::once(None).chain((0..count).map(Some));
+        let differences = inputs.map(|input| {
+            let stepped = run(input);
+            let largest = stepped
+                .iter()
+                .map(|speeds| peak(speeds))
+                .fold(0.0, f64::max);
+            let taps = |site: usize| match input {
+                None => &found.from_surface[site],
+                Some(load) => &found.from_loads[site][load],
+            };
+            let sites = stepped.iter().enumerate();
+            let differences = sites.map(|(site, speeds)| difference(taps(site), speeds) / largest);
+            differences.fold(0.0, f64::max)
+        });
+        differences.fold(0.0, f64::max)
+    }
+
+    /// The largest differences in bending, over the largest response: from steps, and from
+    /// the same taps as part of a longer response, which are found at other ζ.
+    fn differences_in_bending(&self) -> [f64; 2] {
+        let count = self.sites.len();
+        let channel = ChannelRequest::Bending {
+            bending: self.bending,
+            support: self.support,
+        };
+        let found = self.taps(channel.clone(), 1);
+        let longer = self.taps(channel, 3);
+        let stepped = CondensedBeam::new(
+            &self.string,
+            &self.bending,
+            self.support,
+            &self.sites,
+            self.parameters.elements_per_cell,
+            self.weights(),
+        )
+        .unwrap();
+        let (mut from_steps, mut from_longer, mut largest) = (0.0f64, 0.0f64, 0.0f64);
+        for load in 0..count {
+            let mut motion = stepped.rest();
+            let mut displacements = vec![Vec::new(); count];
+            for step in 0..STEPS {
+                stepped.step_free(&mut motion);
+                if step == 0 {
+                    stepped.apply_force(&mut motion, load, 1.0);
+                }
+                for (site, displacements) in displacements.iter_mut().enumerate() {
+                    displacements.push(stepped.displacement(&motion, site));
+                }
+            }
+            for (site, stepped) in displacements.iter().enumerate() {
+                let found = &found.from_loads[site][load];
+                largest = largest.max(peak(stepped));
+                from_steps = from_steps.max(difference(found, stepped));
+                from_longer = from_longer.max(difference(found, &longer.from_loads[site][load]));
+            }
+        }
+        [from_steps / largest, from_longer / largest]
+    }
+}
+
+fn any_model() -> impl Strategy<Value = Model> {
+    let pipes = (1..60usize, 5.0..12.0f64, 0.3..0.7f64, 0.08..0.16f64);
+    let collars = (5.0..80.0f64, 0.12..0.16f64);
+    let elements = (1..30usize, prop::sample::select(vec![0.5, 0.52, 0.6]));
+    let looked_at = (50.0..2000.0f64, 0.0..0.9f64);
+    let bent = (100.0..5000.0f64, -1e5..0.0f64, 0..3usize);
+    (pipes, collars, elements, looked_at, bent, 0.0..30.0f64).prop_map(
+        |(pipes, collars, elements, looked_at, bent, torsional_damping)| {
+            let (repeat, pipe, joint, radius) = pipes;
+            let sections = vec![
+                Section {
+                    repeat,
+                    parts: vec![tube(pipe, radius), tube(joint, 1.2 * radius)],
+                },
+                Section {
+                    repeat: 1,
+                    parts: vec![tube(collars.0, collars.1)],
+                },
+            ];
+            let material = academic::string().material();
+            let string = Drillstring::new(material, sections, torsional_damping).unwrap();
+            let (sampling_frequency, place) = looked_at;
+            let sites = Sites::new(&string, &[0.0, place * string.length()])
+                .unwrap_or_else(|_| Sites::bit());
+            let (damping, compression, support) = bent;
+            Model {
+                parameters: FiniteElement {
+                    elements_per_cell: elements.0,
+                    gamma: elements.1,
+                    beta: None,
+                },
+                sampling_frequency,
+                sites,
+                bending: Bending {
+                    damping,
+                    compression,
+                    ..academic::BENDING
+                },
+                support: [
+                    SurfaceSupport::Free,
+                    SurfaceSupport::Pinned,
+                    SurfaceSupport::Clamped,
+                ][support],
+                string,
+            }
+        },
+    )
+}
+
+/// The paper's string, with three sites.
+#[test]
+fn taps_of_the_papers_string_are_those_of_stepping_all_of_it() {
+    let string = academic::string();
+    let model = Model {
+        sites: Sites::new(&string, &[0.0, 36.0, 250.0]).unwrap(),
+        string,
+        parameters: FiniteElement::default(),
+        sampling_frequency: academic::SAMPLING_FREQUENCY,
+        bending: academic::BENDING,
+        support: SurfaceSupport::Free,
+    };
+    let torsion = model.difference_in_torsion();
+    assert!(torsion < 1e-9, "{torsion}");
+    let [bending, longer] = model.differences_in_bending();
+    assert!(bending < 1e-9 && longer < 1e-9, "{bending} {longer}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..Default::default() })]
+
+    /// Sites may cut a tube into pieces of any length; steps lose more by short elements.
+    #[test]
+    fn taps_of_any_string_are_those_of_stepping_all_of_it(model in any_model()) {
+        let torsion = model.difference_in_torsion();
+        prop_assert!(torsion < 1e-9, "torsion: {torsion}");
+        let [bending, longer] = model.differences_in_bending();
+        prop_assert!(bending < 1e-7, "bending: {bending}");
+        prop_assert!(longer < 1e-9, "bending, other ζ: {longer}");
+    }
+}
