@@ -12,26 +12,45 @@ use num_complex::Complex64;
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
 
-/// Dynamic stiffness of a piece of string between its two ends:
-/// `[T_top; T_bottom] = [[top, cross], [cross, bottom]] [θ_top; θ_bottom]`,
-/// N m/rad.
+/// Dynamic stiffness of a piece of string between its two ends, N m/rad:
+/// `T_top = top θ_top + link (θ_top − θ_bottom)`, and at the bottom alike.
+///
+/// What turns a short piece as a rigid body is far less than what twists it, and lost to
+/// rounding where it is the difference of driving-point stiffness and link: the elements of
+/// a long string have a millionth of it. So it is kept by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DynamicStiffness {
-    /// Driving-point stiffness at the top.
+    /// The torque on the top for each unit by which all of it turns alike.
     pub top: Complex64,
-    /// Transfer stiffness, the same in both directions (reciprocity).
-    pub cross: Complex64,
-    /// Driving-point stiffness at the bottom.
+    /// The torque for each unit by which its ends turn differently, the same from either
+    /// end (reciprocity).
+    pub link: Complex64,
+    /// The torque on the bottom for each unit by which all of it turns alike.
     pub bottom: Complex64,
+}
+
+impl DynamicStiffness {
+    /// Torque on the bottom per rotation there, the top held fast.
+    pub fn at_bottom(&self) -> Complex64 {
+        self.link + self.bottom
+    }
+
+    /// Torque on the top per rotation there, the bottom held fast.
+    pub fn at_top(&self) -> Complex64 {
+        self.link + self.top
+    }
 }
 
 impl Stiffness for DynamicStiffness {
     fn join(self, lower: Self) -> Self {
-        let shared = (self.bottom + lower.top).inv();
+        // What acts on the node they share is taken by their links as these are stiff.
+        let node = self.bottom + lower.top;
+        let shared = (self.link + lower.link + node).inv();
+        let (above, below) = (self.link * shared, lower.link * shared);
         Self {
-            top: self.top - self.cross * self.cross * shared,
-            cross: -self.cross * lower.cross * shared,
-            bottom: lower.bottom - lower.cross * lower.cross * shared,
+            top: self.top + above * node,
+            link: above * lower.link,
+            bottom: lower.bottom + below * node,
         }
     }
 }
@@ -61,9 +80,9 @@ pub fn reduce(
         && let Some(piece) = pieces.next_if(Option::is_some).flatten()
     {
         // The bit alone, by far the most frequent case, needs no matrices.
-        let compliance = piece.bottom.inv();
+        let compliance = piece.at_bottom().inv();
         return TorsionAdmittance {
-            from_surface: vec![-piece.cross * compliance],
+            from_surface: vec![piece.link * compliance],
             from_torque: ResponseMatrix(Mat::from_fn(1, 1, |_, _| rate * compliance)),
         };
     }
@@ -73,14 +92,14 @@ pub fn reduce(
         let Some(piece) = piece else {
             continue;
         };
-        stiffness[(node, node)] += piece.bottom;
+        stiffness[(node, node)] += piece.at_bottom();
         if node == 0 {
             // The surface turns as prescribed: its torque on the first node.
-            inputs[(0, 0)] = -piece.cross;
+            inputs[(0, 0)] = piece.link;
         } else {
-            stiffness[(node - 1, node - 1)] += piece.top;
-            stiffness[(node - 1, node)] = piece.cross;
-            stiffness[(node, node - 1)] = piece.cross;
+            stiffness[(node - 1, node - 1)] += piece.at_top();
+            stiffness[(node - 1, node)] = -piece.link;
+            stiffness[(node, node - 1)] = -piece.link;
         }
     }
     for site in 0..sites {

@@ -115,11 +115,12 @@ fn torsion_element(string: &Drillstring, tube: &Tube, rates: Rates) -> DynamicSt
         spring,
         dashpot,
     } = Element::of(string, tube);
-    let driving = spring + rates.velocity * dashpot + rates.acceleration * (inertia / 3.0);
+    // At either node a third of the inertia, and a sixth with the other node's.
+    let carried = rates.velocity * dashpot + rates.acceleration * (inertia / 2.0);
     DynamicStiffness {
-        top: driving,
-        cross: rates.acceleration * (inertia / 6.0) - spring,
-        bottom: driving,
+        top: carried,
+        link: spring - rates.acceleration * (inertia / 6.0),
+        bottom: carried,
     }
 }
 

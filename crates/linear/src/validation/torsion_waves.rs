@@ -276,9 +276,10 @@ fn a_string_turned_over_has_its_ends_exchanged() {
         for (a, b) in [
             (one.top, other.bottom),
             (one.bottom, other.top),
-            (one.cross, other.cross),
+            (one.link, other.link),
         ] {
-            assert!((a - b).norm() <= 1e-10 * one.top.norm(), "{omega}: {a} {b}");
+            let scale = one.at_top().norm();
+            assert!((a - b).norm() <= 1e-10 * scale, "{omega}: {a} {b}");
         }
     }
 }
@@ -300,9 +301,9 @@ fn doubling_agrees_with_the_eigenvectors_of_the_paper() {
             let tube = |tube: &Tube| torsion::uniform(&string, tube, s);
             let doubled = chain::section(&section, tube).unwrap();
             for (found, expected) in [
-                (doubled.top, top),
-                (doubled.cross, cross),
-                (doubled.bottom, bottom),
+                (doubled.at_top(), top),
+                (-doubled.link, cross),
+                (doubled.at_bottom(), bottom),
             ] {
                 assert!(
                     (found - expected).norm() <= 1e-9 * top.norm(),
@@ -328,9 +329,9 @@ fn plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_not(
     };
     let joined = chain::section(&section, |tube| torsion::uniform(&string, tube, s)).unwrap();
     // So long and so damped, the string is one-way: its top is alone.
-    let infinite = torsion::uniform(&string, &tube(1e5, 0.125), s).top;
-    assert!((joined.top - infinite).norm() <= 1e-9 * infinite.norm());
-    assert!(joined.bottom.is_finite() && joined.cross.norm() == 0.0);
+    let infinite = torsion::uniform(&string, &tube(1e5, 0.125), s).at_top();
+    assert!((joined.at_top() - infinite).norm() <= 1e-9 * infinite.norm());
+    assert!(joined.at_bottom().is_finite() && joined.link.norm() == 0.0);
 }
 
 #[test]

@@ -257,12 +257,12 @@ impl Part {
         let opposite = root(self.impedance / tangent + dashpot);
         let step = (opposite - symmetric) / (opposite + symmetric);
         let passed = step.powu(pieces as u32);
-        let scale = symmetric * opposite / (1.0 - passed * passed);
-        let driving = scale * (1.0 + passed * passed);
+        let impedance = symmetric * opposite;
+        let carried = impedance * (1.0 - passed) / (1.0 + passed);
         Some(DynamicStiffness {
-            top: driving,
-            cross: -scale * passed * 2.0,
-            bottom: driving,
+            top: carried,
+            link: impedance * passed * 2.0 / (1.0 - passed * passed),
+            bottom: carried,
         })
     }
 }
