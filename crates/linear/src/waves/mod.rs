@@ -1,6 +1,6 @@
 //! Exact frequency responses of the string at any complex Laplace variable s
 //! (Sections 2.2 and 2.5 of the paper): wave solutions of each uniform tube,
-//! joined into a chain, reduced to the surface and the sites ([`crate::assembly`]).
+//! joined into a chain, reduced to the surface and the sites (`assembly`).
 
 pub(crate) mod bending;
 pub mod inversion;

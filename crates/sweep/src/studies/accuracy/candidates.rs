@@ -29,10 +29,11 @@ pub fn off_beat(frequency: f64, travel: f64) -> [f64; 2] {
     [0.9, 0.75].map(|part| ((part * steps).round() + 0.25) / travel)
 }
 
-/// At one frequency, by the cost of building: the quadrature takes four samples of the
-/// waves a tap; finite elements take a step of the whole mesh a tap; held responses take
-/// those of a lattice whose pieces are far shorter than a step; the digital filter needs
-/// taps for as long as the response lasts twice, and memory for them in every case.
+/// At one frequency, roughly by what a sweep costs: the quadrature and finite elements take
+/// four samples a tap, the more the more elements there are; held responses take those of a
+/// lattice whose pieces are far shorter than a step, once for all frequencies, and longer at
+/// a wall; the digital filter needs taps for as long as the response lasts twice, and memory
+/// for them in every case.
 pub fn methods() -> [Method; 6] {
     let elements = |elements_per_cell| {
         Method::FiniteElement(FiniteElement {
