@@ -2,6 +2,7 @@
 //! sections, sections to the string, and this reduced to the surface and the sites. What a
 //! piece is made of, waves or elements, is not known here.
 
+pub mod beam_stiffness;
 pub mod bending;
 pub mod block;
 pub mod chain;

@@ -7,7 +7,7 @@
 
 use num_complex::Complex64;
 
-use super::bending::BeamStiffness;
+use super::beam_stiffness::BeamStiffness;
 use super::block::Block;
 use super::chain::Stiffness;
 use crate::drillstring::{Bending, Tube};

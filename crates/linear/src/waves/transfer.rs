@@ -12,7 +12,8 @@ use std::ops::Mul;
 use num_complex::Complex64;
 
 use super::bending::uniform;
-use crate::assembly::bending::{Beam, BeamStiffness};
+use crate::assembly::beam_stiffness::BeamStiffness;
+use crate::assembly::bending::Beam;
 use crate::assembly::block::Block;
 use crate::drillstring::{Bending, Drillstring};
 
