@@ -12,45 +12,69 @@ use num_complex::Complex64;
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
 
-/// Dynamic stiffness of a piece of string between its two ends, N m/rad:
-/// `T_top = top θ_top + link (θ_top − θ_bottom)`, and at the bottom alike.
-///
-/// What turns a short piece as a rigid body is far less than what twists it, and lost to
-/// rounding where it is the difference of driving-point stiffness and link: the elements of
-/// a long string have a millionth of it. So it is kept by itself.
+/// Dynamic stiffness of a piece of string between its two ends:
+/// `[T_top; T_bottom] = [[top, cross], [cross, bottom]] [θ_top; θ_bottom]`,
+/// N m/rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DynamicStiffness {
-    /// The torque on the top for each unit by which all of it turns alike.
+    /// Driving-point stiffness at the top.
     pub top: Complex64,
-    /// The torque for each unit by which its ends turn differently, the same from either
-    /// end (reciprocity).
-    pub link: Complex64,
-    /// The torque on the bottom for each unit by which all of it turns alike.
+    /// Transfer stiffness, the same in both directions (reciprocity).
+    pub cross: Complex64,
+    /// Driving-point stiffness at the bottom.
     pub bottom: Complex64,
 }
 
 impl DynamicStiffness {
-    /// Torque on the bottom per rotation there, the top held fast.
-    pub fn at_bottom(&self) -> Complex64 {
-        self.link + self.bottom
+    /// So many equal pieces in a row, torques per speed, from the torque on either end of one
+    /// where both turn alike, and where they turn against one another: numbers with positive
+    /// real parts. With p and m their roots, a row has the characteristic impedance pm, and
+    /// a wave that goes down it is multiplied by (m − p)/(m + p) from node to node. What turns
+    /// a short piece as a rigid body is so far less than what twists it that joining pieces
+    /// one by one would lose it to rounding.
+    pub fn row(alike: Complex64, opposite: Complex64, pieces: usize) -> Self {
+        let (alike, opposite) = (root(alike), root(opposite));
+        let both = opposite + alike;
+        let step = (opposite - alike) / both;
+        let passed = step.powu(pieces as u32);
+        // 1 − passed² = 4pm (1 + step² + … )/(m + p)²: a difference would lose digits.
+        let scale = both * both / (4.0 * sum_of_powers(step * step, pieces));
+        let driving = scale * (1.0 + passed * passed);
+        Self {
+            top: driving,
+            cross: -scale * passed * 2.0,
+            bottom: driving,
+        }
     }
+}
 
-    /// Torque on the top per rotation there, the bottom held fast.
-    pub fn at_top(&self) -> Complex64 {
-        self.link + self.top
+/// 1 + z + … of so many terms, by doubling.
+fn sum_of_powers(z: Complex64, terms: usize) -> Complex64 {
+    let (mut sum, mut power) = (Complex64::new(0.0, 0.0), Complex64::new(1.0, 0.0));
+    for bit in (0..usize::BITS - terms.leading_zeros()).rev() {
+        sum *= 1.0 + power;
+        power *= power;
+        if terms >> bit & 1 == 1 {
+            sum += power;
+            power *= z;
+        }
     }
+    sum
+}
+
+/// The square root of a number with a positive real part, without its angle.
+fn root(z: Complex64) -> Complex64 {
+    let real = (0.5 * (z.norm_sqr().sqrt() + z.re)).sqrt();
+    Complex64::new(real, 0.5 * z.im / real)
 }
 
 impl Stiffness for DynamicStiffness {
     fn join(self, lower: Self) -> Self {
-        // What acts on the node they share is taken by their links as these are stiff.
-        let node = self.bottom + lower.top;
-        let shared = (self.link + lower.link + node).inv();
-        let (above, below) = (self.link * shared, lower.link * shared);
+        let shared = (self.bottom + lower.top).inv();
         Self {
-            top: self.top + above * node,
-            link: above * lower.link,
-            bottom: lower.bottom + below * node,
+            top: self.top - self.cross * self.cross * shared,
+            cross: -self.cross * lower.cross * shared,
+            bottom: lower.bottom - lower.cross * lower.cross * shared,
         }
     }
 }
@@ -80,9 +104,9 @@ pub fn reduce(
         && let Some(piece) = pieces.next_if(Option::is_some).flatten()
     {
         // The bit alone, by far the most frequent case, needs no matrices.
-        let compliance = piece.at_bottom().inv();
+        let compliance = piece.bottom.inv();
         return TorsionAdmittance {
-            from_surface: vec![piece.link * compliance],
+            from_surface: vec![-piece.cross * compliance],
             from_torque: ResponseMatrix(Mat::from_fn(1, 1, |_, _| rate * compliance)),
         };
     }
@@ -92,14 +116,14 @@ pub fn reduce(
         let Some(piece) = piece else {
             continue;
         };
-        stiffness[(node, node)] += piece.at_bottom();
+        stiffness[(node, node)] += piece.bottom;
         if node == 0 {
             // The surface turns as prescribed: its torque on the first node.
-            inputs[(0, 0)] = piece.link;
+            inputs[(0, 0)] = -piece.cross;
         } else {
-            stiffness[(node - 1, node - 1)] += piece.at_top();
-            stiffness[(node - 1, node)] = -piece.link;
-            stiffness[(node, node - 1)] = -piece.link;
+            stiffness[(node - 1, node - 1)] += piece.top;
+            stiffness[(node - 1, node)] = piece.cross;
+            stiffness[(node, node - 1)] = piece.cross;
         }
     }
     for site in 0..sites {

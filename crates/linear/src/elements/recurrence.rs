@@ -83,12 +83,9 @@ impl<'a> ElementChain<'a> {
     /// In torsion: rotation speeds at the sites from the surface's and from torques.
     pub fn admittance(&self, zeta: Complex64) -> TorsionAdmittance {
         let rates = Rates::at(&self.weights, zeta);
-        let tube = |tube: &Tube| {
-            let (count, element) = divided(tube, self.longest);
-            chain::repeated(torsion_element(self.string, &element, rates), count)
-        };
+        let tube = |tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
-        torsion::reduce(pieces, self.sites, rates.velocity)
+        torsion::reduce(pieces, self.sites, Complex64::new(1.0, 0.0))
     }
 
     /// In bending: displacements at the sites from forces there, m/N.
@@ -109,19 +106,22 @@ impl<'a> ElementChain<'a> {
     }
 }
 
-fn torsion_element(string: &Drillstring, tube: &Tube, rates: Rates) -> DynamicStiffness {
+/// Elements of a tube in a row, torques per speed.
+fn torsion_row(
+    string: &Drillstring,
+    (count, element): (usize, Tube),
+    rates: Rates,
+) -> DynamicStiffness {
     let Element {
         inertia,
         spring,
         dashpot,
-    } = Element::of(string, tube);
+    } = Element::of(string, &element);
     // At either node a third of the inertia, and a sixth with the other node's.
-    let carried = rates.velocity * dashpot + rates.acceleration * (inertia / 2.0);
-    DynamicStiffness {
-        top: carried,
-        link: spring - rates.acceleration * (inertia / 6.0),
-        bottom: carried,
-    }
+    let in_speed = rates.acceleration / rates.velocity;
+    let alike = dashpot + in_speed * (inertia / 2.0);
+    let opposite = dashpot + in_speed * (inertia / 6.0) + 2.0 * spring / rates.velocity;
+    DynamicStiffness::row(alike, opposite, count)
 }
 
 fn beam_element(string: &Drillstring, bending: &Bending, tube: &Tube, rates: Rates) -> StiffBeam {

@@ -244,33 +244,17 @@ impl Run {
 
 impl Part {
     /// Torques per speed of so many pieces in a row. A piece has Z(1 + ζ²)/(1 − ζ²) +
-    /// D/2 at either end and −2Zζ/(1 − ζ²) across; with p² and m² the sum and the
-    /// difference of the two, a row has the characteristic impedance pm, and a wave that
-    /// goes down it is multiplied by (p − m)/(p + m) from node to node.
+    /// D/2 at either end and −2Zζ/(1 − ζ²) across.
     fn stiffness(&self, pieces: usize, zeta: Complex64) -> Option<DynamicStiffness> {
         if pieces == 0 {
             return None;
         }
         let dashpot = 0.5 * self.damping / pieces as f64;
         let tangent = (1.0 - zeta) / (1.0 + zeta);
-        let symmetric = root(self.impedance * tangent + dashpot);
-        let opposite = root(self.impedance / tangent + dashpot);
-        let step = (opposite - symmetric) / (opposite + symmetric);
-        let passed = step.powu(pieces as u32);
-        let impedance = symmetric * opposite;
-        let carried = impedance * (1.0 - passed) / (1.0 + passed);
-        Some(DynamicStiffness {
-            top: carried,
-            link: impedance * passed * 2.0 / (1.0 - passed * passed),
-            bottom: carried,
-        })
+        let alike = self.impedance * tangent + dashpot;
+        let opposite = self.impedance / tangent + dashpot;
+        Some(DynamicStiffness::row(alike, opposite, pieces))
     }
-}
-
-/// The square root of a number with a positive real part, without its angle.
-fn root(z: Complex64) -> Complex64 {
-    let real = (0.5 * (z.norm_sqr().sqrt() + z.re)).sqrt();
-    Complex64::new(real, 0.5 * z.im / real)
 }
 
 /// Two kinds of cells in a row, each in its number, spread as evenly as can be: by
