@@ -13,10 +13,6 @@ use super::obeyed::Obeyed;
 use super::wall::Wall;
 use crate::ranges::SceneError;
 
-/// A step that carries the free position further than this many clearances may
-/// turn the centre so far that several friction ratios solve it.
-const FAR: f64 = 1.1;
-
 impl WallLaw for Wall {
     fn clearance(&self) -> f64 {
         self.clearance
@@ -58,10 +54,10 @@ impl Wall {
             approach,
             distance,
         };
-        if distance > FAR * self.clearance {
-            press.search()
-        } else {
+        if press.has_one_answer() {
             press.solve()
+        } else {
+            press.search()
         }
     }
 }
@@ -75,6 +71,45 @@ struct Press<'a> {
 }
 
 impl Press<'_> {
+    /// Whether one friction ratio alone can solve the step.
+    ///
+    /// The ratio turns e_r from p_h one way or the other, at most by the angle φ at which a
+    /// rigid wall takes all friction: c + x along p_h and μx across it, x the most that h₀F_N
+    /// can be. The sliding speed grows with that angle as w·e_r ([`Press::rolling`]), which
+    /// is a sinusoid: where it is positive at both ends it is between. What slides faster
+    /// the more friction drives it can be held by one ratio only. A torque law at the same
+    /// site turns it faster too, but nobody knows by how much.
+    fn has_one_answer(&self) -> bool {
+        let (wall, distance) = (self.wall, self.distance);
+        let gap = (distance - wall.clearance) * (distance + wall.clearance);
+        let spread = 1.0 + wall.friction * wall.friction;
+        let root = (wall.clearance * wall.clearance + spread * gap).sqrt();
+        let reach = gap / (wall.clearance + root);
+        let turning = match self.approach.spin.resistance {
+            None => self.turning(),
+            Some(_) => 0.0,
+        };
+        let ([x, y], [wx, wy]) = (self.approach.free_position, self.weight(turning));
+        let (along, across) = (x * wx + y * wy, x * wy - y * wx);
+        along * (wall.clearance + reach) > across.abs() * wall.friction * reach
+    }
+
+    /// By how much friction turns the string's surface, over how much it moves its centre:
+    /// R₀²g₀/h₀, 1/s.
+    fn turning(&self) -> f64 {
+        let approach = self.approach;
+        self.wall.radius.powi(2) * approach.spin.compliance / approach.compliance
+    }
+
+    /// w = `turning` × p_h + f_s p_prev.
+    fn weight(&self, turning: f64) -> [f64; 2] {
+        let approach = self.approach;
+        std::array::from_fn(|axis| {
+            turning * approach.free_position[axis]
+                + approach.sampling.rate_in_step() * approach.previous_position[axis]
+        })
+    }
+
     /// Rolling, or sliding one way or the other.
     fn solve(&self) -> Result<Contact, ContactError> {
         let friction = self.wall.friction;
@@ -152,14 +187,9 @@ impl Press<'_> {
     /// speed R₀(θ̇_h + g₀R₀αF_N) − f_s p_prev·e_θ is linear in e_θ: it vanishes
     /// where w·e_θ = R₀θ̇_h for w = (R₀²g₀/h₀) p_h + f_s p_prev.
     fn rolling(&self) -> [Option<Trial>; 2] {
-        let approach = self.approach;
-        let turning = self.wall.radius.powi(2) * approach.spin.compliance / approach.compliance;
-        let [wx, wy]: [f64; 2] = std::array::from_fn(|axis| {
-            turning * approach.free_position[axis]
-                + approach.sampling.rate_in_step() * approach.previous_position[axis]
-        });
+        let [wx, wy] = self.weight(self.turning());
         let length = (wx * wx + wy * wy).sqrt();
-        let sine = self.wall.radius * approach.spin.free_speed / length;
+        let sine = self.wall.radius * self.approach.spin.free_speed / length;
         // No length or no number: nothing rolls.
         if sine.is_nan() || sine.abs() > 1.0 {
             return [None, None];
@@ -185,6 +215,11 @@ impl Press<'_> {
             return None;
         }
         let compliance = self.approach.compliance;
+        let friction = (x * sin - y * cos) / compliance;
+        // Where neither is any, that is no number, and none is needed.
+        if !self.presses_enough(gap, (friction.abs() / self.wall.friction).max(0.0)) {
+            return None;
+        }
         let (normal_force, depth) = if self.wall.stiffness == f64::INFINITY {
             (gap / compliance, 0.0)
         } else {
@@ -198,15 +233,20 @@ impl Press<'_> {
             });
             (self.wall.stiffness * root.powi(3), root * root)
         };
-        let friction = (x * sin - y * cos) / compliance;
-        let holds = friction.abs() <= self.wall.friction * normal_force;
-        holds.then_some(Trial {
+        Some(Trial {
             ratio: friction / normal_force,
             normal_force,
             radius: self.wall.clearance + depth,
             direction: [cos, sin],
             sliding_speed: 0.0,
         })
+    }
+
+    /// Whether the normal force of δ + h₀F_N = gap is at least so large, without solving
+    /// for it: at that force the two are no more than the gap.
+    fn presses_enough(&self, gap: f64, force: f64) -> bool {
+        let depth = gap - self.approach.compliance * force;
+        depth >= 0.0 && (force / self.wall.stiffness).powi(2) <= depth * depth * depth
     }
 
     /// The contact that rolls, between two trials of opposite signs.
