@@ -81,14 +81,16 @@ fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
     for file in ["out/tradeoff.svg", "out/tradeoff.png"] {
         assert!(place.path(file).exists());
     }
-    // Nothing on the front is beaten by another of its measure.
-    for row in rows.iter().filter(|row| row["on_front"] == "yes") {
-        let number = |row: &Row, key: &str| row[key].parse::<f64>().unwrap_or(f64::INFINITY);
-        let is_beaten = rows.iter().any(|other| {
+    // Nothing on the front is beaten by another of its measure; what is rounding is no
+    // difference.
+    let number = |row: &Row, key: &str| row[key].parse::<f64>().unwrap_or(f64::INFINITY);
+    let error = |row: &Row| number(row, "relative_error").max(1e-7);
+    let on_front: Vec<&Row> = rows.iter().filter(|row| row["on_front"] == "yes").collect();
+    for row in &on_front {
+        let is_beaten = on_front.iter().any(|other| {
             other["measure"] == row["measure"]
-                && other["on_front"] == "yes"
                 && number(other, "cost_1000_cases_s") < number(row, "cost_1000_cases_s")
-                && number(other, "relative_error") < 0.5 * number(row, "relative_error")
+                && error(other) < 0.5 * error(row)
         });
         assert!(!is_beaten, "{row:?}");
     }
