@@ -70,30 +70,32 @@ impl<'a> Convolution<'a> {
 
     /// The same, for so many sums.
     pub(crate) fn write_past(&self, sums: &mut [f64]) {
-        let (kernels, sites) = (self.kernels, self.kernels.sites);
+        self.kernels.arch.dispatch(|| self.add_present(sums));
+    }
+
+    #[inline(always)]
+    fn add_present(&self, sums: &mut [f64]) {
+        let sites = self.kernels.sites;
         let within = self.steps % FIRST_BLOCK;
+        let newest = FIRST_BLOCK - within;
         // Those yet to come are zero.
         let reach = within.next_multiple_of(LANES);
-        let newest = FIRST_BLOCK - within;
-        kernels.arch.dispatch(|| {
-            // Nested, for a division of each place would cost as much as its sum.
-            let mut places = sums
-                .iter_mut()
-                .zip(self.past.known.chunks_exact(FIRST_BLOCK));
-            for plane in 0..self.planes {
-                for (output, (sum, known)) in (0..sites).zip(&mut places) {
-                    *sum = known[within];
-                    for input in 0..sites {
-                        let channel = plane * sites + input;
-                        if self.past.is_active[channel] {
-                            let taps = &kernels.recent[output * sites + input];
-                            let inputs = &self.past.present[channel * FIRST_BLOCK..];
-                            *sum += dot(&taps[newest..newest + reach], &inputs[..reach]);
-                        }
+        // Nested, for a division of each place would cost as much as its sum.
+        let known = self.past.known.chunks_exact(FIRST_BLOCK);
+        let mut places = sums.iter_mut().zip(known);
+        for plane in 0..self.planes {
+            for (output, (sum, known)) in (0..sites).zip(&mut places) {
+                *sum = known[within];
+                for input in 0..sites {
+                    let channel = plane * sites + input;
+                    if self.past.is_active[channel] {
+                        let taps = &self.kernels.recent[output * sites + input];
+                        let inputs = &self.past.present[channel * FIRST_BLOCK..];
+                        *sum += dot(&taps[newest..newest + reach], &inputs[..reach]);
                     }
                 }
             }
-        });
+        }
     }
 
     /// Ends the present step with the inputs of every plane and site.
