@@ -49,11 +49,7 @@ impl Wall {
         if distance <= self.clearance {
             return Contact::free(approach.free_position);
         }
-        let press = Press {
-            wall: self,
-            approach,
-            distance,
-        };
+        let press = Press::new(self, approach, distance);
         if press.has_one_answer() {
             press.solve()
         } else {
@@ -68,46 +64,53 @@ struct Press<'a> {
     approach: &'a Approach<'a>,
     /// |p_h|, m.
     distance: f64,
+    /// w = (R₀²g₀/h₀) p_h + f_s p_prev, m/s: by how much the sliding speed grows with the
+    /// angle by which friction turns e_r, is w·e_r. Of a torque law at the same site, which
+    /// turns it more, nothing is known: its share is left out.
+    weight: [f64; 2],
 }
 
-impl Press<'_> {
-    /// Whether one friction ratio alone can solve the step.
-    ///
-    /// The ratio turns e_r from p_h one way or the other, at most by the angle φ at which a
-    /// rigid wall takes all friction: c + x along p_h and μx across it, x the most that h₀F_N
-    /// can be. The sliding speed grows with that angle as w·e_r ([`Press::rolling`]), which
-    /// is a sinusoid: where it is positive at both ends it is between. What slides faster
-    /// the more friction drives it can be held by one ratio only. A torque law at the same
-    /// site turns it faster too, but nobody knows by how much.
-    fn has_one_answer(&self) -> bool {
-        let (wall, distance) = (self.wall, self.distance);
-        let gap = (distance - wall.clearance) * (distance + wall.clearance);
-        let spread = 1.0 + wall.friction * wall.friction;
-        let root = (wall.clearance * wall.clearance + spread * gap).sqrt();
-        let reach = gap / (wall.clearance + root);
-        let turning = match self.approach.spin.resistance {
-            None => self.turning(),
+impl<'a> Press<'a> {
+    fn new(wall: &'a Wall, approach: &'a Approach<'a>, distance: f64) -> Self {
+        let turning = match approach.spin.resistance {
+            None => wall.radius.powi(2) * approach.spin.compliance / approach.compliance,
             Some(_) => 0.0,
         };
-        let ([x, y], [wx, wy]) = (self.approach.free_position, self.weight(turning));
-        let (along, across) = (x * wx + y * wy, x * wy - y * wx);
-        along * (wall.clearance + reach) > across.abs() * wall.friction * reach
-    }
-
-    /// By how much friction turns the string's surface, over how much it moves its centre:
-    /// R₀²g₀/h₀, 1/s.
-    fn turning(&self) -> f64 {
-        let approach = self.approach;
-        self.wall.radius.powi(2) * approach.spin.compliance / approach.compliance
-    }
-
-    /// w = `turning` × p_h + f_s p_prev.
-    fn weight(&self, turning: f64) -> [f64; 2] {
-        let approach = self.approach;
-        std::array::from_fn(|axis| {
+        let weight = std::array::from_fn(|axis| {
             turning * approach.free_position[axis]
                 + approach.sampling.rate_in_step() * approach.previous_position[axis]
-        })
+        });
+        Self {
+            wall,
+            approach,
+            distance,
+            weight,
+        }
+    }
+
+    /// Whether one friction ratio alone can solve the step.
+    ///
+    /// The ratio turns e_r from p_h one way or the other, at most by the angle at which a
+    /// rigid wall takes all friction: c + x along p_h and μx across it, x the most that h₀F_N
+    /// can be. w·e_r is a sinusoid of that angle: where it is positive at both ends it is
+    /// between. What slides faster the more friction drives it can be held by one ratio only.
+    fn has_one_answer(&self) -> bool {
+        let Wall {
+            clearance,
+            friction,
+            ..
+        } = *self.wall;
+        let ([x, y], [wx, wy]) = (self.approach.free_position, self.weight);
+        let (along, across) = (x * wx + y * wy, (x * wy - y * wx).abs());
+        let past = self.distance - clearance;
+        // x is no more than what is past the wall, which is most often enough to know.
+        let turns_little = along * clearance > across * friction * past;
+        turns_little || {
+            let gap = past * (self.distance + clearance);
+            let root = (clearance * clearance + (1.0 + friction * friction) * gap).sqrt();
+            let reach = gap / (clearance + root);
+            along * (clearance + reach) > across * friction * reach
+        }
     }
 
     /// Rolling, or sliding one way or the other.
@@ -185,9 +188,9 @@ impl Press<'_> {
     ///
     /// Across e_r the load line leaves αF_N = −p_h·e_θ/h₀, so that the sliding
     /// speed R₀(θ̇_h + g₀R₀αF_N) − f_s p_prev·e_θ is linear in e_θ: it vanishes
-    /// where w·e_θ = R₀θ̇_h for w = (R₀²g₀/h₀) p_h + f_s p_prev.
+    /// where w·e_θ = R₀θ̇_h ([`Press::weight`]).
     fn rolling(&self) -> [Option<Trial>; 2] {
-        let [wx, wy] = self.weight(self.turning());
+        let [wx, wy] = self.weight;
         let length = (wx * wx + wy * wy).sqrt();
         let sine = self.wall.radius * self.approach.spin.free_speed / length;
         // No length or no number: nothing rolls.
@@ -214,12 +217,11 @@ impl Press<'_> {
         if gap <= 0.0 {
             return None;
         }
-        let compliance = self.approach.compliance;
-        let friction = (x * sin - y * cos) / compliance;
-        // Where neither is any, that is no number, and none is needed.
-        if !self.presses_enough(gap, (friction.abs() / self.wall.friction).max(0.0)) {
+        let across = x * sin - y * cos;
+        if !self.holds(gap, across) {
             return None;
         }
+        let compliance = self.approach.compliance;
         let (normal_force, depth) = if self.wall.stiffness == f64::INFINITY {
             (gap / compliance, 0.0)
         } else {
@@ -234,7 +236,7 @@ impl Press<'_> {
             (self.wall.stiffness * root.powi(3), root * root)
         };
         Some(Trial {
-            ratio: friction / normal_force,
+            ratio: across / compliance / normal_force,
             normal_force,
             radius: self.wall.clearance + depth,
             direction: [cos, sin],
@@ -242,11 +244,20 @@ impl Press<'_> {
         })
     }
 
-    /// Whether the normal force of δ + h₀F_N = gap is at least so large, without solving
-    /// for it: at that force the two are no more than the gap.
-    fn presses_enough(&self, gap: f64, force: f64) -> bool {
-        let depth = gap - self.approach.compliance * force;
-        depth >= 0.0 && (force / self.wall.stiffness).powi(2) <= depth * depth * depth
+    /// Whether friction holds what rolls, without solving for its normal force: αF_N is
+    /// `across`/h₀, and δ + h₀F_N = gap grows with F_N. So at the force that would just hold
+    /// it, that is no more than the gap.
+    fn holds(&self, gap: f64, across: f64) -> bool {
+        let Wall {
+            stiffness,
+            friction,
+            ..
+        } = *self.wall;
+        let depth = friction * gap - across.abs();
+        let steepness = self.approach.compliance * stiffness;
+        depth >= 0.0
+            && (stiffness == f64::INFINITY
+                || friction * across * across <= steepness * steepness * depth * depth * depth)
     }
 
     /// The contact that rolls, between two trials of opposite signs.
@@ -427,11 +438,7 @@ mod tests {
         TestRunner::new(config)
             .run(&any_step(), |(wall, approach)| {
                 let distance = approach.free_position[0];
-                let press = Press {
-                    wall: &wall,
-                    approach: &approach,
-                    distance,
-                };
+                let press = Press::new(&wall, &approach, distance);
                 let has_one = press.has_one_answer();
                 let count = &counts[usize::from(has_one)];
                 count.set(count.get() + 1);
