@@ -232,7 +232,8 @@ pub fn margin(inputs: usize, taps: f64) -> f64 {
         return 0.0;
     }
     let length = REFINEMENT as f64 * power_of_two_from(taps);
-    let pairs = (inputs as f64).powi(2);
+    // Of a Hermitian matrix one half is kept.
+    let pairs = 0.5 * inputs as f64 * (inputs as f64 + 1.0);
     pairs * 0.5 * COMPLEX * length + MARGIN_TRANSFORM * length
 }
 

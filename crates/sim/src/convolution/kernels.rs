@@ -7,7 +7,7 @@ use pulp::Arch;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
-use super::partition::{FIRST_BLOCK, partitions};
+use super::partition::{FIRST_BLOCK, LANES, partitions};
 
 /// Responses between the sites prepared for summing, shared by all cases.
 #[derive(Debug, Clone)]
@@ -15,7 +15,7 @@ pub struct Kernels {
     pub(super) sites: usize,
     /// A(0), `[output × sites + input]`.
     instants: Vec<f64>,
-    /// Taps B₀ − 1 … 1 of each pair, the latest first.
+    /// Taps B₀ … 1 of each pair, the latest first, and zeros to the end of a lane.
     pub(super) recent: Vec<Vec<f64>>,
     pub(super) levels: Vec<Level>,
     /// Which instructions the processor has.
@@ -68,14 +68,18 @@ impl Level {
         for (index, part) in parts.enumerate() {
             let (pair, partition) = (taps[index / partitions], index % partitions);
             for (lag, value) in window.iter_mut().enumerate() {
-                let tap = pair.get(partition * block + lag).copied().unwrap_or(0.0);
-                *value = tap / (2 * block) as f64;
+                *value = tap(pair, partition * block + lag) / (2 * block) as f64;
             }
             transform(&*level.forward, &mut window, &mut spectrum, &mut scratch);
             split(&spectrum, part);
         }
         level
     }
+}
+
+/// A tap; there are none beyond the last.
+fn tap(taps: &[f64], lag: usize) -> f64 {
+    taps.get(lag).copied().unwrap_or(0.0)
 }
 
 pub(super) fn transform(
@@ -115,13 +119,14 @@ impl Kernels {
         let levels = partitions(longest)
             .map(|(block, partitions)| Level::new(&pairs, block, partitions))
             .collect();
-        let tap = |taps: &[f64], lag: usize| taps.get(lag).copied().unwrap_or(0.0);
+        let recent = |taps: &&[f64]| -> Vec<f64> {
+            let latest_first = (1..=FIRST_BLOCK).rev().map(|lag| tap(taps, lag));
+            latest_first.chain([0.0; LANES]).collect()
+        };
         Self {
             sites: taps.len(),
             instants: pairs.iter().map(|taps| tap(taps, 0)).collect(),
-            recent: (pairs.iter())
-                .map(|taps| (1..FIRST_BLOCK).rev().map(|lag| tap(taps, lag)).collect())
-                .collect(),
+            recent: pairs.iter().map(recent).collect(),
             levels,
             arch: Arch::new(),
         }

@@ -7,6 +7,7 @@ mod direct;
 mod kernels;
 pub(crate) mod partition;
 mod partitioned;
+mod past;
 
 pub use direct::Kernel;
 pub use kernels::Kernels;

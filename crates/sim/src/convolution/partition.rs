@@ -3,6 +3,10 @@
 /// Steps whose inputs are summed one by one.
 pub const FIRST_BLOCK: usize = 64;
 
+/// Numbers that a sum takes at once, enough for the processor to work in parallel; a block
+/// has a multiple of them.
+pub(super) const LANES: usize = 8;
+
 /// Blocks of a level in one of the next.
 pub(super) const RATIO: usize = 8;
 
@@ -43,14 +47,14 @@ pub fn kernels_memory(sites: usize, taps: f64) -> f64 {
         pairs * partitions * 2.0 * (block + 1.0) + PLANS * block
     };
     let levels: f64 = partitions(whole(taps)).map(of_level).sum();
-    REAL * (levels + pairs * FIRST_BLOCK as f64)
+    REAL * (levels + pairs * (FIRST_BLOCK + LANES) as f64)
 }
 
 /// What a [`super::Convolution`] takes, bytes: the past of so many steps at so many sites,
 /// in one plane or two, with kernels of so many taps.
 pub fn convolution_memory(sites: usize, planes: usize, taps: f64, steps: f64) -> f64 {
     let channels = (planes * sites) as f64;
-    let mut of_channel = steps + FIRST_BLOCK as f64;
+    let mut of_channel = steps + 2.0 * FIRST_BLOCK as f64;
     let mut largest = 0.0;
     for (block, _) in partitions(whole(taps)) {
         largest = block as f64;

@@ -18,8 +18,9 @@
 use linear::ResponseError;
 use realfft::num_complex::Complex;
 
-use super::kernels::{Kernels, Level, split, transform};
-use super::partition::{FIRST_BLOCK, RATIO};
+use super::kernels::{Kernels, split, transform};
+use super::partition::{FIRST_BLOCK, LANES};
+use super::past::Past;
 
 /// The inputs of one case so far, in one plane or in two that share their
 /// kernels, and what they are going to add.
@@ -28,69 +29,23 @@ pub struct Convolution<'a> {
     kernels: &'a Kernels,
     planes: usize,
     steps: usize,
-    /// Of each plane and site, all steps.
-    inputs: Vec<Vec<f64>>,
-    /// Of each plane and site, B₀ steps: what all earlier blocks add to the
-    /// present one.
-    known: Vec<f64>,
-    /// Whether a plane and site has had an input in the present block.
-    is_active: Vec<bool>,
-    levels: Vec<PastLevel>,
-    window: Vec<f64>,
-    spectrum: Vec<Complex<f64>>,
-    scratch: Vec<Complex<f64>>,
-    sums: Vec<f64>,
+    past: Past,
 }
 
-/// The past at one level, within the present block of the next.
-#[derive(Debug)]
-struct PastLevel {
-    /// Of each block, plane and site, its spectrum.
-    spectra: Vec<f64>,
-    /// Which of these are not zero.
-    is_active: Vec<bool>,
-    /// Blocks so far.
-    blocks: usize,
-    /// Of each plane and site, one block: what they add.
-    ready: Vec<f64>,
+impl Drop for Convolution<'_> {
+    fn drop(&mut self) {
+        std::mem::take(&mut self.past).keep(self.planes);
+    }
 }
 
 impl<'a> Convolution<'a> {
     /// The empty past of a case of at most so many steps.
     pub fn new(kernels: &'a Kernels, planes: usize, steps: usize) -> Self {
-        let channels = planes * kernels.sites;
-        let last = kernels.levels.len() - 1;
-        let level = |(index, level): (usize, &Level)| {
-            let blocks = if index == last {
-                steps.div_ceil(level.block)
-            } else {
-                RATIO
-            };
-            PastLevel {
-                spectra: vec![0.0; blocks * channels * level.stride()],
-                is_active: vec![false; blocks * channels],
-                blocks: 0,
-                ready: vec![0.0; channels * level.block],
-            }
-        };
-        let largest = kernels.levels.iter().map(|level| level.block).max();
-        let largest = largest.unwrap_or(FIRST_BLOCK);
-        let scratch = kernels.levels.iter().map(|level| {
-            let forward = level.forward.get_scratch_len();
-            forward.max(level.inverse.get_scratch_len())
-        });
         Self {
             kernels,
             planes,
             steps: 0,
-            inputs: vec![Vec::with_capacity(steps); channels],
-            known: vec![0.0; channels * FIRST_BLOCK],
-            is_active: vec![false; channels],
-            levels: kernels.levels.iter().enumerate().map(level).collect(),
-            window: vec![0.0; 2 * largest],
-            spectrum: vec![Complex::default(); largest + 1],
-            scratch: vec![Complex::default(); scratch.max().unwrap_or(0)],
-            sums: vec![0.0; 2 * (largest + 1) * planes],
+            past: Past::empty(kernels, planes, steps),
         }
     }
 
@@ -106,7 +61,7 @@ impl<'a> Convolution<'a> {
     }
 
     fn check(&self, channels: &[f64]) -> Result<(), ResponseError> {
-        if channels.len() == self.inputs.len() {
+        if channels.len() == self.past.inputs.len() {
             Ok(())
         } else {
             Err(ResponseError::Shape)
@@ -115,26 +70,32 @@ impl<'a> Convolution<'a> {
 
     /// The same, for so many sums.
     pub(crate) fn write_past(&self, sums: &mut [f64]) {
-        let (kernels, sites) = (self.kernels, self.kernels.sites);
+        self.kernels.arch.dispatch(|| self.add_present(sums));
+    }
+
+    #[inline(always)]
+    fn add_present(&self, sums: &mut [f64]) {
+        let sites = self.kernels.sites;
         let within = self.steps % FIRST_BLOCK;
-        let start = self.steps - within;
-        kernels.arch.dispatch(|| {
-            // Nested, for a division of each place would cost as much as its sum.
-            let mut places = sums.iter_mut().zip(self.known.chunks_exact(FIRST_BLOCK));
-            for plane in 0..self.planes {
-                for (output, (sum, known)) in (0..sites).zip(&mut places) {
-                    *sum = known[within];
-                    for input in 0..sites {
-                        let channel = plane * sites + input;
-                        if self.is_active[channel] {
-                            let taps = &kernels.recent[output * sites + input];
-                            let inputs = &self.inputs[channel][start..];
-                            *sum += dot(&taps[taps.len() - within..], inputs);
-                        }
+        let newest = FIRST_BLOCK - within;
+        // Those yet to come are zero.
+        let reach = within.next_multiple_of(LANES);
+        // Nested, for a division of each place would cost as much as its sum.
+        let known = self.past.known.chunks_exact(FIRST_BLOCK);
+        let mut places = sums.iter_mut().zip(known);
+        for plane in 0..self.planes {
+            for (output, (sum, known)) in (0..sites).zip(&mut places) {
+                *sum = known[within];
+                for input in 0..sites {
+                    let channel = plane * sites + input;
+                    if self.past.is_active[channel] {
+                        let taps = &self.kernels.recent[output * sites + input];
+                        let inputs = &self.past.present[channel * FIRST_BLOCK..];
+                        *sum += dot(&taps[newest..newest + reach], &inputs[..reach]);
                     }
                 }
             }
-        });
+        }
     }
 
     /// Ends the present step with the inputs of every plane and site.
@@ -149,9 +110,11 @@ impl<'a> Convolution<'a> {
 
     /// The same, for so many inputs.
     pub(crate) fn add(&mut self, inputs: &[f64]) {
+        let within = self.steps % FIRST_BLOCK;
         for (channel, &input) in inputs.iter().enumerate() {
-            self.inputs[channel].push(input);
-            self.is_active[channel] |= input != 0.0;
+            self.past.inputs[channel].push(input);
+            self.past.present[channel * FIRST_BLOCK + within] = input;
+            self.past.is_active[channel] |= input != 0.0;
         }
         self.steps += 1;
         if self.steps.is_multiple_of(FIRST_BLOCK) {
@@ -164,13 +127,13 @@ impl<'a> Convolution<'a> {
     /// within.
     pub(crate) fn next_block(&self) -> Option<&[f64]> {
         let begins = self.steps.is_multiple_of(FIRST_BLOCK);
-        begins.then_some(self.known.as_slice())
+        begins.then_some(self.past.known.as_slice())
     }
 
     /// Ends a whole block without inputs.
     pub(crate) fn push_quiet_block(&mut self) {
         let steps = self.steps + FIRST_BLOCK;
-        for inputs in &mut self.inputs {
+        for inputs in &mut self.past.inputs {
             inputs.resize(steps, 0.0);
         }
         self.steps = steps;
@@ -184,7 +147,7 @@ impl<'a> Convolution<'a> {
 
     /// All inputs of a plane and site so far.
     pub(crate) fn inputs(&self, plane: usize, site: usize) -> &[f64] {
-        &self.inputs[plane * self.kernels.sites + site]
+        &self.past.inputs[plane * self.kernels.sites + site]
     }
 
     /// Computes what is known of the next block.
@@ -192,17 +155,18 @@ impl<'a> Convolution<'a> {
         let level = (self.kernels.levels.iter())
             .rposition(|level| self.steps.is_multiple_of(level.block))
             .unwrap_or(0);
-        for lower in &mut self.levels[..level] {
+        for lower in &mut self.past.levels[..level] {
             lower.blocks = 0;
             lower.ready.fill(0.0);
         }
         self.transform_newest(level);
         let kernels = self.kernels;
         kernels.arch.dispatch(|| self.multiply(level));
-        self.is_active.fill(false);
-        for (channel, known) in self.known.chunks_exact_mut(FIRST_BLOCK).enumerate() {
+        self.past.is_active.fill(false);
+        self.past.present.fill(0.0);
+        for (channel, known) in self.past.known.chunks_exact_mut(FIRST_BLOCK).enumerate() {
             known.fill(0.0);
-            for (level, past) in kernels.levels.iter().zip(&self.levels) {
+            for (level, past) in kernels.levels.iter().zip(&self.past.levels) {
                 let from = channel * level.block + self.steps % level.block;
                 let ready = &past.ready[from..from + FIRST_BLOCK];
                 for (known, ready) in known.iter_mut().zip(ready) {
@@ -214,18 +178,18 @@ impl<'a> Convolution<'a> {
 
     /// The spectra of the block that has just ended.
     fn transform_newest(&mut self, level: usize) {
-        let (plan, past) = (&self.kernels.levels[level], &mut self.levels[level]);
+        let (plan, past) = (&self.kernels.levels[level], &mut self.past.levels[level]);
         let (block, stride) = (plan.block, plan.stride());
-        for (channel, inputs) in self.inputs.iter().enumerate() {
-            let place = past.blocks * self.inputs.len() + channel;
+        for (channel, inputs) in self.past.inputs.iter().enumerate() {
+            let place = past.blocks * self.past.inputs.len() + channel;
             let newest = &inputs[self.steps - block..];
             past.is_active[place] = newest.iter().any(|&input| input != 0.0);
             if past.is_active[place] {
-                let window = &mut self.window[..2 * block];
+                let window = &mut self.past.window[..2 * block];
                 window[..block].copy_from_slice(newest);
                 window[block..].fill(0.0);
-                let spectrum = &mut self.spectrum[..=block];
-                let scratch = &mut self.scratch[..plan.forward.get_scratch_len()];
+                let spectrum = &mut self.past.spectrum[..=block];
+                let scratch = &mut self.past.scratch[..plan.forward.get_scratch_len()];
                 transform(&*plan.forward, window, spectrum, scratch);
                 split(
                     spectrum,
@@ -239,12 +203,12 @@ impl<'a> Convolution<'a> {
     /// What all blocks of a level add to the next one.
     #[inline(always)]
     fn multiply(&mut self, level: usize) {
-        let (plan, past) = (&self.kernels.levels[level], &mut self.levels[level]);
+        let (plan, past) = (&self.kernels.levels[level], &mut self.past.levels[level]);
         let (block, stride, sites) = (plan.block, plan.stride(), self.kernels.sites);
         let channels = self.planes * sites;
         let reach = past.blocks.min(plan.partitions);
         for output in 0..sites {
-            let sums = &mut self.sums[..self.planes * stride];
+            let sums = &mut self.past.sums[..self.planes * stride];
             sums.fill(0.0);
             let mut is_zero = [true; 2];
             for partition in 0..reach {
@@ -274,14 +238,14 @@ impl<'a> Convolution<'a> {
                 }
                 let (real, imaginary) =
                     sums[plane * stride..(plane + 1) * stride].split_at(block + 1);
-                let spectrum = &mut self.spectrum[..=block];
+                let spectrum = &mut self.past.spectrum[..=block];
                 for ((value, &re), &im) in spectrum.iter_mut().zip(real).zip(imaginary) {
                     *value = Complex::new(re, im);
                 }
                 // Of a real signal; rounding may have left something.
                 (spectrum[0].im, spectrum[block].im) = (0.0, 0.0);
-                let window = &mut self.window[..2 * block];
-                let scratch = &mut self.scratch[..plan.inverse.get_scratch_len()];
+                let window = &mut self.past.window[..2 * block];
+                let scratch = &mut self.past.scratch[..plan.inverse.get_scratch_len()];
                 plan.inverse
                     .process_with_scratch(spectrum, window, scratch)
                     .expect("all buffers were made by the plan");
@@ -306,21 +270,14 @@ fn add_product(sums: &mut [f64], kernel: &[f64], input: &[f64]) {
     }
 }
 
-/// Scalar product in a fixed order, so that results are the same everywhere,
-/// with enough independent sums for the processor to work in parallel.
+/// Scalar product of whole lanes in a fixed order, so that results are the same everywhere.
 #[inline(always)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    const LANES: usize = 8;
     let mut sums = [0.0; LANES];
-    let (a_blocks, b_blocks) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
-    let (a_rest, b_rest) = (a_blocks.remainder(), b_blocks.remainder());
-    for (x, y) in a_blocks.zip(b_blocks) {
+    for (x, y) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
         for lane in 0..LANES {
             sums[lane] += x[lane] * y[lane];
         }
-    }
-    for (sum, (x, y)) in sums.iter_mut().zip(a_rest.iter().zip(b_rest)) {
-        *sum += x * y;
     }
     // In pairs, for each of eight additions in a row would wait for the last.
     let [a, b, c, d, e, f, g, h] = sums;

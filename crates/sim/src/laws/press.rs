@@ -13,10 +13,6 @@ use super::obeyed::Obeyed;
 use super::wall::Wall;
 use crate::ranges::SceneError;
 
-/// A step that carries the free position further than this many clearances may
-/// turn the centre so far that several friction ratios solve it.
-const FAR: f64 = 1.1;
-
 impl WallLaw for Wall {
     fn clearance(&self) -> f64 {
         self.clearance
@@ -53,15 +49,11 @@ impl Wall {
         if distance <= self.clearance {
             return Contact::free(approach.free_position);
         }
-        let press = Press {
-            wall: self,
-            approach,
-            distance,
-        };
-        if distance > FAR * self.clearance {
-            press.search()
-        } else {
+        let press = Press::new(self, approach, distance);
+        if press.has_one_answer() {
             press.solve()
+        } else {
+            press.search()
         }
     }
 }
@@ -72,9 +64,55 @@ struct Press<'a> {
     approach: &'a Approach<'a>,
     /// |p_h|, m.
     distance: f64,
+    /// w = (R₀²g₀/h₀) p_h + f_s p_prev, m/s: by how much the sliding speed grows with the
+    /// angle by which friction turns e_r, is w·e_r. Of a torque law at the same site, which
+    /// turns it more, nothing is known: its share is left out.
+    weight: [f64; 2],
 }
 
-impl Press<'_> {
+impl<'a> Press<'a> {
+    fn new(wall: &'a Wall, approach: &'a Approach<'a>, distance: f64) -> Self {
+        let turning = match approach.spin.resistance {
+            None => wall.radius.powi(2) * approach.spin.compliance / approach.compliance,
+            Some(_) => 0.0,
+        };
+        let weight = std::array::from_fn(|axis| {
+            turning * approach.free_position[axis]
+                + approach.sampling.rate_in_step() * approach.previous_position[axis]
+        });
+        Self {
+            wall,
+            approach,
+            distance,
+            weight,
+        }
+    }
+
+    /// Whether one friction ratio alone can solve the step.
+    ///
+    /// The ratio turns e_r from p_h one way or the other, at most by the angle at which a
+    /// rigid wall takes all friction: c + x along p_h and μx across it, x the most that h₀F_N
+    /// can be. w·e_r is a sinusoid of that angle: where it is positive at both ends it is
+    /// between. What slides faster the more friction drives it can be held by one ratio only.
+    fn has_one_answer(&self) -> bool {
+        let Wall {
+            clearance,
+            friction,
+            ..
+        } = *self.wall;
+        let ([x, y], [wx, wy]) = (self.approach.free_position, self.weight);
+        let (along, across) = (x * wx + y * wy, (x * wy - y * wx).abs());
+        let past = self.distance - clearance;
+        // x is no more than what is past the wall, which is most often enough to know.
+        let turns_little = along * clearance > across * friction * past;
+        turns_little || {
+            let gap = past * (self.distance + clearance);
+            let root = (clearance * clearance + (1.0 + friction * friction) * gap).sqrt();
+            let reach = gap / (clearance + root);
+            along * (clearance + reach) > across * friction * reach
+        }
+    }
+
     /// Rolling, or sliding one way or the other.
     fn solve(&self) -> Result<Contact, ContactError> {
         let friction = self.wall.friction;
@@ -150,16 +188,11 @@ impl Press<'_> {
     ///
     /// Across e_r the load line leaves αF_N = −p_h·e_θ/h₀, so that the sliding
     /// speed R₀(θ̇_h + g₀R₀αF_N) − f_s p_prev·e_θ is linear in e_θ: it vanishes
-    /// where w·e_θ = R₀θ̇_h for w = (R₀²g₀/h₀) p_h + f_s p_prev.
+    /// where w·e_θ = R₀θ̇_h ([`Press::weight`]).
     fn rolling(&self) -> [Option<Trial>; 2] {
-        let approach = self.approach;
-        let turning = self.wall.radius.powi(2) * approach.spin.compliance / approach.compliance;
-        let [wx, wy]: [f64; 2] = std::array::from_fn(|axis| {
-            turning * approach.free_position[axis]
-                + approach.sampling.rate_in_step() * approach.previous_position[axis]
-        });
+        let [wx, wy] = self.weight;
         let length = (wx * wx + wy * wy).sqrt();
-        let sine = self.wall.radius * approach.spin.free_speed / length;
+        let sine = self.wall.radius * self.approach.spin.free_speed / length;
         // No length or no number: nothing rolls.
         if sine.is_nan() || sine.abs() > 1.0 {
             return [None, None];
@@ -184,6 +217,10 @@ impl Press<'_> {
         if gap <= 0.0 {
             return None;
         }
+        let across = x * sin - y * cos;
+        if !self.holds(gap, across) {
+            return None;
+        }
         let compliance = self.approach.compliance;
         let (normal_force, depth) = if self.wall.stiffness == f64::INFINITY {
             (gap / compliance, 0.0)
@@ -198,15 +235,29 @@ impl Press<'_> {
             });
             (self.wall.stiffness * root.powi(3), root * root)
         };
-        let friction = (x * sin - y * cos) / compliance;
-        let holds = friction.abs() <= self.wall.friction * normal_force;
-        holds.then_some(Trial {
-            ratio: friction / normal_force,
+        Some(Trial {
+            ratio: across / compliance / normal_force,
             normal_force,
             radius: self.wall.clearance + depth,
             direction: [cos, sin],
             sliding_speed: 0.0,
         })
+    }
+
+    /// Whether friction holds what rolls, without solving for its normal force: αF_N is
+    /// `across`/h₀, and δ + h₀F_N = gap grows with F_N. So at the force that would just hold
+    /// it, that is no more than the gap.
+    fn holds(&self, gap: f64, across: f64) -> bool {
+        let Wall {
+            stiffness,
+            friction,
+            ..
+        } = *self.wall;
+        let depth = friction * gap - across.abs();
+        let steepness = self.approach.compliance * stiffness;
+        depth >= 0.0
+            && (stiffness == f64::INFINITY
+                || friction * across * across <= steepness * steepness * depth * depth * depth)
     }
 
     /// The contact that rolls, between two trials of opposite signs.
@@ -314,5 +365,109 @@ fn start_from_above(gap: f64, steepness: f64) -> f64 {
         soft
     } else {
         soft.min((gap / steepness).cbrt() * (1.0 + f64::EPSILON))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use proptest::prelude::*;
+    use proptest::test_runner::{Config, TestRunner};
+
+    use super::super::contact::Spin;
+    use super::*;
+    use crate::sampling::Sampling;
+
+    fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
+        let wall = (
+            0.005..0.1f64,
+            0.0..3.0f64,
+            0.03..0.3f64,
+            7.0..11.0f64,
+            any::<bool>(),
+        );
+        let place = (1.0..3.0f64, 0.0..1.2f64, -3.2..3.2f64);
+        let line = (
+            -9.0..-5.0f64,
+            -6.0..-2.0f64,
+            -30.0..30.0f64,
+            50.0..2000.0f64,
+        );
+        (wall, place, line).prop_map(|(wall, (out, before, turned), line)| {
+            let (clearance, friction, radius, stiffness, is_rigid) = wall;
+            let (compliance, spin_compliance, free_speed, frequency) = line;
+            let stiffness = if is_rigid {
+                f64::INFINITY
+            } else {
+                10f64.powf(stiffness)
+            };
+            let wall = Wall {
+                clearance,
+                stiffness,
+                friction,
+                radius,
+            };
+            let spin = Spin {
+                free_speed,
+                compliance: 10f64.powf(spin_compliance),
+                resistance: None,
+            };
+            let approach = Approach {
+                free_position: [out * clearance, 0.0],
+                previous_position: [turned.cos(), turned.sin()]
+                    .map(|part| before * clearance * part),
+                compliance: 10f64.powf(compliance),
+                spin,
+                sampling: Sampling::new(frequency, 0.0),
+            };
+            (wall, approach)
+        })
+    }
+
+    /// Where one answer is all there can be, what slides faster the more friction drives
+    /// it, and searching them all finds the one that is solved for.
+    #[test]
+    fn what_has_one_answer_slides_faster_with_more_friction() {
+        let counts = [(); 2].map(|()| Cell::new(0));
+        let config = Config {
+            cases: 20_000,
+            failure_persistence: None,
+            ..Config::default()
+        };
+        TestRunner::new(config)
+            .run(&any_step(), |(wall, approach)| {
+                let distance = approach.free_position[0];
+                let press = Press::new(&wall, &approach, distance);
+                let has_one = press.has_one_answer();
+                let count = &counts[usize::from(has_one)];
+                count.set(count.get() + 1);
+                if !has_one {
+                    return Ok(());
+                }
+                let speeds: Vec<f64> = (-20..=20)
+                    .map(|part| {
+                        press
+                            .trial(f64::from(part) / 20.0 * wall.friction)
+                            .sliding_speed
+                    })
+                    .collect();
+                let scale = speeds
+                    .iter()
+                    .fold(0.0, |scale: f64, speed| scale.max(speed.abs()));
+                for pair in speeds.windows(2) {
+                    prop_assert!(pair[1] >= pair[0] - 1e-9 * scale, "{speeds:?}");
+                }
+                let (one, all) = (press.solve().unwrap(), press.search().unwrap());
+                prop_assert!(!all.ambiguous, "{all:?}");
+                for axis in 0..2 {
+                    let difference = (one.position[axis] - all.position[axis]).abs();
+                    prop_assert!(difference <= 1e-9 * distance, "{one:?} {all:?}");
+                }
+                Ok(())
+            })
+            .unwrap();
+        let [several, one] = counts.map(Cell::into_inner);
+        assert!(several > 1000 && one > 5000, "{several} {one}");
     }
 }

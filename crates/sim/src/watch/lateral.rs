@@ -3,7 +3,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::rules::{Rules, THROUGH_THE_MIDDLE};
+use super::rules::Rules;
+use super::turning::Turning;
 use crate::laws::contact::{Contact, Touch};
 use crate::sampling::Sampling;
 use crate::words::with_words;
@@ -65,19 +66,6 @@ impl LateralMeasures {
     }
 }
 
-/// The angle by which a centre goes round from one position to the next, rad, its
-/// largest radius so far given. On a line through the middle, as in motion in a plane,
-/// it goes round neither way, though its direction turns by half a turn in the middle.
-fn turned([px, py]: [f64; 2], [x, y]: [f64; 2], largest_radius: f64) -> f64 {
-    let across = px * y - py * x;
-    let step = ((x - px).powi(2) + (y - py).powi(2)).sqrt();
-    if across.abs() <= THROUGH_THE_MIDDLE * largest_radius * step {
-        0.0
-    } else {
-        across.atan2(px * x + py * y)
-    }
-}
-
 /// What one site did over some steps.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct SiteSums {
@@ -85,8 +73,8 @@ pub(crate) struct SiteSums {
     pub(crate) contact: usize,
     /// Steps of that in rolling.
     pub(crate) rolling: usize,
-    /// Angle gone round, rad.
-    pub(crate) angle: f64,
+    /// How it went round.
+    pub(crate) turning: Turning,
     /// Sum of radii, m.
     pub(crate) radius: f64,
     /// Sum of normal forces, N.
@@ -94,12 +82,20 @@ pub(crate) struct SiteSums {
 }
 
 impl SiteSums {
-    /// One more step, from a position; the largest radius so far, m.
-    pub(crate) fn see(&mut self, contact: &Contact, before: [f64; 2], largest_radius: f64) {
+    /// Of no steps yet, at a place, m.
+    pub(crate) fn at(place: [f64; 2]) -> Self {
+        Self {
+            turning: Turning::at(place),
+            ..Self::default()
+        }
+    }
+
+    /// One more step; the square of the largest radius so far is given, m².
+    pub(crate) fn see(&mut self, contact: &Contact, largest_square: f64) {
         let [x, y] = contact.position;
         self.contact += usize::from(contact.touches());
         self.rolling += usize::from(contact.touch == Touch::Rolling);
-        self.angle += turned(before, contact.position, largest_radius);
+        self.turning.go(contact.position, largest_square);
         self.radius += (x * x + y * y).sqrt();
         self.normal_force += contact.normal_force;
     }
@@ -117,7 +113,6 @@ pub(crate) struct WallWatch {
     closing: Vec<SiteSums>,
     /// Squares of the largest radii, m².
     furthest: Vec<f64>,
-    positions: Vec<[f64; 2]>,
 }
 
 impl WallWatch {
@@ -138,7 +133,6 @@ impl WallWatch {
             ambiguous: 0,
             closing: vec![SiteSums::default(); sites],
             furthest: vec![0.0; sites],
-            positions: vec![[0.0; 2]; sites],
         }
     }
 
@@ -156,9 +150,10 @@ impl WallWatch {
     fn see_site(&mut self, site: usize, contact: &Contact) {
         let [x, y] = contact.position;
         self.furthest[site] = self.furthest[site].max(x * x + y * y);
-        let before = std::mem::replace(&mut self.positions[site], contact.position);
         if self.step >= self.closing_from {
-            self.closing[site].see(contact, before, self.furthest[site].sqrt());
+            self.closing[site].see(contact, self.furthest[site]);
+        } else {
+            self.closing[site].turning = Turning::at(contact.position);
         }
     }
 
@@ -166,7 +161,7 @@ impl WallWatch {
     /// a block each.
     pub(crate) fn see_free_block(&mut self, x: &[f64], y: &[f64], block: usize, count: usize) {
         for step in 0..count {
-            for site in 0..self.positions.len() {
+            for site in 0..self.furthest.len() {
                 let place = site * block + step;
                 let position = [x[place], y[place]];
                 self.see_site(
@@ -195,14 +190,15 @@ impl WallWatch {
             .rposition(|sums| sums.contact == most)
             .unwrap_or(0);
         let (sums, steps) = (closing[site], steps as f64);
+        let angle = sums.turning.angle();
         let contact_fraction = sums.contact as f64 / steps;
         let in_contact = (sums.contact as f64).max(1.0);
         let regime = match self.first_contact {
             None => LateralRegime::NoContact,
-            Some(_) if contact_fraction <= self.rules.mostly || sums.angle == 0.0 => {
+            Some(_) if contact_fraction <= self.rules.mostly || angle == 0.0 => {
                 LateralRegime::TransientContact
             }
-            Some(_) if sums.angle < 0.0 => LateralRegime::BackwardWhirl,
+            Some(_) if angle < 0.0 => LateralRegime::BackwardWhirl,
             Some(_) => LateralRegime::ForwardWhirl,
         };
         LateralMeasures {
@@ -212,7 +208,7 @@ impl WallWatch {
             peak_radius: self.furthest[site].sqrt(),
             contact_fraction,
             rolling_fraction: sums.rolling as f64 / in_contact,
-            precession_rate: sums.angle * self.sampling.frequency / steps,
+            precession_rate: angle * self.sampling.frequency / steps,
             mean_radius: sums.radius / steps,
             mean_normal_force: sums.normal_force / in_contact,
             ambiguous_steps: self.ambiguous,

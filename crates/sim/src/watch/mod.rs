@@ -5,3 +5,4 @@ pub mod lateral;
 pub mod rules;
 pub(crate) mod settling;
 pub mod torsion;
+mod turning;

@@ -9,7 +9,8 @@ use crate::laws::wall::Wall;
 #[derive(Debug, Clone, Copy, Default)]
 struct Window {
     sums: SiteSums,
-    largest_radius: f64,
+    /// Of the radius, m².
+    largest_square: f64,
     /// The largest part of the friction that rolling took.
     largest_ratio: f64,
 }
@@ -25,7 +26,6 @@ pub(crate) struct Settling {
     last: Vec<Window>,
     before: Vec<Window>,
     agreeing: usize,
-    positions: Vec<[f64; 2]>,
 }
 
 impl Settling {
@@ -40,7 +40,6 @@ impl Settling {
             last: empty(),
             before: empty(),
             agreeing: 0,
-            positions: vec![[0.0; 2]; sites],
         }
     }
 
@@ -55,10 +54,9 @@ impl Settling {
     pub(crate) fn see(&mut self, contacts: &[Contact], walls: &[Wall]) -> bool {
         for (site, contact) in contacts.iter().enumerate() {
             let [x, y] = contact.position;
-            let before = std::mem::replace(&mut self.positions[site], contact.position);
             let now = &mut self.now[site];
-            now.largest_radius = now.largest_radius.max((x * x + y * y).sqrt());
-            now.sums.see(contact, before, now.largest_radius);
+            now.largest_square = now.largest_square.max(x * x + y * y);
+            now.sums.see(contact, now.largest_square);
             now.largest_ratio = now.largest_ratio.max(contact.friction_ratio.abs());
         }
         self.step += 1;
@@ -67,7 +65,12 @@ impl Settling {
         }
         std::mem::swap(&mut self.before, &mut self.last);
         std::mem::swap(&mut self.last, &mut self.now);
-        self.now.fill(Window::default());
+        for (now, contact) in self.now.iter_mut().zip(contacts) {
+            *now = Window {
+                sums: SiteSums::at(contact.position),
+                ..Window::default()
+            };
+        }
         let any_contact = self.last.iter().any(|last| last.sums.contact > 0);
         let agrees = any_contact
             && (self.before.iter().zip(&self.last).zip(walls))
@@ -88,7 +91,7 @@ impl Settling {
         let clearances = wall.clearance * self.window as f64;
         let steady_radius = steady(one.radius, other.radius, clearances);
         if other.contact == 0 {
-            let is_far = last.largest_radius < self.rules.free_margin * wall.clearance;
+            let is_far = last.largest_square.sqrt() < self.rules.free_margin * wall.clearance;
             return one.contact == 0 && steady_radius && is_far;
         }
         let all = |count: usize| count == self.window;
@@ -100,7 +103,11 @@ impl Settling {
             && all(one.contact)
             && all(other.contact)
             && steady_radius
-            && steady(one.angle, other.angle, other.angle)
+            && steady(
+                one.turning.angle(),
+                other.turning.angle(),
+                other.turning.angle(),
+            )
             && steady(one.normal_force, other.normal_force, other.normal_force)
     }
 
