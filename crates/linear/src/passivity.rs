@@ -337,7 +337,7 @@ mod tests {
         assert!((margin + 1.0).abs() < 1e-12);
     }
 
-    /// The smallest of all eigenvalues, though hardly one in fifty is computed.
+    /// The smallest of all eigenvalues, though very few are computed.
     #[test]
     fn nothing_smaller_is_passed_over() {
         for inputs in 2..=5 {
