@@ -70,7 +70,9 @@ struct Press<'a> {
     weight: [f64; 2],
 }
 
+// Most of this is inlined by request: calls would cost half as much again as what they do.
 impl<'a> Press<'a> {
+    #[inline]
     fn new(wall: &'a Wall, approach: &'a Approach<'a>, distance: f64) -> Self {
         let turning = match approach.spin.resistance {
             None => wall.radius.powi(2) * approach.spin.compliance / approach.compliance,
@@ -94,6 +96,7 @@ impl<'a> Press<'a> {
     /// rigid wall takes all friction: c + x along p_h and μx across it, x the most that h₀F_N
     /// can be. w·e_r is a sinusoid of that angle: where it is positive at both ends it is
     /// between. What slides faster the more friction drives it can be held by one ratio only.
+    #[inline]
     fn has_one_answer(&self) -> bool {
         let Wall {
             clearance,
@@ -114,6 +117,7 @@ impl<'a> Press<'a> {
     }
 
     /// Rolling, or sliding one way or the other.
+    #[inline]
     fn solve(&self) -> Result<Contact, ContactError> {
         let friction = self.wall.friction;
         if self.approach.spin.resistance.is_none()
@@ -189,6 +193,7 @@ impl<'a> Press<'a> {
     /// Across e_r the load line leaves αF_N = −p_h·e_θ/h₀, so that the sliding
     /// speed R₀(θ̇_h + g₀R₀αF_N) − f_s p_prev·e_θ is linear in e_θ: it vanishes
     /// where w·e_θ = R₀θ̇_h ([`Press::weight`]).
+    #[inline]
     fn rolling(&self) -> [Option<Trial>; 2] {
         let [wx, wy] = self.weight;
         let length = (wx * wx + wy * wy).sqrt();
@@ -211,6 +216,7 @@ impl<'a> Press<'a> {
 
     /// The contact that rolls at a direction e_r, if it presses and friction
     /// holds it.
+    #[inline]
     fn rolling_along(&self, [cos, sin]: [f64; 2]) -> Option<Trial> {
         let [x, y] = self.approach.free_position;
         let gap = x * cos + y * sin - self.wall.clearance;
@@ -247,6 +253,7 @@ impl<'a> Press<'a> {
     /// Whether friction holds what rolls, without solving for its normal force: αF_N is
     /// `across`/h₀, and δ + h₀F_N = gap grows with F_N. So at the force that would just hold
     /// it, that is no more than the gap.
+    #[inline]
     fn holds(&self, gap: f64, across: f64) -> bool {
         let Wall {
             stiffness,
