@@ -5,7 +5,8 @@
 //! functions A(ζ) = Σ a(n) ζⁿ, U(ζ), V(ζ), F(ζ) that is (1 − ζ) V = h (γ + (1 − γ) ζ) A and
 //! (1 − ζ)² U = h² (β + (½ + γ − 2β) ζ + (½ − γ + β) ζ²) A, so that each element has the
 //! dynamic stiffness K + (V/U) C + (A/U) M at every ζ, and the string is joined from its
-//! elements as it is from waves: equal ones by doubling. The taps, U of a unit force in the
+//! elements as it is from waves: equal beams and cells by doubling, those of a tube in torsion
+//! in closed form. The taps, U of a unit force in the
 //! first step, are what stepping gives ([`super::reduction`]), up to rounding.
 
 use num_complex::Complex64;
