@@ -202,7 +202,7 @@ fn methods_that_cannot_be_used_are_refused() {
     each_is_refused(
         r#"
         "quadrature" => "quadratur" | methods[0] | did you mean `quadrature`?
-        "quadrature" => "magic" | methods[0] | known here: quadrature
+        "quadrature" => "magic" | methods[0] | known here: held
         "quadrature" => "quadrature", "hilbert", "quadrature" | methods[2] | is named twice
         "quadrature" =>  | methods | names no method | methods
         [30, 70] } => [30, 70] }⏎[method.finite-element]⏎gamma = 0.4 | method.finite-element.gamma | 0.5 to 1

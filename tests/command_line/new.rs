@@ -8,8 +8,8 @@ use crate::{RESULTS, labels, manifest, names, names_in, run, succeeds, text};
 /// it stands in for or needs beside it.
 const SWITCHED_OFF: [(&str, Change); 9] = [
     (
-        "methods = [\"quadrature\", \"finite-element\"]",
-        Change::Instead("\nmethods = [\"quadrature\"]"),
+        "methods = [\"held\", \"finite-element\"]",
+        Change::Instead("\nmethods = [\"held\"]"),
     ),
     ("surface_speed_rpm = 60", Change::Nothing),
     ("time_s = 60", Change::Nothing),

@@ -39,7 +39,7 @@ pub struct FileContent {
     /// cheapest that deliver it are chosen.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
-    /// Linear methods, in the order of the results. Default: `quadrature`.
+    /// Linear methods, in the order of the results. Default: `held`.
     #[serde(default = "default_methods")]
     pub methods: Vec<MethodName>,
     /// Parameters of the methods.
@@ -61,5 +61,5 @@ pub struct FileContent {
 }
 
 fn default_methods() -> Vec<MethodName> {
-    vec![MethodName::Quadrature]
+    vec![MethodName::Held]
 }

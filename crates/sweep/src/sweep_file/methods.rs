@@ -8,12 +8,12 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum MethodName {
-    /// Convolution quadrature, BDF2.
-    #[value(help = "convolution quadrature, BDF2: the default")]
-    Quadrature,
     /// Held loads, answered exactly.
-    #[value(help = "loads held over every step, answered by the exact mean motion over it")]
+    #[value(help = "loads held over every step, answered exactly: the default")]
     Held,
+    /// Convolution quadrature, BDF2.
+    #[value(help = "convolution quadrature, BDF2")]
+    Quadrature,
     /// The paper's digital filter.
     #[value(help = "the paper's digital filter")]
     Hilbert,
