@@ -8,7 +8,7 @@
 use num_complex::Complex64;
 
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::drillstring::{Bending, Drillstring, StringId, SurfaceSupport};
 use crate::error::{BuildError, ResponseError};
 use crate::estimates::{largest_undershoot, torsional_period, torsional_travel_time};
 use crate::filters::quadrature::series;
@@ -16,7 +16,7 @@ use crate::pulse::RaisedCosine;
 use crate::responses::length::{MOST_TAPS, too_many};
 use crate::responses::{ChannelResponses, Responses};
 use crate::sites::Sites;
-use crate::waves::inversion::time_response;
+use crate::waves::inversion::time_responses;
 use crate::waves::lateral::BendingNetwork;
 use crate::waves::lattice::Lattice;
 use crate::waves::network::TorsionNetwork;
@@ -64,83 +64,138 @@ pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
     Ok(largest_undershoot(&train[0]))
 }
 
-/// Largest error of speeds in torsion, relative to the largest exact speed: of every
-/// site, from the surface and from every torque.
-///
-/// # Errors
-/// Where the responses are not the string's, or not in torsion.
-pub fn torsion_error(string: &Drillstring, responses: &Responses) -> Result<f64, BuildError> {
-    let torsion = channel_of(string, responses, Channel::Torsion)?;
-    let sites = &responses.sites;
-    let travel = torsional_travel_time(string);
-    let times = Times::new(TRAVELS * travel, responses.sampling_frequency);
-    let rise = (RISE * travel).max(3.0 * times.step);
-    let network = TorsionNetwork::new(string, sites)?;
-    let rise = RaisedCosine { duration: rise };
-    let input = |time: f64| rise.integral(time);
-    let of_input = |s: Complex64| rise.transform(s) / s;
-    let mut worst = 0.0f64;
-    for site in 0..sites.len() {
-        let exact = times.exact(|s| network.admittance(s).from_surface[site] * of_input(s));
-        worst = worst.max(times.error(&torsion.from_surface[site], input, &exact));
-        for (index, &torque) in torsion.loads.iter().enumerate() {
-            let exact =
-                times.exact(|s| network.admittance(s).from_torque[(site, torque)] * of_input(s));
-            worst = worst.max(times.error(&torsion.from_loads[site][index], input, &exact));
-        }
-    }
-    Ok(worst)
-}
-
-/// Largest error of displacements after a unit impulse of a given duration (s),
-/// relative to the largest exact one, at each site from each.
-///
-/// # Errors
-/// Where the responses are not the string's, or not in bending.
-pub fn bending_error(
-    string: &Drillstring,
-    bending: &Bending,
-    support: SurfaceSupport,
-    duration: f64,
-    responses: &Responses,
-) -> Result<f64, BuildError> {
-    let found = channel_of(string, responses, Channel::Bending)?;
-    let sites = &responses.sites;
-    if !(duration.is_finite() && duration > 0.0) {
-        return Err(BuildError::Parameter {
-            name: "duration",
-            value: duration,
-            expected: "a positive number of seconds",
-        });
-    }
-    let times = Times::new(DURATIONS * duration, responses.sampling_frequency);
-    let network = BendingNetwork::new(string, *bending, support, sites)?;
-    let pulse = RaisedCosine { duration };
-    let input = |time: f64| pulse.at(time);
-    let pairs = (0..sites.len()).flat_map(|site| (0..sites.len()).map(move |input| (site, input)));
-    let errors = pairs
-        .map(|(site, force)| {
-            let exact = times.exact(|s| network.receptance(s)[(site, force)] * pulse.transform(s));
-            times.error(&found.from_loads[site][force], input, &exact)
-        })
-        .fold(0.0, f64::max);
-    Ok(errors)
-}
-
-/// The responses of a channel, if they are those of this string.
-fn channel_of<'a>(
-    string: &Drillstring,
-    responses: &'a Responses,
+/// How the sites of a string truly move, in one channel, at times that the responses at one
+/// sampling frequency tell of.
+#[derive(Debug, Clone)]
+pub struct ExactMotions {
+    string: StringId,
+    sites: Sites,
     channel: Channel,
-) -> Result<&'a ChannelResponses, ResponseError> {
-    responses.check()?;
-    if responses.string != string.id() {
-        return Err(ResponseError::OtherString);
+    times: Times,
+    /// What comes in, at every sample.
+    input: Vec<f64>,
+    /// Speeds of every site, from the surface; none in bending.
+    from_surface: Vec<Vec<f64>>,
+    /// Speeds, or displacements in bending, of every site from a load at every one, row by
+    /// row.
+    from_loads: Vec<Vec<f64>>,
+}
+
+impl ExactMotions {
+    /// In torsion, speeds: the speed of the surface and torques rise along a raised cosine.
+    ///
+    /// # Errors
+    /// Where the sites are not places of this string.
+    pub fn in_torsion(
+        string: &Drillstring,
+        sites: &Sites,
+        sampling_frequency: f64,
+    ) -> Result<Self, BuildError> {
+        let travel = torsional_travel_time(string);
+        let times = Times::new(TRAVELS * travel, sampling_frequency);
+        let duration = (RISE * travel).max(3.0 * times.step);
+        let (rise, count) = (RaisedCosine { duration }, sites.len());
+        let network = TorsionNetwork::new(string, sites)?;
+        let mut motions = times.exact(count * (1 + count), |s, motions| {
+            let (admittance, input) = (network.admittance(s), rise.transform(s) / s);
+            for (motion, speed) in motions.iter_mut().zip(&admittance.from_surface) {
+                *motion = speed * input;
+            }
+            for (index, motion) in motions[count..].iter_mut().enumerate() {
+                *motion = admittance.from_torque[(index / count, index % count)] * input;
+            }
+        });
+        let from_loads = motions.split_off(count);
+        Ok(Self {
+            string: string.id(),
+            sites: sites.clone(),
+            channel: Channel::Torsion,
+            input: times.samples(|time| rise.integral(time)),
+            times,
+            from_surface: motions,
+            from_loads,
+        })
     }
-    (responses.channel(channel)).ok_or(ResponseError::NoChannel { channel })
+
+    /// In bending, displacements after a unit impulse of a given duration (s).
+    ///
+    /// # Errors
+    /// Where the sites are not places of this string, or there is no such duration.
+    pub fn in_bending(
+        string: &Drillstring,
+        bending: &Bending,
+        support: SurfaceSupport,
+        sites: &Sites,
+        duration: f64,
+        sampling_frequency: f64,
+    ) -> Result<Self, BuildError> {
+        if !(duration.is_finite() && duration > 0.0) {
+            return Err(BuildError::Parameter {
+                name: "duration",
+                value: duration,
+                expected: "a positive number of seconds",
+            });
+        }
+        let times = Times::new(DURATIONS * duration, sampling_frequency);
+        let (pulse, count) = (RaisedCosine { duration }, sites.len());
+        let network = BendingNetwork::new(string, *bending, support, sites)?;
+        let from_loads = times.exact(count * count, |s, motions| {
+            let (receptance, input) = (network.receptance(s), pulse.transform(s));
+            for (index, motion) in motions.iter_mut().enumerate() {
+                *motion = receptance[(index / count, index % count)] * input;
+            }
+        });
+        Ok(Self {
+            string: string.id(),
+            sites: sites.clone(),
+            channel: Channel::Bending,
+            input: times.samples(|time| pulse.at(time)),
+            times,
+            from_surface: Vec::new(),
+            from_loads,
+        })
+    }
+
+    /// Largest error of the motions that responses make of the same, relative to the largest
+    /// exact one, at each site from each.
+    ///
+    /// # Errors
+    /// Where the responses are not those of this string and these sites, sampled so.
+    pub fn error_of(&self, responses: &Responses) -> Result<f64, BuildError> {
+        let found = self.channel_of(responses)?;
+        let sites = 0..self.sites.len();
+        let from_surface = (found.from_surface.iter().zip(&self.from_surface))
+            .map(|(taps, exact)| self.times.error(taps, &self.input, exact));
+        let from_loads = sites.clone().flat_map(|site| {
+            (found.loads.iter().zip(&found.from_loads[site])).map(move |(load, taps)| {
+                let exact = &self.from_loads[site * self.sites.len() + load];
+                self.times.error(taps, &self.input, exact)
+            })
+        });
+        Ok(from_surface.chain(from_loads).fold(0.0, f64::max))
+    }
+
+    /// The responses in its channel, if they are those of this string.
+    fn channel_of<'a>(
+        &self,
+        responses: &'a Responses,
+    ) -> Result<&'a ChannelResponses, ResponseError> {
+        responses.check()?;
+        if responses.string != self.string {
+            return Err(ResponseError::OtherString);
+        }
+        if responses.sites != self.sites
+            || responses.sampling_frequency != self.times.sampling_frequency
+        {
+            return Err(ResponseError::OtherSites);
+        }
+        let channel = self.channel;
+        (responses.channel(channel)).ok_or(ResponseError::NoChannel { channel })
+    }
 }
 
 /// Times at which motions are compared: samples of the taps, evenly spread.
+#[derive(Debug, Clone)]
 struct Times {
     /// From time to time, s.
     step: f64,
@@ -160,22 +215,31 @@ impl Times {
         }
     }
 
-    fn exact(&self, transform: impl Fn(Complex64) -> Complex64 + Sync) -> Vec<f64> {
-        time_response(transform, self.step, TIMES, OVERSAMPLING)
+    /// So many motions whose transforms are found together.
+    fn exact(
+        &self,
+        motions: usize,
+        transforms: impl Fn(Complex64, &mut [Complex64]) + Sync,
+    ) -> Vec<Vec<f64>> {
+        time_responses(transforms, motions, self.step, TIMES, OVERSAMPLING)
+    }
+
+    /// A function of time at every sample.
+    fn samples(&self, function: impl Fn(f64) -> f64) -> Vec<f64> {
+        (0..TIMES * self.stride)
+            .map(|index| function(index as f64 / self.sampling_frequency))
+            .collect()
     }
 
     /// Largest difference of what the taps make of an input from the exact answer.
-    fn error(&self, taps: &[f64], input: impl Fn(f64) -> f64, exact: &[f64]) -> f64 {
-        let inputs: Vec<f64> = (0..TIMES * self.stride)
-            .map(|index| input(index as f64 / self.sampling_frequency))
-            .collect();
+    fn error(&self, taps: &[f64], input: &[f64], exact: &[f64]) -> f64 {
         let scale = exact
             .iter()
             .fold(0.0f64, |most, value| most.max(value.abs()));
         let differences = exact.iter().enumerate().map(|(index, exact)| {
             let now = index * self.stride;
             let sum: f64 = (taps.iter().take(now + 1).enumerate())
-                .map(|(lag, tap)| tap * inputs[now - lag])
+                .map(|(lag, tap)| tap * input[now - lag])
                 .sum();
             (sum - exact).abs()
         });

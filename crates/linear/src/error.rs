@@ -108,6 +108,9 @@ pub enum ResponseError {
     /// They are of another string than the one they are held against.
     #[error("the responses are those of another string")]
     OtherString,
+    /// They are of other sites, or in other steps, than what they are held against.
+    #[error("the responses are those of other sites, or in other steps")]
+    OtherSites,
     /// There are none of the channel that is asked of.
     #[error("there are no responses in {channel}")]
     NoChannel {

@@ -1,7 +1,7 @@
 //! Validation of `held`: closed forms, waves handed on in time without a transform, the
 //! exact waves inverted numerically, and passivity on random strings.
 
-use linear::deviation::{bending_error, exact_undershoot, torsion_error};
+use linear::deviation::{ExactMotions, exact_undershoot};
 use linear::estimates::{
     largest_undershoot, torsional_impedance, torsional_stiffness, torsional_travel_time,
 };
@@ -166,7 +166,9 @@ proptest! {
     fn held_taps_of_any_string_are_those_of_the_exact_waves(string in any_string()) {
         let travel = torsional_travel_time(&string);
         let responses = at_bit(&string, 160.0 / travel, 20.0 * travel);
-        let error = torsion_error(&string, &responses).unwrap();
+        let frequency = responses.sampling_frequency;
+        let motions = ExactMotions::in_torsion(&string, &Sites::bit(), frequency).unwrap();
+        let error = motions.error_of(&responses).unwrap();
         let lattice = Lattice::new(&string, &Sites::bit()).unwrap();
         let misfit = lattice.misfit / travel;
         prop_assert!(error <= 1e-3 + 20.0 * misfit, "{error} {misfit}");
@@ -205,7 +207,11 @@ fn the_middle_of_a_step_is_of_second_order_in_bending() {
         };
         let responses = linear::responses(&string, &Method::Held, &request).unwrap();
         assert!(responses.bending_margin().unwrap().unwrap() > 0.0);
-        bending_error(&string, &BENDING, SurfaceSupport::Free, 0.02, &responses).unwrap()
+        let (support, sites) = (SurfaceSupport::Free, &responses.sites);
+        let frequency = sampling_frequency;
+        ExactMotions::in_bending(&string, &BENDING, support, sites, 0.02, frequency)
+            .and_then(|motions| motions.error_of(&responses))
+            .unwrap()
     };
     let (coarse, fine) = (error(320.0), error(640.0));
     assert!(fine < 2e-3 && coarse / fine > 3.5, "{coarse} {fine}");

@@ -1,7 +1,7 @@
 //! What no string has, and no request may ask for, is refused by name: never a
 //! panic, never an answer without a word.
 
-use linear::deviation::{bending_error, torsion_error};
+use linear::deviation::ExactMotions;
 use linear::elements::reconstruction::WholeString;
 use linear::method::{FiniteElement, Transform};
 use linear::passivity::{Ending, positive_real_margin};
@@ -203,7 +203,11 @@ fn responses_put_together_by_hand_are_checked() {
     let asked = request(sites, vec![TORSION()]);
     let good = responses(&string, &Method::Quadrature, &asked).unwrap();
     assert_eq!((good.sites.bit_site(), good.check()), (Some(1), Ok(())));
-    assert!(torsion_error(&string, &good).is_ok());
+    let motions = |string: &Drillstring, frequency: f64| {
+        ExactMotions::in_torsion(string, &good.sites, frequency).unwrap()
+    };
+    let own = motions(&string, good.sampling_frequency);
+    assert!(own.error_of(&good).is_ok());
     type Change = fn(&mut Responses);
     let changes: [(Change, ResponseError); 8] = [
         (
@@ -244,18 +248,27 @@ fn responses_put_together_by_hand_are_checked() {
         change(&mut bad);
         assert_eq!(bad.check(), Err(expected));
         assert_eq!(bad.torsion_margin(), Err(expected.into()));
-        assert_eq!(torsion_error(&string, &bad), Err(expected.into()));
+        assert_eq!(own.error_of(&bad), Err(expected.into()));
     }
-    let other = torsion_error(&self::string(4), &good);
-    assert_eq!(other, Err(ResponseError::OtherString.into()));
+    let other = motions(&self::string(4), good.sampling_frequency);
+    let other_string = Err(ResponseError::OtherString.into());
+    assert_eq!(other.error_of(&good), other_string);
+    let other = motions(&string, 0.5 * good.sampling_frequency);
+    let other_steps = Err(ResponseError::OtherSites.into());
+    assert_eq!(other.error_of(&good), other_steps);
     let channel = Channel::Bending;
-    let none = bending_error(&string, &BENDING, SurfaceSupport::Free, 0.1, &good);
+    let in_bending = |responses: &Responses, duration: f64| {
+        let (sites, frequency) = (&responses.sites, responses.sampling_frequency);
+        let support = SurfaceSupport::Free;
+        ExactMotions::in_bending(&string, &BENDING, support, sites, duration, frequency)?
+            .error_of(responses)
+    };
+    let none = in_bending(&good, 0.1);
     assert_eq!(none, Err(ResponseError::NoChannel { channel }.into()));
 
     let request = request(Sites::bit(), vec![IN_BENDING()]);
     let bending = responses(&string, &Method::Quadrature, &request).unwrap();
-    let error =
-        |duration: f64| bending_error(&string, &BENDING, SurfaceSupport::Free, duration, &bending);
+    let error = |duration: f64| in_bending(&bending, duration);
     assert!(error(0.1).is_ok());
     for duration in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert_names(error(duration), "duration");

@@ -19,6 +19,9 @@ const DAMPING: f64 = 23.0;
 /// than to 1e-10.
 const KEPT_PART: usize = 4;
 
+/// Frequencies that a thread takes at a time, at least.
+const MIN_FREQUENCIES: usize = 256;
+
 /// The function of time whose Laplace transform is `transform`, at the times
 /// `k · step` (s) for k below `count`; frequencies up to `oversampling` times
 /// half the rate of these samples are taken into account.
@@ -28,30 +31,66 @@ pub fn time_response(
     count: usize,
     oversampling: usize,
 ) -> Vec<f64> {
+    let only = |s: Complex64, values: &mut [Complex64]| values[0] = transform(s);
+    time_responses(only, 1, step, count, oversampling).swap_remove(0)
+}
+
+/// The same for so many `functions` whose transforms are found together.
+///
+/// Frequencies that differ by a multiple of the sampling rate are one at the times of the
+/// samples. So they are added up before the FFT, which is as short as what it returns.
+pub fn time_responses(
+    transforms: impl Fn(Complex64, &mut [Complex64]) + Sync,
+    functions: usize,
+    step: f64,
+    count: usize,
+    oversampling: usize,
+) -> Vec<Vec<f64>> {
     let (kept, oversampling) = (KEPT_PART * count.max(1), oversampling.max(1));
-    let samples = kept * oversampling;
+    let last = kept / 2 * oversampling;
     let period = kept as f64 * step;
     let shift = DAMPING / period;
-    let mut spectrum: Vec<Complex64> = (0..samples / 2 + 1)
+    // Of each frequency of the samples, what those above zero add up to that are one with it.
+    let folded: Vec<Vec<Complex64>> = (0..kept)
         .into_par_iter()
-        .with_min_len(256)
-        .map(|index| {
-            let rate = std::f64::consts::TAU * index as f64 / period;
-            transform(Complex64::new(shift, rate))
+        .with_min_len(MIN_FREQUENCIES.div_ceil(oversampling))
+        .map(|remainder| {
+            let mut values = vec![Complex64::ZERO; functions];
+            let mut sums = values.clone();
+            for index in (remainder..=last).step_by(kept) {
+                let rate = std::f64::consts::TAU * index as f64 / period;
+                transforms(Complex64::new(shift, rate), &mut values);
+                // The two that are their own conjugates count once, and half from each side.
+                let part = if index == 0 || index == last {
+                    0.5
+                } else {
+                    1.0
+                };
+                for (sum, value) in sums.iter_mut().zip(&values) {
+                    *sum += part * value;
+                }
+            }
+            sums
         })
         .collect();
-    spectrum[0].im = 0.0;
-    spectrum[samples / 2].im = 0.0;
-    let plan = RealFftPlanner::<f64>::new().plan_fft_inverse(samples);
-    let mut values = plan.make_output_vec();
-    plan.process(&mut spectrum, &mut values)
-        .expect("lengths and the two real ends are set above");
-    (0..count)
-        .map(|index| {
+    let plan = RealFftPlanner::<f64>::new().plan_fft_inverse(kept);
+    let mut samples = plan.make_output_vec();
+    let of_function = |function: usize| {
+        // Those below zero are the conjugates.
+        let mut spectrum: Vec<Complex64> = (0..=kept / 2)
+            .map(|index| folded[index][function] + folded[(kept - index) % kept][function].conj())
+            .collect();
+        spectrum[0].im = 0.0;
+        spectrum[kept / 2].im = 0.0;
+        plan.process(&mut spectrum, &mut samples)
+            .expect("lengths and the two real ends are set above");
+        let growing = |(index, sample): (usize, &f64)| {
             let time = index as f64 * step;
-            values[index * oversampling] * (shift * time).exp() / period
-        })
-        .collect()
+            sample * (shift * time).exp() / period
+        };
+        samples[..count].iter().enumerate().map(growing).collect()
+    };
+    (0..functions).map(of_function).collect()
 }
 
 #[cfg(test)]

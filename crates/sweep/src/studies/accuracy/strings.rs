@@ -1,11 +1,12 @@
 //! The strings of the probes: their systems by any method, what these take, and how far
 //! they are off from the exact waves.
 
-use std::sync::OnceLock;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use anyhow::{Result, anyhow, bail};
 use linear::cost::Memory;
-use linear::deviation::{bending_error, exact_undershoot, torsion_error};
+use linear::deviation::{ExactMotions, exact_undershoot};
 use linear::estimates::{largest_undershoot, torsional_travel_time};
 use linear::waves::lattice::Lattice;
 use linear::{ImpulseTrains, Method};
@@ -14,7 +15,7 @@ use rayon::prelude::*;
 use super::answer::Difference;
 use crate::engine::{MethodSystem, StringMemory};
 use crate::memory::{Limit, Size};
-use crate::plan::{Setting, Sweep};
+use crate::plan::{LateralSettings, Setting, Sweep};
 
 /// Duration of the impulse in bending where the scene has none, s.
 const DURATION: f64 = 0.02;
@@ -42,6 +43,14 @@ pub struct Strings<'a> {
     /// The trains of impulses of each string, as soon as they are wanted, or why there are
     /// none.
     trains: Vec<OnceLock<Result<Option<ImpulseTrains>, String>>>,
+    /// The exact motions of each string at each sampling frequency (its bits) so far.
+    motions: Mutex<HashMap<(usize, u64), Arc<Motions>>>,
+}
+
+/// How the sites of a string truly move.
+struct Motions {
+    torsion: ExactMotions,
+    bending: Option<ExactMotions>,
 }
 
 impl<'a> Strings<'a> {
@@ -53,6 +62,7 @@ impl<'a> Strings<'a> {
             longest: 0.0,
             limit: *limit,
             trains: Vec::new(),
+            motions: Mutex::default(),
         }
     }
 
@@ -197,6 +207,18 @@ impl<'a> Strings<'a> {
         found.into_iter().collect()
     }
 
+    /// How the sites of a string truly move, sampled as a system of it is; found once.
+    fn motions_of(&self, string: usize, system: &MethodSystem) -> Result<Arc<Motions>> {
+        let found = || self.motions.lock().unwrap_or_else(PoisonError::into_inner);
+        let place = (string, system.responses.sampling_frequency.to_bits());
+        if let Some(motions) = found().get(&place) {
+            return Ok(Arc::clone(motions));
+        }
+        let motions = Arc::new(Motions::of(system)?);
+        found().insert(place, Arc::clone(&motions));
+        Ok(motions)
+    }
+
     /// The error of the linear responses of all strings: on smooth motions, and of the
     /// `undershoots` that are.
     ///
@@ -213,15 +235,12 @@ impl<'a> Strings<'a> {
                 of.clone_into(&mut worst.of);
             }
         };
-        for system in systems {
-            let (string, responses) = (&system.setting.string, &system.responses);
-            let torsion = torsion_error(string, responses)?;
+        for (string, system) in systems.iter().enumerate() {
+            let motions = self.motions_of(string, system)?;
+            let torsion = motions.torsion.error_of(&system.responses)?;
             count(torsion, "the linear responses in torsion");
-            if let Some(lateral) = &system.setting.lateral {
-                let durations = lateral.impulses.iter().map(|impulse| impulse.duration);
-                let shortest = durations.reduce(f64::min).unwrap_or(DURATION);
-                let (bending, support) = (&lateral.bending, lateral.support);
-                let bending = bending_error(string, bending, support, shortest, responses)?;
+            if let Some(bending) = &motions.bending {
+                let bending = bending.error_of(&system.responses)?;
                 count(bending, "the linear responses in bending");
             }
         }
@@ -232,6 +251,28 @@ impl<'a> Strings<'a> {
             }
         }
         Ok(worst)
+    }
+}
+
+impl Motions {
+    fn of(system: &MethodSystem) -> Result<Self> {
+        let (string, sites) = (&system.setting.string, &system.responses.sites);
+        let frequency = system.responses.sampling_frequency;
+        let in_bending = |lateral: &LateralSettings| {
+            let durations = lateral.impulses.iter().map(|impulse| impulse.duration);
+            let shortest = durations.reduce(f64::min).unwrap_or(DURATION);
+            let (bending, support) = (&lateral.bending, lateral.support);
+            ExactMotions::in_bending(string, bending, support, sites, shortest, frequency)
+        };
+        Ok(Self {
+            torsion: ExactMotions::in_torsion(string, sites, frequency)?,
+            bending: system
+                .setting
+                .lateral
+                .as_ref()
+                .map(in_bending)
+                .transpose()?,
+        })
     }
 }
 
