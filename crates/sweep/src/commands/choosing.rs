@@ -10,14 +10,16 @@ use anyhow::Result;
 use indicatif::ProgressBar;
 use serde_json::json;
 
+use super::cost::in_words;
 use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, Display, moving};
 use super::stop;
 use super::terminal::Terminal;
 use crate::memory::Limit;
 use crate::plan::{Candidate, Sweep};
-use crate::studies::accuracy::{self, Attempt};
+use crate::studies::accuracy::{self, Attempt, Expected, Told};
+use crate::words::short;
 
-/// An attempt that is expected to take longer than this, s, is told before it is made.
+/// What is expected to take longer than this, s, is told beforehand.
 const LONG: f64 = 5.0;
 
 /// The sweep or, where it asks for an accuracy, that with what is chosen for it; tells
@@ -44,7 +46,10 @@ pub fn choose(
                 shown.tell();
             }
         });
-        let chosen = accuracy::choose(&sweep, full, limit, &|attempt| choosing.begin(attempt));
+        let chosen = accuracy::choose(&sweep, full, limit, &|told| match told {
+            Told::Expected(expected) => choosing.expect(&expected),
+            Told::Attempt(attempt) => choosing.begin(attempt),
+        });
         drop(under_way);
         chosen
     });
@@ -72,6 +77,30 @@ impl Choosing {
             attempt: Mutex::new(None),
             display: Display::of(terminal, quiet, || spinner(terminal)),
             terminal,
+        }
+    }
+
+    /// Says how long it will take, if that is long.
+    fn expect(&self, expected: &Expected) {
+        if expected.seconds <= LONG {
+            return;
+        }
+        let frequency = short(expected.reference_hz);
+        let line = format!(
+            "accuracy: choosing takes about {} from here on, if the reference at {frequency} Hz \
+             is certain enough",
+            in_words(expected.seconds)
+        );
+        match &self.display {
+            Display::Nothing => {}
+            Display::Bar(spinner) => spinner.suspend(|| self.terminal.complain(&line)),
+            Display::Lines => self.terminal.complain(&line),
+            Display::Events => self.terminal.tell(&json!({
+                "event": "choosing",
+                "expected_seconds_in_all": expected.seconds,
+                "reference_hz": expected.reference_hz,
+                "seconds": self.start.elapsed().as_secs_f64(),
+            })),
         }
     }
 

@@ -62,7 +62,7 @@ pub fn cost_lines(memory: &Estimate, limit: &Limit, time: &WallTime) -> String {
 }
 
 /// A time as a person would say it.
-fn in_words(seconds: f64) -> String {
+pub fn in_words(seconds: f64) -> String {
     const MINUTE: f64 = 60.0;
     const HOUR: f64 = 60.0 * MINUTE;
     const DAY: f64 = 24.0 * HOUR;

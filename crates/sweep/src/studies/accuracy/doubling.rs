@@ -39,7 +39,14 @@ impl Search<'_> {
         let mut references: Vec<Reference> = Vec::new();
         let mut next = 0;
         let mut unsure = "no two frequencies can be compared".to_owned();
-        for frequency in frequencies(self.references.probes.strings.travel()?) {
+        let frequencies = frequencies(self.references.probes.strings.travel()?);
+        let mut expected = self.references.expect(&frequencies);
+        for frequency in frequencies {
+            if expected.is_some_and(|expected| frequency > expected) {
+                expected = Some(frequency);
+                self.references
+                    .tell_expected(frequency, |of| of.by_doubling(frequency, frequency));
+            }
             match self.references.next(frequency, &references) {
                 Ok(found) => references.push(found),
                 // Finer frequencies only take more memory.
@@ -78,6 +85,18 @@ impl Search<'_> {
 }
 
 impl References<'_> {
+    /// Tells how long the references will take, and the frequency (Hz) of that which is expected
+    /// to be certain: its linear responses are of second order, and one halving of the steps
+    /// more shows that the answers hold still.
+    fn expect(&self, frequencies: &[f64]) -> Option<f64> {
+        let (systems, first) = self.first_look(METHOD, frequencies)?;
+        let error = self.linear_error(&systems, &[]).ok()?.part;
+        let halvings = (0.5 * (error / self.certain()).log2()).ceil().max(0.0) + 1.0;
+        let last = first * halvings.exp2();
+        self.tell_expected(last, |of| of.by_doubling(first, last));
+        Some(last)
+    }
+
     /// The reference with a wall: that at a frequency, after those at lower ones.
     ///
     /// # Errors

@@ -53,7 +53,10 @@ impl References<'_> {
         let stepped = |pieces: f64, held: f64, known: &[Answer]| {
             self.stepped(Steps::Pieces(pieces), frequency / pieces, held, known)
         };
-        // What says how long it will take, and where limits are about.
+        // No other is built before the lattice is looked at, which may take long itself.
+        self.first_look(Method::Quadrature, &[frequency / FIRST_PIECES]);
+        self.tell_expected(frequency, |of| of.in_pieces(frequency, FIRST_PIECES));
+        // What says where limits are about.
         let first = stepped(FIRST_PIECES, 0.0, &[])?.answers;
         let mut whole = stepped(1.0, 0.0, &first)?;
         let half = stepped(0.5, whole.kept, &whole.answers)?;

@@ -22,6 +22,7 @@
 mod answer;
 mod candidates;
 mod doubling;
+mod forecast;
 mod fronts;
 mod probes;
 mod reference;
@@ -36,13 +37,13 @@ use crate::plan::{Choice, Sweep};
 use crate::sweep_file::{Accuracy, SweepFileError};
 pub use answer::is_inside;
 use probes::Probes;
-pub use reference::Attempt;
 use reference::References;
+pub use reference::{Attempt, Expected, Told};
 use search::Search;
 
 /// Where the sweep asks for an accuracy, the method chosen for it and the choice, which
-/// has the sampling frequency. `tell` hears of each attempt before it is made, which may
-/// take minutes.
+/// has the sampling frequency. `tell` hears beforehand how long that will take, and of
+/// each attempt.
 ///
 /// # Errors
 /// Where nothing delivers the accuracy within the memory, or the sweep's cases cannot
@@ -51,7 +52,7 @@ pub fn choose(
     sweep: &Sweep,
     full: bool,
     limit: &Limit,
-    tell: &dyn Fn(Attempt),
+    tell: &dyn Fn(Told),
 ) -> Result<Option<(Method, Choice)>, SweepFileError> {
     let Some(Accuracy(asked)) = sweep.content.accuracy else {
         return Ok(None);

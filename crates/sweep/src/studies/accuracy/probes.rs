@@ -1,6 +1,8 @@
 //! A few of the sweep's own cases, simulated to compare methods, and the limits near
 //! them.
 
+use std::time::Instant;
+
 use anyhow::{Result, anyhow, bail};
 use rayon::prelude::*;
 use sim::Stopping;
@@ -29,6 +31,33 @@ const NEAR: f64 = 1.2;
 /// many steps are taken to there on either side, the closer the nearer.
 const FURTHEST: f64 = 1.3;
 const PLACES: usize = 16;
+
+/// Cases simulated for the islands of one limit.
+pub const ISLAND_CASES: f64 = 2.0 * (PLACES + 1) as f64;
+
+/// Cases simulated for one limit before it is halved in on.
+pub const HALVINGS_BEFORE: f64 = 2.0;
+
+/// Steps of a case from which its pace is told.
+const STEPS_TASTED: f64 = 2000.0;
+
+/// What simulating a probe takes.
+#[derive(Debug, Clone, Copy)]
+pub struct Work {
+    /// Time simulated, s.
+    pub duration: f64,
+    /// Time that one step takes on one thread, s.
+    pub seconds_a_step: f64,
+    /// Whether it is the first of those that share a limit.
+    pub leads_group: bool,
+}
+
+impl Work {
+    /// Seconds that the whole case takes at a sampling frequency, Hz.
+    pub fn seconds(&self, frequency: f64) -> f64 {
+        self.seconds_a_step * self.duration * frequency
+    }
+}
 
 /// A case, its string among those of the probes, and its scale.
 struct Probe {
@@ -204,6 +233,43 @@ impl<'a> Probes<'a> {
         answers
     }
 
+    /// What simulating the probes takes, by the first steps of each on one thread.
+    pub fn work(&self, systems: &Systems) -> Vec<Work> {
+        let groups = self.groups();
+        let of_probe = |(index, probe): (usize, &Probe)| {
+            let system = &systems[probe.string];
+            let conditions = self.conditions(probe.case, 1.0);
+            let mut case = trial::case(self.sweep, &system.setting, &conditions).ok()?;
+            let timing = &mut case.scene.timing;
+            let frequency = system.setting.sampling_frequency;
+            let duration = timing.duration;
+            timing.duration = duration.min(STEPS_TASTED / frequency);
+            timing.closing_window = timing.closing_window.min(timing.duration);
+            let tasted = timing.duration;
+            let start = Instant::now();
+            // A case without an answer takes no longer than one with.
+            let _ = system.simulate(&case, Stopping::Full, None);
+            Some(Work {
+                duration,
+                seconds_a_step: start.elapsed().as_secs_f64() / (tasted * frequency),
+                leads_group: groups.iter().any(|group| group[0] == index),
+            })
+        };
+        (self.probes.iter().enumerate())
+            .filter_map(of_probe)
+            .collect()
+    }
+
+    /// Halvings by which a limit is found near a known one.
+    pub fn halvings(&self) -> usize {
+        self.halvings_between(2.0 * NEAR.ln())
+    }
+
+    /// Halvings by which a limit is found within a width, in logarithms.
+    fn halvings_between(&self, width: f64) -> usize {
+        (width / (LIMIT_PART * self.asked)).log2().ceil() as usize
+    }
+
     /// The answer to one but for its limit, and whether it is in the regime that this bounds.
     fn answer(
         &self,
@@ -258,7 +324,7 @@ impl<'a> Probes<'a> {
             };
             if is_inside_at(to)? != inside {
                 let width = (to / from).ln().abs();
-                let halvings = (width / (LIMIT_PART * self.asked)).log2().ceil() as usize;
+                let halvings = self.halvings_between(width);
                 return bisected([from, to], inside, halvings, geometric, is_inside_at);
             }
         }

@@ -1,7 +1,7 @@
 //! What candidates are held to: one method in short steps, and how far its answers may be
 //! trusted.
 
-use std::cell::Cell;
+use std::cell::OnceCell;
 use std::time::Instant;
 
 use anyhow::{Result, anyhow};
@@ -10,6 +10,7 @@ use sim::Stopping;
 
 use super::answer::{Answer, Difference};
 use super::candidates::candidate;
+use super::forecast::{Forecast, ON_LATTICE};
 use super::probes::Probes;
 use super::strings::{Steps, Systems};
 use crate::plan::Candidate;
@@ -22,6 +23,24 @@ const PART: f64 = 0.5;
 /// forces are held.
 pub const METHOD: Method = Method::Held;
 
+/// What is told of a choice under way.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Told {
+    /// About how long it will take from here on.
+    Expected(Expected),
+    /// What is about to be built and simulated.
+    Attempt(Attempt),
+}
+
+/// About how long choosing will take.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Expected {
+    /// Time from here on, s.
+    pub seconds: f64,
+    /// Sampling frequency (Hz) of a reference that would be certain enough.
+    pub reference_hz: f64,
+}
+
 /// What is about to be built and simulated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attempt {
@@ -29,7 +48,7 @@ pub struct Attempt {
     pub candidate: Candidate,
     /// Whether it is to be the reference of the others.
     pub is_reference: bool,
-    /// Time that it will take, about, s, where something has been tried already.
+    /// Time that it will take, about, s, where that can be told.
     pub seconds: Option<f64>,
 }
 
@@ -41,11 +60,10 @@ pub struct References<'a> {
     pub asked: f64,
     /// Δ of Eq. 75 of every string as it is ([`super::strings::Strings::exact_undershoots`]).
     undershoots: Vec<f64>,
-    /// Hears of each attempt before it is made.
-    tell: &'a dyn Fn(Attempt),
-    /// Time that stepping the last reference took for each hertz, s: for telling, nothing is
-    /// chosen by it.
-    pace: Cell<Option<f64>>,
+    /// Hears of all that is to be done before it is.
+    tell: &'a dyn Fn(Told),
+    /// How long it all takes, for telling.
+    pub forecast: OnceCell<Forecast>,
 }
 
 impl<'a> References<'a> {
@@ -53,13 +71,13 @@ impl<'a> References<'a> {
     ///
     /// # Errors
     /// Where a string cannot be cut into a lattice.
-    pub fn new(probes: &'a Probes<'a>, asked: f64, tell: &'a dyn Fn(Attempt)) -> Result<Self> {
+    pub fn new(probes: &'a Probes<'a>, asked: f64, tell: &'a dyn Fn(Told)) -> Result<Self> {
         Ok(Self {
             probes,
             asked,
             undershoots: probes.strings.exact_undershoots()?,
             tell,
-            pace: Cell::new(None),
+            forecast: OnceCell::new(),
         })
     }
 
@@ -85,8 +103,9 @@ impl<'a> References<'a> {
             Ok(systems) => probes.answers(systems, Stopping::Full, known),
             Err(_) => Vec::new(),
         };
-        self.pace
-            .set(Some(start.elapsed().as_secs_f64() / frequency));
+        if let (Some(forecast), Ok(_)) = (self.forecast.get(), &systems) {
+            forecast.took(frequency, start.elapsed().as_secs_f64());
+        }
         Ok(Reference {
             frequency,
             systems,
@@ -109,14 +128,47 @@ impl<'a> References<'a> {
         }
     }
 
-    /// Tells of an attempt before it is made, and about how long it will take: as much
-    /// longer than the last as its steps are shorter.
+    /// The systems by a method of the lowest of some sampling frequencies (Hz) that suits these
+    /// cases, and it; from then on it can be told how long things take.
+    pub fn first_look(&self, method: Method, frequencies: &[f64]) -> Option<(Systems, f64)> {
+        let strings = &self.probes.strings;
+        let (systems, steps, frequency) = frequencies.iter().find_map(|&frequency| {
+            let steps = Steps::Frequency(frequency);
+            strings.fits(method, steps, 0.0).ok()?;
+            Some((strings.systems(method, steps).ok()?, steps, frequency))
+        })?;
+        // Again, with what serves all frequencies there.
+        let start = Instant::now();
+        let systems = strings.systems(method, steps).unwrap_or(systems);
+        let building = start.elapsed().as_secs_f64();
+        let part = if method == METHOD { 1.0 } else { ON_LATTICE };
+        let building = part * building / frequency;
+        let (work, halvings) = (self.probes.work(&systems), self.probes.halvings());
+        (self.forecast).get_or_init(|| Forecast::new(building, work, halvings));
+        Some((systems, frequency))
+    }
+
+    /// Tells how long it will take from here on, with a reference at some frequency, Hz.
+    pub fn tell_expected(&self, reference_hz: f64, seconds: impl Fn(&Forecast) -> f64) {
+        if let Some(forecast) = self.forecast.get() {
+            let seconds = seconds(forecast);
+            (self.tell)(Told::Expected(Expected {
+                seconds,
+                reference_hz,
+            }));
+        }
+    }
+
+    /// Tells of an attempt before it is made, and about how long it will take.
     pub fn tell_of(&self, method: &Method, frequency: f64, is_reference: bool) {
-        (self.tell)(Attempt {
+        (self.tell)(Told::Attempt(Attempt {
             candidate: candidate(method, frequency),
             is_reference,
-            seconds: self.pace.get().map(|pace| pace * frequency),
-        });
+            seconds: self
+                .forecast
+                .get()
+                .map(|forecast| forecast.round(frequency)),
+        }));
     }
 
     /// The largest uncertainty of a reference.
