@@ -8,24 +8,20 @@ use serde::Deserialize;
 use spdx::{Expression, ParseMode};
 
 /// Licences that ask for little more than to be named. Each is needed.
-const ALLOWED: [&str; 6] = [
+const ALLOWED: [&str; 5] = [
     "Apache-2.0",
     "BSD-2-Clause",
     "BSD-3-Clause",
     "MIT",
     "Unicode-3.0",
-    "Zlib",
 ];
 
 /// Old versions beside the newest of the same package, and who holds on to them.
-const ACCEPTED: [(&str, &str, &str); 7] = [
+const ACCEPTED: [(&str, &str, &str); 4] = [
     ("equator", "0.2", "nano-gemm, below faer"),
     ("equator-macro", "0.2", "equator 0.2"),
     ("miniz_oxide", "0.8", "png, below resvg"),
-    ("syn", "1", "interpol, below faer; only to build"),
     ("syn", "2", "equator-macro 0.2 and others; only to build"),
-    ("thiserror", "1", "sysctl, below faer; on Apple's systems"),
-    ("thiserror-impl", "1", "thiserror 1"),
 ];
 
 /// Whether the allowed licences meet an SPDX expression, or an old one with `/`.

@@ -1,6 +1,7 @@
 //! The drawing surface: shapes and text in picture pixels, written as SVG.
 
 use super::geometry::{Pixel, Rect};
+use super::outlines::{INDEX_DEPTH, INDEX_SIZE, Line};
 use super::picture::Picture;
 use super::text::{self, Block, TITLE_SIZE};
 use anyhow::{Context, Result};
@@ -52,6 +53,8 @@ pub(super) struct Canvas<'a> {
     area: DrawingArea<SVGBackend<'a>, Shift>,
     /// The dash pattern of every line drawn so far; see [`add_dashes`].
     dashes: Vec<Dash>,
+    /// The lines of text written so far.
+    text: Vec<Line>,
 }
 
 /// The title of a picture, centred above it and as wide as it is, and the margin around
@@ -87,20 +90,21 @@ pub(super) fn draw_titled(
 ) -> Result<Picture> {
     let size = (units(title.width) as u32, units(height) as u32);
     let mut svg = String::new();
-    let dashes = {
+    let (dashes, text) = {
         let mut canvas = Canvas {
             area: SVGBackend::with_string(&mut svg, size).into_drawing_area(),
             dashes: Vec::new(),
+            text: Vec::new(),
         };
         canvas.area.fill(&WHITE)?;
         let first_row = title.margin + title.text.line_height() / 2.0;
         canvas.text(&title.text, title.width / 2.0, first_row, HPos::Center)?;
         draw(&mut canvas)?;
         canvas.area.present()?;
-        canvas.dashes
+        (canvas.dashes, canvas.text)
     };
-    let svg = with_subscripts(&with_pixel_size(&svg, size)?);
-    Picture::from_svg(add_dashes(&svg, &dashes))
+    let svg = add_dashes(&with_pixel_size(&svg, size)?, &dashes);
+    Picture::new(&with_subscripts(&svg), &with_outlines(&svg, &text)?)
 }
 
 impl Canvas<'_> {
@@ -141,28 +145,38 @@ impl Canvas<'_> {
     }
 
     /// Lines of text, the first one's middle at `y`, aligned at `x`.
-    pub fn text(&self, block: &Block, x: f64, y: f64, align: HPos) -> Result<()> {
-        let style = text_style(block, align, FontTransform::None)?;
-        self.lines_of_text(block, &style, y, |top| (x, top))
+    pub fn text(&mut self, block: &Block, x: f64, y: f64, align: HPos) -> Result<()> {
+        self.lines_of_text(block, align, FontTransform::None, y, |top| (x, top))
     }
 
     /// Text that reads upwards, centred at `y`, its first line's middle at `x`.
-    pub fn upward_text(&self, block: &Block, x: f64, y: f64) -> Result<()> {
-        let style = text_style(block, HPos::Center, FontTransform::Rotate270)?;
-        self.lines_of_text(block, &style, x, |left| (left, y))
+    pub fn upward_text(&mut self, block: &Block, x: f64, y: f64) -> Result<()> {
+        let upwards = FontTransform::Rotate270;
+        self.lines_of_text(block, HPos::Center, upwards, x, |left| (left, y))
     }
 
     /// Lines each at the `place` of its top, the first one's middle at `middle`.
     fn lines_of_text(
-        &self,
+        &mut self,
         block: &Block,
-        style: &TextStyle,
+        align: HPos,
+        transform: FontTransform,
         middle: f64,
         place: impl Fn(f64) -> Pixel,
     ) -> Result<()> {
+        let upwards = matches!(transform, FontTransform::Rotate270);
+        let style = text_style(block, align, transform)?;
         for (row, line) in block.lines.iter().enumerate() {
             let top = middle + row as f64 * block.line_height() - TOP_TO_MIDDLE * block.size;
-            self.area.draw_text(line, style, in_units(place(top)))?;
+            let (x, y) = in_units(place(top));
+            self.area.draw_text(line, &style, (x, y))?;
+            self.text.push(Line {
+                text: line.clone(),
+                place: (f64::from(x), f64::from(y)),
+                size: UNITS * block.size,
+                align,
+                upwards,
+            });
         }
         Ok(())
     }
@@ -214,18 +228,32 @@ fn add_dashes(svg: &str, dashes: &[Dash]) -> String {
     dashed
 }
 
+/// Draws the outlines of each line of text in its place: `text` has them in document order.
+fn with_outlines(svg: &str, text: &[Line]) -> Result<String> {
+    const END: &str = "</text>";
+    let mut pieces = svg.split("<text");
+    let mut drawn = pieces.next().unwrap_or_default().to_owned();
+    for (piece, line) in pieces.zip(text) {
+        let (_, after) = piece.split_once(END).context("a text has no end")?;
+        drawn += &line.path()?;
+        drawn += after;
+    }
+    Ok(drawn)
+}
+
 /// Sets the index of T_d, for which Unicode has no letter, below the line. What
 /// follows on the line goes back up to it.
 fn with_subscripts(svg: &str) -> String {
-    const DOWN: &str = "T<tspan dy=\"0.3em\" font-size=\"70%\">d</tspan>";
+    let (size, depth) = (100.0 * INDEX_SIZE, INDEX_DEPTH / INDEX_SIZE);
+    let down = format!("T<tspan dy=\"{depth:.1}em\" font-size=\"{size:.0}%\">d</tspan>");
     let mut pieces = svg.split("T_d");
     let mut set = pieces.next().unwrap_or_default().to_owned();
     for piece in pieces {
         let end = piece.find(['\n', '<']).unwrap_or(piece.len());
         let (line, rest) = piece.split_at(end);
-        set += DOWN;
+        set += &down;
         if !line.is_empty() {
-            set += &format!("<tspan dy=\"-0.21em\">{line}</tspan>");
+            set += &format!("<tspan dy=\"-{INDEX_DEPTH}em\">{line}</tspan>");
         }
         set += rest;
     }
@@ -238,34 +266,30 @@ pub(super) mod tests {
     use resvg::tiny_skia::Pixmap;
     use resvg::usvg;
 
-    /// Fails unless all ink of the picture's text lies inside the picture.
+    /// Fails unless all that is filled, text among it, lies inside the picture.
     pub fn assert_text_inside(picture: &Picture) {
-        let options = usvg::Options {
-            fontdb: std::sync::Arc::new(super::super::picture::fonts()),
-            ..usvg::Options::default()
-        };
-        let tree = usvg::Tree::from_str(&picture.svg, &options).expect("valid SVG");
+        let options = usvg::Options::default();
+        let tree = usvg::Tree::from_str(&picture.outlines, &options).expect("valid SVG");
         let (width, height) = (tree.size().width(), tree.size().height());
-        let boxes = text_boxes(tree.root());
-        assert_eq!(boxes.len(), picture.svg.matches("<text").count());
-        for (text, ink) in boxes {
+        let boxes = filled(tree.root());
+        assert!(boxes.len() > picture.svg.matches("<text").count());
+        for ink in boxes {
             let inside = ink.left() >= 0.0
                 && ink.top() >= 0.0
                 && ink.right() <= width
                 && ink.bottom() <= height;
-            assert!(inside, "'{text}' leaves the picture: {ink:?}");
+            assert!(inside, "something leaves the picture: {ink:?}");
         }
     }
 
-    /// The text nodes below a group with their boxes in pixels.
-    fn text_boxes(group: &usvg::Group) -> Vec<(String, usvg::Rect)> {
+    /// The boxes, in pixels, of what is filled below a group.
+    fn filled(group: &usvg::Group) -> Vec<usvg::Rect> {
         let mut found = Vec::new();
         for node in group.children() {
             match node {
-                usvg::Node::Group(inner) => found.extend(text_boxes(inner)),
-                usvg::Node::Text(text) => {
-                    let words = text.chunks().iter().map(|chunk| chunk.text()).collect();
-                    found.push((words, text.abs_bounding_box()));
+                usvg::Node::Group(inner) => found.extend(filled(inner)),
+                usvg::Node::Path(path) if path.fill().is_some() => {
+                    found.push(path.abs_bounding_box());
                 }
                 _ => {}
             }

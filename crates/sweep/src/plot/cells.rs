@@ -151,7 +151,12 @@ fn draw_panel(
 }
 
 /// Writes words of a size on one line, and returns their width.
-fn write(canvas: &Canvas, (words, size): (&str, f64), (x, y): Pixel, align: HPos) -> Result<f64> {
+fn write(
+    canvas: &mut Canvas,
+    (words, size): (&str, f64),
+    (x, y): Pixel,
+    align: HPos,
+) -> Result<f64> {
     let block = Block::new(words, size, f64::INFINITY)?;
     canvas.text(&block, x, y, align)?;
     Ok(block.width)

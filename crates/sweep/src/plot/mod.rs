@@ -20,6 +20,7 @@ mod map;
 mod names;
 mod numbers;
 mod orbits;
+mod outlines;
 mod panels;
 mod picture;
 mod references;

@@ -35,7 +35,7 @@ impl Names {
     }
 
     /// Writes a name centred at the best of `centres`, earlier ones first.
-    pub fn write(&mut self, canvas: &Canvas, name: &Block, centres: &[Pixel]) -> Result<()> {
+    pub fn write(&mut self, canvas: &mut Canvas, name: &Block, centres: &[Pixel]) -> Result<()> {
         let Some(place) = self.best_place(name, centres) else {
             return Ok(());
         };

@@ -150,7 +150,7 @@ fn group_block<'a>(
 }
 
 /// Writes texts below one another and returns where the last ends.
-fn write(canvas: &Canvas, texts: &[Block], left: f64, mut row: f64) -> Result<f64> {
+fn write(canvas: &mut Canvas, texts: &[Block], left: f64, mut row: f64) -> Result<f64> {
     for text in texts {
         let first_row = row + 0.5 * text.line_height();
         canvas.text(text, left, first_row, HPos::Left)?;
