@@ -116,7 +116,17 @@ fn choosing_for_an_accuracy_tells_what_it_tries_and_can_be_stopped() {
             let _ = send.send(event);
         }
     });
-    let event = events.recv_timeout(Duration::from_secs(60));
+    let mut event = events.recv_timeout(Duration::from_secs(60));
+    // Told first, where the machine is not too fast for it.
+    if let Ok(forecast) = &event
+        && forecast["event"] == "forecast"
+    {
+        assert!(
+            forecast["expected_seconds"].as_f64() > Some(5.0),
+            "{forecast}"
+        );
+        event = events.recv_timeout(Duration::from_secs(60));
+    }
     signal(&child, "TERM");
     assert_eq!(ends_soon(child).code, 143);
     reader.join().unwrap();

@@ -96,8 +96,8 @@ impl Choosing {
             Display::Bar(spinner) => spinner.suspend(|| self.terminal.complain(&line)),
             Display::Lines => self.terminal.complain(&line),
             Display::Events => self.terminal.tell(&json!({
-                "event": "choosing",
-                "expected_seconds_in_all": expected.seconds,
+                "event": "forecast",
+                "expected_seconds": expected.seconds,
                 "reference_hz": expected.reference_hz,
                 "seconds": self.start.elapsed().as_secs_f64(),
             })),
