@@ -150,7 +150,7 @@ fn large_files_are_read_at_once() {
     );
     place.write("listing.toml", listing("cases.csv"));
     let labels: String = (0..300_000)
-        .map(|row| format!("{row},hilbert,0.1,50,smooth\n"))
+        .map(|row| format!("{row},magic,0.1,50,smooth\n"))
         .collect();
     let header = "case,method,surface_speed_rpm,weight_on_bit_kn,torsion\n";
     place.write("labels.csv", format!("{header}{labels}"));
@@ -185,7 +185,7 @@ fn large_files_are_read_at_once() {
         answer.output.contains("would run 300000 cases"),
         "{answer:?}"
     );
-    let meant = "labels.csv:2: the sweep has no method `hilbert`";
+    let meant = "labels.csv:2: the sweep has no method `magic`";
     refused_soon(&place, &["check", "small.toml", "labels.csv"], meant);
     let meant = "`sites[199999].distance_from_bit_m`";
     refused_soon(&place, &["run", "twice.toml"], meant);

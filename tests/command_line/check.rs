@@ -45,6 +45,22 @@ fn check_needs_few_columns_and_cases() {
     assert_eq!(answer.output, "few.csv: 3 of 3 labels as expected\n");
 }
 
+/// A method that the sweep file does not name, with the parameters it has there.
+#[test]
+fn check_runs_the_methods_of_the_reference() {
+    let place = with_reference();
+    let methods = "finite-element,held";
+    let run = ["run", "small.toml", "--methods", methods, "--out", "others"];
+    succeeds(&place, &run);
+    place.write("both.csv", text(&place, "others/labels.csv"));
+    let answer = succeeds(&place, &["check", "small.toml", "both.csv"]);
+    assert_eq!(answer.output, "both.csv: 12 of 12 labels as expected\n");
+    let coarse = "\n[method.finite-element]\nelements_per_cell = 0\n";
+    place.write("none.toml", format!("base = \"small.toml\"\n{coarse}"));
+    let parts = ["none.toml", "elements_per_cell"];
+    refused(&place, &["check", "none.toml", "both.csv"], &parts);
+}
+
 #[test]
 fn check_prints_labels_that_differ() {
     let place = with_reference();

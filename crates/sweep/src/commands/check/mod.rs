@@ -31,7 +31,7 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     let limit = arguments.memory.limit();
     let sweep = Sweep::read(&arguments.file)?;
     let sweep = choose(sweep, false, &limit, false, terminal)?;
-    let (reference, methods) = read_reference(&arguments.reference, &sweep)?;
+    let (reference, methods) = read_reference(&arguments.reference, &arguments.file, &sweep)?;
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
     let numbers: Vec<usize> = cases.keys().copied().collect();
     let axes = sweep.design.axes().to_vec();

@@ -1,40 +1,60 @@
-//! The reference: labels of cases of a sweep, by some of its methods.
+//! The reference: labels of cases of a sweep, by some methods.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::path::Path;
 
 use anyhow::{Result, bail};
+use clap::ValueEnum;
 use linear::Method;
 
 use crate::commands::status::UsageError;
 use crate::engine::Case;
 use crate::output::{LabelRow, read_labels};
 use crate::plan::Sweep;
+use crate::sweep_file::MethodName;
+use crate::text_file::read_text;
 
-/// Reads the reference, and which of the sweep's methods it has.
+/// Reads the reference, and the methods it has: the sweep's, and others with the parameters
+/// that its `file` gives them, unless that asks for an accuracy.
 ///
 /// # Errors
-/// Where it has no rows, or methods that the sweep has not.
-pub fn read_reference(path: &Path, sweep: &Sweep) -> Result<(Vec<LabelRow>, Vec<Method>)> {
+/// Where it has no rows, or methods that there are not.
+pub fn read_reference(
+    path: &Path,
+    file: &Path,
+    sweep: &Sweep,
+) -> Result<(Vec<LabelRow>, Vec<Method>)> {
     let reference =
         read_labels(path, sweep.design.axes()).map_err(|error| UsageError(format!("{error:#}")))?;
     if reference.is_empty() {
         bail!(UsageError(format!("{} has no rows", path.display())));
     }
+    let mut others: Vec<MethodName> = Vec::new();
     for row in &reference {
-        let mut methods = sweep.methods.iter();
-        if !methods.any(|method| method.name() == row.method) {
-            bail!(UsageError(format!(
+        if sweep
+            .methods
+            .iter()
+            .any(|method| method.name() == row.method)
+            || others.iter().any(|method| method.name() == row.method)
+        {
+            continue;
+        }
+        match MethodName::from_str(&row.method, false) {
+            Ok(method) if sweep.choice.is_none() => others.push(method),
+            _ => bail!(UsageError(format!(
                 "{}:{}: the sweep has no method `{}`",
                 path.display(),
                 row.line,
                 row.method
-            )));
+            ))),
         }
     }
     let is_named = |method: &&Method| reference.iter().any(|row| row.method == method.name());
-    let methods = sweep.methods.iter().filter(is_named).copied().collect();
+    let mut methods: Vec<Method> = sweep.methods.iter().filter(is_named).copied().collect();
+    if !others.is_empty() {
+        methods.extend(Sweep::read_from(file, &others, &read_text)?.methods);
+    }
     Ok((reference, methods))
 }
 
