@@ -87,7 +87,7 @@ impl Choosing {
         }
         let frequency = short(expected.reference_hz);
         let line = format!(
-            "accuracy: choosing takes about {} from here on, if the reference at {frequency} Hz \
+            "accuracy: choosing takes {} from here on, if the reference at {frequency} Hz \
              is certain enough",
             in_words(expected.seconds)
         );
