@@ -163,10 +163,9 @@ impl ExactMotions {
     /// Where the responses are not those of this string and these sites, sampled so.
     pub fn error_of(&self, responses: &Responses) -> Result<f64, BuildError> {
         let found = self.channel_of(responses)?;
-        let sites = 0..self.sites.len();
         let from_surface = (found.from_surface.iter().zip(&self.from_surface))
             .map(|(taps, exact)| self.times.error(taps, &self.input, exact));
-        let from_loads = sites.clone().flat_map(|site| {
+        let from_loads = (0..self.sites.len()).flat_map(|site| {
             (found.loads.iter().zip(&found.from_loads[site])).map(move |(load, taps)| {
                 let exact = &self.from_loads[site * self.sites.len() + load];
                 self.times.error(taps, &self.input, exact)

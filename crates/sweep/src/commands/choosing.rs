@@ -19,7 +19,7 @@ use crate::plan::{Candidate, Sweep};
 use crate::studies::accuracy::{self, Attempt, Expected, Told};
 use crate::words::short;
 
-/// What is expected to take longer than this, s, is told beforehand.
+/// An attempt that is expected to take longer than this, s, is told before it is made.
 const LONG: f64 = 5.0;
 
 /// The sweep or, where it asks for an accuracy, that with what is chosen for it; tells
@@ -80,11 +80,8 @@ impl Choosing {
         }
     }
 
-    /// Says how long it will take, if that is long.
+    /// Says how long it will take.
     fn expect(&self, expected: &Expected) {
-        if expected.seconds <= LONG {
-            return;
-        }
         let frequency = short(expected.reference_hz);
         let line = format!(
             "accuracy: choosing takes {} from here on, if the reference at {frequency} Hz \

@@ -63,7 +63,7 @@ pub struct References<'a> {
     /// Hears of all that is to be done before it is.
     tell: &'a dyn Fn(Told),
     /// How long it all takes, for telling.
-    pub forecast: OnceCell<Forecast>,
+    forecast: OnceCell<Forecast>,
 }
 
 impl<'a> References<'a> {
