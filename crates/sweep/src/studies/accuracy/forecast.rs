@@ -1,8 +1,16 @@
 //! How long choosing will take, told before it begins. Nothing is chosen by it.
 
 use std::cell::Cell;
+use std::time::Instant;
 
-use super::probes::{HALVINGS_BEFORE, ISLAND_CASES, Work};
+use sim::Stopping;
+
+use super::probes::{HALVINGS_BEFORE, ISLAND_CASES, Probes};
+use super::strings::Systems;
+use crate::studies::trial;
+
+/// Steps of a case that are timed.
+const STEPS_TIMED: f64 = 2000.0;
 
 /// Part of its time that a case takes while a limit is looked for: it ends as soon as its
 /// regime is certain.
@@ -20,6 +28,45 @@ const CANDIDATES: f64 = 3.0;
 /// methods.
 pub const ON_LATTICE: f64 = 0.4;
 
+/// What simulating a probe takes.
+#[derive(Debug, Clone, Copy)]
+struct Work {
+    /// Time simulated, s.
+    duration: f64,
+    /// Time that one step takes on one thread, s.
+    seconds_a_step: f64,
+    /// Whether it is the first of those that share a limit.
+    leads_group: bool,
+}
+
+impl Work {
+    /// By its first steps, those of the probe with this place; none where it cannot be.
+    fn of(probes: &Probes, index: usize, leads_group: bool, systems: &Systems) -> Option<Self> {
+        let system = probes.system(systems, index);
+        let conditions = probes.conditions(probes.cases()[index], 1.0);
+        let mut case = trial::case(probes.sweep, &system.setting, &conditions).ok()?;
+        let timing = &mut case.scene.timing;
+        let frequency = system.setting.sampling_frequency;
+        let duration = timing.duration;
+        let timed = duration.min(STEPS_TIMED / frequency);
+        timing.duration = timed;
+        timing.closing_window = timing.closing_window.min(timed);
+        let start = Instant::now();
+        // A case without an answer takes no longer than one with.
+        let _ = system.simulate(&case, Stopping::Full, None);
+        Some(Self {
+            duration,
+            seconds_a_step: start.elapsed().as_secs_f64() / (timed * frequency),
+            leads_group,
+        })
+    }
+
+    /// Seconds that the whole case takes at a sampling frequency, Hz.
+    fn seconds(&self, frequency: f64) -> f64 {
+        self.seconds_a_step * self.duration * frequency
+    }
+}
+
 /// What the probes take on this machine.
 #[derive(Debug)]
 pub struct Forecast {
@@ -34,9 +81,18 @@ pub struct Forecast {
 }
 
 impl Forecast {
-    /// Of systems that take so long to build for each hertz (s), and of probes that share their
-    /// limits in groups, looked for by so many halvings.
-    pub fn new(building: f64, work: Vec<Work>, halvings: usize) -> Self {
+    /// Of probes with these systems, which take so long to build for each hertz, s.
+    pub fn of(probes: &Probes, systems: &Systems, building: f64) -> Self {
+        let groups = probes.groups();
+        let leads = |index: usize| groups.iter().any(|group| group[0] == index);
+        let work = (0..probes.cases().len())
+            .filter_map(|index| Work::of(probes, index, leads(index), systems));
+        Self::new(building, work.collect(), probes.halvings())
+    }
+
+    /// Of systems that take so long to build for each hertz (s), and of cases whose limits are
+    /// looked for by so many halvings.
+    fn new(building: f64, work: Vec<Work>, halvings: usize) -> Self {
         Self {
             building,
             work,

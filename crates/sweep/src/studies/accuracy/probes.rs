@@ -1,8 +1,6 @@
 //! A few of the sweep's own cases, simulated to compare methods, and the limits near
 //! them.
 
-use std::time::Instant;
-
 use anyhow::{Result, anyhow, bail};
 use rayon::prelude::*;
 use sim::Stopping;
@@ -37,27 +35,6 @@ pub const ISLAND_CASES: f64 = 2.0 * (PLACES + 1) as f64;
 
 /// Cases simulated for one limit before it is halved in on.
 pub const HALVINGS_BEFORE: f64 = 2.0;
-
-/// Steps of a case from which its pace is told.
-const STEPS_TASTED: f64 = 2000.0;
-
-/// What simulating a probe takes.
-#[derive(Debug, Clone, Copy)]
-pub struct Work {
-    /// Time simulated, s.
-    pub duration: f64,
-    /// Time that one step takes on one thread, s.
-    pub seconds_a_step: f64,
-    /// Whether it is the first of those that share a limit.
-    pub leads_group: bool,
-}
-
-impl Work {
-    /// Seconds that the whole case takes at a sampling frequency, Hz.
-    pub fn seconds(&self, frequency: f64) -> f64 {
-        self.seconds_a_step * self.duration * frequency
-    }
-}
 
 /// A case, its string among those of the probes, and its scale.
 struct Probe {
@@ -143,6 +120,11 @@ impl<'a> Probes<'a> {
         Ok(found)
     }
 
+    /// A probe's system among those of all strings.
+    pub fn system<'b>(&self, systems: &'b Systems, index: usize) -> &'b MethodSystem {
+        &systems[self.probes[index].string]
+    }
+
     /// Numbers of the cases.
     pub fn cases(&self) -> Vec<usize> {
         self.probes.iter().map(|probe| probe.case).collect()
@@ -182,7 +164,7 @@ impl<'a> Probes<'a> {
     }
 
     /// The probes that share their limits, each group once.
-    fn groups(&self) -> Vec<Vec<usize>> {
+    pub fn groups(&self) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = Vec::new();
         for index in 0..self.probes.len() {
             let of_group = |group: &&mut Vec<usize>| self.factor(group[0], index).is_some();
@@ -196,7 +178,7 @@ impl<'a> Probes<'a> {
 
     /// The conditions of a case with its surface speed, or its friction where there is a
     /// wall, multiplied.
-    fn conditions(&self, case: usize, factor: f64) -> Conditions {
+    pub fn conditions(&self, case: usize, factor: f64) -> Conditions {
         let mut conditions = self.sweep.conditions_at(&self.sweep.design.values(case));
         if self.sweep.setting.lateral.is_some() {
             conditions.friction_factor = Some(factor);
@@ -231,33 +213,6 @@ impl<'a> Probes<'a> {
             }
         }
         answers
-    }
-
-    /// What simulating the probes takes, by the first steps of each on one thread.
-    pub fn work(&self, systems: &Systems) -> Vec<Work> {
-        let groups = self.groups();
-        let of_probe = |(index, probe): (usize, &Probe)| {
-            let system = &systems[probe.string];
-            let conditions = self.conditions(probe.case, 1.0);
-            let mut case = trial::case(self.sweep, &system.setting, &conditions).ok()?;
-            let timing = &mut case.scene.timing;
-            let frequency = system.setting.sampling_frequency;
-            let duration = timing.duration;
-            timing.duration = duration.min(STEPS_TASTED / frequency);
-            timing.closing_window = timing.closing_window.min(timing.duration);
-            let tasted = timing.duration;
-            let start = Instant::now();
-            // A case without an answer takes no longer than one with.
-            let _ = system.simulate(&case, Stopping::Full, None);
-            Some(Work {
-                duration,
-                seconds_a_step: start.elapsed().as_secs_f64() / (tasted * frequency),
-                leads_group: groups.iter().any(|group| group[0] == index),
-            })
-        };
-        (self.probes.iter().enumerate())
-            .filter_map(of_probe)
-            .collect()
     }
 
     /// Halvings by which a limit is found near a known one.

@@ -143,8 +143,7 @@ impl<'a> References<'a> {
         let building = start.elapsed().as_secs_f64();
         let part = if method == METHOD { 1.0 } else { ON_LATTICE };
         let building = part * building / frequency;
-        let (work, halvings) = (self.probes.work(&systems), self.probes.halvings());
-        (self.forecast).get_or_init(|| Forecast::new(building, work, halvings));
+        (self.forecast).get_or_init(|| Forecast::of(self.probes, &systems, building));
         Some((systems, frequency))
     }
 
