@@ -8,6 +8,8 @@
 
 use rayon::current_num_threads;
 
+use crate::assembly::lanes::Lanes;
+use crate::assembly::number::Number;
 use crate::drillstring::Drillstring;
 use crate::elements::mesh::most_elements;
 use crate::estimates::torsional_settling_time;
@@ -132,9 +134,7 @@ fn of_torsion(
 ) -> ChannelCost {
     let torques = torques as f64;
     let responses = request.sites.len() as f64 * (1.0 + torques);
-    let nodes = request.sites.len() as f64 + 1.0;
-    // Stiffness and its factors, inputs, admittance.
-    let networks = current_num_threads() as f64 * 4.0 * COMPLEX * nodes * nodes;
+    let networks = current_num_threads() as f64 * network(request.sites.len(), 1);
     let until_decayed = torsion_length(string, method, request);
     let cost = |asked, taps, memory| ChannelCost {
         asked,
@@ -188,10 +188,7 @@ fn of_bending(method: &Method, request: &Request) -> ChannelCost {
     let sites = request.sites.len() as f64;
     let responses = sites * sites;
     let taps = needed_taps(request.longest_time, request.sampling_frequency);
-    let freedoms = 2.0 * (sites + 1.0);
-    // Stiffness and its factors, forces, receptances.
-    let numbers = 2.0 * freedoms * freedoms + freedoms * sites + responses;
-    let networks = current_num_threads() as f64 * COMPLEX * numbers;
+    let networks = current_num_threads() as f64 * network(request.sites.len(), 4);
     let kept = REAL * responses * taps;
     let (asked, memory) = match method {
         Method::Held => {
@@ -250,6 +247,13 @@ fn beam(string: &Drillstring, sites: &Sites, parameters: &FiniteElement, motions
     elements * (BEAM_ELEMENT + 2.0 * REAL * series)
 }
 
+/// What a thread works with at the frequencies that it looks at together: pieces between
+/// nodes, what they come to, so many numbers each, and the responses.
+fn network(sites: usize, numbers: usize) -> f64 {
+    let kept = 6 * (sites + 1) * numbers + 2 * sites * sites;
+    COMPLEX * (Lanes::LANES * kept) as f64
+}
+
 /// Responses sampled over half of a transform's frequencies, each then transformed.
 fn filter(responses: f64, samples: f64, taps: f64, networks: f64) -> Memory {
     let points = 0.5 * samples + 1.0;
@@ -264,16 +268,21 @@ fn filter(responses: f64, samples: f64, taps: f64, networks: f64) -> Memory {
 
 /// The length at which a response built longer and longer is left, at most.
 fn torsion_length(string: &Drillstring, method: &Method, request: &Request) -> f64 {
-    let needed = needed_taps(request.longest_time, request.sampling_frequency);
-    let first = decay::first_length(string, request.sampling_frequency)
-        .map_or(f64::INFINITY, |taps| taps as f64);
-    let doubled_to = |length: f64| first * (length / first).log2().ceil().max(0.0).exp2();
+    let frequency = request.sampling_frequency;
+    let looked_at = decay::looked_at(string, request.longest_time, frequency);
     // The trapezoidal rule rings for ever at the highest frequency.
     if string.torsional_damping() == 0.0 || *method == Method::Trapezoidal {
-        return doubled_to(needed);
+        return looked_at;
     }
-    let lasts = DECAYED * request.sampling_frequency / slowest_rate(string);
-    doubled_to(needed.min(lasts)).min(MOST_TAPS as f64)
+    let first = decay::first_length(string, frequency).map_or(f64::INFINITY, |taps| taps as f64);
+    let lasts = DECAYED * frequency / slowest_rate(string);
+    let doubled = first * (lasts / first).log2().ceil().max(0.0).exp2();
+    let most = if first > decay::WORTH_WHILE * looked_at {
+        looked_at
+    } else {
+        looked_at.max(first)
+    };
+    doubled.min(most).min(MOST_TAPS as f64)
 }
 
 /// Time constants until a response counts as decayed, and has been quiet for a

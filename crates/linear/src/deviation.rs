@@ -7,10 +7,11 @@
 
 use num_complex::Complex64;
 
+use crate::assembly::lanes::Lanes;
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, StringId, SurfaceSupport};
 use crate::error::{BuildError, ResponseError};
-use crate::estimates::{largest_undershoot, torsional_period, torsional_travel_time};
+use crate::estimates::{largest_undershoot, torsional_travel_time, undershoot_time};
 use crate::filters::quadrature::series;
 use crate::pulse::RaisedCosine;
 use crate::responses::length::{MOST_TAPS, too_many};
@@ -37,27 +38,23 @@ const OVERSAMPLING: usize = 64;
 /// Times compared.
 const TIMES: usize = 128;
 
-/// Periods of the slowest vibration in which an undershoot is looked for.
-const PERIODS: f64 = 1.5;
-
 /// Δ of Eq. 75 as it is, rad/s per N m: the largest undershoot of the bit's speed after a
 /// unit step of torque there, by waves on a lattice, whose fronts are sharp. Filters and
-/// elements let fronts overshoot, however short their steps, or smear them. The bit swings
-/// back furthest within one and a half periods of its slowest vibration; where damping puts
-/// it off, by less than a hundredth of what it moves at once.
+/// elements let fronts overshoot, however short their steps, or smear them. It is looked for
+/// within [`undershoot_time`].
 ///
 /// # Errors
 /// Where the lattice of so strongly damped a string would not fit in memory.
 pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
     let lattice = Lattice::new(string, &Sites::bit())?;
-    let impulses = (PERIODS * torsional_period(string) / lattice.step).ceil();
+    let impulses = (undershoot_time(string) / lattice.step).ceil();
     if impulses > MOST_TAPS as f64 {
         return Err(too_many(impulses));
     }
     let train = series(
         impulses as usize,
         1,
-        &|zeta: Complex64, response: &mut [Complex64]| {
+        &|zeta: Lanes, response: &mut [Lanes]| {
             response[0] = lattice.admittance(zeta).from_torque[(0, 0)];
         },
     );

@@ -46,6 +46,15 @@ pub fn torsional_period(string: &Drillstring) -> f64 {
     std::f64::consts::TAU * (inertia / torsional_stiffness(string)).sqrt()
 }
 
+/// Periods of the slowest vibration in which an undershoot is looked for.
+const UNDERSHOOT_PERIODS: f64 = 1.5;
+
+/// The time after a step of torque, s, within which the bit swings back furthest; where
+/// damping puts that off, it is by less than a hundredth of what the bit moves at once.
+pub fn undershoot_time(string: &Drillstring) -> f64 {
+    UNDERSHOOT_PERIODS * torsional_period(string)
+}
+
 /// Moment of inertia of the whole string about its axis, kg m².
 fn torsional_inertia(string: &Drillstring) -> f64 {
     let moments = string

@@ -37,8 +37,8 @@ impl System {
     /// Where they are not those of a string, there are none in torsion, or those in
     /// bending are of sites where no torque may act.
     pub fn new(responses: &Responses) -> Result<Self, SimulationError> {
-        responses.check()?;
         not_negative("longest time in s", responses.longest_time)?;
+        responses.check()?;
         let channel = linear::Channel::Torsion;
         let torsion = (responses.torsion()).ok_or(ResponseError::NoChannel { channel })?;
         let sites = responses.sites.len();

@@ -1,32 +1,32 @@
 //! Pieces of string in bending, joined and reduced to the sites (Eqs. 50–58).
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
 use num_complex::Complex64;
 
 use super::beam_stiffness::BeamStiffness;
 use super::block::Block;
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
+use super::nodes::{Nodes, Piece, Relation};
+use super::number::Number;
 use super::stiff_beam::StiffBeam;
 use crate::drillstring::SurfaceSupport;
 
 /// A piece of beam: seen from its top where it is short, between its ends where its waves
 /// hardly get through.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Beam {
+pub enum Beam<T = Complex64> {
     /// Its waves turn by no more than [`SHORT`].
-    Short(StiffBeam),
+    Short(StiffBeam<T>),
     /// Any other.
-    Long(BeamStiffness),
+    Long(BeamStiffness<T>),
 }
 
 /// The most by which waves turn along a short piece, rad.
 const SHORT: f64 = 2.0;
 
-impl Beam {
+impl<T: Number> Beam<T> {
     /// A piece of a beam.
-    pub fn of(beam: StiffBeam) -> Self {
+    pub fn of(beam: StiffBeam<T>) -> Self {
         if beam.turns <= SHORT {
             Beam::Short(beam)
         } else {
@@ -35,7 +35,7 @@ impl Beam {
     }
 
     /// Its stiffness between its ends.
-    pub fn between_ends(&self) -> BeamStiffness {
+    pub fn between_ends(&self) -> BeamStiffness<T> {
         match self {
             Beam::Short(beam) => beam.between_ends(),
             Beam::Long(beam) => *beam,
@@ -43,7 +43,14 @@ impl Beam {
     }
 }
 
-impl Stiffness for Beam {
+impl<T: Number> Stiffness for Beam<T> {
+    fn is_endless(&self) -> bool {
+        match self {
+            Beam::Short(_) => false,
+            Beam::Long(beam) => beam.is_endless(),
+        }
+    }
+
     fn join(self, lower: Self) -> Self {
         match (self, lower) {
             (Beam::Short(upper), Beam::Short(lower)) => {
@@ -65,46 +72,162 @@ impl Stiffness for Beam {
 /// Displacement at each of so many sites (row) per unit force at each (column), m/N: D⁽ᵇ⁾
 /// of Eq. 57. From the surface down, each piece ends at a node, of which the first `sites`
 /// are sites; `None` where there is nothing.
-pub fn reduce(
-    pieces: impl ExactSizeIterator<Item = Option<Beam>>,
+pub fn reduce<T: Number>(
+    pieces: impl Iterator<Item = Option<Beam<T>>>,
     sites: usize,
     support: SurfaceSupport,
-) -> ResponseMatrix {
-    // Node 0 is the surface; each has a displacement and a slope.
-    let held = support.held();
-    let size = 2 * (pieces.len() + 1) - held;
-    let mut stiffness = Mat::<Complex64>::zeros(size, size);
-    for (upper, piece) in pieces.enumerate() {
-        if let Some(piece) = piece {
-            add_piece(&mut stiffness, upper, held, &piece.between_ends());
-        }
-    }
-    let displacement = |site: usize| 2 * (site + 1) - held;
-    let mut forces = Mat::<Complex64>::zeros(size, sites);
-    for site in 0..sites {
-        forces[(displacement(site), site)] = Complex64::new(1.0, 0.0);
-    }
-    stiffness.partial_piv_lu().solve_in_place(&mut forces);
-    ResponseMatrix(Mat::from_fn(sites, sites, |row, column| {
-        forces[(displacement(row), column)]
-    }))
+) -> ResponseMatrix<T> {
+    let mut pieces =
+        pieces.map(|piece| piece.map_or_else(Piece::none, |piece| piece.between_ends()));
+    let uppermost = pieces.next().unwrap_or_else(Piece::none);
+    let pieces: Vec<_> = pieces.collect();
+    let nodes = Nodes::new(hanging_from(support, &uppermost), &pieces);
+    ResponseMatrix::reciprocal(sites, |site| {
+        nodes
+            .moved_by_load(site)
+            .map(|Block([[displacement, _], _])| displacement)
+    })
 }
 
-/// Adds the piece between nodes `upper` and `upper + 1`; the first `held`
-/// degrees of freedom are left out.
-fn add_piece(stiffness: &mut Mat<Complex64>, upper: usize, held: usize, piece: &BeamStiffness) {
-    let blocks = [
-        (0, 0, piece.top),
-        (0, 1, piece.cross),
-        (1, 0, piece.cross.transpose()),
-        (1, 1, piece.bottom),
-    ];
-    for (row, column, Block(entries)) in blocks {
-        for (i, line) in entries.iter().enumerate() {
-            for (j, entry) in line.iter().enumerate() {
-                let place = (2 * (upper + row) + i, 2 * (upper + column) + j);
-                if place.0 >= held && place.1 >= held {
-                    stiffness[(place.0 - held, place.1 - held)] += *entry;
+/// The stiffness at the bottom of a piece whose top the surface holds.
+fn hanging_from<T: Number>(support: SurfaceSupport, piece: &BeamStiffness<T>) -> Block<T> {
+    let zero = T::zero();
+    let Block([[_, _], [_, turning]]) = piece.top;
+    // Motions of the top by loads on it.
+    let yielding = match support {
+        SurfaceSupport::Free => piece.top.inverse(),
+        SurfaceSupport::Pinned => Block([[zero, zero], [zero, turning.inverse()]]),
+        SurfaceSupport::Clamped => return piece.bottom,
+    };
+    piece.bottom - piece.cross.transpose() * (yielding * piece.cross)
+}
+
+#[cfg(test)]
+mod tests {
+    use faer::Mat;
+    use faer::linalg::solvers::Solve;
+
+    use super::*;
+    use crate::drillstring::{Bending, Drillstring, Material, Section, Tube};
+    use crate::waves::bending::uniform;
+
+    fn string() -> Drillstring {
+        let material = Material {
+            shear_modulus: 80e9,
+            density: 7840.0,
+        };
+        let parts = vec![Tube {
+            length: 9.5,
+            inner_radius: 0.05,
+            outer_radius: 0.07,
+        }];
+        let section = Section { repeat: 1, parts };
+        Drillstring::new(material, vec![section], 1.0).unwrap()
+    }
+
+    const BENDING: Bending = Bending {
+        youngs_modulus: 210e9,
+        damping: 200.0,
+        compression: 1e4,
+    };
+
+    fn cell(s: Complex64) -> Beam {
+        let string = string();
+        uniform(&string, &BENDING, &string.sections()[0].parts[0], s)
+    }
+
+    fn difference(Block(one): Block, Block(other): Block) -> f64 {
+        let entries = one.as_flattened().iter().zip(other.as_flattened());
+        let relative = entries.map(|(a, b)| (a - b).norm() / (a.norm() + b.norm()));
+        relative.fold(0.0, f64::max)
+    }
+
+    /// At low frequencies every cell matters, at high ones waves do not come back.
+    #[test]
+    fn a_row_is_what_joining_one_by_one_gives() {
+        for s in [
+            Complex64::new(0.1, 40.0),
+            Complex64::new(30.0, 300.0),
+            Complex64::new(700.0, 900.0),
+        ] {
+            let cell = cell(s);
+            let row = cell.repeated(60).between_ends();
+            let joined = (1..60).fold(cell, |row, _| row.join(cell)).between_ends();
+            assert!(difference(row.top, joined.top) < 1e-10, "{s}");
+            assert!(difference(row.bottom, joined.bottom) < 1e-10, "{s}");
+            if joined.is_endless() {
+                assert!(row.is_endless(), "{s}");
+            } else {
+                assert!(difference(row.cross, joined.cross) < 1e-10, "{s}");
+            }
+        }
+        assert!(cell(Complex64::new(700.0, 900.0)).repeated(60).is_endless());
+        assert!(!cell(Complex64::new(0.1, 40.0)).repeated(60).is_endless());
+    }
+
+    /// The same with one matrix of all nodes, the surface among them.
+    fn by_elimination(
+        pieces: &[Beam],
+        sites: usize,
+        support: SurfaceSupport,
+    ) -> Vec<Vec<Complex64>> {
+        let size = 2 * (pieces.len() + 1);
+        let mut stiffness = Mat::<Complex64>::zeros(size, size);
+        for (upper, piece) in pieces.iter().enumerate() {
+            let BeamStiffness { top, cross, bottom } = piece.between_ends();
+            let blocks = [
+                (0, 0, top),
+                (0, 2, cross),
+                (2, 0, cross.transpose()),
+                (2, 2, bottom),
+            ];
+            for (row, column, Block(entries)) in blocks {
+                for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                    stiffness[(2 * upper + row + i, 2 * upper + column + j)] += entries[i][j];
+                }
+            }
+        }
+        // What is held takes any load.
+        for held in 0..support.held() {
+            stiffness[(held, held)] += Complex64::from(1e30);
+        }
+        let mut forces = Mat::<Complex64>::zeros(size, sites);
+        for site in 0..sites {
+            forces[(2 * (site + 1), site)] = 1.0.into();
+        }
+        stiffness.partial_piv_lu().solve_in_place(&mut forces);
+        let of = |row: usize| {
+            (0..sites)
+                .map(|column| forces[(2 * (row + 1), column)])
+                .collect()
+        };
+        (0..sites).map(of).collect()
+    }
+
+    #[test]
+    fn sites_move_as_elimination_says() {
+        let s = Complex64::new(0.5, 17.0);
+        let piece = |cells: usize| cell(s).repeated(cells);
+        for support in [
+            SurfaceSupport::Free,
+            SurfaceSupport::Pinned,
+            SurfaceSupport::Clamped,
+        ] {
+            for (sites, cells) in [
+                (1, vec![30]),
+                (1, vec![30, 7]),
+                (2, vec![9, 1]),
+                (3, vec![5, 20, 1, 3]),
+            ] {
+                let pieces: Vec<Beam> = cells.iter().map(|&cells| piece(cells)).collect();
+                let found = reduce(pieces.iter().copied().map(Some), sites, support);
+                let expected = by_elimination(&pieces, sites, support);
+                for row in 0..sites {
+                    for column in 0..sites {
+                        let (a, b) = (found[(row, column)], expected[row][column]);
+                        let error = (a - b).norm() / expected[row][row].norm();
+                        assert!(error < 1e-9, "{support:?} {cells:?}: {a} {b}");
+                    }
                 }
             }
         }

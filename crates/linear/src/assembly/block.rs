@@ -5,24 +5,14 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use num_complex::Complex64;
 
+use super::nodes::Relation;
+use super::number::Number;
+
 /// Rows of a two-by-two matrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Block(pub [[Complex64; 2]; 2]);
+pub struct Block<T = Complex64>(pub [[T; 2]; 2]);
 
-impl Block {
-    /// The transpose.
-    pub fn transpose(self) -> Self {
-        let [[a, b], [c, d]] = self.0;
-        Block([[a, c], [b, d]])
-    }
-
-    /// The inverse.
-    pub fn inverse(self) -> Self {
-        let [[a, b], [c, d]] = self.0;
-        let scale = (a * d - b * c).inv();
-        Block([[d * scale, -b * scale], [-c * scale, a * scale]])
-    }
-
+impl<T: Number> Block<T> {
     /// M R of this M, R the motion of the bottom of a rigid piece by that of its top.
     pub fn carried(self, length: f64) -> Self {
         let [[a, b], [c, d]] = self.0;
@@ -35,34 +25,52 @@ impl Block {
         Block([[a, b], [c + a * length, d + b * length]])
     }
 
-    fn zip(self, other: Self, f: impl Fn(Complex64, Complex64) -> Complex64) -> Self {
+    fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
         let ([[a, b], [c, d]], [[e, g], [h, i]]) = (self.0, other.0);
         Block([[f(a, e), f(b, g)], [f(c, h), f(d, i)]])
     }
 }
 
-impl Add for Block {
+impl<T: Number> Relation for Block<T> {
+    fn zero() -> Self {
+        Block([[T::zero(); 2]; 2])
+    }
+
+    fn inverse(self) -> Self {
+        let [[a, b], [c, d]] = self.0;
+        let scale = (a * d - b * c).inverse();
+        let minus = -scale;
+        Block([[d * scale, b * minus], [c * minus, a * scale]])
+    }
+
+    fn transpose(self) -> Self {
+        let [[a, b], [c, d]] = self.0;
+        Block([[a, c], [b, d]])
+    }
+}
+
+impl<T: Number> Add for Block<T> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         self.zip(other, |a, b| a + b)
     }
 }
 
-impl Sub for Block {
+impl<T: Number> Sub for Block<T> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self.zip(other, |a, b| a - b)
     }
 }
 
-impl Neg for Block {
+impl<T: Number> Neg for Block<T> {
     type Output = Self;
     fn neg(self) -> Self {
         self.zip(self, |a, _| -a)
     }
 }
 
-impl Mul for Block {
+impl<T: Number> Mul for Block<T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let ([[a, b], [c, d]], [[e, f], [g, h]]) = (self.0, other.0);

@@ -3,7 +3,7 @@
 //! The paper diagonalises the transfer matrix of one pipe and joint and scales
 //! its growing wave (Eq. 10). Joining stiffnesses by eliminating the shared
 //! node gives the same response without eigenvectors, and N equal cells take
-//! log₂ N joins; only differences of stiffnesses occur, so no number of cells
+//! log₂ N joins at most; only differences of stiffnesses occur, so no number of cells
 //! overflows.
 
 use crate::drillstring::{Section, Tube};
@@ -14,29 +14,39 @@ pub trait Stiffness: Copy {
     /// Stiffness of this piece with `lower` hanging from its bottom, nothing
     /// external acting at the node they share.
     fn join(self, lower: Self) -> Self;
-}
 
-/// Stiffness of `count` ≥ 1 equal cells in a row, by repeated doubling.
-pub fn repeated<S: Stiffness>(cell: S, count: usize) -> S {
-    let mut doubled = cell;
-    let mut left = count - 1;
-    let mut chain = cell;
-    while left > 0 {
-        if left & 1 == 1 {
-            chain = chain.join(doubled);
-        }
-        left >>= 1;
-        if left > 0 {
-            doubled = doubled.join(doubled);
-        }
+    /// Whether it is known that waves die away within this piece: its ends do not feel one
+    /// another.
+    fn is_endless(&self) -> bool {
+        false
     }
-    chain
+
+    /// Stiffness of `count` ≥ 1 of this piece in a row: by repeated doubling, where there
+    /// is no shorter way.
+    fn repeated(self, count: usize) -> Self {
+        let mut doubled = self;
+        let mut left = count - 1;
+        let mut chain = self;
+        while left > 0 {
+            if doubled.is_endless() {
+                return chain.join(doubled);
+            }
+            if left & 1 == 1 {
+                chain = chain.join(doubled);
+            }
+            left >>= 1;
+            if left > 0 {
+                doubled = doubled.join(doubled);
+            }
+        }
+        chain
+    }
 }
 
 /// Stiffness of one section, its cells repeated, from that of its tubes.
 pub fn section<S: Stiffness>(section: &Section, tube: impl Fn(&Tube) -> S) -> Option<S> {
     let cell = section.parts.iter().map(tube).reduce(S::join)?;
-    Some(repeated(cell, section.repeat))
+    Some(cell.repeated(section.repeat))
 }
 
 /// Stiffness of everything between two neighbouring nodes; `None` where there

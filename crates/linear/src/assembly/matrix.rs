@@ -2,24 +2,51 @@
 
 use std::ops::Index;
 
-use faer::Mat;
 use num_complex::Complex64;
 
-/// Responses at one frequency, by output and input, `[(output, input)]`.
-#[derive(Debug, Clone)]
-pub struct ResponseMatrix(pub(super) Mat<Complex64>);
+use super::number::Number;
 
-impl ResponseMatrix {
+/// Responses at one frequency, or at several side by side, by output and input,
+/// `[(output, input)]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ResponseMatrix<T = Complex64> {
+    size: usize,
+    /// Row by row.
+    entries: Vec<T>,
+}
+
+impl<T: Number> ResponseMatrix<T> {
+    /// The matrix of this size that is the same in both directions (reciprocity), from what
+    /// each of its columns has on and below the diagonal.
+    pub(super) fn reciprocal<C: Iterator<Item = T>>(
+        size: usize,
+        column: impl Fn(usize) -> C,
+    ) -> Self {
+        let mut entries = vec![T::zero(); size * size];
+        for from in 0..size {
+            for (to, entry) in (from..size).zip(column(from)) {
+                entries[to * size + from] = entry;
+                entries[from * size + to] = entry;
+            }
+        }
+        Self { size, entries }
+    }
+
     /// Number of outputs, which is that of inputs.
     pub fn size(&self) -> usize {
-        self.0.nrows()
+        self.size
+    }
+
+    /// Row by row.
+    pub fn entries(&self) -> &[T] {
+        &self.entries
     }
 }
 
-impl Index<(usize, usize)> for ResponseMatrix {
-    type Output = Complex64;
+impl<T> Index<(usize, usize)> for ResponseMatrix<T> {
+    type Output = T;
 
-    fn index(&self, place: (usize, usize)) -> &Complex64 {
-        &self.0[place]
+    fn index(&self, (output, input): (usize, usize)) -> &T {
+        &self.entries[output * self.size + input]
     }
 }

@@ -10,6 +10,8 @@ use num_complex::Complex64;
 use super::beam_stiffness::BeamStiffness;
 use super::block::Block;
 use super::chain::Stiffness;
+use super::nodes::Relation;
+use super::number::Number;
 use crate::drillstring::{Bending, Tube};
 
 /// Dynamic stiffness of a piece of beam, its bottom seen from its top.
@@ -19,20 +21,20 @@ use crate::drillstring::{Bending, Tube};
 /// `f_bottom = elastic d + mixed u_top`, and all that acts on the piece, its moment taken
 /// about the top, is `mixedᵀ d + rigid u_top`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StiffBeam {
+pub struct StiffBeam<T = Complex64> {
     /// Length, m.
     pub length: f64,
     /// By how much its waves turn from end to end, rad.
     pub turns: f64,
     /// Stiffness against bending, the top held; symmetric.
-    pub elastic: Block,
+    pub elastic: Block<T>,
     /// What the bottom takes to be carried along, as by a rigid piece.
-    pub mixed: Block,
+    pub mixed: Block<T>,
     /// What the whole of a rigid piece takes; symmetric.
-    pub rigid: Block,
+    pub rigid: Block<T>,
 }
 
-impl Stiffness for StiffBeam {
+impl<T: Number> Stiffness for StiffBeam<T> {
     /// The node that they share moves by R u_top + G⁻¹(A d + B u_top).
     fn join(self, lower: Self) -> Self {
         let carried = lower.mixed.carried(self.length);
@@ -53,9 +55,9 @@ impl Stiffness for StiffBeam {
     }
 }
 
-impl StiffBeam {
+impl<T: Number> StiffBeam<T> {
     /// The same between its ends.
-    pub fn between_ends(&self) -> BeamStiffness {
+    pub fn between_ends(&self) -> BeamStiffness<T> {
         BeamStiffness {
             top: self.rigid
                 - self.mixed.moved(self.length)
@@ -68,7 +70,7 @@ impl StiffBeam {
 
     /// This below a piece that may be long. Their node moves as the bottom would without the
     /// bending `d = shared (crossᵀ u_top + b u_bottom)`.
-    pub fn below(self, upper: BeamStiffness) -> BeamStiffness {
+    pub fn below(self, upper: BeamStiffness<T>) -> BeamStiffness<T> {
         let back = -self.length;
         let mixed = self.mixed.carried(back);
         let b = (upper.bottom + self.rigid - self.mixed.moved(self.length)).carried(back);
@@ -83,7 +85,7 @@ impl StiffBeam {
     }
 
     /// This above a piece that may be long. It bends by `−shared (b u_top + cross u_bottom)`.
-    pub fn above(self, lower: BeamStiffness) -> BeamStiffness {
+    pub fn above(self, lower: BeamStiffness<T>) -> BeamStiffness<T> {
         let top = lower.top.carried(self.length);
         let b = self.mixed + top;
         let shared = (self.elastic + lower.top).inverse();
@@ -97,10 +99,12 @@ impl StiffBeam {
 }
 
 /// By how much waves turn along a tube that per metre takes the force `q` (N/m²) for each
-/// metre that it moves (Eq. 20: its inertia and damping), rad.
-pub fn turns(bending: &Bending, tube: &Tube, q: Complex64) -> f64 {
+/// metre that it moves (Eq. 20: its inertia and damping), rad; at several frequencies the
+/// most.
+pub fn turns(bending: &Bending, tube: &Tube, q: impl Number) -> f64 {
     let rigidity = bending.youngs_modulus * tube.second_moment();
-    let by_inertia = (q.norm() / rigidity).sqrt().sqrt();
+    let square = q.squares().fold(0.0, f64::max);
+    let by_inertia = (square.sqrt() / rigidity).sqrt().sqrt();
     let by_compression = (bending.compression.abs() / rigidity).sqrt();
     by_inertia.max(by_compression) * tube.length
 }

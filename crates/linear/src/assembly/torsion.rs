@@ -5,76 +5,87 @@
 //! direction of rotation. Dividing by s gives the paper's relation between rotation speeds
 //! and torques; the rotation form is finite at s = 0, where the static limit lives.
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
 use num_complex::Complex64;
 
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
+use super::nodes::{Nodes, Piece};
+use super::number::Number;
 
-/// Dynamic stiffness of a piece of string between its two ends:
-/// `[T_top; T_bottom] = [[top, cross], [cross, bottom]] [θ_top; θ_bottom]`,
-/// N m/rad.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DynamicStiffness {
-    /// Driving-point stiffness at the top.
-    pub top: Complex64,
-    /// Transfer stiffness, the same in both directions (reciprocity).
-    pub cross: Complex64,
-    /// Driving-point stiffness at the bottom.
-    pub bottom: Complex64,
-}
+/// Dynamic stiffness of a piece of string in torsion, N m/rad.
+pub type DynamicStiffness<T = Complex64> = Piece<T>;
 
-impl DynamicStiffness {
-    /// So many equal pieces in a row, torques per speed, from the torque on either end of one
-    /// where both turn alike, and where they turn against one another: numbers with positive
-    /// real parts. With p and m their roots, a row has the characteristic impedance pm, and
-    /// a wave that goes down it is multiplied by (m − p)/(m + p) from node to node. What turns
+impl<T: Number> DynamicStiffness<T> {
+    /// So many equal pieces in a row, each as stiff from above as from below, from the
+    /// torque on either end of one where both turn alike, and where they turn against one
+    /// another. With p and m their roots, a row has the characteristic impedance pm, and a
+    /// wave that goes down it is multiplied by (m − p)/(m + p) from node to node. What turns
     /// a short piece as a rigid body is so far less than what twists it that joining pieces
     /// one by one would lose it to rounding.
-    pub fn row(alike: Complex64, opposite: Complex64, pieces: usize) -> Self {
-        let (alike, opposite) = (root(alike), root(opposite));
-        let both = opposite + alike;
-        let step = (opposite - alike) / both;
-        let passed = step.powu(pieces as u32);
+    pub fn row(alike: T, opposite: T, pieces: usize) -> Self {
+        let sum = opposite + alike;
+        if pieces == 1 {
+            return Self {
+                top: sum * 0.5,
+                cross: (alike - opposite) * 0.5,
+                bottom: sum * 0.5,
+            };
+        }
+        // Of both roots that under which waves do not grow.
+        let impedance = (alike * opposite).root().towards(sum);
+        let both_squared = sum + impedance * 2.0;
+        let step = (opposite - alike) * both_squared.inverse();
+        let (passed, passed_squared, powers) = powers(step, pieces);
         // 1 − passed² = 4pm (1 + step² + … )/(m + p)²: a difference would lose digits.
-        let scale = both * both / (4.0 * sum_of_powers(step * step, pieces));
-        let driving = scale * (1.0 + passed * passed);
+        let scale = both_squared * powers.inverse() * 0.25;
+        let driving = scale * (passed_squared + 1.0);
         Self {
             top: driving,
-            cross: -scale * passed * 2.0,
+            cross: scale * passed * -2.0,
             bottom: driving,
         }
     }
 }
 
-/// 1 + z + … of so many terms, by doubling.
-fn sum_of_powers(z: Complex64, terms: usize) -> Complex64 {
-    let (mut sum, mut power) = (Complex64::new(0.0, 0.0), Complex64::new(1.0, 0.0));
-    for bit in (0..usize::BITS - terms.leading_zeros()).rev() {
-        sum *= 1.0 + power;
-        power *= power;
-        if terms >> bit & 1 == 1 {
-            sum += power;
-            power *= z;
+/// The power zⁿ, its square, and 1 + z² + … of n terms, by doubling.
+fn powers<T: Number>(z: T, n: usize) -> (T, T, T) {
+    let mut power = T::real(1.0);
+    let (mut squared, mut sum) = (power, T::real(0.0));
+    for bit in (0..usize::BITS - n.leading_zeros()).rev() {
+        sum = sum * (squared + 1.0);
+        power = squared;
+        squared = power * power;
+        if n >> bit & 1 == 1 {
+            sum = sum + squared;
+            power = power * z;
+            squared = power * power;
         }
     }
-    sum
+    (power, squared, sum)
 }
 
-/// The square root of a number with a positive real part, without its angle.
-fn root(z: Complex64) -> Complex64 {
-    let real = (0.5 * (z.norm_sqr().sqrt() + z.re)).sqrt();
-    Complex64::new(real, 0.5 * z.im / real)
-}
-
-impl Stiffness for DynamicStiffness {
+impl<T: Number> Stiffness for DynamicStiffness<T> {
     fn join(self, lower: Self) -> Self {
-        let shared = (self.bottom + lower.top).inv();
+        self.joined(lower)
+    }
+
+    /// Where pieces meet, the top of one and the bottom of another add up to what two ends
+    /// alike do: a piece that is stiffer from above is so at the top of the row alone.
+    fn repeated(self, count: usize) -> Self {
+        match count {
+            1 => return self,
+            // A few joins take less time than a row.
+            2 => return self.join(self),
+            3 => return self.join(self).join(self),
+            _ => {}
+        }
+        let mean = (self.top + self.bottom) * 0.5;
+        let stiffer = (self.top - self.bottom) * 0.5;
+        let row = Self::row(mean + self.cross, mean - self.cross, count);
         Self {
-            top: self.top - self.cross * self.cross * shared,
-            cross: -self.cross * lower.cross * shared,
-            bottom: lower.bottom - lower.cross * lower.cross * shared,
+            top: row.top + stiffer,
+            bottom: row.bottom - stiffer,
+            ..row
         }
     }
 }
@@ -82,57 +93,123 @@ impl Stiffness for DynamicStiffness {
 /// The frequency response D of Eq. 48 between surface and sites, without its
 /// top row (the torque at the surface).
 #[derive(Debug, Clone)]
-pub struct TorsionAdmittance {
+pub struct TorsionAdmittance<T = Complex64> {
     /// Speed at each site per unit surface speed (dimensionless).
-    pub from_surface: Vec<Complex64>,
+    pub from_surface: Vec<T>,
     /// Speed at each site (row) per unit external torque at each site
     /// (column), rad/s per N m.
-    pub from_torque: ResponseMatrix,
+    pub from_torque: ResponseMatrix<T>,
 }
 
 /// The response of nodes, from the surface down, of which the first `sites` are sites:
 /// each hangs from the one above by a piece, `None` where there is nothing. Stiffnesses
 /// are torques per motion, and a speed is `rate` times that motion.
-pub fn reduce(
-    pieces: impl ExactSizeIterator<Item = Option<DynamicStiffness>>,
+pub fn reduce<T: Number>(
+    pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
     sites: usize,
-    rate: Complex64,
-) -> TorsionAdmittance {
-    let nodes = pieces.len();
-    let mut pieces = pieces.peekable();
-    if nodes == 1
-        && let Some(piece) = pieces.next_if(Option::is_some).flatten()
-    {
-        // The bit alone, by far the most frequent case, needs no matrices.
-        let compliance = piece.bottom.inv();
-        return TorsionAdmittance {
-            from_surface: vec![-piece.cross * compliance],
-            from_torque: ResponseMatrix(Mat::from_fn(1, 1, |_, _| rate * compliance)),
-        };
+    rate: T,
+) -> TorsionAdmittance<T> {
+    let mut pieces = pieces.map(|piece| piece.unwrap_or_else(Piece::none));
+    // The surface turns as prescribed.
+    let uppermost = pieces.next().unwrap_or_else(Piece::none);
+    let pieces: Vec<_> = pieces.collect();
+    let nodes = Nodes::new(uppermost.bottom, &pieces);
+    let first = nodes.moved_by_load(0).next();
+    let by_surface = first.map_or(T::zero(), |compliance| -(uppermost.cross * compliance));
+    TorsionAdmittance {
+        from_surface: nodes.carried_from(0, by_surface).take(sites).collect(),
+        from_torque: ResponseMatrix::reciprocal(sites, |site| {
+            nodes.moved_by_load(site).map(move |motion| rate * motion)
+        }),
     }
-    let mut stiffness = Mat::<Complex64>::zeros(nodes, nodes);
-    let mut inputs = Mat::<Complex64>::zeros(nodes, sites + 1);
-    for (node, piece) in pieces.enumerate() {
-        let Some(piece) = piece else {
-            continue;
-        };
-        stiffness[(node, node)] += piece.bottom;
-        if node == 0 {
-            // The surface turns as prescribed: its torque on the first node.
-            inputs[(0, 0)] = -piece.cross;
-        } else {
-            stiffness[(node - 1, node - 1)] += piece.top;
-            stiffness[(node - 1, node)] = piece.cross;
-            stiffness[(node, node - 1)] = piece.cross;
+}
+
+#[cfg(test)]
+mod tests {
+    use faer::Mat;
+    use faer::linalg::solvers::Solve;
+
+    use super::*;
+
+    fn largest(one: &DynamicStiffness) -> f64 {
+        one.top.norm().max(one.bottom.norm()).max(one.cross.norm())
+    }
+
+    /// Torques per speed or per rotation, of cells that are stiffer from one side.
+    #[test]
+    fn a_row_is_what_joining_one_by_one_gives() {
+        for index in 0..40 {
+            let s = Complex64::new(0.02 * f64::from(index % 3), 0.3 * f64::from(index) + 0.1);
+            let heavy = |inertia: f64| s * inertia + 0.1;
+            let spring = 5.0 / s;
+            let cell = DynamicStiffness {
+                top: spring + heavy(0.3),
+                cross: -spring,
+                bottom: spring + heavy(1.2),
+            };
+            for per_speed in [Complex64::new(1.0, 0.0), s] {
+                let cell = DynamicStiffness {
+                    top: cell.top * per_speed,
+                    cross: cell.cross * per_speed,
+                    bottom: cell.bottom * per_speed,
+                };
+                let mut joined = cell;
+                for count in 1..=40 {
+                    let row = cell.repeated(count);
+                    for (found, expected) in [
+                        (row.top, joined.top),
+                        (row.cross, joined.cross),
+                        (row.bottom, joined.bottom),
+                    ] {
+                        let error = (found - expected).norm() / largest(&joined);
+                        assert!(error < 1e-10, "{index} {count}: {found} {expected}");
+                    }
+                    joined = joined.join(cell);
+                }
+            }
         }
     }
-    for site in 0..sites {
-        inputs[(site, site + 1)] = rate;
-    }
-    stiffness.partial_piv_lu().solve_in_place(&mut inputs);
-    let response = inputs;
-    TorsionAdmittance {
-        from_surface: (0..sites).map(|site| response[(site, 0)]).collect(),
-        from_torque: ResponseMatrix(response.submatrix(0, 1, sites, sites).to_owned()),
+
+    /// The same with one matrix of all nodes but the surface.
+    #[test]
+    fn sites_turn_as_elimination_says() {
+        let s = Complex64::new(0.1, 3.0);
+        let pieces: Vec<DynamicStiffness> = (1..=4)
+            .map(|index| {
+                let stiff = f64::from(index) * 5.0;
+                DynamicStiffness {
+                    top: s * 0.7 * stiff + stiff,
+                    cross: (-stiff).into(),
+                    bottom: s * 0.4 + stiff,
+                }
+            })
+            .collect();
+        for sites in 1..=4 {
+            for nodes in [sites, (sites + 1).min(4)] {
+                let mut stiffness = Mat::<Complex64>::zeros(nodes, nodes);
+                let mut loads = Mat::<Complex64>::zeros(nodes, sites + 1);
+                for (node, piece) in pieces[..nodes].iter().enumerate() {
+                    stiffness[(node, node)] += piece.bottom;
+                    if let Some(above) = node.checked_sub(1) {
+                        stiffness[(above, above)] += piece.top;
+                        stiffness[(above, node)] = piece.cross;
+                        stiffness[(node, above)] = piece.cross;
+                    }
+                }
+                loads[(0, 0)] = -pieces[0].cross;
+                for site in 0..sites {
+                    loads[(site, site + 1)] = s;
+                }
+                stiffness.partial_piv_lu().solve_in_place(&mut loads);
+                let found = reduce(pieces[..nodes].iter().copied().map(Some), sites, s);
+                for row in 0..sites {
+                    assert!((found.from_surface[row] - loads[(row, 0)]).norm() < 1e-12);
+                    for column in 0..sites {
+                        let expected = loads[(row, column + 1)];
+                        assert!((found.from_torque[(row, column)] - expected).norm() < 1e-12);
+                    }
+                }
+            }
+        }
     }
 }

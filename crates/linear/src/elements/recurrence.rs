@@ -9,15 +9,16 @@
 //! in closed form. The taps, U of a unit force in the
 //! first step, are what stepping gives ([`super::reduction`]), up to rounding.
 
-use num_complex::Complex64;
-
 use super::beam::{dashpot, mass_matrix, stiffness_matrix};
 use super::mesh::{check_number, divided, longest_element};
 use super::newmark::Weights;
 use super::torsion::Element;
 use crate::assembly::bending::Beam;
 use crate::assembly::block::Block;
+use crate::assembly::chain::Stiffness;
 use crate::assembly::matrix::ResponseMatrix;
+use crate::assembly::nodes::Relation;
+use crate::assembly::number::Number;
 use crate::assembly::stiff_beam::{StiffBeam, turns};
 use crate::assembly::torsion::{DynamicStiffness, TorsionAdmittance};
 use crate::assembly::{bending, chain, torsion};
@@ -28,22 +29,23 @@ use crate::spans::Span;
 
 /// Velocity and acceleration per displacement at one ζ.
 #[derive(Debug, Clone, Copy)]
-struct Rates {
-    velocity: Complex64,
-    acceleration: Complex64,
+struct Rates<T> {
+    velocity: T,
+    acceleration: T,
 }
 
-impl Rates {
+impl<T: Number> Rates<T> {
     /// Those of the scheme at |ζ| < 1.
-    fn at(weights: &Weights, zeta: Complex64) -> Self {
+    fn at(weights: &Weights, zeta: T) -> Self {
         let Weights { gamma, beta, step } = *weights;
-        let advance = 1.0 - zeta;
-        let in_velocity = gamma + (1.0 - gamma) * zeta;
+        let advance = -zeta + 1.0;
+        let in_velocity = zeta * (1.0 - gamma) + gamma;
         let in_displacement =
-            beta + zeta * (0.5 + gamma - 2.0 * beta + zeta * (0.5 - gamma + beta));
+            zeta * (zeta * (0.5 - gamma + beta) + (0.5 + gamma - 2.0 * beta)) + beta;
+        let per_step = advance * (in_displacement * step).inverse();
         Self {
-            velocity: advance * in_velocity / (step * in_displacement),
-            acceleration: advance * advance / (step * step * in_displacement),
+            velocity: per_step * in_velocity,
+            acceleration: per_step * advance * step.recip(),
         }
     }
 }
@@ -82,25 +84,25 @@ impl<'a> ElementChain<'a> {
     }
 
     /// In torsion: rotation speeds at the sites from the surface's and from torques.
-    pub fn admittance(&self, zeta: Complex64) -> TorsionAdmittance {
+    pub fn admittance<T: Number>(&self, zeta: T) -> TorsionAdmittance<T> {
         let rates = Rates::at(&self.weights, zeta);
         let tube = |tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
-        torsion::reduce(pieces, self.sites, Complex64::new(1.0, 0.0))
+        torsion::reduce(pieces, self.sites, T::real(1.0))
     }
 
     /// In bending: displacements at the sites from forces there, m/N.
-    pub fn receptance(
+    pub fn receptance<T: Number>(
         &self,
         bending: &Bending,
         support: SurfaceSupport,
-        zeta: Complex64,
-    ) -> ResponseMatrix {
+        zeta: T,
+    ) -> ResponseMatrix<T> {
         let rates = Rates::at(&self.weights, zeta);
         let tube = |tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
             let element = beam_element(self.string, bending, &element, rates);
-            chain::repeated(Beam::of(element), count)
+            Beam::of(element).repeated(count)
         };
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
         bending::reduce(pieces, self.sites, support)
@@ -108,24 +110,30 @@ impl<'a> ElementChain<'a> {
 }
 
 /// Elements of a tube in a row, torques per speed.
-fn torsion_row(
+fn torsion_row<T: Number>(
     string: &Drillstring,
     (count, element): (usize, Tube),
-    rates: Rates,
-) -> DynamicStiffness {
+    rates: Rates<T>,
+) -> DynamicStiffness<T> {
     let Element {
         inertia,
         spring,
         dashpot,
     } = Element::of(string, &element);
     // At either node a third of the inertia, and a sixth with the other node's.
-    let in_speed = rates.acceleration / rates.velocity;
-    let alike = dashpot + in_speed * (inertia / 2.0);
-    let opposite = dashpot + in_speed * (inertia / 6.0) + 2.0 * spring / rates.velocity;
+    let per_speed = rates.velocity.inverse();
+    let in_speed = rates.acceleration * per_speed;
+    let alike = in_speed * (inertia / 2.0) + dashpot;
+    let opposite = in_speed * (inertia / 6.0) + per_speed * (2.0 * spring) + dashpot;
     DynamicStiffness::row(alike, opposite, count)
 }
 
-fn beam_element(string: &Drillstring, bending: &Bending, tube: &Tube, rates: Rates) -> StiffBeam {
+fn beam_element<T: Number>(
+    string: &Drillstring,
+    bending: &Bending,
+    tube: &Tube,
+    rates: Rates<T>,
+) -> StiffBeam<T> {
     let mass = mass_matrix(string, tube);
     let damping = rates.velocity * dashpot(tube, bending);
     // Of inertia and dashpots, which a rigid motion meets in full.
@@ -143,11 +151,11 @@ fn beam_element(string: &Drillstring, bending: &Bending, tube: &Tube, rates: Rat
         }))
     };
     let (length, cross, bottom) = (tube.length, carried(0, 1), carried(1, 1));
-    let (along, zero) = (bottom.carried(length), Complex64::new(0.0, 0.0));
+    let (along, zero) = (bottom.carried(length), T::real(0.0));
     // It takes no force to carry a beam along, but for what a compressed one pushes aside.
-    let [aside, about] = [1.0, length].map(|arm| Complex64::from(-bending.compression * arm));
+    let [aside, about] = [1.0, length].map(|arm| T::real(-bending.compression * arm));
     let stiffness = stiffness_matrix(tube, bending);
-    let elastic = [2, 3].map(|i| [2, 3].map(|j| Complex64::from(stiffness[i][j])));
+    let elastic = [2, 3].map(|i| [2, 3].map(|j| T::real(stiffness[i][j])));
     let mixed = cross.transpose() + along;
     let inertia = rates.acceleration * (string.material().density * tube.area());
     let foundation = inertia + rates.velocity * bending.damping;

@@ -2,9 +2,8 @@
 //! to show that it fails (start of Section 2.4): between its samples the
 //! spectrum of these taps is not positive-real, and a sticking bit chatters.
 
-use num_complex::Complex64;
-
 use super::{frequency_grid, inverse_transform, sample};
+use crate::assembly::lanes::Lanes;
 
 /// Taps of every channel: all `transform_length` (even) samples of the inverse
 /// transform, the wrapped-around end included.
@@ -12,7 +11,7 @@ pub fn taps(
     sampling_frequency: f64,
     transform_length: usize,
     channels: usize,
-    velocity_response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+    velocity_response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
     let grid = frequency_grid(transform_length, sampling_frequency);
     sample(channels, transform_length / 2 + 1, grid, velocity_response)

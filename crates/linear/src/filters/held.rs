@@ -11,10 +11,10 @@
 //! not.) Where g is a train of impulses, R is piecewise straight, and each impulse is
 //! shared between the two steps that it lies between.
 
-use num_complex::Complex64;
-
 use super::quadrature::series;
 use super::radau;
+use crate::assembly::lanes::Lanes;
+use crate::assembly::number::Number;
 
 /// Steps of Radau IIA in one step of the taps.
 pub(crate) const SUBSTEPS: usize = 4;
@@ -25,15 +25,15 @@ pub(crate) fn smooth_taps(
     sampling_frequency: f64,
     count: usize,
     channels: usize,
-    response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+    response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
     let fine = SUBSTEPS as f64 * sampling_frequency;
     let trains = series(
         SUBSTEPS * count + 1,
         channels,
-        &|zeta: Complex64, values: &mut [Complex64]| {
+        &|zeta: Lanes, values: &mut [Lanes]| {
             let [(one, weight), (other, other_weight)] = radau::held(zeta);
-            let mut others = vec![Complex64::new(0.0, 0.0); values.len()];
+            let mut others = vec![Lanes::real(0.0); values.len()];
             response(one * fine, values);
             response(other * fine, &mut others);
             for (value, other) in values.iter_mut().zip(others) {

@@ -1,9 +1,8 @@
 //! The paper's digital filter (Eqs. 39–40): the causal sequence whose spectrum
 //! has the sampled real part of the velocity response.
 
-use num_complex::Complex64;
-
 use super::{frequency_grid, inverse_transform, keep, sample};
+use crate::assembly::lanes::Lanes;
 
 /// Taps of every channel from a transform of `transform_length` samples
 /// (even): `transform_length / 2 + 1` taps each.
@@ -15,7 +14,7 @@ pub fn taps(
     sampling_frequency: f64,
     transform_length: usize,
     channels: usize,
-    velocity_response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+    velocity_response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
     let half = transform_length / 2;
     let grid = frequency_grid(transform_length, sampling_frequency);

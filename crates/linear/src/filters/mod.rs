@@ -14,20 +14,33 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
-/// Evaluates every channel at `variable(0)`, …, `variable(count − 1)`; gives one
-/// spectrum a channel, each made when it is asked for.
+use crate::assembly::lanes::Lanes;
+use crate::assembly::number::Number;
+
+/// Evaluates every channel at `variable(0)`, …, `variable(count − 1)`, several of them
+/// at a time; gives one spectrum a channel, each made when it is asked for.
 fn sample(
     channels: usize,
     count: usize,
     variable: impl Fn(usize) -> Complex64 + Sync,
-    response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+    response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> impl Iterator<Item = Vec<Complex64>> {
-    let zero = Complex64::new(0.0, 0.0);
-    let mut rows = vec![zero; count * channels];
-    rows.par_chunks_mut(channels)
+    let mut rows = vec![Complex64::ZERO; count * channels];
+    let no_values = || vec![Lanes::real(0.0); channels];
+    rows.par_chunks_mut(Lanes::LANES * channels)
         .enumerate()
-        .with_min_len(256)
-        .for_each(|(index, row)| response(variable(index), row));
+        .with_min_len(64)
+        .for_each_init(no_values, |values, (chunk, rows)| {
+            let first = Lanes::LANES * chunk;
+            // Beyond the end there is nothing to fill; the last one serves.
+            let point = |lane: usize| variable((first + lane).min(count - 1));
+            response(Lanes::of_lanes(point), values);
+            for (lane, row) in rows.chunks_mut(channels).enumerate() {
+                for (entry, value) in row.iter_mut().zip(values.iter()) {
+                    *entry = value.lane(lane);
+                }
+            }
+        });
     (0..channels).map(move |channel| {
         rows.iter()
             .skip(channel)

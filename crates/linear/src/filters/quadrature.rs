@@ -9,6 +9,8 @@
 use num_complex::Complex64;
 
 use super::{inverse_transform, keep, sample};
+use crate::assembly::lanes::Lanes;
+use crate::assembly::number::Number;
 
 /// Samples on the circle per tap kept. Rounding grows as ρ^(−n); with four
 /// samples a tap it grows by no more than CIRCLE_DECAY^(−1/4).
@@ -70,10 +72,10 @@ pub enum Formula {
 
 impl Formula {
     /// δ(ζ) within the unit circle, |ζ| < 1, where it is finite.
-    fn generating_function(self, zeta: Complex64) -> Complex64 {
+    fn generating_function<T: Number>(self, zeta: T) -> T {
         match self {
-            Formula::BackwardDifferences => 1.5 - zeta * (2.0 - 0.5 * zeta),
-            Formula::Trapezoidal => 2.0 * (1.0 - zeta) / (1.0 + zeta),
+            Formula::BackwardDifferences => zeta * (zeta * 0.5 - 2.0) + 1.5,
+            Formula::Trapezoidal => (-zeta + 1.0) * (zeta + 1.0).inverse() * 2.0,
         }
     }
 }
@@ -84,25 +86,21 @@ pub fn taps(
     sampling_frequency: f64,
     count: usize,
     channels: usize,
-    response: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+    response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
-    series(
-        count,
-        channels,
-        &|zeta: Complex64, values: &mut [Complex64]| {
-            response(
-                formula.generating_function(zeta) * sampling_frequency,
-                values,
-            );
-        },
-    )
+    series(count, channels, &|zeta: Lanes, values: &mut [Lanes]| {
+        response(
+            formula.generating_function(zeta) * sampling_frequency,
+            values,
+        );
+    })
 }
 
 /// The first `count` coefficients of every channel's generating function of ζ, |ζ| < 1.
 pub(crate) fn series(
     count: usize,
     channels: usize,
-    generating: &(impl Fn(Complex64, &mut [Complex64]) + Sync),
+    generating: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
     let circle = circle(count);
     let on_circle = |index: usize| circle.point(index);
@@ -114,9 +112,10 @@ pub(crate) fn series(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::assembly::nodes::Relation;
 
     fn assert_integrates(formula: Formula, exact: impl Fn(i32) -> f64) {
-        let integrate = |s: Complex64, out: &mut [Complex64]| out[0] = s.inv();
+        let integrate = |s: Lanes, out: &mut [Lanes]| out[0] = s.inverse();
         let taps = &taps(formula, 10.0, 64, 1, &integrate)[0];
         for (index, tap) in taps.iter().enumerate() {
             let exact = exact(index as i32) / 10.0;

@@ -12,6 +12,10 @@ use num_complex::Complex64;
 
 use super::quadrature::{circle, coefficients};
 use super::sample;
+use crate::assembly::block::Block;
+use crate::assembly::lanes::Lanes;
+use crate::assembly::nodes::Relation;
+use crate::assembly::number::Number;
 
 /// Where the stages lie, in parts of a step.
 pub const STAGES: [f64; 2] = [1.0 / 3.0, 1.0];
@@ -28,13 +32,13 @@ pub fn taps(
 ) -> [Vec<f64>; 4] {
     let circle = circle(count);
     let on_circle = |index: usize| circle.point(index);
-    let between_stages = |zeta: Complex64, channels: &mut [Complex64]| {
+    let between_stages = |zeta: Lanes, channels: &mut [Lanes]| {
         let matrix = generating_matrix(zeta);
         let ([[a, b], [c, d]], [one, other]) = (matrix, eigenvalues(matrix));
         // Sylvester's formula: K(Δ) = p + q Δ.
         let [k_one, k_other] =
-            [one, other].map(|eigenvalue| response(eigenvalue * sampling_frequency));
-        let q = (k_one - k_other) / (one - other);
+            [one, other].map(|eigenvalue| (eigenvalue * sampling_frequency).each(response));
+        let q = (k_one - k_other) * (one - other).inverse();
         let p = k_one - q * one;
         channels.copy_from_slice(&[p + q * a, q * b, q * c, p + q * d]);
     };
@@ -46,32 +50,32 @@ pub fn taps(
 /// The generating function bᵀ K(Δ(ζ) f_s) 1 of what is held over each step and answered
 /// by the mean over it, as the eigenvalues of Δ(ζ), at which K is taken, with the weights
 /// of these.
-pub(super) fn held(zeta: Complex64) -> [(Complex64, Complex64); 2] {
+pub(super) fn held<T: Number>(zeta: T) -> [(T, T); 2] {
     let matrix = generating_matrix(zeta);
     let ([[a, b], [c, d]], [one, other]) = (matrix, eigenvalues(matrix));
     let [_, [first, last]] = A;
-    let of_held = first * (a + b) + last * (c + d);
+    let of_held = (a + b) * first + (c + d) * last;
+    let apart = (one - other).inverse();
     [
-        (one, (of_held - other) / (one - other)),
-        (other, (one - of_held) / (one - other)),
+        (one, (of_held - other) * apart),
+        (other, (one - of_held) * apart),
     ]
 }
 
-fn eigenvalues([[a, b], [c, d]]: [[Complex64; 2]; 2]) -> [Complex64; 2] {
-    let (mean, determinant) = (0.5 * (a + d), a * d - b * c);
-    let root = (mean * mean - determinant).sqrt();
+fn eigenvalues<T: Number>([[a, b], [c, d]]: [[T; 2]; 2]) -> [T; 2] {
+    let (mean, determinant) = ((a + d) * 0.5, a * d - b * c);
+    let root = (mean * mean - determinant).root();
     [mean + root, mean - root]
 }
 
 /// Δ(ζ).
-fn generating_matrix(zeta: Complex64) -> [[Complex64; 2]; 2] {
-    let carried = zeta / (1.0 - zeta);
+fn generating_matrix<T: Number>(zeta: T) -> [[T; 2]; 2] {
+    let carried = zeta * (-zeta + 1.0).inverse();
     let [first, last] = A;
     let entry = |row: [f64; 2], column: usize| carried * last[column] + row[column];
     let (a, b) = (entry(first, 0), entry(first, 1));
     let (c, d) = (entry(last, 0), entry(last, 1));
-    let scale = (a * d - b * c).inv();
-    [[d * scale, -b * scale], [-c * scale, a * scale]]
+    Block([[a, b], [c, d]]).inverse().0
 }
 
 #[cfg(test)]

@@ -6,7 +6,8 @@ use num_complex::Complex64;
 use super::channels::ChannelResponses;
 use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, transform_length};
 use super::request::Request;
-use crate::assembly::matrix::ResponseMatrix;
+use crate::assembly::lanes::Lanes;
+use crate::assembly::number::Number;
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::elements::newmark::Weights;
@@ -67,17 +68,20 @@ impl Lateral<'_> {
         let network = BendingNetwork::new(self.string, *bending, support, &request.sites)?;
         let sampling_frequency = request.sampling_frequency;
         let count = request.sites.len().pow(2);
-        let displacement = |s: Complex64, responses: &mut [Complex64]| {
-            fill(&network.receptance(s), Complex64::new(1.0, 0.0), responses)
+        let displacement = |s: Lanes, responses: &mut [Lanes]| {
+            responses.copy_from_slice(network.receptance(s).entries());
         };
         let by_formula = |formula: Formula| {
             quadrature::taps(formula, sampling_frequency, needed, count, &displacement)
         };
-        let velocity = |s: Complex64, responses: &mut [Complex64]| {
-            if s.norm() == 0.0 {
-                self.fill_rigid(responses);
-            } else {
-                fill(&network.receptance(s), s, responses);
+        let velocity = |s: Lanes, responses: &mut [Lanes]| {
+            let receptance = network.receptance(s);
+            for (pair, response) in responses.iter_mut().enumerate() {
+                let receptance = receptance.entries()[pair];
+                *response = Lanes::of_lanes(|lane| match s.lane(lane) {
+                    Complex64::ZERO => self.rigid(pair).into(),
+                    s => s * receptance.lane(lane),
+                });
             }
         };
         Ok(match self.method {
@@ -112,24 +116,22 @@ impl Lateral<'_> {
         transform_length(samples, self.request.sampling_frequency)
     }
 
-    /// Writes the velocity responses at zero frequency, where the string moves as
-    /// a rigid rod against its dashpots: translation and rotation where the surface
-    /// is free, rotation alone where it is pinned, nothing where it is clamped.
-    fn fill_rigid(&self, responses: &mut [Complex64]) {
-        let length = self.string.length();
-        let depths: Vec<f64> = (self.request.sites.distances_from_bit().iter())
-            .map(|distance| (length - distance) / length)
-            .collect();
-        let sites = depths.len();
-        for (index, value) in responses.iter_mut().enumerate() {
-            let (a, b) = (depths[index / sites], depths[index % sites]);
-            let shape = match self.support {
-                SurfaceSupport::Free => 1.0 + 12.0 * (a - 0.5) * (b - 0.5),
-                SurfaceSupport::Pinned => 3.0 * a * b,
-                SurfaceSupport::Clamped => 0.0,
-            };
-            *value = Complex64::new(shape / (self.bending.damping * length), 0.0);
-        }
+    /// The velocity response at zero frequency of a pair of sites, row by row, where the
+    /// string moves as a rigid rod against its dashpots: translation and rotation where the
+    /// surface is free, rotation alone where it is pinned, nothing where it is clamped.
+    fn rigid(&self, pair: usize) -> f64 {
+        let (length, distances) = (
+            self.string.length(),
+            self.request.sites.distances_from_bit(),
+        );
+        let depth = |site: usize| (length - distances[site]) / length;
+        let (a, b) = (depth(pair / distances.len()), depth(pair % distances.len()));
+        let shape = match self.support {
+            SurfaceSupport::Free => 1.0 + 12.0 * (a - 0.5) * (b - 0.5),
+            SurfaceSupport::Pinned => 3.0 * a * b,
+            SurfaceSupport::Clamped => 0.0,
+        };
+        shape / (self.bending.damping * length)
     }
 
     fn element_taps(
@@ -145,9 +147,9 @@ impl Lateral<'_> {
             parameters.elements_per_cell,
             Weights::new(parameters, request.sampling_frequency)?,
         )?;
-        let receptance = |zeta: Complex64, responses: &mut [Complex64]| {
+        let receptance = |zeta: Lanes, responses: &mut [Lanes]| {
             let receptance = chain.receptance(self.bending, self.support, zeta);
-            fill(&receptance, Complex64::new(1.0, 0.0), responses);
+            responses.copy_from_slice(receptance.entries());
         };
         Ok(quadrature::series(needed, sites * sites, &receptance))
     }
@@ -157,14 +159,6 @@ impl Lateral<'_> {
 pub(crate) fn transform_samples(transform: &Transform, request: &Request) -> f64 {
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
     samples_of(transform, 2.0 * needed, request.sampling_frequency)
-}
-
-/// Writes `factor` times the receptances between all sites.
-fn fill(receptance: &ResponseMatrix, factor: Complex64, responses: &mut [Complex64]) {
-    let sites = receptance.size();
-    for (index, value) in responses.iter_mut().enumerate() {
-        *value = factor * receptance[(index / sites, index % sites)];
-    }
 }
 
 /// Displacement taps as running sums of velocity taps over f_s (end of Section

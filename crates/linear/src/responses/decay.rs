@@ -1,11 +1,11 @@
 //! Torsional responses as long as they last: until they have decayed, or to the end of
 //! the simulation.
 
-use super::length::{MOST_TAPS, needed_taps, too_many};
+use super::length::{MOST_TAPS, needed_taps, too_many, transformable};
 use super::request::Request;
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
-use crate::estimates::{torsional_decay_rate, torsional_travel_time};
+use crate::estimates::{torsional_decay_rate, torsional_travel_time, undershoot_time};
 use crate::passivity::Ending;
 
 /// Taps after which a response sums, in magnitude, to less than this fraction
@@ -18,32 +18,55 @@ const NEGLIGIBLE_TAIL: f64 = 1e-8;
 /// negligible too, so that a quiet moment is not taken for the end.
 const QUIET_PART: f64 = 0.25;
 
+/// Responses are built until they have decayed, though nothing looks so far, where that
+/// takes no more than so many times as long: what is told of a whole response needs no
+/// allowance for its end.
+pub(crate) const WORTH_WHILE: f64 = 2.2;
+
 /// A first guess of the length, in round trips, where damping says nothing.
 const FIRST_ROUND_TRIPS: f64 = 16.0;
 
-/// Builds responses of growing length until they have decayed or are as long
-/// as the simulation; but never so short that the string has not rung down,
-/// for the positive-real margin of a response cut off means nothing.
+/// The slowest vibration takes about so many times as long to decay as the mean of all.
+const SLOWEST: f64 = 1.25;
+
+/// Builds responses of growing length until they have decayed or are at least as long as
+/// they are looked at.
 pub(super) fn until_decayed(
     string: &Drillstring,
     request: &Request,
     mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
 ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-    let needed = needed_taps(request.longest_time, request.sampling_frequency);
-    let mut length = first_length(string, request.sampling_frequency)?;
+    let frequency = request.sampling_frequency;
+    let looked_at = looked_at(string, request.longest_time, frequency);
+    let last = looked_at.min(MOST_TAPS as f64) as usize;
+    let mut length = first_length(string, frequency)?;
+    if length as f64 > WORTH_WHILE * looked_at {
+        length = last;
+    }
     loop {
         let mut taps = build(length);
         if cut_decayed_tail(&mut taps) {
             return Ok((taps, Ending::Whole));
         }
-        if length as f64 >= needed {
+        if length as f64 >= looked_at {
             return Ok((taps, Ending::Cut));
         }
         if length == MOST_TAPS {
-            return Err(too_many(needed));
+            return Err(too_many(looked_at));
         }
-        length = (2 * length).min(MOST_TAPS);
+        length = (2 * length).min(last);
     }
+}
+
+/// Taps beyond which no response is looked at: neither by a simulation, which may take so
+/// long (s), nor for its undershoot.
+pub(crate) fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
+    let time = longest_time.max(undershoot_time(string));
+    let taps = needed_taps(time, sampling_frequency);
+    if taps > MOST_TAPS as f64 {
+        return taps;
+    }
+    transformable(taps as usize) as f64
 }
 
 /// Cuts all responses where the last of them has decayed. Returns whether they
@@ -78,7 +101,7 @@ fn decayed_length(taps: &[f64]) -> usize {
 }
 
 /// A guess of the taps a response lasts, from the decay rate of the whole
-/// string; a power of two for the transforms.
+/// string.
 ///
 /// # Errors
 /// Where it lasts no finite time.
@@ -86,7 +109,8 @@ pub(crate) fn first_length(
     string: &Drillstring,
     sampling_frequency: f64,
 ) -> Result<usize, BuildError> {
-    let decay_time = -NEGLIGIBLE_TAIL.ln() / torsional_decay_rate(string) / (1.0 - QUIET_PART);
+    let decay_time =
+        -SLOWEST * NEGLIGIBLE_TAIL.ln() / torsional_decay_rate(string) / (1.0 - QUIET_PART);
     let default_time = FIRST_ROUND_TRIPS * 2.0 * torsional_travel_time(string);
     let time = if decay_time.is_finite() {
         decay_time.max(2.0 * torsional_travel_time(string))
@@ -97,5 +121,5 @@ pub(crate) fn first_length(
     if !taps.is_finite() {
         return Err(too_many(taps));
     }
-    Ok((taps.min(MOST_TAPS as f64) as usize).next_power_of_two())
+    Ok(transformable(taps.min(MOST_TAPS as f64) as usize))
 }

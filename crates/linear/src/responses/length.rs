@@ -11,6 +11,21 @@ pub(crate) fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
     ((longest_time * sampling_frequency).ceil() + 1.0).max(2.0)
 }
 
+/// The next length that is a product of twos, threes and fives: a transform of any other may
+/// take several times as long.
+pub(super) fn transformable(length: usize) -> usize {
+    let is_product = |length: &usize| {
+        let without = |mut left: usize, factor: usize| {
+            while left.is_multiple_of(factor) {
+                left /= factor;
+            }
+            left
+        };
+        [2, 3, 5].into_iter().fold(*length, without) == 1
+    };
+    (length.max(1)..).find(is_product).unwrap_or(length)
+}
+
 /// Samples of a transform as given, or by default.
 pub(super) fn samples_of(transform: &Transform, default: f64, sampling_frequency: f64) -> f64 {
     (transform.seconds).map_or(default, |seconds| seconds * sampling_frequency)

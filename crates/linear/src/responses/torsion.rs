@@ -1,12 +1,11 @@
 //! Torsional responses by any method (Sections 2.4 and 3).
 
-use num_complex::Complex64;
-
 use super::channels::ChannelResponses;
 use super::decay::{first_length, until_decayed};
 use super::length::{all_finite, samples_of, transform_length};
 use super::request::Request;
 use super::trains::{ImpulseTrains, fill};
+use crate::assembly::lanes::Lanes;
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
@@ -119,11 +118,9 @@ impl Torsion<'_> {
     }
 
     /// Exact frequency responses.
-    fn wave_response(
-        &self,
-    ) -> Result<impl Fn(Complex64, &mut [Complex64]) + Sync + '_, BuildError> {
+    fn wave_response(&self) -> Result<impl Fn(Lanes, &mut [Lanes]) + Sync + '_, BuildError> {
         let network = TorsionNetwork::new(self.string, &self.request.sites)?;
-        Ok(move |s: Complex64, responses: &mut [Complex64]| {
+        Ok(move |s: Lanes, responses: &mut [Lanes]| {
             fill(self.torques, &network.admittance(s), responses)
         })
     }
@@ -135,7 +132,7 @@ impl Torsion<'_> {
         let weights = Weights::new(parameters, self.request.sampling_frequency)?;
         let sites = &self.request.sites;
         let chain = ElementChain::new(self.string, sites, parameters.elements_per_cell, weights)?;
-        let response = |zeta: Complex64, responses: &mut [Complex64]| {
+        let response = |zeta: Lanes, responses: &mut [Lanes]| {
             fill(self.torques, &chain.admittance(zeta), responses)
         };
         until_decayed(self.string, self.request, |length| {
@@ -174,6 +171,7 @@ pub(crate) fn transform_samples(
     sampling_frequency: f64,
 ) -> f64 {
     let seeps = SEEPING_TIMES * torsional_settling_time(string) * sampling_frequency;
-    let first = first_length(string, sampling_frequency).map_or(f64::INFINITY, |taps| taps as f64);
+    let first = first_length(string, sampling_frequency)
+        .map_or(f64::INFINITY, |taps| taps.next_power_of_two() as f64);
     samples_of(transform, 2.0 * seeps.max(first), sampling_frequency)
 }

@@ -1,10 +1,8 @@
 //! Torsional responses as trains of impulses, once for all sampling frequencies.
 
-use num_complex::Complex64;
-
-use super::decay::{first_length, until_decayed};
-use super::length::{MOST_TAPS, needed_taps, too_many};
+use super::decay::until_decayed;
 use super::request::{ChannelRequest, Request};
+use crate::assembly::lanes::Lanes;
 use crate::drillstring::{Drillstring, StringId};
 use crate::error::{BuildError, ResponseError};
 use crate::filters::{held, quadrature};
@@ -57,13 +55,7 @@ impl ImpulseTrains {
             sampling_frequency: 1.0 / lattice.step,
             ..request.clone()
         };
-        let needed = needed_taps(request.longest_time, on_lattice.sampling_frequency);
-        let first = first_length(string, request.sampling_frequency)? as f64;
-        let impulses = needed.max(first / (lattice.step * request.sampling_frequency));
-        if impulses > MOST_TAPS as f64 {
-            return Err(too_many(impulses));
-        }
-        let response = |zeta: Complex64, responses: &mut [Complex64]| {
+        let response = |zeta: Lanes, responses: &mut [Lanes]| {
             fill(torques, &lattice.admittance(zeta), responses)
         };
         let count = request.sites.len() * (1 + torques.len());
@@ -123,7 +115,11 @@ impl ImpulseTrains {
 
 /// Writes those responses that are asked for: of all sites from the surface, then of all
 /// sites from each torque.
-pub(super) fn fill(torques: &[usize], admittance: &TorsionAdmittance, responses: &mut [Complex64]) {
+pub(super) fn fill(
+    torques: &[usize],
+    admittance: &TorsionAdmittance<Lanes>,
+    responses: &mut [Lanes],
+) {
     let sites = admittance.from_surface.len();
     responses[..sites].copy_from_slice(&admittance.from_surface);
     let from_torques = (0..sites).flat_map(|site| {

@@ -246,6 +246,34 @@ fn taps_end_where_they_have_decayed() {
     }
 }
 
+/// A string that rings for longer than it is looked at has no taps beyond; those that it has
+/// are the first of all, and no less passive.
+#[test]
+fn taps_end_where_nothing_looks_any_more() {
+    let string = academic::damped_string(2.0);
+    for method in [
+        Method::Quadrature,
+        Method::Held,
+        Method::FiniteElement(Default::default()),
+    ] {
+        let found = responses(&string, &method, &academic::bit_request(10.0));
+        let whole = responses(&string, &method, &academic::bit_request(300.0));
+        assert_eq!(whole.ending, Ending::Whole, "{}", method.name());
+        let lasts = found.taps() as f64 / SAMPLING_FREQUENCY;
+        assert!(
+            (10.0..11.0).contains(&lasts),
+            "{}: {lasts} s",
+            method.name()
+        );
+        let (found, whole) = (&found.from_loads[0][0], &whole.from_loads[0][0]);
+        // The last step of held impulses is not over.
+        let compared = found.len() - 1;
+        let difference =
+            super::oracles::relative_difference(&found[..compared], &whole[..compared]);
+        assert!(difference < 1e-8, "{}: {difference}", method.name());
+    }
+}
+
 #[test]
 fn responses_between_two_sites_are_reciprocal() {
     let string = academic::string();

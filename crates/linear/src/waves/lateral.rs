@@ -7,6 +7,7 @@ use super::bending::uniform;
 use crate::assembly::bending::reduce;
 use crate::assembly::chain;
 use crate::assembly::matrix::ResponseMatrix;
+use crate::assembly::number::Number;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
@@ -58,7 +59,7 @@ impl<'a> BendingNetwork<'a> {
 
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
-    pub fn receptance(&self, s: Complex64) -> ResponseMatrix {
+    pub fn receptance<T: Number>(&self, s: T) -> ResponseMatrix<T> {
         let tube = |tube: &_| uniform(self.string, &self.bending, tube, s);
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
         reduce(pieces, self.sites, self.support)

@@ -13,9 +13,8 @@
 //! apart, spread as evenly as can be, so that no place of the string is further off
 //! than a piece.
 
-use num_complex::Complex64;
-
-use crate::assembly::chain::{Stiffness, repeated};
+use crate::assembly::chain::Stiffness;
+use crate::assembly::number::Number;
 use crate::assembly::torsion::{DynamicStiffness, TorsionAdmittance, reduce};
 use crate::drillstring::{Drillstring, Section};
 use crate::error::DrillstringError;
@@ -102,9 +101,13 @@ impl Lattice {
         };
         let spans = (spans.iter())
             .map(|span| {
-                let is_alone = span.runs.len() == 1;
-                let runs = span.runs.iter();
-                runs.map(|run| cutter.cut(run, is_alone)).collect()
+                let (before, last) = (cutter.pieces, span.runs.len().saturating_sub(1));
+                let runs = span.runs.iter().enumerate();
+                runs.map(|(index, run)| {
+                    let is_all = index == last && cutter.pieces == before;
+                    cutter.cut(run, is_all)
+                })
+                .collect()
             })
             .collect();
         Self {
@@ -117,12 +120,13 @@ impl Lattice {
 
     /// The response to what is held over each time h, as speeds in them, at the delay ζ
     /// of h, |ζ| < 1.
-    pub fn admittance(&self, zeta: Complex64) -> TorsionAdmittance {
+    pub fn admittance<T: Number>(&self, zeta: T) -> TorsionAdmittance<T> {
+        let waves = Waves::at(zeta);
         let spans = self.spans.iter().map(|runs| {
-            let runs = runs.iter().filter_map(|run| run.stiffness(zeta));
+            let runs = runs.iter().filter_map(|run| run.stiffness(&waves));
             runs.reduce(DynamicStiffness::join)
         });
-        reduce(spans, self.sites, Complex64::new(1.0, 0.0))
+        reduce(spans, self.sites, T::real(1.0))
     }
 }
 
@@ -175,7 +179,7 @@ struct Cutter<'a> {
 
 impl Cutter<'_> {
     /// The next run; one that is all there is between two nodes has at least a piece.
-    fn cut(&mut self, run: &Section, is_alone: bool) -> Run {
+    fn cut(&mut self, run: &Section, is_all: bool) -> Run {
         let speed = self.string.torsional_wave_speed();
         let in_pieces = |length: f64| length / speed / self.step;
         let mut parts: Vec<Part> = (run.parts.iter())
@@ -198,7 +202,7 @@ impl Cutter<'_> {
         }
         self.place += run.length() / speed;
         let end = (self.place / self.step).round() as usize;
-        let least = usize::from(is_alone);
+        let least = usize::from(is_all);
         let left = end
             .saturating_sub(self.pieces + run.repeat * others)
             .max(least);
@@ -218,25 +222,43 @@ impl Cutter<'_> {
     }
 }
 
-impl Run {
-    fn stiffness(&self, zeta: Complex64) -> Option<DynamicStiffness> {
-        let plain = self.cell(0, zeta);
-        if self.longer == 0 {
-            return plain.map(|cell| repeated(cell, self.cells));
+/// What a piece of unit impedance without damping takes at one delay ζ.
+struct Waves<T> {
+    /// Where both ends turn alike, (1 − ζ)/(1 + ζ).
+    alike: T,
+    /// Where they turn against one another, (1 + ζ)/(1 − ζ).
+    opposite: T,
+}
+
+impl<T: Number> Waves<T> {
+    fn at(zeta: T) -> Self {
+        let (sum, difference) = (zeta + 1.0, -zeta + 1.0);
+        Self {
+            alike: difference * sum.inverse(),
+            opposite: sum * difference.inverse(),
         }
-        let longer = self.cell(1, zeta)?;
+    }
+}
+
+impl Run {
+    fn stiffness<T: Number>(&self, waves: &Waves<T>) -> Option<DynamicStiffness<T>> {
+        let plain = self.cell(0, waves);
+        if self.longer == 0 {
+            return plain.map(|cell| cell.repeated(self.cells));
+        }
+        let longer = self.cell(1, waves)?;
         Some(match plain {
             // Cells without a piece are no longer than rounding.
-            None => repeated(longer, self.longer),
+            None => longer.repeated(self.longer),
             Some(plain) => evenly((plain, self.cells - self.longer), (longer, self.longer)),
         })
     }
 
     /// A cell with so many more pieces; `None` where it has none.
-    fn cell(&self, more: usize, zeta: Complex64) -> Option<DynamicStiffness> {
+    fn cell<T: Number>(&self, more: usize, waves: &Waves<T>) -> Option<DynamicStiffness<T>> {
         let parts = self.parts.iter().enumerate().filter_map(|(index, part)| {
             let more = if index == self.longest { more } else { 0 };
-            part.stiffness(part.pieces + more, zeta)
+            part.stiffness(part.pieces + more, waves)
         });
         parts.reduce(DynamicStiffness::join)
     }
@@ -245,14 +267,13 @@ impl Run {
 impl Part {
     /// Torques per speed of so many pieces in a row. A piece has Z(1 + ζ²)/(1 − ζ²) +
     /// D/2 at either end and −2Zζ/(1 − ζ²) across.
-    fn stiffness(&self, pieces: usize, zeta: Complex64) -> Option<DynamicStiffness> {
+    fn stiffness<T: Number>(&self, pieces: usize, waves: &Waves<T>) -> Option<DynamicStiffness<T>> {
         if pieces == 0 {
             return None;
         }
         let dashpot = 0.5 * self.damping / pieces as f64;
-        let tangent = (1.0 - zeta) / (1.0 + zeta);
-        let alike = self.impedance * tangent + dashpot;
-        let opposite = self.impedance / tangent + dashpot;
+        let alike = waves.alike * self.impedance + dashpot;
+        let opposite = waves.opposite * self.impedance + dashpot;
         Some(DynamicStiffness::row(alike, opposite, pieces))
     }
 }
@@ -267,13 +288,17 @@ fn evenly<S: Stiffness>((mut many, mut count): (S, usize), (mut few, mut others)
             (count, others) = (others, count);
         }
         let each = count / others;
-        let above = repeated(many, each.div_ceil(2)).join(few);
         let group = match each / 2 {
-            0 => above,
-            below => above.join(repeated(many, below)),
+            0 => many.join(few),
+            half => {
+                let below = many.repeated(half);
+                let is_odd = each % 2 == 1;
+                let above = if is_odd { many.join(below) } else { below };
+                above.join(few).join(below)
+            }
         };
         (many, few) = (group, many);
         (count, others) = (others, count % others);
     }
-    repeated(many, count)
+    many.repeated(count)
 }

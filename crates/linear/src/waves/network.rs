@@ -5,6 +5,7 @@ use num_complex::Complex64;
 
 use super::torsion::uniform;
 use crate::assembly::chain;
+use crate::assembly::number::Number;
 use crate::assembly::torsion::{TorsionAdmittance, reduce};
 use crate::drillstring::Drillstring;
 use crate::error::DrillstringError;
@@ -38,7 +39,7 @@ impl<'a> TorsionNetwork<'a> {
     }
 
     /// The response at the Laplace variable `s` (rad/s, Re s ≥ 0).
-    pub fn admittance(&self, s: Complex64) -> TorsionAdmittance {
+    pub fn admittance<T: Number>(&self, s: T) -> TorsionAdmittance<T> {
         let tube = |tube: &_| uniform(self.string, tube, s);
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
         reduce(pieces, self.sites, s)

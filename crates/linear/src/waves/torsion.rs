@@ -1,49 +1,64 @@
 //! Torsional waves in a uniform tube (Eqs. 1–3).
 
-use num_complex::Complex64;
-
+use crate::assembly::number::Number;
 use crate::assembly::torsion::DynamicStiffness;
 use crate::drillstring::{Drillstring, Tube};
 
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s):
 /// G J γ coth γL and −G J γ csch γL with γ² = s(c_t + sρJ)/(GJ).
-pub fn uniform(string: &Drillstring, tube: &Tube, s: Complex64) -> DynamicStiffness {
+pub fn uniform<T: Number>(string: &Drillstring, tube: &Tube, s: T) -> DynamicStiffness<T> {
     let material = string.material();
     let polar_moment = tube.polar_moment();
     let rigidity = material.shear_modulus * polar_moment;
     let inertia = material.density * polar_moment;
-    let wavenumber = (s * (string.torsional_damping() + s * inertia) / rigidity).sqrt();
+    let damped = s * inertia + string.torsional_damping();
+    let wavenumber = (s * damped * rigidity.recip()).root();
     let (coth, csch) = scaled_coth_csch(wavenumber * tube.length);
     let static_stiffness = rigidity / tube.length;
     let driving = coth * static_stiffness;
     DynamicStiffness {
         top: driving,
-        cross: -csch * static_stiffness,
+        cross: csch * -static_stiffness,
         bottom: driving,
     }
 }
 
 /// x coth x and x csch x for Re x ≥ 0, by decaying exponentials only, so that
 /// nothing overflows however long or fast the wave.
-fn scaled_coth_csch(x: Complex64) -> (Complex64, Complex64) {
+fn scaled_coth_csch<T: Number>(x: T) -> (T, T) {
     // Below this the closed form loses digits to 1 − e^(−2x), and the next
     // term of the series is below rounding.
     const SMALL: f64 = 1e-2;
-    if x.norm() < SMALL {
-        let x2 = x * x;
-        let coth = 1.0 + x2 / 3.0 * (1.0 - x2 / 15.0 * (1.0 - x2 * (2.0 / 21.0)));
-        let csch = 1.0 - x2 / 6.0 * (1.0 - x2 * (7.0 / 60.0) * (1.0 - x2 * (31.0 / 294.0)));
-        (coth, csch)
-    } else {
-        let decay = (-x).exp();
-        let round_trip = decay * decay;
-        let scale = x / (1.0 - round_trip);
-        (scale * (1.0 + round_trip), scale * decay * 2.0)
+    let small = (x.squares()).filter(|square| *square < SMALL * SMALL);
+    match small.count() {
+        0 => {
+            let decay = x.each(|x| (-x).exp());
+            let round_trip = decay * decay;
+            let scale = x * (-round_trip + 1.0).inverse();
+            (scale * (round_trip + 1.0), scale * decay * 2.0)
+        }
+        count if count == T::LANES => {
+            let x2 = x * x;
+            let coth = x2 * (2.0 / 21.0) - 1.0;
+            let coth = x2 * coth * (1.0 / 15.0) + 1.0;
+            let csch = x2 * (-31.0 / 294.0) + 1.0;
+            let csch = x2 * csch * (-7.0 / 60.0) + 1.0;
+            (
+                x2 * coth * (1.0 / 3.0) + 1.0,
+                x2 * csch * (-1.0 / 6.0) + 1.0,
+            )
+        }
+        _ => (
+            x.each(|x| scaled_coth_csch(x).0),
+            x.each(|x| scaled_coth_csch(x).1),
+        ),
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use num_complex::Complex64;
+
     use super::*;
 
     #[test]

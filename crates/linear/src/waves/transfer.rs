@@ -15,6 +15,7 @@ use super::bending::uniform;
 use crate::assembly::beam_stiffness::BeamStiffness;
 use crate::assembly::bending::Beam;
 use crate::assembly::block::Block;
+use crate::assembly::nodes::Relation;
 use crate::drillstring::{Bending, Drillstring};
 
 /// From (x, x′) and (force, moment) on the top of a piece to those on the top of

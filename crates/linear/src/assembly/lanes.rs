@@ -1,0 +1,197 @@
+//! Complex numbers side by side, so that the processor works on several at a time.
+//!
+//! A stiffness is a long chain of operations that wait for one another. Those of other
+//! frequencies do not, and fill the gaps.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use num_complex::Complex64;
+
+use super::nodes::Relation;
+use super::number::{Number, root};
+
+/// How many.
+const COUNT: usize = 4;
+
+/// Complex numbers at several frequencies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lanes {
+    re: [f64; COUNT],
+    im: [f64; COUNT],
+}
+
+/// Real and imaginary parts of each lane from those of two operands.
+#[inline(always)]
+fn zip(one: Lanes, other: Lanes, f: impl Fn([f64; 2], [f64; 2]) -> [f64; 2]) -> Lanes {
+    let (mut re, mut im) = ([0.0; COUNT], [0.0; COUNT]);
+    for lane in 0..COUNT {
+        [re[lane], im[lane]] = f(
+            [one.re[lane], one.im[lane]],
+            [other.re[lane], other.im[lane]],
+        );
+    }
+    Lanes { re, im }
+}
+
+/// The same of one operand.
+#[inline(always)]
+fn map(one: Lanes, f: impl Fn([f64; 2]) -> [f64; 2]) -> Lanes {
+    zip(one, one, |one, _| f(one))
+}
+
+impl Add for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        zip(self, other, |[a, b], [c, d]| [a + c, b + d])
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        zip(self, other, |[a, b], [c, d]| [a - c, b - d])
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        zip(self, other, |[a, b], [c, d]| [a * c - b * d, a * d + b * c])
+    }
+}
+
+impl Neg for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        map(self, |[a, b]| [-a, -b])
+    }
+}
+
+impl Add<f64> for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, real: f64) -> Self {
+        map(self, |[a, b]| [a + real, b])
+    }
+}
+
+impl Sub<f64> for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, real: f64) -> Self {
+        map(self, |[a, b]| [a - real, b])
+    }
+}
+
+impl Mul<f64> for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, real: f64) -> Self {
+        map(self, |[a, b]| [a * real, b * real])
+    }
+}
+
+impl Relation for Lanes {
+    fn zero() -> Self {
+        Self::real(0.0)
+    }
+
+    #[inline(always)]
+    fn inverse(self) -> Self {
+        map(self, |[a, b]| {
+            let square = a * a + b * b;
+            [a / square, -b / square]
+        })
+    }
+
+    fn transpose(self) -> Self {
+        self
+    }
+}
+
+impl Number for Lanes {
+    const LANES: usize = COUNT;
+
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> Complex64 {
+        Complex64::new(self.re[lane], self.im[lane])
+    }
+
+    #[inline(always)]
+    fn of_lanes(mut number: impl FnMut(usize) -> Complex64) -> Self {
+        let numbers: [Complex64; COUNT] = std::array::from_fn(&mut number);
+        Self {
+            re: numbers.map(|z| z.re),
+            im: numbers.map(|z| z.im),
+        }
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        map(self, |[a, b]| root(a, b).into())
+    }
+
+    #[inline(always)]
+    fn towards(self, other: Self) -> Self {
+        zip(self, other, |[a, b], [c, d]| {
+            let sign = 1f64.copysign(a * c + b * d);
+            [a * sign, b * sign]
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every operation is that of the numbers alone, to the bit.
+    #[test]
+    fn lanes_do_not_know_of_one_another() {
+        let numbers = |seed: u32| -> [Complex64; COUNT] {
+            std::array::from_fn(|lane| {
+                let angle = f64::from(seed * 7 + lane as u32 * 3);
+                Complex64::new(angle.sin(), (1.7 * angle).cos())
+            })
+        };
+        let (one, other) = (numbers(1), numbers(2));
+        let (ones, others) = (Lanes::of_lanes(|i| one[i]), Lanes::of_lanes(|i| other[i]));
+        let found = [
+            ones + others,
+            ones - others,
+            ones * others,
+            -ones,
+            ones + 3.0,
+            ones - 3.0,
+            ones * 3.0,
+            ones.inverse(),
+            ones.root(),
+            ones.towards(others),
+            ones.each(|z| z.exp()),
+            Lanes::real(2.0),
+        ];
+        for lane in 0..COUNT {
+            let (a, b) = (one[lane], other[lane]);
+            let alone = [
+                a + b,
+                a - b,
+                a * b,
+                -a,
+                a + 3.0,
+                a - 3.0,
+                a * 3.0,
+                a.inverse(),
+                a.root(),
+                a.towards(b),
+                a.exp(),
+                2.0.into(),
+            ];
+            for (found, alone) in found.iter().zip(alone) {
+                assert_eq!(found.lane(lane), alone);
+            }
+        }
+    }
+}
