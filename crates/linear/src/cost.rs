@@ -32,7 +32,7 @@ const COMPLEX: f64 = 16.0;
 const TRANSFORM: f64 = 60.0;
 
 /// The same of a margin, for powers of two.
-const MARGIN_TRANSFORM: f64 = 32.0;
+const MARGIN_TRANSFORM: f64 = 40.0;
 
 /// What assembling and factorising holds for each element, in torsion and in bending.
 const BEAM_ELEMENT: f64 = 2400.0;

@@ -278,3 +278,25 @@ fn what_rings_on_is_passive_too() {
     let margin = responses.torsion_margin().unwrap().unwrap();
     assert!(margin > -1e-9, "{margin}");
 }
+
+/// Between two sites at either side of the uppermost collar there are two tubes, both shorter
+/// than any piece; they still hang together.
+#[test]
+fn sites_closer_than_a_piece_turn_together() {
+    let string = academic::string();
+    let request = Request {
+        sites: Sites::new(&string, &[100.0001, 99.9999, 0.0]).unwrap(),
+        channels: vec![ChannelRequest::Torsion {
+            torques: vec![0, 1, 2],
+        }],
+        ..academic::bit_request(2.0)
+    };
+    let found = linear::responses(&string, &Method::Held, &request).unwrap();
+    let taps = |from: usize, to: usize| found.torsion().unwrap().taps_between(from, to).unwrap();
+    assert!(relative_difference(taps(2, 0), taps(2, 1)) < 0.05);
+    assert!(
+        taps(2, 0)
+            .iter()
+            .any(|tap| tap.abs() > 1e-3 * taps(2, 2)[0])
+    );
+}
