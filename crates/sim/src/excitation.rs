@@ -35,6 +35,10 @@ impl Impulse {
             duration: self.duration,
         };
         let force = self.amount * pulse.at(time - self.start);
+        // At nearly all times; a direction takes as long as half a contact.
+        if force == 0.0 {
+            return [0.0; 2];
+        }
         [force * self.direction.cos(), force * self.direction.sin()]
     }
 }

@@ -330,7 +330,7 @@ fn a_string_turned_over_has_its_ends_exchanged() {
 }
 
 #[test]
-fn doubling_agrees_with_the_eigenvectors_of_the_paper() {
+fn rows_of_cells_agree_with_the_eigenvectors_of_the_paper() {
     let string = academic::string();
     let parts = &string.sections()[0].parts;
     for count in [1, 2, 7, 90, 500] {
