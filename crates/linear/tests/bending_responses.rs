@@ -191,3 +191,16 @@ fn the_margin_tells_the_methods_that_hold_from_those_that_fail() {
         assert!(margin(direct, sites) < -0.5);
     }
 }
+
+/// Sites so close that they are nearly one: what differs between them is a millionth of what
+/// they share, and would be lost were the stiff piece between them taken by its ends.
+#[test]
+fn sites_side_by_side_are_passive() {
+    for spacing in [0.05, 0.01] {
+        for method in [Method::Quadrature, Method::Held] {
+            let found = of_method(&method, &[spacing, 0.0], 5.0);
+            let margin = found.bending_margin().unwrap().unwrap();
+            assert!(margin > -1e-7, "{} {spacing} m: {margin}", method.name());
+        }
+    }
+}

@@ -6,7 +6,7 @@ use super::beam_stiffness::BeamStiffness;
 use super::block::Block;
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
-use super::nodes::{Nodes, Piece, Relation};
+use super::nodes::{Link, Nodes, Relation};
 use super::number::Number;
 use super::stiff_beam::StiffBeam;
 use crate::drillstring::SurfaceSupport;
@@ -69,19 +69,52 @@ impl<T: Number> Stiffness for Beam<T> {
     }
 }
 
+impl<T: Number> Link<Block<T>> for Beam<T> {
+    fn below(&self, above: Block<T>) -> Block<T> {
+        match self {
+            Beam::Short(beam) => beam.below(alone(above)).bottom,
+            Beam::Long(beam) => beam.below(above),
+        }
+    }
+
+    fn above(&self, below: Block<T>) -> Block<T> {
+        match self {
+            Beam::Short(beam) => beam.above(alone(below)).top,
+            Beam::Long(beam) => beam.above(below),
+        }
+    }
+
+    fn carried(&self, below: Block<T>) -> Block<T> {
+        match self {
+            Beam::Short(beam) => beam.carried(below),
+            Beam::Long(beam) => beam.carried(below),
+        }
+    }
+}
+
+/// What has this stiffness at either end, without the other.
+fn alone<T: Number>(stiffness: Block<T>) -> BeamStiffness<T> {
+    BeamStiffness {
+        top: stiffness,
+        cross: Block::zero(),
+        bottom: stiffness,
+    }
+}
+
 /// Displacement at each of so many sites (row) per unit force at each (column), m/N: D⁽ᵇ⁾
 /// of Eq. 57. From the surface down, each piece ends at a node, of which the first `sites`
 /// are sites; `None` where there is nothing.
 pub fn reduce<T: Number>(
-    pieces: impl Iterator<Item = Option<Beam<T>>>,
+    mut pieces: impl Iterator<Item = Option<Beam<T>>>,
     sites: usize,
     support: SurfaceSupport,
 ) -> ResponseMatrix<T> {
-    let mut pieces =
-        pieces.map(|piece| piece.map_or_else(Piece::none, |piece| piece.between_ends()));
-    let uppermost = pieces.next().unwrap_or_else(Piece::none);
+    let uppermost = pieces.next().flatten();
+    let above = uppermost.map_or(Block::zero(), |piece| {
+        hanging_from(support, &piece.between_ends())
+    });
     let pieces: Vec<_> = pieces.collect();
-    let nodes = Nodes::new(hanging_from(support, &uppermost), &pieces);
+    let nodes = Nodes::new(above, &pieces);
     ResponseMatrix::reciprocal(sites, |site| {
         nodes
             .moved_by_load(site)

@@ -32,15 +32,6 @@ pub struct Piece<K> {
 }
 
 impl<K: Relation> Piece<K> {
-    /// No piece: nodes that do not feel one another.
-    pub fn none() -> Self {
-        Self {
-            top: K::zero(),
-            cross: K::zero(),
-            bottom: K::zero(),
-        }
-    }
-
     /// This piece with `lower` hanging from its bottom, no load acting on the node that they
     /// share.
     pub fn joined(self, lower: Self) -> Self {
@@ -51,6 +42,47 @@ impl<K: Relation> Piece<K> {
             cross: -(self.cross * downward),
             bottom: lower.bottom - lower.cross.transpose() * downward,
         }
+    }
+}
+
+/// What hangs between two nodes.
+pub trait Link<K> {
+    /// The stiffness at its bottom, when its top meets a stiffness.
+    fn below(&self, above: K) -> K;
+
+    /// The stiffness at its top, when its bottom meets a stiffness.
+    fn above(&self, below: K) -> K;
+
+    /// The motion of its bottom, which meets a stiffness, by that of its top.
+    fn carried(&self, below: K) -> K;
+}
+
+impl<K: Relation> Link<K> for Piece<K> {
+    fn below(&self, above: K) -> K {
+        self.bottom - self.cross.transpose() * ((above + self.top).inverse() * self.cross)
+    }
+
+    fn above(&self, below: K) -> K {
+        self.top + self.cross * self.carried(below)
+    }
+
+    fn carried(&self, below: K) -> K {
+        -((self.bottom + below).inverse() * self.cross.transpose())
+    }
+}
+
+/// Nodes that nothing is between do not feel one another.
+impl<K: Relation, L: Link<K>> Link<K> for Option<L> {
+    fn below(&self, above: K) -> K {
+        self.as_ref().map_or(K::zero(), |link| link.below(above))
+    }
+
+    fn above(&self, below: K) -> K {
+        self.as_ref().map_or(K::zero(), |link| link.above(below))
+    }
+
+    fn carried(&self, below: K) -> K {
+        self.as_ref().map_or(K::zero(), |link| link.carried(below))
     }
 }
 
@@ -65,20 +97,18 @@ pub struct Nodes<K> {
 }
 
 impl<K: Relation> Nodes<K> {
-    /// A node that `above` holds, and those below it, each by a piece.
-    pub fn new(above: K, pieces: &[Piece<K>]) -> Self {
-        let mut carried = vec![K::zero(); pieces.len() + 1];
-        let mut below = vec![K::zero(); pieces.len() + 1];
-        for (node, piece) in pieces.iter().enumerate().rev() {
-            let answer = (piece.bottom + below[node + 1]).inverse();
-            carried[node + 1] = -(answer * piece.cross.transpose());
-            below[node] = piece.top + piece.cross * carried[node + 1];
+    /// A node that `above` holds, and those below it, each hanging from the last.
+    pub fn new(above: K, links: &[impl Link<K>]) -> Self {
+        let mut carried = vec![K::zero(); links.len() + 1];
+        let mut below = vec![K::zero(); links.len() + 1];
+        for (node, link) in links.iter().enumerate().rev() {
+            carried[node + 1] = link.carried(below[node + 1]);
+            below[node] = link.above(below[node + 1]);
         }
         let mut above = above;
         let mut own = vec![(above + below[0]).inverse()];
-        for (piece, below) in pieces.iter().zip(&below[1..]) {
-            let carried = (above + piece.top).inverse() * piece.cross;
-            above = piece.bottom - piece.cross.transpose() * carried;
+        for (link, below) in links.iter().zip(&below[1..]) {
+            above = link.below(above);
             own.push((above + *below).inverse());
         }
         Self { own, carried }

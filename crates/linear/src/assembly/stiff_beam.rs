@@ -84,6 +84,15 @@ impl<T: Number> StiffBeam<T> {
         }
     }
 
+    /// The motion of the bottom, which meets a stiffness, by that of the top: that of a rigid
+    /// piece, and what it bends by.
+    pub fn carried(self, below: Block<T>) -> Block<T> {
+        let (zero, one) = (T::zero(), T::real(1.0));
+        let rigid = Block([[one, T::real(self.length)], [zero, one]]);
+        let load = self.mixed + below.carried(self.length);
+        rigid - (self.elastic + below).inverse() * load
+    }
+
     /// This above a piece that may be long. It bends by `−shared (b u_top + cross u_bottom)`.
     pub fn above(self, lower: BeamStiffness<T>) -> BeamStiffness<T> {
         let top = lower.top.carried(self.length);

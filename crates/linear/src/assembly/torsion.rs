@@ -105,17 +105,17 @@ pub struct TorsionAdmittance<T = Complex64> {
 /// each hangs from the one above by a piece, `None` where there is nothing. Stiffnesses
 /// are torques per motion, and a speed is `rate` times that motion.
 pub fn reduce<T: Number>(
-    pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
+    mut pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
     sites: usize,
     rate: T,
 ) -> TorsionAdmittance<T> {
-    let mut pieces = pieces.map(|piece| piece.unwrap_or_else(Piece::none));
-    // The surface turns as prescribed.
-    let uppermost = pieces.next().unwrap_or_else(Piece::none);
+    let uppermost = pieces.next().flatten();
     let pieces: Vec<_> = pieces.collect();
-    let nodes = Nodes::new(uppermost.bottom, &pieces);
+    // The surface turns as prescribed.
+    let (cross, bottom) = uppermost.map_or((T::zero(), T::zero()), |it| (it.cross, it.bottom));
+    let nodes = Nodes::new(bottom, &pieces);
     let first = nodes.moved_by_load(0).next();
-    let by_surface = first.map_or(T::zero(), |compliance| -(uppermost.cross * compliance));
+    let by_surface = first.map_or(T::zero(), |compliance| -(cross * compliance));
     TorsionAdmittance {
         from_surface: nodes.carried_from(0, by_surface).take(sites).collect(),
         from_torque: ResponseMatrix::reciprocal(sites, |site| {
