@@ -5,8 +5,9 @@
 use crate::site::Load;
 use crate::system::System;
 
-/// Sites are solved in turn until no force would change by more than this fraction of
-/// the largest.
+/// A site is solved again if the others' loads have changed since by what changes its own
+/// force by more than this fraction of the largest: ten thousand times rounding, and a
+/// thousandth of what a wall's law is held to (`laws::obeyed`).
 const COUPLING_TOLERANCE: f64 = 1e-12;
 
 /// Turns after which sites that do not settle are given up.
@@ -16,15 +17,43 @@ const MOST_TURNS: usize = 200;
 #[derive(Debug)]
 pub(crate) struct Coupling {
     loads: Vec<Load>,
-    /// How much they have changed in the last turn: force and torque.
-    changes: Vec<(f64, f64)>,
+    normal_forces: Vec<f64>,
+    /// What the others' loads have changed by since a site was solved, as force at it, N.
+    pending: Vec<f64>,
+    /// What the load of a site is worth at another, `[site × sites + other]`; nothing without
+    /// walls.
+    shares: Vec<Share>,
+}
+
+/// The force at a site that a load at another is worth. A site gives way by its own response,
+/// or turns by it.
+#[derive(Debug, Clone, Copy)]
+struct Share {
+    /// Of a force.
+    of_force: f64,
+    /// Of a torque, 1/m.
+    of_torque: f64,
 }
 
 impl Coupling {
-    pub(crate) fn new(count: usize) -> Self {
+    /// Of the loads of a system, at whose walls the string has these radii, m; it may have
+    /// none.
+    pub(crate) fn new(system: &System, radii: &[f64]) -> Self {
+        let count = system.loaded.len();
+        let share = |site: usize, radius: f64, other: usize| {
+            let turned = system.from_torques.share(site, other);
+            Share {
+                of_force: (system.from_forces.as_ref())
+                    .map_or(0.0, |forces| forces.share(site, other)),
+                of_torque: if turned == 0.0 { 0.0 } else { turned / radius },
+            }
+        };
+        let of_site = |(site, &radius)| (0..count).map(move |other| share(site, radius, other));
         Self {
             loads: vec![Load::default(); count],
-            changes: vec![(0.0, 0.0); count],
+            normal_forces: vec![0.0; count],
+            pending: vec![0.0; count],
+            shares: radii.iter().enumerate().flat_map(of_site).collect(),
         }
     }
 
@@ -45,53 +74,140 @@ impl Coupling {
 
     /// Solves a step by solving one site after the other, from the loads of the last
     /// step on: `solve` gives the load of a site and its normal force, N. Gives whether
-    /// they settled; `radius` is that of the string at a site.
+    /// they settled.
     #[inline]
     pub(crate) fn settle<E>(
         &mut self,
-        system: &System,
-        radius: impl Fn(usize) -> f64,
         mut solve: impl FnMut(usize, &[Load]) -> Result<(Load, f64), E>,
     ) -> Result<bool, E> {
+        self.pending.fill(f64::INFINITY);
         for _ in 0..MOST_TURNS {
-            let mut largest: f64 = 0.0;
-            for index in 0..self.loads.len() {
-                let (load, normal_force) = solve(index, &self.loads)?;
-                let before = std::mem::replace(&mut self.loads[index], load);
-                self.changes[index] = (
-                    (load.force[0] - before.force[0]).abs()
-                        + (load.force[1] - before.force[1]).abs(),
-                    (load.torque - before.torque).abs(),
-                );
-                largest = largest.max(normal_force);
+            let largest = self.normal_forces.iter().copied().fold(0.0, f64::max);
+            let mut is_settled = true;
+            for site in 0..self.loads.len() {
+                if self.pending[site] <= COUPLING_TOLERANCE * largest {
+                    continue;
+                }
+                let (load, normal_force) = solve(site, &self.loads)?;
+                self.normal_forces[site] = normal_force;
+                self.replace(site, load);
+                is_settled = false;
             }
-            let is_alone = self.loads.len() == 1;
-            if is_alone || self.largest_effect(system, &radius) <= COUPLING_TOLERANCE * largest {
+            if is_settled {
                 return Ok(true);
             }
         }
         Ok(false)
     }
 
-    /// The most that the last changes of the loads change the force at any other
-    /// site, N.
-    fn largest_effect(&self, system: &System, radius: impl Fn(usize) -> f64) -> f64 {
-        let torques = &system.from_torques;
-        let mut largest: f64 = 0.0;
-        for site in 0..self.loads.len() {
-            for (other, (force, torque)) in self.changes.iter().enumerate() {
-                if other == site {
-                    continue;
-                }
-                // A site gives way by its own response, or turns by it.
-                let turned = torques.instant(site, other).abs() * torque;
-                largest = largest.max(turned / (torques.instant(site, site) * radius(site)));
-                if let Some(forces) = &system.from_forces {
-                    let pushed = forces.instant(site, other).abs() * force;
-                    largest = largest.max(pushed / forces.instant(site, site));
-                }
+    /// The load of a site that has been solved, and what it changes for the others.
+    #[inline]
+    fn replace(&mut self, site: usize, load: Load) {
+        let before = std::mem::replace(&mut self.loads[site], load);
+        let [x, y] = [0, 1].map(|axis| (load.force[axis] - before.force[axis]).abs());
+        let torque = (load.torque - before.torque).abs();
+        let sites = self.loads.len();
+        let shares = || self.shares.iter().skip(site).step_by(sites);
+        if x + y > 0.0 {
+            for (pending, share) in self.pending.iter_mut().zip(shares()) {
+                *pending += share.of_force * (x + y);
             }
         }
-        largest
+        if torque > 0.0 {
+            for (pending, share) in self.pending.iter_mut().zip(shares()) {
+                *pending += share.of_torque * torque;
+            }
+        }
+        self.pending[site] = 0.0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sites whose force is what they would bear alone less shares of the others' forces.
+    struct Linear {
+        alone: [f64; 3],
+        shares: [[f64; 3]; 3],
+    }
+
+    impl Linear {
+        fn coupling(&self) -> Coupling {
+            let share = |of_force: &f64| Share {
+                of_force: of_force.abs(),
+                of_torque: 0.0,
+            };
+            Coupling {
+                loads: vec![Load::default(); 3],
+                normal_forces: vec![0.0; 3],
+                pending: vec![0.0; 3],
+                shares: self.shares.iter().flatten().map(share).collect(),
+            }
+        }
+
+        fn force(&self, site: usize, loads: &[Load]) -> f64 {
+            let shares = self.shares[site].iter().zip(loads);
+            self.alone[site]
+                - shares
+                    .map(|(share, load)| share * load.force[0])
+                    .sum::<f64>()
+        }
+
+        /// Whether they settle, at which loads, and how often a site was solved.
+        fn settle(&self) -> (bool, Vec<Load>, usize) {
+            let (mut coupling, mut solved) = (self.coupling(), 0);
+            let settled = coupling.settle(|site, loads| {
+                solved += 1;
+                let force = self.force(site, loads);
+                let load = Load {
+                    force: [force, 0.0],
+                    torque: 0.0,
+                };
+                Ok::<_, ()>((load, force.abs()))
+            });
+            (settled == Ok(true), coupling.loads, solved)
+        }
+    }
+
+    #[test]
+    fn all_sites_agree_when_they_have_settled() {
+        let system = Linear {
+            alone: [3.0, -1.0, 2.0],
+            shares: [[0.0, 0.4, 0.1], [0.3, 0.0, -0.2], [0.05, 0.3, 0.0]],
+        };
+        let (is_settled, loads, _) = system.settle();
+        assert!(is_settled);
+        for (site, load) in loads.iter().enumerate() {
+            let off = load.force[0] - system.force(site, &loads);
+            assert!(
+                off.abs() <= 3.0 * COUPLING_TOLERANCE,
+                "site {site}: {off:e}"
+            );
+        }
+    }
+
+    /// The one in the middle alone feels another, which is solved before it.
+    #[test]
+    fn a_site_is_solved_once_if_nothing_it_feels_changes_after() {
+        let system = Linear {
+            alone: [3.0, -1.0, 2.0],
+            shares: [[0.0; 3], [0.3, 0.0, 0.0], [0.0; 3]],
+        };
+        let (is_settled, loads, solved) = system.settle();
+        assert!(is_settled);
+        assert_eq!(solved, 3);
+        assert!((loads[1].force[0] + 1.9).abs() < 1e-15);
+    }
+
+    #[test]
+    fn sites_that_drive_one_another_further_and_further_are_given_up() {
+        let system = Linear {
+            alone: [1.0; 3],
+            shares: [[0.0, 2.0, 0.0], [2.0, 0.0, 0.0], [0.0; 3]],
+        };
+        let (is_settled, _, solved) = system.settle();
+        assert!(!is_settled);
+        assert!(solved <= 3 * MOST_TURNS);
     }
 }

@@ -115,7 +115,8 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             .map(|lateral| LateralMotion::new(system, lateral, steps))
             .transpose()?;
         let count = system.loaded.len();
-        let walls = if lateral.is_some() { count } else { 0 };
+        let walls = (scene.lateral.as_ref()).map_or(&[][..], |lateral| &lateral.walls);
+        let radii: Vec<f64> = walls.iter().map(WallLaw::radius).collect();
         Ok(Self {
             system,
             scene,
@@ -126,14 +127,14 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             steps,
             torques: Convolution::new(&system.from_torques, 1, steps - first.min(steps)),
             lateral,
-            coupling: Coupling::new(count),
+            coupling: Coupling::new(system, &radii),
             bit_state: B::State::default(),
             free_speeds: vec![0.0; count],
             step_torques: vec![0.0; count],
             now: Step {
                 time: 0.0,
                 speeds: vec![0.0; count],
-                contacts: vec![Contact::NONE; walls],
+                contacts: vec![Contact::NONE; walls.len()],
                 bit: None,
             },
         })
@@ -236,8 +237,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             return Ok(());
         };
         let (system, lateral, time) = (*system, &*lateral, now.time);
-        let radius = |index: usize| lateral.scene.walls[index].radius();
-        let settled = coupling.settle(system, radius, |index, loads| {
+        let settled = coupling.settle(|index, loads| {
             let at_bit = bit.filter(|(_, load)| *load == index);
             let laws = SiteLaws {
                 bit: at_bit.map(|(law, _)| (law, &*bit_state)),

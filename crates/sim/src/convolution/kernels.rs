@@ -15,7 +15,7 @@ pub struct Kernels {
     pub(super) sites: usize,
     /// A(0), `[output × sites + input]`.
     instants: Vec<f64>,
-    /// Taps B₀ … 1 of each pair, the latest first, and zeros to the end of a lane.
+    /// Of each pair a lane of zeros, and taps 1 … B₀ − 1.
     pub(super) recent: Vec<Vec<f64>>,
     pub(super) levels: Vec<Level>,
     /// Which instructions the processor has.
@@ -27,8 +27,7 @@ pub struct Kernels {
 pub(super) struct Level {
     pub(super) block: usize,
     pub(super) partitions: usize,
-    /// Of each pair and partition, block + 1 real parts, then the imaginary
-    /// ones.
+    /// Of each pair and partition, its spectrum as [`split`] leaves it.
     pub(super) spectra: Vec<f64>,
     pub(super) forward: Arc<dyn RealToComplex<f64>>,
     pub(super) inverse: Arc<dyn ComplexToReal<f64>>,
@@ -46,7 +45,7 @@ impl std::fmt::Debug for Level {
 impl Level {
     /// Length of one spectrum, real and imaginary parts.
     pub(super) fn stride(&self) -> usize {
-        2 * (self.block + 1)
+        2 * self.block
     }
 
     fn new(taps: &[&[f64]], block: usize, partitions: usize) -> Self {
@@ -64,7 +63,7 @@ impl Level {
         let mut spectrum = level.forward.make_output_vec();
         let mut scratch = level.forward.make_scratch_vec();
         level.spectra = vec![0.0; taps.len() * partitions * level.stride()];
-        let parts = level.spectra.chunks_exact_mut(2 * (block + 1));
+        let parts = level.spectra.chunks_exact_mut(2 * block);
         for (index, part) in parts.enumerate() {
             let (pair, partition) = (taps[index / partitions], index % partitions);
             for (lag, value) in window.iter_mut().enumerate() {
@@ -92,12 +91,24 @@ pub(super) fn transform(
         .expect("all buffers were made by the plan");
 }
 
-/// Real parts first, for products without shuffling.
+/// The spectrum of a real signal as real parts and then imaginary ones, for products without
+/// shuffling; in the place of the first of these, which is zero, the last real part.
 pub(super) fn split(spectrum: &[Complex<f64>], parts: &mut [f64]) {
-    let (real, imaginary) = parts.split_at_mut(spectrum.len());
-    for ((value, real), imaginary) in spectrum.iter().zip(real).zip(imaginary) {
+    let (real, imaginary) = parts.split_at_mut(parts.len() / 2);
+    for ((value, real), imaginary) in spectrum.iter().zip(real).zip(&mut *imaginary) {
         (*real, *imaginary) = (value.re, value.im);
     }
+    imaginary[0] = spectrum[imaginary.len()].re;
+}
+
+/// The other way.
+pub(super) fn join(parts: &[f64], spectrum: &mut [Complex<f64>]) {
+    let (real, imaginary) = parts.split_at(parts.len() / 2);
+    for ((value, &re), &im) in spectrum.iter_mut().zip(real).zip(imaginary) {
+        *value = Complex::new(re, im);
+    }
+    spectrum[0].im = 0.0;
+    spectrum[imaginary.len()] = Complex::new(imaginary[0], 0.0);
 }
 
 impl Kernels {
@@ -120,8 +131,10 @@ impl Kernels {
             .map(|(block, partitions)| Level::new(&pairs, block, partitions))
             .collect();
         let recent = |taps: &&[f64]| -> Vec<f64> {
-            let latest_first = (1..=FIRST_BLOCK).rev().map(|lag| tap(taps, lag));
-            latest_first.chain([0.0; LANES]).collect()
+            let zeros = std::iter::repeat_n(0.0, LANES);
+            zeros
+                .chain((1..FIRST_BLOCK).map(|lag| tap(taps, lag)))
+                .collect()
         };
         Self {
             sites: taps.len(),
@@ -136,5 +149,14 @@ impl Kernels {
     #[inline]
     pub(crate) fn instant(&self, output: usize, input: usize) -> f64 {
         self.instants[output * self.sites + input]
+    }
+
+    /// How far an input at another site moves this one within the step, as a part of what its
+    /// own does.
+    pub(crate) fn share(&self, output: usize, input: usize) -> f64 {
+        match self.instant(output, input) {
+            0.0 => 0.0,
+            moved => (moved / self.instant(output, output)).abs(),
+        }
     }
 }

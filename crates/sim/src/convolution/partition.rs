@@ -44,7 +44,7 @@ pub fn kernels_memory(sites: usize, taps: f64) -> f64 {
     let pairs = (sites as f64).powi(2);
     let of_level = |(block, partitions): (usize, usize)| {
         let (block, partitions) = (block as f64, partitions as f64);
-        pairs * partitions * 2.0 * (block + 1.0) + PLANS * block
+        pairs * partitions * 2.0 * block + PLANS * block
     };
     let levels: f64 = partitions(whole(taps)).map(of_level).sum();
     REAL * (levels + pairs * (FIRST_BLOCK + LANES) as f64)
@@ -54,14 +54,14 @@ pub fn kernels_memory(sites: usize, taps: f64) -> f64 {
 /// in one plane or two, with kernels of so many taps.
 pub fn convolution_memory(sites: usize, planes: usize, taps: f64, steps: f64) -> f64 {
     let channels = (planes * sites) as f64;
-    let mut of_channel = steps + 2.0 * FIRST_BLOCK as f64;
+    let mut of_channel = steps + FIRST_BLOCK as f64;
     let mut largest = 0.0;
     for (block, _) in partitions(whole(taps)) {
         largest = block as f64;
-        of_channel += largest + RATIO as f64 * 2.0 * (largest + 1.0);
+        of_channel += largest + RATIO as f64 * 2.0 * largest;
     }
     // The blocks of the highest level are all kept.
-    of_channel += (steps / largest).ceil() * 2.0 * (largest + 1.0);
+    of_channel += (steps / largest).ceil() * 2.0 * largest;
     REAL * (channels * of_channel + BUFFERS * largest)
 }
 

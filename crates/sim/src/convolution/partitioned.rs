@@ -16,9 +16,9 @@
 //! does not touch, are neither transformed nor multiplied.
 
 use linear::ResponseError;
-use realfft::num_complex::Complex;
+use pulp::{Simd, WithSimd};
 
-use super::kernels::{Kernels, split, transform};
+use super::kernels::{Kernels, join, split, transform};
 use super::partition::{FIRST_BLOCK, LANES};
 use super::past::Past;
 
@@ -60,41 +60,12 @@ impl<'a> Convolution<'a> {
         Ok(())
     }
 
-    fn check(&self, channels: &[f64]) -> Result<(), ResponseError> {
-        if channels.len() == self.past.inputs.len() {
-            Ok(())
-        } else {
-            Err(ResponseError::Shape)
-        }
-    }
-
     /// The same, for so many sums.
     pub(crate) fn write_past(&self, sums: &mut [f64]) {
-        self.kernels.arch.dispatch(|| self.add_present(sums));
-    }
-
-    #[inline(always)]
-    fn add_present(&self, sums: &mut [f64]) {
-        let sites = self.kernels.sites;
         let within = self.steps % FIRST_BLOCK;
-        let newest = FIRST_BLOCK - within;
-        // Those yet to come are zero.
-        let reach = within.next_multiple_of(LANES);
-        // Nested, for a division of each place would cost as much as its sum.
-        let known = self.past.known.chunks_exact(FIRST_BLOCK);
-        let mut places = sums.iter_mut().zip(known);
-        for plane in 0..self.planes {
-            for (output, (sum, known)) in (0..sites).zip(&mut places) {
-                *sum = known[within];
-                for input in 0..sites {
-                    let channel = plane * sites + input;
-                    if self.past.is_active[channel] {
-                        let taps = &self.kernels.recent[output * sites + input];
-                        let inputs = &self.past.present[channel * FIRST_BLOCK..];
-                        *sum += dot(&taps[newest..newest + reach], &inputs[..reach]);
-                    }
-                }
-            }
+        let channels = self.past.known.chunks_exact(FIRST_BLOCK);
+        for (sum, known) in sums.iter_mut().zip(channels) {
+            *sum = known[within];
         }
     }
 
@@ -108,17 +79,53 @@ impl<'a> Convolution<'a> {
         Ok(())
     }
 
+    fn check(&self, channels: &[f64]) -> Result<(), ResponseError> {
+        if channels.len() == self.past.inputs.len() {
+            Ok(())
+        } else {
+            Err(ResponseError::Shape)
+        }
+    }
+
     /// The same, for so many inputs.
     pub(crate) fn add(&mut self, inputs: &[f64]) {
-        let within = self.steps % FIRST_BLOCK;
-        for (channel, &input) in inputs.iter().enumerate() {
-            self.past.inputs[channel].push(input);
-            self.past.present[channel * FIRST_BLOCK + within] = input;
-            self.past.is_active[channel] |= input != 0.0;
+        for (past, &input) in self.past.inputs.iter_mut().zip(inputs) {
+            past.push(input);
+        }
+        if inputs.iter().any(|&input| input != 0.0) {
+            let kernels = self.kernels;
+            kernels.arch.dispatch(AddPresent { past: self, inputs });
         }
         self.steps += 1;
         if self.steps.is_multiple_of(FIRST_BLOCK) {
             self.end_block();
+        }
+    }
+
+    /// What the inputs of the present step add to the later ones of its block.
+    #[inline(always)]
+    fn add_present<S: Simd>(&mut self, simd: S, inputs: &[f64]) {
+        let sites = self.kernels.sites;
+        let next = self.steps % FIRST_BLOCK + 1;
+        // Whole lanes from where the next step is: those before it are over.
+        let first = next - next % LANES;
+        let planes = inputs.chunks_exact(sites);
+        let known = self.past.known.chunks_exact_mut(sites * FIRST_BLOCK);
+        for (inputs, known) in planes.zip(known) {
+            for (input, &value) in inputs.iter().enumerate() {
+                if value == 0.0 {
+                    continue;
+                }
+                for (output, known) in known.chunks_exact_mut(FIRST_BLOCK).enumerate() {
+                    let taps = &self.kernels.recent[output * sites + input];
+                    add_scaled(
+                        simd,
+                        &mut known[first..],
+                        value,
+                        &taps[LANES - next % LANES..],
+                    );
+                }
+            }
         }
     }
 
@@ -161,9 +168,7 @@ impl<'a> Convolution<'a> {
         }
         self.transform_newest(level);
         let kernels = self.kernels;
-        kernels.arch.dispatch(|| self.multiply(level));
-        self.past.is_active.fill(false);
-        self.past.present.fill(0.0);
+        kernels.arch.dispatch(Multiply { past: self, level });
         for (channel, known) in self.past.known.chunks_exact_mut(FIRST_BLOCK).enumerate() {
             known.fill(0.0);
             for (level, past) in kernels.levels.iter().zip(&self.past.levels) {
@@ -202,7 +207,7 @@ impl<'a> Convolution<'a> {
 
     /// What all blocks of a level add to the next one.
     #[inline(always)]
-    fn multiply(&mut self, level: usize) {
+    fn multiply<S: Simd>(&mut self, simd: S, level: usize) {
         let (plan, past) = (&self.kernels.levels[level], &mut self.past.levels[level]);
         let (block, stride, sites) = (plan.block, plan.stride(), self.kernels.sites);
         let channels = self.planes * sites;
@@ -221,6 +226,7 @@ impl<'a> Convolution<'a> {
                         if past.is_active[place] {
                             is_zero[plane] = false;
                             add_product(
+                                simd,
                                 &mut sums[plane * stride..(plane + 1) * stride],
                                 kernel,
                                 &past.spectra[place * stride..(place + 1) * stride],
@@ -236,14 +242,8 @@ impl<'a> Convolution<'a> {
                     ready.fill(0.0);
                     continue;
                 }
-                let (real, imaginary) =
-                    sums[plane * stride..(plane + 1) * stride].split_at(block + 1);
                 let spectrum = &mut self.past.spectrum[..=block];
-                for ((value, &re), &im) in spectrum.iter_mut().zip(real).zip(imaginary) {
-                    *value = Complex::new(re, im);
-                }
-                // Of a real signal; rounding may have left something.
-                (spectrum[0].im, spectrum[block].im) = (0.0, 0.0);
+                join(&sums[plane * stride..(plane + 1) * stride], spectrum);
                 let window = &mut self.past.window[..2 * block];
                 let scratch = &mut self.past.scratch[..plan.inverse.get_scratch_len()];
                 plan.inverse
@@ -255,33 +255,70 @@ impl<'a> Convolution<'a> {
     }
 }
 
-/// Adds the product of two spectra, each with its real parts first.
-#[inline(always)]
-fn add_product(sums: &mut [f64], kernel: &[f64], input: &[f64]) {
-    let count = sums.len() / 2;
-    let (sum_re, sum_im) = sums.split_at_mut(count);
-    let (kernel_re, kernel_im) = kernel.split_at(count);
-    let (input_re, input_im) = input.split_at(count);
-    for index in 0..count {
-        let (a, b) = (kernel_re[index], kernel_im[index]);
-        let (c, d) = (input_re[index], input_im[index]);
-        sum_re[index] += a * c - b * d;
-        sum_im[index] += a * d + b * c;
+/// [`Convolution::add_present`] with the instructions that the processor has. A closure in
+/// its place is compiled apart, without them.
+struct AddPresent<'a, 'b> {
+    past: &'a mut Convolution<'b>,
+    inputs: &'a [f64],
+}
+
+impl WithSimd for AddPresent<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        self.past.add_present(simd, self.inputs);
     }
 }
 
-/// Scalar product of whole lanes in a fixed order, so that results are the same everywhere.
-#[inline(always)]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; LANES];
-    for (x, y) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
-        for lane in 0..LANES {
-            sums[lane] += x[lane] * y[lane];
-        }
+/// [`Convolution::multiply`] in the same way.
+struct Multiply<'a, 'b> {
+    past: &'a mut Convolution<'b>,
+    level: usize,
+}
+
+impl WithSimd for Multiply<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        self.past.multiply(simd, self.level);
     }
-    // In pairs, for each of eight additions in a row would wait for the last.
-    let [a, b, c, d, e, f, g, h] = sums;
-    ((a + e) + (c + g)) + ((b + f) + (d + h))
+}
+
+/// Adds a multiple of the values to whole lanes of sums.
+#[inline(always)]
+fn add_scaled<S: Simd>(simd: S, sums: &mut [f64], factor: f64, values: &[f64]) {
+    let factor = simd.splat_f64s(factor);
+    let (sums, _) = S::as_mut_simd_f64s(sums);
+    let (values, _) = S::as_simd_f64s(values);
+    for (sum, &value) in sums.iter_mut().zip(values) {
+        *sum = simd.add_f64s(*sum, simd.mul_f64s(factor, value));
+    }
+}
+
+/// Adds the product of two spectra, each as [`split`] leaves it.
+#[inline(always)]
+fn add_product<S: Simd>(simd: S, sums: &mut [f64], kernel: &[f64], input: &[f64]) {
+    let block = sums.len() / 2;
+    // What stands first in both parts is real, of the lowest and of the highest frequency.
+    let ends = [0, block].map(|end| sums[end] + kernel[end] * input[end]);
+    let (real, imaginary) = sums.split_at_mut(block);
+    let (real, imaginary) = (
+        S::as_mut_simd_f64s(real).0,
+        S::as_mut_simd_f64s(imaginary).0,
+    );
+    let [kernel, input] = [kernel, input].map(|spectrum| {
+        let (real, imaginary) = spectrum.split_at(block);
+        std::iter::zip(S::as_simd_f64s(real).0, S::as_simd_f64s(imaginary).0)
+    });
+    let sums_of_lanes = real.iter_mut().zip(imaginary);
+    for (((re, im), (&a, &b)), (&c, &d)) in sums_of_lanes.zip(kernel).zip(input) {
+        let (real, imaginary) = (simd.mul_f64s(a, c), simd.mul_f64s(a, d));
+        *re = simd.add_f64s(*re, simd.sub_f64s(real, simd.mul_f64s(b, d)));
+        *im = simd.add_f64s(*im, simd.add_f64s(imaginary, simd.mul_f64s(b, c)));
+    }
+    (sums[0], sums[block]) = (ends[0], ends[1]);
 }
 
 #[cfg(test)]

@@ -21,14 +21,9 @@ thread_local! {
 pub(super) struct Past {
     /// Of each plane and site, all steps.
     pub(super) inputs: Vec<Vec<f64>>,
-    /// Of each plane and site, B₀ steps: the inputs of the present block, and zeros to
-    /// its end.
-    pub(super) present: Vec<f64>,
-    /// Of each plane and site, B₀ steps: what all earlier blocks add to the
-    /// present one.
+    /// Of each plane and site, the B₀ steps of the present block: what all inputs so far
+    /// add to those that are still to come.
     pub(super) known: Vec<f64>,
-    /// Whether a plane and site has had an input in the present block.
-    pub(super) is_active: Vec<bool>,
     pub(super) levels: Vec<PastLevel>,
     pub(super) window: Vec<f64>,
     pub(super) spectrum: Vec<Complex<f64>>,
@@ -77,9 +72,7 @@ impl Past {
             inputs.reserve(steps);
         }
         let of_block = channels * FIRST_BLOCK;
-        cleared(&mut self.present, of_block, 0.0);
         cleared(&mut self.known, of_block, 0.0);
-        cleared(&mut self.is_active, channels, false);
         self.levels
             .resize_with(kernels.levels.len(), PastLevel::default);
         let last = kernels.levels.len() - 1;
@@ -100,7 +93,7 @@ impl Past {
         at_least(&mut self.window, 2 * largest);
         at_least(&mut self.spectrum, largest + 1);
         at_least(&mut self.scratch, scratch.max().unwrap_or(0));
-        at_least(&mut self.sums, 2 * (largest + 1) * planes);
+        at_least(&mut self.sums, 2 * largest * planes);
     }
 }
 

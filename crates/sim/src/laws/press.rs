@@ -27,6 +27,7 @@ impl WallLaw for Wall {
     /// rolls slides by no more than 1e-9 of the speeds that meet there, or of what
     /// the bit's speed jumps by where its torque falls from T_s to T_d. Lengths
     /// below 1e-150 m count as none.
+    #[inline(always)]
     fn meet(&self, approach: &Approach) -> Result<Contact, ContactError> {
         if approach.sampling.moment > 0.0 {
             self.meet_in_step(approach)
@@ -42,7 +43,7 @@ impl WallLaw for Wall {
 
 impl Wall {
     /// One step of a wall that is where it is.
-    #[inline]
+    #[inline(always)]
     pub(super) fn meet_at(&self, approach: &Approach) -> Result<Contact, ContactError> {
         let [x, y] = approach.free_position;
         let distance = (x * x + y * y).sqrt();
@@ -70,7 +71,8 @@ struct Press<'a> {
     weight: [f64; 2],
 }
 
-// Most of this is inlined by request: calls would cost half as much again as what they do.
+// Most of this is inlined by request: calls, and answers copied between them, would cost
+// half as much again as what they do.
 impl<'a> Press<'a> {
     #[inline]
     fn new(wall: &'a Wall, approach: &'a Approach<'a>, distance: f64) -> Self {
@@ -121,7 +123,8 @@ impl<'a> Press<'a> {
     fn solve(&self) -> Result<Contact, ContactError> {
         let friction = self.wall.friction;
         if self.approach.spin.resistance.is_none()
-            && let [Some(rolling), _] = self.rolling()
+            && let Some([direction, _]) = self.rolling_directions()
+            && let Some(rolling) = self.rolling_along(direction)
         {
             return self.contact(rolling, Touch::Rolling, false);
         }
@@ -169,7 +172,9 @@ impl<'a> Press<'a> {
         found[0] = Some((forward, Touch::Sliding)).filter(|_| forward.sliding_speed >= 0.0);
         found[1] = Some((backward, Touch::Sliding)).filter(|_| backward.sliding_speed <= 0.0);
         if self.approach.spin.resistance.is_none() {
-            for (found, rolling) in found[2..].iter_mut().zip(self.rolling()) {
+            let directions = self.rolling_directions().into_iter().flatten();
+            for (found, direction) in found[2..].iter_mut().zip(directions) {
+                let rolling = self.rolling_along(direction);
                 *found = rolling.map(|trial| (trial, Touch::Rolling));
             }
         } else if forward.sliding_speed < 0.0 && backward.sliding_speed > 0.0 {
@@ -187,31 +192,27 @@ impl<'a> Press<'a> {
         }
     }
 
-    /// The contacts that roll, friction allowing. The first is the one at which
-    /// the sliding speed increases with friction.
+    /// The directions e_r along which a contact would roll, did friction allow it. Along the
+    /// first the sliding speed increases with friction.
     ///
     /// Across e_r the load line leaves αF_N = −p_h·e_θ/h₀, so that the sliding
     /// speed R₀(θ̇_h + g₀R₀αF_N) − f_s p_prev·e_θ is linear in e_θ: it vanishes
     /// where w·e_θ = R₀θ̇_h ([`Press::weight`]).
     #[inline]
-    fn rolling(&self) -> [Option<Trial>; 2] {
+    fn rolling_directions(&self) -> Option<[[f64; 2]; 2]> {
         let [wx, wy] = self.weight;
         let length = (wx * wx + wy * wy).sqrt();
         let sine = self.wall.radius * self.approach.spin.free_speed / length;
         // No length or no number: nothing rolls.
         if sine.is_nan() || sine.abs() > 1.0 {
-            return [None, None];
+            return None;
         }
         // e_θ at the angle of w plus a right angle minus asin, or plus it.
         let cosine = (1.0 - sine * sine).sqrt();
-        [cosine, -cosine].map(|cosine| {
-            // e_r has the angle ψ_w − asin(sine).
-            let direction = [
-                (wx * cosine + wy * sine) / length,
-                (wy * cosine - wx * sine) / length,
-            ];
-            self.rolling_along(direction)
-        })
+        let (along, across) = ([wx / length, wy / length], [wy / length, -wx / length]);
+        // e_r has the angle ψ_w − asin(sine).
+        let turned = |axis: usize, cosine: f64| along[axis] * cosine + across[axis] * sine;
+        Some([cosine, -cosine].map(|cosine| [turned(0, cosine), turned(1, cosine)]))
     }
 
     /// The contact that rolls at a direction e_r, if it presses and friction
@@ -376,105 +377,4 @@ fn start_from_above(gap: f64, steepness: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::cell::Cell;
-
-    use proptest::prelude::*;
-    use proptest::test_runner::{Config, TestRunner};
-
-    use super::super::contact::Spin;
-    use super::*;
-    use crate::sampling::Sampling;
-
-    fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
-        let wall = (
-            0.005..0.1f64,
-            0.0..3.0f64,
-            0.03..0.3f64,
-            7.0..11.0f64,
-            any::<bool>(),
-        );
-        let place = (1.0..3.0f64, 0.0..1.2f64, -3.2..3.2f64);
-        let line = (
-            -9.0..-5.0f64,
-            -6.0..-2.0f64,
-            -30.0..30.0f64,
-            50.0..2000.0f64,
-        );
-        (wall, place, line).prop_map(|(wall, (out, before, turned), line)| {
-            let (clearance, friction, radius, stiffness, is_rigid) = wall;
-            let (compliance, spin_compliance, free_speed, frequency) = line;
-            let stiffness = if is_rigid {
-                f64::INFINITY
-            } else {
-                10f64.powf(stiffness)
-            };
-            let wall = Wall {
-                clearance,
-                stiffness,
-                friction,
-                radius,
-            };
-            let spin = Spin {
-                free_speed,
-                compliance: 10f64.powf(spin_compliance),
-                resistance: None,
-            };
-            let approach = Approach {
-                free_position: [out * clearance, 0.0],
-                previous_position: [turned.cos(), turned.sin()]
-                    .map(|part| before * clearance * part),
-                compliance: 10f64.powf(compliance),
-                spin,
-                sampling: Sampling::new(frequency, 0.0),
-            };
-            (wall, approach)
-        })
-    }
-
-    /// Where one answer is all there can be, what slides faster the more friction drives
-    /// it, and searching them all finds the one that is solved for.
-    #[test]
-    fn what_has_one_answer_slides_faster_with_more_friction() {
-        let counts = [(); 2].map(|()| Cell::new(0));
-        let config = Config {
-            cases: 20_000,
-            failure_persistence: None,
-            ..Config::default()
-        };
-        TestRunner::new(config)
-            .run(&any_step(), |(wall, approach)| {
-                let distance = approach.free_position[0];
-                let press = Press::new(&wall, &approach, distance);
-                let has_one = press.has_one_answer();
-                let count = &counts[usize::from(has_one)];
-                count.set(count.get() + 1);
-                if !has_one {
-                    return Ok(());
-                }
-                let speeds: Vec<f64> = (-20..=20)
-                    .map(|part| {
-                        press
-                            .trial(f64::from(part) / 20.0 * wall.friction)
-                            .sliding_speed
-                    })
-                    .collect();
-                let scale = speeds
-                    .iter()
-                    .fold(0.0, |scale: f64, speed| scale.max(speed.abs()));
-                for pair in speeds.windows(2) {
-                    prop_assert!(pair[1] >= pair[0] - 1e-9 * scale, "{speeds:?}");
-                }
-                let (one, all) = (press.solve().unwrap(), press.search().unwrap());
-                prop_assert!(!all.ambiguous, "{all:?}");
-                for axis in 0..2 {
-                    let difference = (one.position[axis] - all.position[axis]).abs();
-                    prop_assert!(difference <= 1e-9 * distance, "{one:?} {all:?}");
-                }
-                Ok(())
-            })
-            .unwrap();
-        let [several, one] = counts.map(Cell::into_inner);
-        assert!(several > 1000 && one > 5000, "{several} {one}");
-    }
-}
+mod tests;
