@@ -1,9 +1,10 @@
 //! Pieces of string in torsion, joined and reduced to the surface and the sites
 //! (Eqs. 12–13, 41–48).
 //!
-//! All stiffnesses relate *rotations* to external torques, both positive in the positive
+//! Stiffnesses of waves relate *rotations* to external torques, both positive in the positive
 //! direction of rotation. Dividing by s gives the paper's relation between rotation speeds
-//! and torques; the rotation form is finite at s = 0, where the static limit lives.
+//! and torques; the rotation form is finite at s = 0, where the static limit lives. Elements
+//! and lattices relate speeds to torques, as their steps do: `reduce` takes either.
 
 use num_complex::Complex64;
 
@@ -12,7 +13,8 @@ use super::matrix::ResponseMatrix;
 use super::nodes::{Nodes, Piece};
 use super::number::Number;
 
-/// Dynamic stiffness of a piece of string in torsion, N m/rad.
+/// Dynamic stiffness of a piece of string in torsion: torques per rotation, N m/rad, or, where
+/// a scheme in time makes them so, torques per speed, N m s/rad.
 pub type DynamicStiffness<T = Complex64> = Piece<T>;
 
 impl<T: Number> DynamicStiffness<T> {

@@ -275,25 +275,6 @@ fn taps_end_where_nothing_looks_any_more() {
 }
 
 #[test]
-fn responses_between_two_sites_are_reciprocal() {
-    let string = academic::string();
-    let request = Request {
-        sites: Sites::new(&string, &[20.0, 512.3]).unwrap(),
-        channels: vec![ChannelRequest::Torsion {
-            torques: vec![0, 1],
-        }],
-        sampling_frequency: SAMPLING_FREQUENCY,
-        longest_time: 10.0,
-    };
-    for method in methods() {
-        let taps = responses(&string, &method, &request);
-        let difference =
-            super::oracles::relative_difference(&taps.from_loads[0][1], &taps.from_loads[1][0]);
-        assert!(difference < 1e-9, "{}: {difference}", method.name());
-    }
-}
-
-#[test]
 fn a_string_turned_over_has_its_ends_exchanged() {
     let string = academic::string();
     let upside_down = Drillstring::new(
