@@ -18,6 +18,7 @@ use crate::filters::quadrature::SAMPLES_PER_TAP;
 use crate::method::{FiniteElement, Method};
 use crate::passivity::REFINEMENT;
 use crate::responses::length::{MOST_TAPS, needed_taps};
+use crate::responses::trains::on_lattice;
 use crate::responses::{ChannelRequest, Request, bending, decay, torsion};
 use crate::sites::Sites;
 use crate::waves::lattice::Lattice;
@@ -172,14 +173,11 @@ fn of_torsion(
 /// where there is no lattice, which building refuses.
 fn held_length(string: &Drillstring, method: &Method, request: &Request) -> (f64, f64) {
     Lattice::new(string, &request.sites).map_or((0.0, 0.0), |lattice| {
-        let on_lattice = Request {
-            sampling_frequency: 1.0 / lattice.step,
-            ..request.clone()
-        };
+        let on_lattice = on_lattice(request, &lattice);
         let impulses = torsion_length(string, method, &on_lattice);
         (
             impulses,
-            impulses * lattice.step * request.sampling_frequency,
+            (impulses * lattice.step * request.sampling_frequency).ceil(),
         )
     })
 }
@@ -250,7 +248,7 @@ fn beam(string: &Drillstring, sites: &Sites, parameters: &FiniteElement, motions
 /// What a thread works with at the frequencies that it looks at together: pieces between
 /// nodes, what they come to, so many numbers each, and the responses.
 fn network(sites: usize, numbers: usize) -> f64 {
-    let kept = 6 * (sites + 1) * numbers + 2 * sites * sites;
+    let kept = 7 * (sites + 1) * numbers + 3 * sites * sites;
     COMPLEX * (Lanes::LANES * kept) as f64
 }
 
@@ -268,21 +266,16 @@ fn filter(responses: f64, samples: f64, taps: f64, networks: f64) -> Memory {
 
 /// The length at which a response built longer and longer is left, at most.
 fn torsion_length(string: &Drillstring, method: &Method, request: &Request) -> f64 {
-    let frequency = request.sampling_frequency;
-    let looked_at = decay::looked_at(string, request.longest_time, frequency);
+    let Ok(lengths) = decay::Lengths::new(string, request) else {
+        return f64::INFINITY;
+    };
     // The trapezoidal rule rings for ever at the highest frequency.
     if string.torsional_damping() == 0.0 || *method == Method::Trapezoidal {
-        return looked_at;
+        return lengths.last();
     }
-    let first = decay::first_length(string, frequency).map_or(f64::INFINITY, |taps| taps as f64);
-    let lasts = DECAYED * frequency / slowest_rate(string);
-    let doubled = first * (lasts / first).log2().ceil().max(0.0).exp2();
-    let most = if first > decay::WORTH_WHILE * looked_at {
-        looked_at
-    } else {
-        looked_at.max(first)
-    };
-    doubled.min(most).min(MOST_TAPS as f64)
+    let lasts = DECAYED * request.sampling_frequency / slowest_rate(string);
+    let most = lengths.last().min(MOST_TAPS as f64);
+    lengths.doubled_to(lasts).min(most)
 }
 
 /// Time constants until a response counts as decayed, and has been quiet for a

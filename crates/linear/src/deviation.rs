@@ -154,7 +154,8 @@ impl ExactMotions {
     }
 
     /// Largest error of the motions that responses make of the same, relative to the largest
-    /// exact one, at each site from each.
+    /// exact one, at each site from each. Taps that are missing count as zero: where one step
+    /// is longer than a 128th of the times compared, responses have to last 128 steps.
     ///
     /// # Errors
     /// Where the responses are not those of this string and these sites, sampled so.

@@ -152,6 +152,25 @@ fn bending_that_no_string_has_is_refused_by_every_method() {
 }
 
 /// Lengths that each are numbers, but no string together.
+/// Short waves are halved until they are long: those whose square is beyond all numbers never are.
+#[test]
+fn damping_whose_square_is_no_number_is_refused_by_every_method() {
+    let string = string(3);
+    let bending = Bending {
+        damping: 1e300,
+        ..BENDING
+    };
+    let request = request(Sites::bit(), vec![with(bending)]);
+    for method in methods() {
+        let refused = responses(&string, &method, &request);
+        assert!(
+            matches!(refused, Err(BuildError::NotFinite { .. })),
+            "{}: {refused:?}",
+            method.name()
+        );
+    }
+}
+
 #[test]
 fn a_string_longer_than_all_numbers_has_no_responses() {
     let section = Section {

@@ -18,16 +18,53 @@ const NEGLIGIBLE_TAIL: f64 = 1e-8;
 /// negligible too, so that a quiet moment is not taken for the end.
 const QUIET_PART: f64 = 0.25;
 
-/// Responses are built until they have decayed, though nothing looks so far, where that
-/// takes no more than so many times as long: what is told of a whole response needs no
+/// Responses are built as long as they should last, though nothing looks so far, where that
+/// is no more than so many times as long: what is told of a whole response needs no
 /// allowance for its end.
-pub(crate) const WORTH_WHILE: f64 = 2.2;
+const WORTH_WHILE: f64 = 2.2;
 
 /// A first guess of the length, in round trips, where damping says nothing.
 const FIRST_ROUND_TRIPS: f64 = 16.0;
 
 /// The slowest vibration takes about so many times as long to decay as the mean of all.
 const SLOWEST: f64 = 1.25;
+
+/// How long, in taps, responses are built that grow until they have decayed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Lengths {
+    /// Where they are looked at no further.
+    looked_at: f64,
+    /// At first.
+    first: f64,
+}
+
+impl Lengths {
+    /// # Errors
+    /// Where responses last no finite time.
+    pub(crate) fn new(string: &Drillstring, request: &Request) -> Result<Self, BuildError> {
+        let frequency = request.sampling_frequency;
+        let looked_at = looked_at(string, request.longest_time, frequency);
+        let decayed = first_length(string, frequency)? as f64;
+        // What nothing damps does not decay.
+        let is_worth_while = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * looked_at;
+        Ok(Self {
+            looked_at,
+            first: if is_worth_while { decayed } else { looked_at },
+        })
+    }
+
+    /// Doubled until they are at least so long.
+    pub(crate) fn doubled_to(&self, length: f64) -> f64 {
+        let doublings = (length / self.first).log2().ceil().max(0.0);
+        self.first * doublings.exp2()
+    }
+
+    /// At last: until nothing looks further.
+    pub(crate) fn last(&self) -> f64 {
+        let most = self.looked_at.max(MOST_TAPS as f64);
+        self.doubled_to(self.looked_at).min(most)
+    }
+}
 
 /// Builds responses of growing length until they have decayed or are at least as long as
 /// they are looked at.
@@ -36,13 +73,11 @@ pub(super) fn until_decayed(
     request: &Request,
     mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
 ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-    let frequency = request.sampling_frequency;
-    let looked_at = looked_at(string, request.longest_time, frequency);
-    let last = looked_at.min(MOST_TAPS as f64) as usize;
-    let mut length = first_length(string, frequency)?;
-    if length as f64 > WORTH_WHILE * looked_at {
-        length = last;
+    let Lengths { looked_at, first } = Lengths::new(string, request)?;
+    if first > MOST_TAPS as f64 {
+        return Err(too_many(looked_at));
     }
+    let mut length = first as usize;
     loop {
         let mut taps = build(length);
         if cut_decayed_tail(&mut taps) {
@@ -54,13 +89,13 @@ pub(super) fn until_decayed(
         if length == MOST_TAPS {
             return Err(too_many(looked_at));
         }
-        length = (2 * length).min(last);
+        length = (2 * length).min(MOST_TAPS);
     }
 }
 
 /// Taps beyond which no response is looked at: neither by a simulation, which may take so
 /// long (s), nor for its undershoot.
-pub(crate) fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
+fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
     let time = longest_time.max(undershoot_time(string));
     let taps = needed_taps(time, sampling_frequency);
     if taps > MOST_TAPS as f64 {

@@ -14,16 +14,20 @@ pub(crate) fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
 /// The next length that is a product of twos, threes and fives: a transform of any other may
 /// take several times as long.
 pub(super) fn transformable(length: usize) -> usize {
-    let is_product = |length: &usize| {
+    let is_product = |length: usize| {
         let without = |mut left: usize, factor: usize| {
             while left.is_multiple_of(factor) {
                 left /= factor;
             }
             left
         };
-        [2, 3, 5].into_iter().fold(*length, without) == 1
+        [2, 3, 5].into_iter().fold(length, without) == 1
     };
-    (length.max(1)..).find(is_product).unwrap_or(length)
+    let mut length = length.max(1);
+    while !is_product(length) {
+        length += 1;
+    }
+    length
 }
 
 /// Samples of a transform as given, or by default.

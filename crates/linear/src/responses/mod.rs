@@ -8,7 +8,7 @@ pub(crate) mod length;
 mod margin;
 mod request;
 pub(crate) mod torsion;
-mod trains;
+pub(crate) mod trains;
 
 pub use channels::{ChannelResponses, Responses};
 pub use request::{ChannelRequest, Request};

@@ -32,7 +32,7 @@ pub struct Request {
     pub channels: Vec<ChannelRequest>,
     /// Sampling frequency f_s, Hz.
     pub sampling_frequency: f64,
-    /// The longest time simulated, s. Longer responses are not computed.
+    /// The longest time simulated, s. Responses that last much longer are cut off there.
     pub longest_time: f64,
 }
 

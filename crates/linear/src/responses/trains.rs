@@ -51,10 +51,7 @@ impl ImpulseTrains {
         torques: &[usize],
     ) -> Result<Self, BuildError> {
         let lattice = Lattice::new(string, &request.sites)?;
-        let on_lattice = Request {
-            sampling_frequency: 1.0 / lattice.step,
-            ..request.clone()
-        };
+        let on_lattice = on_lattice(request, &lattice);
         let response = |zeta: Lanes, responses: &mut [Lanes]| {
             fill(torques, &lattice.admittance(zeta), responses)
         };
@@ -110,6 +107,16 @@ impl ImpulseTrains {
     pub fn bytes(&self) -> f64 {
         let numbers: usize = self.trains.iter().map(Vec::len).sum();
         (numbers * size_of::<f64>()) as f64
+    }
+}
+
+/// A request for the impulses that its taps are made of: the last tap takes them from the step
+/// before it and from that after it.
+pub(crate) fn on_lattice(request: &Request, lattice: &Lattice) -> Request {
+    Request {
+        sampling_frequency: 1.0 / lattice.step,
+        longest_time: request.longest_time + 2.0 / request.sampling_frequency,
+        ..request.clone()
     }
 }
 

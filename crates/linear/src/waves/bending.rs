@@ -30,7 +30,8 @@ pub fn uniform<T: Number>(string: &Drillstring, bending: &Bending, tube: &Tube, 
     let mut length = tube.length;
     let mut halvings = 0;
     let mut turns = turns(bending, tube, q);
-    while turns > SHORT {
+    // What has no size is refused when it is found to be no number.
+    while turns > SHORT && turns.is_finite() {
         (turns, length) = (0.5 * turns, 0.5 * length);
         halvings += 1;
     }

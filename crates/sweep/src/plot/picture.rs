@@ -57,7 +57,22 @@ fn rasterise(svg: &str) -> Result<Vec<u8>> {
         .context("the plot is too large to rasterise")?;
     let transform = tiny_skia::Transform::from_scale(PNG_SCALE, PNG_SCALE);
     resvg::render(&tree, transform, &mut pixels.as_mut());
-    pixels.encode_png().context("the plot cannot become a PNG")
+    png_file(pixels).context("the plot cannot become a PNG")
+}
+
+/// Plots are areas of one colour: without filters, and with little search for repetitions, the
+/// file is smaller than with what is usual for pictures, and takes half the time.
+fn png_file(pixels: tiny_skia::Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, pixels.width(), pixels.height());
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_filter(png::Filter::NoFilter);
+    encoder.set_deflate_compression(png::DeflateCompression::Level(3));
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&pixels.take_demultiplied())?;
+    writer.finish()?;
+    Ok(file)
 }
 
 #[cfg(test)]

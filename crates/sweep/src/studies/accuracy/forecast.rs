@@ -43,7 +43,7 @@ impl Work {
     /// By its first steps, those of the probe with this place; none where it cannot be.
     fn of(probes: &Probes, index: usize, leads_group: bool, systems: &Systems) -> Option<Self> {
         let system = probes.system(systems, index);
-        let conditions = probes.conditions(probes.cases()[index], 1.0);
+        let conditions = probes.conditions(probes.case(index), 1.0);
         let mut case = trial::case(probes.sweep, &system.setting, &conditions).ok()?;
         let timing = &mut case.scene.timing;
         let frequency = system.setting.sampling_frequency;

@@ -125,6 +125,11 @@ impl<'a> Probes<'a> {
         &systems[self.probes[index].string]
     }
 
+    /// Number of the case of a probe.
+    pub fn case(&self, index: usize) -> usize {
+        self.probes[index].case
+    }
+
     /// Numbers of the cases.
     pub fn cases(&self) -> Vec<usize> {
         self.probes.iter().map(|probe| probe.case).collect()

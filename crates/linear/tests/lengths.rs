@@ -1,0 +1,110 @@
+//! How long responses in torsion are, and what is told of it before they are built.
+
+use linear::passivity::Ending;
+use linear::{
+    BuildError, ChannelRequest, Drillstring, Method, Request, Section, Sites, Tube, cost, responses,
+};
+use problems::academic;
+use proptest::prelude::*;
+
+fn methods() -> [Method; 4] {
+    [
+        Method::Held,
+        Method::Quadrature,
+        Method::Trapezoidal,
+        Method::FiniteElement(Default::default()),
+    ]
+}
+
+fn string(pipe: f64, collars: f64, damping: f64) -> Drillstring {
+    let tube = |length, outer_radius| Tube {
+        length,
+        inner_radius: 0.04,
+        outer_radius,
+    };
+    let sections = [tube(pipe, 0.06), tube(collars, 0.1)].map(|tube| Section {
+        repeat: 1,
+        parts: vec![tube],
+    });
+    Drillstring::new(academic::string().material(), sections.to_vec(), damping).unwrap()
+}
+
+fn request(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> Request {
+    Request {
+        sites: Sites::new(string, &[0.0]).unwrap(),
+        channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+        sampling_frequency,
+        longest_time,
+    }
+}
+
+/// From none to what lets nothing come back.
+fn any_string() -> impl Strategy<Value = Drillstring> {
+    let damping = prop_oneof![
+        Just(0.0),
+        (-2.0..2.5f64).prop_map(|power| 10f64.powf(power))
+    ];
+    (100.0..5000.0f64, 20.0..200.0f64, damping)
+        .prop_map(|(pipe, collars, damping)| string(pipe, collars, damping))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..Default::default() })]
+
+    /// As long as the longest case or as they last, and no longer than was told.
+    #[test]
+    fn responses_last_to_the_end_of_the_longest_case_and_no_longer_than_told(
+        string in any_string(),
+        longest_time in 0.5..40.0f64,
+        sampling_frequency in 50.0..700.0f64,
+    ) {
+        let request = request(&string, longest_time, sampling_frequency);
+        let needed = (longest_time * sampling_frequency).ceil() as usize + 1;
+        for method in methods() {
+            let told = cost::responses(&string, &method, &request).torsion_taps;
+            let found = responses(&string, &method, &request).unwrap();
+            let found = found.torsion().unwrap();
+            prop_assert!(found.taps() as f64 <= told, "{}: {} {told}", method.name(), found.taps());
+            let is_enough = found.ending == Ending::Whole || found.taps() >= needed;
+            prop_assert!(is_enough, "{}: {} {needed}", method.name(), found.taps());
+        }
+    }
+
+    /// The last tap that a case can use is a whole one.
+    #[test]
+    fn no_tap_of_the_longest_case_hangs_on_how_long_it_is(
+        pipe in 500.0..5000.0f64,
+        longest_time in 0.5..20.0f64,
+        sampling_frequency in 50.0..700.0f64,
+    ) {
+        let string = string(pipe, 100.0, 0.0);
+        let request = request(&string, longest_time, sampling_frequency);
+        let longer = Request { longest_time: longest_time + 20.0, ..request.clone() };
+        let needed = (longest_time * sampling_frequency).ceil() as usize + 1;
+        for method in methods() {
+            let [found, longer] = [&request, &longer].map(|request| {
+                let found = responses(&string, &method, request).unwrap();
+                found.torsion().unwrap().from_loads[0][0].clone()
+            });
+            let largest = longer.iter().fold(0.0f64, |most, tap| most.max(tap.abs()));
+            for (found, longer) in found[..needed].iter().zip(&longer) {
+                let off = (found - longer).abs() / largest;
+                prop_assert!(off < 1e-6, "{}: {off}", method.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn what_never_decays_is_refused_at_once_where_it_is_looked_at_for_too_long() {
+    let string = string(1000.0, 100.0, 0.0);
+    let request = request(&string, 1e7, 640.0);
+    for method in methods() {
+        let refused = responses(&string, &method, &request);
+        assert!(
+            matches!(refused, Err(BuildError::TooManyTaps { .. })),
+            "{}",
+            method.name()
+        );
+    }
+}
