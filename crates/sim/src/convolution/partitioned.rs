@@ -89,10 +89,15 @@ impl<'a> Convolution<'a> {
 
     /// The same, for so many inputs.
     pub(crate) fn add(&mut self, inputs: &[f64]) {
-        for (past, &input) in self.past.inputs.iter_mut().zip(inputs) {
-            past.push(input);
+        let mut is_active = false;
+        for (channel, &input) in inputs.iter().enumerate() {
+            self.past.inputs[channel].push(input);
+            if input != 0.0 {
+                self.past.active_steps[channel] = self.steps + 1;
+                is_active = true;
+            }
         }
-        if inputs.iter().any(|&input| input != 0.0) {
+        if is_active {
             let kernels = self.kernels;
             kernels.arch.dispatch(AddPresent { past: self, inputs });
         }
@@ -187,11 +192,11 @@ impl<'a> Convolution<'a> {
         let (block, stride) = (plan.block, plan.stride());
         for (channel, inputs) in self.past.inputs.iter().enumerate() {
             let place = past.blocks * self.past.inputs.len() + channel;
-            let newest = &inputs[self.steps - block..];
-            past.is_active[place] = newest.iter().any(|&input| input != 0.0);
+            let begin = self.steps - block;
+            past.is_active[place] = self.past.active_steps[channel] > begin;
             if past.is_active[place] {
                 let window = &mut self.past.window[..2 * block];
-                window[..block].copy_from_slice(newest);
+                window[..block].copy_from_slice(&inputs[begin..]);
                 window[block..].fill(0.0);
                 let spectrum = &mut self.past.spectrum[..=block];
                 let scratch = &mut self.past.scratch[..plan.forward.get_scratch_len()];

@@ -21,6 +21,8 @@ thread_local! {
 pub(super) struct Past {
     /// Of each plane and site, all steps.
     pub(super) inputs: Vec<Vec<f64>>,
+    /// Of each plane and site, the steps up to the last whose input is not zero.
+    pub(super) active_steps: Vec<usize>,
     /// Of each plane and site, the B₀ steps of the present block: what all inputs so far
     /// add to those that are still to come.
     pub(super) known: Vec<f64>,
@@ -71,6 +73,7 @@ impl Past {
             inputs.clear();
             inputs.reserve(steps);
         }
+        cleared(&mut self.active_steps, channels, 0);
         let of_block = channels * FIRST_BLOCK;
         cleared(&mut self.known, of_block, 0.0);
         self.levels

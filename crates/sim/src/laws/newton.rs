@@ -9,22 +9,18 @@ const CLOSE: f64 = 1e-8;
 /// comes down by a factor of 10⁷ in so many.
 const MOST_STEPS: usize = 100;
 
-/// The root, no higher than `highest`: a step from a guess on either side ends
-/// above it, and from there none overshoots, until rounding stops them. Whether
-/// what was found is the root is for the caller to see.
+/// The root: a step from a guess on either side ends above it, and from there none
+/// overshoots, until rounding stops them. `above` gives a place to go on from in the stead of
+/// one too far above, or of none: a guess of zero has no slope. Whether what was found is the
+/// root is for the caller to see.
+#[inline]
 pub(super) fn newton(
     guess: f64,
-    highest: f64,
+    above: impl Fn(f64) -> f64,
     mut value_and_slope: impl FnMut(f64) -> (f64, f64),
 ) -> f64 {
     let (value, slope) = value_and_slope(guess);
-    let first = guess - value / slope;
-    // A guess of zero has no slope.
-    let mut root = if first < highest && first > 0.0 {
-        first
-    } else {
-        highest
-    };
+    let mut root = above(guess - value / slope);
     for _ in 0..MOST_STEPS {
         let (value, slope) = value_and_slope(root);
         let next = root - value / slope;
@@ -61,7 +57,7 @@ mod tests {
             answers in prop::collection::vec((any_number(), any_number()), 1..40),
         ) {
             let mut asked = 0;
-            newton(guess, highest, |_| {
+            newton(guess, |first| first.min(highest), |_| {
                 asked += 1;
                 assert!(asked <= MOST_STEPS + 1);
                 answers[asked % answers.len()]
@@ -74,7 +70,7 @@ mod tests {
             guess in 0.0..1e3f64,
         ) {
             let cubic = |x: f64| (x * x * (1.0 + x) - root * root * (1.0 + root), x * (2.0 + 3.0 * x));
-            prop_assert!((newton(guess, 1e4, cubic) / root - 1.0).abs() < 1e-12);
+            prop_assert!((newton(guess, |first| first.min(1e4), cubic) / root - 1.0).abs() < 1e-12);
         }
     }
 
@@ -82,10 +78,14 @@ mod tests {
     #[test]
     fn a_function_that_is_hardly_convex_does_not_creep() {
         let mut asked = 0;
-        newton(0.0, 1.0, |root| {
-            asked += 1;
-            assert!(asked <= MOST_STEPS + 1);
-            (1e-6 * root, 1.0)
-        });
+        newton(
+            0.0,
+            |_| 1.0,
+            |root| {
+                asked += 1;
+                assert!(asked <= MOST_STEPS + 1);
+                (1e-6 * root, 1.0)
+            },
+        );
     }
 }

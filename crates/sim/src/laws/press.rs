@@ -234,8 +234,8 @@ impl<'a> Press<'a> {
         } else {
             // δ + h₀k_c δ^(3/2) = gap, in √δ.
             let steepness = compliance * self.wall.stiffness;
-            let highest = start_from_above(gap, steepness);
-            let root = newton(self.last_root(), highest, |root| {
+            let above = |guess| from_above(guess, gap, steepness);
+            let root = newton(self.last_root(), above, |root| {
                 let value = root * root * (1.0 + steepness * root) - gap;
                 let slope = root * (2.0 + 3.0 * steepness * root);
                 (value, slope)
@@ -315,8 +315,8 @@ impl<'a> Press<'a> {
             return (gap / (compliance * (clearance + root)), 0.0);
         }
         let steepness = compliance * stiffness;
-        let start = start_from_above(self.distance - clearance, steepness);
-        let root = newton(self.last_root(), start, |root| {
+        let above = |guess| from_above(guess, self.distance - clearance, steepness);
+        let root = newton(self.last_root(), above, |root| {
             let depth = root * root;
             let force = steepness * depth * root;
             let force_slope = 3.0 * steepness * depth;
@@ -366,8 +366,15 @@ impl<'a> Press<'a> {
     }
 }
 
-/// No less than the root of s² + a s³ = gap.
-fn start_from_above(gap: f64, steepness: f64) -> f64 {
+/// A guess that is above the root of s² + a s³ = gap, or what is no less than that root where
+/// the guess is so far above it, or none.
+#[inline]
+fn from_above(guess: f64, gap: f64, steepness: f64) -> f64 {
+    let square = guess * guess;
+    let is_near = square < gap && steepness * square * guess < gap;
+    if guess > 0.0 && is_near {
+        return guess;
+    }
     let soft = gap.sqrt();
     if steepness * soft < 1.0 {
         soft
