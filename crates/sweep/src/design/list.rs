@@ -68,37 +68,41 @@ fn cases_of(table: &HandTable) -> Result<List, Mistake> {
     let columns = axes_of(table)?;
     // Columns of results follow the order of the axes, whatever the file's.
     let mut order: Vec<usize> = (0..columns.len()).collect();
-    order.sort_by_key(|&column| columns[column]);
-    if let Some(pair) = (order.windows(2)).find(|pair| columns[pair[0]] == columns[pair[1]]) {
-        let name = columns[pair[0]].name();
+    let axis = |&column: &usize| columns[column].0;
+    order.sort_by_key(axis);
+    if let Some(pair) = (order.windows(2)).find(|pair| axis(&pair[0]) == axis(&pair[1])) {
+        let name = axis(&pair[0]).name();
         return Err(table.header_mistake(format!("the column `{name}` is there twice")));
     }
     let mut cases = Vec::new();
     for row in table.rows() {
         let row = row?;
         let value = |&column: &usize| {
-            let axis = columns[column];
+            let (axis, factor) = columns[column];
             let mistake = |reason: &dyn Display| Mistake {
                 line: row.line,
                 message: format!("{}: {reason}", axis.name()),
             };
-            let value = number(&row.cells[column]).map_err(|error| mistake(&error))?;
+            let value = number(&row.cells[column]).map_err(|error| mistake(&error))? * factor;
             axis.check(value).map_err(|error| mistake(&error))?;
             Ok(value)
         };
         cases.push(order.iter().map(value).collect::<Result<_, Mistake>>()?);
     }
-    let axes = order.iter().map(|&column| columns[column]).collect();
+    let axes = order.iter().map(axis).collect();
     Ok(List::new(axes, cases))
 }
 
-/// The axes that the columns name.
-fn axes_of(table: &HandTable) -> Result<Vec<Axis>, Mistake> {
+/// The axes that the columns name, and what numbers in their units are multiplied by.
+fn axes_of(table: &HandTable) -> Result<Vec<(Axis, f64)>, Mistake> {
     let axes = table.header().iter().map(|name| {
-        Axis::from_name(name).ok_or_else(|| {
-            let known = Axis::NAMES.join(", ");
-            table.header_mistake(format!("unknown column `{name}`; known: {known}"))
-        })
+        let in_units = || Axis::from_field_name(name);
+        (Axis::from_name(name).map(|axis| (axis, 1.0)))
+            .or_else(in_units)
+            .ok_or_else(|| {
+                let known = Axis::NAMES.join(", ");
+                table.header_mistake(format!("unknown column `{name}`; known: {known}"))
+            })
     });
     axes.collect()
 }

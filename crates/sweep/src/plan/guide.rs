@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use toml::{Table, Value};
 
 use super::Sweep;
-use crate::quantities::Axis;
+use crate::quantities::{Axis, TWINS};
 use crate::sweep_file::bit::{BitTable, LawTable};
 use crate::sweep_file::design::{AxisRange, DesignTable};
 use crate::sweep_file::file::FileContent;
@@ -17,6 +17,7 @@ use crate::sweep_file::lateral::*;
 use crate::sweep_file::map::{MapTable, MarkTable};
 use crate::sweep_file::methods::MethodTables;
 use crate::sweep_file::string::{SectionTable, StringTable, TubeTable};
+use crate::sweep_file::units::key_in_si;
 use crate::sweep_file::wording::keys_of;
 
 const PAGE: &str = include_str!("../../../../docs/sweep-file.md");
@@ -252,4 +253,44 @@ fn the_guide_lists_every_axis_with_its_range() {
         let refusal = axis.check(1e300).unwrap_err().to_string();
         check_range(name, cells[3], cells[2], &[refusal]);
     }
+}
+
+/// The table of field units has every ending that is known, with its factor.
+#[test]
+fn field_units_are_those_of_the_program() {
+    let chapter = PAGE.split("\n## Field units\n").nth(1).unwrap();
+    let chapter = chapter.split("\n## ").next().unwrap();
+    let cells = |line: &'static str| line.split('|').map(|cell| cell.trim().trim_matches('`'));
+    let mut told: Vec<(&str, &str, f64)> = (chapter.lines())
+        .filter(|line| line.starts_with("| `"))
+        .map(|line| cells(line).collect::<Vec<_>>())
+        .map(|cells| (cells[1], cells[5], cells[3].parse().unwrap()))
+        .collect();
+    for twin in &TWINS {
+        let place = told.iter().position(|&(ending, instead_of, factor)| {
+            let off = factor / twin.factors[0] - 1.0;
+            (ending, instead_of) == (twin.twin, twin.si) && off.abs() < 1e-8
+        });
+        told.remove(place.unwrap_or_else(|| panic!("{} of {}", twin.twin, twin.si)));
+    }
+    assert!(told.is_empty(), "{told:?}");
+}
+
+/// No key with such a unit is left out.
+#[test]
+fn every_key_with_a_unit_has_its_twins() {
+    let names = chapters().into_iter().flat_map(|chapter| chapter.keys);
+    let mut twins = 0;
+    for name in names.chain(Axis::NAMES.map(str::to_owned)) {
+        for twin in &TWINS {
+            let Some(stem) = name.strip_suffix(twin.si) else {
+                continue;
+            };
+            let (found, factors) = key_in_si(&format!("{stem}{}", twin.twin))
+                .unwrap_or_else(|| panic!("{name} has no {}", twin.twin));
+            assert_eq!((found, factors), (name.clone(), twin.factors));
+            twins += 1;
+        }
+    }
+    assert!(twins > 40, "{twins}");
 }

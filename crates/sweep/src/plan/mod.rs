@@ -27,5 +27,5 @@ pub use impulses::{ImpulseAmount, ImpulseSettings, LARGEST_IMPULSE};
 pub use lateral::LateralSettings;
 pub use map::{MapMark, MapSettings};
 pub use setting::Setting;
-pub use sheet::{INCH, POUND_PER_FOOT};
+pub use sheet::POUND_PER_FOOT;
 pub use sweep::Sweep;

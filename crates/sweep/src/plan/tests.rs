@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use super::{Setting, Sweep};
+use crate::quantities::Axis;
 use crate::sweep_file::SweepFileError;
 
 /// Reads a file on top of the paper's drillstring.
@@ -142,4 +143,55 @@ fn a_logarithmic_axis_ends_where_it_is_said_to() {
     .unwrap();
     let [first, last] = [0, 3].map(|case| sweep.design.values(case));
     assert_eq!([first, last], [[0.3], [50.0]]);
+}
+
+const FIELD: &str = "surface_speed_rpm = 60
+[[string.sections]]
+repeat = 3
+parts = [{ length_ft = 30, inner_diameter_in = 4, outer_radius_in = 2.5 }]
+[[sites]]
+distance_from_bit_ft = 10
+[bit]
+rock = \"table\"
+table_klbf_lbf_ft = [[0, 0], [100, 20000]]
+";
+
+#[test]
+fn field_units_are_read_as_what_they_are_twins_of() {
+    let axes = "[design]\nkind = \"grid\"\n[design.axes]\n\
+                weight_on_bit_klbf = { from = 10, to = 20, count = 2 }\n\
+                [map]\nx = \"weight_on_bit_klbf\"\n";
+    let sweep = read(&format!("{FIELD}{axes}")).unwrap();
+    let near = |found: f64, expected: f64| {
+        assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+    };
+    let part = &sweep.setting.string.sections()[0].parts[0];
+    near(part.length, 9.144);
+    near(part.inner_radius, 0.0508);
+    near(part.outer_radius, 0.0635);
+    near(sweep.setting.sites.distances_from_bit()[0], 3.048);
+    near(sweep.design.values(1)[0], 20.0 * 4.4482216152605);
+    // 2000 lbf ft at 10 klbf.
+    let conditions = (sweep.conditions).with(Axis::WeightOnBitKn, 44.482216152605);
+    let torque = sweep.bit.unwrap().torque_dynamic(&conditions);
+    near(torque.unwrap().unwrap(), 2000.0 * 1.3558179483314);
+}
+
+#[test]
+fn a_quantity_given_in_two_units_is_refused() {
+    let found = message("[wall]\nclearance_mm = 10\nclearance_in = 0.5\n");
+    assert_eq!(
+        found,
+        "sweep.toml:3: `clearance_mm`: says the same as `clearance_in`; give one of them"
+    );
+}
+
+#[test]
+fn an_error_names_the_key_as_it_was_written() {
+    let found = message(&format!("{FIELD}weight_on_bit_klbf = 5000\n"));
+    let key = "sweep.toml:11: `bit.weight_on_bit_klbf`: ";
+    assert!(found.starts_with(key), "{found}");
+    let found = message(&format!("{FIELD}weight_on_bit_klbf = 5\n").replace("= 30", "= -30"));
+    let key = "sweep.toml:5: `string.sections[0].parts[0].length_ft`: ";
+    assert!(found.starts_with(key), "{found}");
 }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::axis::{Axis, StringAxis, TubeMeasure};
+use super::field_units::in_si;
 use super::numbered::{numbered, numbers_in};
 use super::range::{ValueError, within};
 
@@ -106,6 +107,12 @@ impl Axis {
         KINDS.into_iter().find_map(of_kind)
     }
 
+    /// The axis of a name in other units, and what numbers in them are multiplied by.
+    pub fn from_field_name(name: &str) -> Option<(Self, f64)> {
+        let (known, factors) = in_si(name, |known| Self::from_name(known).is_some())?;
+        Some((Self::from_name(&known)?, factors[0]))
+    }
+
     /// The column's name.
     pub fn name(self) -> String {
         numbered(self.quantity().name, self.numbers())
@@ -166,7 +173,9 @@ impl Serialize for Axis {
 impl<'de> Deserialize<'de> for Axis {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
-        Axis::from_name(&name).ok_or_else(|| serde::de::Error::unknown_variant(&name, &Axis::NAMES))
+        let in_units = || Some(Axis::from_field_name(&name)?.0);
+        (Axis::from_name(&name).or_else(in_units))
+            .ok_or_else(|| serde::de::Error::unknown_variant(&name, &Axis::NAMES))
     }
 }
 

@@ -13,6 +13,7 @@ mod number_or;
 mod placed;
 mod source;
 pub mod string;
+pub mod units;
 pub mod wording;
 
 pub use bit::{BitTable, LawTable, RockName};

@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::units::{key_in_si, scale};
+
 /// Where a value stands.
 #[derive(Debug, Clone, Copy)]
 pub struct Place {
@@ -19,6 +21,8 @@ pub struct Place {
 #[derive(Debug, Clone)]
 pub struct Places {
     own: Place,
+    /// The key as it was written, where that is in other units.
+    written: Option<String>,
     keys: BTreeMap<String, Places>,
     items: Vec<Places>,
 }
@@ -33,13 +37,18 @@ pub struct Placed {
 
 impl Placed {
     /// The place of the value at a key path (`string.sections[0].repeat`) or, where
-    /// it is not given, of what it would be in.
-    pub fn find(&self, path: &str) -> Option<Place> {
-        let (mut found, mut rest) = key_of(&self.places, path)?;
-        while let Some((inner, after)) = found.child(rest) {
-            (found, rest) = (inner, after);
+    /// it is not given, of what it would be in; and the path as it was written.
+    pub fn find(&self, path: &str) -> Option<(Place, String)> {
+        let (mut found, mut key, mut rest) = key_of(&self.places, path)?;
+        let mut written = String::new();
+        loop {
+            written += found.written.as_deref().unwrap_or(key);
+            let Some((inner, before, name, after)) = found.child(rest) else {
+                return Some((found.own, written + rest));
+            };
+            written += before;
+            (found, key, rest) = (inner, name, after);
         }
-        Some(found.own)
     }
 
     /// Takes a key out.
@@ -50,33 +59,59 @@ impl Placed {
 
     /// Lays the table of a file over this one: tables key by key, anything else as a
     /// whole, and a `[design]` as a whole too.
-    pub fn lay_over(&mut self, over: &DeTable, file: usize, lines: &LineNumbers) {
+    ///
+    /// # Errors
+    /// Where two keys say the same in two units.
+    pub fn lay_over(
+        &mut self,
+        over: &DeTable,
+        file: usize,
+        lines: &LineNumbers,
+    ) -> Result<(), Twice> {
         if over.contains_key("design") {
             self.remove("design");
         }
-        Layer { file, lines }.lay(self, over);
+        Layer { file, lines }.lay(self, over)?;
         self.remove("base");
+        Ok(())
     }
+}
+
+/// A key beside another that says the same.
+#[derive(Debug)]
+pub struct Twice {
+    /// Where it stands.
+    pub line: usize,
+    /// The key.
+    pub key: String,
+    /// The other.
+    pub other: String,
 }
 
 impl Places {
-    fn child<'a>(&self, path: &'a str) -> Option<(&Places, &'a str)> {
-        let Some(index) = path.strip_prefix('[') else {
-            return key_of(&self.keys, path.strip_prefix('.')?);
-        };
-        let (index, rest) = index.split_once(']')?;
-        Some((self.items.get(index.parse::<usize>().ok()?)?, rest))
+    /// What a path goes on to in this, with what is written before its name, that name, and
+    /// the rest of the path.
+    fn child<'a>(&self, path: &'a str) -> Option<(&Places, &'a str, &'a str, &'a str)> {
+        if path.starts_with('[') {
+            let (index, rest) = path.split_at(path.find(']')? + 1);
+            let item = self
+                .items
+                .get(index[1..index.len() - 1].parse::<usize>().ok()?)?;
+            return Some((item, "", index, rest));
+        }
+        let (found, key, rest) = key_of(&self.keys, path.strip_prefix('.')?)?;
+        Some((found, ".", key, rest))
     }
 }
 
-/// What a path begins with, and the rest of the path. A key may have a dot in it.
+/// What a path begins with, its name, and the rest of the path. A key may have a dot in it.
 fn key_of<'p, 'a>(
     keys: &'p BTreeMap<String, Places>,
     path: &'a str,
-) -> Option<(&'p Places, &'a str)> {
+) -> Option<(&'p Places, &'a str, &'a str)> {
     let ends = path.match_indices(['.', '[']).map(|(end, _)| end);
     ends.chain([path.len()])
-        .find_map(|end| Some((keys.get(&path[..end])?, &path[end..])))
+        .find_map(|end| Some((keys.get(&path[..end])?, &path[..end], &path[end..])))
 }
 
 /// A file that is laid over others.
@@ -93,9 +128,20 @@ impl Layer<'_> {
         }
     }
 
-    fn lay(&self, under: &mut Placed, over: &DeTable) {
+    fn lay(&self, under: &mut Placed, over: &DeTable) -> Result<(), Twice> {
+        let mut seen: BTreeMap<String, &str> = BTreeMap::new();
         for (key, value) in over {
-            let name = key.get_ref().as_ref();
+            let written = key.get_ref().as_ref();
+            let twin = key_in_si(written);
+            let name = twin.as_ref().map_or(written, |(name, _)| name);
+            let place = self.place(key.span().start);
+            if let Some(other) = seen.insert(name.to_owned(), written) {
+                return Err(Twice {
+                    line: place.line,
+                    key: written.to_owned(),
+                    other: other.to_owned(),
+                });
+            }
             let below = under.table.remove(name).zip(under.places.remove(name));
             let below = match below {
                 Some((toml::Value::Table(table), places)) => Placed {
@@ -104,36 +150,46 @@ impl Layer<'_> {
                 },
                 _ => Placed::default(),
             };
-            let (value, mut places) = self.value(value, below);
-            places.own = self.place(key.span().start);
+            let (mut value, mut places) = self.value(value, below)?;
+            places.own = place;
+            if let Some((_, factors)) = &twin {
+                scale(&mut value, factors);
+                places.written = Some(written.to_owned());
+            }
             under.table.insert(name.to_owned(), value);
             under.places.insert(name.to_owned(), places);
         }
+        Ok(())
     }
 
-    fn value(&self, value: &Spanned<DeValue>, mut below: Placed) -> (toml::Value, Places) {
+    fn value(
+        &self,
+        value: &Spanned<DeValue>,
+        mut below: Placed,
+    ) -> Result<(toml::Value, Places), Twice> {
         let mut places = Places {
             own: self.place(value.span().start),
+            written: None,
             keys: BTreeMap::new(),
             items: Vec::new(),
         };
         let value = match value.get_ref() {
             DeValue::Table(table) => {
-                self.lay(&mut below, table);
+                self.lay(&mut below, table)?;
                 places.keys = below.places;
                 toml::Value::Table(below.table)
             }
             DeValue::Array(items) => {
                 let items = items.iter().map(|item| {
-                    let (item, place) = self.value(item, Placed::default());
+                    let (item, place) = self.value(item, Placed::default())?;
                     places.items.push(place);
-                    item
+                    Ok(item)
                 });
-                toml::Value::Array(items.collect())
+                toml::Value::Array(items.collect::<Result<_, _>>()?)
             }
             scalar => plain(scalar),
         };
-        (value, places)
+        Ok((value, places))
     }
 }
 

@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::SweepFileError;
-use super::placed::{LineNumbers, Placed};
+use super::placed::{LineNumbers, Placed, Twice};
 use super::wording::{in_words, keys_of};
 use crate::quantities::{Axis, within};
 use crate::text_file::LARGEST_SWEEP_FILE;
@@ -66,7 +66,7 @@ impl Source {
 
     /// The folder of the file that gives `key`, where files it names are.
     pub fn folder_of(&self, key: &str) -> &Path {
-        let file = self.merged.find(key).map_or(0, |place| place.file);
+        let file = self.merged.find(key).map_or(0, |(place, _)| place.file);
         self.files[file].parent().unwrap_or(Path::new(""))
     }
 
@@ -86,11 +86,14 @@ impl Source {
     /// An error about the value at `key`; where it is not given, about the
     /// table around it.
     pub fn error(&self, key: &str, message: impl Into<String>) -> SweepFileError {
-        let place = self.merged.find(key);
+        let (place, key) = match self.merged.find(key) {
+            Some((place, written)) => (Some(place), written),
+            None => (None, key.to_owned()),
+        };
         SweepFileError {
             file: self.files[place.map_or(0, |place| place.file)].clone(),
             line: place.map(|place| place.line),
-            key: Some(key.to_owned()),
+            key: Some(key),
             message: message.into(),
         }
     }
@@ -211,8 +214,12 @@ impl Source {
                 (None, false) => {}
             }
         }
-        self.merged.lay_over(given, file, &lines);
-        Ok(())
+        self.merged
+            .lay_over(given, file, &lines)
+            .map_err(|Twice { line, key, other }| {
+                let message = format!("says the same as `{other}`; give one of them");
+                unusable(Some(line), Some(&key), message)
+            })
     }
 
     /// Why a file is refused as a base, if it is.

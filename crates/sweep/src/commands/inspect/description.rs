@@ -6,7 +6,8 @@ use linear::estimates::{
 };
 
 use crate::engine::{MethodSystem, Survey, is_unstable};
-use crate::plan::{Choice, INCH, POUND_PER_FOOT, Sweep};
+use crate::plan::{Choice, POUND_PER_FOOT, Sweep};
+use crate::quantities::INCH;
 use crate::sweep_file::{AutoOr, per_cent};
 use crate::words::{counted, short, wrapped};
 

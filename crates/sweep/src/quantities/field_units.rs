@@ -1,0 +1,97 @@
+//! Oilfield units: every name that ends in an SI unit has twins that end in others, and what
+//! is given under these is converted where it is read.
+
+/// One inch, m.
+pub const INCH: f64 = 25.4e-3;
+
+const FOOT: f64 = 12.0 * INCH;
+
+/// One pound, kg.
+pub const POUND: f64 = 0.453_592_37;
+
+/// One pound-force, N, by the standard acceleration of free fall.
+const POUND_FORCE: f64 = POUND * 9.806_65;
+
+/// One US gallon, m³.
+const GALLON: f64 = 231.0 * INCH * INCH * INCH;
+
+const PSI: f64 = POUND_FORCE / (INCH * INCH);
+
+/// An ending of names, that of a twin, and what a number under the twin is multiplied by: in
+/// rows of numbers, each by its own.
+pub struct Twin {
+    /// The ending in SI units.
+    pub si: &'static str,
+    /// That in other units.
+    pub twin: &'static str,
+    /// What numbers in these are multiplied by.
+    pub factors: &'static [f64],
+}
+
+const fn twin(si: &'static str, twin: &'static str, factors: &'static [f64]) -> Twin {
+    Twin { si, twin, factors }
+}
+
+/// All of them; where two endings fit, the longer one comes first.
+pub const TWINS: [Twin; 15] = [
+    twin("_radius_m", "_diameter_in", &[0.5 * INCH]),
+    twin("_radius_m", "_diameter_mm", &[0.5e-3]),
+    twin("_m", "_in", &[INCH]),
+    twin("_m", "_ft", &[FOOT]),
+    twin("_mm", "_in", &[1e3 * INCH]),
+    twin("_kg", "_lb", &[POUND]),
+    twin("_kg_m3", "_ppg", &[POUND / GALLON]),
+    twin("_kn", "_klbf", &[POUND_FORCE]),
+    twin("_ns", "_lbf_s", &[POUND_FORCE]),
+    twin("_nm", "_lbf_ft", &[POUND_FORCE * FOOT]),
+    twin("_nm_per_kn", "_lbf_ft_per_klbf", &[FOOT]),
+    twin("_kn_nm", "_klbf_lbf_ft", &[POUND_FORCE, POUND_FORCE * FOOT]),
+    twin("_nms_rad_m", "_lbf_s_rad", &[POUND_FORCE]),
+    twin("_mpa", "_psi", &[1e-6 * PSI]),
+    twin("_gpa", "_psi", &[1e-9 * PSI]),
+];
+
+/// The known name that this one is a twin of, and the factors of its numbers.
+pub fn in_si(name: &str, is_known: impl Fn(&str) -> bool) -> Option<(String, &'static [f64])> {
+    TWINS.iter().find_map(|twin| {
+        let stem = name.strip_suffix(twin.twin)?;
+        let known = format!("{stem}{}", twin.si);
+        is_known(&known).then_some((known, twin.factors))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By other tables of units.
+    #[test]
+    fn units_are_what_tables_of_units_say() {
+        for (name, known, expected) in [
+            ("a_radius_in", "a_radius_m", 0.0254),
+            ("a_diameter_in", "a_radius_m", 0.0127),
+            ("a_diameter_mm", "a_radius_m", 0.0005),
+            ("a_ft", "a_m", 0.3048),
+            ("a_in", "a_mm", 25.4),
+            ("a_lb", "a_kg", 0.45359237),
+            ("a_ppg", "a_kg_m3", 119.826427317),
+            ("a_klbf", "a_kn", 4.448221615),
+            ("a_lbf_s", "a_ns", 4.448221615),
+            ("a_lbf_ft", "a_nm", 1.355817948),
+            (
+                "a_lbf_ft_per_klbf",
+                "a_nm_per_kn",
+                1.355817948 / 4.448221615,
+            ),
+            ("a_lbf_s_rad", "a_nms_rad_m", 4.448221615),
+            ("a_psi", "a_mpa", 0.006894757293),
+            ("a_psi", "a_gpa", 0.000006894757293),
+        ] {
+            let (_, factors) = in_si(name, |found| found == known).expect(name);
+            let off = factors[0] / expected - 1.0;
+            assert!(off.abs() < 2e-9, "{name}: {off:e}");
+        }
+        assert!(in_si("a_furlong", |_| true).is_none());
+        assert!(in_si("a_in", |name| name == "b_m").is_none());
+    }
+}
