@@ -138,7 +138,7 @@ impl WallWatch {
 
     pub(crate) fn see(&mut self, contacts: &[Contact]) {
         for (site, contact) in contacts.iter().enumerate() {
-            self.see_site(site, contact);
+            self.see_site(self.step, site, contact);
             self.ambiguous += usize::from(contact.ambiguous);
             if contact.touches() {
                 self.first_contact.get_or_insert(self.step);
@@ -147,10 +147,10 @@ impl WallWatch {
         self.step += 1;
     }
 
-    fn see_site(&mut self, site: usize, contact: &Contact) {
+    fn see_site(&mut self, step: usize, site: usize, contact: &Contact) {
         let [x, y] = contact.position;
         self.furthest[site] = self.furthest[site].max(x * x + y * y);
-        if self.step >= self.closing_from {
+        if step >= self.closing_from {
             self.closing[site].see(contact, self.furthest[site]);
         } else {
             self.closing[site].turning = Turning::at(contact.position);
@@ -160,20 +160,21 @@ impl WallWatch {
     /// The first `count` steps of a block without contact: x and y of every site,
     /// a block each.
     pub(crate) fn see_free_block(&mut self, x: &[f64], y: &[f64], block: usize, count: usize) {
-        for step in 0..count {
-            for site in 0..self.furthest.len() {
-                let place = site * block + step;
-                let position = [x[place], y[place]];
-                self.see_site(
-                    site,
-                    &Contact {
-                        position,
-                        ..Contact::NONE
-                    },
-                );
+        // Of those before the closing window only the furthest and the last count.
+        let early = self.closing_from.saturating_sub(self.step).min(count);
+        let sites = x.chunks_exact(block).zip(y.chunks_exact(block));
+        for (site, (x, y)) in sites.enumerate() {
+            let squares = x[..early].iter().zip(y).map(|(x, y)| x * x + y * y);
+            self.furthest[site] = squares.fold(self.furthest[site], f64::max);
+            for step in early.saturating_sub(1)..count {
+                let contact = Contact {
+                    position: [x[step], y[step]],
+                    ..Contact::NONE
+                };
+                self.see_site(self.step + step, site, &contact);
             }
-            self.step += 1;
         }
+        self.step += count;
     }
 
     pub(crate) fn measures(&self) -> LateralMeasures {
