@@ -151,7 +151,6 @@ fn bending_that_no_string_has_is_refused_by_every_method() {
     }
 }
 
-/// Lengths that each are numbers, but no string together.
 /// Short waves are halved until they are long: those whose square is beyond all numbers never are.
 #[test]
 fn damping_whose_square_is_no_number_is_refused_by_every_method() {
@@ -171,6 +170,7 @@ fn damping_whose_square_is_no_number_is_refused_by_every_method() {
     }
 }
 
+/// Lengths that each are numbers, but no string together.
 #[test]
 fn a_string_longer_than_all_numbers_has_no_responses() {
     let section = Section {

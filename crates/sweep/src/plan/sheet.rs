@@ -4,11 +4,11 @@
 use linear::Tube;
 
 use super::sweep::Sweep;
-use crate::quantities::{INCH, POUND};
+use crate::quantities::{FOOT, INCH, POUND};
 use crate::sweep_file::SweepFileError;
 
 /// One pound per foot, kg/m.
-pub const POUND_PER_FOOT: f64 = POUND / (12.0 * INCH);
+pub const POUND_PER_FOOT: f64 = POUND / FOOT;
 
 /// A drill collar of 14 in with a bore of 3 in, of steel, is the heaviest in makers'
 /// tables, and has about this mass, lb/ft.

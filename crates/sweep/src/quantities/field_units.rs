@@ -4,7 +4,8 @@
 /// One inch, m.
 pub const INCH: f64 = 25.4e-3;
 
-const FOOT: f64 = 12.0 * INCH;
+/// One foot, m.
+pub const FOOT: f64 = 12.0 * INCH;
 
 /// One pound, kg.
 pub const POUND: f64 = 0.453_592_37;
@@ -32,7 +33,7 @@ const fn twin(si: &'static str, twin: &'static str, factors: &'static [f64]) -> 
     Twin { si, twin, factors }
 }
 
-/// All of them; where two endings fit, the longer one comes first.
+/// All of them; where several fit a name, the known names decide.
 pub const TWINS: [Twin; 15] = [
     twin("_radius_m", "_diameter_in", &[0.5 * INCH]),
     twin("_radius_m", "_diameter_mm", &[0.5e-3]),

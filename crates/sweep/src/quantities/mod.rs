@@ -1,5 +1,6 @@
 //! The quantities of a sweep that a design may vary: their names, units, ranges and
-//! symbols, in one table.
+//! symbols, in one table; and the field units that these and other numbers of a file may
+//! be given in, in another.
 
 mod axis;
 mod field_units;
@@ -10,6 +11,6 @@ mod table;
 pub use axis::{Axis, StringAxis, TubeMeasure};
 #[cfg(test)]
 pub use field_units::TWINS;
-pub use field_units::{INCH, POUND, in_si};
+pub use field_units::{FOOT, INCH, POUND, in_si};
 pub use range::{in_digits, within};
 pub use table::LONGEST_STRING;

@@ -173,6 +173,7 @@ impl Serialize for Axis {
 impl<'de> Deserialize<'de> for Axis {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
+        // Its numbers have been converted where the file was read.
         let in_units = || Some(Axis::from_field_name(&name)?.0);
         (Axis::from_name(&name).or_else(in_units))
             .ok_or_else(|| serde::de::Error::unknown_variant(&name, &Axis::NAMES))

@@ -5,7 +5,7 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-pub(super) const KEYS: [&str; 22] = [
+const KEYS: [&str; 18] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
@@ -16,14 +16,10 @@ pub(super) const KEYS: [&str; 22] = [
     "wear_flat_mm",
     "mass_kg",
     "density_kg_m3",
-    "weight_on_bit_kn",
     "poor_cleaning_from_kn",
-    "compression_kn",
     "amount_ns",
-    "torque_dynamic_nm",
     "poor_cleaning_nm_per_kn",
     "table_kn_nm",
-    "torsional_damping_nms_rad_m",
     "specific_energy_mpa",
     "contact_strength_mpa",
     "shear_modulus_gpa",
