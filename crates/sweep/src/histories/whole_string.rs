@@ -3,7 +3,7 @@
 use anyhow::Result;
 use linear::elements::reconstruction::WholeString;
 
-use super::marks::level;
+use super::marks::{level, shown_clearance};
 use super::simulation::Simulation;
 use crate::plan::{LateralSettings, Sweep};
 use crate::plot::{Axis, Panel, Picture, Series, panels};
@@ -37,12 +37,15 @@ pub fn string_picture(
             })
         })
         .collect::<Result<Vec<_>>>()?;
-    let clearance = lateral.walls.iter().map(|wall| wall.clearance);
-    let least = 1e3 * clearance.fold(f64::INFINITY, f64::min);
+    let clearances = lateral.walls.iter().map(|wall| wall.clearance);
+    let least = clearances.fold(f64::INFINITY, f64::min);
+    let peaks = series.iter().flat_map(|series| &series.points);
+    let shown = shown_clearance(least, peaks.map(|point| point.1));
+    let references = shown.map(|clearance| level(clearance, "least clearance"));
     let panel = Panel {
         axes: ["Depth ξ (m)", "Peak radius (mm)"].map(Axis::linear),
         series,
-        references: vec![level(least, "least clearance")],
+        references: references.into_iter().collect(),
     };
     panels(&format!("{}: the whole string", sweep.title), &[panel])
 }
