@@ -12,7 +12,7 @@ use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
 use crate::drillstring::Drillstring;
 use crate::elements::mesh::most_elements;
-use crate::estimates::torsional_settling_time;
+use crate::estimates::{torsional_inertia, torsional_settling_time};
 use crate::filters::held;
 use crate::filters::quadrature::SAMPLES_PER_TAP;
 use crate::method::{FiniteElement, Method};
@@ -289,7 +289,11 @@ fn slowest_rate(string: &Drillstring) -> f64 {
         .tubes()
         .map(|(_, tube)| tube.polar_moment())
         .fold(0.0, f64::max);
-    let vibrates = string.torsional_damping() / (2.0 * string.material().density * heaviest);
+    let damped = string.torsional_damping() / (2.0 * string.material().density * heaviest);
+    // What a top drive holds of the inertia is not damped by the string.
+    let inertia = torsional_inertia(string);
+    let of_drive = string.top_drive().map_or(0.0, |drive| drive.inertia);
+    let vibrates = damped * inertia / (inertia + of_drive);
     vibrates.min(1.0 / torsional_settling_time(string))
 }
 

@@ -4,6 +4,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use crate::error::DrillstringError;
+use crate::top_drive::TopDrive;
 
 /// Two lengths closer than this fraction of the string are the same place.
 pub(crate) const SAME_PLACE: f64 = 1e-9;
@@ -73,6 +74,7 @@ pub struct Drillstring {
     material: Material,
     sections: Vec<Section>,
     torsional_damping: f64,
+    top_drive: Option<TopDrive>,
 }
 
 /// By which responses are known to be those of a string, within one run of a program.
@@ -107,7 +109,25 @@ impl Drillstring {
             material,
             sections,
             torsional_damping,
+            top_drive: None,
         })
+    }
+
+    /// The same string below a top drive, where without one the surface turns as prescribed.
+    ///
+    /// # Errors
+    /// Where there is no such drive.
+    pub fn with_top_drive(self, drive: TopDrive) -> Result<Self, DrillstringError> {
+        drive.check()?;
+        Ok(Self {
+            top_drive: Some(drive),
+            ..self
+        })
+    }
+
+    /// The drive that turns it, if its surface does not turn as prescribed.
+    pub fn top_drive(&self) -> Option<TopDrive> {
+        self.top_drive
     }
 
     /// What tells it from other strings.
@@ -124,6 +144,11 @@ impl Drillstring {
                 add(part.inner_radius);
                 add(part.outer_radius);
             }
+        }
+        if let Some(drive) = self.top_drive {
+            add(drive.inertia);
+            add(drive.proportional_gain);
+            add(drive.integral_gain);
         }
         StringId(hasher.finish())
     }

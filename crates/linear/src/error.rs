@@ -73,6 +73,17 @@ pub enum DrillstringError {
         /// The value found, N.
         value: f64,
     },
+    /// A number of a top drive is below zero, which would feed energy in, or none.
+    #[error("the {quantity} {value} of the top drive is not zero or a positive number")]
+    TopDrive {
+        /// Which number.
+        quantity: &'static str,
+        /// The value found, SI.
+        value: f64,
+    },
+    /// A top drive that nothing holds at its speed.
+    #[error("the top drive has neither a proportional nor an integral gain")]
+    NoControl,
     /// There is no site.
     #[error("there is no site")]
     NoSites,

@@ -13,6 +13,15 @@ pub fn torsional_stiffness(string: &Drillstring) -> f64 {
     string.material().shear_modulus / flexibility
 }
 
+/// Stiffness, N m/rad, against which a surface that is set to a steady speed winds up a
+/// held bit: k_eff, in series with the integral gain of a top drive, which alone makes up
+/// for a torque that grows.
+pub fn winding_stiffness(string: &Drillstring) -> f64 {
+    let stiffness = torsional_stiffness(string);
+    let integral = (string.top_drive()).map_or(f64::INFINITY, |drive| drive.integral_gain);
+    1.0 / (1.0 / stiffness + 1.0 / integral)
+}
+
 /// Characteristic torsional impedance J √(Gρ) of a tube, without damping,
 /// N m s/rad.
 pub fn torsional_impedance(string: &Drillstring, tube: &Tube) -> f64 {
@@ -40,10 +49,98 @@ pub fn torsional_decay_rate(string: &Drillstring) -> f64 {
 }
 
 /// No period of torsional vibration with the bit free is longer than this, s: that of all
-/// the string's inertia at the end of its flexibility. It is at least 2π travel times.
+/// the string's inertia at the end of its flexibility, and of a top drive's. It is at least
+/// 2π travel times. A drive without integral gain is not held by a spring.
 pub fn torsional_period(string: &Drillstring) -> f64 {
     let inertia = torsional_inertia(string);
-    std::f64::consts::TAU * (inertia / torsional_stiffness(string)).sqrt()
+    let of_string = inertia / torsional_stiffness(string);
+    let sprung = (string.top_drive()).filter(|drive| drive.integral_gain > 0.0);
+    let of_drive = sprung.map_or(0.0, |drive| (inertia + drive.inertia) / drive.integral_gain);
+    std::f64::consts::TAU * (of_string + of_drive).sqrt()
+}
+
+/// How a string swings in its first torsional mode, the surface held and the bit free.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FirstMode {
+    /// Natural frequency ω₁ without damping, rad/s.
+    pub frequency: f64,
+    /// The inertia J₁ that pulls as much on a surface that moves, at the end of a spring
+    /// ω₁² J₁ (the mode's effective mass), kg m².
+    pub inertia: f64,
+}
+
+/// The first mode of torsion.
+pub fn first_mode(string: &Drillstring) -> FirstMode {
+    // Of the surface's rotation above a bit that turns, as a function of ω², all zeros are
+    // positive: from below, Newton's steps go up to the first and never past it.
+    let bound = torsional_inertia(string) / torsional_stiffness(string);
+    let mut square = 1.0 / bound;
+    let mut at_surface = swing(string, square);
+    for _ in 0..MOST_NEWTON_STEPS {
+        let step = -at_surface.rotation / at_surface.change;
+        square += step;
+        at_surface = swing(string, square);
+        if step.abs() <= 1e-14 * square {
+            break;
+        }
+    }
+    FirstMode {
+        frequency: square.sqrt(),
+        inertia: at_surface.torque / (square * square * at_surface.change),
+    }
+}
+
+/// Far more than it takes them.
+const MOST_NEWTON_STEPS: usize = 60;
+
+/// What a free bit that swings by 1 rad makes of the surface.
+struct Swing {
+    /// Rotation, rad, and how it changes with ω², rad s².
+    rotation: f64,
+    change: f64,
+    /// Torque from above, N m.
+    torque: f64,
+}
+
+/// Undamped swinging at ω², from the bit upwards.
+fn swing(string: &Drillstring, square: f64) -> Swing {
+    let mut at = Swing {
+        rotation: 1.0,
+        change: 0.0,
+        torque: 0.0,
+    };
+    let mut torque_change = 0.0;
+    let (frequency, speed) = (square.sqrt(), string.torsional_wave_speed());
+    for section in string.sections().iter().rev() {
+        for tube in (0..section.repeat).flat_map(|_| section.parts.iter().rev()) {
+            let angle = frequency * tube.length / speed;
+            let (sin, cos) = angle.sin_cos();
+            let stiffness = frequency * torsional_impedance(string, tube);
+            let Swing {
+                rotation,
+                change,
+                torque,
+            } = at;
+            let along = 0.5 / square;
+            let turned = sin / stiffness;
+            let turned_change = (angle * cos - sin) * along / stiffness;
+            let pulled = stiffness * sin;
+            let pulled_change = stiffness * (sin + angle * cos) * along;
+            let cos_change = -sin * angle * along;
+            at = Swing {
+                rotation: rotation * cos + torque * turned,
+                change: change * cos
+                    + rotation * cos_change
+                    + torque_change * turned
+                    + torque * turned_change,
+                torque: torque * cos - rotation * pulled,
+            };
+            torque_change = torque_change * cos + torque * cos_change
+                - change * pulled
+                - rotation * pulled_change;
+        }
+    }
+    at
 }
 
 /// Periods of the slowest vibration in which an undershoot is looked for.
@@ -56,7 +153,7 @@ pub fn undershoot_time(string: &Drillstring) -> f64 {
 }
 
 /// Moment of inertia of the whole string about its axis, kg m².
-fn torsional_inertia(string: &Drillstring) -> f64 {
+pub(crate) fn torsional_inertia(string: &Drillstring) -> f64 {
     let moments = string
         .tubes()
         .map(|(count, tube)| count * tube.length * tube.polar_moment());
@@ -75,10 +172,24 @@ pub fn bending_decay_rate(string: &Drillstring, bending: &Bending) -> f64 {
 /// Time constant, s, in which torque that distributed damping holds back seeps
 /// along the string to a free bit: 4 c_t L/(π² k_eff), or a quarter of that where
 /// the bit is held. Strings of a few kilometres vibrate longer than that; longer
-/// ones do not vibrate, and seeping is the slowest they do.
+/// ones do not vibrate, and seeping is the slowest they do. A top drive comes back to its
+/// set speed in a time of its own, which is added.
 pub fn torsional_settling_time(string: &Drillstring) -> f64 {
     let squared = std::f64::consts::PI.powi(2);
-    4.0 * string.torsional_damping() * string.length() / (squared * torsional_stiffness(string))
+    let resistance = string.torsional_damping() * string.length();
+    let seeps = 4.0 * resistance / (squared * torsional_stiffness(string));
+    let returns = string.top_drive().map_or(0.0, |drive| {
+        let held_back = drive.proportional_gain + resistance;
+        let inertia = drive.inertia + torsional_inertia(string);
+        let by_integral = held_back / drive.integral_gain;
+        let spins_down = 2.0 * inertia / held_back;
+        if by_integral.is_finite() {
+            by_integral + spins_down
+        } else {
+            spins_down
+        }
+    });
+    seeps + returns
 }
 
 /// What damping leaves of the amplitude of a torsional wave on its way from the
@@ -121,7 +232,7 @@ pub fn stick_slip_times(
     torque_static: f64,
     torque_dynamic: f64,
 ) -> StickSlipTimes {
-    let winding_rate = surface_speed * torsional_stiffness(string);
+    let winding_rate = surface_speed * winding_stiffness(string);
     StickSlipTimes {
         first_slip: torque_static / winding_rate,
         slip: 2.0 * torsional_travel_time(string),

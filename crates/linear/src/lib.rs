@@ -33,6 +33,7 @@
 //! | Eqs. 19–26: bending waves in a tube | `waves/bending.rs` |
 //! | Eqs. 4–11, 25: the chain of sections | `assembly/chain.rs` |
 //! | Eqs. 12–13, 41–48: surface and sites | `assembly/torsion.rs`, [`waves::network`] |
+//! | the surface under a drive instead of a speed | [`TopDrive`] |
 //! | sharp fronts: waves handed on from piece to piece | [`waves::lattice`] |
 //! | Eqs. 50–58: bending at the sites | `assembly/bending.rs`, [`waves::lateral`] |
 //! | Section 2.4: digital filters | [`filters`] |
@@ -82,11 +83,13 @@ mod error;
 pub mod estimates;
 pub mod filters;
 pub mod method;
+pub mod modes;
 pub mod passivity;
 pub mod pulse;
 pub mod responses;
 mod sites;
 mod spans;
+mod top_drive;
 #[cfg(test)]
 mod validation;
 pub mod waves;
@@ -101,3 +104,4 @@ pub use responses::{
     ChannelRequest, ChannelResponses, ImpulseTrains, Request, Responses, responses, responses_with,
 };
 pub use sites::Sites;
+pub use top_drive::TopDrive;

@@ -10,7 +10,7 @@ use num_complex::Complex64;
 
 use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
-use super::nodes::{Nodes, Piece};
+use super::nodes::{Link, Nodes, Piece};
 use super::number::Number;
 
 /// Dynamic stiffness of a piece of string in torsion: torques per rotation, N m/rad, or, where
@@ -92,11 +92,21 @@ impl<T: Number> Stiffness for DynamicStiffness<T> {
     }
 }
 
-/// The frequency response D of Eq. 48 between surface and sites, without its
-/// top row (the torque at the surface).
+/// What drives the upper end of a string whose motion there is not prescribed: its torque is
+/// `holds` times the motion it is set to, less `opposes` times its own.
+#[derive(Debug, Clone, Copy)]
+pub struct Drive<T> {
+    /// Torque per set motion.
+    pub holds: T,
+    /// Torque per own motion.
+    pub opposes: T,
+}
+
+/// The frequency response D of Eq. 48 between surface and sites.
 #[derive(Debug, Clone)]
 pub struct TorsionAdmittance<T = Complex64> {
-    /// Speed at each site per unit surface speed (dimensionless).
+    /// Speed at each site per unit speed of the surface, or per unit of the speed that its
+    /// drive is set to (dimensionless).
     pub from_surface: Vec<T>,
     /// Speed at each site (row) per unit external torque at each site
     /// (column), rad/s per N m.
@@ -105,19 +115,27 @@ pub struct TorsionAdmittance<T = Complex64> {
 
 /// The response of nodes, from the surface down, of which the first `sites` are sites:
 /// each hangs from the one above by a piece, `None` where there is nothing. Stiffnesses
-/// are torques per motion, and a speed is `rate` times that motion.
+/// are torques per motion, and a speed is `rate` times that motion. Without a drive the
+/// surface turns as prescribed.
 pub fn reduce<T: Number>(
     mut pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
     sites: usize,
     rate: T,
+    drive: Option<Drive<T>>,
 ) -> TorsionAdmittance<T> {
     let uppermost = pieces.next().flatten();
     let pieces: Vec<_> = pieces.collect();
-    // The surface turns as prescribed.
-    let (cross, bottom) = uppermost.map_or((T::zero(), T::zero()), |it| (it.cross, it.bottom));
-    let nodes = Nodes::new(bottom, &pieces);
+    let (pull, above) = match (uppermost, drive) {
+        (None, _) => (T::zero(), T::zero()),
+        (Some(piece), None) => (-piece.cross, piece.bottom),
+        (Some(piece), Some(drive)) => {
+            let way = drive.holds * (drive.opposes + piece.top).inverse();
+            (-(piece.cross * way), piece.below(drive.opposes))
+        }
+    };
+    let nodes = Nodes::new(above, &pieces);
     let first = nodes.moved_by_load(0).next();
-    let by_surface = first.map_or(T::zero(), |compliance| -(cross * compliance));
+    let by_surface = first.map_or(T::zero(), |compliance| pull * compliance);
     TorsionAdmittance {
         from_surface: nodes.carried_from(0, by_surface).take(sites).collect(),
         from_torque: ResponseMatrix::reciprocal(sites, |site| {
@@ -203,7 +221,7 @@ mod tests {
                     loads[(site, site + 1)] = s;
                 }
                 stiffness.partial_piv_lu().solve_in_place(&mut loads);
-                let found = reduce(pieces[..nodes].iter().copied().map(Some), sites, s);
+                let found = reduce(pieces[..nodes].iter().copied().map(Some), sites, s, None);
                 for row in 0..sites {
                     assert!((found.from_surface[row] - loads[(row, 0)]).norm() < 1e-12);
                     for column in 0..sites {

@@ -88,7 +88,11 @@ impl<'a> ElementChain<'a> {
         let rates = Rates::at(&self.weights, zeta);
         let tube = |tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
-        torsion::reduce(pieces, self.sites, T::real(1.0))
+        let drive = self.string.top_drive().map(|drive| {
+            let per_speed = rates.velocity.inverse();
+            drive.drive(rates.acceleration * per_speed, T::real(1.0), per_speed)
+        });
+        torsion::reduce(pieces, self.sites, T::real(1.0), drive)
     }
 
     /// In bending: displacements at the sites from forces there, m/N.

@@ -21,6 +21,7 @@ use crate::error::DrillstringError;
 use crate::estimates::{torsional_impedance, torsional_travel_time};
 use crate::sites::Sites;
 use crate::spans::Span;
+use crate::top_drive::TopDrive;
 
 /// A string has at least so many pieces.
 const FEWEST_PIECES: f64 = 1000.0;
@@ -47,6 +48,7 @@ pub struct Lattice {
     pub misfit: f64,
     spans: Vec<Vec<Run>>,
     sites: usize,
+    top_drive: Option<TopDrive>,
 }
 
 /// Cells in a row.
@@ -115,6 +117,7 @@ impl Lattice {
             misfit: cutter.misfit,
             spans,
             sites,
+            top_drive: string.top_drive(),
         }
     }
 
@@ -126,7 +129,13 @@ impl Lattice {
             let runs = runs.iter().filter_map(|run| run.stiffness(&waves));
             runs.reduce(DynamicStiffness::join)
         });
-        reduce(spans, self.sites, T::real(1.0))
+        // By the trapezoidal rule, which keeps energy as the pieces do.
+        let drive = self.top_drive.map(|drive| {
+            let per_speed = waves.opposite * (0.5 * self.step);
+            let acceleration = waves.alike * (2.0 / self.step);
+            drive.drive(acceleration, T::real(1.0), per_speed)
+        });
+        reduce(spans, self.sites, T::real(1.0), drive)
     }
 }
 

@@ -42,6 +42,9 @@ impl<'a> TorsionNetwork<'a> {
     pub fn admittance<T: Number>(&self, s: T) -> TorsionAdmittance<T> {
         let tube = |tube: &_| uniform(self.string, tube, s);
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
-        reduce(pieces, self.sites, s)
+        // Stiffnesses of waves are torques per rotation.
+        let drive = self.string.top_drive();
+        let drive = drive.map(|drive| drive.drive(s * s, s, T::real(1.0)));
+        reduce(pieces, self.sites, s, drive)
     }
 }

@@ -1,0 +1,185 @@
+//! Torsional modes of a string with its surface: how fast each swings, and how fast it dies
+//! away. They are the poles of the exact response of the bit to a torque; where to look for
+//! them, a string of a few dozen lumped inertias says.
+
+use faer::Mat;
+use num_complex::Complex64;
+
+use crate::drillstring::{Drillstring, Tube};
+use crate::error::BuildError;
+use crate::sites::Sites;
+use crate::waves::network::TorsionNetwork;
+
+/// A mode that swings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TorsionalMode {
+    /// The pole s, rad/s: amplitudes go as |e^(st)|, and Im s is its angular frequency.
+    pub pole: Complex64,
+}
+
+impl TorsionalMode {
+    /// Frequency of its oscillation, Hz.
+    pub fn frequency(&self) -> f64 {
+        self.pole.im / std::f64::consts::TAU
+    }
+
+    /// Damping ratio: 1 would be critical.
+    pub fn damping_ratio(&self) -> f64 {
+        -self.pole.re / self.pole.norm()
+    }
+}
+
+/// Lumped inertias for each mode that is looked for.
+const LUMPS_PER_MODE: usize = 16;
+
+/// At least so many.
+const FEWEST_LUMPS: usize = 64;
+
+/// Steps of the secant rule after which a pole is not there.
+const MOST_STEPS: usize = 60;
+
+/// A pole is known to this part of it.
+const SAME_POLE: f64 = 1e-10;
+
+/// Modes closer than this part of their frequency are one found twice.
+const SAME_MODE: f64 = 1e-6;
+
+/// The lowest modes that swing, from the slowest up, at most so many; modes so damped that
+/// they creep back without swinging are none of them.
+///
+/// # Errors
+/// Where eigenvalues cannot be found.
+pub fn torsional_modes(
+    string: &Drillstring,
+    most: usize,
+) -> Result<Vec<TorsionalMode>, BuildError> {
+    let network = TorsionNetwork::new(string, &Sites::bit())?;
+    // What the bit opposes to a torque, per rotation: nothing, at a pole.
+    let opposed = |s: Complex64| s / network.admittance(s).from_torque[(0, 0)];
+    let guesses = lumped_poles(string, (LUMPS_PER_MODE * most).max(FEWEST_LUMPS))?;
+    let mut poles: Vec<Complex64> = Vec::new();
+    for guess in guesses.into_iter().take(2 * most) {
+        let Some(pole) = zero_near(&opposed, guess) else {
+            continue;
+        };
+        let is_new = |known: &Complex64| (known - pole).norm() > SAME_MODE * pole.norm();
+        if pole.im > SAME_MODE * pole.norm() && poles.iter().all(is_new) {
+            poles.push(pole);
+        }
+    }
+    poles.sort_by(|one, other| one.im.total_cmp(&other.im));
+    poles.truncate(most);
+    Ok(poles
+        .into_iter()
+        .map(|pole| TorsionalMode { pole })
+        .collect())
+}
+
+/// A zero of a function by the secant rule.
+fn zero_near(function: &impl Fn(Complex64) -> Complex64, guess: Complex64) -> Option<Complex64> {
+    let (mut before, mut now) = (guess * 1.0001, guess);
+    let mut at_before = function(before);
+    for _ in 0..MOST_STEPS {
+        let at_now = function(now);
+        let step = at_now * (now - before) / (at_now - at_before);
+        if !step.is_finite() {
+            return (at_now.norm() == 0.0).then_some(now);
+        }
+        (before, at_before) = (now, at_now);
+        now -= step;
+        if step.norm() <= SAME_POLE * now.norm() {
+            return Some(now);
+        }
+    }
+    None
+}
+
+/// Poles that swing of a string of so many equally long pieces, each with half its inertia
+/// at either end, from the lowest frequency up.
+fn lumped_poles(string: &Drillstring, count: usize) -> Result<Vec<Complex64>, BuildError> {
+    let pieces = pieces(string, count);
+    let drive = string.top_drive();
+    // Nodes below the surface, and that itself where it may move.
+    let first = usize::from(drive.is_none());
+    let size = count + 1 - first;
+    let (mut inertia, mut dashpot) = (vec![0.0; count + 1], vec![0.0; count + 1]);
+    let mut stiffness = Mat::<f64>::zeros(count + 1, count + 1);
+    for (index, piece) in pieces.iter().enumerate() {
+        for node in [index, index + 1] {
+            inertia[node] += 0.5 * piece.inertia;
+            dashpot[node] += 0.5 * piece.dashpot;
+            stiffness[(node, node)] += piece.spring;
+        }
+        stiffness[(index, index + 1)] -= piece.spring;
+        stiffness[(index + 1, index)] -= piece.spring;
+    }
+    if let Some(drive) = drive {
+        inertia[0] += drive.inertia;
+        dashpot[0] += drive.proportional_gain;
+        stiffness[(0, 0)] += drive.integral_gain;
+    }
+    // Speeds below rotations: s [θ; ω] = [0, 1; −K/J, −C/J] [θ; ω].
+    let matrix = Mat::from_fn(2 * size, 2 * size, |row, column| {
+        if row < size {
+            return f64::from(u8::from(column == row + size));
+        }
+        let node = row - size + first;
+        if column < size {
+            -stiffness[(node, column + first)] / inertia[node]
+        } else if column == row {
+            -dashpot[node] / inertia[node]
+        } else {
+            0.0
+        }
+    });
+    let found = matrix
+        .eigenvalues()
+        .map_err(|error| BuildError::Factorisation {
+            reason: format!("{error:?}"),
+        })?;
+    let mut poles: Vec<Complex64> = found.into_iter().filter(|pole| pole.im > 0.0).collect();
+    poles.sort_by(|one, other| one.im.total_cmp(&other.im));
+    Ok(poles)
+}
+
+/// An equivalent uniform piece.
+#[derive(Debug, Clone, Copy, Default)]
+struct Piece {
+    inertia: f64,
+    spring: f64,
+    dashpot: f64,
+}
+
+/// The string in equally long pieces from the surface down, with what is in each of inertia,
+/// flexibility and damping.
+fn pieces(string: &Drillstring, count: usize) -> Vec<Piece> {
+    let material = string.material();
+    let tubes = string
+        .sections()
+        .iter()
+        .flat_map(|section| (0..section.repeat).flat_map(|_| section.parts.iter()));
+    let length = string.length() / count as f64;
+    let (mut inertias, mut flexibilities) = (vec![0.0; count], vec![0.0; count]);
+    let mut depth = 0.0;
+    for tube in tubes {
+        let Tube {
+            length: of_tube, ..
+        } = *tube;
+        let polar_moment = tube.polar_moment();
+        let (top, bottom) = (depth, depth + of_tube);
+        let last = ((bottom / length).ceil() as usize).min(count);
+        for piece in (top / length) as usize..last {
+            let from = top.max(piece as f64 * length);
+            let shared = (bottom.min((piece + 1) as f64 * length) - from).max(0.0);
+            inertias[piece] += material.density * polar_moment * shared;
+            flexibilities[piece] += shared / (material.shear_modulus * polar_moment);
+        }
+        depth = bottom;
+    }
+    let piece = |(inertia, flexibility): (f64, f64)| Piece {
+        inertia,
+        spring: 1.0 / flexibility,
+        dashpot: string.torsional_damping() * length,
+    };
+    inertias.into_iter().zip(flexibilities).map(piece).collect()
+}

@@ -1,0 +1,402 @@
+//! Validation of the top drive: closed forms, a wave and a motor stepped in time without a
+//! response, limits, energy, passivity and modes of random strings.
+
+use linear::estimates::{
+    first_mode, torsional_impedance, torsional_travel_time, winding_stiffness,
+};
+use linear::modes::torsional_modes;
+use linear::waves::network::TorsionNetwork;
+use linear::{
+    ChannelRequest, ChannelResponses, Complex64, Drillstring, Method, RaisedCosine, Request,
+    Section, Sites, TopDrive,
+};
+use problems::academic::{self, tube};
+use problems::oracles;
+use problems::pipes::{self, pipe};
+use proptest::prelude::*;
+
+/// Methods that need no damping.
+fn methods() -> [Method; 3] {
+    [
+        Method::Held,
+        Method::Quadrature,
+        Method::FiniteElement(Default::default()),
+    ]
+}
+
+fn drive(inertia: f64, proportional_gain: f64, integral_gain: f64) -> TopDrive {
+    TopDrive {
+        inertia,
+        proportional_gain,
+        integral_gain,
+    }
+}
+
+fn below(string: &Drillstring, drive: TopDrive) -> Drillstring {
+    string.clone().with_top_drive(drive).unwrap()
+}
+
+fn at_bit(string: &Drillstring, method: Method, frequency: f64, time: f64) -> ChannelResponses {
+    let request = Request {
+        sites: Sites::bit(),
+        channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+        sampling_frequency: frequency,
+        longest_time: time,
+    };
+    let responses = linear::responses(string, &method, &request).unwrap();
+    responses.torsion().unwrap().clone()
+}
+
+/// A torque on the bit of a uniform undamped string meets the impedance Z alone, and for ever,
+/// where the drive has that of the pipe.
+#[test]
+fn a_matched_drive_without_inertia_reflects_nothing() {
+    let string = pipes::row(100, 0.0);
+    let matched = TopDrive::impedance_matched(&string, 0.0);
+    let impedance = torsional_impedance(&string, &pipe(10.0));
+    let string = below(&string, matched);
+    let round_trip = (2.0 * torsional_travel_time(&string) * 640.0) as usize;
+    // Elements do not carry the highest frequencies: those come back, and late.
+    for (method, allowed) in methods().into_iter().zip([1e-12, 1e-12, 0.15]) {
+        let taps = &at_bit(&string, method, 640.0, 5.0).from_loads[0][0];
+        let late: f64 = taps.iter().skip(round_trip).map(|tap| tap.abs()).sum();
+        assert!(late * impedance < allowed, "{}: {late:e}", method.name());
+        let all: f64 = taps.iter().sum();
+        assert!((all * impedance - 1.0).abs() < 1e-3, "{}", method.name());
+    }
+}
+
+/// A drive ten times as stiff is ten times as near to a surface that turns as prescribed.
+#[test]
+fn a_stiff_drive_is_a_surface_that_turns_as_prescribed() {
+    let string = academic::string();
+    for method in methods()
+        .into_iter()
+        .chain([Method::Hilbert(Default::default())])
+    {
+        let rigid = at_bit(&string, method, 640.0, 5.0);
+        let off = |gain: f64| -> f64 {
+            let string = below(&string, drive(0.0, gain, 1e3 * gain));
+            let found = at_bit(&string, method, 640.0, 5.0);
+            let difference = |one: &[f64], other: &[f64]| -> f64 {
+                let pairs = one.iter().zip(other);
+                let sum: f64 = pairs.map(|(one, other)| (one - other).abs()).sum();
+                sum / other.iter().map(|tap| tap.abs()).sum::<f64>()
+            };
+            difference(&found.from_surface[0], &rigid.from_surface[0])
+                .max(difference(&found.from_loads[0][0], &rigid.from_loads[0][0]))
+        };
+        let [soft, stiff] = [1e8, 1e9].map(off);
+        assert!(stiff < 1e-4, "{}: {stiff:e}", method.name());
+        let ratio = soft / stiff;
+        assert!((5.0..20.0).contains(&ratio), "{}: {ratio}", method.name());
+    }
+}
+
+/// Speed of the bit of a uniform undamped string while its drive follows a set speed: waves
+/// that go down arrive a travel time later, turn round at the free bit, and the motor's
+/// equation of motion is stepped in between, by Heun's rule in very short steps.
+fn stepped(string: &Drillstring, set: impl Fn(f64) -> f64, time: f64) -> impl Fn(f64) -> f64 {
+    let (drive, travel) = (string.top_drive().unwrap(), torsional_travel_time(string));
+    let impedance = torsional_impedance(string, &string.sections()[0].parts[0]);
+    let delay = 4000;
+    let step = travel / f64::from(delay as u32);
+    let steps = (time / step) as usize;
+    // Speeds that the wave which goes down has at the surface.
+    let mut down: Vec<f64> = Vec::with_capacity(steps);
+    let (mut speed, mut turned) = (0.0, 0.0);
+    // From the free bit a wave comes back as it was.
+    let up = |down: &[f64], index: usize| match index.checked_sub(2 * delay) {
+        Some(before) => down[before],
+        None => 0.0,
+    };
+    for index in 0..steps {
+        let rate = |time: f64, speed: f64, turned: f64, up: f64| {
+            // The string pulls with Z times what goes down less what comes up.
+            let pull = impedance * (speed - 2.0 * up);
+            let motor =
+                drive.proportional_gain * (set(time) - speed) + drive.integral_gain * turned;
+            (motor - pull) / drive.inertia
+        };
+        let now = index as f64 * step;
+        down.push(speed - up(&down, index));
+        let first = rate(now, speed, turned, up(&down, index));
+        let missing = set(now) - speed;
+        let next_up = if index + 1 < 2 * delay {
+            0.0
+        } else {
+            down[index + 1 - 2 * delay]
+        };
+        let tried = speed + step * first;
+        let next_missing = set(now + step) - tried;
+        let next_turned = turned + 0.5 * step * (missing + next_missing);
+        let second = rate(now + step, tried, next_turned, next_up);
+        speed += 0.5 * step * (first + second);
+        turned = next_turned;
+    }
+    move |time: f64| {
+        let place = (time - travel) / step;
+        if place < 0.0 {
+            return 0.0;
+        }
+        let (index, part) = (place as usize, place.fract());
+        2.0 * (down[index] * (1.0 - part) + down[index + 1] * part)
+    }
+}
+
+/// Two methods that share no code; errors fall as the square of the step.
+#[test]
+fn a_motor_and_a_wave_stepped_in_time_say_the_same() {
+    let string = below(&pipes::row(100, 0.0), drive(2000.0, 3000.0, 2000.0));
+    let rise = RaisedCosine { duration: 0.4 };
+    let exact = stepped(&string, |time| rise.integral(time), 8.0);
+    for method in methods() {
+        let error = |frequency: f64| -> f64 {
+            let steps = (7.0 * frequency) as usize;
+            // The mean over each step where loads are held, else the end of it.
+            let moment = if method == Method::Held { 0.5 } else { 0.0 };
+            let time = |step: usize| (step as f64 + moment) / frequency;
+            let input: Vec<f64> = (0..steps).map(|step| rise.integral(time(step))).collect();
+            let taps = at_bit(&string, method, frequency, 7.0);
+            let found = oracles::convolve(&taps.from_surface[0], &input);
+            let errors = found.iter().enumerate();
+            errors
+                .map(|(step, speed)| (speed - exact(time(step))).abs())
+                .fold(0.0, f64::max)
+        };
+        let [coarse, fine] = [160.0, 320.0].map(error);
+        assert!(fine < 0.02, "{}: {fine:e}", method.name());
+        // Elements are as long as they are; what is left at Newmark's γ is of the first order.
+        let least = if method == Method::Quadrature {
+            3.0
+        } else {
+            1.5
+        };
+        assert!(
+            coarse / fine > least,
+            "{}: {coarse:e} {fine:e}",
+            method.name()
+        );
+    }
+}
+
+/// With an integral gain alone nothing takes energy: a torque at any frequency does no work
+/// in the mean, and by `held`, whose lattice keeps energy as the string does, it rings on.
+#[test]
+fn without_a_proportional_gain_energy_stays() {
+    let lossless = below(&pipes::row(40, 0.0), drive(300.0, 0.0, 5e3));
+    let damped = below(&pipes::row(40, 0.0), drive(30.0, 1e3, 5e3));
+    let at = |string: &Drillstring, frequency| {
+        let network = TorsionNetwork::new(string, &Sites::bit()).unwrap();
+        network.at_frequency(frequency).from_torque[(0, 0)]
+    };
+    for frequency in [0.03, 0.4, 1.7, 9.3, 60.0] {
+        let response = at(&lossless, frequency);
+        assert!(response.re.abs() < 1e-9 * response.norm(), "{frequency}");
+        assert!(at(&damped, frequency).re > 0.0, "{frequency}");
+    }
+    let ringing = |string: &Drillstring| {
+        let taps = &at_bit(string, Method::Held, 640.0, 60.0).from_loads[0][0];
+        let power = |part: &[f64]| -> f64 { part.iter().map(|tap| tap * tap).sum() };
+        power(&taps[28_000..38_000]) / power(&taps[..10_000])
+    };
+    let [kept, lost] = [&lossless, &damped].map(ringing);
+    // Fronts fall into one step or two: powers of parts differ by that.
+    assert!((kept - 1.0).abs() < 0.05, "{kept}");
+    assert!(lost < 0.5, "{lost}");
+}
+
+/// J ω² − K_i = −Z ω tan(ωL/c) of a uniform undamped string without a proportional gain.
+#[test]
+fn modes_of_a_uniform_string_are_those_of_the_closed_form() {
+    let string = below(&pipes::row(100, 0.0), drive(800.0, 0.0, 3e3));
+    let impedance = torsional_impedance(&string, &pipe(10.0));
+    let travel = torsional_travel_time(&string);
+    let modes = torsional_modes(&string, 5).unwrap();
+    assert_eq!(modes.len(), 5);
+    for mode in &modes {
+        let rate = mode.pole.im;
+        let off = (3e3 - 800.0 * rate * rate) * (rate * travel).cos()
+            - impedance * rate * (rate * travel).sin();
+        assert!(off.abs() < 1e-5 * impedance * rate, "{mode:?}: {off}");
+        assert!(mode.damping_ratio().abs() < 1e-8, "{mode:?}");
+    }
+    // One between every two zeros of the tangent's denominator, and one below the first.
+    for (index, mode) in modes.iter().enumerate() {
+        let place = mode.pole.im * travel / std::f64::consts::PI + 0.5;
+        assert_eq!(place as usize, index, "{mode:?}");
+    }
+    // A surface that turns as prescribed has quarter waves.
+    let held = torsional_modes(&pipes::row(100, 0.0), 3).unwrap();
+    for (index, mode) in held.iter().enumerate() {
+        let quarters = 4.0 * mode.frequency() * travel;
+        assert!(
+            (quarters - (2 * index + 1) as f64).abs() < 1e-6,
+            "{quarters}"
+        );
+    }
+}
+
+/// Quarter waves of a uniform string carry 8/π² of its inertia.
+#[test]
+fn the_first_mode_of_a_uniform_string_is_a_quarter_wave() {
+    let string = pipes::row(100, 3.0);
+    let mode = first_mode(&string);
+    let quarter = std::f64::consts::FRAC_PI_2 / torsional_travel_time(&string);
+    assert!((mode.frequency / quarter - 1.0).abs() < 1e-12);
+    let inertia = string.material().density * pipe(1000.0).polar_moment() * 1000.0;
+    let part = mode.inertia / inertia * std::f64::consts::PI.powi(2) / 8.0;
+    assert!((part - 1.0).abs() < 1e-10, "{part}");
+}
+
+/// Collar, pipe and joints of a random string.
+fn strings() -> impl Strategy<Value = Drillstring> {
+    (
+        (1usize..200, 1usize..20),
+        (0.06..0.1f64, 0.08..0.14f64),
+        prop_oneof![Just(0.0), 0.01..20.0f64],
+        prop::bool::ANY,
+    )
+        .prop_map(|((pipes, collars), (radius, collar), damping, jointed)| {
+            let mut parts = vec![tube(9.5, radius)];
+            if jointed {
+                parts.push(tube(0.5, 1.3 * radius));
+            }
+            let sections = vec![
+                Section {
+                    repeat: pipes,
+                    parts,
+                },
+                Section {
+                    repeat: collars,
+                    parts: vec![tube(9.0, collar)],
+                },
+            ];
+            Drillstring::new(academic::string().material(), sections, damping).unwrap()
+        })
+}
+
+/// Drives from ones hardly there to ones that are hard to move.
+fn drives() -> impl Strategy<Value = TopDrive> {
+    (
+        prop_oneof![Just(0.0), 10.0..5000.0f64],
+        1.0..5.5f64,
+        0.0..5.5f64,
+    )
+        .prop_map(|(inertia, proportional, integral)| {
+            drive(inertia, 10f64.powf(proportional), 10f64.powf(integral))
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+
+    /// In the end the bit turns as the drive is set to, and a torque that lasts does not
+    /// change that; no stuck bit is unstable.
+    #[test]
+    fn any_string_below_any_drive_is_passive_and_keeps_its_speed(
+        (string, drive) in (strings(), drives())
+    ) {
+        let string = below(&string, drive);
+        for method in methods() {
+            let request = Request {
+                sites: Sites::bit(),
+                channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+                sampling_frequency: 100.0,
+                longest_time: 20.0,
+            };
+            let responses = linear::responses(&string, &method, &request).unwrap();
+            let margin = responses.torsion_margin().unwrap().unwrap();
+            prop_assert!(margin > linear::passivity::STABLE_MARGIN, "{}: {margin}", method.name());
+            let torsion = responses.torsion().unwrap();
+            if torsion.ending == linear::passivity::Ending::Whole {
+                let speed: f64 = torsion.from_surface[0].iter().sum();
+                prop_assert!((speed - 1.0).abs() < 1e-5, "{}: {speed}", method.name());
+                let taps = &torsion.from_loads[0][0];
+                let all: f64 = taps.iter().sum();
+                let size: f64 = taps.iter().map(|tap| tap.abs()).sum();
+                prop_assert!(all.abs() < 1e-5 * size, "{}: {all}", method.name());
+            }
+        }
+    }
+
+    /// The first mode's frequency is the exact string's, and its inertia the one that pulls
+    /// on a drive: near ω₁, where no other mode matters, the surface feels
+    /// −ω² J₁ ω₁²/(ω₁² − ω²) in excess of a smooth rest.
+    #[test]
+    fn the_first_mode_is_that_of_the_exact_string(string in strings()) {
+        let damping = string.torsional_damping();
+        let still = Drillstring::new(string.material(), string.sections().to_vec(), 0.0).unwrap();
+        let mode = first_mode(&still);
+        let lowest = torsional_modes(&still, 1).unwrap()[0];
+        prop_assert!((lowest.pole.im / mode.frequency - 1.0).abs() < 1e-7);
+        // A drive of an inertia so large that it hardly moves shifts its frequency by
+        // J₁/2J: ω² (1 + J₁/J) in the limit.
+        let inertia = 1e7 * mode.inertia;
+        let heavy = below(&still, drive(inertia, 0.0, 1e-9));
+        let modes = torsional_modes(&heavy, 2).unwrap();
+        let shifted = modes.iter().find(|found| found.pole.im > 0.5 * mode.frequency).unwrap();
+        let found = 2.0 * (shifted.pole.im / mode.frequency - 1.0) * inertia / mode.inertia;
+        prop_assert!((found - 1.0).abs() < 0.02, "{found}");
+        prop_assert!(damping == 0.0 || first_mode(&string) == mode);
+    }
+
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// Of a drive at least as heavy as the first mode.
+    #[test]
+    fn soft_torque_damps_the_slower_of_the_first_two_modes_best(
+        (string, ratio) in (strings(), 1.0..12.0f64)
+    ) {
+        let still = Drillstring::new(string.material(), string.sections().to_vec(), 0.0).unwrap();
+        let first = first_mode(&still);
+        let inertia = ratio * first.inertia;
+        // Those that the drive and the first mode make of one another.
+        let slower = |drive: TopDrive| -> f64 {
+            let modes = torsional_modes(&below(&still, drive), 2).unwrap();
+            let low = modes.iter().filter(|mode| mode.pole.im < 2.0 * first.frequency);
+            low.map(|mode| -mode.pole.re).fold(f64::INFINITY, f64::min)
+        };
+        let soft = TopDrive::soft_torque(&still, inertia);
+        let own = slower(soft);
+        let parts = [0.7, 0.85, 1.0, 1.15, 1.3];
+        let tried = parts.into_iter().flat_map(|p| parts.map(|i| (p, i)));
+        let best = tried
+            .map(|(p, i)| slower(drive(inertia, p * soft.proportional_gain, i * soft.integral_gain)))
+            .filter(|rate| rate.is_finite())
+            .fold(0.0, f64::max);
+        prop_assert!(own.is_finite() && own > 0.9 * best, "{ratio}: {own} {best}");
+    }
+}
+
+/// Held, a bit winds up against the string and the integral gain in series.
+#[test]
+fn a_held_bit_winds_up_as_springs_in_series_do() {
+    let string = below(&pipes::row(100, 0.0), drive(1000.0, 2000.0, 400.0));
+    let network = TorsionNetwork::new(&string, &Sites::bit()).unwrap();
+    let s = Complex64::new(1e-6, 0.0);
+    let admittance = network.admittance(s);
+    // Torque that grows at a rate of 1, per set speed: T s = K Ω.
+    let torque = admittance.from_surface[0] / admittance.from_torque[(0, 0)];
+    let stiffness = (torque * s).re / winding_stiffness(&string);
+    assert!((stiffness - 1.0).abs() < 1e-4, "{stiffness}");
+}
+
+#[test]
+fn what_no_drive_can_be_is_refused() {
+    let string = pipes::row(10, 0.0);
+    for (inertia, proportional, integral) in [
+        (-1.0, 1.0, 1.0),
+        (1.0, -1.0, 1.0),
+        (1.0, 1.0, f64::NAN),
+        (1.0, 0.0, 0.0),
+    ] {
+        let refused = string
+            .clone()
+            .with_top_drive(drive(inertia, proportional, integral));
+        assert!(refused.is_err(), "{inertia} {proportional} {integral}");
+    }
+}
