@@ -172,24 +172,27 @@ pub fn bending_decay_rate(string: &Drillstring, bending: &Bending) -> f64 {
 /// Time constant, s, in which torque that distributed damping holds back seeps
 /// along the string to a free bit: 4 c_t L/(π² k_eff), or a quarter of that where
 /// the bit is held. Strings of a few kilometres vibrate longer than that; longer
-/// ones do not vibrate, and seeping is the slowest they do. A top drive comes back to its
-/// set speed in a time of its own, which is added.
+/// ones do not vibrate, and seeping is the slowest they do. What a top drive takes
+/// ([`drive_settling_time`]) is added.
 pub fn torsional_settling_time(string: &Drillstring) -> f64 {
     let squared = std::f64::consts::PI.powi(2);
     let resistance = string.torsional_damping() * string.length();
     let seeps = 4.0 * resistance / (squared * torsional_stiffness(string));
-    let returns = string.top_drive().map_or(0.0, |drive| {
-        let held_back = drive.proportional_gain + resistance;
-        let inertia = drive.inertia + torsional_inertia(string);
-        let by_integral = held_back / drive.integral_gain;
-        let spins_down = 2.0 * inertia / held_back;
-        if by_integral.is_finite() {
-            by_integral + spins_down
-        } else {
-            spins_down
-        }
-    });
-    seeps + returns
+    seeps + drive_settling_time(string)
+}
+
+/// Time constant, s, in which a top drive with the whole string below it comes to its set
+/// speed; nothing where the surface turns as prescribed.
+pub fn drive_settling_time(string: &Drillstring) -> f64 {
+    let Some(drive) = string.top_drive() else {
+        return 0.0;
+    };
+    let held_back = drive.proportional_gain + string.torsional_damping() * string.length();
+    let spins_down = 2.0 * (drive.inertia + torsional_inertia(string)) / held_back;
+    match drive.integral_gain {
+        0.0 => spins_down,
+        gain => spins_down + held_back / gain,
+    }
 }
 
 /// What damping leaves of the amplitude of a torsional wave on its way from the
@@ -204,14 +207,24 @@ pub fn torsional_wave_left(string: &Drillstring) -> f64 {
 }
 
 /// Δ of Eq. 75: the largest undershoot of the step response whose taps are
-/// given, in the units of the response (rad/s per N m at the bit).
+/// given, in the units of the response (rad/s per N m at the bit). Where nothing comes back
+/// from the surface there is none.
 pub fn largest_undershoot(taps: &[f64]) -> f64 {
-    let step_response = taps.iter().scan(0.0, |sum, tap| {
-        *sum += tap;
-        Some(*sum)
-    });
-    -step_response.fold(f64::INFINITY, f64::min)
+    let (mut speed, mut least, mut most) = (0.0f64, f64::INFINITY, f64::NEG_INFINITY);
+    for tap in taps {
+        speed += tap;
+        (least, most) = (least.min(speed), most.max(speed));
+    }
+    if -least > UNDERSHOOT_OF_ROUNDING * most {
+        -least
+    } else {
+        0.0
+    }
 }
+
+/// What taps that are cut off, and rounding, leave of a step response in the end, as a part of
+/// its peak.
+const UNDERSHOOT_OF_ROUNDING: f64 = 1e-6;
 
 /// The time scales of stick-slip, s.
 #[derive(Debug, Clone, Copy, PartialEq)]

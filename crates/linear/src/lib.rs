@@ -74,6 +74,7 @@ extern crate self as linear;
 mod assembly;
 mod channel;
 mod checks;
+pub mod controllers;
 pub mod cost;
 mod derivative;
 pub mod deviation;

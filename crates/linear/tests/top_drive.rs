@@ -1,6 +1,7 @@
 //! Validation of the top drive: closed forms, a wave and a motor stepped in time without a
 //! response, limits, energy, passivity and modes of random strings.
 
+use linear::controllers;
 use linear::estimates::{
     first_mode, torsional_impedance, torsional_travel_time, winding_stiffness,
 };
@@ -52,7 +53,10 @@ fn at_bit(string: &Drillstring, method: Method, frequency: f64, time: f64) -> Ch
 #[test]
 fn a_matched_drive_without_inertia_reflects_nothing() {
     let string = pipes::row(100, 0.0);
-    let matched = TopDrive::impedance_matched(&string, 0.0);
+    let matched = TopDrive {
+        integral_gain: 0.0,
+        ..controllers::impedance_matched(&string)
+    };
     let impedance = torsional_impedance(&string, &pipe(10.0));
     let string = below(&string, matched);
     let round_trip = (2.0 * torsional_travel_time(&string) * 640.0) as usize;
@@ -360,7 +364,7 @@ proptest! {
             let low = modes.iter().filter(|mode| mode.pole.im < 2.0 * first.frequency);
             low.map(|mode| -mode.pole.re).fold(f64::INFINITY, f64::min)
         };
-        let soft = TopDrive::soft_torque(&still, inertia);
+        let soft = controllers::soft_torque(&still, inertia);
         let own = slower(soft);
         let parts = [0.7, 0.85, 1.0, 1.15, 1.3];
         let tried = parts.into_iter().flat_map(|p| parts.map(|i| (p, i)));

@@ -1,7 +1,10 @@
 //! How long a case must be simulated for its label to be certain to show.
 
 use linear::Drillstring;
-use linear::estimates::{stick_slip_times, torsional_stiffness, torsional_travel_time};
+use linear::estimates::{
+    drive_settling_time, stick_slip_times, torsional_period, torsional_stiffness,
+    torsional_travel_time,
+};
 
 use crate::laws::bit::BitTorque;
 use crate::scene::Timing;
@@ -21,14 +24,18 @@ const STICK_ALLOWANCE: f64 = 2.0;
 ///
 /// The string winds up for τ₁, behind the surface by the travel time of a wave
 /// and by what distributed damping takes of the torque on the way, which is
-/// below c_t L / 4 per unit of surface speed. A surface at rest winds up nothing: the
+/// below c_t L / 4 per unit of surface speed. A top drive has to come to its speed first, and
+/// a slip below one lasts up to half a period of string and drive together. A surface at rest winds up nothing: the
 /// time is infinite, and no scene that lasts so long is simulated.
 pub fn torsion_timing(string: &Drillstring, surface_speed: f64, bit: &BitTorque) -> Timing {
     let times = stick_slip_times(string, surface_speed, bit.torque_static, bit.torque_dynamic);
     let damping_lag =
         string.torsional_damping() * string.length() / (4.0 * torsional_stiffness(string));
-    let first_slip = torsional_travel_time(string) + damping_lag + times.first_slip;
-    let cycle = SLIP_ALLOWANCE * times.slip + STICK_ALLOWANCE * times.stick;
+    let lag = damping_lag + drive_settling_time(string);
+    let first_slip = torsional_travel_time(string) + lag + times.first_slip;
+    let swing = (string.top_drive()).map_or(0.0, |_| 0.5 * torsional_period(string));
+    let slip = (SLIP_ALLOWANCE * times.slip).max(swing);
+    let cycle = slip + STICK_ALLOWANCE * times.stick;
     Timing {
         duration: first_slip + Rules::USUAL.repeated as f64 * cycle,
         closing_window: cycle,

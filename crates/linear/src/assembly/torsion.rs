@@ -12,6 +12,7 @@ use super::chain::Stiffness;
 use super::matrix::ResponseMatrix;
 use super::nodes::{Link, Nodes, Piece};
 use super::number::Number;
+use crate::top_drive::TopDrive;
 
 /// Dynamic stiffness of a piece of string in torsion: torques per rotation, N m/rad, or, where
 /// a scheme in time makes them so, torques per speed, N m s/rad.
@@ -100,6 +101,18 @@ pub struct Drive<T> {
     pub holds: T,
     /// Torque per own motion.
     pub opposes: T,
+}
+
+impl<T: Number> Drive<T> {
+    /// That of a top drive, from the acceleration, speed and rotation that belong to a unit of
+    /// motion.
+    pub fn of(drive: &TopDrive, acceleration: T, speed: T, rotation: T) -> Self {
+        let holds = speed * drive.proportional_gain + rotation * drive.integral_gain;
+        Self {
+            holds,
+            opposes: acceleration * drive.inertia + holds,
+        }
+    }
 }
 
 /// The frequency response D of Eq. 48 between surface and sites.

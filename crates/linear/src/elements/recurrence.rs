@@ -20,7 +20,7 @@ use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::nodes::Relation;
 use crate::assembly::number::Number;
 use crate::assembly::stiff_beam::{StiffBeam, turns};
-use crate::assembly::torsion::{DynamicStiffness, TorsionAdmittance};
+use crate::assembly::torsion::{Drive, DynamicStiffness, TorsionAdmittance};
 use crate::assembly::{bending, chain, torsion};
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::BuildError;
@@ -90,7 +90,12 @@ impl<'a> ElementChain<'a> {
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
         let drive = self.string.top_drive().map(|drive| {
             let per_speed = rates.velocity.inverse();
-            drive.drive(rates.acceleration * per_speed, T::real(1.0), per_speed)
+            Drive::of(
+                &drive,
+                rates.acceleration * per_speed,
+                T::real(1.0),
+                per_speed,
+            )
         });
         torsion::reduce(pieces, self.sites, T::real(1.0), drive)
     }

@@ -5,7 +5,9 @@ use super::length::{MOST_TAPS, needed_taps, too_many, transformable};
 use super::request::Request;
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
-use crate::estimates::{torsional_decay_rate, torsional_travel_time, undershoot_time};
+use crate::estimates::{
+    drive_settling_time, torsional_decay_rate, torsional_travel_time, undershoot_time,
+};
 use crate::passivity::Ending;
 
 /// Taps after which a response sums, in magnitude, to less than this fraction
@@ -13,6 +15,10 @@ use crate::passivity::Ending;
 /// Rounding in the phase of thousands of radians along the string leaves a
 /// floor a few times lower.
 const NEGLIGIBLE_TAIL: f64 = 1e-8;
+
+/// What rounding leaves of a tap, at most, as a part of the sum of all: a response that has to
+/// be built longer than it should last may be held up by that alone.
+const ROUNDING: f64 = 1e-12;
 
 /// A tail counts as decayed only if this last part of what was computed is
 /// negligible too, so that a quiet moment is not taken for the end.
@@ -78,9 +84,10 @@ pub(super) fn until_decayed(
         return Err(too_many(looked_at));
     }
     let mut length = first as usize;
+    let mut negligible = NEGLIGIBLE_TAIL;
     loop {
         let mut taps = build(length);
-        if cut_decayed_tail(&mut taps) {
+        if cut_decayed_tail(&mut taps, negligible) {
             return Ok((taps, Ending::Whole));
         }
         if length as f64 >= looked_at {
@@ -90,6 +97,7 @@ pub(super) fn until_decayed(
             return Err(too_many(looked_at));
         }
         length = (2 * length).min(MOST_TAPS);
+        negligible = NEGLIGIBLE_TAIL.max(ROUNDING * length as f64);
     }
 }
 
@@ -105,12 +113,12 @@ fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -
 }
 
 /// Cuts all responses where the last of them has decayed. Returns whether they
-/// have.
-fn cut_decayed_tail(responses: &mut [Vec<f64>]) -> bool {
+/// have; `negligible` is the part of its sum that a tail may have.
+fn cut_decayed_tail(responses: &mut [Vec<f64>], negligible: f64) -> bool {
     let length = responses.iter().map(Vec::len).max().unwrap_or(0);
     let end = responses
         .iter()
-        .map(|taps| decayed_length(taps))
+        .map(|taps| decayed_length(taps, negligible))
         .max()
         .unwrap_or(0);
     let decayed = (end as f64) <= (1.0 - QUIET_PART) * length as f64;
@@ -124,19 +132,19 @@ fn cut_decayed_tail(responses: &mut [Vec<f64>]) -> bool {
 }
 
 /// The number of taps before the negligible tail.
-fn decayed_length(taps: &[f64]) -> usize {
+fn decayed_length(taps: &[f64], negligible: f64) -> usize {
     let total: f64 = taps.iter().map(|tap| tap.abs()).sum();
     let mut tail = 0.0;
     taps.iter()
         .rposition(|tap| {
             tail += tap.abs();
-            tail > NEGLIGIBLE_TAIL * total
+            tail > negligible * total
         })
         .map_or(0, |last| last + 1)
 }
 
 /// A guess of the taps a response lasts, from the decay rate of the whole
-/// string.
+/// string and from what its drive takes.
 ///
 /// # Errors
 /// Where it lasts no finite time.
@@ -144,8 +152,8 @@ pub(crate) fn first_length(
     string: &Drillstring,
     sampling_frequency: f64,
 ) -> Result<usize, BuildError> {
-    let decay_time =
-        -SLOWEST * NEGLIGIBLE_TAIL.ln() / torsional_decay_rate(string) / (1.0 - QUIET_PART);
+    let slowest = (SLOWEST / torsional_decay_rate(string)).max(drive_settling_time(string));
+    let decay_time = -NEGLIGIBLE_TAIL.ln() * slowest / (1.0 - QUIET_PART);
     let default_time = FIRST_ROUND_TRIPS * 2.0 * torsional_travel_time(string);
     let time = if decay_time.is_finite() {
         decay_time.max(2.0 * torsional_travel_time(string))

@@ -15,7 +15,7 @@
 
 use crate::assembly::chain::Stiffness;
 use crate::assembly::number::Number;
-use crate::assembly::torsion::{DynamicStiffness, TorsionAdmittance, reduce};
+use crate::assembly::torsion::{Drive, DynamicStiffness, TorsionAdmittance, reduce};
 use crate::drillstring::{Drillstring, Section};
 use crate::error::DrillstringError;
 use crate::estimates::{torsional_impedance, torsional_travel_time};
@@ -133,7 +133,7 @@ impl Lattice {
         let drive = self.top_drive.map(|drive| {
             let per_speed = waves.opposite * (0.5 * self.step);
             let acceleration = waves.alike * (2.0 / self.step);
-            drive.drive(acceleration, T::real(1.0), per_speed)
+            Drive::of(&drive, acceleration, T::real(1.0), per_speed)
         });
         reduce(spans, self.sites, T::real(1.0), drive)
     }

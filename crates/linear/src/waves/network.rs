@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use super::torsion::uniform;
 use crate::assembly::chain;
 use crate::assembly::number::Number;
-use crate::assembly::torsion::{TorsionAdmittance, reduce};
+use crate::assembly::torsion::{Drive, TorsionAdmittance, reduce};
 use crate::drillstring::Drillstring;
 use crate::error::DrillstringError;
 use crate::sites::Sites;
@@ -44,7 +44,7 @@ impl<'a> TorsionNetwork<'a> {
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
         // Stiffnesses of waves are torques per rotation.
         let drive = self.string.top_drive();
-        let drive = drive.map(|drive| drive.drive(s * s, s, T::real(1.0)));
+        let drive = drive.map(|drive| Drive::of(&drive, s * s, s, T::real(1.0)));
         reduce(pieces, self.sites, s, drive)
     }
 }

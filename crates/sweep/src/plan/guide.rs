@@ -17,6 +17,7 @@ use crate::sweep_file::lateral::*;
 use crate::sweep_file::map::{MapTable, MarkTable};
 use crate::sweep_file::methods::MethodTables;
 use crate::sweep_file::string::{SectionTable, StringTable, TubeTable};
+use crate::sweep_file::top_drive::TopDriveTable;
 use crate::sweep_file::units::key_in_si;
 use crate::sweep_file::wording::keys_of;
 
@@ -32,6 +33,11 @@ bending = { youngs_modulus_gpa = 210, damping_ns_m2 = 2000 }
 [[string.sections]]
 repeat = 10
 parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.15 }]
+[top_drive]
+inertia_kg_m2 = 2900
+controller = "gains"
+proportional_gain_knms_rad = 38
+integral_gain_knm_rad = 100
 [bit]
 rock = "law"
 [bit.law]
@@ -90,6 +96,7 @@ fn chapters() -> Vec<Chapter> {
         chapter::<BendingTable>("`[string.bending]`", "string.bending"),
         chapter::<SectionTable>("`[[string.sections]]`", "string.sections.0"),
         chapter::<TubeTable>("`parts`", "string.sections.0.parts.0"),
+        chapter::<TopDriveTable>("`[top_drive]`", "top_drive"),
         chapter::<BitTable>("`[bit]`", "bit"),
         chapter::<LawTable>("`[bit.law]`", "bit.law"),
         chapter::<WallTable>("`[wall]`", "wall"),

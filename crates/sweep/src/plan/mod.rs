@@ -18,6 +18,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 mod texts;
+mod top_drive;
 mod wall;
 
 pub use bit::{Bit, TorqueError};

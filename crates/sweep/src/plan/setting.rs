@@ -10,7 +10,7 @@ use linear::{Drillstring, Sites};
 use super::conditions::Conditions;
 use super::impulses::ImpulseSettings;
 use super::lateral::{self, LateralSettings};
-use super::{sites, string};
+use super::{sites, string, top_drive};
 use crate::design::Design;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
 
@@ -74,7 +74,7 @@ impl Setting {
         conditions: &Conditions,
         design: &Design,
     ) -> Result<Self, SweepFileError> {
-        let string = string::resolve(source, content)?;
+        let string = top_drive::resolve(source, content, string::resolve(source, content)?)?;
         let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
             AutoOr::Auto => (sampling_frequency(&string), true),
             AutoOr::Given(value) => {

@@ -195,3 +195,65 @@ fn an_error_names_the_key_as_it_was_written() {
     let key = "sweep.toml:5: `string.sections[0].parts[0].length_ft`: ";
     assert!(found.starts_with(key), "{found}");
 }
+
+/// A file with a top drive of 4000 kg m².
+fn driven(keys: &str) -> Result<Sweep, SweepFileError> {
+    read(&format!("[top_drive]\ninertia_kg_m2 = 4000\n{keys}"))
+}
+
+#[test]
+fn controllers_have_the_gains_that_they_should() {
+    let drive = |keys: &str| driven(keys).unwrap().setting.string.top_drive().unwrap();
+    let stiff = drive("controller = \"stiff\"");
+    let matched = drive("controller = \"impedance-matched\"");
+    assert!((stiff.proportional_gain / matched.proportional_gain - 100.0).abs() < 1e-9);
+    assert_eq!((stiff.inertia, matched.inertia), (4000.0, 0.0));
+    // K_p² = 4 K_i J₁: the drive is critically damped by the first mode's inertia.
+    let soft = drive("controller = \"soft-torque\"");
+    let string = driven("controller = \"soft-torque\"")
+        .unwrap()
+        .setting
+        .string;
+    let first = linear::estimates::first_mode(&string);
+    let critical = soft.proportional_gain.powi(2) / (4.0 * soft.integral_gain * first.inertia);
+    assert!((critical - 1.0).abs() < 1e-9, "{critical}");
+    let given = "controller = \"gains\"\nproportional_gain_knms_rad = 38\n\
+                 integral_gain_klbf_ft_rad = 10\ninertia_compensation = 0.25";
+    let given = drive(given);
+    assert_eq!((given.inertia, given.proportional_gain), (3000.0, 38e3));
+    assert!((given.integral_gain / 13558.17948 - 1.0).abs() < 1e-8);
+    let slow = "controller = \"impedance-matched\"\nintegral_gain_knm_rad = 1";
+    assert_eq!(drive(slow).integral_gain, 1e3);
+}
+
+#[test]
+fn what_no_drive_can_be_is_refused_with_its_key() {
+    for (keys, expected) in [
+        (
+            "controller = \"stiff\"\nproportional_gain_knms_rad = 38",
+            "sweep.toml:5: `top_drive.proportional_gain_knms_rad`: this controller has its own",
+        ),
+        (
+            "controller = \"gains\"\nproportional_gain_knms_rad = 38",
+            "sweep.toml:4: `top_drive.controller`: the controller \"gains\" needs \
+             `integral_gain_knm_rad`",
+        ),
+        (
+            "controller = \"stiff\"\ninertia_compensation = 1.1",
+            "sweep.toml:5: `top_drive.inertia_compensation`: 1.1 is not between 0 and 1",
+        ),
+        (
+            "controller = \"soft-torque\"\ninertia_compensation = 0.5",
+            "sweep.toml:4: `top_drive.controller`: soft torque needs a drive at least as heavy",
+        ),
+        (
+            "controller = \"gains\"\nproportional_gain_knms_rad = -1\n\
+             integral_gain_knm_rad = 1",
+            "sweep.toml:5: `top_drive.proportional_gain_knms_rad`: -1 kN m s/rad is not between",
+        ),
+        ("controller = \"soft\"", "sweep.toml:4: "),
+    ] {
+        let message = driven(keys).unwrap_err().to_string();
+        assert!(message.starts_with(expected), "{message}");
+    }
+}

@@ -34,7 +34,7 @@ const fn twin(si: &'static str, twin: &'static str, factors: &'static [f64]) -> 
 }
 
 /// All of them; where several fit a name, the known names decide.
-pub const TWINS: [Twin; 15] = [
+pub const TWINS: [Twin; 18] = [
     twin("_radius_m", "_diameter_in", &[0.5 * INCH]),
     twin("_radius_m", "_diameter_mm", &[0.5e-3]),
     twin("_m", "_in", &[INCH]),
@@ -42,6 +42,9 @@ pub const TWINS: [Twin; 15] = [
     twin("_mm", "_in", &[1e3 * INCH]),
     twin("_kg", "_lb", &[POUND]),
     twin("_kg_m3", "_ppg", &[POUND / GALLON]),
+    twin("_kg_m2", "_lb_ft2", &[POUND * FOOT * FOOT]),
+    twin("_knms_rad", "_klbf_ft_s_rad", &[POUND_FORCE * FOOT]),
+    twin("_knm_rad", "_klbf_ft_rad", &[POUND_FORCE * FOOT]),
     twin("_kn", "_klbf", &[POUND_FORCE]),
     twin("_ns", "_lbf_s", &[POUND_FORCE]),
     twin("_nm", "_lbf_ft", &[POUND_FORCE * FOOT]),
@@ -76,6 +79,9 @@ mod tests {
             ("a_in", "a_mm", 25.4),
             ("a_lb", "a_kg", 0.45359237),
             ("a_ppg", "a_kg_m3", 119.826427317),
+            ("a_lb_ft2", "a_kg_m2", 0.0421401101),
+            ("a_klbf_ft_s_rad", "a_knms_rad", 1.355817948),
+            ("a_klbf_ft_rad", "a_knm_rad", 1.355817948),
             ("a_klbf", "a_kn", 4.448221615),
             ("a_lbf_s", "a_ns", 4.448221615),
             ("a_lbf_ft", "a_nm", 1.355817948),

@@ -10,6 +10,7 @@ use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
 use super::number_or::{Accuracy, AutoOr};
 use super::string::StringTable;
+use super::top_drive::TopDriveTable;
 
 /// A sweep file, its bases merged in, as it is written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -21,6 +22,9 @@ pub struct FileContent {
     pub string: StringTable,
     /// Surface speed from t = 0 on, unless an axis gives it.
     pub surface_speed_rpm: Option<f64>,
+    /// What turns the string; without it the surface turns as prescribed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub top_drive: Option<TopDriveTable>,
     /// Torque at the bit; without it the bit is free.
     pub bit: Option<BitTable>,
     /// Places on the string: with a wall, where it may touch; else, besides the

@@ -13,6 +13,7 @@ mod number_or;
 mod placed;
 mod source;
 pub mod string;
+pub mod top_drive;
 pub mod units;
 pub mod wording;
 
@@ -26,4 +27,5 @@ pub use methods::MethodName;
 pub use number_or::{Accuracy, AutoOr, per_cent};
 pub use source::{Source, TextOf};
 pub use string::SectionTable;
+pub use top_drive::{ControllerName, TopDriveTable};
 pub use wording::nearest;

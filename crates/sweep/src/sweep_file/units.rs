@@ -5,7 +5,7 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 18] = [
+const KEYS: [&str; 21] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
@@ -16,6 +16,9 @@ const KEYS: [&str; 18] = [
     "wear_flat_mm",
     "mass_kg",
     "density_kg_m3",
+    "inertia_kg_m2",
+    "proportional_gain_knms_rad",
+    "integral_gain_knm_rad",
     "poor_cleaning_from_kn",
     "amount_ns",
     "poor_cleaning_nm_per_kn",

@@ -12,7 +12,7 @@ use crate::sweep_file::{AutoOr, per_cent};
 use crate::words::{counted, short, wrapped};
 
 /// A title and a value, which stand below those of other depths.
-fn row(depth: usize, title: &str, value: &str) -> String {
+pub(super) fn row(depth: usize, title: &str, value: &str) -> String {
     let width = 29 - depth;
     format!("{:depth$}{title:<width$}{value}\n", "")
 }

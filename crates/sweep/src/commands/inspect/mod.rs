@@ -3,6 +3,7 @@
 
 mod description;
 mod responses;
+mod top_drive;
 
 use std::time::Instant;
 
@@ -21,6 +22,7 @@ use crate::engine::compare_fronts;
 use crate::memory::{Demand, Purpose, admit};
 use description::{describe_left_out, describe_methods, describe_string, describe_work};
 use responses::response_picture;
+use top_drive::DriveView;
 
 /// Shows the linear system.
 pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Status> {
@@ -43,13 +45,20 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     let cost = cost_lines(&memory, &limit, &time);
     make_folder(&folder)?;
     save_picture(&folder, "inspect", &response_picture(&sweep, &systems)?)?;
+    let drive = DriveView::of(&sweep.setting.string)?;
+    let mut pictures = format!("\npicture: {}\n", folder.join("inspect.png").display());
+    if let Some(drive) = &drive {
+        save_picture(&folder, "top_drive", &drive.picture(&sweep.title)?)?;
+        pictures += &format!("picture: {}\n", folder.join("top_drive.png").display());
+    }
     say(&[
         describe_string(&sweep),
+        (drive.as_ref()).map_or_else(String::new, DriveView::words),
         describe_methods(&systems),
         describe_left_out(&sweep),
         describe_work(&sweep, &survey, &systems),
         (cost.lines().map(|line| format!("  {line}\n"))).collect(),
-        format!("\npicture: {}\n", folder.join("inspect.png").display()),
+        pictures,
     ]
     .concat())?;
     Ok(Status::Complete)

@@ -1,0 +1,154 @@
+//! What a top drive makes of the string: what comes back from it, and the lowest modes.
+
+use std::f64::consts::TAU;
+
+use anyhow::Result;
+use linear::controllers::reflection;
+use linear::estimates::{FirstMode, first_mode, torsional_impedance};
+use linear::modes::{TorsionalMode, torsional_modes};
+use linear::{Drillstring, TopDrive};
+
+use super::description::row;
+use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
+use crate::words::short;
+
+/// Modes that are shown.
+const MODES: usize = 5;
+
+/// Points of the reflection that is drawn.
+const POINTS: usize = 2000;
+
+/// The lower axis of both panels, which share its range.
+const FREQUENCY: &str = "Frequency f (Hz)";
+
+/// A string below a drive, looked at from the surface.
+pub struct DriveView<'a> {
+    string: &'a Drillstring,
+    drive: TopDrive,
+    first: FirstMode,
+    /// The lowest modes of string and drive.
+    below_drive: Vec<TorsionalMode>,
+    /// Those of the same string where the surface turns as prescribed.
+    surface_held: Vec<TorsionalMode>,
+}
+
+impl<'a> DriveView<'a> {
+    /// That of a string; `None` without a top drive.
+    ///
+    /// # Errors
+    /// Where its modes cannot be found.
+    pub fn of(string: &'a Drillstring) -> Result<Option<Self>> {
+        let Some(drive) = string.top_drive() else {
+            return Ok(None);
+        };
+        let (sections, damping) = (string.sections().to_vec(), string.torsional_damping());
+        let held = Drillstring::new(string.material(), sections, damping)?;
+        Ok(Some(Self {
+            string,
+            drive,
+            first: first_mode(string),
+            below_drive: torsional_modes(string, MODES)?,
+            surface_held: torsional_modes(&held, MODES)?,
+        }))
+    }
+
+    /// The part of a wave that comes back at a frequency, rad/s.
+    fn reflection(&self, frequency: f64) -> f64 {
+        reflection(self.string, &self.drive, frequency).norm()
+    }
+
+    /// Its numbers.
+    pub fn words(&self) -> String {
+        let FirstMode { frequency, inertia } = self.first;
+        let uppermost = &self.string.sections()[0].parts[0];
+        let impedance = 1e-3 * torsional_impedance(self.string, uppermost);
+        let gains = [self.drive.proportional_gain, self.drive.integral_gain];
+        let [proportional, integral] = gains.map(|gain| short(1e-3 * gain));
+        let mut text = "\ntop drive\n".to_owned();
+        for (title, value) in [
+            ("inertia", format!("{} kg m²", short(self.drive.inertia))),
+            (
+                "proportional gain K_p",
+                format!("{proportional} kN m s/rad; impedance of the pipe {impedance:.3}"),
+            ),
+            ("integral gain K_i", format!("{integral} kN m/rad")),
+            (
+                "first mode, surface held",
+                format!("{} Hz, {inertia:.0} kg m²", short(frequency / TAU)),
+            ),
+            (
+                "of a wave, then comes back",
+                format!("{:.0} %", 100.0 * self.reflection(frequency)),
+            ),
+        ] {
+            text += &row(2, title, &value);
+        }
+        text + &self.mode_lines()
+    }
+
+    fn mode_lines(&self) -> String {
+        let told = |mode: Option<&TorsionalMode>| {
+            mode.map_or_else(String::new, |mode| {
+                let (frequency, damping) = (mode.frequency(), 100.0 * mode.damping_ratio());
+                format!("{frequency:.3} Hz, damping {damping:.1} %")
+            })
+        };
+        let count = self.below_drive.len().max(self.surface_held.len());
+        let lines = (0..count).map(|index| {
+            let [below, held] = [&self.below_drive, &self.surface_held];
+            let [below, held] = [below, held].map(|modes| told(modes.get(index)));
+            format!("    {below:<29}{held}\n")
+        });
+        let title = "  modes of string and drive      with the surface held\n".to_owned();
+        title + &lines.collect::<String>()
+    }
+
+    /// The reflection over frequency, and the damping of the modes below it.
+    ///
+    /// # Errors
+    /// Where it cannot be drawn.
+    pub fn picture(&self, title: &str) -> Result<Picture> {
+        let title = format!("{title}: what comes back from the top drive");
+        panels(&title, &[self.reflection_panel(), self.damping_panel()])
+    }
+
+    fn reflection_panel(&self) -> Panel {
+        let modes = self.below_drive.iter().chain(&self.surface_held);
+        let highest = modes
+            .map(|mode| mode.pole.im)
+            .fold(self.first.frequency, f64::max);
+        let point = |index: usize| {
+            let frequency = highest * index as f64 / POINTS as f64;
+            (frequency / TAU, self.reflection(frequency))
+        };
+        Panel {
+            axes: [FREQUENCY, "|reflection|"].map(Axis::linear),
+            series: vec![Series {
+                name: "reflection".to_owned(),
+                points: (1..=POINTS).map(point).collect(),
+            }],
+            references: vec![Reference {
+                across: Across::X,
+                at: self.first.frequency / TAU,
+                name: "first mode".to_owned(),
+            }],
+        }
+    }
+
+    fn damping_panel(&self) -> Panel {
+        let series = |name: &str, modes: &[TorsionalMode]| Series {
+            name: name.to_owned(),
+            points: (modes.iter())
+                .map(|mode| (mode.frequency(), 100.0 * mode.damping_ratio()))
+                .collect(),
+        };
+        Panel {
+            axes: [FREQUENCY, "Damping of modes (%)"].map(Axis::linear),
+            series: vec![
+                series("modes below the drive", &self.below_drive),
+                series("modes, surface held", &self.surface_held),
+            ],
+            references: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! `[top_drive]`: the drive below which the string hangs, its gains given or by a preset.
+
+use linear::estimates::first_mode;
+use linear::{Drillstring, TopDrive, controllers};
+
+use crate::sweep_file::{ControllerName, FileContent, Source, SweepFileError, TopDriveTable};
+
+/// The string below the drive of the file, where that has one.
+///
+/// # Errors
+/// Where a number of it is refused.
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    string: Drillstring,
+) -> Result<Drillstring, SweepFileError> {
+    let Some(table) = &content.top_drive else {
+        return Ok(string);
+    };
+    let drive = drive(source, table, &string)?;
+    let error = |error: linear::DrillstringError| source.error("top_drive", error.to_string());
+    string.with_top_drive(drive).map_err(error)
+}
+
+fn drive(
+    source: &Source,
+    table: &TopDriveTable,
+    string: &Drillstring,
+) -> Result<TopDrive, SweepFileError> {
+    let within = |key: &str, value, least, most, unit| {
+        source.within(&format!("top_drive.{key}"), value, least, most, unit)
+    };
+    let gain = |key: &str, given: Option<f64>, unit| {
+        let value = given.map(|value| within(key, value, 1e-6, 1e6, unit));
+        Ok::<_, SweepFileError>(value.transpose()?.map(|value| 1e3 * value))
+    };
+    let inertia = within("inertia_kg_m2", table.inertia_kg_m2, 0.0, 1e6, "kg m²")?;
+    let (key, given) = (
+        "proportional_gain_knms_rad",
+        table.proportional_gain_knms_rad,
+    );
+    let proportional_gain = gain(key, given, "kN m s/rad")?;
+    let (key, given) = ("integral_gain_knm_rad", table.integral_gain_knm_rad);
+    let integral_gain = gain(key, given, "kN m/rad")?;
+    // More would make a drive of negative inertia, which is unstable on any string.
+    let (key, given) = ("inertia_compensation", table.inertia_compensation);
+    let compensated = given
+        .map(|part| within(key, part, 0.0, 1.0, ""))
+        .transpose()?;
+    refuse_idle(source, table)?;
+    let left = inertia * (1.0 - compensated.unwrap_or(0.0));
+    Ok(match table.controller {
+        ControllerName::Stiff => controllers::stiff(string, left),
+        ControllerName::SoftTorque => {
+            let of_mode = first_mode(string).inertia;
+            let message = format!(
+                "soft torque needs a drive at least as heavy as the string's first mode, \
+                 {of_mode:.0} kg m², not {left:.0}: a lighter one is better matched \
+                 (`controller = \"impedance-matched\"`)"
+            );
+            source.refuse_if(left < of_mode, "top_drive.controller", message)?;
+            controllers::soft_torque(string, left)
+        }
+        ControllerName::ImpedanceMatched => {
+            let matched = controllers::impedance_matched(string);
+            TopDrive {
+                inertia: inertia * (1.0 - compensated.unwrap_or(1.0)),
+                integral_gain: integral_gain.unwrap_or(matched.integral_gain),
+                ..matched
+            }
+        }
+        ControllerName::Gains => {
+            let required = |key: &str, value: Option<f64>| {
+                let message = format!("the controller \"gains\" needs `{key}`");
+                value.ok_or_else(|| source.error("top_drive.controller", message))
+            };
+            TopDrive {
+                inertia: left,
+                proportional_gain: required("proportional_gain_knms_rad", proportional_gain)?,
+                integral_gain: required("integral_gain_knm_rad", integral_gain)?,
+            }
+        }
+    })
+}
+
+/// Gains beside a preset that has its own would be ignored.
+fn refuse_idle(source: &Source, table: &TopDriveTable) -> Result<(), SweepFileError> {
+    let has_own = |controller| match controller {
+        ControllerName::Gains => [false, false],
+        ControllerName::ImpedanceMatched => [true, false],
+        ControllerName::Stiff | ControllerName::SoftTorque => [true, true],
+    };
+    let given = [
+        (
+            "proportional_gain_knms_rad",
+            table.proportional_gain_knms_rad,
+        ),
+        ("integral_gain_knm_rad", table.integral_gain_knm_rad),
+    ];
+    for ((key, value), has_own) in given.into_iter().zip(has_own(table.controller)) {
+        let message = "this controller has its own; to give it, write `controller = \"gains\"`";
+        let is_idle = has_own && value.is_some();
+        source.refuse_if(is_idle, &format!("top_drive.{key}"), message)?;
+    }
+    Ok(())
+}

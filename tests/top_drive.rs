@@ -1,0 +1,113 @@
+//! The limit of Fig. 9 below three controllers of a top drive, as the files in `sweeps/` have
+//! it, and what `inspect` says of them.
+
+#[allow(dead_code, reason = "its small sweep is for other tests")]
+mod support;
+
+use std::path::Path;
+
+use support::Workplace;
+
+/// One of the files shipped.
+fn file(name: &str) -> String {
+    let sweeps = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../sweeps");
+    sweeps.join(format!("{name}.toml")).display().to_string()
+}
+
+/// The rows of a CSV file with their columns of these names.
+fn columns<const N: usize>(text: &str, names: [&str; N]) -> Vec<[String; N]> {
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let places = names.map(|name| header.iter().position(|known| *known == name).unwrap());
+    lines
+        .map(|cells| places.map(|place| cells[place].to_owned()))
+        .collect()
+}
+
+/// The limit of Eq. 74 at 100 kN by `held`, rpm, and the labels by it; all of them on the right
+/// side of the limit but within a tenth of it.
+fn limit(name: &str) -> (f64, usize) {
+    let place = Workplace::new();
+    let run = place.sweep(&[
+        "run",
+        &file(name),
+        "--methods",
+        "held",
+        "--out",
+        "results",
+        "--quiet",
+    ]);
+    assert_eq!(run.code, 0, "{name}: {}", run.errors);
+    let read = |table: &str| std::fs::read_to_string(place.path("results").join(table)).unwrap();
+    let boundary: Vec<[f64; 2]> = columns(
+        &read("boundary.csv"),
+        ["weight_on_bit_kn", "surface_speed_rpm"],
+    )
+    .iter()
+    .map(|row| row.each_ref().map(|cell| cell.parse().unwrap()))
+    .collect();
+    let limit_at = |weight: f64| {
+        let above = boundary.iter().position(|row| row[0] >= weight - 1e-9);
+        boundary[above.unwrap()][1]
+    };
+    let labels = columns(
+        &read("labels.csv"),
+        ["weight_on_bit_kn", "surface_speed_rpm", "torsion"],
+    );
+    let mut sticks = 0;
+    for [weight, speed, label] in &labels {
+        let limit = limit_at(weight.parse().unwrap());
+        let ratio = speed.parse::<f64>().unwrap() / limit;
+        let is_stick_slip = label == "stick_slip";
+        sticks += usize::from(is_stick_slip);
+        if !(0.9..1.1).contains(&ratio) {
+            assert_eq!(
+                is_stick_slip,
+                ratio < 1.0,
+                "{name}: {weight} kN {speed} rpm"
+            );
+        }
+    }
+    (limit_at(100.0), sticks)
+}
+
+#[test]
+fn controllers_move_the_limit_of_stick_slip_as_their_reflection_says() {
+    let [plain, stiff, soft, matched] = [
+        "fig09",
+        "top_drive",
+        "top_drive_soft_torque",
+        "top_drive_impedance_matched",
+    ]
+    .map(limit);
+    // A stiff drive is nearly a surface that turns as prescribed.
+    assert!(
+        (stiff.0 / plain.0 - 1.0).abs() < 0.05,
+        "{stiff:?} {plain:?}"
+    );
+    assert!(
+        (0.15..0.35).contains(&(soft.0 / plain.0)),
+        "{soft:?} {plain:?}"
+    );
+    assert!(soft.1 > 0);
+    // Nothing comes back that could stop the bit.
+    assert_eq!(matched, (0.0, 0));
+}
+
+#[test]
+fn inspect_tells_what_comes_back_and_how_modes_die_away() {
+    let place = Workplace::new();
+    let file = file("top_drive_soft_torque");
+    let answer = place.sweep(&["inspect", &file, "--out", "looked"]);
+    assert_eq!(answer.code, 0, "{}", answer.errors);
+    for expected in [
+        "top drive",
+        "integral gain K_i",
+        "of a wave, then comes back",
+    ] {
+        assert!(answer.output.contains(expected), "{}", answer.output);
+    }
+    for picture in ["inspect.png", "top_drive.png", "top_drive.svg"] {
+        assert!(place.path("looked").join(picture).exists(), "{picture}");
+    }
+}
