@@ -8,12 +8,13 @@ use serde::Deserialize;
 use spdx::{Expression, ParseMode};
 
 /// Licences that ask for little more than to be named. Each is needed.
-const ALLOWED: [&str; 5] = [
+const ALLOWED: [&str; 6] = [
     "Apache-2.0",
     "BSD-2-Clause",
     "BSD-3-Clause",
     "MIT",
     "Unicode-3.0",
+    "Zlib",
 ];
 
 /// Old versions beside the newest of the same package, and who holds on to them.

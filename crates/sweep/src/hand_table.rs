@@ -64,6 +64,11 @@ impl HandTable {
         &self.header
     }
 
+    /// Line of the header, from 1.
+    pub fn header_line(&self) -> usize {
+        self.header_line
+    }
+
     /// What is wrong with the header.
     pub fn header_mistake(&self, message: impl Into<String>) -> Mistake {
         Mistake {

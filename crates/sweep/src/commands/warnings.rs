@@ -4,6 +4,7 @@ use super::terminal::Terminal;
 use crate::cli::MemoryArguments;
 use crate::engine::{Log, MethodSystem};
 use crate::plan::Sweep;
+use crate::sweep_file::SheetNotes;
 use crate::words::counted;
 
 /// Warns of an amount of memory that the cluster allots and cannot mean.
@@ -16,6 +17,9 @@ pub fn warn_of_memory(memory: &MemoryArguments, terminal: Terminal) {
 /// Warns of parts of the string such as none are made.
 pub fn warn_of_string(sweep: &Sweep, terminal: Terminal) {
     for doubt in sweep.doubts_about_string() {
+        terminal.complain(&format!("warning: {doubt}"));
+    }
+    for doubt in sweep.sheet.iter().flat_map(SheetNotes::doubts) {
         terminal.complain(&format!("warning: {doubt}"));
     }
 }

@@ -33,6 +33,10 @@ impl Sweep {
     /// What is doubtful of the string as the file says it, with line and key.
     pub fn doubts_about_string(&self) -> Vec<SweepFileError> {
         let mut doubts = Vec::new();
+        // A sheet has diameters, and says so; tools on it are wider than pipe.
+        if self.sheet.is_some() {
+            return doubts;
+        }
         for (index, section) in self.setting.string.sections().iter().enumerate() {
             for (place, part) in section.parts.iter().enumerate() {
                 if let Some(doubt) = self.doubt(part, &section.parts) {

@@ -15,7 +15,9 @@ use super::string;
 use super::texts;
 use crate::design::Design;
 use crate::quantities::Axis;
-use crate::sweep_file::{AutoOr, FileContent, MethodName, Source, SweepFileError, TextOf};
+use crate::sweep_file::{
+    AutoOr, FileContent, MethodName, SheetNotes, Source, SweepFileError, TextOf, put_sections,
+};
 use crate::text_file::read_text;
 
 /// A sweep, ready to run.
@@ -41,6 +43,8 @@ pub struct Sweep {
     pub design: Design,
     /// How the map is drawn, where the design has two axes or more.
     pub map: Option<MapSettings>,
+    /// What was made of a BHA sheet, where the string comes from one.
+    pub sheet: Option<SheetNotes>,
     /// The file as written, its bases merged in.
     pub content: FileContent,
     /// Where each of its keys stands.
@@ -76,6 +80,7 @@ impl Sweep {
             let names = methods.iter().map(|method| method.name().into());
             source.put("methods", toml::Value::Array(names.collect()));
         }
+        let sheet = put_sections(&mut source, text_of)?;
         let content: FileContent = source.parse()?;
         texts::check(&source, &content)?;
         let table = content.bit.as_ref();
@@ -108,6 +113,7 @@ impl Sweep {
             bit,
             conditions,
             design,
+            sheet,
             content,
             source,
         })

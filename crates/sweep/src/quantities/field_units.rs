@@ -11,7 +11,7 @@ pub const FOOT: f64 = 12.0 * INCH;
 pub const POUND: f64 = 0.453_592_37;
 
 /// One pound-force, N, by the standard acceleration of free fall.
-const POUND_FORCE: f64 = POUND * 9.806_65;
+pub const POUND_FORCE: f64 = POUND * 9.806_65;
 
 /// One US gallon, m³.
 const GALLON: f64 = 231.0 * INCH * INCH * INCH;

@@ -1,6 +1,7 @@
 //! The sweep file as it is written: its text with its bases, its keys, and errors with
 //! file, line and key. What the keys mean together is the business of `plan`.
 
+mod bha_sheet;
 pub mod bit;
 mod change;
 pub mod design;
@@ -17,6 +18,7 @@ pub mod top_drive;
 pub mod units;
 pub mod wording;
 
+pub use bha_sheet::{SheetNotes, put_sections};
 pub use bit::{BitTable, LawTable, RockName};
 pub use design::{AxisRange, DesignKind, DesignTable, Spacing};
 pub use error::SweepFileError;

@@ -57,6 +57,35 @@ impl Placed {
         self.places.remove(key);
     }
 
+    /// Takes a key out of a table, or out of this one where that has no name.
+    pub fn remove_in(&mut self, table: &str, key: &str) {
+        if table.is_empty() {
+            return self.remove(key);
+        }
+        if let Some(toml::Value::Table(values)) = self.table.get_mut(table) {
+            values.remove(key);
+        }
+        if let Some(places) = self.places.get_mut(table) {
+            places.keys.remove(key);
+        }
+    }
+
+    /// Puts a value into a table, as if it stood where another key of it does.
+    pub fn put_beside(&mut self, table: &str, beside: &str, key: &str, value: toml::Value) {
+        if let Some(toml::Value::Table(values)) = self.table.get_mut(table) {
+            values.insert(key.to_owned(), value);
+        }
+        if let Some(places) = self.places.get_mut(table)
+            && let Some(place) = places.keys.get(beside)
+        {
+            let place = Places {
+                written: Some(beside.to_owned()),
+                ..place.clone()
+            };
+            places.keys.insert(key.to_owned(), place);
+        }
+    }
+
     /// Lays the table of a file over this one: tables key by key, anything else as a
     /// whole, and a `[design]` as a whole too.
     ///

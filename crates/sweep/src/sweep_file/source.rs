@@ -19,11 +19,15 @@ const MOST_FILES: usize = 64;
 
 /// Keys that say the same in another way: a file gives one of each pair, and it
 /// replaces the other of its base.
-const RIVALS: [(&str, &str); 3] = [
-    ("accuracy", "methods"),
-    ("accuracy", "method"),
-    ("accuracy", "sampling_frequency_hz"),
+const RIVALS: [Rivals; 4] = [
+    Rivals("", "accuracy", "methods"),
+    Rivals("", "accuracy", "method"),
+    Rivals("", "accuracy", "sampling_frequency_hz"),
+    Rivals("string", "file", "sections"),
 ];
+
+/// The table that both are in, or none, and their names.
+struct Rivals(&'static str, &'static str, &'static str);
 
 /// Gives the text of a file that has at most so many bytes: from the disk or, in
 /// tests, from memory.
@@ -57,6 +61,21 @@ impl Source {
     pub fn put(&mut self, key: &str, value: toml::Value) {
         self.merged.remove(key);
         self.merged.table.insert(key.to_owned(), value);
+    }
+
+    /// Puts a value into a table, as if it stood where another key of it does.
+    pub fn put_beside(&mut self, table: &str, beside: &str, key: &str, value: toml::Value) {
+        self.merged.put_beside(table, beside, key, value);
+    }
+
+    /// What the files say at a key of a table, where they say anything.
+    pub fn value_at(&self, table: &str, key: &str) -> Option<&toml::Value> {
+        self.merged.table.get(table)?.get(key)
+    }
+
+    /// The same, where it is a text.
+    pub fn text_at(&self, table: &str, key: &str) -> Option<String> {
+        self.value_at(table, key)?.as_str().map(str::to_owned)
     }
 
     /// Whether the files give a key of their top level.
@@ -202,15 +221,22 @@ impl Source {
                 })?;
         }
         let given = table.get_ref();
-        for (one, other) in RIVALS {
-            match (given.get_key_value(one), given.contains_key(other)) {
+        for Rivals(table, one, other) in RIVALS {
+            let around = match table {
+                "" => Some(given),
+                name => given.get(name).and_then(|value| value.get_ref().as_table()),
+            };
+            let Some(around) = around else {
+                continue;
+            };
+            match (around.get_key_value(one), around.contains_key(other)) {
                 (Some((key, _)), true) => {
                     let line = lines.of(key.span().start);
                     let message = format!("is given instead of `{other}`, not beside it");
                     return Err(unusable(Some(line), Some(one), message));
                 }
-                (Some(_), false) => self.merged.remove(other),
-                (None, true) => self.merged.remove(one),
+                (Some(_), false) => self.merged.remove_in(table, other),
+                (None, true) => self.merged.remove_in(table, one),
                 (None, false) => {}
             }
         }

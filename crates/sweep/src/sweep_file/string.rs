@@ -17,8 +17,24 @@ pub struct StringTable {
     pub torsional_damping_nms_rad_m: f64,
     /// Bending constants, needed with a wall.
     pub bending: Option<BendingTable>,
+    /// A BHA sheet, as CSV or a workbook, from which the sections come.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// In which order its rows are. Default `from-surface`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order: Option<RowOrder>,
     /// Sections from the surface down.
     pub sections: Vec<SectionTable>,
+}
+
+/// In which order the rows of a sheet are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum RowOrder {
+    /// From the surface down.
+    FromSurface,
+    /// From the bit up.
+    FromBit,
 }
 
 /// Equal cells of pipe and joint, or of collar, one below the other.

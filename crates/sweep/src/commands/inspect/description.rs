@@ -23,6 +23,7 @@ pub fn describe_string(sweep: &Sweep) -> String {
     let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2) + "\nstring\n";
     text += &row(2, "length", &format!("{:.3} m", string.length()));
     text += &part_lines(sweep);
+    text += &sheet_lines(sweep);
     let stiffness = torsional_stiffness(string);
     let speed = string.torsional_wave_speed();
     let travel = torsional_travel_time(string);
@@ -85,6 +86,20 @@ fn part_lines(sweep: &Sweep) -> String {
             text += &format!("  {mass:<8.1}  {pounds:<7.1}  {:.3}\n", part.length);
         }
     }
+    text
+}
+
+/// What the weights of a BHA sheet say of its dimensions.
+fn sheet_lines(sweep: &Sweep) -> String {
+    let Some(sheet) = &sweep.sheet else {
+        return String::new();
+    };
+    let title = format!(
+        "rows of {} whose weight is not that of their dimensions",
+        sheet.file
+    );
+    let mut text = wrapped(&title, 2, 4);
+    text.extend(sheet.lines().map(|line| wrapped(&line, 4, 6)));
     text
 }
 

@@ -1,0 +1,345 @@
+//! A row as a section, and what its weight says of its dimensions: drillpipe is heavier than
+//! its body by its tool joints, whose dimensions sheets seldom have.
+
+use toml::{Table, Value};
+
+use super::rows::Row;
+use crate::quantities::INCH;
+use crate::quantities::{Axis, StringAxis, TubeMeasure};
+
+/// Length of a joint where the sheet does not count them: 31½ ft, range 2 with its tool
+/// joints, m.
+const USUAL_JOINT: f64 = 9.6;
+
+/// Rows longer than this are of more than one joint, m.
+const LONGEST_JOINT: f64 = 15.0;
+
+/// Outer diameter of a tool joint by that of its pipe, where it is not given; of API sizes it is
+/// from 1.19 to 1.36.
+const TOOL_JOINT: f64 = 1.25;
+
+/// No tool joint, with the pad in the middle of heavy-weight pipe, is longer than this part of a
+/// joint.
+const LONGEST_TOOL_JOINT: f64 = 0.5;
+
+/// A weight that differs by no more than this part from that of the dimensions is theirs.
+const SAME_WEIGHT: f64 = 0.02;
+
+/// Beyond this part either may be wrong.
+const DOUBTFUL: f64 = 0.1;
+
+/// What pipe with tool joints is called.
+const PIPE: [&str; 6] = [
+    "drillpipe",
+    "drill pipe",
+    "hwdp",
+    "heavy weight",
+    "heavyweight",
+    "heavy-weight",
+];
+
+/// What a row's weight says.
+#[derive(Debug, Clone)]
+pub struct Told {
+    /// Its line in the sheet.
+    pub line: usize,
+    /// What it is.
+    pub name: String,
+    /// Its mass less that of the dimensions as the sheet has them, as a part of the latter.
+    pub excess: Option<f64>,
+    /// What was made of it.
+    pub made: Made,
+}
+
+/// What is made of a row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Made {
+    /// Tubes of its dimensions.
+    AsGiven,
+    /// Pipe with tool joints of as much mass as its weight asks for: their outer diameter and
+    /// their length, m, and how many.
+    WithToolJoints {
+        /// Outer diameter, m.
+        outer_diameter: f64,
+        /// Length of each, m.
+        length: f64,
+        /// How many.
+        joints: usize,
+    },
+}
+
+/// A tube of a cell: length, inner and outer diameter, m.
+#[derive(Debug, Clone, Copy)]
+struct Part {
+    length: f64,
+    inner: f64,
+    outer: f64,
+}
+
+impl Told {
+    /// What its weight comes to, where it has one that is not that of its dimensions.
+    pub fn words(&self) -> Option<String> {
+        let per_cent = 100.0 * self.excess.filter(|excess| excess.abs() > SAME_WEIGHT)?;
+        let weight = match per_cent {
+            more if more >= 0.0 => format!("{more:.1} % more"),
+            less => format!("{:.1} % less", -less),
+        };
+        let differs = format!("its weight is {weight} than that of its dimensions");
+        Some(match self.made {
+            Made::AsGiven => format!("{differs}, which are taken"),
+            Made::WithToolJoints {
+                outer_diameter,
+                length,
+                joints,
+            } => format!(
+                "{differs}: {joints} tool joints of {:.2} in, {length:.2} m long, make up for it",
+                outer_diameter / INCH
+            ),
+        })
+    }
+
+    /// Whether its dimensions, which are taken, are hardly those of its weight.
+    pub fn is_doubtful(&self) -> bool {
+        let differs = self.excess.is_some_and(|excess| excess.abs() > DOUBTFUL);
+        differs && self.made == Made::AsGiven
+    }
+}
+
+impl Part {
+    fn area(&self) -> f64 {
+        0.25 * std::f64::consts::PI * (self.outer * self.outer - self.inner * self.inner)
+    }
+}
+
+/// The section of a row, of steel of a density (kg/m³), and what its weight says.
+///
+/// # Errors
+/// Which of its numbers is that of no tube; begins with its line.
+pub fn section(row: &Row, density: f64) -> Result<(Value, Told), String> {
+    let joints = row.joints.unwrap_or_else(|| {
+        let many = row.length > LONGEST_JOINT;
+        let usual = if many { row.length / USUAL_JOINT } else { 1.0 };
+        usual.round() as usize
+    });
+    let body = Part {
+        length: row.length / joints as f64,
+        inner: row.inner_diameter,
+        outer: row.outer_diameter,
+    };
+    let given = given_parts(row, body);
+    let dimensions: f64 = given
+        .iter()
+        .map(|part| density * part.area() * part.length)
+        .sum();
+    let excess = row
+        .mass
+        .map(|mass| mass / (joints as f64 * dimensions) - 1.0);
+    let (parts, made) = match excess.and_then(|excess| equivalent(row, body, joints, excess)) {
+        Some((parts, made)) if given.len() == 1 => (parts, made),
+        _ => (given, Made::AsGiven),
+    };
+    for part in &parts {
+        check(part).map_err(|reason| format!("{}: {reason}", row.line))?;
+    }
+    let told = Told {
+        line: row.line,
+        name: row.name.clone(),
+        excess,
+        made,
+    };
+    Ok((table(row, joints, &parts), told))
+}
+
+/// The parts of a cell by the sheet's dimensions.
+fn given_parts(row: &Row, body: Part) -> Vec<Part> {
+    let joint = row.tool_joint;
+    match (joint.outer_diameter, joint.length) {
+        (Some(outer), Some(length)) if length < body.length => vec![
+            Part {
+                length: body.length - length,
+                ..body
+            },
+            Part {
+                length,
+                inner: joint.inner_diameter.unwrap_or(body.inner),
+                outer,
+            },
+        ],
+        _ => vec![body],
+    }
+}
+
+/// Pipe with tool joints as long as its weight asks for, where it is pipe, and they are not
+/// longer than any.
+fn equivalent(row: &Row, body: Part, joints: usize, excess: f64) -> Option<(Vec<Part>, Made)> {
+    let name = row.name.to_lowercase();
+    if excess < SAME_WEIGHT || !PIPE.iter().any(|pipe| name.contains(pipe)) {
+        return None;
+    }
+    let outer = (row.tool_joint.outer_diameter).unwrap_or(TOOL_JOINT * body.outer);
+    let inner = row.tool_joint.inner_diameter.unwrap_or(body.inner);
+    let joint = Part {
+        length: 1.0,
+        inner,
+        outer,
+    };
+    let length = excess * body.area() * body.length / (joint.area() - body.area());
+    let is_one = length > 0.0 && length <= LONGEST_TOOL_JOINT * body.length;
+    is_one.then(|| {
+        let parts = vec![
+            Part {
+                length: body.length - length,
+                ..body
+            },
+            Part { length, ..joint },
+        ];
+        let made = Made::WithToolJoints {
+            outer_diameter: outer,
+            length,
+            joints,
+        };
+        (parts, made)
+    })
+}
+
+/// Refuses what is no tube of a string.
+fn check(part: &Part) -> Result<(), String> {
+    if part.inner >= part.outer {
+        let [inner, outer] = [part.inner, part.outer].map(|diameter| diameter / INCH);
+        return Err(format!(
+            "an inner diameter of {inner:.3} in is not less than the outer of {outer:.3} in"
+        ));
+    }
+    let numbers = [
+        (TubeMeasure::Length, part.length, "the length of a joint"),
+        (
+            TubeMeasure::InnerRadius,
+            0.5 * part.inner,
+            "half the inner diameter",
+        ),
+        (
+            TubeMeasure::OuterRadius,
+            0.5 * part.outer,
+            "half the outer diameter",
+        ),
+    ];
+    for (measure, value, words) in numbers {
+        let axis = Axis::String(StringAxis::Tube {
+            section: 0,
+            part: 0,
+            measure,
+        });
+        axis.check(value)
+            .map_err(|error| format!("{words}: {error}"))?;
+    }
+    Ok(())
+}
+
+/// As it would stand under `[[string.sections]]`.
+fn table(row: &Row, joints: usize, parts: &[Part]) -> Value {
+    let parts = parts.iter().map(|part| {
+        Value::Table(Table::from_iter([
+            ("length_m".to_owned(), Value::Float(part.length)),
+            ("inner_radius_m".to_owned(), Value::Float(0.5 * part.inner)),
+            ("outer_radius_m".to_owned(), Value::Float(0.5 * part.outer)),
+        ]))
+    });
+    let mut section = Table::from_iter([
+        ("repeat".to_owned(), Value::Integer(joints as i64)),
+        ("parts".to_owned(), Value::Array(parts.collect())),
+    ]);
+    if !row.name.is_empty() {
+        section.insert("name".to_owned(), Value::String(row.name.clone()));
+    }
+    Value::Table(section)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rows::ToolJoint;
+    use super::*;
+
+    fn pipe() -> Row {
+        Row {
+            line: 2,
+            name: "Drillpipe".to_owned(),
+            joints: Some(10),
+            outer_diameter: 0.127,
+            inner_diameter: 0.1086,
+            length: 96.0,
+            mass: None,
+            tool_joint: ToolJoint::default(),
+        }
+    }
+
+    fn mass_of(section: &Value) -> f64 {
+        let parts = section["parts"].as_array().unwrap().iter();
+        let mass = parts.map(|part| {
+            let [length, inner, outer] = ["length_m", "inner_radius_m", "outer_radius_m"]
+                .map(|key| part[key].as_float().unwrap());
+            std::f64::consts::PI * (outer * outer - inner * inner) * length * 7850.0
+        });
+        mass.sum::<f64>() * section["repeat"].as_integer().unwrap() as f64
+    }
+
+    /// Whatever the weight, the section weighs as much, or is what the dimensions say.
+    #[test]
+    fn a_section_weighs_what_its_row_does() {
+        let plain = section(&pipe(), 7850.0).unwrap();
+        assert_eq!((plain.1.made, plain.1.excess), (Made::AsGiven, None));
+        let body = mass_of(&plain.0);
+        for part in [1.1, 1.25, 1.4] {
+            let row = Row {
+                mass: Some(part * body),
+                ..pipe()
+            };
+            let (found, told) = section(&row, 7850.0).unwrap();
+            assert!((mass_of(&found) / (part * body) - 1.0).abs() < 1e-12);
+            assert!((told.excess.unwrap() - (part - 1.0)).abs() < 1e-12);
+            assert!(matches!(told.made, Made::WithToolJoints { joints: 10, .. }));
+            assert_eq!(found["parts"].as_array().unwrap().len(), 2);
+        }
+        // Lighter than its body, far too heavy, or no pipe: as the dimensions say.
+        for (name, part) in [("Drillpipe", 0.9), ("Drillpipe", 4.0), ("Collar", 1.2)] {
+            let row = Row {
+                name: name.to_owned(),
+                mass: Some(part * body),
+                ..pipe()
+            };
+            let (found, told) = section(&row, 7850.0).unwrap();
+            assert_eq!(told.made, Made::AsGiven, "{name} {part}");
+            assert!((mass_of(&found) / body - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn rows_of_many_joints_are_divided_and_tool_joints_that_are_given_are_kept() {
+        let row = Row {
+            joints: None,
+            tool_joint: ToolJoint {
+                outer_diameter: Some(0.168),
+                inner_diameter: Some(0.095),
+                length: Some(0.45),
+            },
+            ..pipe()
+        };
+        let (found, _) = section(&row, 7850.0).unwrap();
+        assert_eq!(found["repeat"].as_integer(), Some(10));
+        let joint = &found["parts"][1];
+        assert_eq!(joint["length_m"].as_float(), Some(0.45));
+        assert_eq!(joint["inner_radius_m"].as_float(), Some(0.0475));
+    }
+
+    #[test]
+    fn what_is_no_tube_is_refused_with_its_line() {
+        let wide = Row {
+            inner_diameter: 0.2,
+            ..pipe()
+        };
+        let reason = section(&wide, 7850.0).unwrap_err();
+        assert!(
+            reason.starts_with("2: an inner diameter of 7.874 in is not"),
+            "{reason}"
+        );
+    }
+}
