@@ -111,3 +111,62 @@ fn inspect_tells_what_comes_back_and_how_modes_die_away() {
         assert!(place.path("looked").join(picture).exists(), "{picture}");
     }
 }
+
+/// Where the first wave hardly breaks the bit loose, and where it creeps, the bit is caught by
+/// its own collars dozens of times a second: three such cycles alike are no stick-slip of the
+/// string, and were once taken for it.
+#[test]
+fn creeping_is_not_taken_for_settled_stick_slip() {
+    let cases = "surface_speed_rpm,weight_on_bit_kn\n60,170\n60,200\n65,180\n70,190\n\
+                 120,80\n125,80\n145,90\n170,100\n175,100\n";
+    let run = |keys: &str, options: &[&str]| -> Vec<[String; 3]> {
+        let place = Workplace::new();
+        let well = file("well_12in_soft_torque");
+        let design = "[design]\nkind = \"list\"\nfile = \"cases.csv\"\n";
+        place.write(
+            "well.toml",
+            format!("base = '{well}'\nmethods = [\"held\"]\n{keys}\n{design}"),
+        );
+        place.write("cases.csv", cases);
+        let run = ["run", "well.toml", "--out", "results", "--quiet"];
+        let answer = place.sweep(&[&run, options].concat());
+        assert_eq!(answer.code, 0, "{}", answer.errors);
+        let labels = std::fs::read_to_string(place.path("results/labels.csv")).unwrap();
+        columns(
+            &labels,
+            ["surface_speed_rpm", "weight_on_bit_kn", "torsion"],
+        )
+    };
+    assert_eq!(run("", &[]), run("", &["--full"]));
+    // As the matched impedance was first tried: more damping, a lower static torque.
+    let first = "[string]\ntorsional_damping_nms_rad_m = 0.1\n[bit]\n\
+                 torque_static_ratio = 1.2\n[top_drive]\ncontroller = \"impedance-matched\"\n";
+    for row in run(first, &[]) {
+        assert_eq!(row[2], "smooth", "{row:?}");
+    }
+}
+
+/// A surface that takes τ to come to its speed is behind by τ/2 for ever, and so is the first
+/// slip.
+#[test]
+fn a_rise_of_the_surface_speed_puts_the_first_slip_off_by_half_of_it() {
+    let first_slip = |rise: f64| -> f64 {
+        let place = Workplace::new();
+        let base = file("fig08a");
+        let keys = format!(
+            "base = '{base}'\nsurface_speed_rise_s = {rise}\ndesign = {{ kind = \"list\", file = \"one.csv\" }}\n"
+        );
+        place.write("one.toml", keys);
+        place.write("one.csv", "surface_speed_rpm\n0.2\n");
+        let options = ["--methods", "held", "--out", "results", "--quiet"];
+        let answer = place.sweep(&[&["run", "one.toml"], &options[..]].concat());
+        assert_eq!(answer.code, 0, "{}", answer.errors);
+        let labels = std::fs::read_to_string(place.path("results/labels.csv")).unwrap();
+        columns(&labels, ["first_slip_s"])[0][0].parse().unwrap()
+    };
+    let at_once = first_slip(0.0);
+    for rise in [0.5, 2.0] {
+        let later = first_slip(rise) - at_once;
+        assert!((later - 0.5 * rise).abs() < 0.02, "{rise}: {later}");
+    }
+}

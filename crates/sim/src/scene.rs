@@ -16,11 +16,12 @@ pub struct Timing {
     pub closing_window: f64,
 }
 
-/// One case, from rest: the surface starts to turn at t = 0. The laws may be a user's
+/// One case, from rest: the surface starts to turn at t = 0, as its system says
+/// ([`crate::SurfaceStart`]). The laws may be a user's
 /// own ([`TorqueLaw`], [`WallLaw`]).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene<B = BitTorque, W = Wall> {
-    /// Surface rotation speed Ω from t = 0 on, rad/s.
+    /// Surface rotation speed Ω that it comes to, rad/s.
     pub surface_speed: f64,
     /// Torque at the bit; `None` leaves it free.
     pub bit: Option<B>,

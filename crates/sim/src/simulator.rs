@@ -8,6 +8,7 @@ use crate::outcome::{Ended, Label, Outcome, Stopping};
 use crate::scene::{Lateral, Scene};
 use crate::shortcuts::{BitAlone, pass_free_block};
 use crate::stepper::{Step, Stepper};
+use crate::surface::SurfaceStart;
 use crate::system::System;
 use crate::trajectory::Trajectory;
 use crate::watch::lateral::WallWatch;
@@ -28,7 +29,15 @@ impl Simulator {
     /// # Errors
     /// As [`System::new`].
     pub fn new(responses: &Responses) -> Result<Self, SimulationError> {
-        let system = System::new(responses)?;
+        Self::started(responses, SurfaceStart::default())
+    }
+
+    /// The same for cases whose surface comes to its speed in another way.
+    ///
+    /// # Errors
+    /// As [`System::started`].
+    pub fn started(responses: &Responses, start: SurfaceStart) -> Result<Self, SimulationError> {
+        let system = System::started(responses, start)?;
         Ok(Self {
             bit_alone: BitAlone::of(&system, responses),
             system,
@@ -230,9 +239,11 @@ impl Case<'_> {
     /// The label that motion has settled to, if it has. A bit that cuts beside a wall has
     /// a regime of its own to wait for.
     fn settles(&mut self) -> Option<Label> {
-        if self.alone.is_some() {
+        if let Some(alone) = self.alone {
             let watch = self.watch.bit.as_ref()?;
-            return (watch.is_settled()).then_some(Label::Torsion(TorsionRegime::StickSlip));
+            return alone
+                .repeats(self.stepper.next_step(), watch)
+                .then_some(Label::Torsion(TorsionRegime::StickSlip));
         }
         let (lateral, step) = (self.scene.lateral.as_ref()?, self.stepper.next_step());
         if self.scene.bit.is_some() || !is_left_alone(lateral, self.system.sampling.start_of(step))

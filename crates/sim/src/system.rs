@@ -6,6 +6,7 @@ use crate::convolution::{Kernel, Kernels};
 use crate::error::SimulationError;
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
+use crate::surface::{SurfaceResponse, SurfaceStart};
 
 /// The linear part as all cases share it. What does not depend on the case is computed
 /// here once.
@@ -17,8 +18,8 @@ pub struct System {
     pub(crate) sampling: Sampling,
     /// The longest case, s.
     longest_time: f64,
-    /// Response of each site to a surface that starts to turn at 1 rad/s.
-    surface_steps: Vec<Vec<f64>>,
+    /// Response of each site to a surface that comes to 1 rad/s.
+    surface: Vec<SurfaceResponse>,
     /// The sites that a torque may act on.
     pub(crate) loaded: Vec<usize>,
     /// From torques to speeds, between loaded sites.
@@ -31,12 +32,22 @@ pub struct System {
 }
 
 impl System {
-    /// Prepares responses for cases as long as they were built for.
+    /// Prepares responses for cases as long as they were built for, whose surface turns at
+    /// its speed from t = 0 on.
     ///
     /// # Errors
     /// Where they are not those of a string, there are none in torsion, or those in
     /// bending are of sites where no torque may act.
     pub fn new(responses: &Responses) -> Result<Self, SimulationError> {
+        Self::started(responses, SurfaceStart::default())
+    }
+
+    /// The same for cases whose surface comes to its speed in another way.
+    ///
+    /// # Errors
+    /// As [`System::new`], and where there is no such start.
+    pub fn started(responses: &Responses, start: SurfaceStart) -> Result<Self, SimulationError> {
+        start.check()?;
         not_negative("longest time in s", responses.longest_time)?;
         responses.check()?;
         let channel = linear::Channel::Torsion;
@@ -49,13 +60,14 @@ impl System {
         {
             return Err(SimulationError::UnlikeChannels);
         }
+        let sampling = Sampling::new(responses.sampling_frequency, responses.method.moment());
         Ok(Self {
             sites,
             bit_site: responses.sites.bit_site(),
-            sampling: Sampling::new(responses.sampling_frequency, responses.method.moment()),
+            sampling,
             longest_time: responses.longest_time,
-            surface_steps: (torsion.from_surface.iter())
-                .map(|taps| running_sum(taps))
+            surface: (torsion.from_surface.iter())
+                .map(|taps| SurfaceResponse::new(taps, start, sampling))
                 .collect(),
             from_torques: Kernels::of(&torsion.driving_points()),
             to_others: to_others(torsion, responses.sites.bit_site()),
@@ -64,8 +76,8 @@ impl System {
         })
     }
 
-    /// Speeds of all sites, rad/s, in so many steps: what a surface that turns at
-    /// `surface_speed` (rad/s) from the first of them on makes of them and, but for sites
+    /// Speeds of all sites, rad/s, in so many steps: what a surface that comes to
+    /// `surface_speed` (rad/s) makes of them and, but for sites
     /// that bear torques themselves, the torques on the bit (N m, positive with the
     /// rotation). Sites that are only looked at follow from these: whoever has simulated
     /// a bit without them has their motion here.
@@ -96,15 +108,30 @@ impl System {
     }
 
     /// Speed of a site in a step, per unit surface speed, no torque acting.
+    #[inline]
     pub(crate) fn surface_response(&self, site: usize, step: usize) -> f64 {
-        // It does not change after its last.
-        let response = &self.surface_steps[site];
-        response[step.min(response.len() - 1)]
+        self.surface[site].at(step)
     }
 
     /// Steps until the response to the surface has settled.
     pub(crate) fn surface_settles(&self, site: usize) -> usize {
-        self.surface_steps[site].len()
+        self.surface[site].settles()
+    }
+
+    /// Steps after which a wave from the surface arrives at a site: the response to the
+    /// surface is a part of its last value.
+    pub(crate) fn surface_arrives(&self, site: usize, part: f64) -> usize {
+        let least = part * self.surface[site].last().abs();
+        let mut speeds = self.surface[site].until_settled();
+        speeds.position(|speed| speed.abs() > least).unwrap_or(0)
+    }
+
+    /// Steps until the response to the surface stays within a part of its last value.
+    pub(crate) fn surface_is_steady_from(&self, site: usize, part: f64) -> usize {
+        let last = self.surface[site].last();
+        let is_off = |speed: f64| (speed - last).abs() > part * last.abs();
+        let mut speeds = self.surface[site].until_settled();
+        speeds.rposition(is_off).map_or(0, |step| step + 1)
     }
 
     /// Steps of a case, that at its start included.
@@ -140,13 +167,4 @@ fn to_others(torsion: &ChannelResponses, bit_site: Option<usize>) -> Vec<(usize,
     let others = (0..torsion.from_loads.len()).filter(|site| !torsion.loads.contains(site));
     let kernel = |site| Some((site, Kernel::new(torsion.taps_between(bit_site?, site)?)));
     others.filter_map(kernel).collect()
-}
-
-fn running_sum(taps: &[f64]) -> Vec<f64> {
-    taps.iter()
-        .scan(0.0, |sum, tap| {
-            *sum += tap;
-            Some(*sum)
-        })
-        .collect()
 }

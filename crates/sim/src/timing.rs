@@ -2,8 +2,8 @@
 
 use linear::Drillstring;
 use linear::estimates::{
-    drive_settling_time, stick_slip_times, torsional_period, torsional_stiffness,
-    torsional_travel_time,
+    drive_settling_time, stick_slip_times, torsional_decay_rate, torsional_period,
+    torsional_stiffness, torsional_travel_time,
 };
 
 use crate::laws::bit::BitTorque;
@@ -17,6 +17,14 @@ const SLIP_ALLOWANCE: f64 = 2.0;
 /// A recaptured bit is left with at least T_d − (T_s − T_d), where the string
 /// swings to without loss, so that sticking lasts at most twice τ₃.
 const STICK_ALLOWANCE: f64 = 2.0;
+
+/// The ringing of the start counts as gone after so many time constants of the string's
+/// vibration: a hundredth of it is left. Until then it may recapture a bit that is going to
+/// turn on.
+const START_DECAYS: f64 = 5.0;
+
+/// It is waited for no longer than so many round trips of a wave.
+const MOST_ROUND_TRIPS: f64 = 40.0;
 
 /// The timing by which a case from rest has slipped, has been recaptured
 /// [`Rules::repeated`] times if it ever is that often, and has left the transient of
@@ -36,8 +44,12 @@ pub fn torsion_timing(string: &Drillstring, surface_speed: f64, bit: &BitTorque)
     let swing = (string.top_drive()).map_or(0.0, |_| 0.5 * torsional_period(string));
     let slip = (SLIP_ALLOWANCE * times.slip).max(swing);
     let cycle = slip + STICK_ALLOWANCE * times.stick;
+    let cycles = Rules::USUAL.repeated as f64 * cycle;
+    // What nothing damps never leaves its start behind.
+    let decays = START_DECAYS / torsional_decay_rate(string);
+    let start = decays.min(MOST_ROUND_TRIPS * times.slip);
     Timing {
-        duration: first_slip + Rules::USUAL.repeated as f64 * cycle,
+        duration: first_slip + cycles.max(start + cycle),
         closing_window: cycle,
     }
 }

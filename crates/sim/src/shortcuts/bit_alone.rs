@@ -13,12 +13,20 @@ use crate::system::System;
 use crate::watch::rules::Rules;
 use crate::watch::torsion::BitWatch;
 
+/// A wave has arrived when it has made this part of the speed that stays.
+const ARRIVED: f64 = 1e-2;
+
 /// What is known of such a string once for all cases.
 #[derive(Debug, Clone)]
 pub(crate) struct BitAlone {
     stuck_torque: StuckTorque,
     look_ahead: LookAhead,
     site: usize,
+    /// The step from which the surface no longer changes what the bit does by more than
+    /// settled motion may.
+    steady_from: usize,
+    /// Steps in which a wave goes from the bit to the surface and back.
+    round_trip: usize,
 }
 
 impl BitAlone {
@@ -34,7 +42,16 @@ impl BitAlone {
             stuck_torque: StuckTorque::new(&system.from_torques, surface, steps),
             look_ahead: LookAhead::new(responses.at_bit()?),
             site: bit.site,
+            round_trip: 2 * system.surface_arrives(bit.site, ARRIVED),
+            steady_from: system.surface_is_steady_from(bit.site, Rules::USUAL.settling_tolerance),
         })
+    }
+
+    /// Whether cycles that agree up to a step are going to repeat themselves: not before the
+    /// start of the surface is over, and not if they are so short that the surface has not
+    /// answered them yet, as where a bit that creeps is caught again and again by its collars.
+    pub(crate) fn repeats(&self, step: usize, watch: &BitWatch) -> bool {
+        step >= self.steady_from && watch.agreeing_steps() >= self.round_trip && watch.is_settled()
     }
 
     /// The torque that holds the bit fast, N m per rad/s of surface speed.

@@ -170,6 +170,11 @@ impl BitWatch {
         }
     }
 
+    /// How long the last cycles took together that have to agree, steps.
+    pub(crate) fn agreeing_steps(&self) -> usize {
+        self.cycles.iter().map(|cycle| cycle.period).sum()
+    }
+
     /// Whether a slip has just begun that repeats the last ones, and goes on to,
     /// changing as they did lately, until the end of the time.
     pub(crate) fn is_settled(&self) -> bool {

@@ -60,6 +60,7 @@ impl Case {
             timing.duration = timing.duration.max(BY_DEFAULT.duration);
             timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
         }
+        timing.duration += setting.start.rise;
         if let AutoOr::Given(duration) = sweep.time {
             timing.duration = duration;
         }

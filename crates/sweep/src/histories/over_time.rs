@@ -143,7 +143,7 @@ impl Histories<'_> {
             );
             Some(Reference {
                 across: Across::X,
-                at: times.first_slip,
+                at: times.first_slip + 0.5 * self.sweep.setting.start.rise,
                 name: "τ₁".to_owned(),
             })
         })

@@ -6,6 +6,7 @@ use std::borrow::Cow;
 
 use linear::estimates::{sampling_frequency, torsional_travel_time};
 use linear::{Drillstring, Sites};
+use sim::SurfaceStart;
 
 use super::conditions::Conditions;
 use super::impulses::ImpulseSettings;
@@ -32,6 +33,8 @@ pub struct Setting {
     pub sampling_frequency: f64,
     /// Whether that follows from the string by the paper's rule.
     pub sampling_by_rule: bool,
+    /// How the surface comes to its speed.
+    pub start: SurfaceStart,
     /// Lateral motion, where it is modelled.
     pub lateral: Option<LateralSettings>,
 }
@@ -82,6 +85,8 @@ impl Setting {
                 (source.within(key, value, 1.0, 1e6, "Hz")?, false)
             }
         };
+        let (key, rise) = ("surface_speed_rise_s", content.surface_speed_rise_s);
+        let rise = source.within(key, rise, 0.0, 1e4, "s")?;
         let sites = sites::resolve(source, content, &string)?;
         let lateral = lateral::resolve(source, content, &string, &sites, conditions, design)?;
         let setting = Self {
@@ -89,6 +94,7 @@ impl Setting {
             sites,
             sampling_frequency,
             sampling_by_rule,
+            start: SurfaceStart { rise },
             lateral,
         };
         // For an accuracy another frequency is chosen.

@@ -20,8 +20,11 @@ pub struct FileContent {
     pub title: Option<String>,
     /// The drillstring.
     pub string: StringTable,
-    /// Surface speed from t = 0 on, unless an axis gives it.
+    /// Surface speed that is set, unless an axis gives it.
     pub surface_speed_rpm: Option<f64>,
+    /// Time in which the surface comes to it from rest at t = 0, s. Default 0.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub surface_speed_rise_s: f64,
     /// What turns the string; without it the surface turns as prescribed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub top_drive: Option<TopDriveTable>,
@@ -66,4 +69,9 @@ pub struct FileContent {
 
 fn default_methods() -> Vec<MethodName> {
     vec![MethodName::Held]
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }

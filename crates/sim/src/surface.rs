@@ -1,0 +1,155 @@
+//! How the surface starts to turn, and what that makes of the sites.
+
+use crate::ranges::{SceneError, not_negative};
+use crate::sampling::Sampling;
+
+/// How the surface comes to its speed, from rest at t = 0.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SurfaceStart {
+    /// Time in which it rises evenly, s; zero where it turns at once.
+    pub rise: f64,
+}
+
+impl SurfaceStart {
+    /// Checks that it is a time.
+    pub(crate) fn check(&self) -> Result<(), SceneError> {
+        not_negative("rise of the surface speed in s", self.rise)
+    }
+}
+
+/// Speed of a site in every step per unit of the speed that the surface comes to.
+#[derive(Debug, Clone)]
+pub(crate) struct SurfaceResponse {
+    /// The response to a step; to a rise, its sums before each step.
+    values: Vec<f64>,
+    /// Where it stays.
+    last: f64,
+    rise: Option<Rise>,
+}
+
+/// An even rise.
+#[derive(Debug, Clone, Copy)]
+struct Rise {
+    /// How long it takes, steps.
+    steps: f64,
+    /// Where in a step the surface is told to be.
+    moment: f64,
+}
+
+impl SurfaceResponse {
+    /// From the taps of a site.
+    pub(crate) fn new(taps: &[f64], start: SurfaceStart, sampling: Sampling) -> Self {
+        let mut step_response = running_sums(taps);
+        let last = step_response.last().copied().unwrap_or(0.0);
+        let steps = start.rise * sampling.frequency;
+        let rise = (steps > 0.0).then_some(Rise {
+            steps,
+            moment: sampling.moment,
+        });
+        if rise.is_some() {
+            step_response = std::iter::once(0.0)
+                .chain(running_sums(&step_response))
+                .collect();
+        }
+        Self {
+            values: step_response,
+            last,
+            rise,
+        }
+    }
+
+    /// The speed in a step.
+    #[inline]
+    pub(crate) fn at(&self, step: usize) -> f64 {
+        match self.rise {
+            // It does not change after its last.
+            None => self.values[step.min(self.values.len() - 1)],
+            Some(rise) => {
+                let end = step as f64 + rise.moment;
+                (self.sum_to(end) - self.sum_to(end - rise.steps)) / rise.steps
+            }
+        }
+    }
+
+    /// Steps until it no longer changes.
+    pub(crate) fn settles(&self) -> usize {
+        let rise = self.rise.map_or(0.0, |rise| rise.steps);
+        self.values.len() + rise.ceil() as usize
+    }
+
+    /// All steps until then.
+    pub(crate) fn until_settled(&self) -> impl DoubleEndedIterator<Item = f64> + ExactSizeIterator {
+        (0..self.settles()).map(|step| self.at(step))
+    }
+
+    /// Where it stays.
+    pub(crate) fn last(&self) -> f64 {
+        self.last
+    }
+
+    /// The response to a step, summed up to a time in steps.
+    fn sum_to(&self, time: f64) -> f64 {
+        if time <= 0.0 {
+            return 0.0;
+        }
+        let whole = time as usize;
+        match self.values.get(whole..whole + 2) {
+            Some(ends) => ends[0] + (ends[1] - ends[0]) * time.fract(),
+            None => {
+                let end = self.values.len() - 1;
+                self.values[end] + self.last * (time - end as f64)
+            }
+        }
+    }
+}
+
+fn running_sums(values: &[f64]) -> Vec<f64> {
+    let sums = values.iter().scan(0.0, |sum, value| {
+        *sum += value;
+        Some(*sum)
+    });
+    sums.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TAPS: [f64; 5] = [0.1, 0.4, -0.2, 0.5, 0.2];
+
+    /// Against the sum of Eq. 17 over a speed that rises, wherever in a step that is taken.
+    #[test]
+    fn a_rise_is_answered_as_the_history_sum_does() {
+        for (rise, moment) in [(3.0, 0.0), (4.0, 0.5), (7.0, 0.0), (2.0, 0.5)] {
+            let sampling = Sampling::new(2.0, moment);
+            let start = SurfaceStart { rise: 0.5 * rise };
+            let response = SurfaceResponse::new(&TAPS, start, sampling);
+            // The mean over a step that the rise ends within is not the speed in its middle.
+            let speed = |step: usize| match moment {
+                0.0 => (step as f64 / rise).min(1.0),
+                _ => ((step as f64 + 0.5) / rise).min(1.0),
+            };
+            for step in 0..20 {
+                let taps = TAPS.iter().take(step + 1).enumerate();
+                let expected: f64 = taps.map(|(lag, tap)| tap * speed(step - lag)).sum();
+                let found = response.at(step);
+                assert!(
+                    (found - expected).abs() < 1e-12,
+                    "{rise} {step}: {found} {expected}"
+                );
+            }
+            assert!((response.at(response.settles()) - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn without_a_rise_it_is_the_response_to_a_step() {
+        let response =
+            SurfaceResponse::new(&TAPS, SurfaceStart::default(), Sampling::new(2.0, 0.5));
+        let expected = [0.1, 0.5, 0.3, 0.8, 1.0, 1.0];
+        for (step, expected) in expected.into_iter().enumerate() {
+            assert!((response.at(step) - expected).abs() < 1e-15);
+        }
+        assert_eq!(response.settles(), 5);
+    }
+}
