@@ -54,7 +54,7 @@ fn labels_have_a_row_for_each_case_and_method_in_order() {
         labels.lines().next().unwrap(),
         "case,method,surface_speed_rpm,weight_on_bit_kn,torque_dynamic_nm,torsion,lateral,\
          first_slip_s,period_s,slip_time_s,sticks,bit_speed_peak_rpm,bit_speed_closing_rpm,\
-         site_from_bit_m,first_contact_s,peak_radius_mm,mean_radius_mm,contact_fraction,\
+         stick_slip_severity,site_from_bit_m,first_contact_s,peak_radius_mm,mean_radius_mm,contact_fraction,\
          rolling_fraction,precession_turns_per_s,normal_force_mean_kn,ambiguous_steps,\
          predicted,simulated_s,ended,status"
     );

@@ -274,7 +274,8 @@ impl Case<'_> {
             simulated: self.system.sampling.start_of(end.last),
             ended: end.ended,
             predicted: end.predicted,
-            torsion: self.watch.bit.as_ref().map(BitWatch::measures),
+            torsion: (self.watch.bit.as_ref())
+                .map(|watch| watch.measures(self.scene.surface_speed)),
             lateral,
         }
         .finite()

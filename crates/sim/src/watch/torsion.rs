@@ -37,6 +37,12 @@ pub struct TorsionMeasures {
     pub peak_speed: f64,
     /// Mean speed of the bit over the closing window, rad/s.
     pub closing_speed: f64,
+    /// Severity of stick-slip, (ω_max − ω_min)/(2 ω_mean), of the fastest and slowest in the
+    /// closing window and of the surface speed, which is the bit's mean over whole cycles: about
+    /// 1 where the bit just stops, more where it stands still for long; none where the surface
+    /// does not turn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub severity: Option<f64>,
 }
 
 impl TorsionMeasures {
@@ -83,7 +89,26 @@ pub(crate) struct BitWatch {
     sticks: usize,
     slipping_steps: usize,
     peak_speed: f64,
-    closing_sum: f64,
+    closing: Closing,
+}
+
+/// Speeds in the closing window, rad/s.
+#[derive(Debug, Clone)]
+struct Closing {
+    sum: f64,
+    least: f64,
+    most: f64,
+}
+
+impl Closing {
+    fn see(&mut self, speed: f64, steps: usize) {
+        if steps == 0 {
+            return;
+        }
+        self.sum += steps as f64 * speed;
+        self.least = self.least.min(speed);
+        self.most = self.most.max(speed);
+    }
 }
 
 impl BitWatch {
@@ -109,7 +134,11 @@ impl BitWatch {
             sticks: 0,
             slipping_steps: 0,
             peak_speed: 0.0,
-            closing_sum: 0.0,
+            closing: Closing {
+                sum: 0.0,
+                least: f64::INFINITY,
+                most: f64::NEG_INFINITY,
+            },
         }
     }
 
@@ -147,7 +176,7 @@ impl BitWatch {
         }
         self.peak_speed = self.peak_speed.max(speed);
         if self.step >= self.closing_from {
-            self.closing_sum += speed;
+            self.closing.see(speed, 1);
         }
         self.step += 1;
     }
@@ -214,7 +243,7 @@ impl BitWatch {
             let phase = (step - begun) % period;
             let closing = step >= self.closing_from;
             if closing {
-                self.closing_sum += cycle[phase];
+                self.closing.see(cycle[phase], 1);
             }
             if phase == last.slipping {
                 self.sticks += 1;
@@ -239,7 +268,7 @@ impl BitWatch {
         }
         let last = speeds.last().copied().unwrap_or(0.0);
         let closing = self.steps - self.closing_from.max(self.step).min(self.steps);
-        self.closing_sum += closing as f64 * last;
+        self.closing.see(last, closing);
         self.step = self.steps;
     }
 
@@ -250,7 +279,8 @@ impl BitWatch {
         lately && self.sticks >= self.rules.repeated
     }
 
-    pub(crate) fn measures(&self) -> TorsionMeasures {
+    /// What came out at a surface speed, rad/s.
+    pub(crate) fn measures(&self, surface_speed: f64) -> TorsionMeasures {
         let time = |steps: usize| self.sampling.start_of(steps);
         let regime = match self.first_slip {
             None => TorsionRegime::Stuck,
@@ -262,6 +292,7 @@ impl BitWatch {
             .filter(|_| self.slips > 1)
             .map(|first| time(self.last_slip - first) / (self.slips - 1) as f64);
         let closing_steps = self.step.saturating_sub(self.closing_from).max(1);
+        let swing = self.closing.most - self.closing.least;
         TorsionMeasures {
             regime,
             first_slip: self.first_slip.map(|step| self.sampling.time_of(step)),
@@ -269,7 +300,56 @@ impl BitWatch {
             slip_time: (self.sticks > 0).then(|| time(self.slipping_steps) / self.sticks as f64),
             sticks: self.sticks,
             peak_speed: self.peak_speed,
-            closing_speed: self.closing_sum / closing_steps as f64,
+            closing_speed: self.closing.sum / closing_steps as f64,
+            severity: Some(0.5 * swing / surface_speed.abs())
+                .filter(|severity| severity.is_finite()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The last 40 of 100 steps count, whether they are seen, repeated or certain.
+    fn watched(speeds: impl Iterator<Item = f64>) -> BitWatch {
+        let mut watch = BitWatch::new(Rules::USUAL, Sampling::new(1.0, 0.0), 100, 40.0);
+        for speed in speeds {
+            let motion = match speed {
+                0.0 => BitMotion::Stuck,
+                _ => BitMotion::Forward,
+            };
+            watch.see(motion, speed);
+        }
+        watch
+    }
+
+    /// A speed of 2 ± ½, after a start that does not count.
+    fn swinging(step: usize) -> f64 {
+        match step {
+            0..60 => 9.0,
+            _ if step.is_multiple_of(2) => 1.5,
+            _ => 2.5,
+        }
+    }
+
+    #[test]
+    fn severity_is_the_swing_of_the_closing_window_by_the_surface_speed() {
+        let measures = watched((0..100).map(swinging)).measures(2.0);
+        assert_eq!(
+            (measures.closing_speed, measures.severity),
+            (2.0, Some(0.25))
+        );
+        // Turning on at speeds that are known, the last of which stays.
+        let mut certain = watched((0..50).map(swinging));
+        let ahead: Vec<f64> = (50..80).map(swinging).chain([3.0]).collect();
+        certain.turn_on(&ahead);
+        let measures = certain.measures(3.0);
+        assert!((measures.closing_speed - 2.5).abs() < 0.05);
+        assert_eq!(measures.severity, Some(0.25));
+        // A bit at 2 for half of the time: as a sine wave that just stops.
+        let sticking = watched((0..100).map(|step| if step % 20 < 10 { 0.0 } else { 2.0 }));
+        assert_eq!(sticking.measures(1.0).severity, Some(1.0));
+        assert_eq!(sticking.measures(0.0).severity, None);
     }
 }

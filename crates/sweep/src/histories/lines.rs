@@ -102,6 +102,10 @@ fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>) -> Vec<String> {
             format!("slipping {}", seconds(torsion.slip_time)),
             counted(torsion.sticks, "stick"),
             format!("peak {} rpm", short(to_rpm(torsion.peak_speed))),
+            (torsion.severity).map_or_else(
+                || "no severity".to_owned(),
+                |severity| format!("severity {severity:.2}"),
+            ),
         ]);
     }
     if found.is_empty() {

@@ -326,6 +326,7 @@ impl<'a> Fields<'a> {
             sticks: self.number()?,
             peak_speed: self.of_unit(to_rpm)?,
             closing_speed: self.of_unit(to_rpm)?,
+            severity: self.optional()?,
         }))
     }
 

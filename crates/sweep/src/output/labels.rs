@@ -9,7 +9,7 @@ use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
 
 /// Columns that follow the axes.
-const RESULT_COLUMNS: [&str; 21] = [
+const RESULT_COLUMNS: [&str; 22] = [
     "torsion",
     "lateral",
     "first_slip_s",
@@ -18,6 +18,7 @@ const RESULT_COLUMNS: [&str; 21] = [
     "sticks",
     "bit_speed_peak_rpm",
     "bit_speed_closing_rpm",
+    "stick_slip_severity",
     "site_from_bit_m",
     "first_contact_s",
     "peak_radius_mm",
@@ -38,7 +39,7 @@ const DONE: &str = "ok";
 pub(super) const FAILED: &str = "failed";
 
 /// How many of the columns are measures of torsion, and of lateral motion.
-pub(super) const TORSION_COLUMNS: usize = 6;
+pub(super) const TORSION_COLUMNS: usize = 7;
 pub(super) const LATERAL_COLUMNS: usize = 9;
 
 /// What the rows of a `labels.csv` have in common.
@@ -124,6 +125,7 @@ impl Row {
         self.add(torsion.sticks);
         self.add(to_rpm(torsion.peak_speed));
         self.add(to_rpm(torsion.closing_speed));
+        self.add_optional(torsion.severity);
     }
 
     fn add_lateral(&mut self, lateral: Option<&LateralMeasures>, site_from_bit_m: Option<f64>) {

@@ -29,6 +29,7 @@ fn record(pair: usize) -> Record {
         sticks: pair,
         peak_speed: number / 7e20,
         closing_speed: -0.0,
+        severity: (pair.is_multiple_of(5)).then_some(number / 11.0),
     };
     Record {
         torque_dynamic_nm: Some(1.0 / (1.0 + number)),
