@@ -125,7 +125,7 @@ fn creeping_is_not_taken_for_settled_stick_slip() {
         let design = "[design]\nkind = \"list\"\nfile = \"cases.csv\"\n";
         place.write(
             "well.toml",
-            format!("base = '{well}'\nmethods = [\"held\"]\n{keys}\n{design}"),
+            format!("base = '{well}'\nmethods = [\"held\"]\nsurface_speed_rise_s = 0\n{keys}\n{design}"),
         );
         place.write("cases.csv", cases);
         let run = ["run", "well.toml", "--out", "results", "--quiet"];
