@@ -125,7 +125,9 @@ fn creeping_is_not_taken_for_settled_stick_slip() {
         let design = "[design]\nkind = \"list\"\nfile = \"cases.csv\"\n";
         place.write(
             "well.toml",
-            format!("base = '{well}'\nmethods = [\"held\"]\nsurface_speed_rise_s = 0\n{keys}\n{design}"),
+            format!(
+                "base = '{well}'\nmethods = [\"held\"]\nsurface_speed_rise_s = 0\n{keys}\n{design}"
+            ),
         );
         place.write("cases.csv", cases);
         let run = ["run", "well.toml", "--out", "results", "--quiet"];
@@ -169,4 +171,29 @@ fn a_rise_of_the_surface_speed_puts_the_first_slip_off_by_half_of_it() {
         let later = first_slip(rise) - at_once;
         assert!((later - 0.5 * rise).abs() < 0.02, "{rise}: {later}");
     }
+}
+
+/// In the end the motor turns a bit that drills smoothly, and the whole string through its
+/// damping: momentum in, momentum out.
+#[test]
+fn the_motor_turns_bit_and_string() {
+    let place = Workplace::new();
+    let file = file("top_drive_soft_torque");
+    let at = [
+        "--set",
+        "surface_speed_rpm=0.5",
+        "--set",
+        "weight_on_bit_kn=50",
+    ];
+    let answer = place.sweep(&[&["simulate", &file, "--out", "looked"], &at[..]].concat());
+    assert_eq!(answer.code, 0, "{}", answer.errors);
+    let history = std::fs::read_to_string(place.path("looked/history.csv")).unwrap();
+    let rows = columns(&history, ["torque_on_bit_nm", "motor_torque_nm"]);
+    let [on_bit, of_motor] = (rows.last().unwrap())
+        .each_ref()
+        .map(|cell| cell.parse::<f64>().unwrap());
+    // c_t L of the paper's string is 10 000 N m s/rad.
+    let through_damping = 1e4 * 0.5 * std::f64::consts::TAU / 60.0;
+    let off = of_motor / (on_bit + through_damping) - 1.0;
+    assert!(off.abs() < 0.01, "{on_bit} {of_motor}");
 }

@@ -103,6 +103,7 @@ pub use num_complex::Complex64;
 pub use pulse::RaisedCosine;
 pub use responses::{
     ChannelRequest, ChannelResponses, ImpulseTrains, Request, Responses, responses, responses_with,
+    surface_torque,
 };
 pub use sites::Sites;
 pub use top_drive::TopDrive;

@@ -97,10 +97,15 @@ fn a_stiff_drive_is_a_surface_that_turns_as_prescribed() {
     }
 }
 
-/// Speed of the bit of a uniform undamped string while its drive follows a set speed: waves
-/// that go down arrive a travel time later, turn round at the free bit, and the motor's
-/// equation of motion is stepped in between, by Heun's rule in very short steps.
-fn stepped(string: &Drillstring, set: impl Fn(f64) -> f64, time: f64) -> impl Fn(f64) -> f64 {
+/// Speed of the bit of a uniform undamped string, and the torque of the motor, while its drive
+/// follows a set speed: waves that go down arrive a travel time later, turn round at the free
+/// bit, and the motor's equation of motion is stepped in between, by Heun's rule in very short
+/// steps.
+fn stepped(
+    string: &Drillstring,
+    set: impl Fn(f64) -> f64,
+    time: f64,
+) -> (impl Fn(f64) -> f64, impl Fn(f64) -> f64) {
     let (drive, travel) = (string.top_drive().unwrap(), torsional_travel_time(string));
     let impedance = torsional_impedance(string, &string.sections()[0].parts[0]);
     let delay = 4000;
@@ -108,6 +113,7 @@ fn stepped(string: &Drillstring, set: impl Fn(f64) -> f64, time: f64) -> impl Fn
     let steps = (time / step) as usize;
     // Speeds that the wave which goes down has at the surface.
     let mut down: Vec<f64> = Vec::with_capacity(steps);
+    let mut torques: Vec<f64> = Vec::with_capacity(steps);
     let (mut speed, mut turned) = (0.0, 0.0);
     // From the free bit a wave comes back as it was.
     let up = |down: &[f64], index: usize| match index.checked_sub(2 * delay) {
@@ -126,6 +132,7 @@ fn stepped(string: &Drillstring, set: impl Fn(f64) -> f64, time: f64) -> impl Fn
         down.push(speed - up(&down, index));
         let first = rate(now, speed, turned, up(&down, index));
         let missing = set(now) - speed;
+        torques.push(drive.proportional_gain * missing + drive.integral_gain * turned);
         let next_up = if index + 1 < 2 * delay {
             0.0
         } else {
@@ -138,14 +145,15 @@ fn stepped(string: &Drillstring, set: impl Fn(f64) -> f64, time: f64) -> impl Fn
         speed += 0.5 * step * (first + second);
         turned = next_turned;
     }
-    move |time: f64| {
-        let place = (time - travel) / step;
-        if place < 0.0 {
-            return 0.0;
-        }
+    let between = |values: &[f64], place: f64| {
         let (index, part) = (place as usize, place.fract());
-        2.0 * (down[index] * (1.0 - part) + down[index + 1] * part)
-    }
+        values[index] * (1.0 - part) + values[index + 1] * part
+    };
+    let bit_speed = move |time: f64| match (time - travel) / step {
+        place if place < 0.0 => 0.0,
+        place => 2.0 * between(&down, place),
+    };
+    (bit_speed, move |time: f64| between(&torques, time / step))
 }
 
 /// Two methods that share no code; errors fall as the square of the step.
@@ -153,7 +161,7 @@ fn stepped(string: &Drillstring, set: impl Fn(f64) -> f64, time: f64) -> impl Fn
 fn a_motor_and_a_wave_stepped_in_time_say_the_same() {
     let string = below(&pipes::row(100, 0.0), drive(2000.0, 3000.0, 2000.0));
     let rise = RaisedCosine { duration: 0.4 };
-    let exact = stepped(&string, |time| rise.integral(time), 8.0);
+    let (exact, exact_torque) = stepped(&string, |time| rise.integral(time), 8.0);
     for method in methods() {
         let error = |frequency: f64| -> f64 {
             let steps = (7.0 * frequency) as usize;
@@ -164,9 +172,23 @@ fn a_motor_and_a_wave_stepped_in_time_say_the_same() {
             let taps = at_bit(&string, method, frequency, 7.0);
             let found = oracles::convolve(&taps.from_surface[0], &input);
             let errors = found.iter().enumerate();
-            errors
+            let speed = errors
                 .map(|(step, speed)| (speed - exact(time(step))).abs())
-                .fold(0.0, f64::max)
+                .fold(0.0, f64::max);
+            let request = Request {
+                sites: Sites::bit(),
+                channels: Vec::new(),
+                sampling_frequency: frequency,
+                longest_time: 7.0,
+            };
+            let taps = linear::surface_torque(&string, &method, &request).unwrap();
+            let found = oracles::convolve(&taps, &input);
+            let errors = found.iter().enumerate();
+            let torque = errors
+                .map(|(step, torque)| (torque - exact_torque(time(step))).abs())
+                .fold(0.0, f64::max);
+            // The motor's torque is some thousand N m.
+            speed.max(torque / 1e4)
         };
         let [coarse, fine] = [160.0, 320.0].map(error);
         assert!(fine < 0.02, "{}: {fine:e}", method.name());
@@ -181,6 +203,26 @@ fn a_motor_and_a_wave_stepped_in_time_say_the_same() {
             "{}: {coarse:e} {fine:e}",
             method.name()
         );
+    }
+}
+
+/// In the end the surface is turned against the damping of the whole string, whatever turns it.
+#[test]
+fn the_torque_at_the_surface_is_in_the_end_what_damping_takes() {
+    let string = academic::string();
+    let resistance = string.torsional_damping() * string.length();
+    let soft = controllers::soft_torque(&string, 4000.0);
+    for string in [string.clone(), below(&string, soft)] {
+        for method in methods()
+            .into_iter()
+            .chain([Method::Hilbert(Default::default())])
+        {
+            let taps =
+                linear::surface_torque(&string, &method, &academic::bit_request(20.0)).unwrap();
+            let torque: f64 = taps.iter().sum();
+            let off = torque / resistance - 1.0;
+            assert!(off.abs() < 1e-4, "{}: {off:e}", method.name());
+        }
     }
 }
 

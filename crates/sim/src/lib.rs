@@ -107,7 +107,7 @@ pub use scene::{Lateral, Scene, Timing};
 pub use simulator::Simulator;
 pub use steady_whirl::{SteadyWhirl, WhirlingSite};
 pub use stepper::{Step, Stepper};
-pub use surface::SurfaceStart;
+pub use surface::{SurfaceStart, surface_torque};
 pub use system::System;
 pub use timing::torsion_timing;
 pub use trajectory::Trajectory;

@@ -1,5 +1,9 @@
 //! How the surface starts to turn, and what that makes of the sites.
 
+use linear::{ResponseError, Responses};
+
+use crate::convolution::{Convolution, Kernels};
+use crate::error::SimulationError;
 use crate::ranges::{SceneError, not_negative};
 use crate::sampling::Sampling;
 
@@ -101,6 +105,40 @@ impl SurfaceResponse {
             }
         }
     }
+}
+
+/// Torque with which the surface is turned, N m, in every step of a motion in which nothing
+/// acts but the torque on the bit: `taps` are those of [`linear::surface_torque`] by the method
+/// of the `responses`, and the surface comes to its speed (rad/s) as it started. Below a top drive
+/// it is the torque of its motor. A torque on the bit is met at the surface as the bit's speed is
+/// by the surface's (reciprocity, Eqs. 44–48).
+///
+/// # Errors
+/// Where these are not the responses of a string with a bit.
+pub fn surface_torque(
+    responses: &Responses,
+    taps: &[f64],
+    start: SurfaceStart,
+    surface_speed: f64,
+    bit_torque: &[f64],
+) -> Result<Vec<f64>, SimulationError> {
+    start.check()?;
+    responses.check()?;
+    let channel = linear::Channel::Torsion;
+    let torsion = (responses.torsion()).ok_or(ResponseError::NoChannel { channel })?;
+    let bit = (responses.sites.bit_site()).ok_or(SimulationError::NoTorqueInput)?;
+    let sampling = Sampling::new(responses.sampling_frequency, responses.method.moment());
+    let turned = SurfaceResponse::new(taps, start, sampling);
+    let kernels = Kernels::of(&[vec![&torsion.from_surface[bit]]]);
+    let mut from_bit = Convolution::new(&kernels, 1, bit_torque.len());
+    let torques = bit_torque.iter().enumerate().map(|(step, &torque)| {
+        let mut past = [0.0];
+        from_bit.write_past(&mut past);
+        from_bit.add(&[torque]);
+        let of_bit = past[0] + kernels.instant(0, 0) * torque;
+        surface_speed * turned.at(step) - of_bit
+    });
+    Ok(torques.collect())
 }
 
 fn running_sums(values: &[f64]) -> Vec<f64> {

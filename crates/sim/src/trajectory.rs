@@ -15,6 +15,9 @@ pub struct Trajectory {
     /// Torque on the bit, positive in the direction of rotation, N m; empty
     /// where the bit is free.
     pub bit_torque: Vec<f64>,
+    /// Torque with which the surface is turned, below a top drive that of its motor, N m; empty
+    /// unless it is asked for ([`crate::surface_torque`]).
+    pub surface_torque: Vec<f64>,
     /// Position of each site's centre, m; empty without lateral motion.
     pub positions: Vec<Vec<[f64; 2]>>,
     /// Force of the wall on each site, N; empty without lateral motion.
@@ -36,6 +39,7 @@ impl Trajectory {
             times: Vec::new(),
             speeds: vec![vec![0.0; held.len()]; system.loaded.len()],
             bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
+            surface_torque: Vec::new(),
             positions: vec![Vec::new(); walls],
             wall_forces: vec![Vec::new(); walls],
             forces: Default::default(),

@@ -126,6 +126,25 @@ pub struct TorsionAdmittance<T = Complex64> {
     pub from_torque: ResponseMatrix<T>,
 }
 
+/// The torque with which the surface has to be turned per motion that it is set to (the top row
+/// of D in Eq. 48), no torque acting below; of pieces from the surface down.
+pub fn torque_at_surface<T: Number>(
+    pieces: impl Iterator<Item = Option<DynamicStiffness<T>>>,
+    drive: Option<Drive<T>>,
+) -> T {
+    let whole = pieces.flatten().reduce(Stiffness::join);
+    // Below its lower end there is nothing.
+    let resists = whole.map_or(T::zero(), |whole| whole.above(T::zero()));
+    match drive {
+        None => resists,
+        // What the set motion does, less what the drive's own takes of it.
+        Some(Drive { holds, opposes }) => {
+            let own = holds * (opposes + resists).inverse();
+            holds * (-own + 1.0)
+        }
+    }
+}
+
 /// The response of nodes, from the surface down, of which the first `sites` are sites:
 /// each hangs from the one above by a piece, `None` where there is nothing. Stiffnesses
 /// are torques per motion, and a speed is `rate` times that motion. Without a drive the

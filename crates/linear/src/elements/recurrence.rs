@@ -83,23 +83,6 @@ impl<'a> ElementChain<'a> {
         })
     }
 
-    /// In torsion: rotation speeds at the sites from the surface's and from torques.
-    pub fn admittance<T: Number>(&self, zeta: T) -> TorsionAdmittance<T> {
-        let rates = Rates::at(&self.weights, zeta);
-        let tube = |tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
-        let pieces = self.spans.iter().map(|span| chain::span(span, tube));
-        let drive = self.string.top_drive().map(|drive| {
-            let per_speed = rates.velocity.inverse();
-            Drive::of(
-                &drive,
-                rates.acceleration * per_speed,
-                T::real(1.0),
-                per_speed,
-            )
-        });
-        torsion::reduce(pieces, self.sites, T::real(1.0), drive)
-    }
-
     /// In bending: displacements at the sites from forces there, m/N.
     pub fn receptance<T: Number>(
         &self,
@@ -115,6 +98,42 @@ impl<'a> ElementChain<'a> {
         };
         let pieces = self.spans.iter().map(|span| chain::span(span, tube));
         bending::reduce(pieces, self.sites, support)
+    }
+}
+
+impl ElementChain<'_> {
+    /// In torsion: rotation speeds at the sites from the surface's and from torques, at ζ,
+    /// |ζ| < 1.
+    pub fn admittance<T: Number>(&self, zeta: T) -> TorsionAdmittance<T> {
+        let rates = Rates::at(&self.weights, zeta);
+        let drive = self.drive(rates);
+        torsion::reduce(self.rows(rates), self.sites, T::real(1.0), drive)
+    }
+
+    /// Torque with which the surface has to be turned per unit of the speed that it is set to,
+    /// no torque acting below, N m s/rad.
+    pub fn surface_torque<T: Number>(&self, zeta: T) -> T {
+        let rates = Rates::at(&self.weights, zeta);
+        torsion::torque_at_surface(self.rows(rates), self.drive(rates))
+    }
+}
+
+impl ElementChain<'_> {
+    /// Elements between nodes, torques per speed.
+    fn rows<T: Number>(
+        &self,
+        rates: Rates<T>,
+    ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
+        let tube = move |tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
+        (self.spans.iter()).map(move |span| chain::span(span, tube))
+    }
+
+    fn drive<T: Number>(&self, rates: Rates<T>) -> Option<Drive<T>> {
+        self.string.top_drive().map(|drive| {
+            let rotation = rates.velocity.inverse();
+            let acceleration = rates.acceleration * rotation;
+            Drive::of(&drive, acceleration, T::real(1.0), rotation)
+        })
     }
 }
 

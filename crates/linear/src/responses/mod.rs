@@ -9,9 +9,11 @@ mod margin;
 mod request;
 pub(crate) mod torsion;
 pub(crate) mod trains;
+mod wanted;
 
 pub use channels::{ChannelResponses, Responses};
 pub use request::{ChannelRequest, Request};
+pub use torsion::surface_torque;
 pub use trains::ImpulseTrains;
 
 use rayon::prelude::*;

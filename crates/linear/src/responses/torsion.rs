@@ -4,7 +4,8 @@ use super::channels::ChannelResponses;
 use super::decay::{first_length, until_decayed};
 use super::length::{all_finite, samples_of, transform_length};
 use super::request::Request;
-use super::trains::{ImpulseTrains, fill};
+use super::trains::ImpulseTrains;
+use super::wanted::Wanted;
 use crate::assembly::lanes::Lanes;
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
@@ -27,8 +28,8 @@ struct Torsion<'a> {
     string: &'a Drillstring,
     method: &'a Method,
     request: &'a Request,
-    /// The sites that torques act on.
-    torques: &'a [usize],
+    /// What is to be known.
+    wanted: Wanted<'a>,
     /// What held responses are made of, where that is there.
     trains: Option<&'a ImpulseTrains>,
 }
@@ -45,12 +46,37 @@ pub(super) fn responses(
         string,
         method,
         request,
-        torques,
+        wanted: Wanted::Sites { torques },
         trains,
     };
     let (taps, ending) = torsion.taps()?;
     all_finite(&taps, method)?;
-    Ok(torsion.by_site(taps, ending))
+    Ok(torsion.by_site(taps, torques, ending))
+}
+
+/// Taps of the torque with which the surface of a string has to be turned, from the speed that
+/// it is set to, N m per rad/s; below a top drive that of its motor. No torque acts below: one
+/// that does, at a site, is met at the surface as less by the site's response from the surface
+/// (reciprocity). As long as the time of the request at least, or as they last.
+///
+/// # Errors
+/// As [`crate::responses()`].
+pub fn surface_torque(
+    string: &Drillstring,
+    method: &Method,
+    request: &Request,
+) -> Result<Vec<f64>, BuildError> {
+    request.check(string)?;
+    let torsion = Torsion {
+        string,
+        method,
+        request,
+        wanted: Wanted::SurfaceTorque,
+        trains: None,
+    };
+    let (mut taps, _) = torsion.taps()?;
+    all_finite(&taps, method)?;
+    Ok(taps.pop().unwrap_or_default())
 }
 
 impl Torsion<'_> {
@@ -82,11 +108,13 @@ impl Torsion<'_> {
         let taps = |trains: &ImpulseTrains| trains.taps(self.request.sampling_frequency);
         match self.trains {
             Some(trains) => {
-                trains.check(self.string, self.request, self.torques)?;
+                if let Wanted::Sites { torques } = self.wanted {
+                    trains.check(self.string, self.request, torques)?;
+                }
                 Ok(taps(trains))
             }
             None => {
-                let trains = ImpulseTrains::of_torques(self.string, self.request, self.torques)?;
+                let trains = ImpulseTrains::of_wanted(self.string, self.request, self.wanted)?;
                 Ok(taps(&trains))
             }
         }
@@ -121,7 +149,8 @@ impl Torsion<'_> {
     fn wave_response(&self) -> Result<impl Fn(Lanes, &mut [Lanes]) + Sync + '_, BuildError> {
         let network = TorsionNetwork::new(self.string, &self.request.sites)?;
         Ok(move |s: Lanes, responses: &mut [Lanes]| {
-            fill(self.torques, &network.admittance(s), responses)
+            let torque = || network.surface_torque(s);
+            (self.wanted).write(|| network.admittance(s), torque, responses);
         })
     }
 
@@ -133,7 +162,8 @@ impl Torsion<'_> {
         let sites = &self.request.sites;
         let chain = ElementChain::new(self.string, sites, parameters.elements_per_cell, weights)?;
         let response = |zeta: Lanes, responses: &mut [Lanes]| {
-            fill(self.torques, &chain.admittance(zeta), responses)
+            let torque = || chain.surface_torque(zeta);
+            (self.wanted).write(|| chain.admittance(zeta), torque, responses);
         };
         until_decayed(self.string, self.request, |length| {
             quadrature::series(length, self.count(), &response)
@@ -142,16 +172,21 @@ impl Torsion<'_> {
 
     /// Number of responses.
     fn count(&self) -> usize {
-        self.request.sites.len() * (1 + self.torques.len())
+        self.wanted.count(self.request.sites.len())
     }
 
     /// From one list to responses by site and load.
-    fn by_site(&self, mut taps: Vec<Vec<f64>>, ending: Ending) -> ChannelResponses {
-        let (sites, torques) = (self.request.sites.len(), self.torques.len());
+    fn by_site(
+        &self,
+        mut taps: Vec<Vec<f64>>,
+        loads: &[usize],
+        ending: Ending,
+    ) -> ChannelResponses {
+        let (sites, torques) = (self.request.sites.len(), loads.len());
         let mut from_torques = taps.split_off(sites).into_iter();
         ChannelResponses {
             channel: Channel::Torsion,
-            loads: self.torques.to_vec(),
+            loads: loads.to_vec(),
             from_surface: taps,
             from_loads: (0..sites)
                 .map(|_| from_torques.by_ref().take(torques).collect())

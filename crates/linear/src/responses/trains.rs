@@ -2,13 +2,13 @@
 
 use super::decay::until_decayed;
 use super::request::{ChannelRequest, Request};
+use super::wanted::Wanted;
 use crate::assembly::lanes::Lanes;
 use crate::drillstring::{Drillstring, StringId};
 use crate::error::{BuildError, ResponseError};
 use crate::filters::{held, quadrature};
 use crate::passivity::Ending;
 use crate::sites::Sites;
-use crate::waves::TorsionAdmittance;
 use crate::waves::lattice::Lattice;
 
 /// The torsional responses of a string on its lattice: trains of impulses, one after each
@@ -41,21 +41,22 @@ impl ImpulseTrains {
             ChannelRequest::Bending { .. } => None,
         });
         torques
-            .map(|torques| Self::of_torques(string, request, torques))
+            .map(|torques| Self::of_wanted(string, request, Wanted::Sites { torques }))
             .transpose()
     }
 
-    pub(super) fn of_torques(
+    pub(super) fn of_wanted(
         string: &Drillstring,
         request: &Request,
-        torques: &[usize],
+        wanted: Wanted,
     ) -> Result<Self, BuildError> {
         let lattice = Lattice::new(string, &request.sites)?;
         let on_lattice = on_lattice(request, &lattice);
         let response = |zeta: Lanes, responses: &mut [Lanes]| {
-            fill(torques, &lattice.admittance(zeta), responses)
+            let torque = || lattice.surface_torque(zeta);
+            wanted.write(|| lattice.admittance(zeta), torque, responses);
         };
-        let count = request.sites.len() * (1 + torques.len());
+        let count = wanted.count(request.sites.len());
         let (trains, ending) = until_decayed(string, &on_lattice, |length| {
             quadrature::series(length, count, &response)
         })?;
@@ -67,7 +68,7 @@ impl ImpulseTrains {
         Ok(Self {
             string: string.id(),
             sites: request.sites.clone(),
-            torques: torques.to_vec(),
+            torques: wanted.torques().to_vec(),
             longest_time: request.longest_time,
             step: lattice.step,
             trains,
@@ -117,23 +118,5 @@ pub(crate) fn on_lattice(request: &Request, lattice: &Lattice) -> Request {
         sampling_frequency: 1.0 / lattice.step,
         longest_time: request.longest_time + 2.0 / request.sampling_frequency,
         ..request.clone()
-    }
-}
-
-/// Writes those responses that are asked for: of all sites from the surface, then of all
-/// sites from each torque.
-pub(super) fn fill(
-    torques: &[usize],
-    admittance: &TorsionAdmittance<Lanes>,
-    responses: &mut [Lanes],
-) {
-    let sites = admittance.from_surface.len();
-    responses[..sites].copy_from_slice(&admittance.from_surface);
-    let from_torques = (0..sites).flat_map(|site| {
-        let admittance = &admittance.from_torque;
-        torques.iter().map(move |&input| admittance[(site, input)])
-    });
-    for (response, value) in responses[sites..].iter_mut().zip(from_torques) {
-        *response = value;
     }
 }

@@ -15,7 +15,9 @@
 
 use crate::assembly::chain::Stiffness;
 use crate::assembly::number::Number;
-use crate::assembly::torsion::{Drive, DynamicStiffness, TorsionAdmittance, reduce};
+use crate::assembly::torsion::{
+    Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
+};
 use crate::drillstring::{Drillstring, Section};
 use crate::error::DrillstringError;
 use crate::estimates::{torsional_impedance, torsional_travel_time};
@@ -121,21 +123,41 @@ impl Lattice {
         }
     }
 
+    /// The pieces between nodes, torques per speed.
+    fn pieces<T: Number>(
+        &self,
+        waves: &Waves<T>,
+    ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
+        self.spans.iter().map(|runs| {
+            let runs = runs.iter().filter_map(|run| run.stiffness(waves));
+            runs.reduce(DynamicStiffness::join)
+        })
+    }
+
+    /// By the trapezoidal rule, which keeps energy as the pieces do.
+    fn drive<T: Number>(&self, waves: &Waves<T>) -> Option<Drive<T>> {
+        self.top_drive.map(|drive| {
+            let rotation = waves.opposite * (0.5 * self.step);
+            let acceleration = waves.alike * (2.0 / self.step);
+            Drive::of(&drive, acceleration, T::real(1.0), rotation)
+        })
+    }
+}
+
+impl Lattice {
     /// The response to what is held over each time h, as speeds in them, at the delay ζ
     /// of h, |ζ| < 1.
     pub fn admittance<T: Number>(&self, zeta: T) -> TorsionAdmittance<T> {
         let waves = Waves::at(zeta);
-        let spans = self.spans.iter().map(|runs| {
-            let runs = runs.iter().filter_map(|run| run.stiffness(&waves));
-            runs.reduce(DynamicStiffness::join)
-        });
-        // By the trapezoidal rule, which keeps energy as the pieces do.
-        let drive = self.top_drive.map(|drive| {
-            let per_speed = waves.opposite * (0.5 * self.step);
-            let acceleration = waves.alike * (2.0 / self.step);
-            Drive::of(&drive, acceleration, T::real(1.0), per_speed)
-        });
-        reduce(spans, self.sites, T::real(1.0), drive)
+        let drive = self.drive(&waves);
+        reduce(self.pieces(&waves), self.sites, T::real(1.0), drive)
+    }
+
+    /// Torque with which the surface has to be turned per unit of the speed that it is set to,
+    /// no torque acting below, N m s/rad.
+    pub fn surface_torque<T: Number>(&self, zeta: T) -> T {
+        let waves = Waves::at(zeta);
+        torque_at_surface(self.pieces(&waves), self.drive(&waves))
     }
 }
 

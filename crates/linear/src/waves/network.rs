@@ -6,8 +6,10 @@ use num_complex::Complex64;
 use super::torsion::uniform;
 use crate::assembly::chain;
 use crate::assembly::number::Number;
-use crate::assembly::torsion::{Drive, TorsionAdmittance, reduce};
-use crate::drillstring::Drillstring;
+use crate::assembly::torsion::{
+    Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
+};
+use crate::drillstring::{Drillstring, Tube};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
 use crate::spans::Span;
@@ -38,13 +40,44 @@ impl<'a> TorsionNetwork<'a> {
         self.admittance(Complex64::new(0.0, std::f64::consts::TAU * frequency))
     }
 
+    /// The pieces between nodes, torques per rotation.
+    fn pieces<T: Number>(&self, s: T) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
+        let tube = move |tube: &Tube| uniform(self.string, tube, s);
+        (self.spans.iter()).map(move |span| chain::span(span, tube))
+    }
+
+    fn drive<T: Number>(&self, s: T) -> Option<Drive<T>> {
+        let drive = self.string.top_drive();
+        drive.map(|drive| Drive::of(&drive, s * s, s, T::real(1.0)))
+    }
+
+    /// Torque per speed at the surface where all turns alike for ever.
+    fn torque_at_rest(&self) -> f64 {
+        let resistance = self.string.torsional_damping() * self.string.length();
+        match self.string.top_drive() {
+            // It gives way, and nothing brings it back.
+            Some(drive) if drive.integral_gain == 0.0 => {
+                let gain = drive.proportional_gain;
+                gain * resistance / (gain + resistance)
+            }
+            _ => resistance,
+        }
+    }
+}
+
+impl TorsionNetwork<'_> {
     /// The response at the Laplace variable `s` (rad/s, Re s ≥ 0).
     pub fn admittance<T: Number>(&self, s: T) -> TorsionAdmittance<T> {
-        let tube = |tube: &_| uniform(self.string, tube, s);
-        let pieces = self.spans.iter().map(|span| chain::span(span, tube));
-        // Stiffnesses of waves are torques per rotation.
-        let drive = self.string.top_drive();
-        let drive = drive.map(|drive| Drive::of(&drive, s * s, s, T::real(1.0)));
-        reduce(pieces, self.sites, s, drive)
+        reduce(self.pieces(s), self.sites, s, self.drive(s))
+    }
+
+    /// Torque with which the surface has to be turned per unit of the speed that it is set to,
+    /// no torque acting below, N m s/rad.
+    pub fn surface_torque<T: Number>(&self, s: T) -> T {
+        let torque = torque_at_surface(self.pieces(s), self.drive(s));
+        T::of_lanes(|lane| match s.lane(lane) {
+            Complex64::ZERO => self.torque_at_rest().into(),
+            s => torque.lane(lane) / s,
+        })
     }
 }

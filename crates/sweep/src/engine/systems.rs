@@ -228,6 +228,30 @@ impl MethodSystem {
         Some(system.driven_speeds(speed, &motion.bit_torque, steps))
     }
 
+    /// Torque of the motor, N m, in a motion of which the torque on the bit is known. `None`
+    /// without a top drive, and where lateral motion is modelled: friction at walls acts there.
+    ///
+    /// # Errors
+    /// Where the method does not treat the string.
+    pub fn motor_torque(&self, case: &Case, motion: &Trajectory) -> Result<Option<Vec<f64>>> {
+        let (setting, longest_time) = (&self.setting, self.responses.longest_time);
+        let is_driven = setting.string.top_drive().is_some() && !motion.bit_torque.is_empty();
+        if !is_driven || self.responses.bending().is_some() {
+            return Ok(None);
+        }
+        let request = request(setting, false, longest_time);
+        let taps = linear::surface_torque(&setting.string, &self.method, &request)?;
+        let speed = case.scene.surface_speed;
+        let torques = sim::surface_torque(
+            &self.responses,
+            &taps,
+            setting.start,
+            speed,
+            &motion.bit_torque,
+        )?;
+        Ok(Some(torques))
+    }
+
     /// What a run with these options comes to of a case; `method` is this one's place in
     /// the sweep's list. A case that panics is one without an answer, and not the end of
     /// the sweep.

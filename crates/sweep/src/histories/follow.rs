@@ -73,6 +73,9 @@ impl FollowedMethod {
             let method = self.case.method.name();
             format!("case {} by {method}, followed to its end", case.index)
         })?;
+        if let Some(torques) = self.case.motor_torque(case, &motion)? {
+            motion.surface_torque = torques;
+        }
         if let Some(watched) = &self.watched
             && let Some(mut speeds) = watched.driven_speeds(case, &motion)
         {

@@ -5,7 +5,7 @@ use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
 use super::marks::{level, shown_clearance};
-use super::simulation::{Simulation, has_torque};
+use super::simulation::{Simulation, has_surface_torque, has_torque};
 use crate::engine::Case;
 use crate::plan::{LateralSettings, Sweep, to_rpm};
 use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
@@ -126,6 +126,13 @@ impl Histories<'_> {
         let difference = self.difference("Difference in bit speed (rpm)", list.first());
         if has_torque(self.simulations) {
             list.push(self.torque());
+        }
+        if has_surface_torque(self.simulations) {
+            list.push(self.panel(
+                "Torque of top drive (kN m)",
+                self.of_each(&|trajectory, index| 1e-3 * trajectory.surface_torque[index]),
+                Vec::new(),
+            ));
         }
         list.extend(difference);
         list

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-use super::simulation::{Simulation, has_torque};
+use super::simulation::{Simulation, has_surface_torque, has_torque};
 use crate::engine::Record;
 use crate::output::LabelTable;
 use crate::plan::{Sweep, to_rpm};
@@ -25,6 +25,8 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
     let distances = sites.distances_from_bit().iter();
     header.extend(distances.map(|&distance| format!("{}_speed_rpm", site_name(distance))));
     header.extend(with_torque.then(|| "torque_on_bit_nm".to_owned()));
+    let at_surface = has_surface_torque(simulations);
+    header.extend(at_surface.then(|| "motor_torque_nm".to_owned()));
     let mut motions = simulations.iter().map(|simulation| &simulation.trajectory);
     let with_positions = motions.any(|motion| !motion.positions.is_empty());
     if with_positions {
@@ -47,6 +49,9 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
             fields.extend(speeds.map(|speeds| to_rpm(speeds[index]).to_string()));
             if with_torque {
                 fields.push((-trajectory.bit_torque[index]).to_string());
+            }
+            if at_surface {
+                fields.push(trajectory.surface_torque[index].to_string());
             }
             if with_positions {
                 let forces = &trajectory.wall_forces;

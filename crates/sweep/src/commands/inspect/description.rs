@@ -174,7 +174,7 @@ pub fn describe_left_out(sweep: &Sweep) -> String {
             text += "  sites other than the bit, in a run: labels are of the bit alone\n";
         }
     }
-    text += "  the torque at the surface: nothing depends on it\n";
+    text += "  the torque at the surface, in a run: nothing depends on it\n";
     if sweep.bit.is_none() {
         text += "  torque at the bit: the bit is free\n";
     }
