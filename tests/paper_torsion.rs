@@ -58,6 +58,7 @@ fn bit(torque_dynamic: f64) -> BitTorque {
     BitTorque {
         torque_static: 1.2 * torque_dynamic,
         torque_dynamic,
+        decay_speed: 0.0,
     }
 }
 

@@ -57,7 +57,7 @@
 //! };
 //! let responses = linear::responses(&string, &Method::Quadrature, &request)?;
 //! let simulator = Simulator::new(&responses)?;
-//! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0 };
+//! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0, decay_speed: 0.0 };
 //! let scene = Scene {
 //!     surface_speed: 0.5,
 //!     bit: Some(bit),

@@ -229,6 +229,10 @@ impl Case<'_> {
         let (Some(alone), Some(watch)) = (self.alone, &mut self.watch.bit) else {
             return false;
         };
+        // What is to come follows from a torque that stays.
+        if self.scene.bit.is_some_and(|bit| bit.decay_speed > 0.0) {
+            return false;
+        }
         let Some(speeds) = alone.turns_on(self.system, &self.stepper, watch, &self.rules) else {
             return false;
         };

@@ -19,6 +19,7 @@ use sim::{
 const BIT: BitTorque = BitTorque {
     torque_static: 4800.0,
     torque_dynamic: 4000.0,
+    decay_speed: 0.0,
 };
 
 fn string_of(lengths: &[(f64, f64)]) -> Drillstring {

@@ -19,6 +19,7 @@ const LONGEST: f64 = 2.0;
 const BIT: BitTorque = BitTorque {
     torque_static: 1200.0,
     torque_dynamic: 1000.0,
+    decay_speed: 0.0,
 };
 
 const WALL: Wall = Wall {
@@ -364,6 +365,7 @@ proptest! {
         scene.bit = cuts.then_some(BitTorque {
             torque_static: 1.2 * torque,
             torque_dynamic: torque,
+            decay_speed: 0.0,
         });
         let lateral = lateral(&mut scene);
         lateral.walls = vec![Wall { friction, stiffness, ..WALL }; 2];

@@ -89,6 +89,7 @@ fn the_built_in_law_as_ones_own_gives_the_built_in_motion() {
     let law = BitTorque {
         torque_static: 1200.0,
         torque_dynamic: 1000.0,
+        decay_speed: 0.0,
     };
     let simulator = Simulator::new(&responses).unwrap();
     for surface_speed in [0.01, 0.5] {

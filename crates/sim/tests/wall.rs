@@ -144,6 +144,7 @@ fn any_bit() -> impl Strategy<Value = Option<(BitTorque, BitMotion)>> {
         (any_number(0.0..1e5f64), any_number(1.0..2.0f64)).prop_map(|(torque, ratio)| BitTorque {
             torque_static: ratio * torque,
             torque_dynamic: torque,
+            decay_speed: 0.0,
         });
     prop::option::of((law, motions))
 }

@@ -301,6 +301,7 @@ fn the_bit_cuts_and_touches_the_wall_at_once() {
     let bit = sim::BitTorque {
         torque_static: 2400.0,
         torque_dynamic: 2000.0,
+        decay_speed: 0.0,
     };
     let run = |friction: f64, ratio: f64| {
         let scene = Scene {

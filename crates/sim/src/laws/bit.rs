@@ -1,5 +1,6 @@
 //! Torque between bit and rock: stuck up to T_s, sliding against T_d
-//! (Sections 2.2.2 and 4.2), met by the load line of Eq. 16.
+//! (Sections 2.2.2 and 4.2), met by the load line of Eq. 16. Between the two the torque may
+//! fall with the speed, T_d + (T_s − T_d) e^(−ω/ω_c) (Stribeck), instead of at once.
 
 use super::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::ranges::{SceneError, not_negative};
@@ -11,6 +12,9 @@ pub struct BitTorque {
     pub torque_static: f64,
     /// T_d: the torque against a turning bit; at most T_s.
     pub torque_dynamic: f64,
+    /// ω_c, rad/s: the speed at which e⁻¹ of what T_s is more than T_d is left; zero where the
+    /// torque falls at once.
+    pub decay_speed: f64,
 }
 
 /// What the bit was doing in the last step.
@@ -25,6 +29,12 @@ pub enum BitMotion {
     Backward,
 }
 
+/// Newton's steps to a speed: close to where both roots are one, each halves what is left.
+const MOST_STEPS: usize = 100;
+
+/// A speed is known to this part of it.
+const SAME_SPEED: f64 = 1e-14;
+
 impl TorqueLaw for BitTorque {
     type State = BitMotion;
 
@@ -32,8 +42,8 @@ impl TorqueLaw for BitTorque {
     /// torque law (Eqs. 16 and 18).
     ///
     /// Where load line and law cross more than once, Friedlander's rule keeps
-    /// the bit doing what it did: a turning bit turns on while −T_d leaves it
-    /// a speed in that direction, a stuck one stays while |T| ≤ T_s.
+    /// the bit doing what it did: a turning bit turns on, at the largest speed that they have
+    /// in common, while there is one in that direction, a stuck one stays while |T| ≤ T_s.
     #[inline]
     fn meet(&self, before: &BitMotion, line: LoadLine) -> TorqueStep<BitMotion> {
         let turns_on = match before {
@@ -51,6 +61,7 @@ impl TorqueLaw for BitTorque {
     fn check(&self) -> Result<(), SceneError> {
         not_negative("static torque of the bit in N m", self.torque_static)?;
         not_negative("dynamic torque of the bit in N m", self.torque_dynamic)?;
+        not_negative("decay speed of the bit's torque in rad/s", self.decay_speed)?;
         if self.torque_static < self.torque_dynamic {
             return Err(SceneError::Torques {
                 torque_static: self.torque_static,
@@ -63,7 +74,11 @@ impl TorqueLaw for BitTorque {
 
 impl BitTorque {
     fn slide(&self, direction: f64, line: LoadLine) -> Option<TorqueStep<BitMotion>> {
-        let torque = -direction * self.torque_dynamic;
+        let against = match self.decay_speed {
+            0.0 => self.torque_dynamic,
+            _ => self.torque_at(self.fastest(direction * line.free_speed, line.compliance)?),
+        };
+        let torque = -direction * against;
         let speed = line.free_speed + line.compliance * torque;
         (direction * speed > 0.0).then_some(TorqueStep {
             state: if direction > 0.0 {
@@ -74,6 +89,34 @@ impl BitTorque {
             torque,
             speed,
         })
+    }
+
+    /// Torque against a bit that turns at a speed, rad/s.
+    fn torque_at(&self, speed: f64) -> f64 {
+        let more = self.torque_static - self.torque_dynamic;
+        self.torque_dynamic + more * (-speed / self.decay_speed).exp()
+    }
+
+    /// The largest speed v > 0 with v + A T(v) = `driven`, where there is one. Above it the
+    /// left side is the larger, and it is convex: Newton's steps from what T_d alone would leave
+    /// come down to it, and past the least of it only where there is none.
+    fn fastest(&self, driven: f64, compliance: f64) -> Option<f64> {
+        let more = self.torque_static - self.torque_dynamic;
+        let mut speed = driven - compliance * self.torque_dynamic;
+        for _ in 0..MOST_STEPS {
+            let left = more * (-speed / self.decay_speed).exp();
+            let slope = 1.0 - compliance * left / self.decay_speed;
+            if speed <= 0.0 || slope <= 0.0 {
+                return None;
+            }
+            let excess = speed + compliance * (self.torque_dynamic + left) - driven;
+            let step = excess / slope;
+            speed -= step;
+            if step <= SAME_SPEED * speed {
+                break;
+            }
+        }
+        (speed > 0.0).then_some(speed)
     }
 
     fn hold_or_slip(&self, line: LoadLine) -> TorqueStep<BitMotion> {
@@ -99,6 +142,7 @@ mod tests {
     const LAW: BitTorque = BitTorque {
         torque_static: 1.2,
         torque_dynamic: 1.0,
+        decay_speed: 0.0,
     };
 
     fn line(free_speed: f64, compliance: f64) -> LoadLine {
@@ -132,6 +176,49 @@ mod tests {
         }
     }
 
+    proptest! {
+        /// The law's torque at the speed that is found, on the load line; no faster speed has
+        /// both, by a dense scan; and without a speed the scan finds none either.
+        #[test]
+        fn a_torque_that_falls_with_speed_is_met_where_it_is_fastest(
+            free_speed in -10.0..10.0f64,
+            compliance in 1e-2..1e2f64,
+            decay_speed in 1e-2..1e1f64,
+            before in prop_oneof![
+                Just(BitMotion::Stuck), Just(BitMotion::Forward), Just(BitMotion::Backward)
+            ],
+        ) {
+            let law = BitTorque { torque_static: 1.8, decay_speed, ..LAW };
+            let step = law.meet(&before, line(free_speed, compliance));
+            let on_line = free_speed + compliance * step.torque;
+            let size = free_speed.abs() + compliance;
+            prop_assert!((step.speed - on_line).abs() <= 1e-12 * size);
+            let excess = |speed: f64, direction: f64| {
+                speed + compliance * law.torque_at(speed) - direction * free_speed
+            };
+            let from = match step.state {
+                BitMotion::Stuck => {
+                    prop_assert!(step.torque.abs() <= law.torque_static);
+                    0.0
+                }
+                _ => {
+                    prop_assert!((step.torque.abs() - law.torque_at(step.speed.abs())).abs() < 1e-9);
+                    step.speed.abs()
+                }
+            };
+            // Who was not turning need not look for a speed.
+            let direction = match (step.state, before) {
+                (BitMotion::Stuck, BitMotion::Stuck) => return Ok(()),
+                (BitMotion::Stuck, BitMotion::Forward) | (BitMotion::Forward, _) => 1.0,
+                _ => -1.0,
+            };
+            for index in 1..2000 {
+                let speed = from + 1e-6 * size + 0.01 * f64::from(index) * size;
+                prop_assert!(excess(speed, direction) > 0.0, "{speed} beyond {from}");
+            }
+        }
+    }
+
     #[test]
     fn between_the_limits_the_bit_goes_on_as_it_was() {
         // The load line at −1.1 N m meets both branches.
@@ -151,6 +238,7 @@ mod tests {
         let free = BitTorque {
             torque_static: 0.0,
             torque_dynamic: 0.0,
+            decay_speed: 0.0,
         };
         let step = free.meet(&BitMotion::Stuck, line(0.3, 1.0));
         assert_eq!((step.state, step.speed), (BitMotion::Forward, 0.3));

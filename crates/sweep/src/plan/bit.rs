@@ -4,7 +4,7 @@ use sim::laws::rock::{CuttingLaw, PoorCleaning, RockError};
 use sim::{BitTorque, Rock};
 use thiserror::Error;
 
-use super::conditions::Conditions;
+use super::conditions::{Conditions, RPM};
 use crate::quantities::Axis;
 use crate::sweep_file::{BitTable, LawTable, RockName, Source, SweepFileError};
 
@@ -15,6 +15,8 @@ pub struct Bit {
     pub rock: Option<Rock>,
     /// T_s / T_d.
     pub static_ratio: f64,
+    /// Speed over which the torque falls from the one to the other, rad/s.
+    pub decay_speed: f64,
 }
 
 /// Why a rock gives no torque for a weight on bit.
@@ -58,6 +60,7 @@ impl Bit {
         BitTorque {
             torque_static: self.static_ratio * torque_dynamic,
             torque_dynamic,
+            decay_speed: self.decay_speed,
         }
     }
 }
@@ -69,6 +72,8 @@ impl Bit {
 pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
     let ratio = bit.torque_static_ratio;
     let static_ratio = source.within("bit.torque_static_ratio", ratio, 1.0, 10.0, "")?;
+    let (key, decay) = ("bit.torque_decay_rpm", bit.torque_decay_rpm);
+    let decay_speed = RPM * source.within(key, decay, 0.0, 1e4, "rpm")?;
     let rock = match (bit.rock, bit.law, &bit.table_kn_nm) {
         (None, None, None) => None,
         (Some(RockName::Sandstone), None, None) => Some(Rock::sandstone()),
@@ -87,7 +92,11 @@ pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
             return Err(source.error("bit.rock", message));
         }
     };
-    Ok(Bit { rock, static_ratio })
+    Ok(Bit {
+        rock,
+        static_ratio,
+        decay_speed,
+    })
 }
 
 fn law(source: &Source, table: &LawTable) -> Result<CuttingLaw, SweepFileError> {

@@ -4,7 +4,8 @@ use crate::design::Design;
 use crate::quantities::Axis;
 use crate::sweep_file::{BitTable, FileContent, Source, SweepFileError};
 
-const RPM: f64 = std::f64::consts::TAU / 60.0;
+/// One turn a minute, rad/s.
+pub const RPM: f64 = std::f64::consts::TAU / 60.0;
 
 /// Operating conditions of a case, in the units of their names.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

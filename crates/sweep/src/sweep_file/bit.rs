@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::file::is_zero;
+
 /// Torque at the bit: given, or from a rock and a weight on bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -20,6 +22,9 @@ pub struct BitTable {
     /// T_s / T_d. Default 1.2.
     #[serde(default = "default_static_ratio")]
     pub torque_static_ratio: f64,
+    /// Speed over which the torque falls from T_s to T_d, rpm. Default 0: at once.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub torque_decay_rpm: f64,
 }
 
 fn default_static_ratio() -> f64 {
