@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::file::is_zero;
+use super::number_or::is_zero;
 
 /// Torque at the bit: given, or from a rock and a weight on bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

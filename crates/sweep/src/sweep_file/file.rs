@@ -8,7 +8,7 @@ use super::design::DesignTable;
 use super::lateral::{EccentricMassTable, ImpulseTable, SiteTable, WallTable};
 use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
-use super::number_or::{Accuracy, AutoOr};
+use super::number_or::{Accuracy, AutoOr, is_zero};
 use super::string::StringTable;
 use super::top_drive::TopDriveTable;
 
@@ -69,9 +69,4 @@ pub struct FileContent {
 
 fn default_methods() -> Vec<MethodName> {
     vec![MethodName::Held]
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
-pub(super) fn is_zero(value: &f64) -> bool {
-    *value == 0.0
 }

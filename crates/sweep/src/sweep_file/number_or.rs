@@ -86,3 +86,9 @@ impl<'de> Deserialize<'de> for AutoOr {
         })
     }
 }
+
+/// Whether a number that is zero by default is not given.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+pub fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
