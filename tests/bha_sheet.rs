@@ -154,6 +154,10 @@ fn mistakes_in_a_sheet_are_refused_with_file_and_line() {
             "bha.csv:2: 5 values, but 4 columns",
         ),
         (
+            "od_in,id_in,length_m,tj_od_in,tj_length_m\n5,4,9,6,9\n".to_owned(),
+            "bha.csv:2: a tool joint of 9.000 m is not shorter than the joint, 9.000 m",
+        ),
+        (
             format!("{header}pipe,500,4,9\n"),
             "bha.csv:2: half the outer diameter: 6.35 m",
         ),

@@ -5,7 +5,7 @@
 use faer::Mat;
 use num_complex::Complex64;
 
-use crate::drillstring::{Drillstring, Tube};
+use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::sites::Sites;
 use crate::waves::network::TorsionNetwork;
@@ -143,7 +143,7 @@ fn lumped_poles(string: &Drillstring, count: usize) -> Result<Vec<Complex64>, Bu
 }
 
 /// An equivalent uniform piece.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 struct Piece {
     inertia: f64,
     spring: f64,
@@ -162,11 +162,8 @@ fn pieces(string: &Drillstring, count: usize) -> Vec<Piece> {
     let (mut inertias, mut flexibilities) = (vec![0.0; count], vec![0.0; count]);
     let mut depth = 0.0;
     for tube in tubes {
-        let Tube {
-            length: of_tube, ..
-        } = *tube;
         let polar_moment = tube.polar_moment();
-        let (top, bottom) = (depth, depth + of_tube);
+        let (top, bottom) = (depth, depth + tube.length);
         let last = ((bottom / length).ceil() as usize).min(count);
         for piece in (top / length) as usize..last {
             let from = top.max(piece as f64 * length);

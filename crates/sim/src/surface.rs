@@ -124,6 +124,9 @@ pub fn surface_torque(
 ) -> Result<Vec<f64>, SimulationError> {
     start.check()?;
     responses.check()?;
+    if taps.is_empty() {
+        return Err(ResponseError::Shape.into());
+    }
     let channel = linear::Channel::Torsion;
     let torsion = (responses.torsion()).ok_or(ResponseError::NoChannel { channel })?;
     let bit = (responses.sites.bit_site()).ok_or(SimulationError::NoTorqueInput)?;

@@ -116,9 +116,7 @@ impl ElementChain<'_> {
         let rates = Rates::at(&self.weights, zeta);
         torsion::torque_at_surface(self.rows(rates), self.drive(rates))
     }
-}
 
-impl ElementChain<'_> {
     /// Elements between nodes, torques per speed.
     fn rows<T: Number>(
         &self,

@@ -108,9 +108,7 @@ impl Torsion<'_> {
         let taps = |trains: &ImpulseTrains| trains.taps(self.request.sampling_frequency);
         match self.trains {
             Some(trains) => {
-                if let Wanted::Sites { torques } = self.wanted {
-                    trains.check(self.string, self.request, torques)?;
-                }
+                trains.check(self.string, self.request, self.wanted.torques())?;
                 Ok(taps(trains))
             }
             None => {

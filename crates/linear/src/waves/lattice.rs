@@ -142,9 +142,7 @@ impl Lattice {
             Drive::of(&drive, acceleration, T::real(1.0), rotation)
         })
     }
-}
 
-impl Lattice {
     /// The response to what is held over each time h, as speeds in them, at the delay ζ
     /// of h, |ζ| < 1.
     pub fn admittance<T: Number>(&self, zeta: T) -> TorsionAdmittance<T> {

@@ -126,6 +126,16 @@ pub fn section(row: &Row, density: f64) -> Result<(Value, Told), String> {
         inner: row.inner_diameter,
         outer: row.outer_diameter,
     };
+    if let Some(length) = row
+        .tool_joint
+        .length
+        .filter(|length| *length >= body.length)
+    {
+        let (line, joint) = (row.line, body.length);
+        return Err(format!(
+            "{line}: a tool joint of {length:.3} m is not shorter than the joint, {joint:.3} m"
+        ));
+    }
     let given = given_parts(row, body);
     let dimensions: f64 = given
         .iter()
@@ -154,7 +164,7 @@ pub fn section(row: &Row, density: f64) -> Result<(Value, Told), String> {
 fn given_parts(row: &Row, body: Part) -> Vec<Part> {
     let joint = row.tool_joint;
     match (joint.outer_diameter, joint.length) {
-        (Some(outer), Some(length)) if length < body.length => vec![
+        (Some(outer), Some(length)) => vec![
             Part {
                 length: body.length - length,
                 ..body
