@@ -224,6 +224,12 @@ pub enum BuildError {
         /// Name of the method.
         method: &'static str,
     },
+    /// What a piece does between two nodes does not lead to what the string does.
+    #[error("{method} cannot step a string in pieces: take quadrature or finite-element")]
+    NotInPieces {
+        /// Name of the method.
+        method: &'static str,
+    },
     /// A response is not a number, because the string's constants are extreme.
     #[error("the response by {method} is not finite")]
     NotFinite {

@@ -45,6 +45,8 @@
 //! | Eqs. 72–75: estimates | [`estimates`] |
 //! | memory, before it is taken | [`cost`] |
 //! | how far responses are from the exact ones | [`deviation`] |
+//! | the string in pieces, for torques at many places | [`cascade`] |
+//! | the well, and how the string presses on its wall | [`well`] |
 //! | Eqs. 59–61: what a simulation needs | [`mod@responses`], by [`Channel`] and [`Port`] |
 //!
 //! ```
@@ -72,6 +74,7 @@
 extern crate self as linear;
 
 mod assembly;
+pub mod cascade;
 mod channel;
 mod checks;
 pub mod controllers;
@@ -94,7 +97,9 @@ mod top_drive;
 #[cfg(test)]
 mod validation;
 pub mod waves;
+pub mod well;
 
+pub use cascade::Cascade;
 pub use channel::{Channel, Port};
 pub use drillstring::{Bending, Drillstring, Material, Section, StringId, SurfaceSupport, Tube};
 pub use error::{BuildError, DrillstringError, ResponseError};

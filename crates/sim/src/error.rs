@@ -51,6 +51,14 @@ pub enum SimulationError {
         /// Number of sites.
         sites: usize,
     },
+    /// There are more torques than nodes, or fewer.
+    #[error("the scene has torques for {torques} nodes of the string, which has {nodes}")]
+    NotALawForEachNode {
+        /// Number of torques.
+        torques: usize,
+        /// Number of nodes.
+        nodes: usize,
+    },
     /// Forces act at sites where no torque may act: friction would turn nothing.
     #[error("the responses in bending need a torque at each of their sites")]
     UnlikeChannels,

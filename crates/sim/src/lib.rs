@@ -35,6 +35,7 @@
 //! | Section 5.2.1: stick-slip or smooth | [`watch::torsion`] |
 //! | Section 5.2.2: transient contact or whirl | [`watch::lateral`], its bound in [`steady_whirl`] |
 //! | Section 5: what a case is, and what disturbs it | [`scene`], [`excitation`] |
+//! | friction all along the string, piece by piece | [`cascade`] |
 //! | one case from rest to its label | [`simulator`], [`Outcome`], [`trajectory`] |
 //! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`timing`] |
@@ -69,6 +70,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod cascade;
 pub mod convolution;
 pub mod cost;
 mod coupling;
@@ -79,6 +81,7 @@ pub mod laws;
 pub mod oscillator;
 mod outcome;
 mod ranges;
+mod recording;
 mod sampling;
 pub mod scene;
 mod shortcuts;
@@ -93,23 +96,27 @@ pub mod trajectory;
 pub mod watch;
 mod words;
 
+pub use cascade::{CascadeScene, CascadeSimulator, NodeTorque};
 pub use error::SimulationError;
 pub use excitation::{EccentricMass, Impulse};
 pub use laws::bit::BitTorque;
 pub use laws::contact::WallLaw;
+pub use laws::pipe::PipeFriction;
 pub use laws::rock::Rock;
 pub use laws::torque::{LoadLine, TorqueLaw};
 pub use laws::wall::Wall;
 pub use outcome::{Ended, Label, Outcome, Stopping};
 pub use ranges::SceneError;
+pub use recording::{Recording, RecordingError};
 pub use sampling::Sampling;
 pub use scene::{Lateral, Scene, Timing};
 pub use simulator::Simulator;
 pub use steady_whirl::{SteadyWhirl, WhirlingSite};
 pub use stepper::{Step, Stepper};
-pub use surface::{SurfaceStart, surface_torque};
+pub use surface::{SurfaceProfile, surface_torque};
 pub use system::System;
 pub use timing::torsion_timing;
 pub use trajectory::Trajectory;
 pub use watch::lateral::{LateralMeasures, LateralRegime};
+pub use watch::surface::SurfaceMeasures;
 pub use watch::torsion::{TorsionMeasures, TorsionRegime};

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::SimulationError;
 use crate::watch::lateral::{LateralMeasures, LateralRegime};
+use crate::watch::surface::SurfaceMeasures;
 use crate::watch::torsion::{TorsionMeasures, TorsionRegime};
 use crate::words::with_words;
 
@@ -98,6 +99,9 @@ pub struct Outcome {
     /// Regime and measures of the bit, where it meets rock.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub torsion: Option<TorsionMeasures>,
+    /// What turns the surface, where that is followed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface: Option<SurfaceMeasures>,
     /// Regime and measures of the lateral motion, where it is modelled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lateral: Option<LateralMeasures>,

@@ -17,7 +17,7 @@ pub struct Timing {
 }
 
 /// One case, from rest: the surface starts to turn at t = 0, as its system says
-/// ([`crate::SurfaceStart`]). The laws may be a user's
+/// ([`crate::SurfaceProfile`]). The laws may be a user's
 /// own ([`TorqueLaw`], [`WallLaw`]).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene<B = BitTorque, W = Wall> {

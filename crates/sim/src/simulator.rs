@@ -8,7 +8,7 @@ use crate::outcome::{Ended, Label, Outcome, Stopping};
 use crate::scene::{Lateral, Scene};
 use crate::shortcuts::{BitAlone, pass_free_block};
 use crate::stepper::{Step, Stepper};
-use crate::surface::SurfaceStart;
+use crate::surface::SurfaceProfile;
 use crate::system::System;
 use crate::trajectory::Trajectory;
 use crate::watch::lateral::WallWatch;
@@ -29,15 +29,18 @@ impl Simulator {
     /// # Errors
     /// As [`System::new`].
     pub fn new(responses: &Responses) -> Result<Self, SimulationError> {
-        Self::started(responses, SurfaceStart::default())
+        Self::started(responses, &SurfaceProfile::default())
     }
 
     /// The same for cases whose surface comes to its speed in another way.
     ///
     /// # Errors
     /// As [`System::started`].
-    pub fn started(responses: &Responses, start: SurfaceStart) -> Result<Self, SimulationError> {
-        let system = System::started(responses, start)?;
+    pub fn started(
+        responses: &Responses,
+        profile: &SurfaceProfile,
+    ) -> Result<Self, SimulationError> {
+        let system = System::started(responses, profile)?;
         Ok(Self {
             bit_alone: BitAlone::of(&system, responses),
             system,
@@ -280,6 +283,7 @@ impl Case<'_> {
             predicted: end.predicted,
             torsion: (self.watch.bit.as_ref())
                 .map(|watch| watch.measures(self.scene.surface_speed)),
+            surface: None,
             lateral,
         }
         .finite()

@@ -1,30 +1,53 @@
-//! How the surface starts to turn, and what that makes of the sites.
+//! How the surface turns, and what that makes of the sites.
 
 use linear::{ResponseError, Responses};
 
 use crate::convolution::{Convolution, Kernels};
 use crate::error::SimulationError;
 use crate::ranges::{SceneError, not_negative};
+use crate::recording::Recording;
 use crate::sampling::Sampling;
 
-/// How the surface comes to its speed, from rest at t = 0.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct SurfaceStart {
-    /// Time in which it rises evenly, s; zero where it turns at once.
-    pub rise: f64,
+/// The speed of the surface over time, in parts of that which a scene names; at rest before
+/// t = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SurfaceProfile {
+    /// It rises evenly to its speed in this time, s; at once where that is zero.
+    Rise(f64),
+    /// It was recorded.
+    Recorded(Recording),
 }
 
-impl SurfaceStart {
-    /// Checks that it is a time.
+impl Default for SurfaceProfile {
+    fn default() -> Self {
+        Self::Rise(0.0)
+    }
+}
+
+impl SurfaceProfile {
+    /// Checks that it is a speed over time.
     pub(crate) fn check(&self) -> Result<(), SceneError> {
-        not_negative("rise of the surface speed in s", self.rise)
+        match self {
+            Self::Rise(time) => not_negative("rise of the surface speed in s", *time),
+            // Checked when it was made.
+            Self::Recorded(_) => Ok(()),
+        }
+    }
+
+    /// The speed at a time, s.
+    pub(crate) fn at(&self, time: f64) -> f64 {
+        match self {
+            Self::Rise(rise) if time < *rise => (time / rise).max(0.0),
+            Self::Rise(_) => 1.0,
+            Self::Recorded(recording) => recording.at(time),
+        }
     }
 }
 
 /// Speed of a site in every step per unit of the speed that the surface comes to.
 #[derive(Debug, Clone)]
 pub(crate) struct SurfaceResponse {
-    /// The response to a step; to a rise, its sums before each step.
+    /// The response to a step, or to what was recorded; to a rise, its sums before each step.
     values: Vec<f64>,
     /// Where it stays.
     last: f64,
@@ -42,10 +65,16 @@ struct Rise {
 
 impl SurfaceResponse {
     /// From the taps of a site.
-    pub(crate) fn new(taps: &[f64], start: SurfaceStart, sampling: Sampling) -> Self {
+    pub(crate) fn new(taps: &[f64], profile: &SurfaceProfile, sampling: Sampling) -> Self {
+        let rise = match profile {
+            SurfaceProfile::Rise(rise) => *rise,
+            SurfaceProfile::Recorded(recording) => {
+                return Self::recorded(taps, recording, sampling);
+            }
+        };
         let mut step_response = running_sums(taps);
         let last = step_response.last().copied().unwrap_or(0.0);
-        let steps = start.rise * sampling.frequency;
+        let steps = rise * sampling.frequency;
         let rise = (steps > 0.0).then_some(Rise {
             steps,
             moment: sampling.moment,
@@ -59,6 +88,18 @@ impl SurfaceResponse {
             values: step_response,
             last,
             rise,
+        }
+    }
+
+    /// To what was recorded, after which the surface turns on as it did at last.
+    fn recorded(taps: &[f64], recording: &Recording, sampling: Sampling) -> Self {
+        let recorded = (recording.end() * sampling.frequency).ceil() as usize + 1;
+        let inputs = (0..recorded + taps.len()).map(|step| recording.at(sampling.time_of(step)));
+        let values = convolved(taps, &inputs.collect::<Vec<_>>());
+        Self {
+            last: values.last().copied().unwrap_or(0.0),
+            values,
+            rise: None,
         }
     }
 
@@ -109,7 +150,7 @@ impl SurfaceResponse {
 
 /// Torque with which the surface is turned, N m, in every step of a motion in which nothing
 /// acts but the torque on the bit: `taps` are those of [`linear::surface_torque`] by the method
-/// of the `responses`, and the surface comes to its speed (rad/s) as it started. Below a top drive
+/// of the `responses`, and the surface turns at its speed (rad/s) by its profile. Below a top drive
 /// it is the torque of its motor. A torque on the bit is met at the surface as the bit's speed is
 /// by the surface's (reciprocity, Eqs. 44–48).
 ///
@@ -118,11 +159,11 @@ impl SurfaceResponse {
 pub fn surface_torque(
     responses: &Responses,
     taps: &[f64],
-    start: SurfaceStart,
+    profile: &SurfaceProfile,
     surface_speed: f64,
     bit_torque: &[f64],
 ) -> Result<Vec<f64>, SimulationError> {
-    start.check()?;
+    profile.check()?;
     responses.check()?;
     if taps.is_empty() {
         return Err(ResponseError::Shape.into());
@@ -131,17 +172,24 @@ pub fn surface_torque(
     let torsion = (responses.torsion()).ok_or(ResponseError::NoChannel { channel })?;
     let bit = (responses.sites.bit_site()).ok_or(SimulationError::NoTorqueInput)?;
     let sampling = Sampling::new(responses.sampling_frequency, responses.method.moment());
-    let turned = SurfaceResponse::new(taps, start, sampling);
-    let kernels = Kernels::of(&[vec![&torsion.from_surface[bit]]]);
-    let mut from_bit = Convolution::new(&kernels, 1, bit_torque.len());
-    let torques = bit_torque.iter().enumerate().map(|(step, &torque)| {
-        let mut past = [0.0];
-        from_bit.write_past(&mut past);
-        from_bit.add(&[torque]);
-        let of_bit = past[0] + kernels.instant(0, 0) * torque;
-        surface_speed * turned.at(step) - of_bit
-    });
+    let turned = SurfaceResponse::new(taps, profile, sampling);
+    let from_bit = convolved(&torsion.from_surface[bit], bit_torque);
+    let torques = (from_bit.iter().enumerate())
+        .map(|(step, of_bit)| surface_speed * turned.at(step) - of_bit);
     Ok(torques.collect())
+}
+
+/// Σ A(k − n) E(n) for every input E(k).
+pub(crate) fn convolved(taps: &[f64], inputs: &[f64]) -> Vec<f64> {
+    let kernels = Kernels::of(&[vec![taps]]);
+    let mut convolution = Convolution::new(&kernels, 1, inputs.len());
+    let sums = inputs.iter().map(|&input| {
+        let mut past = [0.0];
+        convolution.write_past(&mut past);
+        convolution.add(&[input]);
+        past[0] + kernels.instant(0, 0) * input
+    });
+    sums.collect()
 }
 
 fn running_sums(values: &[f64]) -> Vec<f64> {
@@ -163,8 +211,8 @@ mod tests {
     fn a_rise_is_answered_as_the_history_sum_does() {
         for (rise, moment) in [(3.0, 0.0), (4.0, 0.5), (7.0, 0.0), (2.0, 0.5)] {
             let sampling = Sampling::new(2.0, moment);
-            let start = SurfaceStart { rise: 0.5 * rise };
-            let response = SurfaceResponse::new(&TAPS, start, sampling);
+            let profile = SurfaceProfile::Rise(0.5 * rise);
+            let response = SurfaceResponse::new(&TAPS, &profile, sampling);
             // The mean over a step that the rise ends within is not the speed in its middle.
             let speed = |step: usize| match moment {
                 0.0 => (step as f64 / rise).min(1.0),
@@ -183,10 +231,29 @@ mod tests {
         }
     }
 
+    /// A rise is one recording among others, and turns on after its end.
+    #[test]
+    fn a_recording_is_answered_as_the_history_sum_does() {
+        for moment in [0.0, 0.5] {
+            let sampling = Sampling::new(2.0, moment);
+            let recording =
+                Recording::new(vec![0.0, 1.0, 4.0, 5.0], vec![0.2, 0.9, -0.3, 0.5]).unwrap();
+            let profile = SurfaceProfile::Recorded(recording.clone());
+            let response = SurfaceResponse::new(&TAPS, &profile, sampling);
+            for step in 0..40 {
+                let taps = TAPS.iter().take(step + 1).enumerate();
+                let speed = |step: usize| recording.at(sampling.time_of(step));
+                let expected: f64 = taps.map(|(lag, tap)| tap * speed(step - lag)).sum();
+                assert!((response.at(step) - expected).abs() < 1e-12);
+            }
+            assert!((response.last() - 0.5).abs() < 1e-12);
+        }
+    }
+
     #[test]
     fn without_a_rise_it_is_the_response_to_a_step() {
         let response =
-            SurfaceResponse::new(&TAPS, SurfaceStart::default(), Sampling::new(2.0, 0.5));
+            SurfaceResponse::new(&TAPS, &SurfaceProfile::default(), Sampling::new(2.0, 0.5));
         let expected = [0.1, 0.5, 0.3, 0.8, 1.0, 1.0];
         for (step, expected) in expected.into_iter().enumerate() {
             assert!((response.at(step) - expected).abs() < 1e-15);

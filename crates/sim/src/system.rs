@@ -6,7 +6,7 @@ use crate::convolution::{Kernel, Kernels};
 use crate::error::SimulationError;
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
-use crate::surface::{SurfaceResponse, SurfaceStart};
+use crate::surface::{SurfaceProfile, SurfaceResponse};
 
 /// The linear part as all cases share it. What does not depend on the case is computed
 /// here once.
@@ -39,15 +39,18 @@ impl System {
     /// Where they are not those of a string, there are none in torsion, or those in
     /// bending are of sites where no torque may act.
     pub fn new(responses: &Responses) -> Result<Self, SimulationError> {
-        Self::started(responses, SurfaceStart::default())
+        Self::started(responses, &SurfaceProfile::default())
     }
 
     /// The same for cases whose surface comes to its speed in another way.
     ///
     /// # Errors
     /// As [`System::new`], and where there is no such start.
-    pub fn started(responses: &Responses, start: SurfaceStart) -> Result<Self, SimulationError> {
-        start.check()?;
+    pub fn started(
+        responses: &Responses,
+        profile: &SurfaceProfile,
+    ) -> Result<Self, SimulationError> {
+        profile.check()?;
         not_negative("longest time in s", responses.longest_time)?;
         responses.check()?;
         let channel = linear::Channel::Torsion;
@@ -67,7 +70,7 @@ impl System {
             sampling,
             longest_time: responses.longest_time,
             surface: (torsion.from_surface.iter())
-                .map(|taps| SurfaceResponse::new(taps, start, sampling))
+                .map(|taps| SurfaceResponse::new(taps, profile, sampling))
                 .collect(),
             from_torques: Kernels::of(&torsion.driving_points()),
             to_others: to_others(torsion, responses.sites.bit_site()),

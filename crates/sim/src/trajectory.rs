@@ -18,6 +18,8 @@ pub struct Trajectory {
     /// Torque with which the surface is turned, below a top drive that of its motor, N m; empty
     /// unless it is asked for ([`crate::surface_torque`]).
     pub surface_torque: Vec<f64>,
+    /// Speed of the surface, rad/s; empty where it is not followed.
+    pub surface_speed: Vec<f64>,
     /// Position of each site's centre, m; empty without lateral motion.
     pub positions: Vec<Vec<[f64; 2]>>,
     /// Force of the wall on each site, N; empty without lateral motion.
@@ -40,6 +42,7 @@ impl Trajectory {
             speeds: vec![vec![0.0; held.len()]; system.loaded.len()],
             bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
             surface_torque: Vec::new(),
+            surface_speed: Vec::new(),
             positions: vec![Vec::new(); walls],
             wall_forces: vec![Vec::new(); walls],
             forces: Default::default(),

@@ -10,5 +10,6 @@ pub mod lanes;
 pub mod matrix;
 pub mod nodes;
 pub mod number;
+pub mod scattering;
 pub mod stiff_beam;
 pub mod torsion;

@@ -117,6 +117,18 @@ impl ElementChain<'_> {
         torsion::torque_at_surface(self.rows(rates), self.drive(rates))
     }
 
+    /// Elements between nodes and the drive, torques per speed, at ζ, |ζ| < 1.
+    pub fn rows_and_drive<T: Number>(
+        &self,
+        zeta: T,
+    ) -> (
+        impl Iterator<Item = Option<DynamicStiffness<T>>>,
+        Option<Drive<T>>,
+    ) {
+        let rates = Rates::at(&self.weights, zeta);
+        (self.rows(rates), self.drive(rates))
+    }
+
     /// Elements between nodes, torques per speed.
     fn rows<T: Number>(
         &self,

@@ -72,7 +72,7 @@ pub enum Formula {
 
 impl Formula {
     /// δ(ζ) within the unit circle, |ζ| < 1, where it is finite.
-    fn generating_function<T: Number>(self, zeta: T) -> T {
+    pub(crate) fn generating_function<T: Number>(self, zeta: T) -> T {
         match self {
             Formula::BackwardDifferences => zeta * (zeta * 0.5 - 2.0) + 1.5,
             Formula::Trapezoidal => (-zeta + 1.0) * (zeta + 1.0).inverse() * 2.0,

@@ -13,7 +13,7 @@ pub(crate) fn needed_taps(longest_time: f64, sampling_frequency: f64) -> f64 {
 
 /// The next length that is a product of twos, threes and fives: a transform of any other may
 /// take several times as long.
-pub(super) fn transformable(length: usize) -> usize {
+pub(crate) fn transformable(length: usize) -> usize {
     let is_product = |length: usize| {
         let without = |mut left: usize, factor: usize| {
             while left.is_multiple_of(factor) {

@@ -41,12 +41,15 @@ impl<'a> TorsionNetwork<'a> {
     }
 
     /// The pieces between nodes, torques per rotation.
-    fn pieces<T: Number>(&self, s: T) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
+    pub(crate) fn pieces<T: Number>(
+        &self,
+        s: T,
+    ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
         let tube = move |tube: &Tube| uniform(self.string, tube, s);
         (self.spans.iter()).map(move |span| chain::span(span, tube))
     }
 
-    fn drive<T: Number>(&self, s: T) -> Option<Drive<T>> {
+    pub(crate) fn drive<T: Number>(&self, s: T) -> Option<Drive<T>> {
         let drive = self.string.top_drive();
         drive.map(|drive| Drive::of(&drive, s * s, s, T::real(1.0)))
     }

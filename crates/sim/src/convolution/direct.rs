@@ -23,6 +23,11 @@ impl Kernel {
         self.instant
     }
 
+    /// How many inputs before the present one it looks at.
+    pub fn memory(&self) -> usize {
+        self.reversed.len()
+    }
+
     /// Σ A(k − n) E(n) over the past, n < k, for the inputs E(0) … E(k − 1).
     pub fn past_sum(&self, inputs: &[f64]) -> f64 {
         let reach = inputs.len().min(self.reversed.len());

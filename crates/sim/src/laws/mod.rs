@@ -7,6 +7,7 @@ pub mod contact;
 mod in_step;
 mod newton;
 mod obeyed;
+pub mod pipe;
 mod press;
 pub mod rock;
 pub mod torque;

@@ -4,5 +4,6 @@
 pub mod lateral;
 pub mod rules;
 pub(crate) mod settling;
+pub mod surface;
 pub mod torsion;
 mod turning;

@@ -135,7 +135,7 @@ impl MethodSystem {
     /// # Errors
     /// Where they are not those of a string.
     pub fn of(setting: &Setting, responses: Responses, begun: Instant) -> Result<Self> {
-        let simulator = Simulator::started(&responses, setting.start)?;
+        let simulator = Simulator::started(&responses, &setting.profile)?;
         let build_seconds = begun.elapsed().as_secs_f64();
         Ok(Self {
             method: responses.method,

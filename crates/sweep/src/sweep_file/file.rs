@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::bit::BitTable;
+use super::compare::CompareTable;
 use super::design::DesignTable;
 use super::lateral::{EccentricMassTable, ImpulseTable, SiteTable, WallTable};
 use super::map::MapTable;
@@ -11,6 +12,7 @@ use super::methods::{MethodName, MethodTables};
 use super::number_or::{Accuracy, AutoOr, is_zero};
 use super::string::StringTable;
 use super::top_drive::TopDriveTable;
+use super::well::{MudTable, StringFrictionTable, WellTable};
 
 /// A sweep file, its bases merged in, as it is written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,9 +27,25 @@ pub struct FileContent {
     /// Time in which the surface comes to it from rest at t = 0, s. Default 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub surface_speed_rise_s: f64,
+    /// The speed that was recorded at the surface, or set there, instead: a CSV file or a
+    /// workbook.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surface_speed_file: Option<String>,
+    /// Its column of speeds, if there are several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surface_speed_column: Option<String>,
     /// What turns the string; without it the surface turns as prescribed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub top_drive: Option<TopDriveTable>,
+    /// The well that the string lies in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub well: Option<WellTable>,
+    /// The fluid inside and around the string; without it there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mud: Option<MudTable>,
+    /// Friction along the string; without it there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub string_friction: Option<StringFrictionTable>,
     /// Torque at the bit; without it the bit is free.
     pub bit: Option<BitTable>,
     /// Places on the string: with a wall, where it may touch; else, besides the
@@ -62,6 +80,9 @@ pub struct FileContent {
     pub time_s: AutoOr,
     /// The cases; without it there is one.
     pub design: Option<DesignTable>,
+    /// What was recorded, to hold every case against.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub compare: Vec<CompareTable>,
     /// How the regime map is drawn.
     #[serde(default)]
     pub map: MapTable,

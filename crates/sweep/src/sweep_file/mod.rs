@@ -3,7 +3,9 @@
 
 mod bha_sheet;
 pub mod bit;
+mod cells;
 mod change;
+pub mod compare;
 pub mod design;
 mod error;
 pub mod file;
@@ -15,11 +17,14 @@ mod placed;
 mod source;
 pub mod string;
 pub mod top_drive;
+mod time_series;
 pub mod units;
+pub mod well;
 pub mod wording;
 
 pub use bha_sheet::{SheetNotes, put_sections};
 pub use bit::{BitTable, LawTable, RockName};
+pub use compare::{CompareTable, Extreme, TraceName};
 pub use design::{AxisRange, DesignKind, DesignTable, Spacing};
 pub use error::SweepFileError;
 pub use file::FileContent;
@@ -30,4 +35,6 @@ pub use number_or::{Accuracy, AutoOr, per_cent};
 pub use source::{Source, TextOf};
 pub use string::SectionTable;
 pub use top_drive::{ControllerName, TopDriveTable};
+pub use time_series::{read_series, read_survey};
+pub use well::StringFrictionTable;
 pub use wording::nearest;

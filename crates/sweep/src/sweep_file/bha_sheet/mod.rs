@@ -1,7 +1,6 @@
 //! `[string] file`: a BHA sheet, as CSV or a spreadsheet, in the place of the sections. Columns
 //! are found by name and unit; every row becomes a section, held against its weight.
 
-mod cells;
 mod columns;
 mod joints;
 mod rows;
@@ -12,7 +11,7 @@ use toml::Value;
 
 use super::error::SweepFileError;
 use super::source::{Source, TextOf};
-use cells::Cells;
+use crate::sweep_file::cells::Cells;
 use columns::Columns;
 use rows::{Row, rows_of};
 

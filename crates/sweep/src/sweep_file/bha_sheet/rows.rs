@@ -1,6 +1,6 @@
 //! The rows of a sheet, in SI.
 
-use super::cells::Cells;
+use crate::sweep_file::cells::Cells;
 use super::columns::{Columns, Quantity};
 use crate::hand_table::number;
 

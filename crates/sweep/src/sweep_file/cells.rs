@@ -5,7 +5,7 @@ use std::path::Path;
 use calamine::{Data, Reader, open_workbook_auto};
 
 use crate::hand_table::HandTable;
-use crate::sweep_file::source::TextOf;
+use super::source::TextOf;
 use crate::text_file::LARGEST_SWEEP_FILE;
 
 /// Endings of workbooks that are read.

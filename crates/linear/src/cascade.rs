@@ -1,0 +1,350 @@
+//! The string as pieces in a row between nodes at which torques act, for scenes with many of
+//! these, such as friction all along the string.
+//!
+//! Responses between all nodes grow with the square of their number, and each lasts as long as
+//! the string rings. What a single piece does lasts only as long as a wave takes through it:
+//! here are the taps of the waves that it sends back and on ([`Link`]), and whoever steps
+//! them hands on waves from piece to piece. By `quadrature`, and by `finite-element`, which
+//! replace the Laplace variable by a function of the shift in time, joining pieces and making
+//! taps may change places: the motion is that of the responses of the whole string, up to
+//! rounding and what decayed taps are cut off.
+//!
+//! With the torque f that a port of a piece is met with, its speed v and the piece's reference
+//! impedance Z, the wave a = (f + Z v)/2 goes in and b = (Z v − f)/2 comes out. (A. Fettweis,
+//! "Wave digital filters: theory and practice", *Proceedings of the IEEE* 74, 1986, 270–327.)
+
+use crate::assembly::lanes::Lanes;
+use crate::assembly::nodes::{Link as _, Relation};
+use crate::assembly::number::Number;
+use crate::assembly::scattering::{Scattered, Uppermost, reflection, uppermost};
+use crate::assembly::torsion::{Drive, DynamicStiffness};
+use crate::drillstring::{Drillstring, Section};
+use crate::elements::newmark::Weights;
+use crate::elements::recurrence::ElementChain;
+use crate::error::BuildError;
+use crate::estimates::torsional_impedance;
+use crate::filters::quadrature::{Formula, series};
+use crate::method::Method;
+use crate::responses::length::{MOST_TAPS, needed_taps, too_many, transformable};
+use crate::sites::Sites;
+use crate::spans::Span;
+use crate::waves::network::TorsionNetwork;
+
+/// Taps after which a response is no greater than this part of its largest are cut off: what
+/// rounding leaves of them is a few times less.
+const NEGLIGIBLE: f64 = 1e-10;
+
+/// A response has decayed if this last part of what was computed is negligible.
+const QUIET_PART: f64 = 0.25;
+
+/// Taps beyond the passage of a wave that are computed at first.
+const FIRST_BEYOND: f64 = 48.0;
+
+/// A string in pieces, ready to be stepped.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cascade {
+    /// The nodes, from the surface down.
+    pub nodes: Sites,
+    /// Sampling frequency f_s, Hz.
+    pub sampling_frequency: f64,
+    /// The longest time that may be simulated with it, s.
+    pub longest_time: f64,
+    /// From the surface to the uppermost node.
+    pub top: Top,
+    /// Between each node and the next.
+    pub links: Vec<Link>,
+    /// What hangs below the lowest node, where that is not the bit.
+    pub end: Option<End>,
+}
+
+/// Taps of the string from the surface, or its drive, to the uppermost node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Top {
+    /// Reference impedance Z, N m s/rad.
+    pub impedance: f64,
+    /// The wave that comes back, per wave that goes up.
+    pub reflection: Vec<f64>,
+    /// The wave that comes down per speed that the surface is set to, N m s/rad.
+    pub sent: Vec<f64>,
+    /// Torque with which the surface is turned, below a top drive that of its motor, per set
+    /// speed, N m s/rad.
+    pub torque_by_set: Vec<f64>,
+    /// The same per wave that goes up.
+    pub torque_by_wave: Vec<f64>,
+    /// Below a drive, the speed of the surface per set speed, and per wave that goes up,
+    /// rad/s per N m; without one it turns as it is set to.
+    pub speed: Option<[Vec<f64>; 2]>,
+}
+
+/// Taps of a piece between two nodes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link {
+    /// Reference impedance Z, N m s/rad.
+    pub impedance: f64,
+    /// The wave that comes back at the top.
+    pub top: Vec<f64>,
+    /// The wave that comes out at the other end.
+    pub across: Vec<f64>,
+    /// The wave that comes back at the bottom.
+    pub bottom: Vec<f64>,
+}
+
+/// Taps of what hangs below the lowest node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct End {
+    /// Reference impedance Z, N m s/rad.
+    pub impedance: f64,
+    /// The wave that comes back.
+    pub reflection: Vec<f64>,
+}
+
+/// Responses of the uppermost piece.
+const AT_TOP: usize = 6;
+
+/// Responses of a link.
+const AT_LINK: usize = 3;
+
+impl Cascade {
+    /// Cuts a string at its nodes.
+    ///
+    /// # Errors
+    /// Where the method is none by which pieces can be stepped one by one, a parameter is out of
+    /// range, or these are not places of the string.
+    pub fn new(
+        string: &Drillstring,
+        method: &Method,
+        nodes: &Sites,
+        sampling_frequency: f64,
+        longest_time: f64,
+    ) -> Result<Self, BuildError> {
+        let pieces = Pieces {
+            impedances: (string.spans(nodes)?.iter())
+                .map(|span| impedance(string, span))
+                .collect(),
+            has_drive: string.top_drive().is_some(),
+            nodes: nodes.len(),
+        };
+        let lengths = Lengths {
+            first: first_taps(string, nodes, sampling_frequency),
+            most: needed_taps(longest_time, sampling_frequency),
+        };
+        let taps = match method {
+            Method::Quadrature => {
+                let network = TorsionNetwork::new(string, nodes)?;
+                let response = |zeta: Lanes, waves: &mut [Lanes]| {
+                    let s =
+                        Formula::BackwardDifferences.generating_function(zeta) * sampling_frequency;
+                    pieces.write(network.pieces(s), network.drive(s), s, waves);
+                };
+                lengths.taps(&pieces.scales(), &response)?
+            }
+            Method::FiniteElement(parameters) => {
+                let weights = Weights::new(parameters, sampling_frequency)?;
+                let chain =
+                    ElementChain::new(string, nodes, parameters.elements_per_cell, weights)?;
+                let response = |zeta: Lanes, waves: &mut [Lanes]| {
+                    let (rows, drive) = chain.rows_and_drive(zeta);
+                    pieces.write(rows, drive, Lanes::real(1.0), waves);
+                };
+                lengths.taps(&pieces.scales(), &response)?
+            }
+            _ => {
+                return Err(BuildError::NotInPieces {
+                    method: method.name(),
+                });
+            }
+        };
+        if !taps.iter().flatten().all(|tap| tap.is_finite()) {
+            return Err(BuildError::NotFinite {
+                method: method.name(),
+            });
+        }
+        Ok(pieces.cascade(taps, nodes, sampling_frequency, longest_time))
+    }
+}
+
+/// What is known of the pieces before their taps.
+struct Pieces {
+    /// Reference impedances, N m s/rad.
+    impedances: Vec<f64>,
+    has_drive: bool,
+    nodes: usize,
+}
+
+impl Pieces {
+    /// What each response of all pieces is of the size of, at least: waves that a matched piece
+    /// does not send back are nothing but rounding.
+    fn scales(&self) -> Vec<f64> {
+        let top = self.impedances[0];
+        let mut scales = vec![1.0; AT_TOP + self.impedances.len() - self.nodes];
+        scales[1..3].fill(top);
+        scales[5] = 1.0 / top;
+        scales.extend([1.0; AT_LINK].repeat(self.nodes - 1));
+        scales
+    }
+
+    /// Writes the waves of all pieces, whose torques are per motion.
+    fn write(
+        &self,
+        pieces: impl Iterator<Item = Option<DynamicStiffness<Lanes>>>,
+        drive: Option<Drive<Lanes>>,
+        rate: Lanes,
+        waves: &mut [Lanes],
+    ) {
+        let per_rate = rate.inverse();
+        let drive = drive.map(|drive| Drive {
+            holds: drive.holds * per_rate,
+            opposes: drive.opposes * per_rate,
+        });
+        let (at_top, mut waves) = waves.split_at_mut(AT_TOP);
+        for (index, (piece, &impedance)) in pieces.zip(&self.impedances).enumerate() {
+            // Nodes are apart: there is a piece between any two.
+            let Some(piece) = piece.map(|piece| piece.per_speed(rate)) else {
+                continue;
+            };
+            if index == 0 {
+                let Uppermost {
+                    reflection,
+                    sent,
+                    torque_by_set,
+                    torque_by_wave,
+                    speed_by_set,
+                    speed_by_wave,
+                } = uppermost(piece, drive, impedance);
+                at_top.copy_from_slice(&[
+                    reflection,
+                    sent,
+                    torque_by_set,
+                    torque_by_wave,
+                    speed_by_set,
+                    speed_by_wave,
+                ]);
+            } else if index < self.nodes {
+                let Scattered {
+                    top,
+                    across,
+                    bottom,
+                } = piece.scattered(impedance);
+                let (of_link, rest) = waves.split_at_mut(AT_LINK);
+                of_link.copy_from_slice(&[top, across, bottom]);
+                waves = rest;
+            } else {
+                waves[0] = reflection(piece.above(Lanes::zero()), impedance);
+            }
+        }
+    }
+
+    /// Everything with its taps.
+    fn cascade(
+        &self,
+        taps: Vec<Vec<f64>>,
+        nodes: &Sites,
+        sampling_frequency: f64,
+        longest_time: f64,
+    ) -> Cascade {
+        let mut taps = taps.into_iter();
+        let mut next = || taps.next().unwrap_or_default();
+        let top = Top {
+            impedance: self.impedances[0],
+            reflection: next(),
+            sent: next(),
+            torque_by_set: next(),
+            torque_by_wave: next(),
+            speed: Some([next(), next()]).filter(|_| self.has_drive),
+        };
+        let links = (1..self.nodes).map(|index| Link {
+            impedance: self.impedances[index],
+            top: next(),
+            across: next(),
+            bottom: next(),
+        });
+        let links = links.collect();
+        Cascade {
+            nodes: nodes.clone(),
+            sampling_frequency,
+            longest_time,
+            top,
+            links,
+            end: (self.impedances.get(self.nodes)).map(|&impedance| End {
+                impedance,
+                reflection: next(),
+            }),
+        }
+    }
+}
+
+/// The mean impedance along a span: waves are answered within it the least.
+fn impedance(string: &Drillstring, span: &Span) -> f64 {
+    let tubes = || {
+        let parts = |run: &Section| {
+            run.parts
+                .iter()
+                .map(|part| (run.repeat as f64, *part))
+                .collect::<Vec<_>>()
+        };
+        span.runs.iter().flat_map(parts)
+    };
+    let length: f64 = tubes().map(|(count, tube)| count * tube.length).sum();
+    let sum: f64 = tubes()
+        .map(|(count, tube)| count * tube.length * torsional_impedance(string, &tube))
+        .sum();
+    sum / length
+}
+
+/// Taps in which a wave passes twice through the longest piece, and some.
+fn first_taps(string: &Drillstring, nodes: &Sites, sampling_frequency: f64) -> f64 {
+    let from_bit = nodes.distances_from_bit();
+    let ends = std::iter::once(string.length())
+        .chain(from_bit.iter().copied())
+        .chain(std::iter::once(0.0));
+    let places: Vec<f64> = ends.collect();
+    let longest =
+        (places.windows(2)).fold(0.0, |longest: f64, ends| longest.max(ends[0] - ends[1]));
+    2.0 * longest / string.torsional_wave_speed() * sampling_frequency + FIRST_BEYOND
+}
+
+/// How many taps are built.
+struct Lengths {
+    first: f64,
+    /// Nothing looks further.
+    most: f64,
+}
+
+impl Lengths {
+    /// Taps until they have decayed, or nothing looks at them.
+    fn taps(
+        &self,
+        scales: &[f64],
+        response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
+    ) -> Result<Vec<Vec<f64>>, BuildError> {
+        let mut length = self.first.min(self.most);
+        loop {
+            if length > MOST_TAPS as f64 {
+                return Err(too_many(length));
+            }
+            let count = transformable(length.ceil() as usize);
+            let mut taps = series(count, scales.len(), response);
+            let lengths: Vec<usize> = std::iter::zip(&taps, scales)
+                .map(|(taps, &scale)| decayed(taps, scale))
+                .collect();
+            let most = lengths.iter().copied().max().unwrap_or(0);
+            if most as f64 <= (1.0 - QUIET_PART) * count as f64 || length >= self.most {
+                for (taps, length) in taps.iter_mut().zip(lengths) {
+                    taps.truncate(length);
+                    taps.shrink_to_fit();
+                }
+                return Ok(taps);
+            }
+            length = (2.0 * length).min(self.most);
+        }
+    }
+}
+
+/// Taps before all that are negligible to a response at least of a size.
+fn decayed(taps: &[f64], scale: f64) -> usize {
+    let largest = taps
+        .iter()
+        .fold(scale, |largest, tap| largest.max(tap.abs()));
+    let is_felt = |tap: &f64| tap.abs() > NEGLIGIBLE * largest;
+    taps.iter().rposition(is_felt).map_or(1, |last| last + 1)
+}

@@ -1,0 +1,190 @@
+//! How a string presses on the wall of its well: it lies there as one without stiffness in
+//! bending would (C. A. Johancsik, D. B. Friesen and R. Dawson, "Torque and drag in directional
+//! wells: prediction and measurement", *Journal of Petroleum Technology* 36, 1984, 987–992), while
+//! it turns, so that friction does not hold it along the well.
+
+use super::survey::{Survey, Vector, combine, length};
+use crate::drillstring::Drillstring;
+
+/// Acceleration of gravity, m/s².
+pub const GRAVITY: f64 = 9.806_65;
+
+/// Side forces are added up over pieces no longer than this, m.
+const STEP: f64 = 2.0;
+
+/// The fluid inside and around the string.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mud {
+    /// Density, kg/m³.
+    pub density: f64,
+}
+
+/// What presses the string against the wall, piece by short piece from the surface down. The
+/// axial force depends on the weight on bit, and where the well turns so does what presses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SideForce {
+    pieces: Vec<Piece>,
+    /// The weight of all along the well, N.
+    hook_load: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Piece {
+    /// Of its middle from the surface, m.
+    depth: f64,
+    length: f64,
+    /// Of what lies on the wall, m.
+    radius: f64,
+    /// Tension of a string that hangs free, N.
+    tension: f64,
+    /// What presses it aside without weight on bit, N/m, and per tension, 1/m.
+    pressing: Vector,
+    turn: Vector,
+}
+
+impl SideForce {
+    /// Of a string in a well that is surveyed at least as deep; in `mud` it is buoyed. It lies
+    /// on its widest parts: pipe on its joints.
+    pub fn new(string: &Drillstring, survey: &Survey, mud: Option<Mud>) -> Self {
+        let heavier = string.material().density - mud.map_or(0.0, |mud| mud.density);
+        let mut pieces = Vec::new();
+        let mut top = 0.0;
+        for section in string.sections() {
+            let widest = |radius: f64, part: &crate::Tube| radius.max(part.outer_radius);
+            let radius = section.parts.iter().fold(0.0, widest);
+            for part in (0..section.repeat).flat_map(|_| &section.parts) {
+                let count = (part.length / STEP).ceil().max(1.0);
+                let length = part.length / count;
+                let weight = heavier * part.area() * GRAVITY;
+                for index in 0..count as usize {
+                    let depth = top + (index as f64 + 0.5) * length;
+                    let (along, turn) = survey.course(depth);
+                    pieces.push(Piece {
+                        depth,
+                        length,
+                        radius,
+                        // Its own weight along the well, for now.
+                        tension: weight * along[2] * length,
+                        pressing: combine(weight, [0.0, 0.0, 1.0], -weight * along[2], along),
+                        turn,
+                    });
+                }
+                top += part.length;
+            }
+        }
+        let mut below = 0.0;
+        for piece in pieces.iter_mut().rev() {
+            let own = piece.tension;
+            piece.tension = below + 0.5 * own;
+            below += own;
+            piece.pressing = combine(1.0, piece.pressing, piece.tension, piece.turn);
+        }
+        Self {
+            pieces,
+            hook_load: below,
+        }
+    }
+
+    /// Torque that the wall may exert per coefficient of friction, N m, on each of so many
+    /// equal pieces of the string, under a weight on bit (N).
+    pub fn friction_torques(&self, pieces: usize, weight_on_bit: f64) -> Vec<f64> {
+        let mut torques = vec![0.0; pieces];
+        let whole = (self.pieces.last()).map_or(0.0, |last| last.depth + 0.5 * last.length);
+        for piece in &self.pieces {
+            let pressing = length(combine(1.0, piece.pressing, -weight_on_bit, piece.turn));
+            let place = (piece.depth / whole * pieces as f64) as usize;
+            torques[place.min(pieces - 1)] += pressing * piece.radius * piece.length;
+        }
+        torques
+    }
+
+    /// The weight of the string along the well, buoyed, N: what the hook carries above a bit that
+    /// is off bottom.
+    pub fn hook_load(&self) -> f64 {
+        self.hook_load
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::survey::Station;
+    use super::*;
+    use crate::drillstring::{Material, Section, Tube};
+
+    const STEEL: Material = Material {
+        shear_modulus: 79.3e9,
+        density: 7850.0,
+    };
+
+    fn pipe(length: f64) -> Drillstring {
+        let pipe = Tube {
+            length,
+            inner_radius: 0.06,
+            outer_radius: 0.07,
+        };
+        let sections = vec![Section {
+            repeat: 1,
+            parts: vec![pipe],
+        }];
+        Drillstring::new(STEEL, sections, 0.0).unwrap()
+    }
+
+    fn well(stations: &[[f64; 2]]) -> Survey {
+        let station = |[measured_depth, inclination]: &[f64; 2]| Station {
+            measured_depth: *measured_depth,
+            inclination: inclination.to_radians(),
+            azimuth: 1.0,
+        };
+        Survey::new(stations.iter().map(station).collect()).unwrap()
+    }
+
+    /// In a straight well a part sin(inclination) of the weight presses, whatever pulls.
+    #[test]
+    fn a_straight_well_bears_the_weight_across_it() {
+        let string = pipe(1000.0);
+        let weight = 7850.0 * string.sections()[0].parts[0].area() * GRAVITY;
+        for (inclination, weight_on_bit) in [(0.0, 0.0), (30.0, 0.0), (60.0, 1e5)] {
+            let survey = well(&[[0.0, inclination], [1500.0, inclination]]);
+            let mud = Some(Mud { density: 1570.0 });
+            let force = SideForce::new(&string, &survey, mud);
+            let buoyed = weight * 0.8;
+            let torques = force.friction_torques(10, weight_on_bit);
+            let expected = buoyed * inclination.to_radians().sin() * 100.0 * 0.07;
+            for torque in torques {
+                assert!(
+                    (torque - expected).abs() < 1e-6 * buoyed,
+                    "{torque} {expected}"
+                );
+            }
+            let along = buoyed * 1000.0 * inclination.to_radians().cos();
+            let off = force.hook_load() / along - 1.0;
+            assert!(off.abs() < 1e-12, "{off}");
+        }
+    }
+
+    /// In an arc in the vertical plane tension lifts the string off the low side: with θ the
+    /// inclination, |w sin θ − T/R| presses, T growing upwards by w cos θ.
+    #[test]
+    fn an_arc_bears_what_tension_leaves_of_the_weight() {
+        let (radius, string) = (400.0, pipe(600.0));
+        let bend = 600.0 / radius;
+        let survey = well(&[[0.0, 0.0], [600.0, f64::to_degrees(bend)]]);
+        let weight = 7850.0 * string.sections()[0].parts[0].area() * GRAVITY;
+        for weight_on_bit in [0.0, 2e5] {
+            let force = SideForce::new(&string, &survey, None);
+            let found: f64 = force.friction_torques(1, weight_on_bit).iter().sum();
+            let steps = 60_000;
+            let expected: f64 = (0..steps)
+                .map(|index| {
+                    let angle = bend * (f64::from(index) + 0.5) / f64::from(steps);
+                    let tension = weight * radius * (bend.sin() - angle.sin()) - weight_on_bit;
+                    // Building: the wall above holds down what is pulled.
+                    (tension / radius - weight * angle.sin()).abs() * 0.07
+                })
+                .sum::<f64>()
+                * 600.0
+                / f64::from(steps);
+            assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
+        }
+    }
+}

@@ -1,0 +1,320 @@
+//! Friction all along the string: against the responses of the whole string, against closed
+//! forms, and against a string of masses and springs stepped finely in time.
+
+use linear::{Cascade, ChannelRequest, Drillstring, Method, Request, Sites, TopDrive};
+use problems::academic;
+use problems::pipes;
+use sim::{
+    BitTorque, CascadeScene, CascadeSimulator, LoadLine, NodeTorque, PipeFriction, Scene,
+    Simulator, Stopping, SurfaceProfile, Timing, TorqueLaw, Trajectory,
+};
+
+fn timing(duration: f64) -> Timing {
+    Timing {
+        duration,
+        closing_window: 0.5 * duration,
+    }
+}
+
+fn friction(torque_static: f64, ratio: f64, static_up_to: f64) -> NodeTorque {
+    NodeTorque::Pipe(PipeFriction {
+        torque_static,
+        torque_dynamic: ratio * torque_static,
+        static_up_to,
+    })
+}
+
+/// The middles of equal pieces, and the bit.
+fn middles(string: &Drillstring, pieces: usize) -> Sites {
+    let piece = string.length() / pieces as f64;
+    let middle = |index: usize| (index as f64 + 0.5) * piece;
+    let distances: Vec<f64> = (0..pieces).map(middle).chain([0.0]).collect();
+    Sites::new(string, &distances).unwrap()
+}
+
+fn cascade(
+    string: &Drillstring,
+    method: Method,
+    nodes: &Sites,
+    frequency: f64,
+    time: f64,
+) -> CascadeSimulator {
+    let cascade = Cascade::new(string, &method, nodes, frequency, time).unwrap();
+    CascadeSimulator::new(&cascade, &SurfaceProfile::default(), 0.0).unwrap()
+}
+
+/// Two sections of joints and collars, a drive or none.
+fn strings() -> Vec<Drillstring> {
+    let drive = TopDrive {
+        inertia: 2900.0,
+        proportional_gain: 3000.0,
+        integral_gain: 2000.0,
+    };
+    let jointed = academic::string();
+    vec![
+        jointed.clone().with_top_drive(drive).unwrap(),
+        jointed,
+        pipes::row(160, 0.0),
+        academic::damped_string(1.0),
+    ]
+}
+
+/// A torque at the bit alone: pieces stepped one by one are the whole string's response.
+#[test]
+fn pieces_one_by_one_are_the_whole_string() {
+    let methods = [
+        Method::Quadrature,
+        Method::FiniteElement(Default::default()),
+    ];
+    for (string, method) in strings().iter().flat_map(|s| methods.map(|m| (s, m))) {
+        for pieces in [1, 3, 17] {
+            let (time, frequency) = (25.0, 64.0);
+            let law = BitTorque {
+                torque_static: 3000.0,
+                torque_dynamic: 2400.0,
+                decay_speed: 0.0,
+            };
+            let nodes = middles(string, pieces);
+            let request = Request {
+                sites: nodes.clone(),
+                channels: vec![ChannelRequest::Torsion {
+                    torques: vec![pieces],
+                }],
+                sampling_frequency: frequency,
+                longest_time: time,
+            };
+            let responses = linear::responses(string, &method, &request).unwrap();
+            let scene = Scene {
+                surface_speed: 1.0,
+                bit: Some(law),
+                lateral: None,
+                timing: timing(time),
+            };
+            let mut expected = Trajectory::default();
+            let simulator = Simulator::new(&responses).unwrap();
+            let outcome = simulator
+                .simulate(&scene, Stopping::Full, Some(&mut expected))
+                .unwrap();
+            let taps = linear::surface_torque(string, &method, &request).unwrap();
+            let at_surface = sim::surface_torque(
+                &responses,
+                &taps,
+                &SurfaceProfile::default(),
+                1.0,
+                &expected.bit_torque,
+            )
+            .unwrap();
+            let mut torques = vec![NodeTorque::None; pieces];
+            torques.push(NodeTorque::Bit(law));
+            let scene = CascadeScene {
+                surface_speed: 1.0,
+                torques,
+                timing: timing(time),
+            };
+            let mut found = Trajectory::default();
+            let simulator = cascade(string, method, &nodes, frequency, time);
+            let of_pieces = simulator.simulate(&scene, Some(&mut found)).unwrap();
+            let largest = |one: &[f64], other: &[f64]| {
+                assert_eq!(one.len(), other.len());
+                std::iter::zip(one, other).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+            };
+            for (one, other) in found.speeds.iter().zip(&expected.speeds) {
+                let off = largest(one, other);
+                assert!(off < 2e-7, "{pieces} {method:?}: {off:e}");
+            }
+            let off = largest(&found.surface_torque, &at_surface);
+            assert!(off < 1e-3, "{pieces} {method:?}: {off:e} N m");
+            let (one, other) = (of_pieces.torsion.unwrap(), outcome.torsion.unwrap());
+            assert_eq!((one.regime, one.sticks), (other.regime, other.sticks));
+        }
+    }
+}
+
+/// Torques that do not fall: what turns the surface comes to the sum of all, and of the damping.
+#[test]
+fn the_torque_that_keeps_it_turning_is_the_sum_of_all() {
+    let string = pipes::row(200, 1.0);
+    let pieces = 20;
+    let nodes = middles(&string, pieces);
+    let mut torques = vec![friction(400.0, 1.0, 0.0); pieces];
+    torques.push(NodeTorque::None);
+    let scene = CascadeScene {
+        surface_speed: 0.3,
+        torques,
+        timing: timing(120.0),
+    };
+    let simulator = cascade(&string, Method::Quadrature, &nodes, 32.0, 120.0);
+    let measures = simulator.simulate(&scene, None).unwrap().surface.unwrap();
+    let against = 400.0 * pieces as f64 + 1.0 * 0.3 * string.length();
+    for torque in [
+        measures.least_torque,
+        measures.mean_torque,
+        measures.greatest_torque,
+    ] {
+        assert!((torque / against - 1.0).abs() < 1e-4, "{measures:?}");
+    }
+}
+
+/// No friction, no change; and a string that is held by friction stands still.
+#[test]
+fn what_does_not_act_changes_nothing() {
+    let string = academic::string();
+    let nodes = middles(&string, 5);
+    let simulator = cascade(&string, Method::Quadrature, &nodes, 64.0, 10.0);
+    let run = |of_pieces: NodeTorque| {
+        let torques = vec![of_pieces; 6];
+        let mut record = Trajectory::default();
+        let scene = CascadeScene {
+            surface_speed: 1.0,
+            torques,
+            timing: timing(10.0),
+        };
+        simulator.simulate(&scene, Some(&mut record)).unwrap();
+        record
+    };
+    let (free, weightless) = (run(NodeTorque::None), run(friction(0.0, 1.0, 0.0)));
+    for (one, other) in free.speeds.iter().zip(&weightless.speeds) {
+        for (one, other) in one.iter().zip(other) {
+            assert!((one - other).abs() < 1e-12);
+        }
+    }
+    let held = run(friction(1e9, 1.0, 0.0));
+    assert!(held.speeds.iter().flatten().all(|speed| *speed == 0.0));
+}
+
+/// The greatest torque at the surface, and the least after it.
+fn peak_and_trough(torques: &[f64]) -> (f64, f64) {
+    let peak = torques.iter().copied().fold(f64::MIN, f64::max);
+    let at = torques.iter().position(|torque| *torque == peak).unwrap();
+    let trough = torques[at..].iter().copied().fold(peak, f64::min);
+    (peak, trough)
+}
+
+/// U. J. F. Aarsnes and R. J. Shor, "Torsional vibrations with bit off bottom: modeling,
+/// identification and field data validation", *Journal of Petroleum Science and Engineering*,
+/// 2018, Eqs. 38 and 39: a string that is wound up slowly slides when the torque has come to
+/// ∫F dx; where friction then falls everywhere, the torque swings by twice that.
+#[test]
+fn a_string_breaks_loose_and_swings_by_twice_what_friction_falls() {
+    let (string, pieces, total) = (pipes::row(200, 0.0), 40, 9000.0);
+    let nodes = middles(&string, pieces);
+    for ratio in [0.5, 0.8] {
+        let torques = vec![friction(total / pieces as f64, ratio, 0.02); pieces];
+        let torques = torques.into_iter().chain([NodeTorque::None]).collect();
+        let time = 100.0;
+        let cascade = Cascade::new(&string, &Method::Quadrature, &nodes, 16.0, time).unwrap();
+        // It slides as a whole before it is fast, in the last tenth of the time.
+        let profile = SurfaceProfile::Rise(0.95 * time);
+        let simulator = CascadeSimulator::new(&cascade, &profile, 0.0).unwrap();
+        let scene = CascadeScene {
+            surface_speed: 0.02 * 1.01,
+            torques,
+            timing: timing(time),
+        };
+        let mut record = Trajectory::default();
+        simulator.simulate(&scene, Some(&mut record)).unwrap();
+        let (peak, trough) = peak_and_trough(&record.surface_torque);
+        assert!((peak / total - 1.0).abs() < 0.01, "{peak}");
+        let swing = (peak - trough) / (2.0 * (1.0 - ratio) * total);
+        assert!((swing - 1.0).abs() < 0.1, "{ratio}: {swing}");
+    }
+}
+
+/// A uniform row as masses and springs in small steps, each mass under its part of the friction:
+/// the torque at the surface at the times of a sampling frequency.
+fn masses_and_springs(
+    law: PipeFriction,
+    length: f64,
+    damping: f64,
+    surface: impl Fn(f64) -> f64,
+    (frequency, time): (f64, f64),
+) -> Vec<f64> {
+    let (masses, substeps) = (800, 80);
+    let tube = pipes::pipe(length / masses as f64);
+    let step = 1.0 / (frequency * substeps as f64);
+    let inertia = pipes::STEEL.density * tube.polar_moment() * tube.length;
+    let spring = pipes::STEEL.shear_modulus * tube.polar_moment() / tube.length;
+    let compliance = step / (inertia + step * damping * tube.length);
+    let mut states = vec![Default::default(); masses];
+    let (mut angles, mut speeds) = (vec![0.0; masses], vec![0.0; masses]);
+    // Masses are in the middle of their pieces: half a piece is twice as stiff.
+    let (mut torques, mut angle) = (Vec::new(), 0.0);
+    let steps = (frequency * time) as usize + 1;
+    for index in 0..steps * substeps {
+        angle += step * surface(step * index as f64);
+        let twists: Vec<f64> = std::iter::once(2.0 * spring * (angle - angles[0]))
+            .chain((1..masses).map(|it| spring * (angles[it - 1] - angles[it])))
+            .chain([0.0])
+            .collect();
+        if index % substeps == 0 {
+            torques.push(twists[0]);
+        }
+        for mass in 0..masses {
+            let driven = inertia / step * speeds[mass] + twists[mass] - twists[mass + 1];
+            let line = LoadLine {
+                time: 0.0,
+                free_speed: compliance * driven,
+                compliance,
+            };
+            let met = law.meet(&states[mass], line);
+            (states[mass], speeds[mass]) = (met.state, met.speed);
+            angles[mass] += step * met.speed;
+        }
+    }
+    torques
+}
+
+/// R.m.s. error of the torque at the surface, of so many pieces at a sampling frequency, against
+/// masses and springs: a start in 3 s under friction that falls to half above a speed.
+fn errors_of_start(total: f64, static_up_to: f64) -> Vec<f64> {
+    let (length, damping, time) = (2000.0, 0.1, 30.0);
+    let string = pipes::row(200, damping);
+    let (speed, rise) = (6.0, 3.0);
+    let friction_of = |pieces: usize| PipeFriction {
+        torque_static: total / pieces as f64,
+        torque_dynamic: 0.5 * total / pieces as f64,
+        static_up_to,
+    };
+    let surface = |time: f64| speed * (time / rise).min(1.0);
+    let exact = masses_and_springs(friction_of(800), length, damping, surface, (32.0, time));
+    let error = |method: Method, pieces: usize, frequency: f64| {
+        let nodes = middles(&string, pieces);
+        let cascade = Cascade::new(&string, &method, &nodes, frequency, time).unwrap();
+        let profile = SurfaceProfile::Rise(rise);
+        let simulator = CascadeSimulator::new(&cascade, &profile, 0.0).unwrap();
+        let torques = vec![NodeTorque::Pipe(friction_of(pieces)); pieces];
+        let scene = CascadeScene {
+            surface_speed: speed,
+            torques: torques.into_iter().chain([NodeTorque::None]).collect(),
+            timing: timing(time),
+        };
+        let mut record = Trajectory::default();
+        simulator.simulate(&scene, Some(&mut record)).unwrap();
+        let every = (frequency / 32.0) as usize;
+        let found = record.surface_torque.iter().step_by(every);
+        let square = |(one, other): (&f64, &f64)| (one - other).powi(2);
+        let sum: f64 = found.zip(&exact).map(square).sum();
+        (sum / exact.len() as f64).sqrt()
+    };
+    vec![
+        error(Method::Quadrature, 10, 32.0),
+        error(Method::Quadrature, 20, 64.0),
+        error(Method::Quadrature, 40, 128.0),
+        error(Method::FiniteElement(Default::default()), 40, 128.0),
+    ]
+}
+
+/// A start that breaks loose and swings, against another method and code; more pieces and shorter
+/// steps come nearer to it, the slower the more friction falls while it moves.
+#[test]
+fn a_start_is_that_of_masses_and_springs_in_small_steps() {
+    let total = 16_000.0;
+    for (static_up_to, most) in [(0.0, 0.01), (0.5, 0.04)] {
+        let errors = errors_of_start(total, static_up_to);
+        assert!(
+            errors[2] < most * total && errors[3] < most * total,
+            "{errors:?}"
+        );
+        assert!(errors[0] > errors[1] && errors[1] > errors[2], "{errors:?}");
+    }
+}

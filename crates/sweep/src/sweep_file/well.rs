@@ -1,0 +1,47 @@
+//! `[well]`, `[mud]` and `[string_friction]`: the keys of what the string lies in.
+
+use serde::{Deserialize, Serialize};
+
+use super::number_or::is_zero;
+
+/// The well.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WellTable {
+    /// Its survey: measured depth, inclination and azimuth, as CSV or a workbook.
+    pub survey: String,
+}
+
+/// The fluid inside and around the string.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MudTable {
+    /// Density, kg/m³.
+    pub density_kg_m3: f64,
+}
+
+/// Friction of the string against the borehole while it turns.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StringFrictionTable {
+    /// Static coefficient of friction, unless an axis gives it.
+    pub static_coefficient: Option<f64>,
+    /// Dynamic coefficient in parts of the static one. Default 1.
+    #[serde(default = "default_ratio")]
+    pub dynamic_ratio: f64,
+    /// Speed up to which the static coefficient counts, rpm. Default 0: friction falls with the
+    /// first slip.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub static_up_to_rpm: f64,
+    /// Equal pieces of the string, each of which slips as a whole. Default 20.
+    #[serde(default = "default_pieces")]
+    pub pieces: usize,
+}
+
+fn default_ratio() -> f64 {
+    1.0
+}
+
+fn default_pieces() -> usize {
+    20
+}
