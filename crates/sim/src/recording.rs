@@ -82,6 +82,14 @@ impl Recording {
         self.0.times[self.0.times.len() - 1]
     }
 
+    /// The same with other values in the place of its own.
+    pub fn map(&self, value: impl Fn(f64) -> f64) -> Self {
+        Self(Arc::new(Samples {
+            times: self.0.times.clone(),
+            values: self.0.values.iter().map(|&it| value(it)).collect(),
+        }))
+    }
+
     /// The value at a time, s.
     pub fn at(&self, time: f64) -> f64 {
         let Samples { times, values } = &*self.0;

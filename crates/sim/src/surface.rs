@@ -25,6 +25,14 @@ impl Default for SurfaceProfile {
 }
 
 impl SurfaceProfile {
+    /// Time until it has come to its speed, s; what was recorded has none.
+    pub fn rise(&self) -> f64 {
+        match self {
+            Self::Rise(time) => *time,
+            Self::Recorded(_) => 0.0,
+        }
+    }
+
     /// Checks that it is a speed over time.
     pub(crate) fn check(&self) -> Result<(), SceneError> {
         match self {

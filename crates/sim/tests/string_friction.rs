@@ -5,8 +5,8 @@ use linear::{Cascade, ChannelRequest, Drillstring, Method, Request, Sites, TopDr
 use problems::academic;
 use problems::pipes;
 use sim::{
-    BitTorque, CascadeScene, CascadeSimulator, LoadLine, NodeTorque, PipeFriction, Scene,
-    Simulator, Stopping, SurfaceProfile, Timing, TorqueLaw, Trajectory,
+    BitTorque, CascadeScene, CascadeSimulator, LoadLine, NodeTorque, PipeFriction, Recording,
+    Scene, Simulator, Stopping, SurfaceProfile, Timing, TorqueLaw, Trajectory,
 };
 
 fn timing(duration: f64) -> Timing {
@@ -16,11 +16,11 @@ fn timing(duration: f64) -> Timing {
     }
 }
 
-fn friction(torque_static: f64, ratio: f64, static_up_to: f64) -> NodeTorque {
+fn friction(torque_static: f64, ratio: f64, stribeck_speed: f64) -> NodeTorque {
     NodeTorque::Pipe(PipeFriction {
         torque_static,
         torque_dynamic: ratio * torque_static,
-        static_up_to,
+        stribeck_speed,
     })
 }
 
@@ -193,30 +193,33 @@ fn peak_and_trough(torques: &[f64]) -> (f64, f64) {
 /// U. J. F. Aarsnes and R. J. Shor, "Torsional vibrations with bit off bottom: modeling,
 /// identification and field data validation", *Journal of Petroleum Science and Engineering*,
 /// 2018, Eqs. 38 and 39: a string that is wound up slowly slides when the torque has come to
-/// ∫F dx; where friction then falls everywhere, the torque swings by twice that.
+/// ∫F dx; where it is then turned faster and friction falls everywhere, the torque swings by
+/// twice that.
 #[test]
 fn a_string_breaks_loose_and_swings_by_twice_what_friction_falls() {
-    let (string, pieces, total) = (pipes::row(200, 0.0), 40, 9000.0);
+    // Damped as much as keeps a friction that falls a little from making it swing.
+    let (string, pieces, total) = (pipes::row(200, 0.1), 40, 9000.0);
     let nodes = middles(&string, pieces);
+    let (slow, wound_up, time) = (0.002, 450.0, 480.0);
+    let surface = Recording::new(vec![0.0, wound_up, wound_up + 5.0], vec![slow, slow, 0.2]);
+    let cascade = Cascade::new(&string, &Method::Quadrature, &nodes, 16.0, time).unwrap();
+    let profile = SurfaceProfile::Recorded(surface.unwrap());
+    let simulator = CascadeSimulator::new(&cascade, &profile, 0.0).unwrap();
     for ratio in [0.5, 0.8] {
-        let torques = vec![friction(total / pieces as f64, ratio, 0.02); pieces];
-        let torques = torques.into_iter().chain([NodeTorque::None]).collect();
-        let time = 100.0;
-        let cascade = Cascade::new(&string, &Method::Quadrature, &nodes, 16.0, time).unwrap();
-        // It slides as a whole before it is fast, in the last tenth of the time.
-        let profile = SurfaceProfile::Rise(0.95 * time);
-        let simulator = CascadeSimulator::new(&cascade, &profile, 0.0).unwrap();
+        let torques = vec![friction(total / pieces as f64, ratio, 0.3); pieces];
         let scene = CascadeScene {
-            surface_speed: 0.02 * 1.01,
-            torques,
+            surface_speed: 1.0,
+            torques: torques.into_iter().chain([NodeTorque::None]).collect(),
             timing: timing(time),
         };
         let mut record = Trajectory::default();
         simulator.simulate(&scene, Some(&mut record)).unwrap();
+        let before = (wound_up * 16.0) as usize;
+        let sliding = record.surface_torque[before];
+        assert!((sliding / total - 1.0).abs() < 1e-3, "{sliding}");
         let (peak, trough) = peak_and_trough(&record.surface_torque);
-        assert!((peak / total - 1.0).abs() < 0.01, "{peak}");
         let swing = (peak - trough) / (2.0 * (1.0 - ratio) * total);
-        assert!((swing - 1.0).abs() < 0.1, "{ratio}: {swing}");
+        assert!((swing - 1.0).abs() < 0.2, "{ratio}: {swing}");
     }
 }
 
@@ -229,7 +232,7 @@ fn masses_and_springs(
     surface: impl Fn(f64) -> f64,
     (frequency, time): (f64, f64),
 ) -> Vec<f64> {
-    let (masses, substeps) = (800, 80);
+    let (masses, substeps) = (250, 25);
     let tube = pipes::pipe(length / masses as f64);
     let step = 1.0 / (frequency * substeps as f64);
     let inertia = pipes::STEEL.density * tube.polar_moment() * tube.length;
@@ -266,17 +269,17 @@ fn masses_and_springs(
 
 /// R.m.s. error of the torque at the surface, of so many pieces at a sampling frequency, against
 /// masses and springs: a start in 3 s under friction that falls to half above a speed.
-fn errors_of_start(total: f64, static_up_to: f64) -> Vec<f64> {
-    let (length, damping, time) = (2000.0, 0.1, 30.0);
+fn errors_of_start(total: f64, stribeck_speed: f64) -> Vec<f64> {
+    let (length, damping, time) = (2000.0, 0.1, 15.0);
     let string = pipes::row(200, damping);
     let (speed, rise) = (6.0, 3.0);
     let friction_of = |pieces: usize| PipeFriction {
         torque_static: total / pieces as f64,
         torque_dynamic: 0.5 * total / pieces as f64,
-        static_up_to,
+        stribeck_speed,
     };
     let surface = |time: f64| speed * (time / rise).min(1.0);
-    let exact = masses_and_springs(friction_of(800), length, damping, surface, (32.0, time));
+    let exact = masses_and_springs(friction_of(250), length, damping, surface, (32.0, time));
     let error = |method: Method, pieces: usize, frequency: f64| {
         let nodes = middles(&string, pieces);
         let cascade = Cascade::new(&string, &method, &nodes, frequency, time).unwrap();
@@ -309,8 +312,8 @@ fn errors_of_start(total: f64, static_up_to: f64) -> Vec<f64> {
 #[test]
 fn a_start_is_that_of_masses_and_springs_in_small_steps() {
     let total = 16_000.0;
-    for (static_up_to, most) in [(0.0, 0.01), (0.5, 0.04)] {
-        let errors = errors_of_start(total, static_up_to);
+    for (stribeck_speed, most) in [(0.0, 0.01), (0.5, 0.04)] {
+        let errors = errors_of_start(total, stribeck_speed);
         assert!(
             errors[2] < most * total && errors[3] < most * total,
             "{errors:?}"

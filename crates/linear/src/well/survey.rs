@@ -79,6 +79,11 @@ impl Survey {
         Ok(Self { stations })
     }
 
+    /// Its stations, from the surface down.
+    pub fn stations(&self) -> &[Station] {
+        &self.stations
+    }
+
     /// Measured depth of the last station, m.
     pub fn depth(&self) -> f64 {
         self.stations[self.stations.len() - 1].measured_depth

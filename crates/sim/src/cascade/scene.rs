@@ -1,7 +1,7 @@
 //! A case of a string with torques at its nodes.
 
 use crate::laws::bit::BitTorque;
-use crate::laws::pipe::{PipeFriction, PipeMotion};
+use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::ranges::{SceneError, finite, not_negative};
 use crate::scene::Timing;
@@ -17,10 +17,23 @@ pub enum NodeTorque {
     Pipe(PipeFriction),
 }
 
-impl NodeTorque {
-    /// Meets the load line, what the node was doing before given.
+/// What acts at a node whose load lines have a slope.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum NodeLaw {
+    None,
+    Bit(BitTorque),
+    Pipe(OnLines),
+}
+
+impl NodeLaw {
+    /// Meets the load line, what the node was doing before given, and a guess of its speed.
     #[inline]
-    pub(super) fn meet(&self, before: &PipeMotion, line: LoadLine) -> TorqueStep<PipeMotion> {
+    pub(super) fn meet(
+        &self,
+        before: &PipeMotion,
+        line: LoadLine,
+        guess: f64,
+    ) -> TorqueStep<PipeMotion> {
         match self {
             Self::None => TorqueStep {
                 torque: 0.0,
@@ -33,14 +46,43 @@ impl NodeTorque {
                     speed,
                     state: motion,
                 } = law.meet(&before.motion, line);
-                let is_fast = false;
                 TorqueStep {
                     torque,
                     speed,
-                    state: PipeMotion { motion, is_fast },
+                    state: PipeMotion {
+                        motion,
+                        speed: speed.abs(),
+                    },
                 }
             }
-            Self::Pipe(law) => law.meet(before, line),
+            Self::Pipe(law) => law.meet(before, line.free_speed, guess.abs()),
+        }
+    }
+}
+
+impl NodeLaw {
+    /// By how much the torque against the node falls with its speed, where it turns, N m per
+    /// rad/s; of the bit's as if it stayed.
+    pub(super) fn fall(&self, speed: f64) -> f64 {
+        match self {
+            Self::None | Self::Bit(_) => 0.0,
+            Self::Pipe(law) => law.fall(speed.abs()),
+        }
+    }
+
+    /// Whether a node may be held.
+    pub(super) fn holds(&self) -> bool {
+        !matches!(self, Self::None)
+    }
+}
+
+impl NodeTorque {
+    /// With load lines of a compliance, rad/s per N m.
+    pub(super) fn on_lines(self, compliance: f64) -> NodeLaw {
+        match self {
+            Self::None => NodeLaw::None,
+            Self::Bit(law) => NodeLaw::Bit(law),
+            Self::Pipe(law) => NodeLaw::Pipe(law.on_lines(compliance)),
         }
     }
 

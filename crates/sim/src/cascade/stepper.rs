@@ -1,7 +1,7 @@
 //! Step by step: the waves that come out of each piece, the load lines that they leave at the
 //! nodes, the laws that meet these, and the waves that go in.
 
-use super::scene::CascadeScene;
+use super::scene::{CascadeScene, NodeLaw};
 use super::solution::Solution;
 use super::system::CascadeSystem;
 use super::waves::Past;
@@ -12,6 +12,7 @@ use crate::error::SimulationError;
 pub struct CascadeStepper<'a> {
     system: &'a CascadeSystem,
     scene: &'a CascadeScene,
+    laws: Vec<NodeLaw>,
     /// Waves that have gone into the ports: up from the uppermost node, into top and bottom of
     /// each link, and down from the lowest node.
     up: Past,
@@ -58,6 +59,9 @@ impl<'a> CascadeStepper<'a> {
         Ok(Self {
             system,
             scene,
+            laws: std::iter::zip(&scene.torques, &system.own)
+                .map(|(torque, own)| torque.on_lines(1.0 / own))
+                .collect(),
             up: Past::empty(&at_top),
             into: (system.links.iter())
                 .map(|link| {
@@ -94,7 +98,7 @@ impl<'a> CascadeStepper<'a> {
         }
         let time = self.system.sampling.time_of(self.next);
         self.find_driving_torques();
-        let settled = (self.now.nodes).solve(self.system, &self.scene.torques, &self.driving, time);
+        let settled = (self.now.nodes).solve(self.system, &self.laws, &self.driving, time);
         let mut speeds = self.now.nodes.speeds.iter();
         if let Some(site) = speeds.position(|speed| !speed.is_finite()) {
             return Err(SimulationError::NotFinite { site, time });

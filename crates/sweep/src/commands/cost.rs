@@ -187,7 +187,7 @@ fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, options: RunOpti
         let part = shorten(&mut case.scene, most);
         let begun = Instant::now();
         for (method, system) in systems.iter().enumerate() {
-            system.answer(&case, method, options);
+            system.answer(&case, method, options, &[]);
         }
         Some(begun.elapsed().as_secs_f64() / part)
     };

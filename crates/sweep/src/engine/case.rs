@@ -1,6 +1,6 @@
 //! One case: its values and its scene.
 
-use sim::{Lateral, Scene, Timing, torsion_timing};
+use sim::{BitTorque, CascadeScene, Lateral, NodeTorque, Scene, Timing, torsion_timing};
 
 use super::case_error::CaseError;
 use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Sweep};
@@ -17,6 +17,8 @@ pub struct Case {
     pub torque_dynamic_nm: Option<f64>,
     /// What is simulated.
     pub scene: Scene,
+    /// The same with friction along the string, where that is modelled.
+    pub rubbing: Option<CascadeScene>,
 }
 
 impl Case {
@@ -52,15 +54,25 @@ impl Case {
                 (Some(torque), Some(bit.torques(torque)))
             }
         };
-        let mut timing = bit.map_or(BY_DEFAULT, |bit| {
-            torsion_timing(&setting.string, surface_speed, &bit)
+        let torques = (setting.friction.as_ref())
+            .map(|friction| {
+                let coefficient = conditions.string_friction;
+                let coefficient =
+                    coefficient.ok_or(CaseError::Missing("friction of the string"))?;
+                let at_bit = bit.map_or(NodeTorque::None, NodeTorque::Bit);
+                Ok::<_, CaseError>(friction.torques(conditions, coefficient, at_bit))
+            })
+            .transpose()?;
+        let all = torques.as_deref().map_or(bit, together);
+        let mut timing = all.map_or(BY_DEFAULT, |all| {
+            torsion_timing(&setting.string, surface_speed, &all)
         });
         if setting.lateral.is_some() {
             // Two regimes are to be told.
             timing.duration = timing.duration.max(BY_DEFAULT.duration);
             timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
         }
-        timing.duration += setting.start.rise;
+        timing.duration += setting.profile.rise();
         if let AutoOr::Given(duration) = sweep.time {
             timing.duration = duration;
         }
@@ -68,6 +80,11 @@ impl Case {
             index,
             values,
             torque_dynamic_nm,
+            rubbing: torques.map(|torques| CascadeScene {
+                surface_speed,
+                torques,
+                timing,
+            }),
             scene: Scene {
                 surface_speed,
                 bit,
@@ -78,6 +95,23 @@ impl Case {
             },
         })
     }
+}
+
+/// All torques of a string as one at its bit, where there are any: it takes as long to break
+/// loose, and longer to swing.
+fn together(torques: &[NodeTorque]) -> Option<BitTorque> {
+    let limits = |torque: &NodeTorque| match torque {
+        NodeTorque::None => None,
+        NodeTorque::Bit(bit) => Some((bit.torque_static, bit.torque_dynamic)),
+        NodeTorque::Pipe(pipe) => Some((pipe.torque_static, pipe.torque_dynamic)),
+    };
+    let sum = |one: (f64, f64), other: (f64, f64)| (one.0 + other.0, one.1 + other.1);
+    let (torque_static, torque_dynamic) = torques.iter().filter_map(limits).reduce(sum)?;
+    Some(BitTorque {
+        torque_static,
+        torque_dynamic,
+        decay_speed: 0.0,
+    })
 }
 
 /// A bit without torque has no regime to wait for, and lateral motion none whose

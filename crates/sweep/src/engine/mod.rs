@@ -171,7 +171,9 @@ impl Work<'_> {
         }
         let record = match built.systems[method] {
             Ok(system) => Case::of(self.sweep, &system.setting, index)
-                .map(|case| system.answer(&case, method, self.options))
+                .map(|case| {
+                    system.answer(&case, method, self.options, &self.sweep.data.comparisons)
+                })
                 .map_err(Failure::new),
             Err(reason) => Err(Failure::new(reason)),
         };

@@ -41,6 +41,10 @@ pub struct Record {
     /// The site that decides the lateral label, m from the bit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub site_from_bit_m: Option<f64>,
+    /// How far it is from what was recorded, in the order of the comparisons; none where it does
+    /// not reach that.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub misfits: Vec<Option<f64>>,
     /// What came out, or why nothing did.
     pub outcome: Result<Outcome, Failure>,
 }
@@ -54,6 +58,7 @@ impl Record {
             values,
             torque_dynamic_nm: None,
             site_from_bit_m: None,
+            misfits: Vec::new(),
             outcome: Err(reason),
         }
     }

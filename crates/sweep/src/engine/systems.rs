@@ -7,12 +7,15 @@ use anyhow::{Context, Result, bail};
 use linear::deviation::exact_undershoot;
 use linear::estimates::largest_undershoot;
 use linear::{
-    ChannelRequest, ChannelResponses, ImpulseTrains, Method, Request, Responses, responses,
-    responses_with,
+    Cascade, ChannelRequest, ChannelResponses, ImpulseTrains, Method, Request, Responses,
+    responses, responses_with,
 };
 use rayon::prelude::*;
 use sim::excitation::least_impulse;
-use sim::{Outcome, Sampling, SimulationError, Simulator, Stopping, Trajectory};
+use sim::{
+    CascadeScene, CascadeSimulator, Outcome, Sampling, SimulationError, Simulator, Stopping,
+    Trajectory,
+};
 
 use super::case::Case;
 use super::case_error::CaseError;
@@ -20,7 +23,7 @@ use super::front::{Front, Overshoot};
 use super::instability::{Instability, is_unstable};
 use super::record::{Failure, Record};
 use super::run_options::RunOptions;
-use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
+use crate::plan::{Comparison, ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
@@ -42,6 +45,8 @@ pub struct MethodSystem {
     /// What it was built from.
     pub setting: Setting,
     simulator: Simulator,
+    /// The string in pieces, where friction acts all along it.
+    cascade: Option<CascadeSimulator>,
 }
 
 impl MethodSystem {
@@ -127,7 +132,18 @@ impl MethodSystem {
             None => responses(string, &method, &request)?,
             Some(trains) => responses_with(string, &method, &request, trains)?,
         };
-        Self::of(setting, responses, start)
+        let system = Self::of(setting, responses, start)?;
+        let Some(friction) = &setting.friction else {
+            return Ok(system);
+        };
+        let frequency = setting.sampling_frequency;
+        let cascade = Cascade::new(string, &method, &friction.nodes, frequency, longest_time)?;
+        let simulator = CascadeSimulator::new(&cascade, &setting.profile, setting.rotor_inertia)?;
+        Ok(Self {
+            build_seconds: start.elapsed().as_secs_f64(),
+            cascade: Some(simulator),
+            ..system
+        })
     }
 
     /// The system of responses, whoever made them, that were begun at a moment.
@@ -146,6 +162,7 @@ impl MethodSystem {
             build_seconds,
             setting: setting.clone(),
             simulator,
+            cascade: None,
             responses,
         })
     }
@@ -208,6 +225,9 @@ impl MethodSystem {
         stopping: Stopping,
         record: Option<&mut Trajectory>,
     ) -> Result<Outcome, SimulationError> {
+        if let Some((cascade, scene)) = self.cascade.as_ref().zip(case.rubbing.as_ref()) {
+            return self.rub(cascade, scene, record);
+        }
         let mut scene = case.scene.clone();
         for (index, least) in self.relative_impulses() {
             if let Some(lateral) = &mut scene.lateral {
@@ -217,10 +237,28 @@ impl MethodSystem {
         self.simulator.simulate(&scene, stopping, record)
     }
 
+    /// A string that rubs along its well; of its nodes only the sites are recorded.
+    fn rub(
+        &self,
+        cascade: &CascadeSimulator,
+        scene: &CascadeScene,
+        mut record: Option<&mut Trajectory>,
+    ) -> Result<Outcome, SimulationError> {
+        let outcome = cascade.simulate(scene, record.as_deref_mut())?;
+        if let (Some(record), Some(friction)) = (record, &self.setting.friction) {
+            let mut speeds = std::mem::take(&mut record.speeds);
+            let sites = friction.looked_at.iter();
+            record.speeds = sites
+                .map(|&node| std::mem::take(&mut speeds[node]))
+                .collect();
+        }
+        Ok(outcome)
+    }
+
     /// Speeds of all sites, rad/s, in a motion of which the torque on the bit is known;
     /// where lateral motion is modelled, every site has been simulated, and `None`.
     pub fn driven_speeds(&self, case: &Case, motion: &Trajectory) -> Option<Vec<Vec<f64>>> {
-        if self.responses.bending().is_some() {
+        if self.responses.bending().is_some() || self.cascade.is_some() {
             return None;
         }
         let steps = motion.speeds.first().map_or(0, Vec::len);
@@ -235,6 +273,10 @@ impl MethodSystem {
     /// Where the method does not treat the string.
     pub fn motor_torque(&self, case: &Case, motion: &Trajectory) -> Result<Option<Vec<f64>>> {
         let (setting, longest_time) = (&self.setting, self.responses.longest_time);
+        if self.cascade.is_some() {
+            // It has been followed.
+            return Ok(None);
+        }
         let is_driven = setting.string.top_drive().is_some() && !motion.bit_torque.is_empty();
         if !is_driven || self.responses.bending().is_some() {
             return Ok(None);
@@ -245,7 +287,7 @@ impl MethodSystem {
         let torques = sim::surface_torque(
             &self.responses,
             &taps,
-            setting.start,
+            &setting.profile,
             speed,
             &motion.bit_torque,
         )?;
@@ -254,8 +296,14 @@ impl MethodSystem {
 
     /// What a run with these options comes to of a case; `method` is this one's place in
     /// the sweep's list. A case that panics is one without an answer, and not the end of
-    /// the sweep.
-    pub fn answer(&self, case: &Case, method: usize, options: RunOptions) -> Record {
+    /// the sweep. Its motion is held against `comparisons`.
+    pub fn answer(
+        &self,
+        case: &Case,
+        method: usize,
+        options: RunOptions,
+        comparisons: &[Comparison],
+    ) -> Record {
         let failed = |reason: CaseError| {
             let values = case.values.clone();
             Record::failed(case.index, method, values, Failure::new(reason))
@@ -264,13 +312,25 @@ impl MethodSystem {
             return failed(CaseError::Unstable(instability));
         }
         let stopping = options.stopping(case.index);
-        let simulated = catch_unwind(AssertUnwindSafe(|| self.simulate(case, stopping, None)));
+        // Whatever is held against a recording is followed to the end.
+        let mut motion = (!comparisons.is_empty()).then(Trajectory::default);
+        let simulated = catch_unwind(AssertUnwindSafe(|| {
+            self.simulate(case, stopping, motion.as_mut())
+        }));
         let distances = self.setting.sites.distances_from_bit();
         let mut record = failed(CaseError::Panicked);
         record.torque_dynamic_nm = case.torque_dynamic_nm;
         if let Ok(simulated) = simulated {
             let lateral = simulated.as_ref().ok().and_then(|outcome| outcome.lateral);
             record.site_from_bit_m = lateral.map(|lateral| distances[lateral.site]);
+            if let (Ok(_), Some(motion)) = (&simulated, &mut motion) {
+                if let Ok(Some(torques)) = self.motor_torque(case, motion) {
+                    motion.surface_torque = torques;
+                }
+                record.misfits = (comparisons.iter())
+                    .map(|comparison| comparison.misfit(motion))
+                    .collect();
+            }
             record.outcome = simulated.map_err(|error| {
                 let site = error.site();
                 let site = site.and_then(|site| Some((site, *distances.get(site)?)));
@@ -287,7 +347,8 @@ pub(super) fn request(setting: &Setting, cuts: bool, longest_time: f64) -> Reque
     let torques = match &setting.lateral {
         // Friction turns the string wherever it touches the wall.
         Some(_) => (0..sites).collect(),
-        None if cuts => vec![sites - 1],
+        // Where the string rubs, torques act on its pieces.
+        None if cuts && setting.friction.is_none() => vec![sites - 1],
         None => Vec::new(),
     };
     let in_bending = (setting.lateral.as_ref()).map(|lateral| ChannelRequest::Bending {

@@ -47,7 +47,9 @@ impl FollowedMethod {
         options: RunOptions,
         is_alone: bool,
     ) -> Result<(Record, Option<Simulation>)> {
-        let row = self.case.answer(case, method, options);
+        let row = self
+            .case
+            .answer(case, method, options, &sweep.data.comparisons);
         let Ok(answer) = row.outcome else {
             return Ok((row, None));
         };

@@ -150,7 +150,7 @@ impl Histories<'_> {
             );
             Some(Reference {
                 across: Across::X,
-                at: times.first_slip + 0.5 * self.sweep.setting.start.rise,
+                at: times.first_slip + 0.5 * self.sweep.setting.profile.rise(),
                 name: "τ₁".to_owned(),
             })
         })

@@ -18,6 +18,12 @@ pub struct About {
     pub manifest: Manifest,
     /// Whether `labels.csv` has a column of T_d beside the axes.
     pub shows_torque: bool,
+    /// Whether it has columns of what turns the surface.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_surface: bool,
+    /// Its columns of what cases are held against.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub misfits: Vec<String>,
     /// The sweep file, as the command names it.
     pub sweep_file: String,
     /// Simulations in all.
@@ -45,6 +51,12 @@ impl About {
         Ok(Self {
             manifest,
             shows_torque: shows_torque(sweep),
+            shows_surface: sweep.setting.friction.is_some(),
+            misfits: LabelTable::of(sweep)
+                .misfits
+                .into_iter()
+                .map(str::to_owned)
+                .collect(),
             sweep_file: sweep_file.display().to_string(),
             simulations: pairs_of(sweep, shard),
         })
@@ -56,6 +68,8 @@ impl About {
             methods: self.manifest.method_names(),
             axes: &self.manifest.axes,
             shows_torque: self.shows_torque,
+            shows_surface: self.shows_surface,
+            misfits: self.misfits.iter().map(String::as_str).collect(),
         }
     }
 }

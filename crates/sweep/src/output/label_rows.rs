@@ -5,7 +5,10 @@ use std::path::Path;
 use std::str::{FromStr, Split};
 
 use anyhow::{Context, Result, anyhow};
-use sim::{Ended, Label, LateralMeasures, LateralRegime, Outcome, TorsionMeasures, TorsionRegime};
+use sim::{
+    Ended, Label, LateralMeasures, LateralRegime, Outcome, SurfaceMeasures, TorsionMeasures,
+    TorsionRegime,
+};
 
 use super::labels::{FAILED, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
 use super::motion::Labels;
@@ -263,7 +266,16 @@ pub fn record_of(
     }
     record.outcome = match reason(case, name) {
         Some(reason) => Err(Failure::new(reason)),
-        None => Ok(fields.outcome(sweep, &mut record)?),
+        None => {
+            let mut outcome = fields.outcome(sweep, &mut record)?;
+            if table.shows_surface {
+                outcome.surface = Some(fields.surface()?);
+            }
+            for _ in &table.misfits {
+                record.misfits.push(fields.optional()?);
+            }
+            Ok(outcome)
+        }
     };
     // What is left out above, such as the values, is compared here.
     (table.row(&record) == row).then_some(record)
@@ -310,7 +322,22 @@ impl<'a> Fields<'a> {
                 word => Some(Label::of_name(word)?),
             },
             simulated: self.number()?,
-            ended: Ended::of_name(self.word()?)?,
+            ended: {
+                let ended = Ended::of_name(self.word()?)?;
+                // Its status, which the reasons of failures say.
+                self.word()?;
+                ended
+            },
+            surface: None,
+        })
+    }
+
+    fn surface(&mut self) -> Option<SurfaceMeasures> {
+        Some(SurfaceMeasures {
+            peak_torque: self.number()?,
+            least_torque: self.number()?,
+            mean_torque: self.number()?,
+            greatest_torque: self.number()?,
         })
     }
 

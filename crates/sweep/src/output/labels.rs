@@ -34,6 +34,14 @@ const RESULT_COLUMNS: [&str; 22] = [
     "status",
 ];
 
+/// Columns of what turns the surface, where that is followed.
+const SURFACE_COLUMNS: [&str; 4] = [
+    "surface_torque_peak_nm",
+    "surface_torque_least_nm",
+    "surface_torque_mean_nm",
+    "surface_torque_greatest_nm",
+];
+
 /// The status of a case with an answer, and of one without.
 const DONE: &str = "ok";
 pub(super) const FAILED: &str = "failed";
@@ -50,6 +58,10 @@ pub struct LabelTable<'a> {
     pub axes: &'a [Axis],
     /// Whether T_d has a column: it has where it follows from an axis and is none itself.
     pub shows_torque: bool,
+    /// Whether what turns the surface is followed.
+    pub shows_surface: bool,
+    /// Columns of what cases are held against.
+    pub misfits: Vec<&'a str>,
 }
 
 impl<'a> LabelTable<'a> {
@@ -59,6 +71,10 @@ impl<'a> LabelTable<'a> {
             methods: sweep.methods.iter().map(|method| method.name()).collect(),
             axes: sweep.design.axes(),
             shows_torque: shows_torque(sweep),
+            shows_surface: sweep.setting.friction.is_some(),
+            misfits: (sweep.data.comparisons.iter())
+                .map(|comparison| comparison.column.as_str())
+                .collect(),
         }
     }
 
@@ -68,6 +84,10 @@ impl<'a> LabelTable<'a> {
         header.extend(self.axes.iter().map(|axis| axis.name()));
         header.extend(self.shows_torque.then(|| Axis::TorqueDynamicNm.name()));
         header.extend(RESULT_COLUMNS.map(str::to_owned));
+        if self.shows_surface {
+            header.extend(SURFACE_COLUMNS.map(str::to_owned));
+        }
+        header.extend(self.misfits.iter().map(|&column| column.to_owned()));
         header.join(",")
     }
 
@@ -90,6 +110,16 @@ impl<'a> LabelTable<'a> {
         row.add_optional(done.map(|outcome| outcome.simulated));
         row.add_optional(done.map(|outcome| outcome.ended.name()));
         row.add(if done.is_some() { DONE } else { FAILED });
+        if self.shows_surface {
+            let surface = done.and_then(|outcome| outcome.surface);
+            row.add_optional(surface.map(|it| it.peak_torque));
+            row.add_optional(surface.map(|it| it.least_torque));
+            row.add_optional(surface.map(|it| it.mean_torque));
+            row.add_optional(surface.map(|it| it.greatest_torque));
+        }
+        for index in 0..self.misfits.len() {
+            row.add_optional(record.misfits.get(index).copied().flatten());
+        }
         row.0
     }
 }

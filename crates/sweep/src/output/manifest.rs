@@ -12,7 +12,7 @@ use super::tally::Tally;
 use crate::design::Design;
 use crate::engine::{MethodSystem, RunOptions, Shard};
 use crate::files::{Checksum, hexadecimal, refuse_irregular, write_atomically};
-use crate::plan::{Choice, MapSettings, Sweep};
+use crate::plan::{Choice, Data, MapSettings, Sweep};
 use crate::quantities::Axis;
 use crate::sweep_file::FileContent;
 use crate::text_file::unreadable;
@@ -34,6 +34,9 @@ pub struct Manifest {
     pub meaning_sha256: String,
     /// Hash of the cases, where the design is a list.
     pub cases_sha256: Option<String>,
+    /// Hash of a survey and of what was recorded, where the file names any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub data_sha256: Option<String>,
     /// Seed, where the design draws random cases.
     pub seed: Option<u64>,
     /// Sampling frequency, Hz; of the string as the file says it, where axes
@@ -131,6 +134,7 @@ impl Manifest {
             platform: format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),
             meaning_sha256: fingerprint_hash(&fingerprint(sweep, options)?)?,
             cases_sha256: cases_hash(&sweep.design)?,
+            data_sha256: data_hash(&sweep.data)?,
             seed: sweep.design.seed(),
             sampling_frequency_hz: sweep.setting.sampling_frequency,
             sampling_frequency_by_rule: sweep.setting.sampling_by_rule,
@@ -161,7 +165,8 @@ impl Manifest {
     /// # Errors
     /// None that a manifest that was read could cause.
     pub fn fingerprint(&self) -> Result<serde_json::Value> {
-        fingerprint_of(&self.sweep, self.cases_sha256.as_deref(), self.options)
+        let hashes = [&self.cases_sha256, &self.data_sha256].map(Option::as_deref);
+        fingerprint_of(&self.sweep, hashes, self.options)
     }
 
     /// Whether there is a map of it: none of a part, nor of fewer than two axes.
@@ -200,16 +205,17 @@ impl Manifest {
 /// # Errors
 /// None that a sweep that was read could cause.
 pub fn fingerprint(sweep: &Sweep, options: RunOptions) -> Result<serde_json::Value> {
+    let hashes = [cases_hash(&sweep.design)?, data_hash(&sweep.data)?];
     fingerprint_of(
         &sweep.content,
-        cases_hash(&sweep.design)?.as_deref(),
+        hashes.each_ref().map(Option::as_deref),
         options,
     )
 }
 
 fn fingerprint_of(
     content: &FileContent,
-    cases_sha256: Option<&str>,
+    hashes: [Option<&str>; 2],
     options: RunOptions,
 ) -> Result<serde_json::Value> {
     let mut content = content.clone();
@@ -220,8 +226,13 @@ fn fingerprint_of(
     }
     let mut fingerprint = serde_json::to_value(&content)?;
     if let Some(table) = fingerprint.as_object_mut() {
-        if let Some(hash) = cases_sha256 {
-            table.insert("cases of the list".to_owned(), hash.into());
+        for (name, hash) in ["cases of the list", "survey and recordings"]
+            .iter()
+            .zip(hashes)
+        {
+            if let Some(hash) = hash {
+                table.insert((*name).to_owned(), hash.into());
+            }
         }
         for (option, is_given) in [
             ("--full", options.full),
@@ -244,6 +255,16 @@ fn cases_hash(design: &Design) -> Result<Option<String>> {
     for case in 0..design.cases() {
         hash.update(serde_json::to_vec(&design.values(case))?);
     }
+    Ok(Some(hexadecimal(hash)))
+}
+
+/// Hash of what the files say that a sweep file names, where it names any.
+fn data_hash(data: &Data) -> Result<Option<String>> {
+    let Some(meaning) = data.meaning() else {
+        return Ok(None);
+    };
+    let mut hash = Sha256::new();
+    hash.update(serde_json::to_vec(&meaning)?);
     Ok(Some(hexadecimal(hash)))
 }
 

@@ -1,8 +1,9 @@
 //! The operating conditions of a case: what the file says, unless an axis does.
 
+use super::data::Data;
 use crate::design::Design;
 use crate::quantities::Axis;
-use crate::sweep_file::{BitTable, FileContent, Source, SweepFileError};
+use crate::sweep_file::{FileContent, Source, SweepFileError};
 
 /// One turn a minute, rad/s.
 pub const RPM: f64 = std::f64::consts::TAU / 60.0;
@@ -20,18 +21,27 @@ pub struct Conditions {
     pub impulse_ratio: Option<f64>,
     /// Friction of the wall, by an axis.
     pub friction: Option<f64>,
+    /// Static coefficient of friction along the string.
+    pub string_friction: Option<f64>,
+    /// The dynamic one in parts of that.
+    pub string_friction_ratio: Option<f64>,
+    /// Its Stribeck speed, rpm.
+    pub string_friction_stribeck_rpm: Option<f64>,
     /// What the friction of every wall is multiplied by, whoever gives it.
     pub friction_factor: Option<f64>,
 }
 
 impl Conditions {
     /// The axes that change them.
-    pub const AXES: [Axis; 5] = [
+    pub const AXES: [Axis; 8] = [
         Axis::SurfaceSpeedRpm,
         Axis::WeightOnBitKn,
         Axis::TorqueDynamicNm,
         Axis::ImpulseRatio,
         Axis::Friction,
+        Axis::StringFriction,
+        Axis::StringFrictionRatio,
+        Axis::StringFrictionSpeed,
     ];
 
     /// These conditions with one of them changed. Weight on bit and torque
@@ -49,6 +59,9 @@ impl Conditions {
             }
             Axis::ImpulseRatio => self.impulse_ratio = Some(value),
             Axis::Friction => self.friction = Some(value),
+            Axis::StringFriction => self.string_friction = Some(value),
+            Axis::StringFrictionRatio => self.string_friction_ratio = Some(value),
+            Axis::StringFrictionSpeed => self.string_friction_stribeck_rpm = Some(value),
             // Part of the setting.
             Axis::String(_) => {}
         }
@@ -63,6 +76,9 @@ impl Conditions {
             Axis::TorqueDynamicNm => self.torque_dynamic_nm,
             Axis::ImpulseRatio => self.impulse_ratio,
             Axis::Friction => self.friction,
+            Axis::StringFriction => self.string_friction,
+            Axis::StringFrictionRatio => self.string_friction_ratio,
+            Axis::StringFrictionSpeed => self.string_friction_stribeck_rpm,
             Axis::String(_) => None,
         }
     }
@@ -87,10 +103,18 @@ pub fn to_rpm(speed: f64) -> f64 {
 ///
 /// # Errors
 /// Where a value is refused.
-pub fn resolve(source: &Source, content: &FileContent) -> Result<Conditions, SweepFileError> {
-    let bit = content.bit.as_ref();
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    data: &Data,
+) -> Result<Conditions, SweepFileError> {
+    let (bit, friction) = (content.bit.as_ref(), content.string_friction.as_ref());
     let conditions = Conditions {
-        surface_speed_rpm: content.surface_speed_rpm,
+        // A recording is in parts of its fastest.
+        surface_speed_rpm: data.fastest_surface_rpm().or(content.surface_speed_rpm),
+        string_friction: friction.and_then(|friction| friction.static_coefficient),
+        string_friction_ratio: friction.map(|friction| friction.dynamic_ratio),
+        string_friction_stribeck_rpm: friction.map(|friction| friction.stribeck_rpm),
         weight_on_bit_kn: bit.and_then(|bit| bit.weight_on_bit_kn),
         torque_dynamic_nm: bit.and_then(|bit| bit.torque_dynamic_nm),
         ..Conditions::default()
@@ -99,6 +123,9 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Conditions, Swe
         ("surface_speed_rpm", Axis::SurfaceSpeedRpm),
         ("bit.weight_on_bit_kn", Axis::WeightOnBitKn),
         ("bit.torque_dynamic_nm", Axis::TorqueDynamicNm),
+        ("string_friction.static_coefficient", Axis::StringFriction),
+        ("string_friction.dynamic_ratio", Axis::StringFrictionRatio),
+        ("string_friction.stribeck_rpm", Axis::StringFrictionSpeed),
     ] {
         if let Some(value) = conditions.value(axis) {
             source.check_axis(key, axis, value)?;
@@ -116,16 +143,38 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Conditions, Swe
 /// Names what is missing, or there twice.
 pub fn are_complete(
     source: &Source,
-    bit: Option<&BitTable>,
+    content: &FileContent,
     conditions: &Conditions,
     design: &Design,
 ) -> Result<(), SweepFileError> {
     let has = |axis| conditions.has(axis, design);
     let message = "is needed: give a number, or make it an axis of the design";
     source.refuse_if(!has(Axis::SurfaceSpeedRpm), "surface_speed_rpm", message)?;
+    let of_friction = |axis: &&Axis| {
+        use Axis::{StringFriction, StringFrictionRatio, StringFrictionSpeed};
+        matches!(
+            axis,
+            StringFriction | StringFrictionRatio | StringFrictionSpeed
+        )
+    };
+    match (
+        content.string_friction,
+        design.axes().iter().find(of_friction),
+    ) {
+        (None, Some(axis)) => {
+            let message = format!("the axis {} needs a table [string_friction]", axis.name());
+            return Err(source.error("design", message));
+        }
+        (Some(_), _) if !has(Axis::StringFriction) => {
+            let message =
+                "needs `static_coefficient`, or `string_friction` as an axis of the design";
+            return Err(source.error("string_friction", message));
+        }
+        _ => {}
+    }
     let gives_torque = |axis: &&Axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     let mut torques = design.axes().iter().filter(gives_torque);
-    let Some(bit) = bit else {
+    let Some(bit) = &content.bit else {
         return torques.next().map_or(Ok(()), |axis| {
             let message = format!("the axis {} needs a table [bit]", axis.name());
             Err(source.error("design", message))

@@ -3,7 +3,9 @@
 
 mod bit;
 mod choice;
+mod compare;
 mod conditions;
+mod data;
 #[cfg(test)]
 mod guide;
 mod impulses;
@@ -14,6 +16,7 @@ mod setting;
 mod sheet;
 mod sites;
 mod string;
+mod string_friction;
 mod sweep;
 #[cfg(test)]
 mod tests;
@@ -23,7 +26,9 @@ mod wall;
 
 pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
+pub use compare::Comparison;
 pub use conditions::{Conditions, to_rpm};
+pub use data::Data;
 pub use impulses::{ImpulseAmount, ImpulseSettings, LARGEST_IMPULSE};
 pub use lateral::LateralSettings;
 pub use map::{MapMark, MapSettings};

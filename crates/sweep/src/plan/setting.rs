@@ -6,11 +6,13 @@ use std::borrow::Cow;
 
 use linear::estimates::{sampling_frequency, torsional_travel_time};
 use linear::{Drillstring, Sites};
-use sim::SurfaceStart;
+use sim::SurfaceProfile;
 
 use super::conditions::Conditions;
+use super::data::Data;
 use super::impulses::ImpulseSettings;
 use super::lateral::{self, LateralSettings};
+use super::string_friction::{self, StringFriction};
 use super::{sites, string, top_drive};
 use crate::design::Design;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
@@ -33,8 +35,12 @@ pub struct Setting {
     pub sampling_frequency: f64,
     /// Whether that follows from the string by the paper's rule.
     pub sampling_by_rule: bool,
-    /// How the surface comes to its speed.
-    pub start: SurfaceStart,
+    /// How the surface turns, in parts of the speed of a case.
+    pub profile: SurfaceProfile,
+    /// Inertia of a rotor that is held at that whatever it takes, kg m².
+    pub rotor_inertia: f64,
+    /// Friction along the string, where that is modelled.
+    pub friction: Option<StringFriction>,
     /// Lateral motion, where it is modelled.
     pub lateral: Option<LateralSettings>,
 }
@@ -43,7 +49,8 @@ impl Setting {
     /// What labels and measures need of this: without a wall only the bit has any, and
     /// places that are just looked at are left to whoever draws them.
     pub fn for_labels(&self) -> Cow<'_, Self> {
-        if self.lateral.is_some() || self.sites.len() == 1 {
+        // Friction has nodes of its own, whatever is looked at.
+        if self.lateral.is_some() || self.friction.is_some() || self.sites.len() == 1 {
             return Cow::Borrowed(self);
         }
         Cow::Owned(Self {
@@ -74,10 +81,12 @@ impl Setting {
     pub(super) fn resolve(
         source: &Source,
         content: &FileContent,
+        data: &Data,
         conditions: &Conditions,
         design: &Design,
     ) -> Result<Self, SweepFileError> {
-        let string = top_drive::resolve(source, content, string::resolve(source, content)?)?;
+        let string = string::resolve(source, content)?;
+        let (string, rotor_inertia) = top_drive::resolve(source, content, string)?;
         let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
             AutoOr::Auto => (sampling_frequency(&string), true),
             AutoOr::Given(value) => {
@@ -87,14 +96,24 @@ impl Setting {
         };
         let (key, rise) = ("surface_speed_rise_s", content.surface_speed_rise_s);
         let rise = source.within(key, rise, 0.0, 1e4, "s")?;
+        let profile = match (&data.surface_speed, conditions.surface_speed_rpm) {
+            (Some(recorded), Some(fastest)) => {
+                let part = |speed: f64| speed / fastest;
+                SurfaceProfile::Recorded(recorded.map(part))
+            }
+            _ => SurfaceProfile::Rise(rise),
+        };
         let sites = sites::resolve(source, content, &string)?;
         let lateral = lateral::resolve(source, content, &string, &sites, conditions, design)?;
+        let friction = string_friction::resolve(source, content, data, &string, &sites)?;
         let setting = Self {
             string,
             sites,
             sampling_frequency,
             sampling_by_rule,
-            start: SurfaceStart { rise },
+            profile,
+            rotor_inertia,
+            friction,
             lateral,
         };
         // For an accuracy another frequency is chosen.

@@ -8,6 +8,7 @@ use linear::Method;
 use super::bit::{self, Bit};
 use super::choice::{self, Choice};
 use super::conditions::{self, Conditions};
+use super::data::Data;
 use super::map::{self, MapSettings};
 use super::methods;
 use super::setting::Setting;
@@ -45,6 +46,8 @@ pub struct Sweep {
     pub map: Option<MapSettings>,
     /// What was made of a BHA sheet, where the string comes from one.
     pub sheet: Option<SheetNotes>,
+    /// What the files that it names say.
+    pub data: Data,
     /// The file as written, its bases merged in.
     pub content: FileContent,
     /// Where each of its keys stands.
@@ -85,9 +88,10 @@ impl Sweep {
         texts::check(&source, &content)?;
         let table = content.bit.as_ref();
         let bit = table.map(|bit| bit::resolve(&source, bit)).transpose()?;
-        let conditions = conditions::resolve(&source, &content)?;
         let design = Design::resolve(&source, content.design.as_ref(), text_of)?;
-        conditions::are_complete(&source, table, &conditions, &design)?;
+        let data = Data::read(&source, &content, &design, text_of)?;
+        let conditions = conditions::resolve(&source, &content, &data)?;
+        conditions::are_complete(&source, &content, &conditions, &design)?;
         let name = path.file_stem().map_or_else(
             || "sweep".to_owned(),
             |stem| stem.to_string_lossy().into_owned(),
@@ -95,7 +99,12 @@ impl Sweep {
         if let AutoOr::Given(time) = content.time_s {
             source.within("time_s", time, 1e-3, 1e6, "s")?;
         }
-        let setting = Setting::resolve(&source, &content, &conditions, &design)?;
+        // What was recorded is followed as long as it is.
+        let time = match (content.time_s, &data.surface_speed) {
+            (AutoOr::Auto, Some(recording)) => AutoOr::Given(recording.end()),
+            (time, _) => time,
+        };
+        let setting = Setting::resolve(&source, &content, &data, &conditions, &design)?;
         string::check_axes(&source, &content, &design)?;
         if let Some(accuracy) = content.accuracy {
             choice::check(&source, accuracy)?;
@@ -109,11 +118,12 @@ impl Sweep {
             choice: None,
             map,
             name,
-            time: content.time_s,
+            time,
             bit,
             conditions,
             design,
             sheet,
+            data,
             content,
             source,
         })
@@ -175,8 +185,14 @@ impl Sweep {
             Cow::Borrowed(_) => Ok(Cow::Borrowed(&self.setting)),
             Cow::Owned(mut content) => {
                 content.take_along(&self.content.sites);
-                Setting::resolve(&self.source, &content, &self.conditions, &self.design)
-                    .map(Cow::Owned)
+                Setting::resolve(
+                    &self.source,
+                    &content,
+                    &self.data,
+                    &self.conditions,
+                    &self.design,
+                )
+                .map(Cow::Owned)
             }
         }
     }

@@ -5,7 +5,8 @@ use linear::{Drillstring, TopDrive, controllers};
 
 use crate::sweep_file::{ControllerName, FileContent, Source, SweepFileError, TopDriveTable};
 
-/// The string below the drive of the file, where that has one.
+/// The string below the drive of the file, where that has one; and the inertia (kg m²) of a
+/// rotor that turns at a speed whatever it takes.
 ///
 /// # Errors
 /// Where a number of it is refused.
@@ -13,20 +14,28 @@ pub fn resolve(
     source: &Source,
     content: &FileContent,
     string: Drillstring,
-) -> Result<Drillstring, SweepFileError> {
+) -> Result<(Drillstring, f64), SweepFileError> {
     let Some(table) = &content.top_drive else {
-        return Ok(string);
+        return Ok((string, 0.0));
     };
-    let drive = drive(source, table, &string)?;
+    let (drive, inertia) = drive(source, table, &string)?;
+    let Some(drive) = drive else {
+        let message = "a rotor that is held at its speed shows in the motor's torque alone, \
+                       which is followed with [string_friction]";
+        let is_idle = content.string_friction.is_none();
+        source.refuse_if(is_idle, "top_drive.controller", message)?;
+        return Ok((string, inertia));
+    };
     let error = |error: linear::DrillstringError| source.error("top_drive", error.to_string());
-    string.with_top_drive(drive).map_err(error)
+    Ok((string.with_top_drive(drive).map_err(error)?, 0.0))
 }
 
+/// The drive, where it gives way at all, and the inertia that its controller leaves, kg m².
 fn drive(
     source: &Source,
     table: &TopDriveTable,
     string: &Drillstring,
-) -> Result<TopDrive, SweepFileError> {
+) -> Result<(Option<TopDrive>, f64), SweepFileError> {
     let within = |key: &str, value, least, most, unit| {
         source.within(&format!("top_drive.{key}"), value, least, most, unit)
     };
@@ -49,7 +58,8 @@ fn drive(
         .transpose()?;
     refuse_idle(source, table)?;
     let left = inertia * (1.0 - compensated.unwrap_or(0.0));
-    Ok(match table.controller {
+    let drive = match table.controller {
+        ControllerName::Prescribed => return Ok((None, left)),
         ControllerName::Stiff => controllers::stiff(string, left),
         ControllerName::SoftTorque => {
             let of_mode = first_mode(string).inertia;
@@ -80,7 +90,8 @@ fn drive(
                 integral_gain: required("integral_gain_knm_rad", integral_gain)?,
             }
         }
-    })
+    };
+    Ok((Some(drive), left))
 }
 
 /// Gains beside a preset that has its own would be ignored.
@@ -88,7 +99,9 @@ fn refuse_idle(source: &Source, table: &TopDriveTable) -> Result<(), SweepFileEr
     let has_own = |controller| match controller {
         ControllerName::Gains => [false, false],
         ControllerName::ImpedanceMatched => [true, false],
-        ControllerName::Stiff | ControllerName::SoftTorque => [true, true],
+        ControllerName::Prescribed | ControllerName::Stiff | ControllerName::SoftTorque => {
+            [true, true]
+        }
     };
     let given = [
         (

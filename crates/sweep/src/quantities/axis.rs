@@ -18,6 +18,12 @@ pub enum Axis {
     ImpulseRatio,
     /// Friction μ₀ of the borehole wall.
     Friction,
+    /// Static coefficient of friction along the string.
+    StringFriction,
+    /// The dynamic coefficient in parts of that.
+    StringFrictionRatio,
+    /// Stribeck speed of that friction, rpm.
+    StringFrictionSpeed,
 }
 
 /// A quantity of the string that a design varies: each value needs a linear system of

@@ -55,6 +55,25 @@ pub const TWINS: [Twin; 18] = [
     twin("_gpa", "_psi", &[1e-9 * PSI]),
 ];
 
+/// Endings of columns of recorded quantities, that of the quantity in the program, and what
+/// numbers are multiplied by.
+const RECORDED: [(&str, &str, f64); 6] = [
+    ("_rpm", "_rpm", 1.0),
+    ("_rad_s", "_rpm", 60.0 / std::f64::consts::TAU),
+    ("_nm", "_nm", 1.0),
+    ("_knm", "_nm", 1e3),
+    ("_lbf_ft", "_nm", POUND_FORCE * FOOT),
+    ("_klbf_ft", "_nm", 1e3 * POUND_FORCE * FOOT),
+];
+
+/// What numbers of a recorded column are multiplied by to be in the unit that a name with this
+/// ending has, if they can be.
+pub fn factor_of_recorded(column: &str, unit: &str) -> Option<f64> {
+    let mut units = RECORDED.iter();
+    let found = units.find(|(ending, of, _)| *of == unit && column.ends_with(ending));
+    found.map(|(_, _, factor)| *factor)
+}
+
 /// The known name that this one is a twin of, and the factors of its numbers.
 pub fn in_si(name: &str, is_known: impl Fn(&str) -> bool) -> Option<(String, &'static [f64])> {
     TWINS.iter().find_map(|twin| {

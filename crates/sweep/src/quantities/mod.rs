@@ -11,6 +11,6 @@ mod table;
 pub use axis::{Axis, StringAxis, TubeMeasure};
 #[cfg(test)]
 pub use field_units::TWINS;
-pub use field_units::{FOOT, INCH, POUND, POUND_FORCE, in_si};
+pub use field_units::{FOOT, INCH, POUND, POUND_FORCE, factor_of_recorded, in_si};
 pub use range::{in_digits, within};
 pub use table::LONGEST_STRING;

@@ -49,12 +49,15 @@ const fn tube(measure: TubeMeasure) -> Axis {
 
 /// One axis of every kind: operating conditions in the order of their columns, then
 /// quantities of the string.
-const KINDS: [Axis; 13] = [
+const KINDS: [Axis; 16] = [
     Axis::SurfaceSpeedRpm,
     Axis::WeightOnBitKn,
     Axis::TorqueDynamicNm,
     Axis::ImpulseRatio,
     Axis::Friction,
+    Axis::StringFriction,
+    Axis::StringFrictionRatio,
+    Axis::StringFrictionSpeed,
     Axis::String(StringAxis::TorsionalDamping),
     Axis::String(StringAxis::BendingDamping),
     Axis::String(StringAxis::Compression),
@@ -74,6 +77,9 @@ impl Axis {
             Axis::TorqueDynamicNm => row("torque_dynamic_nm", ("Dynamic torque T_d", "T_d"), (0.0, 1e7, "N m")),
             Axis::ImpulseRatio => row("impulse_ratio", ("Impulse I / I₀", "I/I₀"), (0.0, 1e6, "")),
             Axis::Friction => row("friction", ("Coefficient of friction μ₀", "μ₀"), (0.0, 50.0, "")),
+            Axis::StringFriction => row("string_friction", ("Static friction of the string μ_s", "μ_s"), (0.0, 50.0, "")),
+            Axis::StringFrictionRatio => row("string_friction_ratio", ("Dynamic by static friction μ_d / μ_s", "μ_d/μ_s"), (0.0, 1.0, "")),
+            Axis::StringFrictionSpeed => row("string_friction_stribeck_rpm", ("Stribeck speed ω_s", "ω_s"), (0.0, 1e4, "rpm")),
             Axis::String(axis) => match axis {
                 StringAxis::TorsionalDamping => row("torsional_damping_nms_rad_m", ("Torsional damping", ""), (0.0, 1e5, "N m s/rad per m")),
                 StringAxis::BendingDamping => row("bending_damping_ns_m2", ("Lateral damping", ""), (0.0, 1e7, "N s/m²")),

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use calamine::{Data, Reader, open_workbook_auto};
 
-use crate::hand_table::HandTable;
 use super::source::TextOf;
+use crate::hand_table::HandTable;
 use crate::text_file::LARGEST_SWEEP_FILE;
 
 /// Endings of workbooks that are read.

@@ -1,7 +1,5 @@
 //! Tables of what was recorded over time, and surveys: columns found by name and unit.
 
-use std::path::Path;
-
 use linear::well::{Station, Survey};
 use sim::Recording;
 
@@ -10,7 +8,7 @@ use super::error::SweepFileError;
 use super::source::{Source, TextOf};
 use super::wording::nearest;
 use crate::hand_table::number;
-use crate::quantities::{FOOT, in_si_units};
+use crate::quantities::{FOOT, factor_of_recorded};
 
 /// Names of a column of times, s.
 const TIMES: [&str; 2] = ["time_s", "t_s"];
@@ -41,7 +39,7 @@ pub fn read_series(
     let header = |message: String| error(format!(":{}: {message}", cells.header_line));
     let time = column_of(&cells.header, &TIMES)
         .ok_or_else(|| header(format!("has no column of times, `{}`", TIMES[0])))?;
-    let has_unit = |name: &str| in_si_units(name, unit);
+    let has_unit = |name: &str| factor_of_recorded(name, unit);
     let (place, factor) = match column {
         Some(column) => {
             let place = (cells.header.iter()).position(|name| name == column);
@@ -54,7 +52,9 @@ pub fn read_series(
                 header(format!("has no column `{column}`; {hint}"))
             })?;
             let factor = has_unit(column);
-            let message = format!("the name of column `{column}` does not end in a unit of {unit}");
+            let message = format!(
+                "the name of column `{column}` does not end in `{unit}` or another unit of that"
+            );
             (place, factor.ok_or_else(|| header(message))?)
         }
         None => {
@@ -63,7 +63,9 @@ pub fn read_series(
             match (known.next(), known.next()) {
                 (Some(found), None) => found,
                 (None, _) => {
-                    return Err(header(format!("has no column whose name ends in a unit of {unit}")));
+                    return Err(header(format!(
+                        "has no column whose name ends in `{unit}` or another unit of that"
+                    )));
                 }
                 _ => return Err(header("has several such columns: name one".to_owned())),
             }
@@ -136,5 +138,7 @@ pub fn read_survey(
 }
 
 fn column_of(header: &[String], names: &[&str]) -> Option<usize> {
-    header.iter().position(|name| names.contains(&name.as_str()))
+    header
+        .iter()
+        .position(|name| names.contains(&name.as_str()))
 }

@@ -24,6 +24,9 @@ pub struct TopDriveTable {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ControllerName {
+    /// One that holds the surface speed whatever it takes: the inertia shows in the motor's
+    /// torque alone.
+    Prescribed,
     /// Far stiffer than the pipe.
     Stiff,
     /// What damps the first mode most.

@@ -29,10 +29,10 @@ pub struct StringFrictionTable {
     /// Dynamic coefficient in parts of the static one. Default 1.
     #[serde(default = "default_ratio")]
     pub dynamic_ratio: f64,
-    /// Speed up to which the static coefficient counts, rpm. Default 0: friction falls with the
+    /// Stribeck speed, over which friction falls from static to dynamic, rpm. Default 0: with the
     /// first slip.
     #[serde(default, skip_serializing_if = "is_zero")]
-    pub static_up_to_rpm: f64,
+    pub stribeck_rpm: f64,
     /// Equal pieces of the string, each of which slips as a whole. Default 20.
     #[serde(default = "default_pieces")]
     pub pieces: usize,

@@ -1,8 +1,8 @@
 //! The rows of a sheet, in SI.
 
-use crate::sweep_file::cells::Cells;
 use super::columns::{Columns, Quantity};
 use crate::hand_table::number;
+use crate::sweep_file::cells::Cells;
 
 /// A row of a sheet: some joints of one kind.
 #[derive(Debug, Clone)]

@@ -1,0 +1,179 @@
+//! `[string_friction]`: how the string lies in its well, and what friction does to its pieces.
+
+use std::sync::Arc;
+
+use linear::well::{Mud, SideForce};
+use linear::{Drillstring, Sites};
+use sim::{NodeTorque, PipeFriction};
+
+use super::conditions::{Conditions, RPM};
+use super::data::Data;
+use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
+
+/// More pieces than a string has joints make nothing better.
+const MOST_PIECES: usize = 2000;
+
+/// A string that rubs along its well.
+#[derive(Debug, Clone)]
+pub struct StringFriction {
+    /// Where torques act: in the middle of each piece, and at the bit; and the places that are
+    /// looked at.
+    pub nodes: Sites,
+    /// The piece of each node, where it is the middle of one.
+    piece_of: Vec<Option<usize>>,
+    /// Nodes of the sites that are looked at.
+    pub looked_at: Vec<usize>,
+    pieces: usize,
+    force: Arc<SideForce>,
+}
+
+impl StringFriction {
+    /// What acts at each node under a static coefficient, and at the bit.
+    pub fn torques(
+        &self,
+        conditions: &Conditions,
+        coefficient: f64,
+        at_bit: NodeTorque,
+    ) -> Vec<NodeTorque> {
+        let weight_on_bit = 1e3 * conditions.weight_on_bit_kn.unwrap_or(0.0);
+        let pressing = self.force.friction_torques(self.pieces, weight_on_bit);
+        let ratio = conditions.string_friction_ratio.unwrap_or(1.0);
+        let stribeck_speed = RPM * conditions.string_friction_stribeck_rpm.unwrap_or(0.0);
+        let last = self.piece_of.len() - 1;
+        let torque = |(node, piece): (usize, &Option<usize>)| match piece {
+            Some(piece) if pressing[*piece] > 0.0 => {
+                let torque_static = coefficient * pressing[*piece];
+                NodeTorque::Pipe(PipeFriction {
+                    torque_static,
+                    torque_dynamic: ratio * torque_static,
+                    stribeck_speed,
+                })
+            }
+            _ if node == last => at_bit,
+            _ => NodeTorque::None,
+        };
+        self.piece_of.iter().enumerate().map(torque).collect()
+    }
+
+    /// What the hook carries above a bit off bottom, N.
+    pub fn hook_load(&self) -> f64 {
+        self.force.hook_load()
+    }
+
+    /// Torque that it takes to turn all of the string, N m per coefficient of friction.
+    pub fn torque_to_turn(&self, weight_on_bit: f64) -> f64 {
+        self.force
+            .friction_torques(self.pieces, weight_on_bit)
+            .iter()
+            .sum()
+    }
+
+    /// How many pieces slip as wholes.
+    pub fn pieces(&self) -> usize {
+        self.pieces
+    }
+}
+
+/// How the string of the file rubs, where it does.
+///
+/// # Errors
+/// Where a key is refused, or something needed is missing.
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    data: &Data,
+    string: &Drillstring,
+    sites: &Sites,
+) -> Result<Option<StringFriction>, SweepFileError> {
+    let mud = content.mud.map(|mud| {
+        let key = "mud.density_kg_m3";
+        let most = 0.9 * string.material().density;
+        let density = source.within(key, mud.density_kg_m3, 0.0, most, "kg/m³")?;
+        Ok::<_, SweepFileError>(Mud { density })
+    });
+    let mud = mud.transpose()?;
+    let Some(table) = &content.string_friction else {
+        for (key, is_given) in [("mud", mud.is_some()), ("well", content.well.is_some())] {
+            let message = "says how the string presses on its well: needs [string_friction]";
+            source.refuse_if(is_given, key, message)?;
+        }
+        return Ok(None);
+    };
+    refuse_others(source, content)?;
+    let Some(survey) = &data.survey else {
+        let message = "what presses the string on its wall follows from the survey: \
+                       needs `survey` in [well]";
+        return Err(source.error("string_friction", message));
+    };
+    let message = format!(
+        "the survey ends at {} m, and the string at {} m",
+        survey.depth(),
+        string.length()
+    );
+    // Lengths of pipes and of a survey are sums.
+    let is_short = survey.depth() < string.length() * (1.0 - 1e-9);
+    source.refuse_if(is_short, "well.survey", message)?;
+    let pieces = table.pieces;
+    let message = format!("1 to {MOST_PIECES} pieces, not {pieces}");
+    let is_out = !(1..=MOST_PIECES).contains(&pieces);
+    source.refuse_if(is_out, "string_friction.pieces", message)?;
+    let nodes = nodes(string, sites, pieces);
+    let error =
+        |error: linear::DrillstringError| source.error("string_friction.pieces", error.to_string());
+    let distances: Vec<f64> = nodes.iter().map(|(distance, _)| *distance).collect();
+    let at = |distance: &f64| distances.iter().position(|node| node == distance);
+    Ok(Some(StringFriction {
+        nodes: Sites::new(string, &distances).map_err(error)?,
+        piece_of: nodes.iter().map(|(_, piece)| *piece).collect(),
+        looked_at: sites.distances_from_bit().iter().filter_map(at).collect(),
+        pieces,
+        force: Arc::new(SideForce::new(string, survey, mud)),
+    }))
+}
+
+/// What is not stepped together with friction along the string.
+fn refuse_others(source: &Source, content: &FileContent) -> Result<(), SweepFileError> {
+    let message = "lateral motion and friction along the string are not simulated together";
+    source.refuse_if(content.wall.is_some(), "wall", message)?;
+    let message = "no accuracy is promised with friction along the string: leave it out";
+    source.refuse_if(content.accuracy.is_some(), "accuracy", message)?;
+    for (index, method) in content.methods.iter().enumerate() {
+        let is_able = matches!(method, MethodName::Quadrature | MethodName::FiniteElement);
+        let message = format!(
+            "friction along the string is stepped by quadrature or finite-element, not by {}: \
+             give `methods`",
+            method.name()
+        );
+        let given = source.gives("methods");
+        let key = if given {
+            format!("methods[{index}]")
+        } else {
+            "string_friction".to_owned()
+        };
+        source.refuse_if(!is_able, &key, message)?;
+    }
+    Ok(())
+}
+
+/// Distances from the bit, from the surface down, and which is the middle of which piece,
+/// counted from the surface.
+fn nodes(string: &Drillstring, sites: &Sites, pieces: usize) -> Vec<(f64, Option<usize>)> {
+    let piece = string.length() / pieces as f64;
+    let middle = |index: usize| {
+        let distance = (pieces as f64 - index as f64 - 0.5) * piece;
+        (distance, Some(index))
+    };
+    let mut nodes: Vec<(f64, Option<usize>)> = (0..pieces).map(middle).collect();
+    for &site in sites.distances_from_bit() {
+        // A site in the middle of a piece is its node.
+        match nodes
+            .iter_mut()
+            .find(|(node, _)| (node - site).abs() < 1e-6)
+        {
+            Some((node, _)) => *node = site,
+            None => nodes.push((site, None)),
+        }
+    }
+    nodes.sort_by(|one, other| other.0.total_cmp(&one.0));
+    nodes
+}
