@@ -2,10 +2,13 @@
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
 use divan::{Bencher, black_box};
-use linear::{Method, responses};
+use linear::{Cascade, Method, Sites, responses};
 use problems::academic;
 use sim::convolution::{Convolution, Kernel, Kernels};
-use sim::{Impulse, Lateral, Scene, Simulator, Stopping, Timing, Wall};
+use sim::{
+    CascadeScene, CascadeSimulator, Impulse, Lateral, NodeTorque, PipeFriction, Scene, Simulator,
+    Stopping, SurfaceProfile, Timing, Wall,
+};
 
 fn main() {
     divan::main();
@@ -115,6 +118,49 @@ fn history_by_blocks(bencher: Bencher, taps: usize) {
         }
         sum
     });
+}
+
+/// Friction on so many pieces of a string that sticks and slips, 60 s at 160 Hz.
+#[divan::bench(args = [20, 50, 200], sample_count = 10)]
+fn string_friction(bencher: Bencher, pieces: usize) {
+    let string = academic::damped_string(1.0);
+    let piece = string.length() / pieces as f64;
+    let middle = |index: usize| (index as f64 + 0.5) * piece;
+    let distances: Vec<f64> = (0..pieces).map(middle).chain([0.0]).collect();
+    let nodes = Sites::new(&string, &distances).unwrap();
+    let cascade = Cascade::new(&string, &Method::Quadrature, &nodes, 160.0, 60.0).unwrap();
+    let simulator = CascadeSimulator::new(&cascade, &SurfaceProfile::Rise(2.0), 0.0).unwrap();
+    let friction = PipeFriction {
+        torque_static: 60_000.0 / pieces as f64,
+        torque_dynamic: 30_000.0 / pieces as f64,
+        stribeck_speed: 0.5,
+    };
+    let scene = CascadeScene {
+        surface_speed: 0.5 * SPEED,
+        torques: (0..pieces)
+            .map(|_| NodeTorque::Pipe(friction))
+            .chain([NodeTorque::None])
+            .collect(),
+        timing: Timing {
+            duration: 60.0,
+            closing_window: 10.0,
+        },
+    };
+    bencher.bench(|| {
+        black_box(&simulator)
+            .simulate(black_box(&scene), None)
+            .unwrap()
+    });
+}
+
+/// Cutting a string at so many nodes.
+#[divan::bench(args = [20, 50, 200], sample_count = 10)]
+fn cascade(bencher: Bencher, pieces: usize) {
+    let string = academic::damped_string(1.0);
+    let piece = string.length() / pieces as f64;
+    let distances: Vec<f64> = (0..pieces).map(|it| (it as f64 + 0.5) * piece).collect();
+    let nodes = Sites::new(&string, &distances).unwrap();
+    bencher.bench(|| Cascade::new(&string, &Method::Quadrature, black_box(&nodes), 160.0, 60.0));
 }
 
 /// The sums of three sites in torsion and in two planes of bending, 6400 steps:

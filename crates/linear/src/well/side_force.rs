@@ -19,6 +19,15 @@ pub struct Mud {
     pub density: f64,
 }
 
+/// What is taken to press a string against its well.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PressedBy {
+    /// Its weight across the well, and its tension where that turns.
+    WeightAndTension,
+    /// Its weight across the well alone.
+    Weight,
+}
+
 /// What presses the string against the wall, piece by short piece from the surface down. The
 /// axial force depends on the weight on bit, and where the well turns so does what presses.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,7 +54,12 @@ struct Piece {
 impl SideForce {
     /// Of a string in a well that is surveyed at least as deep; in `mud` it is buoyed. It lies
     /// on its widest parts: pipe on its joints.
-    pub fn new(string: &Drillstring, survey: &Survey, mud: Option<Mud>) -> Self {
+    pub fn new(
+        string: &Drillstring,
+        survey: &Survey,
+        mud: Option<Mud>,
+        pressed_by: PressedBy,
+    ) -> Self {
         let heavier = string.material().density - mud.map_or(0.0, |mud| mud.density);
         let mut pieces = Vec::new();
         let mut top = 0.0;
@@ -59,6 +73,10 @@ impl SideForce {
                 for index in 0..count as usize {
                     let depth = top + (index as f64 + 0.5) * length;
                     let (along, turn) = survey.course(depth);
+                    let turn = match pressed_by {
+                        PressedBy::WeightAndTension => turn,
+                        PressedBy::Weight => [0.0; 3],
+                    };
                     pieces.push(Piece {
                         depth,
                         length,
@@ -146,7 +164,7 @@ mod tests {
         for (inclination, weight_on_bit) in [(0.0, 0.0), (30.0, 0.0), (60.0, 1e5)] {
             let survey = well(&[[0.0, inclination], [1500.0, inclination]]);
             let mud = Some(Mud { density: 1570.0 });
-            let force = SideForce::new(&string, &survey, mud);
+            let force = SideForce::new(&string, &survey, mud, PressedBy::WeightAndTension);
             let buoyed = weight * 0.8;
             let torques = force.friction_torques(10, weight_on_bit);
             let expected = buoyed * inclination.to_radians().sin() * 100.0 * 0.07;
@@ -171,7 +189,7 @@ mod tests {
         let survey = well(&[[0.0, 0.0], [600.0, f64::to_degrees(bend)]]);
         let weight = 7850.0 * string.sections()[0].parts[0].area() * GRAVITY;
         for weight_on_bit in [0.0, 2e5] {
-            let force = SideForce::new(&string, &survey, None);
+            let force = SideForce::new(&string, &survey, None, PressedBy::WeightAndTension);
             let found: f64 = force.friction_torques(1, weight_on_bit).iter().sum();
             let steps = 60_000;
             let expected: f64 = (0..steps)

@@ -13,6 +13,10 @@ const TOLERANCE: f64 = 1e-12;
 /// Passes down the string after which nodes that do not settle are given up.
 const MOST_PASSES: usize = 10_000;
 
+/// Passes after which nodes are no longer brought nearer all at once: where some are about to
+/// break loose or to be caught, that may throw them to and fro.
+const MOST_CORRECTIONS: usize = 20;
+
 /// Speeds and torques at the nodes in one step.
 #[derive(Debug, Clone)]
 pub struct Solution {
@@ -63,7 +67,7 @@ impl Solution {
         let nodes = self.speeds.len();
         self.solved_for.fill(f64::INFINITY);
         let least = TOLERANCE * size;
-        for _ in 0..MOST_PASSES {
+        for pass in 0..MOST_PASSES {
             let mut change: f64 = 0.0;
             for node in 0..nodes {
                 change = change.max(self.meet(system, laws, driving, (time, least), node));
@@ -71,7 +75,9 @@ impl Solution {
             if change <= least {
                 return true;
             }
-            self.correct(system, laws, driving);
+            if pass < MOST_CORRECTIONS {
+                self.correct(system, laws, driving);
+            }
         }
         false
     }

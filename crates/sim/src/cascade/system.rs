@@ -52,12 +52,10 @@ impl CascadeSystem {
         let end = (cascade.end.as_ref()).map(|end| EndKernel::new(end.impedance, &end.reflection));
         let (own, next) = stiffness(&top, &links, end.as_ref());
         let mut torque = convolved(&cascade.top.torque_by_set, &set);
-        let accelerations = (0..steps).map(|step| {
-            let [before, after] = [step.max(1) - 1, step + 1].map(|step| sampling.time_of(step));
-            (profile.at(after) - profile.at(before)) / (after - before)
-        });
-        for (torque, acceleration) in torque.iter_mut().zip(accelerations) {
-            *torque += rotor_inertia * acceleration;
+        if rotor_inertia > 0.0 {
+            for (step, torque) in torque.iter_mut().enumerate() {
+                *torque += rotor_inertia * acceleration(profile, sampling.time_of(step));
+            }
         }
         let (speed, speed_by_wave) = match &cascade.top.speed {
             None => (set.clone(), None),
@@ -79,6 +77,17 @@ impl CascadeSystem {
             next,
         })
     }
+}
+
+/// A recorded speed is known no finer than some hundredths of a revolution per minute: its
+/// acceleration is taken over this time, s.
+const ACCELERATED_OVER: f64 = 0.1;
+
+/// How a profile grows at a time, 1/s.
+fn acceleration(profile: &SurfaceProfile, time: f64) -> f64 {
+    let half = 0.5 * ACCELERATED_OVER;
+    let [before, after] = [time - half, time + half].map(|time| profile.at(time.max(0.0)));
+    (after - before) / ACCELERATED_OVER
 }
 
 fn stiffness(

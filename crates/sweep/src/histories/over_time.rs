@@ -5,10 +5,11 @@ use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
 use super::marks::{level, shown_clearance};
-use super::simulation::{Simulation, has_surface_torque, has_torque};
+use super::simulation::{Simulation, has_surface_speed, has_surface_torque, has_torque};
 use crate::engine::Case;
 use crate::plan::{LateralSettings, Sweep, to_rpm};
 use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
+use crate::sweep_file::TraceName;
 use crate::words::site_title;
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
@@ -112,29 +113,68 @@ impl Histories<'_> {
             } else {
                 format!("Speed {distance} m above the bit (rpm)")
             };
+            let series = self.of_each(&|trajectory, index| to_rpm(trajectory.speeds[site][index]));
             list.push(self.panel(
                 &label,
-                self.of_each(&|trajectory, index| to_rpm(trajectory.speeds[site][index])),
+                series,
                 levels(self.cases, "Ω", |case| {
-                    Some(to_rpm(case.scene.surface_speed))
+                    // What was recorded has a panel of its own.
+                    let is_known = self.sweep.data.surface_speed.is_none();
+                    is_known.then(|| to_rpm(case.scene.surface_speed))
                 }),
             ));
         }
-        if let Some(bit_speed) = list.first_mut() {
+        let rubs = self.sweep.setting.friction.is_some();
+        if let Some(bit_speed) = list.first_mut().filter(|_| !rubs) {
             bit_speed.references.extend(self.first_slips());
         }
         let difference = self.difference("Difference in bit speed (rpm)", list.first());
+        if let Some(bit_speed) = list.first_mut() {
+            (bit_speed.series).extend(self.recorded(TraceName::BitSpeedRpm, 1.0));
+        }
         if has_torque(self.simulations) {
             list.push(self.torque());
         }
         if has_surface_torque(self.simulations) {
-            list.push(self.panel(
-                "Torque of top drive (kN m)",
-                self.of_each(&|trajectory, index| 1e-3 * trajectory.surface_torque[index]),
-                Vec::new(),
-            ));
+            let mut series =
+                self.of_each(&|trajectory, index| 1e-3 * trajectory.surface_torque[index]);
+            series.extend(self.recorded(TraceName::SurfaceTorqueNm, 1e-3));
+            let label = match self.sweep.content.top_drive {
+                Some(_) => "Torque of top drive (kN m)",
+                None => "Torque at surface (kN m)",
+            };
+            list.push(self.panel(label, series, Vec::new()));
+        }
+        if has_surface_speed(self.simulations) {
+            let mut series =
+                self.of_each(&|trajectory, index| to_rpm(trajectory.surface_speed[index]));
+            series.extend(self.recorded(TraceName::SurfaceSpeedRpm, 1.0));
+            list.push(self.panel("Surface speed (rpm)", series, Vec::new()));
         }
         list.extend(difference);
+        list
+    }
+
+    /// What was recorded of a trace, each once, times a factor, for as long as is simulated.
+    fn recorded(&self, trace: TraceName, factor: f64) -> Vec<Series> {
+        let times = self
+            .simulations
+            .iter()
+            .flat_map(|it| it.trajectory.times.last());
+        let end = times.copied().fold(0.0, f64::max);
+        let of_trace = (self.sweep.data.comparisons.iter()).filter(|it| it.trace == trace);
+        let mut list: Vec<Series> = Vec::new();
+        for comparison in of_trace {
+            let name = comparison.title();
+            if list.iter().any(|series| series.name == name) {
+                continue;
+            }
+            let recorded = &comparison.recorded;
+            let samples = recorded.times().iter().zip(recorded.values());
+            let shown = samples.take_while(|(time, _)| **time <= end);
+            let points = shown.map(|(time, value)| (*time, factor * value)).collect();
+            list.push(Series { name, points });
+        }
         list
     }
 

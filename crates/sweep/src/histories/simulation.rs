@@ -31,3 +31,9 @@ pub fn has_surface_torque(simulations: &[Simulation]) -> bool {
     let mut motions = simulations.iter().map(|simulation| &simulation.trajectory);
     motions.all(|motion| !motion.surface_torque.is_empty())
 }
+
+/// Whether the speed of the surface is known of all.
+pub fn has_surface_speed(simulations: &[Simulation]) -> bool {
+    let mut motions = simulations.iter().map(|simulation| &simulation.trajectory);
+    motions.all(|motion| !motion.surface_speed.is_empty())
+}

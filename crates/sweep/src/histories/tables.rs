@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-use super::simulation::{Simulation, has_surface_torque, has_torque};
+use super::simulation::{Simulation, has_surface_speed, has_surface_torque, has_torque};
 use crate::engine::Record;
 use crate::output::LabelTable;
 use crate::plan::{Sweep, to_rpm};
@@ -27,6 +27,8 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
     header.extend(with_torque.then(|| "torque_on_bit_nm".to_owned()));
     let at_surface = has_surface_torque(simulations);
     header.extend(at_surface.then(|| "motor_torque_nm".to_owned()));
+    let with_surface_speed = has_surface_speed(simulations);
+    header.extend(with_surface_speed.then(|| "surface_speed_rpm".to_owned()));
     let mut motions = simulations.iter().map(|simulation| &simulation.trajectory);
     let with_positions = motions.any(|motion| !motion.positions.is_empty());
     if with_positions {
@@ -52,6 +54,9 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
             }
             if at_surface {
                 fields.push(trajectory.surface_torque[index].to_string());
+            }
+            if with_surface_speed {
+                fields.push(to_rpm(trajectory.surface_speed[index]).to_string());
             }
             if with_positions {
                 let forces = &trajectory.wall_forces;

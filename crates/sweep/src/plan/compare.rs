@@ -1,5 +1,7 @@
 //! `[[compare]]`: what was recorded, and how far a simulated motion is from it.
 
+use std::path::Path;
+
 use sim::{Recording, Trajectory};
 
 use super::conditions::to_rpm;
@@ -13,6 +15,8 @@ use crate::sweep_file::{
 pub struct Comparison {
     /// Name of its column in tables.
     pub column: String,
+    /// The file without its ending, which names it in pictures.
+    pub source: String,
     /// What is simulated.
     pub trace: TraceName,
     /// What was recorded, in the unit of the trace.
@@ -54,6 +58,15 @@ impl TraceName {
 }
 
 impl Comparison {
+    /// What it is called in pictures.
+    pub fn title(&self) -> String {
+        match self.extreme {
+            None => self.source.clone(),
+            Some((Extreme::Least, _)) => format!("{}, least", self.source),
+            Some((Extreme::Greatest, _)) => format!("{}, greatest", self.source),
+        }
+    }
+
     /// Root mean square of simulated less recorded, in the unit of the trace; none where the
     /// motion does not have the trace or does not reach the time.
     pub fn misfit(&self, motion: &Trajectory) -> Option<f64> {
@@ -173,6 +186,11 @@ fn comparison(
     };
     Ok(Comparison {
         column: format!("misfit_{name}{unit}"),
+        source: Path::new(file)
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned(),
         trace: table.trace,
         recorded,
         from,
@@ -197,6 +215,7 @@ mod tests {
         let recorded = Recording::new(vec![0.0, 10.0], vec![-3.0, 17.0]).unwrap();
         let comparison = Comparison {
             column: String::new(),
+            source: String::new(),
             trace: TraceName::SurfaceTorqueNm,
             recorded: recorded.clone(),
             from: 2.0,

@@ -10,7 +10,9 @@ use toml::{Table, Value};
 
 use super::Sweep;
 use crate::quantities::{Axis, TWINS};
+use crate::sweep_file::SweepFileError;
 use crate::sweep_file::bit::{BitTable, LawTable};
+use crate::sweep_file::compare::CompareTable;
 use crate::sweep_file::design::{AxisRange, DesignTable};
 use crate::sweep_file::file::FileContent;
 use crate::sweep_file::lateral::*;
@@ -19,6 +21,7 @@ use crate::sweep_file::methods::MethodTables;
 use crate::sweep_file::string::{SectionTable, StringTable, TubeTable};
 use crate::sweep_file::top_drive::TopDriveTable;
 use crate::sweep_file::units::key_in_si;
+use crate::sweep_file::well::{MudTable, StringFrictionTable, WellTable};
 use crate::sweep_file::wording::keys_of;
 
 const PAGE: &str = include_str!("../../../../docs/sweep-file.md");
@@ -74,11 +77,61 @@ impulse_ratio = { values = [1, 2] }
 marks = [{ name = "A", surface_speed_rpm = 1, weight_on_bit_kn = 1 }]
 "#;
 
-/// A heading of the page, the table of [`EXAMPLE`] it is about, and its keys.
+/// One with the tables of a string in its well, which has no wall.
+const EXAMPLE_IN_WELL: &str = r#"
+surface_speed_file = "recorded.csv"
+time_s = 100
+methods = ["quadrature"]
+[string]
+shear_modulus_gpa = 80
+density_kg_m3 = 7850
+torsional_damping_nms_rad_m = 10
+[[string.sections]]
+repeat = 10
+parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.15 }]
+[well]
+survey = "survey.csv"
+[mud]
+density_kg_m3 = 1500
+[string_friction]
+static_coefficient = 0.4
+[[compare]]
+trace = "bit_speed_rpm"
+file = "recorded.csv"
+column = "speed_rpm"
+from_s = 1
+to_s = 9
+of = "greatest"
+over_s = 0.5
+"#;
+
+/// What its files have.
+const TABLE_IN_WELL: &str = "\
+time_s,speed_rpm,measured_depth_m,inclination_deg,azimuth_deg
+0,0,0,0,0
+50,30,60,10,0
+100,60,120,20,0
+";
+
+/// The text of a file that an example names.
+fn text_of(example: &str, path: &Path) -> String {
+    let is_table = path.extension().is_some_and(|ending| ending == "csv");
+    (if is_table { TABLE_IN_WELL } else { example }).to_owned()
+}
+
+/// Reads an example.
+fn read(example: &str) -> Result<Sweep, SweepFileError> {
+    Sweep::read_from(Path::new("sweep.toml"), &[], &|path, _| {
+        Ok(text_of(example, path))
+    })
+}
+
+/// A heading of the page, the table of an example it is about, and its keys.
 struct Chapter {
     heading: &'static str,
     path: &'static str,
     keys: BTreeSet<String>,
+    example: &'static str,
 }
 
 fn chapters() -> Vec<Chapter> {
@@ -88,6 +141,13 @@ fn chapters() -> Vec<Chapter> {
             heading,
             path,
             keys,
+            example: EXAMPLE,
+        }
+    }
+    fn in_well<T: DeserializeOwned>(heading: &'static str, path: &'static str) -> Chapter {
+        Chapter {
+            example: EXAMPLE_IN_WELL,
+            ..chapter::<T>(heading, path)
         }
     }
     let mut chapters = vec![
@@ -97,6 +157,10 @@ fn chapters() -> Vec<Chapter> {
         chapter::<SectionTable>("`[[string.sections]]`", "string.sections.0"),
         chapter::<TubeTable>("`parts`", "string.sections.0.parts.0"),
         chapter::<TopDriveTable>("`[top_drive]`", "top_drive"),
+        in_well::<WellTable>("`[well]`", "well"),
+        in_well::<MudTable>("`[mud]`", "mud"),
+        in_well::<StringFrictionTable>("`[string_friction]`", "string_friction"),
+        in_well::<CompareTable>("`[[compare]]`", "compare.0"),
         chapter::<BitTable>("`[bit]`", "bit"),
         chapter::<LawTable>("`[bit.law]`", "bit.law"),
         chapter::<WallTable>("`[wall]`", "wall"),
@@ -133,7 +197,7 @@ fn rows(heading: &str) -> BTreeMap<String, Vec<&'static str>> {
         .collect()
 }
 
-/// The table at a path of [`EXAMPLE`].
+/// The table at a path of an example.
 fn table_at<'a>(example: &'a mut Value, path: &str) -> &'a mut Table {
     let steps = path.split('.').filter(|step| !step.is_empty());
     let found = steps.fold(example, |value, step| match step.parse::<usize>() {
@@ -144,9 +208,9 @@ fn table_at<'a>(example: &'a mut Value, path: &str) -> &'a mut Table {
 }
 
 /// The example with one key changed, or without it.
-fn example_with(path: &str, key: &str, value: Option<Value>) -> Table {
-    let mut example = Value::Table(toml::from_str(EXAMPLE).unwrap());
-    let table = table_at(&mut example, path);
+fn example_with(chapter: &Chapter, key: &str, value: Option<Value>) -> Table {
+    let mut example = Value::Table(toml::from_str(chapter.example).unwrap());
+    let table = table_at(&mut example, chapter.path);
     match value {
         Some(value) => table.insert(key.to_owned(), value),
         None => table.remove(key),
@@ -155,10 +219,10 @@ fn example_with(path: &str, key: &str, value: Option<Value>) -> Table {
 }
 
 /// What a value far too large is told.
-fn refusals(path: &str, key: &str) -> [String; 2] {
+fn refusals(chapter: &Chapter, key: &str) -> [String; 2] {
     [Value::Float(1e300), Value::Integer(i64::MAX)].map(|value| {
-        let text = toml::to_string(&example_with(path, key, Some(value))).unwrap();
-        Sweep::read_from(Path::new("sweep.toml"), &[], &|_, _| Ok(text.clone()))
+        let text = toml::to_string(&example_with(chapter, key, Some(value))).unwrap();
+        read(&text)
             .err()
             .map_or_else(String::new, |error| error.message().to_owned())
     })
@@ -190,8 +254,10 @@ fn check_range(at: &str, range: &str, unit: &str, refusals: &[String]) {
 }
 
 #[test]
-fn the_example_has_no_fault() {
-    Sweep::read_from(Path::new("sweep.toml"), &[], &|_, _| Ok(EXAMPLE.to_owned())).unwrap();
+fn the_examples_have_no_fault() {
+    for example in [EXAMPLE, EXAMPLE_IN_WELL] {
+        read(example).unwrap();
+    }
 }
 
 #[test]
@@ -224,7 +290,7 @@ fn the_guide_has_the_ranges_and_units_of_the_reader() {
         for (key, cells) in rows(chapter.heading) {
             if key != "base" {
                 let at = format!("{}: {key}", chapter.heading);
-                check_range(&at, cells[4], cells[2], &refusals(chapter.path, &key));
+                check_range(&at, cells[4], cells[2], &refusals(&chapter, &key));
             }
         }
     }
@@ -236,7 +302,7 @@ fn the_guide_has_the_defaults_of_the_reader() {
         for (key, cells) in rows(chapter.heading) {
             let at = format!("{}: {key}", chapter.heading);
             let content = |value| -> Result<FileContent, _> {
-                example_with(chapter.path, &key, value).try_into()
+                example_with(&chapter, &key, value).try_into()
             };
             let without = content(None);
             let default = cells[3];

@@ -2,16 +2,19 @@
 
 use std::sync::Arc;
 
-use linear::well::{Mud, SideForce};
+use linear::well::{Mud, PressedBy, SideForce};
 use linear::{Drillstring, Sites};
 use sim::{NodeTorque, PipeFriction};
 
 use super::conditions::{Conditions, RPM};
 use super::data::Data;
-use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
+use crate::sweep_file::{FileContent, MethodName, PressedByName, Source, SweepFileError};
 
 /// More pieces than a string has joints make nothing better.
-const MOST_PIECES: usize = 2000;
+const MOST_PIECES: f64 = 2000.0;
+
+/// No mud is heavier, kg/m³.
+const HEAVIEST_MUD: f64 = 3000.0;
 
 /// A string that rubs along its well.
 #[derive(Debug, Clone)]
@@ -25,6 +28,8 @@ pub struct StringFriction {
     pub looked_at: Vec<usize>,
     pieces: usize,
     force: Arc<SideForce>,
+    /// rad.
+    inclination_at_bit: f64,
 }
 
 impl StringFriction {
@@ -68,6 +73,11 @@ impl StringFriction {
             .sum()
     }
 
+    /// Inclination of the well at the bit, rad.
+    pub fn inclination_at_bit(&self) -> f64 {
+        self.inclination_at_bit
+    }
+
     /// How many pieces slip as wholes.
     pub fn pieces(&self) -> usize {
         self.pieces
@@ -87,8 +97,9 @@ pub fn resolve(
 ) -> Result<Option<StringFriction>, SweepFileError> {
     let mud = content.mud.map(|mud| {
         let key = "mud.density_kg_m3";
-        let most = 0.9 * string.material().density;
-        let density = source.within(key, mud.density_kg_m3, 0.0, most, "kg/m³")?;
+        let density = source.within(key, mud.density_kg_m3, 0.0, HEAVIEST_MUD, "kg/m³")?;
+        let message = "the string would float";
+        source.refuse_if(density >= string.material().density, key, message)?;
         Ok::<_, SweepFileError>(Mud { density })
     });
     let mud = mud.transpose()?;
@@ -114,9 +125,12 @@ pub fn resolve(
     let is_short = survey.depth() < string.length() * (1.0 - 1e-9);
     source.refuse_if(is_short, "well.survey", message)?;
     let pieces = table.pieces;
-    let message = format!("1 to {MOST_PIECES} pieces, not {pieces}");
-    let is_out = !(1..=MOST_PIECES).contains(&pieces);
-    source.refuse_if(is_out, "string_friction.pieces", message)?;
+    let (key, most) = ("string_friction.pieces", MOST_PIECES);
+    source.within(key, pieces as f64, 1.0, most, "")?;
+    let pressed_by = match table.pressed_by {
+        PressedByName::WeightAndTension => PressedBy::WeightAndTension,
+        PressedByName::Weight => PressedBy::Weight,
+    };
     let nodes = nodes(string, sites, pieces);
     let error =
         |error: linear::DrillstringError| source.error("string_friction.pieces", error.to_string());
@@ -127,7 +141,8 @@ pub fn resolve(
         piece_of: nodes.iter().map(|(_, piece)| *piece).collect(),
         looked_at: sites.distances_from_bit().iter().filter_map(at).collect(),
         pieces,
-        force: Arc::new(SideForce::new(string, survey, mud)),
+        inclination_at_bit: survey.inclination(string.length().min(survey.depth())),
+        force: Arc::new(SideForce::new(string, survey, mud, pressed_by)),
     }))
 }
 

@@ -33,9 +33,23 @@ pub struct StringFrictionTable {
     /// first slip.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub stribeck_rpm: f64,
+    /// What presses the string against its well. Default `weight-and-tension`.
+    #[serde(default)]
+    pub pressed_by: PressedByName,
     /// Equal pieces of the string, each of which slips as a whole. Default 20.
     #[serde(default = "default_pieces")]
     pub pieces: usize,
+}
+
+/// What presses the string against its well.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PressedByName {
+    /// Its weight, and its tension where the well turns.
+    #[default]
+    WeightAndTension,
+    /// Its weight alone.
+    Weight,
 }
 
 fn default_ratio() -> f64 {

@@ -63,6 +63,40 @@ pub fn describe_string(sweep: &Sweep) -> String {
     text
 }
 
+/// How the string lies in its well, where it rubs there.
+pub fn describe_well(sweep: &Sweep) -> String {
+    let Some(friction) = &sweep.setting.friction else {
+        return String::new();
+    };
+    let weight = sweep.conditions.weight_on_bit_kn.unwrap_or(0.0);
+    let [off_bottom, on_bottom] =
+        [0.0, 1e3 * weight].map(|weight| 1e-3 * friction.torque_to_turn(weight));
+    let mut rows = vec![
+        (
+            "inclination at the bit",
+            format!("{:.1}°", friction.inclination_at_bit().to_degrees()),
+        ),
+        (
+            "weight along the well",
+            format!("{:.1} kN off bottom", 1e-3 * friction.hook_load()),
+        ),
+        (
+            "torque to turn it",
+            format!("{off_bottom:.2} kN m off bottom, per coefficient of friction"),
+        ),
+    ];
+    if weight > 0.0 {
+        let value = format!("{on_bottom:.2} kN m at {weight} kN on the bit");
+        rows.push(("", value));
+    }
+    rows.push((
+        "pieces that slip as wholes",
+        format!("{}", friction.pieces()),
+    ));
+    let lines = rows.iter().map(|(title, value)| row(2, title, value));
+    "\nwell\n".to_owned() + &lines.collect::<String>()
+}
+
 /// The parts of the string from the surface down, as on a BHA sheet.
 fn part_lines(sweep: &Sweep) -> String {
     let mut text = String::from(
@@ -174,7 +208,10 @@ pub fn describe_left_out(sweep: &Sweep) -> String {
             text += "  sites other than the bit, in a run: labels are of the bit alone\n";
         }
     }
-    text += "  the torque at the surface, in a run: nothing depends on it\n";
+    if sweep.setting.friction.is_none() {
+        text += "  friction along the string: no [string_friction] is given\n";
+        text += "  the torque at the surface, in a run: nothing depends on it\n";
+    }
     if sweep.bit.is_none() {
         text += "  torque at the bit: the bit is free\n";
     }

@@ -20,7 +20,9 @@ use super::warnings::{warn_of_overshoot, warn_of_string};
 use crate::cli::InspectArguments;
 use crate::engine::compare_fronts;
 use crate::memory::{Demand, Purpose, admit};
-use description::{describe_left_out, describe_methods, describe_string, describe_work};
+use description::{
+    describe_left_out, describe_methods, describe_string, describe_well, describe_work,
+};
 use responses::response_picture;
 use top_drive::DriveView;
 
@@ -53,6 +55,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     }
     say(&[
         describe_string(&sweep),
+        describe_well(&sweep),
         (drive.as_ref()).map_or_else(String::new, DriveView::words),
         describe_methods(&systems),
         describe_left_out(&sweep),

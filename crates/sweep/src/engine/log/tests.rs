@@ -2,7 +2,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-use sim::{Ended, Label, Outcome, TorsionMeasures, TorsionRegime};
+use sim::{Ended, Label, Outcome, SurfaceMeasures, TorsionMeasures, TorsionRegime};
 
 use std::cell::Cell;
 use std::path::PathBuf;
@@ -33,12 +33,19 @@ fn record(pair: usize) -> Record {
     };
     Record {
         torque_dynamic_nm: Some(1.0 / (1.0 + number)),
+        misfits: vec![Some(number / 17.0), None],
         outcome: Ok(Outcome {
             simulated: number,
             ended: Ended::Settled,
             predicted: Some(Label::Torsion(TorsionRegime::Stuck)),
             torsion: Some(torsion),
             lateral: None,
+            surface: (pair.is_multiple_of(3)).then_some(SurfaceMeasures {
+                peak_torque: number,
+                least_torque: -number / 9.0,
+                mean_torque: 0.0,
+                greatest_torque: number / 13.0,
+            }),
         }),
         ..Record::failed(case, method, vec![1e300 * number], Failure::new(""))
     }
