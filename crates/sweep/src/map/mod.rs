@@ -3,7 +3,8 @@
 //! cases has the regime.
 //!
 //! `extent` says what the cases span, `symbol`, `cells` and `fractions` what they are
-//! drawn as, in the cells of a `mesh`, `limits` where their limit is; `picture` puts them
+//! drawn as, in the cells of a `mesh`, `limits` where their limit is, `misfits` how near they come
+//! to what was recorded; `picture` puts them
 //! together.
 
 mod cells;
@@ -12,6 +13,7 @@ mod extent;
 mod fractions;
 mod limits;
 mod mesh;
+mod misfits;
 mod picture;
 mod symbol;
 mod words;

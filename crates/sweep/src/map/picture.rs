@@ -7,6 +7,7 @@ use anyhow::Result;
 use super::content::Content;
 use super::extent::Extent;
 use super::limits::Limits;
+use super::misfits;
 use super::words;
 use crate::output::{Curve, Manifest, Motion, ResultTables};
 use crate::plan::MapMark;
@@ -43,6 +44,7 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
         marks,
         groups: motions
             .map(|&motion| map.group(motion, left_out.as_ref()))
+            .chain(misfits::group(&map.labels, &map.extent).transpose())
             .collect::<Result<_>>()?,
     };
     map_sheet(&sheet).map(Some)

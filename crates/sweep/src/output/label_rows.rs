@@ -34,6 +34,8 @@ pub struct LabelRow {
     pub labels: Labels,
     /// The label predicted when motion settled, where it was followed to the end.
     pub predicted: Option<Label>,
+    /// How far it is from each recording.
+    pub misfits: Vec<Option<f64>>,
     /// Whether the case failed.
     pub failed: bool,
 }
@@ -52,13 +54,28 @@ impl LabelRow {
                 lateral: None,
             },
             predicted: None,
+            misfits: Vec::new(),
             failed: false,
         }
     }
 }
 
+/// What columns of misfits begin with.
+const MISFIT: &str = "misfit_";
+
+/// The columns of a `labels.csv` that say how far its cases are from what was recorded.
+///
+/// # Errors
+/// Where it cannot be read.
+pub fn misfit_columns(path: &Path) -> Result<Vec<String>> {
+    let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
+    let header = reader.headers().with_context(|| unreadable(path))?;
+    let columns = header.iter().filter(|name| name.starts_with(MISFIT));
+    Ok(columns.map(str::to_owned).collect())
+}
+
 /// Where the columns are that are read back: `case`, `method`, the axes asked for,
-/// `torsion` and, if they are there, `lateral`, `predicted` and `status`; others are
+/// `torsion` and, if they are there, `lateral`, `predicted`, misfits and `status`; others are
 /// passed over.
 pub struct LabelColumns {
     case: usize,
@@ -67,6 +84,7 @@ pub struct LabelColumns {
     torsion: usize,
     lateral: Option<usize>,
     predicted: Option<usize>,
+    misfits: Vec<usize>,
     status: Option<usize>,
 }
 
@@ -134,6 +152,10 @@ impl LabelColumns {
             lateral: place("lateral")?,
             // As version 0.1.0 called it.
             predicted: place("predicted")?.or(place("foretold")?),
+            misfits: (header.clone().enumerate())
+                .filter(|(_, name)| name.starts_with(MISFIT))
+                .map(|(place, _)| place)
+                .collect(),
             status: place("status")?,
         })
     }
@@ -170,6 +192,10 @@ impl LabelColumns {
                     Some(label.ok_or_else(|| LabelError::Predicted(word.to_owned()))?)
                 }
             },
+            // Of a row without an answer, nothing.
+            misfits: (self.misfits.iter())
+                .map(|&column| number(field(column)).ok())
+                .collect(),
             failed: optional(self.status) == FAILED,
         })
     }

@@ -24,7 +24,7 @@ pub use curves::Curve;
 pub use envelope::Envelope;
 pub use failures::FAILURES_HEADER;
 pub use integrity::{Damage, PICTURES, TABLES};
-pub use label_rows::{LabelColumns, LabelRow, read_labels, record_of};
+pub use label_rows::{LabelColumns, LabelRow, misfit_columns, read_labels, record_of};
 pub use labels::LabelTable;
 pub use manifest::{Manifest, MethodRecord, differences, fingerprint};
 pub use motion::{Labels, Motion};

@@ -1,6 +1,5 @@
 //! The operating conditions of a case: what the file says, unless an axis does.
 
-use super::data::Data;
 use crate::design::Design;
 use crate::quantities::Axis;
 use crate::sweep_file::{FileContent, Source, SweepFileError};
@@ -99,19 +98,19 @@ pub fn to_rpm(speed: f64) -> f64 {
     speed / RPM
 }
 
-/// What the file says of the conditions.
+/// What the file says of the conditions; where the surface was recorded, its speed is in parts
+/// of this.
 ///
 /// # Errors
 /// Where a value is refused.
 pub fn resolve(
     source: &Source,
     content: &FileContent,
-    data: &Data,
+    recorded_rpm: Option<f64>,
 ) -> Result<Conditions, SweepFileError> {
     let (bit, friction) = (content.bit.as_ref(), content.string_friction.as_ref());
     let conditions = Conditions {
-        // A recording is in parts of its fastest.
-        surface_speed_rpm: data.fastest_surface_rpm().or(content.surface_speed_rpm),
+        surface_speed_rpm: recorded_rpm.or(content.surface_speed_rpm),
         string_friction: friction.and_then(|friction| friction.static_coefficient),
         string_friction_ratio: friction.map(|friction| friction.dynamic_ratio),
         string_friction_stribeck_rpm: friction.map(|friction| friction.stribeck_rpm),

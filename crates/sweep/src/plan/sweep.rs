@@ -90,7 +90,7 @@ impl Sweep {
         let bit = table.map(|bit| bit::resolve(&source, bit)).transpose()?;
         let design = Design::resolve(&source, content.design.as_ref(), text_of)?;
         let data = Data::read(&source, &content, &design, text_of)?;
-        let conditions = conditions::resolve(&source, &content, &data)?;
+        let conditions = conditions::resolve(&source, &content, data.fastest_surface_rpm())?;
         conditions::are_complete(&source, &content, &conditions, &design)?;
         let name = path.file_stem().map_or_else(
             || "sweep".to_owned(),

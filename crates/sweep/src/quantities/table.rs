@@ -79,7 +79,7 @@ impl Axis {
             Axis::Friction => row("friction", ("Coefficient of friction μ₀", "μ₀"), (0.0, 50.0, "")),
             Axis::StringFriction => row("string_friction", ("Static friction of the string μ_s", "μ_s"), (0.0, 50.0, "")),
             Axis::StringFrictionRatio => row("string_friction_ratio", ("Dynamic by static friction μ_d / μ_s", "μ_d/μ_s"), (0.0, 1.0, "")),
-            Axis::StringFrictionSpeed => row("string_friction_stribeck_rpm", ("Stribeck speed ω_s", "ω_s"), (0.0, 1e4, "rpm")),
+            Axis::StringFrictionSpeed => row("string_friction_stribeck_rpm", ("Speed of the Stribeck curve ω_s", "ω_s"), (0.0, 1e4, "rpm")),
             Axis::String(axis) => match axis {
                 StringAxis::TorsionalDamping => row("torsional_damping_nms_rad_m", ("Torsional damping", ""), (0.0, 1e5, "N m s/rad per m")),
                 StringAxis::BendingDamping => row("bending_damping_ns_m2", ("Lateral damping", ""), (0.0, 1e7, "N s/m²")),

@@ -1,0 +1,120 @@
+//! How near the cases of each cell come to what was recorded: a map for each comparison.
+
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::extent::Extent;
+use super::mesh::Mesh;
+use crate::output::{misfit_columns, read_cases};
+use crate::plot::{Ground, MapGroup, MapPanel, Part};
+use crate::words::short;
+
+/// Cells to the right and upwards at most, and where cases lie anywhere.
+const MOST_CELLS: [usize; 2] = [60, 45];
+
+/// The best of so many random cases stands for a cell.
+const CASES_PER_CELL: f64 = 10.0;
+
+/// Classes of a misfit in parts of the least on its map, by their upper ends, the nearest first:
+/// beyond the last there is one more.
+const ENDS: [f64; 5] = [1.1, 1.25, 1.5, 2.0, 3.0];
+
+/// The maps of what cases were held against; none where they were not.
+///
+/// # Errors
+/// Where labels cannot be read.
+pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
+    let columns = misfit_columns(labels)?;
+    if columns.is_empty() {
+        return Ok(None);
+    }
+    let mesh = mesh(extent);
+    let [across, upwards] = mesh.size();
+    let mut least = vec![vec![f64::INFINITY; across * upwards]; columns.len()];
+    for case in read_cases(labels, &extent.axes)? {
+        let case = case?;
+        let cell = mesh.cell_of([case.values[0], case.values[1]]);
+        for row in &case.rows {
+            for (least, misfit) in least.iter_mut().zip(&row.misfits) {
+                least[cell] = misfit.map_or(least[cell], |misfit| misfit.min(least[cell]));
+            }
+        }
+    }
+    let panels = columns.iter().zip(&least).map(|(column, least)| {
+        let best = least.iter().copied().fold(f64::INFINITY, f64::min);
+        MapPanel {
+            title: format!("{column}, at best {}", short(best)),
+            cells: mesh.joined(|cell| Some(ground(least[cell], best))),
+            ..MapPanel::default()
+        }
+    });
+    let mut keys: Vec<(Ground, String)> = (0..=ENDS.len())
+        .map(|class| (Ground::Part(shade(class)), text(class)))
+        .collect();
+    keys.push((Ground::NoCase, "no case".to_owned()));
+    Ok(Some(MapGroup {
+        heading: "Held against what was recorded".to_owned(),
+        scale: Some("Least misfit of a cell, in parts of the least of all".to_owned()),
+        keys,
+        notes: Vec::new(),
+        panels: panels.collect(),
+    }))
+}
+
+/// Cells around the values of a grid; of other cases, cells of one size with some cases each.
+fn mesh(extent: &Extent) -> Mesh {
+    if extent.is_grid() {
+        return Mesh::around(&extent.values, MOST_CELLS);
+    }
+    let [x, y] = MOST_CELLS.map(|cells| cells as f64);
+    let scale = (extent.cases as f64 / (CASES_PER_CELL * x * y))
+        .sqrt()
+        .min(1.0);
+    Mesh::even(
+        extent,
+        MOST_CELLS.map(|cells| ((scale * cells as f64) as usize).max(1)),
+    )
+}
+
+fn ground(misfit: f64, best: f64) -> Ground {
+    if misfit.is_infinite() {
+        return Ground::NoCase;
+    }
+    let class = ENDS.iter().filter(|end| misfit > **end * best).count();
+    Ground::Part(shade(class))
+}
+
+/// The nearest are the darkest.
+fn shade(class: usize) -> Part {
+    Part::EVERY[ENDS.len() - class]
+}
+
+fn text(class: usize) -> String {
+    match class.checked_sub(1).map(|below| ENDS[below]) {
+        None => format!("up to {}", ENDS[0]),
+        Some(below) => match ENDS.get(class) {
+            Some(end) => format!("{below} to {end}"),
+            None => format!("over {below}"),
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_are_the_darkest() {
+        let part = |misfit| ground(misfit, 2.0);
+        let [darkest, lightest] = [5, 0].map(|part| Ground::Part(Part::EVERY[part]));
+        assert_eq!(part(2.0), darkest);
+        assert_eq!(part(2.2), darkest);
+        assert_eq!(part(2.3), Ground::Part(Part::EVERY[4]));
+        assert_eq!(part(6.1), lightest);
+        assert_eq!(part(f64::INFINITY), Ground::NoCase);
+        let told: Vec<String> = (0..6).map(text).collect();
+        assert_eq!(told[0], "up to 1.1");
+        assert_eq!(told[5], "over 3");
+    }
+}
