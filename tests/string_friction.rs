@@ -270,7 +270,21 @@ fn what_is_wrong_is_refused_with_its_place() {
                 "[wall]\nfriction = 1\n[string_friction]\n",
             ),
             "",
-            "sites",
+            "`mud`: what moves with a string that bends",
+        ),
+        (
+            with("[mud]\ndensity_ppg = 10\n", "")
+                .replace(
+                    "_rad_m = 0.05",
+                    "_rad_m = 0.05\nbending = { youngs_modulus_gpa = 210, damping_ns_m2 = 9 }",
+                )
+                .replace(
+                    "[string_friction]\n",
+                    "[wall]\nclearance_mm = 9\nfriction = 1\n[[sites]]\n\
+                     distance_from_bit_m = 0\n[string_friction]\n",
+                ),
+            "",
+            "`wall`: lateral motion and friction along the string",
         ),
         (
             SWEEP.to_owned(),

@@ -18,6 +18,22 @@ pub struct Material {
     pub density: f64,
 }
 
+/// The fluid inside and around a string.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mud {
+    /// Density, kg/m³.
+    pub density: f64,
+}
+
+/// A hole full of mud, in which the string moves sideways.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hole {
+    /// Its radius, m.
+    pub radius: f64,
+    /// What is in it.
+    pub mud: Mud,
+}
+
 /// A uniform piece of tube.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tube {
@@ -75,6 +91,7 @@ pub struct Drillstring {
     sections: Vec<Section>,
     torsional_damping: f64,
     top_drive: Option<TopDrive>,
+    hole: Option<Hole>,
 }
 
 /// By which responses are known to be those of a string, within one run of a program.
@@ -110,6 +127,7 @@ impl Drillstring {
             sections,
             torsional_damping,
             top_drive: None,
+            hole: None,
         })
     }
 
@@ -123,6 +141,47 @@ impl Drillstring {
             top_drive: Some(drive),
             ..self
         })
+    }
+
+    /// The same string in a hole full of mud, which moves with it in bending.
+    ///
+    /// # Errors
+    /// Where there is no such mud, or a part is not narrower than the hole.
+    pub fn in_hole(self, hole: Hole) -> Result<Self, DrillstringError> {
+        positive("radius of the hole", hole.radius)?;
+        positive("density of the mud", hole.mud.density)?;
+        for (section, cell) in self.sections.iter().enumerate() {
+            for (part, tube) in cell.parts.iter().enumerate() {
+                if tube.outer_radius >= hole.radius {
+                    return Err(DrillstringError::WiderThanHole {
+                        section,
+                        part,
+                        outer: tube.outer_radius,
+                        hole: hole.radius,
+                    });
+                }
+            }
+        }
+        Ok(Self {
+            hole: Some(hole),
+            ..self
+        })
+    }
+
+    /// Mass per length of a tube that moves sideways, kg/m: its own, the mud inside, and what
+    /// mud around it adds, π R² ρ (R_h² + R²)/(R_h² − R²) in the middle of a hole of radius R_h
+    /// (S. S. Chen, M. W. Wambsganss and J. A. Jendrzejczyk, "Added mass and damping of a
+    /// vibrating rod in confined viscous fluids", *Journal of Applied Mechanics* 43, 1976,
+    /// 325–329, without viscosity).
+    pub(crate) fn mass_sideways(&self, tube: &Tube) -> f64 {
+        let own = self.material.density * tube.area();
+        let Some(hole) = self.hole else {
+            return own;
+        };
+        let [inner, outer, around] =
+            [tube.inner_radius, tube.outer_radius, hole.radius].map(|radius| radius * radius);
+        let displaced = inner + outer * (around + outer) / (around - outer);
+        own + std::f64::consts::PI * hole.mud.density * displaced
     }
 
     /// The drive that turns it, if its surface does not turn as prescribed.
@@ -149,6 +208,10 @@ impl Drillstring {
             add(drive.inertia);
             add(drive.proportional_gain);
             add(drive.integral_gain);
+        }
+        if let Some(hole) = self.hole {
+            add(hole.radius);
+            add(hole.mud.density);
         }
         StringId(hasher.finish())
     }

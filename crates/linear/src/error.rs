@@ -47,6 +47,21 @@ pub enum DrillstringError {
         /// External radius, m.
         outer: f64,
     },
+    /// A tube is as wide as the hole, or wider.
+    #[error(
+        "part {part} of section {section} has an external radius of {outer} m, \
+         and the hole only {hole} m"
+    )]
+    WiderThanHole {
+        /// Which section, from the surface, from 0.
+        section: usize,
+        /// Which part of the section's cell, from the top, from 0.
+        part: usize,
+        /// External radius, m.
+        outer: f64,
+        /// Radius of the hole, m.
+        hole: f64,
+    },
     /// A material constant is not positive.
     #[error("the {quantity} {value} is not positive")]
     NotPositive {

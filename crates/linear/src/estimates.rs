@@ -163,9 +163,9 @@ pub(crate) fn torsional_inertia(string: &Drillstring) -> f64 {
 /// The least rate, 1/s, at which oscillations of the string in bending decay, whatever
 /// its modes and supports: the damping over twice the mass where the string is heaviest.
 pub fn bending_decay_rate(string: &Drillstring, bending: &Bending) -> f64 {
-    let density = string.material().density;
-    let heaviest =
-        (string.tubes()).fold(0.0, |mass: f64, (_, tube)| mass.max(density * tube.area()));
+    let heaviest = (string.tubes()).fold(0.0, |mass: f64, (_, tube)| {
+        mass.max(string.mass_sideways(tube))
+    });
     bending.damping / (2.0 * heaviest)
 }
 

@@ -101,7 +101,9 @@ pub mod well;
 
 pub use cascade::Cascade;
 pub use channel::{Channel, Port};
-pub use drillstring::{Bending, Drillstring, Material, Section, StringId, SurfaceSupport, Tube};
+pub use drillstring::{
+    Bending, Drillstring, Hole, Material, Mud, Section, StringId, SurfaceSupport, Tube,
+};
 pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
 pub use num_complex::Complex64;

@@ -190,3 +190,63 @@ fn sites_side_by_side_are_passive() {
         }
     }
 }
+
+/// In bending mud is nothing but more mass: a tube of the density that makes up for it responds
+/// alike, by waves and by elements; and torsion does not feel it.
+#[test]
+fn mud_is_more_mass_sideways_and_none_in_torsion() {
+    let tube = academic::tube(10.0, 0.1);
+    let sections = vec![linear::Section {
+        repeat: 40,
+        parts: vec![tube],
+    }];
+    let string = |density: f64| {
+        let steel = linear::Material {
+            shear_modulus: 80e9,
+            density,
+        };
+        linear::Drillstring::new(steel, sections.clone(), 5.0).unwrap()
+    };
+    let (hole, mud) = (0.155, 1600.0);
+    let in_mud = string(7840.0)
+        .in_hole(linear::Hole {
+            radius: hole,
+            mud: linear::Mud { density: mud },
+        })
+        .unwrap();
+    // 0.1² of 0.155²: what moves around is 2.43 times what the tube displaces.
+    let squares = [tube.inner_radius, tube.outer_radius, hole].map(|radius: f64| radius.powi(2));
+    let moved = squares[0] + squares[1] * (squares[2] + squares[1]) / (squares[2] - squares[1]);
+    let heavier = 7840.0 + mud * moved / (squares[1] - squares[0]);
+    assert!((moved - (squares[0] + 2.426 * squares[1])).abs() < 1e-5);
+    let request = |string: &linear::Drillstring| academic::lateral_request(string, &[0.0], 2.0);
+    for method in [
+        Method::Quadrature,
+        Method::FiniteElement(Default::default()),
+    ] {
+        let build = |string: &linear::Drillstring| {
+            linear::responses(string, &method, &request(string)).unwrap()
+        };
+        let (found, expected, dry) = (
+            build(&in_mud),
+            build(&string(heavier)),
+            build(&string(7840.0)),
+        );
+        let bending = |it: &linear::Responses| it.bending().unwrap().from_loads[0][0].clone();
+        let largest = bending(&expected)
+            .iter()
+            .fold(0.0, |most: f64, tap| most.max(tap.abs()));
+        let off = |one: Vec<f64>, other: Vec<f64>| {
+            let pairs = one.into_iter().zip(other);
+            pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / largest
+        };
+        assert!(off(bending(&found), bending(&expected)) < 1e-9);
+        assert!(off(bending(&found), bending(&dry)) > 0.05);
+        assert_eq!(found.torsion(), dry.torsion());
+    }
+    let narrow = linear::Hole {
+        radius: 0.1,
+        mud: linear::Mud { density: mud },
+    };
+    assert!(string(7840.0).in_hole(narrow).is_err());
+}

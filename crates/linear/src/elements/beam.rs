@@ -58,7 +58,7 @@ pub(super) fn dashpot(element: &Tube, bending: &Bending) -> f64 {
 /// ρA L/420 times the consistent mass matrix of cubic shape functions.
 pub(super) fn mass_matrix(string: &Drillstring, element: &Tube) -> [[f64; 4]; 4] {
     let l = element.length;
-    let scale = string.material().density * element.area() * l / 420.0;
+    let scale = string.mass_sideways(element) * l / 420.0;
     [
         [156.0, 22.0 * l, 54.0, -13.0 * l],
         [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],

@@ -195,7 +195,7 @@ fn beam_element<T: Number>(
     let stiffness = stiffness_matrix(tube, bending);
     let elastic = [2, 3].map(|i| [2, 3].map(|j| T::real(stiffness[i][j])));
     let mixed = cross.transpose() + along;
-    let inertia = rates.acceleration * (string.material().density * tube.area());
+    let inertia = rates.acceleration * string.mass_sideways(tube);
     let foundation = inertia + rates.velocity * bending.damping;
     StiffBeam {
         length,

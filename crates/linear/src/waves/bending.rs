@@ -24,7 +24,7 @@ const POWERS: usize = 26;
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s).
 pub fn uniform<T: Number>(string: &Drillstring, bending: &Bending, tube: &Tube, s: T) -> Beam<T> {
     let rigidity = bending.youngs_modulus * tube.second_moment();
-    let inertia = string.material().density * tube.area();
+    let inertia = string.mass_sideways(tube);
     // E I x⁗ + C x″ + q x = 0 (Eq. 20).
     let q = s * (s * inertia + bending.damping);
     let mut length = tube.length;

@@ -4,20 +4,13 @@
 //! it turns, so that friction does not hold it along the well.
 
 use super::survey::{Survey, Vector, combine, length};
-use crate::drillstring::Drillstring;
+use crate::drillstring::{Drillstring, Mud};
 
 /// Acceleration of gravity, m/s².
 pub const GRAVITY: f64 = 9.806_65;
 
 /// Side forces are added up over pieces no longer than this, m.
 const STEP: f64 = 2.0;
-
-/// The fluid inside and around the string.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mud {
-    /// Density, kg/m³.
-    pub density: f64,
-}
 
 /// What is taken to press a string against its well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -42,8 +42,8 @@ impl Data {
         design: &Design,
         text_of: TextOf,
     ) -> Result<Self, SweepFileError> {
-        let survey = (content.well.as_ref())
-            .map(|well| read_survey(source, "well.survey", &well.survey, text_of))
+        let survey = (content.well.iter().flat_map(|well| &well.survey).next())
+            .map(|file| read_survey(source, "well.survey", file, text_of))
             .transpose()?;
         let (key, column) = (
             "surface_speed_file",

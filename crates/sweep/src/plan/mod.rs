@@ -8,6 +8,7 @@ mod conditions;
 mod data;
 #[cfg(test)]
 mod guide;
+mod hole;
 mod impulses;
 mod lateral;
 mod map;

@@ -13,7 +13,7 @@ use super::data::Data;
 use super::impulses::ImpulseSettings;
 use super::lateral::{self, LateralSettings};
 use super::string_friction::{self, StringFriction};
-use super::{sites, string, top_drive};
+use super::{hole, sites, string, top_drive};
 use crate::design::Design;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
 
@@ -86,6 +86,7 @@ impl Setting {
         design: &Design,
     ) -> Result<Self, SweepFileError> {
         let string = string::resolve(source, content)?;
+        let (string, mud) = hole::resolve(source, content, string)?;
         let (string, rotor_inertia) = top_drive::resolve(source, content, string)?;
         let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
             AutoOr::Auto => (sampling_frequency(&string), true),
@@ -105,7 +106,7 @@ impl Setting {
         };
         let sites = sites::resolve(source, content, &string)?;
         let lateral = lateral::resolve(source, content, &string, &sites, conditions, design)?;
-        let friction = string_friction::resolve(source, content, data, &string, &sites)?;
+        let friction = string_friction::resolve(source, content, data, &string, &sites, mud)?;
         let setting = Self {
             string,
             sites,

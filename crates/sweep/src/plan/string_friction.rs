@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use linear::well::{Mud, PressedBy, SideForce};
-use linear::{Drillstring, Sites};
+use linear::well::{PressedBy, SideForce};
+use linear::{Drillstring, Mud, Sites};
 use sim::{NodeTorque, PipeFriction};
 
 use super::conditions::{Conditions, RPM};
@@ -12,9 +12,6 @@ use crate::sweep_file::{FileContent, MethodName, PressedByName, Source, SweepFil
 
 /// More pieces than a string has joints make nothing better.
 const MOST_PIECES: f64 = 2000.0;
-
-/// No mud is heavier, kg/m³.
-const HEAVIEST_MUD: f64 = 3000.0;
 
 /// A string that rubs along its well.
 #[derive(Debug, Clone)]
@@ -94,20 +91,9 @@ pub fn resolve(
     data: &Data,
     string: &Drillstring,
     sites: &Sites,
+    mud: Option<Mud>,
 ) -> Result<Option<StringFriction>, SweepFileError> {
-    let mud = content.mud.map(|mud| {
-        let key = "mud.density_kg_m3";
-        let density = source.within(key, mud.density_kg_m3, 0.0, HEAVIEST_MUD, "kg/m³")?;
-        let message = "the string would float";
-        source.refuse_if(density >= string.material().density, key, message)?;
-        Ok::<_, SweepFileError>(Mud { density })
-    });
-    let mud = mud.transpose()?;
     let Some(table) = &content.string_friction else {
-        for (key, is_given) in [("mud", mud.is_some()), ("well", content.well.is_some())] {
-            let message = "says how the string presses on its well: needs [string_friction]";
-            source.refuse_if(is_given, key, message)?;
-        }
         return Ok(None);
     };
     refuse_others(source, content)?;

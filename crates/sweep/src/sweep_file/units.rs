@@ -5,10 +5,11 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 21] = [
+const KEYS: [&str; 22] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
+    "hole_radius_m",
     "distance_from_bit_m",
     "offset_m",
     "bit_radius_m",

@@ -9,7 +9,9 @@ use super::number_or::is_zero;
 #[serde(deny_unknown_fields)]
 pub struct WellTable {
     /// Its survey: measured depth, inclination and azimuth, as CSV or a workbook.
-    pub survey: String,
+    pub survey: Option<String>,
+    /// Radius of the hole, m.
+    pub hole_radius_m: Option<f64>,
 }
 
 /// The fluid inside and around the string.

@@ -1,0 +1,57 @@
+//! `[mud]` and the hole of `[well]`: what the string is in.
+
+use linear::{Drillstring, DrillstringError, Hole, Mud};
+
+use crate::sweep_file::{FileContent, Source, SweepFileError};
+
+/// No mud is heavier, kg/m³.
+const HEAVIEST_MUD: f64 = 3000.0;
+
+/// The string in its hole, whose mud moves with it where it bends; and the mud that buoys it.
+///
+/// # Errors
+/// Where a key is refused, or something needed is missing.
+pub fn resolve(
+    source: &Source,
+    content: &FileContent,
+    string: Drillstring,
+) -> Result<(Drillstring, Option<Mud>), SweepFileError> {
+    let mud = content.mud.map(|mud| {
+        let key = "mud.density_kg_m3";
+        let density = source.within(key, mud.density_kg_m3, 1.0, HEAVIEST_MUD, "kg/m³")?;
+        let message = "the string would float";
+        source.refuse_if(density >= string.material().density, key, message)?;
+        Ok::<_, SweepFileError>(Mud { density })
+    });
+    let mud = mud.transpose()?;
+    let (bends, rubs) = (content.wall.is_some(), content.string_friction.is_some());
+    let message = "moves with a string that bends, and buoys one that rubs: \
+                   needs a [wall] or [string_friction]";
+    source.refuse_if(mud.is_some() && !bends && !rubs, "mud", message)?;
+    let survey = content.well.iter().flat_map(|well| &well.survey).next();
+    let message = "says how the string presses on its well: needs [string_friction]";
+    source.refuse_if(survey.is_some() && !rubs, "well.survey", message)?;
+    let key = "well.hole_radius_m";
+    let radius = content.well.as_ref().and_then(|well| well.hole_radius_m);
+    let Some(radius) = radius else {
+        let message = "what moves with a string that bends depends on the hole: \
+                       needs `hole_radius_m` in [well]";
+        source.refuse_if(mud.is_some() && bends, "mud", message)?;
+        return Ok((string, mud));
+    };
+    source.within(key, radius, 1e-3, 2.0, "m")?;
+    let Some(mud) = mud.filter(|_| bends) else {
+        let message = "counts where mud moves with a string that bends: needs [mud] and a [wall]";
+        return Err(source.error(key, message));
+    };
+    let string = string.in_hole(Hole { radius, mud }).map_err(|error| {
+        let key = match error {
+            DrillstringError::WiderThanHole { section, part, .. } => {
+                format!("string.sections[{section}].parts[{part}].outer_radius_m")
+            }
+            _ => key.to_owned(),
+        };
+        source.error(&key, error.to_string())
+    })?;
+    Ok((string, Some(mud)))
+}
