@@ -260,6 +260,14 @@ fn what_is_wrong_is_refused_with_its_place() {
             "`mud.density_ppg`: ",
         ),
         (
+            with(
+                "survey = \"survey.csv\"",
+                "survey = \"survey.csv\"\nhole_diameter_in = 8.5",
+            ),
+            "",
+            "`well.hole_diameter_in`: counts where mud moves",
+        ),
+        (
             with("pieces = 8", "pieces = 0"),
             "",
             "`string_friction.pieces`: 0 is not between 1",
