@@ -230,6 +230,39 @@ fn results_hang_on_what_the_files_say() {
     );
 }
 
+/// A recording takes the place of its base's speed, with friction along the string and without,
+/// and a set speed that of its base's recording.
+#[test]
+fn a_recorded_surface_and_a_set_speed_replace_one_another() {
+    let here = place(SWEEP);
+    let free = "[string]\nshear_modulus_gpa = 80\ndensity_kg_m3 = 7850\n\
+                torsional_damping_nms_rad_m = 5\n[[string.sections]]\nrepeat = 50\n\
+                parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.1 }]\n";
+    here.write(
+        "free.toml",
+        format!("surface_speed_rpm = 9\ntime_s = 20\n{free}"),
+    );
+    let compare = "[[compare]]\ntrace = \"bit_speed_rpm\"\nfile = \"recorded.csv\"\n\
+                   column = \"speed_rpm\"\nfrom_s = 15\nto_s = 20\n";
+    let recorded = "surface_speed_file = \"recorded.csv\"\n";
+    here.write(
+        "recorded.toml",
+        format!("base = \"free.toml\"\n{recorded}{compare}"),
+    );
+    here.write(
+        "set.toml",
+        "base = \"recorded.toml\"\nsurface_speed_rpm = 30\n",
+    );
+    for (file, misfit) in [("recorded.toml", 0.0), ("set.toml", 30.0)] {
+        let output = here.sweep(&["simulate", file, "--out", file.trim_end_matches(".toml")]);
+        assert_eq!(output.code, 0, "{}", output.errors);
+        let table = here.path(file.trim_end_matches(".toml")).join("case.csv");
+        let row = rows(&std::fs::read_to_string(table).unwrap()).remove(0);
+        let found = number(&row, "misfit_bit_speed_rpm");
+        assert!((found - misfit).abs() < 1e-3, "{file}: {found}");
+    }
+}
+
 /// Each with file, line and key.
 #[test]
 fn what_is_wrong_is_refused_with_its_place() {
