@@ -3,5 +3,5 @@
 mod side_force;
 mod survey;
 
-pub use side_force::{GRAVITY, PressedBy, SideForce};
+pub use side_force::{PressedBy, SideForce};
 pub use survey::{Station, Survey, SurveyError};

@@ -7,7 +7,7 @@ use super::survey::{Survey, Vector, combine, length};
 use crate::drillstring::{Drillstring, Mud};
 
 /// Acceleration of gravity, m/s².
-pub const GRAVITY: f64 = 9.806_65;
+const GRAVITY: f64 = 9.806_65;
 
 /// Side forces are added up over pieces no longer than this, m.
 const STEP: f64 = 2.0;

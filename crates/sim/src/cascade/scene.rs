@@ -58,9 +58,7 @@ impl NodeLaw {
             Self::Pipe(law) => law.meet(before, line.free_speed, guess.abs()),
         }
     }
-}
 
-impl NodeLaw {
     /// By how much the torque against the node falls with its speed, where it turns, N m per
     /// rad/s; of the bit's as if it stayed.
     pub(super) fn fall(&self, speed: f64) -> f64 {

@@ -5,6 +5,7 @@ use super::scene::{CascadeScene, NodeLaw};
 use super::solution::Solution;
 use super::system::CascadeSystem;
 use super::waves::Past;
+use crate::convolution::Kernel;
 use crate::error::SimulationError;
 
 /// A scene under way.
@@ -141,8 +142,7 @@ impl<'a> CascadeStepper<'a> {
         let top = &system.top;
         let up = top.inverse() * (top.impedance * speeds[0] - self.out_of_top);
         let scale = self.scene.surface_speed;
-        let by_wave =
-            |kernel: &crate::convolution::Kernel| self.up.sum(kernel) + kernel.instant() * up;
+        let by_wave = |kernel: &Kernel| self.up.sum(kernel) + kernel.instant() * up;
         self.now.surface_torque =
             scale * system.torque[self.next] + by_wave(&system.torque_by_wave);
         self.now.surface_speed =

@@ -45,7 +45,7 @@ pub struct LinkKernels {
     pub top: Kernel,
     pub across: Kernel,
     pub bottom: Kernel,
-    /// (1 + S(0))⁻¹, of which both diagonals are equal off the main one: `[top, across, bottom]`.
+    /// (1 + S(0))⁻¹, which is symmetric: `[top, across, bottom]`.
     inverse: [f64; 3],
 }
 

@@ -106,7 +106,8 @@ impl OnLines {
     /// A speed at which load line and curve meet, between one that is too slow and one that is
     /// too fast, from a guess.
     fn between(&self, mut ends: (f64, f64), guess: f64, driven: f64) -> f64 {
-        let mut speed = guess.clamp(ends.0, ends.1);
+        // What is no number goes through, to be told as such; `clamp` would panic.
+        let mut speed = guess.max(ends.0).min(ends.1);
         for _ in 0..MOST_STEPS {
             let (excess, slope) = self.excess(speed, driven);
             if excess > 0.0 {
@@ -319,6 +320,18 @@ mod tests {
         assert!(follow(down - 1e-6) < first);
         // And backwards.
         assert!(follow(-up - 1e-6) < -second);
+    }
+
+    #[test]
+    fn what_is_no_number_stays_none() {
+        for stribeck_speed in [0.0, 0.5] {
+            let law = PipeFriction {
+                stribeck_speed,
+                ..LAW
+            };
+            let step = law.meet(&moving(1.0), line(f64::NAN, 4.0));
+            assert!(step.speed.is_nan());
+        }
     }
 
     #[test]

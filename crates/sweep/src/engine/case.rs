@@ -1,6 +1,6 @@
 //! One case: its values and its scene.
 
-use sim::{BitTorque, CascadeScene, Lateral, NodeTorque, Scene, Timing, torsion_timing};
+use sim::{BitTorque, Lateral, NodeTorque, Scene, Timing, torsion_timing};
 
 use super::case_error::CaseError;
 use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Sweep};
@@ -17,8 +17,8 @@ pub struct Case {
     pub torque_dynamic_nm: Option<f64>,
     /// What is simulated.
     pub scene: Scene,
-    /// The same with friction along the string, where that is modelled.
-    pub rubbing: Option<CascadeScene>,
+    /// The torque at each node of a string that rubs along its well, that on the bit included.
+    pub along_string: Option<Vec<NodeTorque>>,
 }
 
 impl Case {
@@ -80,11 +80,7 @@ impl Case {
             index,
             values,
             torque_dynamic_nm,
-            rubbing: torques.map(|torques| CascadeScene {
-                surface_speed,
-                torques,
-                timing,
-            }),
+            along_string: torques,
             scene: Scene {
                 surface_speed,
                 bit,
@@ -97,8 +93,8 @@ impl Case {
     }
 }
 
-/// All torques of a string as one at its bit, where there are any: it takes as long to break
-/// loose, and longer to swing.
+/// All torques of a string as one at its bit, where there are any: there they take longest to
+/// wind it up.
 fn together(torques: &[NodeTorque]) -> Option<BitTorque> {
     let limits = |torque: &NodeTorque| match torque {
         NodeTorque::None => None,

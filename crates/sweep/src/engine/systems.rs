@@ -225,8 +225,13 @@ impl MethodSystem {
         stopping: Stopping,
         record: Option<&mut Trajectory>,
     ) -> Result<Outcome, SimulationError> {
-        if let Some((cascade, scene)) = self.cascade.as_ref().zip(case.rubbing.as_ref()) {
-            return self.rub(cascade, scene, record);
+        if let Some((cascade, torques)) = self.cascade.as_ref().zip(case.along_string.as_ref()) {
+            let scene = CascadeScene {
+                surface_speed: case.scene.surface_speed,
+                torques: torques.clone(),
+                timing: case.scene.timing,
+            };
+            return self.rub(cascade, &scene, record);
         }
         let mut scene = case.scene.clone();
         for (index, least) in self.relative_impulses() {
@@ -317,25 +322,28 @@ impl MethodSystem {
         let simulated = catch_unwind(AssertUnwindSafe(|| {
             self.simulate(case, stopping, motion.as_mut())
         }));
-        let distances = self.setting.sites.distances_from_bit();
+        let friction = self.setting.friction.as_ref();
+        let sites = friction.map_or(&self.setting.sites, |friction| &friction.nodes);
+        let distances = sites.distances_from_bit();
         let mut record = failed(CaseError::Panicked);
         record.torque_dynamic_nm = case.torque_dynamic_nm;
         if let Ok(simulated) = simulated {
             let lateral = simulated.as_ref().ok().and_then(|outcome| outcome.lateral);
             record.site_from_bit_m = lateral.map(|lateral| distances[lateral.site]);
-            if let (Ok(_), Some(motion)) = (&simulated, &mut motion) {
-                if let Ok(Some(torques)) = self.motor_torque(case, motion) {
-                    motion.surface_torque = torques;
-                }
-                record.misfits = (comparisons.iter())
-                    .map(|comparison| comparison.misfit(motion))
-                    .collect();
-            }
             record.outcome = simulated.map_err(|error| {
                 let site = error.site();
                 let site = site.and_then(|site| Some((site, *distances.get(site)?)));
                 Failure::new(CaseError::Simulation { error, site })
             });
+            if let (Ok(_), Some(mut motion)) = (&record.outcome, motion) {
+                match self.motor_torque(case, &motion) {
+                    Ok(torques) => motion.surface_torque.extend(torques.into_iter().flatten()),
+                    Err(error) => return failed(CaseError::Responses(error)),
+                }
+                record.misfits = (comparisons.iter())
+                    .map(|comparison| comparison.misfit(&motion))
+                    .collect();
+            }
         }
         record
     }

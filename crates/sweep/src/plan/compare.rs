@@ -57,6 +57,9 @@ impl TraceName {
     }
 }
 
+/// Times closer than this are the same, s.
+const SAME_TIME: f64 = 1e-6;
+
 impl Comparison {
     /// What it is called in pictures.
     pub fn title(&self) -> String {
@@ -70,6 +73,9 @@ impl Comparison {
     /// Root mean square of simulated less recorded, in the unit of the trace; none where the
     /// motion does not have the trace or does not reach the time.
     pub fn misfit(&self, motion: &Trajectory) -> Option<f64> {
+        if *motion.times.last()? < self.to - SAME_TIME {
+            return None;
+        }
         let off: Vec<f64> = match self.extreme {
             None => {
                 let steps = motion.times.iter().enumerate();
@@ -138,6 +144,31 @@ pub fn resolve(
     Ok(comparisons)
 }
 
+/// Refuses what no case of the file has.
+fn is_followed(
+    source: &Source,
+    content: &FileContent,
+    key: &str,
+    trace: TraceName,
+) -> Result<(), SweepFileError> {
+    let (rubs, bends) = (content.string_friction.is_some(), content.wall.is_some());
+    let at_bit = (content.sites.iter()).any(|site| site.distance_from_bit_m == 0.0);
+    let is_driven = content.top_drive.is_some() && content.bit.is_some() && !bends;
+    let (is_there, message) = match trace {
+        TraceName::BitSpeedRpm => (
+            !bends || at_bit,
+            "with a wall the bit is followed where it is one of the [[sites]]",
+        ),
+        TraceName::SurfaceSpeedRpm => (rubs, "it is followed with [string_friction]"),
+        TraceName::SurfaceTorqueNm => (
+            rubs || is_driven,
+            "it is followed with [string_friction], and of a bit that cuts below a [top_drive], \
+             without a wall",
+        ),
+    };
+    source.refuse_if(!is_there, key, message)
+}
+
 fn comparison(
     source: &Source,
     content: &FileContent,
@@ -146,6 +177,7 @@ fn comparison(
     text_of: TextOf,
 ) -> Result<Comparison, SweepFileError> {
     let key = |key: &str| format!("compare[{index}].{key}");
+    is_followed(source, content, &key("trace"), table.trace)?;
     let (unit, file) = (table.trace.unit(), &table.file);
     let column = Some(table.column.as_str());
     let recorded = read_series(source, &key("file"), file, column, unit, text_of)?;
@@ -231,6 +263,12 @@ mod tests {
             ..comparison.clone()
         };
         assert!((of_greatest.misfit(&motion).unwrap() - 4.0).abs() < 1e-9);
+        // It ends before the motion is to be held against it.
+        let of_more = Comparison {
+            to: 9.95,
+            ..comparison.clone()
+        };
+        assert_eq!(of_more.misfit(&motion), None);
         let of_bit = Comparison {
             trace: TraceName::BitSpeedRpm,
             ..comparison

@@ -24,6 +24,15 @@ pub fn resolve(
                        which is followed with [string_friction]";
         let is_idle = content.string_friction.is_none();
         source.refuse_if(is_idle, "top_drive.controller", message)?;
+        let message = "a rotor that is at its speed at once takes an infinite torque: give \
+                       `surface_speed_rise_s`, or what was recorded";
+        let is_at_once =
+            content.surface_speed_file.is_none() && content.surface_speed_rise_s == 0.0;
+        source.refuse_if(
+            is_at_once && inertia > 0.0,
+            "top_drive.inertia_kg_m2",
+            message,
+        )?;
         return Ok((string, inertia));
     };
     let error = |error: linear::DrillstringError| source.error("top_drive", error.to_string());
