@@ -32,6 +32,51 @@ pub fn transfer_matrix(string: &Drillstring, tube: &Tube, s: Complex64) -> Mat<C
     ]
 }
 
+/// Torque on a bit that swings by itself under the string's surface, up to a positive factor:
+/// zero where it is a mode. An entire function of s, by transfer matrices one after another.
+pub fn free_torque(string: &Drillstring, s: Complex64) -> Complex64 {
+    let (mut rotation, mut torque) = match string.top_drive() {
+        None => (Complex64::ZERO, Complex64::ONE),
+        Some(drive) => (Complex64::ONE, s * drive.impedance(s)),
+    };
+    for section in string.sections() {
+        let tubes = section.parts.iter();
+        let tubes: Vec<_> = tubes.map(|tube| transfer_matrix(string, tube, s)).collect();
+        for _ in 0..section.repeat {
+            for m in &tubes {
+                (rotation, torque) = (
+                    m[(0, 0)] * rotation + m[(0, 1)] * torque,
+                    m[(1, 0)] * rotation + m[(1, 1)] * torque,
+                );
+                let size = (rotation * torque).norm().sqrt();
+                if size > 1e100 {
+                    (rotation, torque) = (rotation / size, torque / size);
+                }
+            }
+        }
+    }
+    torque
+}
+
+/// How far a function's argument turns between two points, radians, along the straight line.
+pub fn turned(function: &impl Fn(Complex64) -> Complex64, from: Complex64, to: Complex64) -> f64 {
+    const PIECES: usize = 1000;
+    const SMALL: f64 = 0.3;
+    let point = |index: usize| from + (to - from) * (index as f64 / PIECES as f64);
+    let mut turned = 0.0;
+    for index in 0..PIECES {
+        let (near, far) = (point(index), point(index + 1));
+        let turn = (function(far) / function(near)).arg();
+        let halfway = (function((near + far) / 2.0) / function(near)).arg();
+        turned += if turn.abs() < SMALL && halfway.abs() < SMALL {
+            turn
+        } else {
+            self::turned(function, near, far)
+        };
+    }
+    turned
+}
+
 /// Dynamic stiffness (top, cross, bottom) from a transfer matrix: rotations to
 /// external torques −T at the top, +T at the bottom.
 pub fn stiffness_of_transfer(m: &Mat<Complex64>) -> [Complex64; 3] {

@@ -4,7 +4,7 @@
 use num_complex::Complex64;
 
 use super::torsion::uniform;
-use crate::assembly::chain;
+use crate::assembly::chain::{self, Stiffness};
 use crate::assembly::number::Number;
 use crate::assembly::torsion::{
     Drive, DynamicStiffness, TorsionAdmittance, reduce, torque_at_surface,
@@ -72,6 +72,21 @@ impl TorsionNetwork<'_> {
     /// The response at the Laplace variable `s` (rad/s, Re s ≥ 0).
     pub fn admittance<T: Number>(&self, s: T) -> TorsionAdmittance<T> {
         reduce(self.pieces(s), self.sites, s, self.drive(s))
+    }
+
+    /// Zero where the string swings on its own, the bit free: the torque that the bit opposes
+    /// where the surface feels one of 1 (N m), or, with a drive, turns by 1 rad. Unlike the
+    /// response of the bit it has no poles, not even beside the zeros of modes that the bit
+    /// hardly feels.
+    pub(crate) fn characteristic(&self, s: Complex64) -> Complex64 {
+        let whole = self.pieces(s).flatten().reduce(Stiffness::join);
+        let Some(DynamicStiffness { top, cross, bottom }) = whole else {
+            return Complex64::ONE;
+        };
+        match self.drive(s) {
+            None => bottom / cross,
+            Some(drive) => (top + drive.opposes) * bottom / cross - cross,
+        }
     }
 
     /// Torque with which the surface has to be turned per unit of the speed that it is set to,
