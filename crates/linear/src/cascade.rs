@@ -18,6 +18,7 @@ use crate::assembly::nodes::{Link as _, Relation};
 use crate::assembly::number::Number;
 use crate::assembly::scattering::{Scattered, Uppermost, reflection, uppermost};
 use crate::assembly::torsion::{Drive, DynamicStiffness};
+use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Section};
 use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
@@ -140,8 +141,13 @@ impl Cascade {
             }
             Method::FiniteElement(parameters) => {
                 let weights = Weights::new(parameters, sampling_frequency)?;
-                let chain =
-                    ElementChain::new(string, nodes, parameters.elements_per_cell, weights)?;
+                let chain = ElementChain::new(
+                    string,
+                    Channel::Torsion,
+                    nodes,
+                    parameters.elements_per_cell,
+                    weights,
+                )?;
                 let response = |zeta: Lanes, waves: &mut [Lanes]| {
                     let (rows, drive) = chain.rows_and_drive(zeta);
                     pieces.write(rows, drive, Lanes::real(1.0), waves);

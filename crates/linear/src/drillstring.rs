@@ -34,6 +34,15 @@ pub struct Hole {
     pub mud: Mud,
 }
 
+/// A length of string along which one axial force acts.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AxialForce {
+    /// Length, m.
+    pub length: f64,
+    /// Tension, N; compression where negative.
+    pub tension: f64,
+}
+
 /// A uniform piece of tube.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tube {
@@ -92,6 +101,7 @@ pub struct Drillstring {
     torsional_damping: f64,
     top_drive: Option<TopDrive>,
     hole: Option<Hole>,
+    axial_force: Vec<AxialForce>,
 }
 
 /// By which responses are known to be those of a string, within one run of a program.
@@ -128,6 +138,7 @@ impl Drillstring {
             torsional_damping,
             top_drive: None,
             hole: None,
+            axial_force: Vec::new(),
         })
     }
 
@@ -168,6 +179,33 @@ impl Drillstring {
         })
     }
 
+    /// The same string under an axial force, from the surface down, where without one it has
+    /// none but the pre-compression of [`Bending`]. It matters in bending: tension pulls the
+    /// string straight.
+    ///
+    /// # Errors
+    /// Where there is no such force, or it is not that of a string as long.
+    pub fn under_axial_force(self, pieces: Vec<AxialForce>) -> Result<Self, DrillstringError> {
+        for piece in &pieces {
+            positive("length under an axial force", piece.length)?;
+            if !piece.tension.is_finite() {
+                let value = piece.tension;
+                return Err(DrillstringError::Tension { value });
+            }
+        }
+        let (length, under) = (
+            self.length(),
+            pieces.iter().map(|it| it.length).sum::<f64>(),
+        );
+        if (length - under).abs() > SAME_PLACE * length * pieces.len() as f64 {
+            return Err(DrillstringError::AxialForceOfAnother { length, under });
+        }
+        Ok(Self {
+            axial_force: pieces,
+            ..self
+        })
+    }
+
     /// Mass per length of a tube that moves sideways, kg/m: its own, the mud inside, and what
     /// mud around it adds, π R² ρ (R_h² + R²)/(R_h² − R²) in the middle of a hole of radius R_h
     /// (S. S. Chen, M. W. Wambsganss and J. A. Jendrzejczyk, "Added mass and damping of a
@@ -187,6 +225,12 @@ impl Drillstring {
     /// The drive that turns it, if its surface does not turn as prescribed.
     pub fn top_drive(&self) -> Option<TopDrive> {
         self.top_drive
+    }
+
+    /// The axial force along it, from the surface down; empty where none but that of
+    /// [`Bending`] acts.
+    pub fn axial_force(&self) -> &[AxialForce] {
+        &self.axial_force
     }
 
     /// What tells it from other strings.
@@ -212,6 +256,10 @@ impl Drillstring {
         if let Some(hole) = self.hole {
             add(hole.radius);
             add(hole.mud.density);
+        }
+        for piece in &self.axial_force {
+            add(piece.length);
+            add(piece.tension);
         }
         StringId(hasher.finish())
     }
@@ -332,6 +380,14 @@ pub struct Bending {
 }
 
 impl Bending {
+    /// With a tension (N) that acts besides.
+    pub(crate) fn under(self, tension: f64) -> Self {
+        Self {
+            compression: self.compression - tension,
+            ..self
+        }
+    }
+
     /// Checks that a string can bend so.
     pub(crate) fn check(&self) -> Result<(), DrillstringError> {
         positive("Young's modulus", self.youngs_modulus)?;

@@ -82,6 +82,20 @@ pub enum DrillstringError {
         /// The value found, N s/m per metre.
         value: f64,
     },
+    /// The axial force is not a force.
+    #[error("the tension {value} N is not a finite number")]
+    Tension {
+        /// As given, N.
+        value: f64,
+    },
+    /// The axial force is not that of a string of this length.
+    #[error("an axial force along {under} m does not fit a string of {length} m")]
+    AxialForceOfAnother {
+        /// Length of the string, m.
+        length: f64,
+        /// Length along which the force is given, m.
+        under: f64,
+    },
     /// The pre-compression is not a force.
     #[error("the compression {value} N is not a finite number")]
     Compression {

@@ -46,7 +46,8 @@
 //! | memory, before it is taken | [`cost`] |
 //! | how far responses are from the exact ones | [`deviation`] |
 //! | the string in pieces, for torques at many places | [`cascade`] |
-//! | the well, and how the string presses on its wall | [`well`] |
+//! | the well, how the string presses on its wall, and what pulls it | [`well`] |
+//! | natural frequencies in bending, and buckling | [`bending_modes`] |
 //! | Eqs. 59–61: what a simulation needs | [`mod@responses`], by [`Channel`] and [`Port`] |
 //!
 //! ```
@@ -74,6 +75,7 @@
 extern crate self as linear;
 
 mod assembly;
+pub mod bending_modes;
 pub mod cascade;
 mod channel;
 mod checks;
@@ -102,7 +104,7 @@ pub mod well;
 pub use cascade::Cascade;
 pub use channel::{Channel, Port};
 pub use drillstring::{
-    Bending, Drillstring, Hole, Material, Mud, Section, StringId, SurfaceSupport, Tube,
+    AxialForce, Bending, Drillstring, Hole, Material, Mud, Section, StringId, SurfaceSupport, Tube,
 };
 pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;

@@ -1,7 +1,8 @@
 //! The string cut at its sites: what the waves and the elements join or assemble between
 //! two neighbouring nodes.
 
-use crate::drillstring::{Drillstring, SAME_PLACE, Section, Tube};
+use crate::channel::Channel;
+use crate::drillstring::{AxialForce, Drillstring, SAME_PLACE, Section, Tube};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
 
@@ -11,7 +12,59 @@ pub(crate) struct Span {
     pub(crate) runs: Vec<Section>,
 }
 
+/// A part of a span along which one axial force acts, from the top down.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Loaded {
+    /// N; compression where negative.
+    pub(crate) tension: f64,
+    pub(crate) runs: Vec<Section>,
+}
+
+/// A span by its parts under one axial force each, from the top down.
+pub(crate) type LoadedSpan = Vec<Loaded>;
+
 impl Drillstring {
+    /// The spans, in bending cut where the axial force changes; in torsion that does not matter.
+    pub(crate) fn loaded_spans(
+        &self,
+        channel: Channel,
+        sites: &Sites,
+    ) -> Result<Vec<LoadedSpan>, DrillstringError> {
+        let spans = self.spans(sites)?.into_iter();
+        if channel == Channel::Torsion || self.axial_force().is_empty() {
+            let unloaded = |Span { runs }| vec![Loaded { tension: 0.0, runs }];
+            return Ok(spans.map(unloaded).collect());
+        }
+        let same_place = SAME_PLACE * self.length();
+        let mut forces = self.axial_force().iter().copied();
+        let mut force = AxialForce::default();
+        let mut cut = |Span { mut runs }: Span| {
+            let mut left: f64 = runs.iter().map(Section::length).sum();
+            runs.reverse();
+            let mut parts = Vec::new();
+            while left > same_place {
+                if force.length <= same_place {
+                    // Rounding may have left a sliver below the last: it is under that.
+                    let last = AxialForce {
+                        length: left,
+                        ..force
+                    };
+                    force = forces.next().unwrap_or(last);
+                }
+                let length = force.length.min(left);
+                let Span { runs } = cut_off_top(&mut runs, length, same_place);
+                parts.push(Loaded {
+                    tension: force.tension,
+                    runs,
+                });
+                force.length -= length;
+                left -= length;
+            }
+            parts
+        };
+        Ok(spans.map(&mut cut).collect())
+    }
+
     /// The string cut at the sites: one span above each site, and one more
     /// below the last where that is not the bit. Sites of another string may not
     /// be places of this one.

@@ -6,8 +6,8 @@ use linear::elements::newmark::Weights;
 use linear::elements::reduction::{CondensedBeam, CondensedString};
 use linear::method::FiniteElement;
 use linear::{
-    Bending, ChannelRequest, ChannelResponses, Drillstring, Method, Request, Section, Sites,
-    SurfaceSupport,
+    AxialForce, Bending, ChannelRequest, ChannelResponses, Drillstring, Method, Request, Section,
+    Sites, SurfaceSupport,
 };
 use problems::academic::{self, tube};
 use proptest::prelude::*;
@@ -147,7 +147,8 @@ fn any_model() -> impl Strategy<Value = Model> {
     let elements = (1..30usize, prop::sample::select(vec![0.5, 0.52, 0.6]));
     // A site cuts a pipe; elements of millimetres would leave steps no digit.
     let looked_at = (50.0..2000.0f64, 0.0..1.0f64, 0.1..0.9f64);
-    let bent = (100.0..5000.0f64, -1e5..0.0f64, 0..3usize);
+    let pulled = prop::option::of((0.05..0.95f64, 0.0..1e5f64, 0.0..2e4f64));
+    let bent = (100.0..5000.0f64, -1e5..0.0f64, 0..3usize, pulled);
     (pipes, collars, elements, looked_at, bent, 0.0..30.0f64).prop_map(
         |(pipes, collars, elements, looked_at, bent, torsional_damping)| {
             let (repeat, pipe, joint, radius) = pipes;
@@ -162,11 +163,19 @@ fn any_model() -> impl Strategy<Value = Model> {
                 },
             ];
             let material = academic::string().material();
-            let string = Drillstring::new(material, sections, torsional_damping).unwrap();
+            let mut string = Drillstring::new(material, sections, torsional_damping).unwrap();
             let (sampling_frequency, place, cut) = looked_at;
             let above = (place * repeat as f64).floor() * (pipe + joint) + cut * pipe;
             let sites = Sites::new(&string, &[0.0, string.length() - above]).unwrap();
-            let (damping, compression, support) = bent;
+            let (damping, compression, support, pulled) = bent;
+            if let Some((part, above, below)) = pulled {
+                let piece = |part: f64, tension| AxialForce {
+                    length: part * string.length(),
+                    tension,
+                };
+                let force = vec![piece(part, above), piece(1.0 - part, below)];
+                string = string.under_axial_force(force).unwrap();
+            }
             Model {
                 parameters: FiniteElement {
                     elements_per_cell: elements.0,

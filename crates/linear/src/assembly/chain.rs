@@ -7,7 +7,7 @@
 //! overflows.
 
 use crate::drillstring::{Section, Tube};
-use crate::spans::Span;
+use crate::spans::{Loaded, LoadedSpan, Span};
 
 /// Dynamic stiffness of a piece of string between its top and its bottom.
 pub trait Stiffness: Copy {
@@ -52,6 +52,16 @@ pub fn section<S: Stiffness>(section: &Section, tube: impl Fn(&Tube) -> S) -> Op
 /// Stiffness of everything between two neighbouring nodes; `None` where there
 /// is nothing.
 pub(crate) fn span<S: Stiffness>(span: &Span, tube: impl Fn(&Tube) -> S) -> Option<S> {
-    let pieces = span.runs.iter().filter_map(|run| section(run, &tube));
+    of_runs(&span.runs, tube)
+}
+
+/// The same where the axial force matters: of each tube, and of what acts along it.
+pub(crate) fn loaded<S: Stiffness>(span: &LoadedSpan, tube: impl Fn(f64, &Tube) -> S) -> Option<S> {
+    let part = |part: &Loaded| of_runs(&part.runs, |it| tube(part.tension, it));
+    span.iter().filter_map(part).reduce(S::join)
+}
+
+fn of_runs<S: Stiffness>(runs: &[Section], tube: impl Fn(&Tube) -> S) -> Option<S> {
+    let pieces = runs.iter().filter_map(|run| section(run, &tube));
     pieces.reduce(S::join)
 }

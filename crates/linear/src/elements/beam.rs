@@ -25,10 +25,10 @@ pub fn assemble(
     let mut mass = Vec::with_capacity(16 * mesh.elements.len());
     let mut stiffness = Vec::with_capacity(16 * mesh.elements.len());
     let mut damping = vec![0.0; size];
-    for (upper, element) in mesh.elements.iter().enumerate() {
+    for (upper, (element, tension)) in mesh.elements.iter().zip(&mesh.tensions).enumerate() {
         let first = 2 * upper;
         let element_mass = mass_matrix(string, element);
-        let element_stiffness = stiffness_matrix(element, bending);
+        let element_stiffness = stiffness_matrix(element, &bending.under(*tension));
         for row in 0..4 {
             for column in 0..4 {
                 let (Some(i), Some(j)) = (
@@ -56,7 +56,7 @@ pub(super) fn dashpot(element: &Tube, bending: &Bending) -> f64 {
 }
 
 /// ρA L/420 times the consistent mass matrix of cubic shape functions.
-pub(super) fn mass_matrix(string: &Drillstring, element: &Tube) -> [[f64; 4]; 4] {
+pub(crate) fn mass_matrix(string: &Drillstring, element: &Tube) -> [[f64; 4]; 4] {
     let l = element.length;
     let scale = string.mass_sideways(element) * l / 420.0;
     [
@@ -69,7 +69,7 @@ pub(super) fn mass_matrix(string: &Drillstring, element: &Tube) -> [[f64; 4]; 4]
 }
 
 /// Bending stiffness less what compression takes from it.
-pub(super) fn stiffness_matrix(element: &Tube, bending: &Bending) -> [[f64; 4]; 4] {
+pub(crate) fn stiffness_matrix(element: &Tube, bending: &Bending) -> [[f64; 4]; 4] {
     let l = element.length;
     let elastic_scale = bending.youngs_modulus * element.second_moment() / l.powi(3);
     let geometric_scale = bending.compression / (30.0 * l);

@@ -1,10 +1,11 @@
 //! The string divided into elements, with a node at every change of tube and
 //! at every site.
 
+use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 use crate::sites::Sites;
-use crate::spans::Span;
+use crate::spans::LoadedSpan;
 
 /// The most elements: 16 million, some gigabytes with their matrices.
 const MOST_ELEMENTS: usize = 1 << 24;
@@ -15,6 +16,8 @@ const MOST_ELEMENTS: usize = 1 << 24;
 pub struct Mesh {
     /// Each element as the piece of tube it covers.
     pub elements: Vec<Tube>,
+    /// The tension of each, N, in bending.
+    pub tensions: Vec<f64>,
     /// The node of each site, from the surface down.
     pub site_nodes: Vec<usize>,
 }
@@ -28,6 +31,7 @@ impl Mesh {
     /// Where the sites are not the string's, or the elements would be too many.
     pub fn new(
         string: &Drillstring,
+        channel: Channel,
         sites: &Sites,
         elements_per_cell: usize,
     ) -> Result<Self, BuildError> {
@@ -38,19 +42,20 @@ impl Mesh {
                 expected: "at least 1",
             });
         }
-        let mut elements = Vec::new();
+        let (mut elements, mut tensions) = (Vec::new(), Vec::new());
         let mut site_nodes = Vec::with_capacity(sites.len());
         let longest = longest_element(string, elements_per_cell);
-        let spans = string.spans(sites)?;
+        let spans = string.loaded_spans(channel, sites)?;
         check_number(&spans, longest)?;
         for span in spans {
-            for run in &span.runs {
-                for _ in 0..run.repeat {
-                    for part in &run.parts {
+            for loaded in &span {
+                for run in &loaded.runs {
+                    for part in (0..run.repeat).flat_map(|_| &run.parts) {
                         let (count, element) = divided(part, longest);
                         elements.extend(std::iter::repeat_n(element, count));
                     }
                 }
+                tensions.resize(elements.len(), loaded.tension);
             }
             if site_nodes.len() < sites.len() {
                 site_nodes.push(elements.len());
@@ -58,6 +63,7 @@ impl Mesh {
         }
         Ok(Self {
             elements,
+            tensions,
             site_nodes,
         })
     }
@@ -77,19 +83,19 @@ impl Mesh {
     }
 }
 
-/// Elements of a mesh, at most: every site may cut one in two.
+/// Elements of a mesh, at most: every site may cut one in two, and so may the axial force.
 pub(crate) fn most_elements(string: &Drillstring, sites: &Sites, elements_per_cell: usize) -> f64 {
     let longest = longest_element(string, elements_per_cell);
     let whole: f64 = string
         .tubes()
         .map(|(count, tube)| count * elements_of(tube, longest))
         .sum();
-    whole + sites.len() as f64
+    whole + (sites.len() + string.axial_force().len()) as f64
 }
 
 /// Refuses more elements than are made; what is no number of them too.
-pub(super) fn check_number(spans: &[Span], longest: f64) -> Result<(), BuildError> {
-    let runs = spans.iter().flat_map(|span| &span.runs);
+pub(super) fn check_number(spans: &[LoadedSpan], longest: f64) -> Result<(), BuildError> {
+    let runs = spans.iter().flatten().flat_map(|part| &part.runs);
     let elements: f64 = runs
         .map(|run| {
             let of_cell: f64 = run

@@ -22,10 +22,11 @@ use crate::assembly::number::Number;
 use crate::assembly::stiff_beam::{StiffBeam, turns};
 use crate::assembly::torsion::{Drive, DynamicStiffness, TorsionAdmittance};
 use crate::assembly::{bending, chain, torsion};
+use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::BuildError;
 use crate::sites::Sites;
-use crate::spans::Span;
+use crate::spans::LoadedSpan;
 
 /// Velocity and acceleration per displacement at one ζ.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +55,7 @@ impl<T: Number> Rates<T> {
 #[derive(Debug)]
 pub(crate) struct ElementChain<'a> {
     string: &'a Drillstring,
-    spans: Vec<Span>,
+    spans: Vec<LoadedSpan>,
     sites: usize,
     longest: f64,
     weights: Weights,
@@ -67,11 +68,12 @@ impl<'a> ElementChain<'a> {
     /// Where the sites are not the string's, or the elements would be too many.
     pub fn new(
         string: &'a Drillstring,
+        channel: Channel,
         sites: &Sites,
         elements_per_cell: usize,
         weights: Weights,
     ) -> Result<Self, BuildError> {
-        let spans = string.spans(sites)?;
+        let spans = string.loaded_spans(channel, sites)?;
         let longest = longest_element(string, elements_per_cell);
         check_number(&spans, longest)?;
         Ok(Self {
@@ -91,12 +93,12 @@ impl<'a> ElementChain<'a> {
         zeta: T,
     ) -> ResponseMatrix<T> {
         let rates = Rates::at(&self.weights, zeta);
-        let tube = |tube: &Tube| {
+        let tube = |tension, tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
-            let element = beam_element(self.string, bending, &element, rates);
+            let element = beam_element(self.string, &bending.under(tension), &element, rates);
             Beam::of(element).repeated(count)
         };
-        let pieces = self.spans.iter().map(|span| chain::span(span, tube));
+        let pieces = self.spans.iter().map(|span| chain::loaded(span, tube));
         bending::reduce(pieces, self.sites, support)
     }
 }
@@ -134,8 +136,9 @@ impl ElementChain<'_> {
         &self,
         rates: Rates<T>,
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
-        let tube = move |tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
-        (self.spans.iter()).map(move |span| chain::span(span, tube))
+        let tube =
+            move |_, tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
+        (self.spans.iter()).map(move |span| chain::loaded(span, tube))
     }
 
     fn drive<T: Number>(&self, rates: Rates<T>) -> Option<Drive<T>> {

@@ -10,6 +10,7 @@ use super::beam;
 use super::mesh::Mesh;
 use super::newmark::{Integrator, Matrices, Motion, Weights};
 use super::torsion::{self, TorsionMatrices};
+use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::BuildError;
 use crate::sites::Sites;
@@ -91,7 +92,7 @@ impl CondensedString {
         elements_per_cell: usize,
         weights: Weights,
     ) -> Result<Self, BuildError> {
-        let mesh = Mesh::new(string, sites, elements_per_cell)?;
+        let mesh = Mesh::new(string, Channel::Torsion, sites, elements_per_cell)?;
         let TorsionMatrices {
             free,
             surface_mass,
@@ -169,7 +170,7 @@ impl CondensedBeam {
         elements_per_cell: usize,
         weights: Weights,
     ) -> Result<Self, BuildError> {
-        let mesh = Mesh::new(string, sites, elements_per_cell)?;
+        let mesh = Mesh::new(string, Channel::Bending, sites, elements_per_cell)?;
         let matrices = beam::assemble(string, bending, support, &mesh)?;
         let held = support.held();
         let sites = mesh.site_nodes.iter().map(|node| 2 * node - held).collect();

@@ -118,7 +118,8 @@ impl Lateral<'_> {
 
     /// The velocity response at zero frequency of a pair of sites, row by row, where the
     /// string moves as a rigid rod against its dashpots: translation and rotation where the
-    /// surface is free, rotation alone where it is pinned, nothing where it is clamped.
+    /// surface is free, rotation alone where it is pinned, nothing where it is clamped. An
+    /// axial force does not let it turn for ever.
     fn rigid(&self, pair: usize) -> f64 {
         let (length, distances) = (
             self.string.length(),
@@ -126,10 +127,12 @@ impl Lateral<'_> {
         );
         let depth = |site: usize| (length - distances[site]) / length;
         let (a, b) = (depth(pair / distances.len()), depth(pair % distances.len()));
+        let turns = self.bending.compression == 0.0 && self.string.axial_force().is_empty();
         let shape = match self.support {
-            SurfaceSupport::Free => 1.0 + 12.0 * (a - 0.5) * (b - 0.5),
-            SurfaceSupport::Pinned => 3.0 * a * b,
-            SurfaceSupport::Clamped => 0.0,
+            SurfaceSupport::Free if turns => 1.0 + 12.0 * (a - 0.5) * (b - 0.5),
+            SurfaceSupport::Free => 1.0,
+            SurfaceSupport::Pinned if turns => 3.0 * a * b,
+            SurfaceSupport::Pinned | SurfaceSupport::Clamped => 0.0,
         };
         shape / (self.bending.damping * length)
     }
@@ -143,6 +146,7 @@ impl Lateral<'_> {
         let sites = request.sites.len();
         let chain = ElementChain::new(
             self.string,
+            Channel::Bending,
             &request.sites,
             parameters.elements_per_cell,
             Weights::new(parameters, request.sampling_frequency)?,

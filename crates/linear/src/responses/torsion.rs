@@ -158,7 +158,13 @@ impl Torsion<'_> {
     ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
         let weights = Weights::new(parameters, self.request.sampling_frequency)?;
         let sites = &self.request.sites;
-        let chain = ElementChain::new(self.string, sites, parameters.elements_per_cell, weights)?;
+        let chain = ElementChain::new(
+            self.string,
+            Channel::Torsion,
+            sites,
+            parameters.elements_per_cell,
+            weights,
+        )?;
         let response = |zeta: Lanes, responses: &mut [Lanes]| {
             let torque = || chain.surface_torque(zeta);
             (self.wanted).write(|| chain.admittance(zeta), torque, responses);

@@ -8,10 +8,11 @@ use crate::assembly::bending::reduce;
 use crate::assembly::chain;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
+use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
-use crate::spans::Span;
+use crate::spans::LoadedSpan;
 
 /// A string cut at its sites once, to be evaluated at many frequencies.
 #[derive(Debug, Clone)]
@@ -19,7 +20,7 @@ pub struct BendingNetwork<'a> {
     string: &'a Drillstring,
     bending: Bending,
     support: SurfaceSupport,
-    spans: Vec<Span>,
+    spans: Vec<LoadedSpan>,
     sites: usize,
 }
 
@@ -40,7 +41,7 @@ impl<'a> BendingNetwork<'a> {
             string,
             bending,
             support,
-            spans: string.spans(sites)?,
+            spans: string.loaded_spans(Channel::Bending, sites)?,
             sites: sites.len(),
         })
     }
@@ -60,8 +61,11 @@ impl<'a> BendingNetwork<'a> {
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance<T: Number>(&self, s: T) -> ResponseMatrix<T> {
-        let tube = |tube: &_| uniform(self.string, &self.bending, tube, s);
-        let pieces = self.spans.iter().map(|span| chain::span(span, tube));
+        let tube = |tension, tube: &_| {
+            let bending = self.bending.under(tension);
+            uniform(self.string, &bending, tube, s)
+        };
+        let pieces = self.spans.iter().map(|span| chain::loaded(span, tube));
         reduce(pieces, self.sites, self.support)
     }
 }

@@ -1,7 +1,16 @@
-//! The well that the string lies in: its course, and how the string presses on its wall.
+//! The well that the string lies in: its course, how the string presses on its wall, and what
+//! pulls it along.
 
+mod axial_force;
 mod side_force;
 mod survey;
 
+pub use axial_force::HangingString;
 pub use side_force::{PressedBy, SideForce};
 pub use survey::{Station, Survey, SurveyError};
+
+/// Acceleration of gravity, m/s².
+const GRAVITY: f64 = 9.806_65;
+
+/// Weights are added up over pieces no longer than this, m.
+const STEP: f64 = 2.0;

@@ -4,13 +4,8 @@
 //! it turns, so that friction does not hold it along the well.
 
 use super::survey::{Survey, Vector, combine, length};
+use super::{GRAVITY, STEP};
 use crate::drillstring::{Drillstring, Mud};
-
-/// Acceleration of gravity, m/s².
-const GRAVITY: f64 = 9.806_65;
-
-/// Side forces are added up over pieces no longer than this, m.
-const STEP: f64 = 2.0;
 
 /// What is taken to press a string against its well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,0 +1,158 @@
+//! Natural frequencies of a string in bending, without damping, and whether it buckles.
+//!
+//! As many natural frequencies lie below ω as K − ω² M has negative eigenvalues (J. J. Sylvester's
+//! law of inertia); those are counted node by node while finite elements are eliminated from the
+//! surface down.
+
+use crate::channel::Channel;
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::elements::beam::{mass_matrix, stiffness_matrix};
+use crate::elements::mesh::Mesh;
+use crate::error::BuildError;
+use crate::sites::Sites;
+
+/// Elements for each cell of the drillpipe: frequencies are off by a fourth power of their length.
+const ELEMENTS_PER_CELL: usize = 4;
+
+/// A frequency is known to this part of it.
+const SAME_FREQUENCY: f64 = 1e-10;
+
+/// The part of an element's highest frequency that is nothing: rounding may leave as much to a
+/// string that moves as a rigid rod.
+const NOTHING: f64 = 1e-7;
+
+/// A string divided into elements, to count its natural frequencies.
+#[derive(Debug, Clone)]
+pub struct BendingModes {
+    elements: Vec<Element>,
+    support: SurfaceSupport,
+    /// The square below which a frequency is that of a rigid motion, 1/s².
+    nothing: f64,
+}
+
+type Matrix = [[f64; 4]; 4];
+
+#[derive(Debug, Clone)]
+struct Element {
+    mass: Matrix,
+    stiffness: Matrix,
+}
+
+impl BendingModes {
+    /// Divides the string into elements.
+    ///
+    /// # Errors
+    /// Where the string cannot bend so, or its elements would be too many.
+    pub fn new(
+        string: &Drillstring,
+        bending: &Bending,
+        support: SurfaceSupport,
+    ) -> Result<Self, BuildError> {
+        bending.check()?;
+        let mesh = Mesh::new(string, Channel::Bending, &Sites::bit(), ELEMENTS_PER_CELL)?;
+        let pieces = mesh.elements.iter().zip(&mesh.tensions);
+        let elements: Vec<Element> = pieces
+            .map(|(tube, tension)| Element {
+                mass: mass_matrix(string, tube),
+                stiffness: stiffness_matrix(tube, &bending.under(*tension)),
+            })
+            .collect();
+        let stiffest = elements.iter().fold(0.0, |most: f64, element| {
+            most.max(element.stiffness[0][0] / element.mass[0][0])
+        });
+        Ok(Self {
+            elements,
+            support,
+            nothing: NOTHING * NOTHING * stiffest,
+        })
+    }
+
+    /// Natural frequencies whose square is below this, 1/s²; a square below zero is that of the
+    /// rate at which a buckled string leaves its place.
+    pub fn below(&self, square: f64) -> usize {
+        let held = self.support.held();
+        // What the string above makes of a node's displacement and slope.
+        let mut above = [[0.0; 2]; 2];
+        let mut negative = 0;
+        for (index, element) in self.elements.iter().enumerate() {
+            let entry = |row: usize, column: usize| {
+                element.stiffness[row][column] - square * element.mass[row][column]
+            };
+            let block = |row: usize, column: usize| -> [[f64; 2]; 2] {
+                [0, 1].map(|i| [0, 1].map(|j| entry(2 * row + i, 2 * column + j)))
+            };
+            let mut node = add(above, block(0, 0));
+            let mut across = block(0, 1);
+            if index == 0 {
+                // What the surface holds is no degree of freedom.
+                for freedom in 0..held {
+                    across[freedom] = [0.0; 2];
+                    for other in 0..2 {
+                        node[freedom][other] = 0.0;
+                        node[other][freedom] = 0.0;
+                    }
+                    node[freedom][freedom] = 1.0;
+                }
+            }
+            negative += negative_eigenvalues(node);
+            above = add(block(1, 1), less_by(node, across));
+        }
+        negative + negative_eigenvalues(above)
+    }
+
+    /// Whether nothing brings the string back: of itself it leaves its straight course, as a
+    /// column does under too much weight.
+    pub fn is_buckled(&self) -> bool {
+        self.below(-self.nothing) > 0
+    }
+
+    /// The natural frequency of this number, from 0 for the lowest, rad/s; motions as a rigid rod
+    /// and buckled ones come first, and theirs is 0.
+    pub fn frequency(&self, index: usize) -> f64 {
+        let mut high = self.nothing.max(f64::MIN_POSITIVE);
+        if self.below(high) > index {
+            return 0.0;
+        }
+        let mut low = high;
+        while self.below(high) <= index {
+            low = high;
+            high *= 4.0;
+        }
+        while high - low > SAME_FREQUENCY * high {
+            let middle = 0.5 * (low + high);
+            if self.below(middle) > index {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        (0.5 * (low + high)).sqrt()
+    }
+}
+
+fn add(one: [[f64; 2]; 2], other: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    [0, 1].map(|i| [0, 1].map(|j| one[i][j] + other[i][j]))
+}
+
+fn negative_eigenvalues(symmetric: [[f64; 2]; 2]) -> usize {
+    let [[a, b], [_, d]] = symmetric;
+    match a * d - b * b {
+        determinant if determinant < 0.0 => 1,
+        _ if a + d < 0.0 => 2,
+        _ => 0,
+    }
+}
+
+/// −cᵀ n⁻¹ c: what a node that nothing acts on takes from the next.
+fn less_by(node: [[f64; 2]; 2], across: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    let [[a, b], [_, d]] = node;
+    let determinant = a * d - b * b;
+    let inverse = [[d, -b], [-b, a]].map(|row| row.map(|it| it / determinant));
+    let times = |i: usize, j: usize| -> f64 {
+        (0..2)
+            .flat_map(|k| (0..2).map(move |l| (k, l)))
+            .map(|(k, l)| across[k][i] * inverse[k][l] * across[l][j])
+            .sum()
+    };
+    [0, 1].map(|i| [0, 1].map(|j| -times(i, j)))
+}

@@ -1,0 +1,148 @@
+//! The axial force of a string that hangs in its well: buoyed weight pulls, weight on bit pushes.
+
+use super::survey::Survey;
+use super::{GRAVITY, STEP};
+use crate::drillstring::{AxialForce, Bending, Drillstring, Mud};
+
+/// What a force that changes evenly by 1 along a piece does to the wave in bending that feels it
+/// most, and the angle κ by which that turns along the piece: the most of
+/// (sin κ/κ² − cos κ/κ)/2.
+const WORST: (f64, f64) = (0.218_1, 2.082);
+
+/// Of what a tolerance allows of longer waves, fitted to random strings.
+const LONGER: f64 = 0.8;
+
+/// A string that hangs in its well, piece by short piece.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HangingString {
+    pieces: Vec<Piece>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Piece {
+    length: f64,
+    /// What it adds to the tension above it, N.
+    weight: f64,
+    /// Second moment of area, m⁴.
+    second_moment: f64,
+}
+
+impl HangingString {
+    /// Of a string in a well, vertical where there is no survey; in `mud` it is buoyed.
+    pub fn new(string: &Drillstring, survey: Option<&Survey>, mud: Option<Mud>) -> Self {
+        let heavier = string.material().density - mud.map_or(0.0, |mud| mud.density);
+        let down = |depth| survey.map_or(1.0, |survey| survey.course(depth).0[2]);
+        let mut pieces = Vec::new();
+        let mut top = 0.0;
+        for section in string.sections() {
+            for part in (0..section.repeat).flat_map(|_| &section.parts) {
+                let count = (part.length / STEP).ceil().max(1.0);
+                let length = part.length / count;
+                pieces.extend((0..count as usize).map(|index| Piece {
+                    length,
+                    weight: heavier
+                        * part.area()
+                        * GRAVITY
+                        * length
+                        * down(top + (index as f64 + 0.5) * length),
+                    second_moment: part.second_moment(),
+                }));
+                top += part.length;
+            }
+        }
+        Self { pieces }
+    }
+
+    /// The axial force under a weight on bit (N), in pieces of constant force from the surface
+    /// down, so short that no natural frequency in bending is off by more than a part
+    /// `tolerance` of it up to four fifths of the weight under which the string buckles (none of
+    /// 9320 frequencies of 1400 random strings, at 1 % and 0.1 %; by 0.87 of the tolerance at
+    /// the most). Nearer to that, more: frequencies that tend to zero have no part to keep.
+    pub fn axial_force(
+        &self,
+        bending: &Bending,
+        weight_on_bit: f64,
+        tolerance: f64,
+    ) -> Vec<AxialForce> {
+        let mut forces = Vec::new();
+        let mut tension = -weight_on_bit;
+        let mut open: Option<Open> = None;
+        for piece in self.pieces.iter().rev() {
+            let grown = open.map(|open| open.with(piece, tension));
+            match grown {
+                Some(grown) if grown.is_even(bending, tolerance) => open = Some(grown),
+                _ => {
+                    forces.extend(open.map(Open::force));
+                    open = Some(Open::of(piece, tension));
+                }
+            }
+            tension += piece.weight;
+        }
+        forces.extend(open.map(Open::force));
+        forces.reverse();
+        forces
+    }
+}
+
+/// A piece of constant force, as it grows from the bit up.
+#[derive(Debug, Clone, Copy)]
+struct Open {
+    length: f64,
+    /// ∫ T dz, N m.
+    integral: f64,
+    least: f64,
+    most: f64,
+    second_moment: f64,
+}
+
+impl Open {
+    fn of(piece: &Piece, below: f64) -> Self {
+        let above = below + piece.weight;
+        Self {
+            length: piece.length,
+            integral: 0.5 * (below + above) * piece.length,
+            least: below.min(above),
+            most: below.max(above),
+            second_moment: piece.second_moment,
+        }
+    }
+
+    fn with(self, piece: &Piece, below: f64) -> Self {
+        let next = Self::of(piece, below);
+        Self {
+            length: self.length + next.length,
+            integral: self.integral + next.integral,
+            least: self.least.min(next.least),
+            most: self.most.max(next.most),
+            second_moment: self.second_moment.min(next.second_moment),
+        }
+    }
+
+    /// Whether the mean force does for what changes by ΔT along a length h. With T the least
+    /// tension, the square of the frequency of a wave as long as this, of the wavenumber
+    /// k = 2.1/h, is off by 0.22 ΔT/(T + E I k²) at the most. Of longer waves it is off by what
+    /// goes with the fourth power of h, over lengths in which the string's own weight turns
+    /// it: (E I/w)^⅓ as a column, with T/w where it is pulled.
+    fn is_even(self, bending: &Bending, tolerance: f64) -> bool {
+        let change = self.most - self.least;
+        let rigidity = bending.youngs_modulus * self.second_moment;
+        let tension = self.least - bending.compression;
+        let (part, turns) = WORST;
+        let restoring = tension + rigidity * (turns / self.length).powi(2);
+        // Of a square, twice as much.
+        let waves_as_long = part * change <= 2.0 * tolerance * restoring;
+        let weight = change / self.length;
+        let column = (rigidity / weight.abs()).cbrt();
+        let pulled = tension.max(0.0) / weight.abs();
+        let longer_waves =
+            self.length.powi(2) <= (LONGER * tolerance).sqrt() * column * (column + pulled);
+        waves_as_long && longer_waves
+    }
+
+    fn force(self) -> AxialForce {
+        AxialForce {
+            length: self.length,
+            tension: self.integral / self.length,
+        }
+    }
+}
