@@ -10,12 +10,19 @@ use crate::elements::beam::{mass_matrix, stiffness_matrix};
 use crate::elements::mesh::Mesh;
 use crate::error::BuildError;
 use crate::sites::Sites;
+use crate::well::HangingString;
 
 /// Elements for each cell of the drillpipe: frequencies are off by a fourth power of their length.
 const ELEMENTS_PER_CELL: usize = 4;
 
 /// A frequency is known to this part of it.
 const SAME_FREQUENCY: f64 = 1e-10;
+
+/// A weight on bit, N, where one under which a string buckles is first looked for.
+const LEAST_WEIGHT: f64 = 100.0;
+
+/// It is known to this part of it.
+const SAME_WEIGHT: f64 = 1e-3;
 
 /// The part of an element's highest frequency that is nothing: rounding may leave as much to a
 /// string that moves as a rigid rod.
@@ -128,6 +135,40 @@ impl BendingModes {
         }
         (0.5 * (low + high)).sqrt()
     }
+}
+
+/// The weight on bit, N, under which a string that hangs so buckles, with an axial force in pieces
+/// of this tolerance; none where it does by its own weight alone.
+///
+/// # Errors
+/// As [`BendingModes::new`].
+pub fn buckling_weight(
+    string: &Drillstring,
+    hanging: &HangingString,
+    (bending, support): (&Bending, SurfaceSupport),
+    tolerance: f64,
+) -> Result<Option<f64>, BuildError> {
+    let is_buckled = |weight_on_bit: f64| -> Result<bool, BuildError> {
+        let force = hanging.axial_force(bending, weight_on_bit, tolerance);
+        let string = string.clone().under_axial_force(force)?;
+        Ok(BendingModes::new(&string, bending, support)?.is_buckled())
+    };
+    if is_buckled(0.0)? {
+        return Ok(None);
+    }
+    let (mut low, mut high) = (0.0, LEAST_WEIGHT);
+    while !is_buckled(high)? {
+        (low, high) = (high, 2.0 * high);
+    }
+    while high - low > SAME_WEIGHT * high {
+        let middle = 0.5 * (low + high);
+        if is_buckled(middle)? {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    Ok(Some(0.5 * (low + high)))
 }
 
 fn add(one: [[f64; 2]; 2], other: [[f64; 2]; 2]) -> [[f64; 2]; 2] {

@@ -53,6 +53,11 @@ impl HangingString {
         Self { pieces }
     }
 
+    /// The weight of all of it along the well, buoyed, N.
+    pub fn weight(&self) -> f64 {
+        self.pieces.iter().map(|piece| piece.weight).sum()
+    }
+
     /// The axial force under a weight on bit (N), in pieces of constant force from the surface
     /// down, so short that no natural frequency in bending is off by more than a part
     /// `tolerance` of it up to four fifths of the weight under which the string buckles (none of

@@ -1,14 +1,31 @@
 //! What every kind of design asks of its axes.
 
 use crate::quantities::Axis;
-use crate::sweep_file::{AxisRange, Source, Spacing, SweepFileError};
+use crate::sweep_file::{AxisRange, DesignTable, Source, Spacing, SweepFileError};
 
 /// More cases than fit in memory with their rows.
 pub const MOST_CASES: usize = 10_000_000;
 
 /// How many of a design's axes, the first ones, change the string.
-pub fn count_string_axes(axes: &[Axis]) -> usize {
-    axes.iter().take_while(|axis| axis.is_of_string()).count()
+pub fn count_string_axes(axes: &[Axis], weight_pushes: bool) -> usize {
+    let changes = |axis: &&Axis| axis.changes_string(weight_pushes);
+    axes.iter().take_while(changes).count()
+}
+
+/// The place of an axis in the order of a design's: those that change the string come first.
+pub fn place(axis: Axis, weight_pushes: bool) -> (bool, Axis) {
+    (!axis.changes_string(weight_pushes), axis)
+}
+
+/// The axes of a table with their ranges, in the order of a design's.
+pub fn in_order(table: &DesignTable, weight_pushes: bool) -> Vec<(Axis, &AxisRange)> {
+    let mut axes: Vec<_> = table
+        .axes
+        .iter()
+        .map(|(&axis, range)| (axis, range))
+        .collect();
+    axes.sort_by_key(|(axis, _)| place(*axis, weight_pushes));
+    axes
 }
 
 /// Refuses ends of a range that the axis does not have, in the wrong order, or at zero

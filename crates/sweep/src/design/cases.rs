@@ -1,6 +1,6 @@
 //! The cases of any design, by their numbers and by their strings.
 
-use super::axes::{MOST_CASES, count_string_axes};
+use super::axes::MOST_CASES;
 use super::grid::Grid;
 use super::list::List;
 use super::monte_carlo::MonteCarlo;
@@ -19,7 +19,8 @@ pub enum Design {
 }
 
 impl Design {
-    /// Checks and reads what `[design]` says.
+    /// Checks and reads what `[design]` says; the weight on bit may push the string, so that
+    /// each has its own.
     ///
     /// # Errors
     /// Where an axis has no values or impossible ones, or a list cannot be
@@ -27,6 +28,7 @@ impl Design {
     pub(crate) fn resolve(
         source: &Source,
         table: Option<&DesignTable>,
+        weight_pushes: bool,
         text_of: TextOf,
     ) -> Result<Self, SweepFileError> {
         let Some(table) = table else {
@@ -34,9 +36,11 @@ impl Design {
         };
         refuse_foreign_keys(source, table)?;
         let design = match table.kind {
-            DesignKind::Grid => Design::Grid(Grid::resolve(source, table)?),
-            DesignKind::MonteCarlo => Design::MonteCarlo(MonteCarlo::resolve(source, table)?),
-            DesignKind::List => Design::List(List::resolve(source, table, text_of)?),
+            DesignKind::Grid => Design::Grid(Grid::resolve(source, table, weight_pushes)?),
+            DesignKind::MonteCarlo => {
+                Design::MonteCarlo(MonteCarlo::resolve(source, table, weight_pushes)?)
+            }
+            DesignKind::List => Design::List(List::resolve(source, table, weight_pushes, text_of)?),
         };
         let cases = design.cases();
         let message = format!("{cases} cases are more than {MOST_CASES}");
@@ -82,9 +86,18 @@ impl Design {
 }
 
 impl Design {
+    /// How many of the axes, the first ones, change the string.
+    fn string_axes(&self) -> usize {
+        match self {
+            Design::Grid(grid) => grid.of_string,
+            Design::MonteCarlo(random) => random.of_string,
+            Design::List(list) => list.of_string,
+        }
+    }
+
     /// Whether an axis changes the string.
     pub fn varies_string(&self) -> bool {
-        count_string_axes(self.axes()) > 0
+        self.string_axes() > 0
     }
 
     /// How many distinct strings the cases have. Random cases have one each.

@@ -1,6 +1,6 @@
 //! Every combination of the axes' values; the first axis changes slowest.
 
-use super::axes::{MOST_CASES, check_ends, count_string_axes};
+use super::axes::{MOST_CASES, check_ends, count_string_axes, in_order};
 use crate::quantities::Axis;
 use crate::sweep_file::{AxisRange, DesignTable, Source, SweepFileError};
 
@@ -11,16 +11,25 @@ const MOST_VALUES: usize = 1_000_000;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Grid {
     pub(super) axes: Vec<Axis>,
+    /// How many of them, the first ones, change the string.
+    pub(super) of_string: usize,
     values: Vec<Vec<f64>>,
 }
 
 impl Grid {
-    pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SweepFileError> {
+    pub(super) fn resolve(
+        source: &Source,
+        table: &DesignTable,
+        weight_pushes: bool,
+    ) -> Result<Self, SweepFileError> {
+        let ranges = in_order(table, weight_pushes);
+        let axes: Vec<Axis> = ranges.iter().map(|(axis, _)| *axis).collect();
         let mut grid = Self {
-            axes: table.axes.keys().copied().collect(),
+            of_string: count_string_axes(&axes, weight_pushes),
+            axes,
             values: Vec::new(),
         };
-        for (&axis, range) in &table.axes {
+        for (axis, range) in ranges {
             grid.values.push(axis_values(source, axis, range)?);
             // It will be refused: further axes would only fill the memory.
             if grid.cases() > MOST_CASES {
@@ -39,8 +48,7 @@ impl Grid {
     /// Cases of one string: the combinations of all other axes, neighbours as
     /// the axes of the string come first.
     pub(super) fn cases_per_string(&self) -> usize {
-        let other = count_string_axes(&self.axes);
-        self.values[other..].iter().map(Vec::len).product()
+        self.values[self.of_string..].iter().map(Vec::len).product()
     }
 
     pub(super) fn values(&self, index: usize) -> Vec<f64> {

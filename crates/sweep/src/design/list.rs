@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::fmt::Display;
 
-use super::axes::count_string_axes;
+use super::axes::{count_string_axes, place};
 use crate::hand_table::{HandTable, Mistake, number};
 use crate::quantities::Axis;
 use crate::sweep_file::{DesignTable, Source, SweepFileError, TextOf};
@@ -14,6 +14,8 @@ use crate::text_file::LARGEST_TABLE;
 pub struct List {
     pub(super) axes: Vec<Axis>,
     pub(super) cases: Vec<Vec<f64>>,
+    /// How many of the axes, the first ones, change the string.
+    pub(super) of_string: usize,
     /// The numbers of the cases of each string, in the order in which the
     /// strings first appear.
     pub(super) strings: Vec<Vec<usize>>,
@@ -23,6 +25,7 @@ impl List {
     pub(super) fn resolve(
         source: &Source,
         table: &DesignTable,
+        weight_pushes: bool,
         text_of: TextOf,
     ) -> Result<Self, SweepFileError> {
         let Some(file) = &table.file else {
@@ -35,7 +38,7 @@ impl List {
         };
         let text = text_of(&path, LARGEST_TABLE)
             .map_err(|error| refused(format!(" cannot be read: {error}")))?;
-        let list = (HandTable::new(&text).and_then(|table| cases_of(&table)))
+        let list = (HandTable::new(&text).and_then(|table| cases_of(&table, weight_pushes)))
             .map_err(|mistake| refused(format!(":{mistake}")))?;
         if list.cases.is_empty() {
             return Err(refused(" lists no case".to_owned()));
@@ -43,9 +46,10 @@ impl List {
         Ok(list)
     }
 
-    /// Cases with given values along given axes, which are in order.
-    pub fn new(axes: Vec<Axis>, cases: Vec<Vec<f64>>) -> Self {
-        let of_string = count_string_axes(&axes);
+    /// Cases with given values along given axes, which are in order; the weight on bit may push
+    /// the string.
+    pub fn new(axes: Vec<Axis>, cases: Vec<Vec<f64>>, weight_pushes: bool) -> Self {
+        let of_string = count_string_axes(&axes, weight_pushes);
         let mut strings: Vec<Vec<usize>> = Vec::new();
         let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
         for (index, values) in cases.iter().enumerate() {
@@ -59,17 +63,18 @@ impl List {
         Self {
             axes,
             cases,
+            of_string,
             strings,
         }
     }
 }
 
-fn cases_of(table: &HandTable) -> Result<List, Mistake> {
+fn cases_of(table: &HandTable, weight_pushes: bool) -> Result<List, Mistake> {
     let columns = axes_of(table)?;
     // Columns of results follow the order of the axes, whatever the file's.
     let mut order: Vec<usize> = (0..columns.len()).collect();
     let axis = |&column: &usize| columns[column].0;
-    order.sort_by_key(axis);
+    order.sort_by_key(|column| place(axis(column), weight_pushes));
     if let Some(pair) = (order.windows(2)).find(|pair| axis(&pair[0]) == axis(&pair[1])) {
         let name = axis(&pair[0]).name();
         return Err(table.header_mistake(format!("the column `{name}` is there twice")));
@@ -90,7 +95,7 @@ fn cases_of(table: &HandTable) -> Result<List, Mistake> {
         cases.push(order.iter().map(value).collect::<Result<_, Mistake>>()?);
     }
     let axes = order.iter().map(axis).collect();
-    Ok(List::new(axes, cases))
+    Ok(List::new(axes, cases, weight_pushes))
 }
 
 /// The axes that the columns name, and what numbers in their units are multiplied by.

@@ -1,6 +1,6 @@
 //! Independent random values. A case draws from (seed, case index) alone.
 
-use super::axes::check_ends;
+use super::axes::{check_ends, count_string_axes, in_order};
 use crate::quantities::Axis;
 use crate::random::Stream;
 use crate::sweep_file::{AxisRange, DesignTable, Source, Spacing, SweepFileError};
@@ -9,6 +9,8 @@ use crate::sweep_file::{AxisRange, DesignTable, Source, Spacing, SweepFileError}
 #[derive(Debug, Clone, PartialEq)]
 pub struct MonteCarlo {
     pub(super) axes: Vec<Axis>,
+    /// How many of them, the first ones, change the string.
+    pub(super) of_string: usize,
     ranges: Vec<Range>,
     pub(super) cases: usize,
     pub(super) seed: u64,
@@ -22,19 +24,24 @@ struct Range {
 }
 
 impl MonteCarlo {
-    pub(super) fn resolve(source: &Source, table: &DesignTable) -> Result<Self, SweepFileError> {
+    pub(super) fn resolve(
+        source: &Source,
+        table: &DesignTable,
+        weight_pushes: bool,
+    ) -> Result<Self, SweepFileError> {
         let cases = match table.cases {
             Some(cases) if cases > 0 => cases,
             Some(_) => return Err(source.error("design.cases", "there must be at least one")),
             None => return Err(source.error("design", "needs `cases`, how many to draw")),
         };
-        let ranges = table
-            .axes
-            .iter()
-            .map(|(&axis, range)| Range::resolve(source, axis, range))
+        let given = in_order(table, weight_pushes);
+        let axes: Vec<Axis> = given.iter().map(|(axis, _)| *axis).collect();
+        let ranges = (given.into_iter())
+            .map(|(axis, range)| Range::resolve(source, axis, range))
             .collect::<Result<_, _>>()?;
         Ok(Self {
-            axes: table.axes.keys().copied().collect(),
+            of_string: count_string_axes(&axes, weight_pushes),
+            axes,
             ranges,
             cases,
             seed: table.seed.unwrap_or(0),
@@ -97,6 +104,7 @@ mod tests {
         };
         let design = |seed| MonteCarlo {
             axes: vec![Axis::SurfaceSpeedRpm, Axis::TorqueDynamicNm],
+            of_string: 0,
             ranges: vec![range(1.0), range(5.0)],
             cases: 1000,
             seed,

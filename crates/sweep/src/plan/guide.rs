@@ -21,7 +21,7 @@ use crate::sweep_file::methods::MethodTables;
 use crate::sweep_file::string::{SectionTable, StringTable, TubeTable};
 use crate::sweep_file::top_drive::TopDriveTable;
 use crate::sweep_file::units::key_in_si;
-use crate::sweep_file::well::{MudTable, StringFrictionTable, WellTable};
+use crate::sweep_file::well::{AxialForceTable, MudTable, StringFrictionTable, WellTable};
 use crate::sweep_file::wording::keys_of;
 
 const PAGE: &str = include_str!("../../../../docs/sweep-file.md");
@@ -58,6 +58,7 @@ clearance_mm = 15
 friction = 0.5
 [[sites]]
 distance_from_bit_m = 0
+[axial_force]
 [[impulses]]
 distance_from_bit_m = 0
 [[eccentric_masses]]
@@ -159,6 +160,7 @@ fn chapters() -> Vec<Chapter> {
         chapter::<TopDriveTable>("`[top_drive]`", "top_drive"),
         in_well::<WellTable>("`[well]`", "well"),
         in_well::<MudTable>("`[mud]`", "mud"),
+        chapter::<AxialForceTable>("`[axial_force]`", "axial_force"),
         in_well::<StringFrictionTable>("`[string_friction]`", "string_friction"),
         in_well::<CompareTable>("`[[compare]]`", "compare.0"),
         chapter::<BitTable>("`[bit]`", "bit"),

@@ -1,7 +1,9 @@
-//! `[mud]` and the hole of `[well]`: what the string is in.
+//! `[mud]` and `[well]`: what the string is in.
 
+use linear::well::Survey;
 use linear::{Drillstring, DrillstringError, Hole, Mud};
 
+use super::data::Data;
 use crate::sweep_file::{FileContent, Source, SweepFileError};
 
 /// No mud is heavier, kg/m³.
@@ -25,12 +27,13 @@ pub fn resolve(
     });
     let mud = mud.transpose()?;
     let (bends, rubs) = (content.wall.is_some(), content.string_friction.is_some());
+    let hangs = content.axial_force.is_some();
     let message = "moves with a string that bends, and buoys one that rubs: \
                    needs a [wall] or [string_friction]";
     source.refuse_if(mud.is_some() && !bends && !rubs, "mud", message)?;
     let survey = content.well.iter().flat_map(|well| &well.survey).next();
-    let message = "says how the string presses on its well: needs [string_friction]";
-    source.refuse_if(survey.is_some() && !rubs, "well.survey", message)?;
+    let message = "says how the string lies in its well: needs [string_friction] or [axial_force]";
+    source.refuse_if(survey.is_some() && !rubs && !hangs, "well.survey", message)?;
     let key = "well.hole_radius_m";
     let radius = content.well.as_ref().and_then(|well| well.hole_radius_m);
     let Some(radius) = radius else {
@@ -54,4 +57,27 @@ pub fn resolve(
         source.error(&key, error.to_string())
     })?;
     Ok((string, Some(mud)))
+}
+
+/// The survey of the well, if there is one, which is as deep as the string.
+///
+/// # Errors
+/// Where it ends above the bit.
+pub fn survey_along<'a>(
+    source: &Source,
+    data: &'a Data,
+    string: &Drillstring,
+) -> Result<Option<&'a Survey>, SweepFileError> {
+    let Some(survey) = &data.survey else {
+        return Ok(None);
+    };
+    let message = format!(
+        "the survey ends at {} m, and the string at {} m",
+        survey.depth(),
+        string.length()
+    );
+    // Lengths of pipes and of a survey are sums.
+    let is_short = survey.depth() < string.length() * (1.0 - 1e-9);
+    source.refuse_if(is_short, "well.survey", message)?;
+    Ok(Some(survey))
 }

@@ -1,6 +1,7 @@
 //! What is run: the keys of a sweep file and the cases of its design, checked together
 //! and resolved to SI.
 
+mod axial_force;
 mod bit;
 mod choice;
 mod compare;

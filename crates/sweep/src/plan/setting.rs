@@ -8,12 +8,13 @@ use linear::estimates::{sampling_frequency, torsional_travel_time};
 use linear::{Drillstring, Sites};
 use sim::SurfaceProfile;
 
+use super::axial_force::Hanging;
 use super::conditions::Conditions;
 use super::data::Data;
 use super::impulses::ImpulseSettings;
 use super::lateral::{self, LateralSettings};
 use super::string_friction::{self, StringFriction};
-use super::{hole, sites, string, top_drive};
+use super::{axial_force, hole, sites, string, top_drive};
 use crate::design::Design;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
 
@@ -41,6 +42,8 @@ pub struct Setting {
     pub rotor_inertia: f64,
     /// Friction along the string, where that is modelled.
     pub friction: Option<StringFriction>,
+    /// How it hangs, where its axial force is modelled.
+    pub hanging: Option<Hanging>,
     /// Lateral motion, where it is modelled.
     pub lateral: Option<LateralSettings>,
 }
@@ -106,6 +109,9 @@ impl Setting {
         };
         let sites = sites::resolve(source, content, &string)?;
         let lateral = lateral::resolve(source, content, &string, &sites, conditions, design)?;
+        let known = (data, conditions, mud);
+        let (string, hanging) =
+            axial_force::resolve(source, content, known, string, lateral.as_ref())?;
         let friction = string_friction::resolve(source, content, data, &string, &sites, mud)?;
         let setting = Self {
             string,
@@ -115,6 +121,7 @@ impl Setting {
             profile,
             rotor_inertia,
             friction,
+            hanging,
             lateral,
         };
         // For an accuracy another frequency is chosen.

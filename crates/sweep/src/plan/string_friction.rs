@@ -8,6 +8,7 @@ use sim::{NodeTorque, PipeFriction};
 
 use super::conditions::{Conditions, RPM};
 use super::data::Data;
+use super::hole::survey_along;
 use crate::sweep_file::{FileContent, MethodName, PressedByName, Source, SweepFileError};
 
 /// More pieces than a string has joints make nothing better.
@@ -97,19 +98,11 @@ pub fn resolve(
         return Ok(None);
     };
     refuse_others(source, content)?;
-    let Some(survey) = &data.survey else {
+    let Some(survey) = survey_along(source, data, string)? else {
         let message = "what presses the string on its wall follows from the survey: \
                        needs `survey` in [well]";
         return Err(source.error("string_friction", message));
     };
-    let message = format!(
-        "the survey ends at {} m, and the string at {} m",
-        survey.depth(),
-        string.length()
-    );
-    // Lengths of pipes and of a survey are sums.
-    let is_short = survey.depth() < string.length() * (1.0 - 1e-9);
-    source.refuse_if(is_short, "well.survey", message)?;
     let pieces = table.pieces;
     let (key, most) = ("string_friction.pieces", MOST_PIECES);
     source.within(key, pieces as f64, 1.0, most, "")?;

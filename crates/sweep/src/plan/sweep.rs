@@ -88,7 +88,8 @@ impl Sweep {
         texts::check(&source, &content)?;
         let table = content.bit.as_ref();
         let bit = table.map(|bit| bit::resolve(&source, bit)).transpose()?;
-        let design = Design::resolve(&source, content.design.as_ref(), text_of)?;
+        let weight_pushes = content.axial_force.is_some();
+        let design = Design::resolve(&source, content.design.as_ref(), weight_pushes, text_of)?;
         let data = Data::read(&source, &content, &design, text_of)?;
         let conditions = conditions::resolve(&source, &content, data.fastest_surface_rpm())?;
         conditions::are_complete(&source, &content, &conditions, &design)?;
@@ -165,7 +166,12 @@ impl Sweep {
         self.setting_with(axes.zip(values.iter().copied()))
     }
 
-    /// The setting with some quantities of the string changed, all at once; of one given
+    /// Whether an axis changes the string.
+    pub fn changes_string(&self, axis: Axis) -> bool {
+        axis.changes_string(self.content.axial_force.is_some())
+    }
+
+    /// The setting with some quantities that change the string given, all at once; of one given
     /// twice the last value counts. Other axes do not matter here.
     ///
     /// # Errors
@@ -174,27 +180,24 @@ impl Sweep {
         &self,
         values: impl Iterator<Item = (Axis, f64)>,
     ) -> Result<Cow<'_, Setting>, SweepFileError> {
-        let mut content = Cow::Borrowed(&self.content);
-        for (axis, value) in values {
+        let mut changing = values
+            .filter(|(axis, _)| self.changes_string(*axis))
+            .peekable();
+        if changing.peek().is_none() {
+            return Ok(Cow::Borrowed(&self.setting));
+        }
+        let (mut content, mut conditions) = (self.content.clone(), self.conditions);
+        for (axis, value) in changing {
             if let Axis::String(of_string) = axis {
-                let changed = content.to_mut().set(of_string, value);
+                let changed = content.set(of_string, value);
                 self.source.checked(&axis.name(), changed)?;
+            } else {
+                conditions = conditions.with(axis, value);
             }
         }
-        match content {
-            Cow::Borrowed(_) => Ok(Cow::Borrowed(&self.setting)),
-            Cow::Owned(mut content) => {
-                content.take_along(&self.content.sites);
-                Setting::resolve(
-                    &self.source,
-                    &content,
-                    &self.data,
-                    &self.conditions,
-                    &self.design,
-                )
-                .map(Cow::Owned)
-            }
-        }
+        content.take_along(&self.content.sites);
+        let (source, data) = (&self.source, &self.data);
+        Setting::resolve(source, &content, data, &conditions, &self.design).map(Cow::Owned)
     }
 
     /// The setting of a case with the given values along the design's axes, sampled

@@ -83,9 +83,15 @@ impl TubeMeasure {
 }
 
 impl Axis {
-    /// Whether it changes the string.
+    /// Whether it is a quantity of the string.
     pub fn is_of_string(self) -> bool {
         matches!(self, Axis::String(_))
+    }
+
+    /// Whether it changes the string: its quantities do, and the weight on bit where that pushes
+    /// it.
+    pub fn changes_string(self, weight_pushes: bool) -> bool {
+        self.is_of_string() || (weight_pushes && self == Axis::WeightOnBitKn)
     }
 
     /// Whether only whole numbers make sense.

@@ -12,7 +12,7 @@ use super::methods::{MethodName, MethodTables};
 use super::number_or::{Accuracy, AutoOr, is_zero};
 use super::string::StringTable;
 use super::top_drive::TopDriveTable;
-use super::well::{MudTable, StringFrictionTable, WellTable};
+use super::well::{AxialForceTable, MudTable, StringFrictionTable, WellTable};
 
 /// A sweep file, its bases merged in, as it is written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,6 +43,10 @@ pub struct FileContent {
     /// The fluid inside and around the string; without it there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mud: Option<MudTable>,
+    /// The axial force along a string that bends; without it there is none but the
+    /// pre-compression.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial_force: Option<AxialForceTable>,
     /// Friction along the string; without it there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub string_friction: Option<StringFrictionTable>,

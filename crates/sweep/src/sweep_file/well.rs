@@ -1,4 +1,4 @@
-//! `[well]`, `[mud]` and `[string_friction]`: the keys of what the string lies in.
+//! `[well]`, `[mud]`, `[axial_force]` and `[string_friction]`: the keys of what the string lies in.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +20,15 @@ pub struct WellTable {
 pub struct MudTable {
     /// Density, kg/m³.
     pub density_kg_m3: f64,
+}
+
+/// The axial force along a string that bends.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AxialForceTable {
+    /// What natural frequencies in bending may be off by, as a part. Default 0.01.
+    #[serde(default = "default_tolerance")]
+    pub tolerance: f64,
 }
 
 /// Friction of the string against the borehole while it turns.
@@ -52,6 +61,10 @@ pub enum PressedByName {
     WeightAndTension,
     /// Its weight alone.
     Weight,
+}
+
+fn default_tolerance() -> f64 {
+    0.01
 }
 
 fn default_ratio() -> f64 {

@@ -20,6 +20,7 @@ use crate::design::{Design, List};
 use crate::engine::{MethodSystem, Record, RunOptions, Shard, Work};
 use crate::memory::{Purpose, admit};
 use crate::plan::Sweep;
+use crate::quantities::Axis;
 use crate::words::counted;
 use comparison::{Found, compare};
 use reference::{cases_of, read_reference};
@@ -35,9 +36,14 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
     let numbers: Vec<usize> = cases.keys().copied().collect();
     let axes = sweep.design.axes().to_vec();
+    let weight_pushes = sweep.changes_string(Axis::WeightOnBitKn);
     let sweep = Sweep {
         methods,
-        design: Design::List(List::new(axes, cases.into_values().collect())),
+        design: Design::List(List::new(
+            axes,
+            cases.into_values().collect(),
+            weight_pushes,
+        )),
         ..sweep
     };
     let survey = survey_cases(&arguments.reference, &sweep)?;

@@ -208,6 +208,9 @@ pub fn describe_left_out(sweep: &Sweep) -> String {
             text += "  sites other than the bit, in a run: labels are of the bit alone\n";
         }
     }
+    if sweep.setting.lateral.is_some() && sweep.setting.hanging.is_none() {
+        text += "  weight and tension of the string, in bending: no [axial_force] is given\n";
+    }
     if sweep.setting.friction.is_none() {
         text += "  friction along the string: no [string_friction] is given\n";
         text += "  the torque at the surface, in a run: nothing depends on it\n";

@@ -1,6 +1,7 @@
 //! `sweep inspect`: the linear system of a sweep, in words, numbers and a
 //! picture (Fig. 6).
 
+mod axial_force;
 mod description;
 mod responses;
 mod top_drive;
@@ -20,6 +21,7 @@ use super::warnings::{warn_of_overshoot, warn_of_string};
 use crate::cli::InspectArguments;
 use crate::engine::compare_fronts;
 use crate::memory::{Demand, Purpose, admit};
+use axial_force::describe_axial_force;
 use description::{
     describe_left_out, describe_methods, describe_string, describe_well, describe_work,
 };
@@ -56,6 +58,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     say(&[
         describe_string(&sweep),
         describe_well(&sweep),
+        describe_axial_force(&sweep)?,
         (drive.as_ref()).map_or_else(String::new, DriveView::words),
         describe_methods(&systems),
         describe_left_out(&sweep),

@@ -68,11 +68,11 @@ impl Choice {
         refuse_weight_without_rock(sweep, &conditions)?;
         let of_axes = axes.iter().copied().zip(values.iter().copied());
         let all = of_axes.chain(arguments.set.iter().copied());
-        let is_of_string = |(axis, _): &(Axis, f64)| axis.is_of_string();
+        let changes_string = |(axis, _): &(Axis, f64)| sweep.changes_string(*axis);
         Ok(Self {
             index,
-            string: all.filter(is_of_string).collect(),
-            sets_string: arguments.set.iter().any(is_of_string),
+            string: all.filter(changes_string).collect(),
+            sets_string: arguments.set.iter().any(changes_string),
             values,
             conditions,
         })

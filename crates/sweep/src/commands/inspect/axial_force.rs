@@ -1,0 +1,40 @@
+//! What pulls and pushes the string, in words and numbers.
+
+use linear::BuildError;
+
+use super::description::row;
+use crate::plan::Sweep;
+
+/// The axial force along the string, where it is modelled.
+///
+/// # Errors
+/// Where the string has too many elements.
+pub fn describe_axial_force(sweep: &Sweep) -> Result<String, BuildError> {
+    let setting = &sweep.setting;
+    let (Some(hanging), Some(lateral)) = (&setting.hanging, &setting.lateral) else {
+        return Ok(String::new());
+    };
+    let weight = sweep.conditions.weight_on_bit_kn.unwrap_or(0.0);
+    let buckles = match hanging.buckling_weight(&setting.string, lateral)? {
+        Some(weight) => format!("from {:.1} kN on the bit on", 1e-3 * weight),
+        None => "under its own weight".to_owned(),
+    };
+    let hook_load = 1e-3 * hanging.string.weight();
+    let pieces = setting.string.axial_force();
+    let pushed = pieces.iter().filter(|piece| piece.tension < 0.0);
+    let compressed = pushed.fold(0.0, |length, piece| length + piece.length);
+    let rows = [
+        (
+            "weight along the well",
+            format!("{hook_load:.1} kN, of which {weight} on the bit"),
+        ),
+        (
+            "under compression",
+            format!("{compressed:.1} m above the bit"),
+        ),
+        ("buckles", buckles),
+        ("pieces of constant force", pieces.len().to_string()),
+    ];
+    let lines = rows.iter().map(|(title, value)| row(2, title, value));
+    Ok("\naxial force\n".to_owned() + &lines.collect::<String>())
+}
