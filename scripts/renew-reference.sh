@@ -11,7 +11,7 @@ labels_only() {
     awk -F, '
         NR == 1 {
             for (i = 1; i <= NF; i++)
-                if ($i !~ /_(s|nm|mm|kn|m)$/ && $i !~ /^(sticks|stick_slip_severity|bit_speed|contact_|rolling_|precession_|ambiguous|predicted|simulated|ended|status)/ || $i == "weight_on_bit_kn")
+                if ($i !~ /_(s|nm|mm|kn|m)$/ && $i !~ /^(sticks|stick_slip_|bit_speed|contact_|rolling_|precession_|ambiguous|predicted|simulated|ended|status)/ || $i == "weight_on_bit_kn")
                     kept[++count] = i
         }
         {

@@ -54,7 +54,7 @@ fn labels_have_a_row_for_each_case_and_method_in_order() {
         labels.lines().next().unwrap(),
         "case,method,surface_speed_rpm,weight_on_bit_kn,torque_dynamic_nm,torsion,lateral,\
          first_slip_s,period_s,slip_time_s,sticks,bit_speed_peak_rpm,bit_speed_closing_rpm,\
-         stick_slip_severity,site_from_bit_m,first_contact_s,peak_radius_mm,mean_radius_mm,contact_fraction,\
+         stick_slip_severity,stick_slip_margin_rpm,site_from_bit_m,first_contact_s,peak_radius_mm,mean_radius_mm,contact_fraction,\
          rolling_fraction,precession_turns_per_s,normal_force_mean_kn,ambiguous_steps,\
          predicted,simulated_s,ended,status"
     );
@@ -98,6 +98,24 @@ fn labels_are_of_the_promised_kinds() {
     );
     assert_eq!(quantities.first().unwrap()[0].parse(), Ok(30.0));
     assert_eq!(quantities.last().unwrap()[0].parse(), Ok(70.0));
+    // Above the limit, by as much as `boundary.csv` says.
+    let number = |text: &str| text.parse::<f64>().unwrap();
+    for [weight, speed, margin] in labels(
+        &place,
+        "results",
+        [
+            "weight_on_bit_kn",
+            "surface_speed_rpm",
+            "stick_slip_margin_rpm",
+        ],
+    ) {
+        let limit = quantities
+            .iter()
+            .find(|point| number(&point[0]) == number(&weight));
+        let expected = number(&speed) - number(&limit.unwrap()[2]);
+        let margin = number(&margin);
+        assert!((margin - expected).abs() < 1e-12, "{margin} {expected}");
+    }
 }
 
 #[test]

@@ -38,6 +38,10 @@ pub struct Record {
     /// T_d, N m, where the bit is modelled.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_dynamic_nm: Option<f64>,
+    /// How far above the analytic limit of stick-slip (Eq. 74) the surface turns, rad/s, below
+    /// where negative; none where there is none, or where the bit is not all that rubs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub above_limit: Option<f64>,
     /// The site that decides the lateral label, m from the bit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub site_from_bit_m: Option<f64>,
@@ -57,6 +61,7 @@ impl Record {
             method,
             values,
             torque_dynamic_nm: None,
+            above_limit: None,
             site_from_bit_m: None,
             misfits: Vec::new(),
             outcome: Err(reason),

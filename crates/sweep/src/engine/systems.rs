@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
 use linear::deviation::exact_undershoot;
-use linear::estimates::largest_undershoot;
+use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use linear::{
     Cascade, ChannelRequest, ChannelResponses, ImpulseTrains, Method, Request, Responses,
     responses, responses_with,
@@ -13,7 +13,7 @@ use linear::{
 use rayon::prelude::*;
 use sim::excitation::least_impulse;
 use sim::{
-    CascadeScene, CascadeSimulator, Outcome, Sampling, SimulationError, Simulator, Stopping,
+    CascadeScene, CascadeSimulator, Outcome, Sampling, Scene, SimulationError, Simulator, Stopping,
     Trajectory,
 };
 
@@ -44,6 +44,9 @@ pub struct MethodSystem {
     pub build_seconds: f64,
     /// What it was built from.
     pub setting: Setting,
+    /// How far the bit swings back after a step of torque (Eq. 75), rad/s per N m, where one acts
+    /// there.
+    undershoot: Option<f64>,
     simulator: Simulator,
     /// The string in pieces, where friction acts all along it.
     cascade: Option<CascadeSimulator>,
@@ -161,6 +164,7 @@ impl MethodSystem {
             front: None,
             build_seconds,
             setting: setting.clone(),
+            undershoot: responses.at_bit().map(largest_undershoot),
             simulator,
             cascade: None,
             responses,
@@ -299,6 +303,15 @@ impl MethodSystem {
         Ok(Some(torques))
     }
 
+    /// How far above the analytic limit of stick-slip (Eq. 74) the surface turns, rad/s: that
+    /// knows of no friction but the bit's.
+    fn above_limit(&self, scene: &Scene) -> Option<f64> {
+        let bit = scene.bit.filter(|_| self.setting.friction.is_none())?;
+        let (torque_static, torque_dynamic) = (bit.torque_static, bit.torque_dynamic);
+        let limit = stick_slip_speed_limit(self.undershoot?, torque_static, torque_dynamic);
+        Some(scene.surface_speed - limit)
+    }
+
     /// What a run with these options comes to of a case; `method` is this one's place in
     /// the sweep's list. A case that panics is one without an answer, and not the end of
     /// the sweep. Its motion is held against `comparisons`.
@@ -335,6 +348,9 @@ impl MethodSystem {
                 let site = site.and_then(|site| Some((site, *distances.get(site)?)));
                 Failure::new(CaseError::Simulation { error, site })
             });
+            if record.outcome.is_ok() {
+                record.above_limit = self.above_limit(&case.scene);
+            }
             if let (Ok(_), Some(mut motion)) = (&record.outcome, motion) {
                 match self.motor_torque(case, &motion) {
                     Ok(torques) => motion.surface_torque.extend(torques.into_iter().flatten()),

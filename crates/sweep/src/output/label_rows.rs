@@ -338,10 +338,21 @@ impl<'a> Fields<'a> {
             .find(|&number| unit(number) == written)
     }
 
+    fn optional_of_unit(&mut self, unit: fn(f64) -> f64) -> Option<Option<f64>> {
+        let mut ahead = self.0.clone();
+        if ahead.next()?.is_empty() {
+            self.0 = ahead;
+            return Some(None);
+        }
+        self.of_unit(unit).map(Some)
+    }
+
     fn outcome(&mut self, sweep: &Sweep, record: &mut Record) -> Option<Outcome> {
         let (torsion, lateral) = (self.word()?, self.word()?);
+        let torsion = self.torsion(torsion)?;
+        record.above_limit = self.optional_of_unit(to_rpm)?;
         Some(Outcome {
-            torsion: self.torsion(torsion)?,
+            torsion,
             lateral: self.lateral(lateral, sweep, record)?,
             predicted: match self.word()? {
                 "" => None,

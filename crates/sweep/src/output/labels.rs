@@ -9,7 +9,7 @@ use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
 
 /// Columns that follow the axes.
-const RESULT_COLUMNS: [&str; 22] = [
+const RESULT_COLUMNS: [&str; 23] = [
     "torsion",
     "lateral",
     "first_slip_s",
@@ -19,6 +19,7 @@ const RESULT_COLUMNS: [&str; 22] = [
     "bit_speed_peak_rpm",
     "bit_speed_closing_rpm",
     "stick_slip_severity",
+    "stick_slip_margin_rpm",
     "site_from_bit_m",
     "first_contact_s",
     "peak_radius_mm",
@@ -105,6 +106,7 @@ impl<'a> LabelTable<'a> {
         row.add_optional(torsion.map(|torsion| torsion.regime.name()));
         row.add_optional(lateral.map(|lateral| lateral.regime.name()));
         row.add_torsion(torsion);
+        row.add_optional(record.above_limit.map(to_rpm));
         row.add_lateral(lateral, record.site_from_bit_m);
         row.add_optional(done.and_then(|outcome| outcome.predicted).map(Label::name));
         row.add_optional(done.map(|outcome| outcome.simulated));

@@ -33,6 +33,7 @@ fn record(pair: usize) -> Record {
     };
     Record {
         torque_dynamic_nm: Some(1.0 / (1.0 + number)),
+        above_limit: (pair.is_multiple_of(4)).then_some(number / 19.0),
         misfits: vec![Some(number / 17.0), None],
         outcome: Ok(Outcome {
             simulated: number,
