@@ -1,6 +1,8 @@
 //! Words and numbers for people: plurals, a few digits, lines that fit a terminal.
 //! Files carry every digit instead.
 
+use crate::quantities::{LENGTH, Units};
+
 /// Lines for people are no wider than this, but for what is to be copied whole.
 pub const WIDTH: usize = 80;
 
@@ -37,11 +39,13 @@ pub fn decimals(value: f64, count: usize) -> String {
 }
 
 /// How a site is called, by its distance from the bit in m.
-pub fn site_title(distance: f64) -> String {
+pub fn site_title(distance: f64, units: Units) -> String {
     if distance == 0.0 {
         "the bit".to_owned()
     } else {
-        format!("{distance} m above the bit")
+        let length = units.of(&LENGTH);
+        let (distance, unit) = (length.rounded(distance), length.name);
+        format!("{distance} {unit} above the bit")
     }
 }
 

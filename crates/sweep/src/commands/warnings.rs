@@ -4,7 +4,6 @@ use super::terminal::Terminal;
 use crate::cli::MemoryArguments;
 use crate::engine::{Log, MethodSystem};
 use crate::plan::Sweep;
-use crate::sweep_file::SheetNotes;
 use crate::words::counted;
 
 /// Warns of an amount of memory that the cluster allots and cannot mean.
@@ -19,7 +18,7 @@ pub fn warn_of_string(sweep: &Sweep, terminal: Terminal) {
     for doubt in sweep.doubts_about_string() {
         terminal.complain(&format!("warning: {doubt}"));
     }
-    for doubt in sweep.sheet.iter().flat_map(SheetNotes::doubts) {
+    for doubt in (sweep.sheet.iter()).flat_map(|sheet| sheet.doubts(sweep.content.units)) {
         terminal.complain(&format!("warning: {doubt}"));
     }
 }
@@ -41,7 +40,8 @@ pub fn warn_of_overshoot(sweep: &Sweep, systems: &[MethodSystem], terminal: Term
         false => "",
     };
     for overshoot in systems.iter().filter_map(MethodSystem::overshoot) {
-        terminal.complain(&format!("warning: {overshoot}{others}"));
+        let words = overshoot.words(sweep.content.units);
+        terminal.complain(&format!("warning: {words}{others}"));
     }
 }
 

@@ -1,6 +1,6 @@
 //! How a method treats the front that a torque which jumps sends up the string.
 
-use thiserror::Error;
+use crate::quantities::{TORQUE, Unit, Units};
 
 /// A front that overshoots by more than this part is warned of: a limit of stick-slip is
 /// off by about as much.
@@ -16,19 +16,28 @@ pub struct Front {
 }
 
 /// A method whose fronts overshoot on a string.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[error(
-    "fronts overshoot by {method}: on this string the undershoot Δ of Eq. 75 is {:.3e} \
-     rad/s per N m, {:.0} % above the exact one; a limit of stick-slip may be off by as much \
-     (`held` keeps fronts as they are)",
-    .front.undershoot,
-    100.0 * .front.overshoot()
-)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overshoot {
     /// Name of the method.
     pub method: &'static str,
     /// Its front.
     pub front: Front,
+}
+
+impl Overshoot {
+    /// What is to be said of it.
+    pub fn words(&self, units: Units) -> String {
+        let unit = Unit::unchanged("rad/s").per(&units.of(&TORQUE));
+        format!(
+            "fronts overshoot by {}: on this string the undershoot Δ of Eq. 75 is {:.3e} {}, \
+             {:.0} % above the exact one; a limit of stick-slip may be off by as much (`held` \
+             keeps fronts as they are)",
+            self.method,
+            unit.number(self.front.undershoot),
+            unit.name,
+            100.0 * self.front.overshoot()
+        )
+    }
 }
 
 impl Front {

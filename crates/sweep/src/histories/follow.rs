@@ -96,6 +96,10 @@ fn name(sweep: &Sweep, case: &Case, method: &str, is_alone: bool) -> String {
         return method.to_owned();
     }
     let axes = sweep.design.axes().iter().zip(&case.values);
-    let values = axes.map(|(axis, value)| format!("{} = {}", axis.symbol(), short(*value)));
+    let units = sweep.content.units;
+    let values = axes.map(|(axis, &value)| {
+        let value = axis.unit(units).number(value);
+        format!("{} = {}", axis.symbol(units), short(value))
+    });
     format!("{}, {method}", values.collect::<Vec<_>>().join(", "))
 }

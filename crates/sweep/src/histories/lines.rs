@@ -9,6 +9,7 @@ use sim::{Ended, Outcome};
 use super::simulation::Simulation;
 use crate::engine::Case;
 use crate::plan::{Sweep, to_rpm};
+use crate::quantities::{FORCE, TORQUE, Units, WIDTH};
 use crate::words::{counted, decimals, short, site_title, together, wrapped};
 
 /// Every case with what a run answers to it by each method, and what came out later
@@ -22,9 +23,10 @@ pub fn case_lines(
     let mut text = String::new();
     for case in cases {
         let rpm = to_rpm(case.scene.surface_speed);
-        let torque = case
-            .torque_dynamic_nm
-            .map_or_else(String::new, |torque| format!(", T_d = {torque:.1} N m"));
+        let unit = sweep.content.units.of(&TORQUE);
+        let torque = case.torque_dynamic_nm.map_or_else(String::new, |torque| {
+            format!(", T_d = {}", unit.text(torque, 1))
+        });
         writeln!(text, "Ω = {rpm:.4} rpm{torque}")?;
         let own = simulations
             .iter()
@@ -42,7 +44,8 @@ pub fn case_lines(
 }
 
 fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
-    let answers = measures(&simulation.answer, simulation.site_from_bit_m);
+    let units = sweep.content.units;
+    let answers = measures(&simulation.answer, simulation.site_from_bit_m, units);
     let name = &simulation.name;
     let mut text: String = (answers.iter())
         .map(|answer| wrapped(&format!("{name}: {answer}"), 2, 4))
@@ -50,7 +53,7 @@ fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
     let followed = &simulation.followed;
     let distances = sweep.setting.sites.distances_from_bit();
     let site = followed.lateral.map(|lateral| distances[lateral.site]);
-    let to_end = measures(followed, site);
+    let to_end = measures(followed, site, units);
     if to_end != answers {
         let why = match simulation.answer.ended {
             Ended::Settled => "settled",
@@ -71,7 +74,7 @@ fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
 }
 
 /// What came out, in bending and in torsion.
-fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>) -> Vec<String> {
+fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>, units: Units) -> Vec<String> {
     let mut found = Vec::new();
     let mut add = |measures: &[String]| {
         let measures: Vec<String> = measures.iter().map(|words| together(words)).collect();
@@ -79,16 +82,21 @@ fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>) -> Vec<String> {
     };
     if let (Some(lateral), Some(distance)) = (outcome.lateral, site_from_bit_m) {
         let turns = lateral.precession_rate / std::f64::consts::TAU;
+        let told = |twin, value| {
+            let unit = units.of(twin);
+            let number = decimals(unit.number(value), unit.decimals(2));
+            format!("{number} {}", unit.name)
+        };
         add(&[
             lateral.regime.name().to_owned(),
             format!(
                 "at {} in contact {:.0} % of the closing window",
-                site_title(distance),
+                site_title(distance, units),
                 100.0 * lateral.contact_fraction
             ),
-            format!("r = {} mm", decimals(1e3 * lateral.mean_radius, 2)),
+            format!("r = {}", told(&WIDTH, 1e3 * lateral.mean_radius)),
             format!("{} turns/s", decimals(turns, 2)),
-            format!("F_N = {} kN", decimals(1e-3 * lateral.mean_normal_force, 2)),
+            format!("F_N = {}", told(&FORCE, 1e-3 * lateral.mean_normal_force)),
         ]);
     }
     if let Some(torsion) = outcome.torsion {

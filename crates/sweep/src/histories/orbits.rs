@@ -6,6 +6,7 @@ use super::marks::shown_clearance;
 use super::simulation::Simulation;
 use crate::plan::Sweep;
 use crate::plot::{Axis, Orbit, Picture, Series, orbits};
+use crate::quantities::WIDTH;
 use crate::words::site_title;
 
 /// The path of every site's centre, with the circle of its clearance where it comes
@@ -14,6 +15,8 @@ use crate::words::site_title;
 /// # Errors
 /// Where it cannot be drawn.
 pub fn orbit_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Picture> {
+    let units = sweep.content.units;
+    let width = units.of(&WIDTH);
     let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
     let lateral = sweep.setting.lateral.iter();
     let walls = lateral.flat_map(|lateral| &lateral.walls);
@@ -22,14 +25,15 @@ pub fn orbit_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Pictur
             name: simulation.name.clone(),
             points: simulation.trajectory.positions[site]
                 .iter()
-                .map(|[x, y]| (1e3 * x, 1e3 * y))
+                .map(|[x, y]| (width.number(1e3 * x), width.number(1e3 * y)))
                 .collect(),
         };
         let series: Vec<Series> = simulations.iter().map(of_site).collect();
         let points = series.iter().flat_map(|series| &series.points);
-        let circle = shown_clearance(wall.clearance, points.map(|(x, y)| x.hypot(*y)));
+        let circle = shown_clearance(wall.clearance, &width, points.map(|(x, y)| x.hypot(*y)));
+        let (site, unit) = (site_title(distance, units), &width.name);
         Orbit {
-            axes: [&format!("x at {} (mm)", site_title(distance)), "y (mm)"].map(Axis::linear),
+            axes: [format!("x at {site} ({unit})"), format!("y ({unit})")].map(Axis::linear),
             series,
             circle,
         }

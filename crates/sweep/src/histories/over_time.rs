@@ -9,6 +9,7 @@ use super::simulation::{Simulation, has_surface_speed, has_surface_torque, has_t
 use crate::engine::Case;
 use crate::plan::{LateralSettings, Sweep, to_rpm};
 use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
+use crate::quantities::{TORQUE, Unit, Units, WIDTH};
 use crate::sweep_file::TraceName;
 use crate::words::site_title;
 
@@ -43,6 +44,15 @@ struct Histories<'a> {
 }
 
 impl Histories<'_> {
+    fn units(&self) -> Units {
+        self.sweep.content.units
+    }
+
+    /// The unit of torques, in thousands.
+    fn torque_unit(&self) -> Unit {
+        self.units().of(&TORQUE).kilo()
+    }
+
     fn panel(&self, label: &str, series: Vec<Series>, references: Vec<Reference>) -> Panel {
         Panel {
             axes: ["Time t (s)", label].map(Axis::linear),
@@ -83,23 +93,26 @@ impl Histories<'_> {
 
     fn radii(&self, lateral: &LateralSettings) -> Vec<Panel> {
         let distances = self.sweep.setting.sites.distances_from_bit();
+        let (units, width) = (self.units(), self.units().of(&WIDTH));
         let mut list: Vec<Panel> = (distances.iter())
             .zip(&lateral.walls)
             .enumerate()
             .map(|(site, (&distance, wall))| {
                 let radii = self.of_each(&|trajectory, index| {
                     let [x, y] = trajectory.positions[site][index];
-                    1e3 * x.hypot(y)
+                    width.number(1e3 * x.hypot(y))
                 });
                 let points = radii.iter().flat_map(|series| &series.points);
-                let clearance = shown_clearance(wall.clearance, points.map(|point| point.1));
+                let clearance =
+                    shown_clearance(wall.clearance, &width, points.map(|point| point.1));
                 let wall = clearance.map(|clearance| level(clearance, "clearance"));
-                let label = format!("Radius at {} (mm)", site_title(distance));
+                let site = site_title(distance, units);
+                let label = format!("Radius at {site} ({})", width.name);
                 self.panel(&label, radii, wall.into_iter().collect())
             })
             .collect();
-        let lowest = site_title(distances[distances.len() - 1]);
-        let label = format!("Difference in radius at {lowest} (mm)");
+        let lowest = site_title(distances[distances.len() - 1], units);
+        let label = format!("Difference in radius at {lowest} ({})", width.name);
         list.extend(self.difference(&label, list.last()));
         list
     }
@@ -111,7 +124,7 @@ impl Histories<'_> {
             let label = if distance == 0.0 {
                 "Bit speed (rpm)".to_owned()
             } else {
-                format!("Speed {distance} m above the bit (rpm)")
+                format!("Speed {} (rpm)", site_title(distance, self.units()))
             };
             let series = self.of_each(&|trajectory, index| to_rpm(trajectory.speeds[site][index]));
             list.push(self.panel(
@@ -136,14 +149,16 @@ impl Histories<'_> {
             list.push(self.torque());
         }
         if has_surface_torque(self.simulations) {
-            let mut series =
-                self.of_each(&|trajectory, index| 1e-3 * trajectory.surface_torque[index]);
-            series.extend(self.recorded(TraceName::SurfaceTorqueNm, 1e-3));
-            let label = match self.sweep.content.top_drive {
-                Some(_) => "Torque of top drive (kN m)",
-                None => "Torque at surface (kN m)",
+            let unit = self.torque_unit();
+            let mut series = self
+                .of_each(&|trajectory, index| unit.number(1e-3 * trajectory.surface_torque[index]));
+            series.extend(self.recorded(TraceName::SurfaceTorqueNm, unit.number(1e-3)));
+            let place = match self.sweep.content.top_drive {
+                Some(_) => "of top drive",
+                None => "at surface",
             };
-            list.push(self.panel(label, series, Vec::new()));
+            let label = format!("Torque {place} ({})", unit.name);
+            list.push(self.panel(&label, series, Vec::new()));
         }
         if has_surface_speed(self.simulations) {
             let mut series =
@@ -197,14 +212,15 @@ impl Histories<'_> {
     }
 
     fn torque(&self) -> Panel {
-        let limit = |of: fn(BitTorque) -> f64| move |case: &Case| Some(1e-3 * of(case.scene.bit?));
+        let unit = &self.torque_unit();
+        let limit = |of: fn(BitTorque) -> f64| {
+            move |case: &Case| Some(unit.number(1e-3 * of(case.scene.bit?)))
+        };
         let mut limits = levels(self.cases, "Tₛ", limit(|bit| bit.torque_static));
         limits.extend(levels(self.cases, "T_d", limit(|bit| bit.torque_dynamic)));
-        self.panel(
-            "Torque on bit (kN m)",
-            self.of_each(&|trajectory, index| -1e-3 * trajectory.bit_torque[index]),
-            limits,
-        )
+        let torques =
+            self.of_each(&|trajectory, index| unit.number(-1e-3 * trajectory.bit_torque[index]));
+        self.panel(&format!("Torque on bit ({})", unit.name), torques, limits)
     }
 }
 

@@ -7,6 +7,7 @@ use super::marks::{level, shown_clearance};
 use super::simulation::Simulation;
 use crate::plan::{LateralSettings, Sweep};
 use crate::plot::{Axis, Panel, Picture, Series, panels};
+use crate::quantities::{LENGTH, WIDTH};
 
 /// Fig. 13: the peak displacement of the whole string, reconstructed by finite
 /// elements from the forces at its sites, whatever method gave them.
@@ -26,24 +27,30 @@ pub fn string_picture(
         sampling_frequency: sweep.setting.sampling_frequency,
         parameters: sweep.content.method.finite_element,
     };
+    let [length, width] = [&LENGTH, &WIDTH].map(|twin| sweep.content.units.of(twin));
     let series = simulations
         .iter()
         .map(|simulation| {
             let whole = whole.reconstruct(&simulation.trajectory.forces, &[])?;
-            let peaks = whole.peaks.iter().map(|peak| 1e3 * peak);
+            let depths = whole.depths.iter().map(|depth| length.number(*depth));
+            let peaks = whole.peaks.iter().map(|peak| width.number(1e3 * peak));
             Ok(Series {
                 name: simulation.name.clone(),
-                points: whole.depths.iter().copied().zip(peaks).collect(),
+                points: depths.zip(peaks).collect(),
             })
         })
         .collect::<Result<Vec<_>>>()?;
     let clearances = lateral.walls.iter().map(|wall| wall.clearance);
     let least = clearances.fold(f64::INFINITY, f64::min);
     let peaks = series.iter().flat_map(|series| &series.points);
-    let shown = shown_clearance(least, peaks.map(|point| point.1));
+    let shown = shown_clearance(least, &width, peaks.map(|point| point.1));
     let references = shown.map(|clearance| level(clearance, "least clearance"));
     let panel = Panel {
-        axes: ["Depth ξ (m)", "Peak radius (mm)"].map(Axis::linear),
+        axes: [
+            format!("Depth ξ ({})", length.name),
+            format!("Peak radius ({})", width.name),
+        ]
+        .map(Axis::linear),
         series,
         references: references.into_iter().collect(),
     };

@@ -8,7 +8,7 @@ use std::path::Path;
 use anyhow::Result;
 
 use crate::output::{Motion, read_cases};
-use crate::quantities::Axis;
+use crate::quantities::{Axis, Units};
 
 /// Distinct values along an axis are kept up to this number.
 const MOST_DISTINCT: usize = 2000;
@@ -23,6 +23,8 @@ pub struct Extent {
     pub axes: [Axis; 2],
     /// The axes of the design that are not on it.
     pub others: Vec<Axis>,
+    /// What its numbers are shown in.
+    pub units: Units,
     /// Least and greatest value to the right and upwards.
     pub ranges: [[f64; 2]; 2],
     /// Cases.
@@ -58,7 +60,7 @@ impl Extent {
     ///
     /// # Errors
     /// Where it cannot be read.
-    pub fn of(labels: &Path, axes: [Axis; 2], others: Vec<Axis>) -> Result<Self> {
+    pub fn of(labels: &Path, axes: [Axis; 2], others: Vec<Axis>, units: Units) -> Result<Self> {
         let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; axes.len() + others.len()];
         let mut values = [Vec::new(), Vec::new()];
         let mut combinations = Vec::new();
@@ -89,6 +91,7 @@ impl Extent {
         Ok(Self {
             axes,
             others,
+            units,
             ranges: [ranges[0], ranges[1]],
             cases,
             motions: motions.into_iter().collect(),
@@ -106,6 +109,7 @@ impl Extent {
         Self {
             axes: [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn],
             others: Vec::new(),
+            units: Units::Si,
             ranges: values.map(|values| [values[0], values[values.len() - 1]]),
             cases,
             motions: vec![Motion::Torsion],
@@ -133,7 +137,7 @@ mod tests {
         let header = "case,method,surface_speed_rpm,weight_on_bit_kn,friction,torsion,lateral";
         std::fs::write(file.path(), format!("{header}\n{rows}")).expect("written");
         let axes = [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn];
-        Extent::of(file.path(), axes, others).expect("a table")
+        Extent::of(file.path(), axes, others, Units::Si).expect("a table")
     }
 
     #[test]

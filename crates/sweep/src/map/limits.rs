@@ -6,7 +6,7 @@ use super::mesh::around;
 use super::words::{ends, quantity};
 use crate::output::{Curve, Motion};
 use crate::plot::{Band, Series, is_within};
-use crate::quantities::Axis;
+use crate::quantities::{Axis, Units};
 
 /// The limit on a map.
 #[derive(Default)]
@@ -73,7 +73,7 @@ impl Limits {
             (Some(on_map), None) => self.add_across(curve, extent, on_map, 0, held(curve.limited)),
             (None, None) => {
                 let values = span(&curve.ranges(1, held(curve.along)))?;
-                let values = ends(curve.limited, values);
+                let values = ends(curve.limited, values, extent.units);
                 let name = &curve.name;
                 Some(format!("{name}: {values}, on neither axis of this map"))
             }
@@ -101,7 +101,8 @@ impl Limits {
         }
         // The place on the map of what the limit depends on, and of what is limited.
         let places = [1 - limited, limited];
-        out_of_view(curve, places.map(|place| ranges[place]), |of, value| {
+        let shown = places.map(|place| ranges[place]);
+        out_of_view(curve, shown, extent.units, |of, value| {
             side(places[of], value, ranges[places[of]]).to_owned()
         })
     }
@@ -118,7 +119,7 @@ impl Limits {
     ) -> Option<String> {
         let stretches = curve.ranges(shown, held);
         let Some(whole) = span(&stretches) else {
-            return Some(beyond(curve, shown, held));
+            return Some(beyond(curve, shown, held, extent.units));
         };
         let range = extent.ranges[on_map];
         let is_seen = |[low, high]: &[f64; 2]| *low <= range[1] && *high >= range[0];
@@ -152,29 +153,24 @@ impl Limits {
             _ => [curve.limited, curve.along],
         };
         let at = if held[0].is_finite() && held[1].is_finite() {
-            format!(" at {}", ends(other, held))
+            format!(" at {}", ends(other, held, extent.units))
         } else {
             String::new()
         };
         let [low, high] = whole.map(|end| (margin(end, range), end));
         let (margin, end) = if low.0 <= high.0 { low } else { high };
-        let limit = ends(axis, whole) + &at;
-        Some(unseen(
-            curve,
-            &limit,
-            side(on_map, end, range),
-            axis,
-            margin,
-        ))
+        let limit = ends(axis, whole, extent.units) + &at;
+        let margin = quantity(axis, margin, extent.units);
+        Some(unseen(curve, &limit, side(on_map, end, range), &margin))
     }
 }
 
 /// A curve that never reaches what is held: `shown` is the quantity on the map.
-fn beyond(curve: &Curve, shown: usize, held: [f64; 2]) -> String {
-    let held_words = ends([curve.limited, curve.along][shown], held);
+fn beyond(curve: &Curve, shown: usize, held: [f64; 2], units: Units) -> String {
+    let held_words = ends([curve.limited, curve.along][shown], held, units);
     let nearest = || {
         let anywhere = [f64::NEG_INFINITY, f64::INFINITY];
-        out_of_view(curve, [anywhere, held], |_, limited| {
+        out_of_view(curve, [anywhere, held], units, |_, limited| {
             let side = if limited < held[0] { "below" } else { "above" };
             format!("{side} the {held_words} of")
         })
@@ -189,6 +185,7 @@ fn beyond(curve: &Curve, shown: usize, held: [f64; 2]) -> String {
 fn out_of_view(
     curve: &Curve,
     ranges: [[f64; 2]; 2],
+    units: Units,
     side: impl Fn(usize, f64) -> String,
 ) -> Option<String> {
     let margins = |point: &[f64; 2]| [0, 1].map(|of| margin(point[of], ranges[of]));
@@ -199,21 +196,16 @@ fn out_of_view(
     })?;
     let of = usize::from(margins(nearest)[1] > 0.0);
     let axes = [curve.along, curve.limited];
-    let [along, at] = [0, 1].map(|of| quantity(axes[of], nearest[of]));
-    let (side, margin) = (side(of, nearest[of]), margins(nearest)[of]);
-    Some(unseen(
-        curve,
-        &format!("{at} at {along}"),
-        &side,
-        axes[of],
-        margin,
-    ))
+    let [along, at] = [0, 1].map(|of| quantity(axes[of], nearest[of], units));
+    let margin = quantity(axes[of], margins(nearest)[of], units);
+    let limit = format!("{at} at {along}");
+    Some(unseen(curve, &limit, &side(of, nearest[of]), &margin))
 }
 
-/// A limit that is on a `side` of the map, by a margin along an axis.
-fn unseen(curve: &Curve, limit: &str, side: &str, axis: Axis, margin: f64) -> String {
-    let (name, words) = (&curve.name, quantity(axis, margin));
-    format!("{name}: limit {limit}, {side} this map; margin {words}")
+/// A limit that is on a `side` of the map, by a margin.
+fn unseen(curve: &Curve, limit: &str, side: &str, margin: &str) -> String {
+    let name = &curve.name;
+    format!("{name}: limit {limit}, {side} this map; margin {margin}")
 }
 
 /// The points of a piece. A single one, of a map over one value or of a branch that is the

@@ -43,8 +43,9 @@ pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
     }
     let panels = columns.iter().zip(&least).map(|(column, least)| {
         let best = least.iter().copied().fold(f64::INFINITY, f64::min);
+        let (column, unit) = extent.units.named(column);
         MapPanel {
-            title: format!("{column}, at best {}", short(best)),
+            title: format!("{column}, at best {}", short(unit.number(best))),
             cells: mesh.joined(|cell| Some(ground(least[cell], best))),
             ..MapPanel::default()
         }

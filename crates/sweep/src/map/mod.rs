@@ -15,6 +15,7 @@ mod limits;
 mod mesh;
 mod misfits;
 mod picture;
+mod shown;
 mod symbol;
 mod words;
 

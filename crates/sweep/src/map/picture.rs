@@ -8,6 +8,7 @@ use super::content::Content;
 use super::extent::Extent;
 use super::limits::Limits;
 use super::misfits;
+use super::shown::show_in;
 use super::words;
 use crate::output::{Curve, Manifest, Motion, ResultTables};
 use crate::plan::MapMark;
@@ -23,30 +24,31 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
     let Some(settings) = &manifest.map else {
         return Ok(None);
     };
-    let axes = [settings.x, settings.y];
+    let (axes, units) = ([settings.x, settings.y], manifest.sweep.units);
     let others = manifest.axes.iter().copied();
     let others = others.filter(|axis| !axes.contains(axis)).collect();
     let labels = tables.folder.join("labels.csv");
     let map = Map {
         manifest,
-        extent: Extent::of(&labels, axes, others)?,
+        extent: Extent::of(&labels, axes, others, units)?,
         labels,
         curves: tables.boundary()?.curves(&manifest.axes),
     };
     let (marks, left_out) = map.marks(&settings.marks);
     let motions = map.extent.motions.iter();
-    let sheet = MapSheet {
+    let mut sheet = MapSheet {
         title: match tables.so_far {
             None => manifest.title.clone(),
             Some(so_far) => format!("{} ({so_far})", manifest.title),
         },
-        axes: axes.map(|axis| plot::Axis::linear(axis.title())),
+        axes: axes.map(|axis| plot::Axis::linear(axis.title(units))),
         marks,
         groups: motions
             .map(|&motion| map.group(motion, left_out.as_ref()))
             .chain(misfits::group(&map.labels, &map.extent).transpose())
             .collect::<Result<_>>()?,
     };
+    show_in(&mut sheet, axes.map(|axis| axis.unit(units)));
     map_sheet(&sheet).map(Some)
 }
 
@@ -107,7 +109,7 @@ impl Map<'_> {
         };
         let axes = self.extent.others.iter().zip(values);
         let titles: Vec<String> = axes
-            .map(|(&axis, &value)| words::equation(axis, value))
+            .map(|(&axis, &value)| words::equation(axis, value, self.extent.units))
             .collect();
         titles.join(", ")
     }
@@ -131,14 +133,19 @@ impl Map<'_> {
         let is_of_parts = contents.iter().any(Content::is_of_parts);
         let others = self.extent.others.iter();
         let ranges = others.zip(&self.extent.other_ranges);
-        let over = ranges.map(|(&axis, &range)| words::range(axis, range));
+        let over = ranges.map(|(&axis, &range)| words::range(axis, range, self.extent.units));
         is_of_parts.then(|| words::scale(motion, self.manifest, self.extent.cases, over))
     }
 
     /// The marks within the range of the design, and a note on those that are not,
     /// such as a base's that were meant for other ranges.
     fn marks(&self, marks: &[MapMark]) -> (Vec<Mark>, Option<String>) {
-        let Extent { axes, ranges, .. } = &self.extent;
+        let Extent {
+            axes,
+            ranges,
+            units,
+            ..
+        } = &self.extent;
         let table = self.manifest.sweep.design.as_ref();
         let is_inside = |axis: usize, value: f64| {
             let of_design = table.and_then(|table| table.axes.get(&axes[axis])?.ends());
@@ -153,6 +160,6 @@ impl Map<'_> {
             name: mark.name.clone(),
             at: (mark.x, mark.y),
         });
-        (inside.collect(), words::left_out(&outside, *axes))
+        (inside.collect(), words::left_out(&outside, *axes, *units))
     }
 }

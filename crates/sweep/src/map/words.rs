@@ -4,7 +4,7 @@ use super::content::Content;
 use crate::output::{Manifest, Motion};
 use crate::plan::MapMark;
 use crate::plot::{Ground, Part, Symbol};
-use crate::quantities::Axis;
+use crate::quantities::{Axis, Units};
 
 /// Digits of a value that is one of a few, and exact but for rounding.
 const EXACT: usize = 10;
@@ -19,44 +19,39 @@ fn in_three(value: f64) -> String {
     in_digits(3, value)
 }
 
-/// The name of an axis and its unit, which is empty where it has none.
-fn name_and_unit(axis: Axis) -> (String, String) {
-    let title = axis.title();
-    match title.split_once(" (") {
-        Some((name, unit)) => (name.to_owned(), unit.trim_end_matches(')').to_owned()),
-        None => (title, String::new()),
-    }
-}
-
 /// A value with its unit.
-pub fn quantity(axis: Axis, value: f64) -> String {
-    let (_, unit) = name_and_unit(axis);
-    format!("{} {unit}", in_three(value)).trim_end().to_owned()
+pub fn quantity(axis: Axis, value: f64, units: Units) -> String {
+    let unit = axis.unit(units);
+    let number = in_three(unit.number(value));
+    format!("{number} {}", unit.name).trim_end().to_owned()
 }
 
 /// A range with its unit, or the one value.
-pub fn ends(axis: Axis, [low, high]: [f64; 2]) -> String {
-    let [from, to] = [in_three(low), quantity(axis, high)];
-    if from == in_three(high) {
-        to
+pub fn ends(axis: Axis, [low, high]: [f64; 2], units: Units) -> String {
+    let unit = axis.unit(units);
+    let [from, to] = [low, high].map(|end| in_three(unit.number(end)));
+    let high = quantity(axis, high, units);
+    if from == to {
+        high
     } else {
-        format!("{from} to {to}")
+        format!("{from} to {high}")
     }
 }
 
 /// An axis with one of its values.
-pub fn equation(axis: Axis, value: f64) -> String {
-    let (name, unit) = name_and_unit(axis);
-    let value = in_digits(EXACT, value);
-    format!("{name} = {value} {unit}").trim_end().to_owned()
+pub fn equation(axis: Axis, value: f64, units: Units) -> String {
+    let (name, unit) = (axis.words(units), axis.unit(units));
+    let value = in_digits(EXACT, unit.rounded(value));
+    let equation = format!("{name} = {value} {}", unit.name);
+    equation.trim_end().to_owned()
 }
 
 /// An axis with its range, within a sentence.
-pub fn range(axis: Axis, range: [f64; 2]) -> String {
-    let (name, _) = name_and_unit(axis);
+pub fn range(axis: Axis, range: [f64; 2], units: Units) -> String {
+    let name = axis.words(units);
     let first = name.chars().take(1).flat_map(char::to_lowercase);
     let name: String = first.chain(name.chars().skip(1)).collect();
-    format!("{name} from {}", ends(axis, range))
+    format!("{name} from {}", ends(axis, range, units))
 }
 
 /// What the symbols of a motion mean, `by_all` methods.
@@ -136,10 +131,13 @@ pub fn untold(contents: &[Content], motion: Motion) -> Option<String> {
 }
 
 /// The marks that are outside of the map.
-pub fn left_out(marks: &[&MapMark], [x, y]: [Axis; 2]) -> Option<String> {
+pub fn left_out(marks: &[&MapMark], [x, y]: [Axis; 2], units: Units) -> Option<String> {
     let marks: Vec<String> = (marks.iter())
         .map(|mark| {
-            let place = [quantity(x, mark.x), quantity(y, mark.y)].join(", ");
+            let place = [(x, mark.x), (y, mark.y)];
+            let place = place
+                .map(|(axis, value)| quantity(axis, value, units))
+                .join(", ");
             format!("{} ({place})", mark.name)
         })
         .collect();
@@ -170,14 +168,33 @@ mod tests {
 
     #[test]
     fn values_carry_their_units() {
-        assert_eq!(quantity(Axis::WeightOnBitKn, 123.456), "123 kN");
-        assert_eq!(quantity(Axis::Friction, -0.054321), "−0.0543");
-        assert_eq!(ends(Axis::TorqueDynamicNm, [1.0, 2e3]), "1 to 2000 N m");
-        assert_eq!(ends(Axis::SurfaceSpeedRpm, [40.0; 2]), "40 rpm");
-        let speed = equation(Axis::SurfaceSpeedRpm, 62.5);
+        let told = |axis, value| quantity(axis, value, Units::Si);
+        assert_eq!(told(Axis::WeightOnBitKn, 123.456), "123 kN");
+        assert_eq!(told(Axis::Friction, -0.054321), "−0.0543");
+        let torques = ends(Axis::TorqueDynamicNm, [1.0, 2e3], Units::Si);
+        assert_eq!(torques, "1 to 2000 N m");
+        let speeds = ends(Axis::SurfaceSpeedRpm, [40.0; 2], Units::Si);
+        assert_eq!(speeds, "40 rpm");
+        let speed = equation(Axis::SurfaceSpeedRpm, 62.5, Units::Si);
         assert_eq!(speed, "Surface speed Ω = 62.5 rpm");
-        let noisy = equation(Axis::Friction, -(0.1 + 0.2));
+        let noisy = equation(Axis::Friction, -(0.1 + 0.2), Units::Si);
         assert!(noisy.ends_with(" = −0.3"), "{noisy}");
+    }
+
+    #[test]
+    fn values_are_told_in_units_of_the_field() {
+        let units = Units::Field;
+        let weights = ends(Axis::WeightOnBitKn, [50.0, 200.0], units);
+        assert_eq!(weights, "11.2 to 45 klbf");
+        let weight = equation(Axis::WeightOnBitKn, 200.0, units);
+        assert_eq!(weight, "Weight on bit W = 44.962 klbf");
+        // As it may have been given, and what has no other unit.
+        let given = equation(Axis::WeightOnBitKn, 45.0 * 4.4482216152605, units);
+        assert_eq!(given, "Weight on bit W = 45 klbf");
+        let speed = equation(Axis::SurfaceSpeedRpm, 62.512345, units);
+        assert_eq!(speed, "Surface speed Ω = 62.512345 rpm");
+        let torques = range(Axis::TorqueDynamicNm, [0.0, 2e3], units);
+        assert_eq!(torques, "dynamic torque T_d from 0 to 1480 lbf ft");
     }
 
     #[test]

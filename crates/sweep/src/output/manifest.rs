@@ -200,7 +200,8 @@ impl Manifest {
 }
 
 /// What tells a run with these options from others: comments, key order, the spelling of
-/// numbers, titles and how the map is drawn do not matter; the cases of a list do.
+/// numbers, titles, units that are shown and how the map is drawn do not matter; the cases of a
+/// list do.
 ///
 /// # Errors
 /// None that a sweep that was read could cause.
@@ -220,6 +221,7 @@ fn fingerprint_of(
 ) -> Result<serde_json::Value> {
     let mut content = content.clone();
     content.title = None;
+    content.units = Default::default();
     content.map = Default::default();
     for section in &mut content.string.sections {
         section.name = None;

@@ -333,21 +333,22 @@ fn the_guide_lists_every_axis_with_its_range() {
     }
 }
 
-/// The table of field units has every ending that is known, with its factor.
+/// The table of field units has every ending that is known, with its unit and factor.
 #[test]
 fn field_units_are_those_of_the_program() {
     let chapter = PAGE.split("\n## Field units\n").nth(1).unwrap();
     let chapter = chapter.split("\n## ").next().unwrap();
     let cells = |line: &'static str| line.split('|').map(|cell| cell.trim().trim_matches('`'));
-    let mut told: Vec<(&str, &str, f64)> = (chapter.lines())
+    let mut told: Vec<([&str; 3], f64)> = (chapter.lines())
         .filter(|line| line.starts_with("| `"))
         .map(|line| cells(line).collect::<Vec<_>>())
-        .map(|cells| (cells[1], cells[5], cells[3].parse().unwrap()))
+        .map(|cells| ([cells[1], cells[2], cells[5]], cells[3].parse().unwrap()))
         .collect();
     for twin in &TWINS {
-        let place = told.iter().position(|&(ending, instead_of, factor)| {
+        let row = [twin.twin, twin.units[1].trim_matches('`'), twin.si];
+        let place = told.iter().position(|&(cells, factor)| {
             let off = factor / twin.factors[0] - 1.0;
-            (ending, instead_of) == (twin.twin, twin.si) && off.abs() < 1e-8
+            cells == row && off.abs() < 1e-8
         });
         told.remove(place.unwrap_or_else(|| panic!("{} of {}", twin.twin, twin.si)));
     }

@@ -25,35 +25,107 @@ pub struct Twin {
     pub si: &'static str,
     /// That in other units.
     pub twin: &'static str,
+    /// The units in words: that in SI, and the other.
+    pub units: [&'static str; 2],
     /// What numbers in these are multiplied by.
     pub factors: &'static [f64],
 }
 
-const fn twin(si: &'static str, twin: &'static str, factors: &'static [f64]) -> Twin {
-    Twin { si, twin, factors }
+const fn twin(
+    [si, twin]: [&'static str; 2],
+    units: [&'static str; 2],
+    factors: &'static [f64],
+) -> Twin {
+    Twin {
+        si,
+        twin,
+        units,
+        factors,
+    }
 }
 
-/// All of them; where several fit a name, the known names decide.
-pub const TWINS: [Twin; 18] = [
-    twin("_radius_m", "_diameter_in", &[0.5 * INCH]),
-    twin("_radius_m", "_diameter_mm", &[0.5e-3]),
-    twin("_m", "_in", &[INCH]),
-    twin("_m", "_ft", &[FOOT]),
-    twin("_mm", "_in", &[1e3 * INCH]),
-    twin("_kg", "_lb", &[POUND]),
-    twin("_kg_m3", "_ppg", &[POUND / GALLON]),
-    twin("_kg_m2", "_lb_ft2", &[POUND * FOOT * FOOT]),
-    twin("_knms_rad", "_klbf_ft_s_rad", &[POUND_FORCE * FOOT]),
-    twin("_knm_rad", "_klbf_ft_rad", &[POUND_FORCE * FOOT]),
-    twin("_kn", "_klbf", &[POUND_FORCE]),
-    twin("_ns", "_lbf_s", &[POUND_FORCE]),
-    twin("_nm", "_lbf_ft", &[POUND_FORCE * FOOT]),
-    twin("_nm_per_kn", "_lbf_ft_per_klbf", &[FOOT]),
-    twin("_kn_nm", "_klbf_lbf_ft", &[POUND_FORCE, POUND_FORCE * FOOT]),
-    twin("_nms_rad_m", "_lbf_s_rad", &[POUND_FORCE]),
-    twin("_mpa", "_psi", &[1e-6 * PSI]),
-    twin("_gpa", "_psi", &[1e-9 * PSI]),
+/// Lengths along the string, and deflections by a force.
+pub const LENGTH: Twin = twin(["_m", "_ft"], ["m", "ft"], &[FOOT]);
+
+/// Lengths across the borehole.
+pub const WIDTH: Twin = twin(["_mm", "_in"], ["mm", "in"], &[1e3 * INCH]);
+
+/// Moments of inertia.
+pub const INERTIA: Twin = twin(
+    ["_kg_m2", "_lb_ft2"],
+    ["kg m²", "lb ft²"],
+    &[POUND * FOOT * FOOT],
+);
+
+/// Torque per speed of rotation.
+pub const PROPORTIONAL_GAIN: Twin = twin(
+    ["_knms_rad", "_klbf_ft_s_rad"],
+    ["kN m s/rad", "klbf ft s/rad"],
+    &[POUND_FORCE * FOOT],
+);
+
+/// Torque per angle.
+pub const INTEGRAL_GAIN: Twin = twin(
+    ["_knm_rad", "_klbf_ft_rad"],
+    ["kN m/rad", "klbf ft/rad"],
+    &[POUND_FORCE * FOOT],
+);
+
+/// Forces and weights.
+pub const FORCE: Twin = twin(["_kn", "_klbf"], ["kN", "klbf"], &[POUND_FORCE]);
+
+/// Impulses.
+pub const IMPULSE: Twin = twin(["_ns", "_lbf_s"], ["N s", "lbf s"], &[POUND_FORCE]);
+
+/// Torques.
+pub const TORQUE: Twin = twin(["_nm", "_lbf_ft"], ["N m", "lbf ft"], &[POUND_FORCE * FOOT]);
+
+/// All of them. Where several fit a name that is read, the known names decide; what has a name
+/// is shown in the first that fits it by the longest ending.
+pub const TWINS: [Twin; 19] = [
+    twin(["_radius_m", "_diameter_in"], ["m", "in"], &[0.5 * INCH]),
+    twin(["_radius_m", "_diameter_mm"], ["m", "mm"], &[0.5e-3]),
+    LENGTH,
+    twin(["_m", "_in"], ["m", "in"], &[INCH]),
+    WIDTH,
+    twin(["_kg", "_lb"], ["kg", "lb"], &[POUND]),
+    twin(["_kg_m3", "_ppg"], ["kg/m³", "ppg"], &[POUND / GALLON]),
+    INERTIA,
+    PROPORTIONAL_GAIN,
+    INTEGRAL_GAIN,
+    FORCE,
+    IMPULSE,
+    TORQUE,
+    twin(
+        ["_nm_per_kn", "_lbf_ft_per_klbf"],
+        ["N m/kN", "lbf ft/klbf"],
+        &[FOOT],
+    ),
+    twin(
+        ["_kn_nm", "_klbf_lbf_ft"],
+        ["rows `[kN, N m]`", "rows `[klbf, lbf ft]`"],
+        &[POUND_FORCE, POUND_FORCE * FOOT],
+    ),
+    twin(
+        ["_nms_rad_m", "_lbf_s_rad"],
+        ["N m s/rad per m", "lbf s/rad"],
+        &[POUND_FORCE],
+    ),
+    twin(
+        ["_ns_m2", "_lbf_s_ft2"],
+        ["N s/m²", "lbf s/ft²"],
+        &[POUND_FORCE / (FOOT * FOOT)],
+    ),
+    twin(["_mpa", "_psi"], ["MPa", "psi"], &[1e-6 * PSI]),
+    twin(["_gpa", "_psi"], ["GPa", "psi"], &[1e-9 * PSI]),
 ];
+
+/// The twin that a name in SI units is shown as, if it has any.
+pub fn shown_as(name: &str) -> Option<&'static Twin> {
+    let fitting = TWINS.iter().filter(|twin| name.ends_with(twin.si));
+    // The last of equals is the greatest.
+    fitting.rev().max_by_key(|twin| twin.si.len())
+}
 
 /// Endings of columns of recorded quantities, that of the quantity in the program, and what
 /// numbers are multiplied by.
@@ -110,6 +182,7 @@ mod tests {
                 1.355817948 / 4.448221615,
             ),
             ("a_lbf_s_rad", "a_nms_rad_m", 4.448221615),
+            ("a_lbf_s_ft2", "a_ns_m2", 47.88025898),
             ("a_psi", "a_mpa", 0.006894757293),
             ("a_psi", "a_gpa", 0.000006894757293),
         ] {

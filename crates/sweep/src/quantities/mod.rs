@@ -1,16 +1,21 @@
 //! The quantities of a sweep that a design may vary: their names, units, ranges and
-//! symbols, in one table; and the field units that these and other numbers of a file may
-//! be given in, in another.
+//! symbols, in one table; and the field units that these and other numbers may be given and
+//! shown in, in another.
 
 mod axis;
 mod field_units;
 mod numbered;
 mod range;
 mod table;
+mod units;
 
 pub use axis::{Axis, StringAxis, TubeMeasure};
 #[cfg(test)]
 pub use field_units::TWINS;
-pub use field_units::{FOOT, INCH, POUND, POUND_FORCE, factor_of_recorded, in_si};
+pub use field_units::{
+    FOOT, FORCE, IMPULSE, INCH, INERTIA, INTEGRAL_GAIN, LENGTH, POUND, POUND_FORCE,
+    PROPORTIONAL_GAIN, TORQUE, WIDTH, factor_of_recorded, in_si,
+};
 pub use range::{in_digits, within};
 pub use table::LONGEST_STRING;
+pub use units::{Unit, Units};

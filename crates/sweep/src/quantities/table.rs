@@ -6,6 +6,7 @@ use super::axis::{Axis, StringAxis, TubeMeasure};
 use super::field_units::in_si;
 use super::numbered::{numbered, numbers_in};
 use super::range::{ValueError, within};
+use super::units::{Unit, Units};
 
 /// Longer than any borehole, m.
 pub const LONGEST_STRING: f64 = 2e4;
@@ -124,21 +125,44 @@ impl Axis {
         numbered(self.quantity().name, self.numbers())
     }
 
+    /// Its name as it is shown in some units.
+    pub fn name_in(self, units: Units) -> String {
+        let (name, _) = units.named(self.quantity().name);
+        numbered(&name, self.numbers())
+    }
+
+    /// The unit that its values are shown in.
+    pub fn unit(self, units: Units) -> Unit {
+        let Quantity { name, unit, .. } = self.quantity();
+        let twin = units.twin_of(name);
+        twin.map_or_else(|| Unit::unchanged(unit), |twin| units.of(twin))
+    }
+
     /// The symbol and, where it has one, the unit.
-    pub fn symbol(self) -> String {
-        let Quantity { letter, unit, .. } = self.quantity();
-        match (letter, unit) {
-            ("", _) => self.name(),
+    pub fn symbol(self, units: Units) -> String {
+        let (letter, unit) = (self.quantity().letter, self.unit(units).name);
+        match (letter, unit.as_str()) {
+            ("", _) => self.name_in(units),
             (_, "") => letter.to_owned(),
             _ if unit.contains(' ') => format!("{letter}/({unit})"),
             _ => format!("{letter}/{unit}"),
         }
     }
 
-    /// The title of a plot's axis.
-    pub fn title(self) -> String {
-        let Quantity { title, unit, .. } = self.quantity();
+    /// What it is, without a unit.
+    pub fn words(self, units: Units) -> String {
+        let Quantity { name, title, .. } = self.quantity();
         let title = numbered(title, self.numbers());
+        // Twins of radii are diameters.
+        match units.twin_of(name) {
+            Some(twin) if twin.twin.starts_with("_diameter") => title.replace("radius", "diameter"),
+            _ => title,
+        }
+    }
+
+    /// The title of a plot's axis.
+    pub fn title(self, units: Units) -> String {
+        let (title, unit) = (self.words(units), self.unit(units).name);
         if unit.is_empty() {
             title
         } else {
@@ -220,11 +244,42 @@ mod tests {
     #[test]
     fn symbols_and_titles_have_units() {
         let axis = |name| Axis::from_name(name).unwrap();
-        assert_eq!(axis("torque_dynamic_nm").symbol(), "T_d/(N m)");
-        assert_eq!(axis("surface_speed_rpm").symbol(), "Ω/rpm");
-        assert_eq!(axis("friction").title(), "Coefficient of friction μ₀");
+        let [torque, friction] = ["torque_dynamic_nm", "friction"].map(axis);
+        assert_eq!(torque.symbol(Units::Si), "T_d/(N m)");
+        assert_eq!(torque.symbol(Units::Field), "T_d/(lbf ft)");
+        assert_eq!(axis("surface_speed_rpm").symbol(Units::Field), "Ω/rpm");
+        assert_eq!(friction.title(Units::Si), "Coefficient of friction μ₀");
+        let weight = axis("weight_on_bit_kn");
+        assert_eq!(weight.title(Units::Field), "Weight on bit W (klbf)");
+        assert_eq!(weight.unit(Units::Field).rounded(200.0), 44.962);
         let tube = axis("section_1_part_2_length_m");
-        assert_eq!(tube.title(), "Length of section 1, part 2 (m)");
-        assert_eq!(tube.symbol(), "section_1_part_2_length_m");
+        assert_eq!(tube.title(Units::Si), "Length of section 1, part 2 (m)");
+        assert_eq!(tube.symbol(Units::Si), "section_1_part_2_length_m");
+        assert_eq!(tube.symbol(Units::Field), "section_1_part_2_length_ft");
+    }
+
+    #[test]
+    fn radii_are_shown_as_diameters() {
+        let radius = Axis::from_name("section_1_part_2_outer_radius_m").unwrap();
+        let title = "External diameter of section 1, part 2 (in)";
+        assert_eq!(radius.title(Units::Field), title);
+        let name = "section_1_part_2_outer_diameter_in";
+        assert_eq!(radius.name_in(Units::Field), name);
+        assert_eq!(radius.unit(Units::Field).rounded(0.0635), 5.0);
+    }
+
+    /// What is shown under a name is what the same name would be read as.
+    #[test]
+    fn every_axis_with_a_unit_is_shown_as_it_may_be_given() {
+        for axis in KINDS {
+            let Quantity { name, unit, .. } = axis.quantity();
+            let Some(twin) = Units::Field.twin_of(name) else {
+                assert!(["", "rpm"].contains(&unit), "{name} has no twin");
+                continue;
+            };
+            assert_eq!(twin.units[0], unit, "{name}");
+            let read = Axis::from_field_name(&axis.name_in(Units::Field));
+            assert_eq!(read, Some((axis, twin.factors[0])), "{name}");
+        }
     }
 }

@@ -9,9 +9,13 @@ use crate::words::short;
 /// The map with its axes and what the characters mean.
 pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Axis; 2]) -> String {
     let [columns, rows] = cells.size();
-    let [bottom, top] = extent.ranges[1].map(short);
+    let shown = |axis: Axis, ends: [f64; 2]| {
+        let unit = axis.unit(extent.units);
+        ends.map(|end| short(unit.number(end)))
+    };
+    let [bottom, top] = shown(y, extent.ranges[1]);
     let margin = bottom.len().max(top.len());
-    let mut text = format!("{}\n", y.title());
+    let mut text = format!("{}\n", y.title(extent.units));
     for row in (0..rows).rev() {
         let label = match row {
             0 => &bottom,
@@ -23,12 +27,12 @@ pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Ax
             .collect();
         text += &format!("{label:>margin$} |{}\n", line.trim_end());
     }
-    let [left, right] = extent.ranges[0].map(short);
+    let [left, right] = shown(x, extent.ranges[0]);
     let room = columns.saturating_sub(left.len() + right.len()).max(1);
     let indent = " ".repeat(margin);
     text += &format!("{indent} +{}\n", "-".repeat(columns));
     text += &format!("{indent}  {left}{}{right}\n", " ".repeat(room));
-    text += &format!("{indent}  {}\n\n", x.title());
+    text += &format!("{indent}  {}\n\n", x.title(extent.units));
     text += &legend(cells, motion);
     if cells.are_shared() {
         text += "A character stands for most of the cases in its cell.\n";

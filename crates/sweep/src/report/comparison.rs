@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::results::Results;
 use crate::output::{CaseRows, read_cases};
+use crate::quantities::Unit;
 use crate::words::short;
 
 /// Differing labels that are kept to be listed.
@@ -46,6 +47,10 @@ pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, Unlike
         return Ok(Err(Unlike::Axes));
     }
     let mut compared = Compared::default();
+    let axes = one.manifest.axes.iter();
+    let units: Vec<Unit> = axes
+        .map(|axis| axis.unit(one.manifest.sweep.units))
+        .collect();
     let cases = |of: &Results| read_cases(&of.tables.folder.join("labels.csv"), &one.manifest.axes);
     let mut others = cases(other)?;
     let mut theirs = others.next().transpose()?;
@@ -62,7 +67,7 @@ pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, Unlike
         if theirs.values != ours.values {
             return Ok(Err(Unlike::Values(ours.case)));
         }
-        compared.add(&ours, theirs);
+        compared.add(&ours, theirs, &units);
     }
     if compared.rows == 0 {
         return Ok(Err(Unlike::NoneInCommon));
@@ -71,7 +76,8 @@ pub fn compare(one: &Results, other: &Results) -> Result<Result<Compared, Unlike
 }
 
 impl Compared {
-    fn add(&mut self, ours: &CaseRows, theirs: &CaseRows) {
+    /// Adds a case, with values in the `units` of the axes.
+    fn add(&mut self, ours: &CaseRows, theirs: &CaseRows, units: &[Unit]) {
         for our in ours.rows.iter().filter(|row| row.labels.is_answer()) {
             let mut answers = theirs.rows.iter().filter(|row| row.labels.is_answer());
             let Some(their) = answers.find(|row| row.method == our.method) else {
@@ -83,7 +89,8 @@ impl Compared {
             }
             self.different += 1;
             if self.listed.len() < MOST_LISTED {
-                let values = ours.values.iter().map(|&value| short(value));
+                let values = ours.values.iter().zip(units);
+                let values = values.map(|(&value, unit)| short(unit.number(value)));
                 let labels = [our.labels.to_string(), their.labels.to_string()];
                 let case = [ours.case.to_string(), our.method.clone()];
                 let cells = case.into_iter().chain(values).chain(labels);

@@ -5,6 +5,7 @@ use super::document::{Block, NOTHING, Table, row_of, table_of};
 use super::results::Results;
 use crate::engine::is_unstable;
 use crate::output::MethodRecord;
+use crate::quantities::{IMPULSE, Unit};
 use crate::words::short;
 
 /// How long it took.
@@ -32,8 +33,10 @@ pub fn time(all: &[Results]) -> Vec<Block> {
         };
         let cells = vec![manifest.tally.rows.to_string(), threads, time];
         runs.rows.push(row_of(all, results, cells));
+        let impulse = manifest.sweep.units.of(&IMPULSE);
         for method in &manifest.methods {
-            systems.rows.push(row_of(all, results, system_row(method)));
+            let cells = system_row(method, &impulse);
+            systems.rows.push(row_of(all, results, cells));
         }
     }
     let mut blocks = vec![Block::Table(runs), Block::Table(systems)];
@@ -48,14 +51,16 @@ pub fn time(all: &[Results]) -> Vec<Block> {
     blocks
 }
 
-fn system_row(method: &MethodRecord) -> Vec<String> {
+/// A method with its I₀ in a unit.
+fn system_row(method: &MethodRecord, impulse: &Unit) -> Vec<String> {
     let margin = |margin: Option<f64>| match margin {
         None => NOTHING.to_owned(),
         Some(margin) if is_unstable(margin) => format!("{}: chatters", short(margin)),
         Some(margin) => short(margin),
     };
     let impulses = method.least_impulses_ns.iter();
-    let impulses = impulses.map(|least| format!("{} N s", short(*least)));
+    let impulses =
+        impulses.map(|least| format!("{} {}", short(impulse.number(*least)), impulse.name));
     let impulses = impulses.collect::<Vec<_>>().join(", ");
     let known = |text: Option<String>| text.unwrap_or_else(|| NOTHING.to_owned());
     vec![

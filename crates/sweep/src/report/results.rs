@@ -120,7 +120,7 @@ impl MapCells {
                 folder.display()
             );
         };
-        let extent = Extent::of(labels, axes, Vec::new())?;
+        let extent = Extent::of(labels, axes, Vec::new(), manifest.sweep.units)?;
         let motions = extent.motions.iter();
         Ok(Some(Self {
             cells: motions

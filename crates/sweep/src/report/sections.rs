@@ -197,7 +197,8 @@ fn agreement(all: &[Results]) -> Vec<Block> {
 fn differing_cases(all: &[Results], results: &Results) -> Table {
     let agreement = &results.agreement;
     let mut header = vec!["case".to_owned()];
-    header.extend(results.manifest.axes.iter().map(|axis| axis.name()));
+    let (axes, units) = (&results.manifest.axes, results.manifest.sweep.units);
+    header.extend(axes.iter().map(|axis| axis.name_in(units)));
     header.extend(results.methods().into_iter().map(str::to_owned));
     let caption = format!(
         "Cases on which the methods differ{}",
@@ -206,7 +207,8 @@ fn differing_cases(all: &[Results], results: &Results) -> Table {
     let mut table = Table::new(named(all, results, caption), header);
     for case in &agreement.listed {
         let mut cells = vec![case.case.to_string()];
-        cells.extend(case.values.iter().map(|&value| short(value)));
+        let values = axes.iter().zip(&case.values);
+        cells.extend(values.map(|(axis, &value)| short(axis.unit(units).number(value))));
         cells.extend(results.methods().into_iter().map(|method| {
             let row = case.rows.iter().find(|row| row.method == method);
             row.map_or_else(|| NOTHING.to_owned(), |row| row.labels.to_string())
@@ -310,7 +312,8 @@ fn between(all: &[Results], comparisons: &[Result<Compared, Unlike>]) -> Vec<Blo
             continue;
         }
         let mut header = ["case", "method"].map(str::to_owned).to_vec();
-        header.extend(first.manifest.axes.iter().map(|axis| axis.name()));
+        let units = first.manifest.sweep.units;
+        header.extend((first.manifest.axes.iter()).map(|axis| axis.name_in(units)));
         header.extend([&first.name, &other.name].map(String::clone));
         let listed = extent(compared.listed.len(), compared.different);
         let mut table = Table::new(format!("Labels that differ{listed}"), header);

@@ -13,6 +13,7 @@ use super::number_or::{Accuracy, AutoOr, is_zero};
 use super::string::StringTable;
 use super::top_drive::TopDriveTable;
 use super::well::{AxialForceTable, MudTable, StringFrictionTable, WellTable};
+use crate::quantities::Units;
 
 /// A sweep file, its bases merged in, as it is written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -20,6 +21,9 @@ use super::well::{AxialForceTable, MudTable, StringFrictionTable, WellTable};
 pub struct FileContent {
     /// One line for pictures and reports; by default the file's name.
     pub title: Option<String>,
+    /// What pictures, reports and words are in. Default: SI units.
+    #[serde(default, skip_serializing_if = "Units::are_si")]
+    pub units: Units,
     /// The drillstring.
     pub string: StringTable,
     /// Surface speed that is set, unless an axis gives it.

@@ -5,7 +5,7 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 22] = [
+const KEYS: [&str; 23] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
@@ -22,6 +22,7 @@ const KEYS: [&str; 22] = [
     "integral_gain_knm_rad",
     "poor_cleaning_from_kn",
     "amount_ns",
+    "damping_ns_m2",
     "poor_cleaning_nm_per_kn",
     "table_kn_nm",
     "specific_energy_mpa",

@@ -7,7 +7,7 @@ use linear::estimates::{
 
 use crate::engine::{MethodSystem, Survey, is_unstable};
 use crate::plan::{Choice, POUND_PER_FOOT, Sweep};
-use crate::quantities::INCH;
+use crate::quantities::{FORCE, IMPULSE, INCH, LENGTH, TORQUE, Unit, Units};
 use crate::sweep_file::{AutoOr, per_cent};
 use crate::words::{counted, short, wrapped};
 
@@ -21,7 +21,10 @@ pub(super) fn row(depth: usize, title: &str, value: &str) -> String {
 pub fn describe_string(sweep: &Sweep) -> String {
     let string = &sweep.setting.string;
     let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2) + "\nstring\n";
-    text += &row(2, "length", &format!("{:.3} m", string.length()));
+    let units = sweep.content.units;
+    let (length, torque) = (units.of(&LENGTH), units.of(&TORQUE));
+    let [second, radian] = ["s", "rad"].map(Unit::unchanged);
+    text += &row(2, "length", &length.text(string.length(), 3));
     text += &part_lines(sweep);
     text += &sheet_lines(sweep);
     let stiffness = torsional_stiffness(string);
@@ -38,9 +41,9 @@ pub fn describe_string(sweep: &Sweep) -> String {
     for (title, value) in [
         (
             "torsional stiffness k_eff",
-            format!("{stiffness:.1} N m/rad"),
+            torque.per(&radian).text(stiffness, 1),
         ),
-        ("torsional wave speed", format!("{speed:.1} m/s")),
+        ("torsional wave speed", length.per(&second).text(speed, 1)),
         (
             "travel time to the bit",
             format!("{travel:.4} s, and back {:.4} s", 2.0 * travel),
@@ -68,6 +71,10 @@ pub fn describe_well(sweep: &Sweep) -> String {
     let Some(friction) = &sweep.setting.friction else {
         return String::new();
     };
+    let (force, torque) = (
+        sweep.content.units.of(&FORCE),
+        sweep.content.units.of(&TORQUE).kilo(),
+    );
     let weight = sweep.conditions.weight_on_bit_kn.unwrap_or(0.0);
     let [off_bottom, on_bottom] =
         [0.0, 1e3 * weight].map(|weight| 1e-3 * friction.torque_to_turn(weight));
@@ -78,15 +85,19 @@ pub fn describe_well(sweep: &Sweep) -> String {
         ),
         (
             "weight along the well",
-            format!("{:.1} kN off bottom", 1e-3 * friction.hook_load()),
+            format!("{} off bottom", force.text(1e-3 * friction.hook_load(), 1)),
         ),
         (
             "torque to turn it",
-            format!("{off_bottom:.2} kN m off bottom, per coefficient of friction"),
+            format!(
+                "{} off bottom, per coefficient of friction",
+                torque.text(off_bottom, 2)
+            ),
         ),
     ];
     if weight > 0.0 {
-        let value = format!("{on_bottom:.2} kN m at {weight} kN on the bit");
+        let (torque, weight) = (torque.text(on_bottom, 2), force.rounded(weight));
+        let value = format!("{torque} at {weight} {} on the bit", force.name);
         rows.push(("", value));
     }
     rows.push((
@@ -99,13 +110,16 @@ pub fn describe_well(sweep: &Sweep) -> String {
 
 /// The parts of the string from the surface down, as on a BHA sheet.
 fn part_lines(sweep: &Sweep) -> String {
-    let mut text = String::from(
+    let length = sweep.content.units.of(&LENGTH);
+    let mut text = format!(
         "    outer diameter      inner diameter      mass               length\n    \
-         mm         in       mm         in       kg/m      lb/ft    m\n",
+         mm         in       mm         in       kg/m      lb/ft    {}\n",
+        length.name
     );
     let sections = sweep.setting.string.sections().iter();
     for (section, table) in sections.zip(&sweep.content.string.sections) {
-        let mut title = format!("{} × {:.3} m", section.repeat, section.cell_length());
+        let cell = length.text(section.cell_length(), 3);
+        let mut title = format!("{} × {cell}", section.repeat);
         if let Some(name) = &table.name {
             title += &format!(", {name}");
         }
@@ -117,7 +131,8 @@ fn part_lines(sweep: &Sweep) -> String {
             }
             let mass = sweep.mass_per_length(part);
             let pounds = mass / POUND_PER_FOOT;
-            text += &format!("  {mass:<8.1}  {pounds:<7.1}  {:.3}\n", part.length);
+            let (length, decimals) = (length.number(part.length), length.decimals(3));
+            text += &format!("  {mass:<8.1}  {pounds:<7.1}  {length:.decimals$}\n");
         }
     }
     text
@@ -133,7 +148,11 @@ fn sheet_lines(sweep: &Sweep) -> String {
         sheet.file
     );
     let mut text = wrapped(&title, 2, 4);
-    text.extend(sheet.lines().map(|line| wrapped(&line, 4, 6)));
+    text.extend(
+        sheet
+            .lines(sweep.content.units)
+            .map(|line| wrapped(&line, 4, 6)),
+    );
     text
 }
 
@@ -151,11 +170,14 @@ fn describe_choice(choice: &Choice) -> String {
 }
 
 /// Each method's responses, and whether they are stable in sticking.
-pub fn describe_methods(systems: &[MethodSystem]) -> String {
-    "\nmethods\n".to_owned() + &systems.iter().map(method_lines).collect::<String>()
+pub fn describe_methods(systems: &[MethodSystem], units: Units) -> String {
+    let lines = systems.iter().map(|system| method_lines(system, units));
+    "\nmethods\n".to_owned() + &lines.collect::<String>()
 }
 
-fn method_lines(system: &MethodSystem) -> String {
+fn method_lines(system: &MethodSystem, units: Units) -> String {
+    let (torque, impulse) = (units.of(&TORQUE), units.of(&IMPULSE));
+    let mobility = Unit::unchanged("rad/s").per(&torque);
     let mut text = format!(
         "  {}: {} ({:.2} s), built in {:.3} s\n",
         system.method.name(),
@@ -168,19 +190,20 @@ fn method_lines(system: &MethodSystem) -> String {
             ("A(0) at the bit", taps[0]),
             ("undershoot Δ (Eq. 75)", largest_undershoot(taps)),
         ] {
-            text += &row(4, title, &format!("{value:.4e} rad/s per N m"));
+            let value = format!("{:.4e} {}", mobility.number(value), mobility.name);
+            text += &row(4, title, &value);
         }
     }
     if let Some(front) = system.front {
         let value = format!(
             "{:.4e}: {:+.1} % here",
-            front.exact,
+            mobility.number(front.exact),
             100.0 * front.overshoot()
         );
         text += &row(4, "exactly", &value);
     }
     for least in &system.least_impulses {
-        text += &row(4, "least impulse I₀", &format!("{least:.1} N s"));
+        text += &row(4, "least impulse I₀", &impulse.text(*least, 1));
     }
     for (margin, what) in [
         (system.torsion_margin, "torsion"),

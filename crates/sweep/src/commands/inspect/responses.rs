@@ -9,6 +9,7 @@ use linear::waves::network::TorsionNetwork;
 use crate::engine::MethodSystem;
 use crate::plan::{LateralSettings, Sweep};
 use crate::plot::{Axis, Panel, Picture, Series, panels};
+use crate::quantities::{FORCE, IMPULSE, LENGTH, TORQUE, Unit};
 use crate::words::site_title;
 
 /// Points of the frequency response drawn.
@@ -35,16 +36,21 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>
         }),
     ];
     if sweep.bit.is_some() {
-        let label = "Bit speed / torque (10⁻⁵ rad/s per N m)";
-        list.push(time_panel("t", label, systems, &|system| {
-            Some(step_response(system.driving_point()?, 1e5, sweep))
+        let unit = Unit::unchanged("rad/s").per(&sweep.content.units.of(&TORQUE));
+        let label = format!("Bit speed / torque (10⁻⁵ {})", unit.name);
+        let factor = unit.number(1e5);
+        list.push(time_panel("t", &label, systems, &|system| {
+            Some(step_response(system.driving_point()?, factor, sweep))
         }));
     }
     if let Some(lateral) = &sweep.setting.lateral {
         let bit = sweep.setting.sites.len() - 1;
-        let site = site_title(sweep.setting.sites.distances_from_bit()[bit]);
+        let units = sweep.content.units;
+        let site = site_title(sweep.setting.sites.distances_from_bit()[bit], units);
         list.push(receptance_panel(sweep, lateral, &site)?);
-        let label = format!("Displacement at {site} (10⁻⁵ m per N s)");
+        let unit = units.of(&LENGTH).per(&units.of(&IMPULSE));
+        let label = format!("Displacement at {site} (10⁻⁵ {})", unit.name);
+        let factor = unit.number(1e5);
         // Longer than the steps above, so with a range of its own.
         list.push(time_panel(
             "after the impulse t",
@@ -52,7 +58,7 @@ fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>
             systems,
             &|system| {
                 let taps = system.responses.bending()?.taps_between(bit, bit)?;
-                Some(impulse_response(taps, 1e5, sweep))
+                Some(impulse_response(taps, factor, sweep))
             },
         ));
     }
@@ -99,9 +105,11 @@ fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Res
         &sweep.setting.sites,
     )?;
     let lowest = sweep.setting.sites.len() - 1;
-    let label = format!("|displacement / force| at {site} (m/N)");
+    let units = sweep.content.units;
+    let unit = units.of(&LENGTH).per(&units.of(&FORCE).without_kilo());
+    let label = format!("|displacement / force| at {site} ({})", unit.name);
     Ok(exact_panel(&label, sweep, &|frequency| {
-        network.at_rate(TAU * frequency)[(lowest, lowest)].norm()
+        unit.number(network.at_rate(TAU * frequency)[(lowest, lowest)].norm())
     }))
 }
 

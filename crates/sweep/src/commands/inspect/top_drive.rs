@@ -10,6 +10,7 @@ use linear::{Drillstring, TopDrive};
 
 use super::description::row;
 use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
+use crate::quantities::{INERTIA, INTEGRAL_GAIN, PROPORTIONAL_GAIN, Units};
 use crate::words::short;
 
 /// Modes that are shown.
@@ -58,23 +59,36 @@ impl<'a> DriveView<'a> {
     }
 
     /// Its numbers.
-    pub fn words(&self) -> String {
+    pub fn words(&self, units: Units) -> String {
         let FirstMode { frequency, inertia } = self.first;
         let uppermost = &self.string.sections()[0].parts[0];
-        let impedance = 1e-3 * torsional_impedance(self.string, uppermost);
-        let gains = [self.drive.proportional_gain, self.drive.integral_gain];
-        let [proportional, integral] = gains.map(|gain| short(1e-3 * gain));
+        let [inertia_unit, gain, integral_gain] =
+            [&INERTIA, &PROPORTIONAL_GAIN, &INTEGRAL_GAIN].map(|twin| units.of(twin));
+        let impedance = gain.number(1e-3 * torsional_impedance(self.string, uppermost));
+        let proportional = short(gain.number(1e-3 * self.drive.proportional_gain));
+        let integral = short(integral_gain.number(1e-3 * self.drive.integral_gain));
+        let of_drive = short(inertia_unit.number(self.drive.inertia));
         let mut text = "\ntop drive\n".to_owned();
         for (title, value) in [
-            ("inertia", format!("{} kg m²", short(self.drive.inertia))),
+            ("inertia", format!("{of_drive} {}", inertia_unit.name)),
             (
                 "proportional gain K_p",
-                format!("{proportional} kN m s/rad; impedance of the pipe {impedance:.3}"),
+                format!(
+                    "{proportional} {}; impedance of the pipe {impedance:.3}",
+                    gain.name
+                ),
             ),
-            ("integral gain K_i", format!("{integral} kN m/rad")),
+            (
+                "integral gain K_i",
+                format!("{integral} {}", integral_gain.name),
+            ),
             (
                 "first mode, surface held",
-                format!("{} Hz, {inertia:.0} kg m²", short(frequency / TAU)),
+                format!(
+                    "{} Hz, {}",
+                    short(frequency / TAU),
+                    inertia_unit.text(inertia, 0)
+                ),
             ),
             (
                 "of a wave, then comes back",

@@ -4,8 +4,7 @@
 use toml::{Table, Value};
 
 use super::rows::Row;
-use crate::quantities::INCH;
-use crate::quantities::{Axis, StringAxis, TubeMeasure};
+use crate::quantities::{Axis, INCH, LENGTH, StringAxis, TubeMeasure, Units};
 
 /// Length of a joint where the sheet does not count them: 31½ ft, range 2 with its tool
 /// joints, m.
@@ -78,7 +77,7 @@ struct Part {
 
 impl Told {
     /// What its weight comes to, where it has one that is not that of its dimensions.
-    pub fn words(&self) -> Option<String> {
+    pub fn words(&self, units: Units) -> Option<String> {
         let per_cent = 100.0 * self.excess.filter(|excess| excess.abs() > SAME_WEIGHT)?;
         let weight = match per_cent {
             more if more >= 0.0 => format!("{more:.1} % more"),
@@ -92,8 +91,9 @@ impl Told {
                 length,
                 joints,
             } => format!(
-                "{differs}: {joints} tool joints of {:.2} in, {length:.2} m long, make up for it",
-                outer_diameter / INCH
+                "{differs}: {joints} tool joints of {:.2} in, {} long, make up for it",
+                outer_diameter / INCH,
+                units.of(&LENGTH).text(length, 2)
             ),
         })
     }

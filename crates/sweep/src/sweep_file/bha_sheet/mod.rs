@@ -11,6 +11,7 @@ use toml::Value;
 
 use super::error::SweepFileError;
 use super::source::{Source, TextOf};
+use crate::quantities::Units;
 use crate::sweep_file::cells::Cells;
 use columns::Columns;
 use rows::{Row, rows_of};
@@ -67,17 +68,17 @@ pub fn put_sections(
 
 impl SheetNotes {
     /// What the weights of rows come to that are not those of their dimensions.
-    pub fn lines(&self) -> impl Iterator<Item = String> {
-        let words = |row: &Told| Some(format!("{}: {}", row.name, row.words()?));
+    pub fn lines(&self, units: Units) -> impl Iterator<Item = String> {
+        let words = move |row: &Told| Some(format!("{}: {}", row.name, row.words(units)?));
         self.rows.iter().filter_map(words)
     }
 
     /// What is doubtful, each with its place.
-    pub fn doubts(&self) -> impl Iterator<Item = String> {
+    pub fn doubts(&self, units: Units) -> impl Iterator<Item = String> {
         let doubtful = self.rows.iter().filter(|row| row.is_doubtful());
-        let rows = doubtful.filter_map(|row| {
+        let rows = doubtful.filter_map(move |row| {
             let (file, line, name) = (&self.file, row.line, &row.name);
-            Some(format!("{file}:{line}: {name}: {}", row.words()?))
+            Some(format!("{file}:{line}: {name}: {}", row.words(units)?))
         });
         let passed_over = (!self.passed_over.is_empty()).then(|| {
             let names = self.passed_over.join("`, `");
