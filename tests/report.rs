@@ -8,6 +8,8 @@ mod page;
 mod support;
 #[path = "support/tables.rs"]
 mod tables;
+#[path = "report/units.rs"]
+mod units;
 
 use support::{Answer, SMALL, Workplace, small_with_design, with};
 use tables::write_table;

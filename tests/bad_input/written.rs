@@ -73,6 +73,18 @@ fn a_value_of_another_type_is_refused() {
         count = 3 => count = -3 | design.axes.surface_speed_rpm.count | expected a whole number, zero or more, found
         repeat = 10 => repeat = 1e1 | string.sections[0].repeat | expected a whole number, zero or more, found
         title = "A small sweep" => title = 9 | title | expected a string
+        title = "A small sweep" => units = 9 | units | expected a string
+        "#,
+    );
+}
+
+#[test]
+fn a_choice_that_is_none_is_refused() {
+    each_is_refused(
+        r#"
+        title = "A small sweep" => units = "feild" | units | unknown choice `feild`; did you mean `field`?
+        title = "A small sweep" => units = "imperial" | units | unknown choice `imperial`; known here: si, field
+        title = "A small sweep" => units = "SI" | units | unknown choice `SI`
         "#,
     );
 }
