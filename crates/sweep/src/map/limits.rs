@@ -335,6 +335,23 @@ mod tests {
     }
 
     #[test]
+    fn a_limit_out_of_view_is_told_in_units_of_the_field() {
+        let curve = Curve {
+            name: "Eq. 74".to_owned(),
+            motion: Motion::Torsion,
+            along: Axis::WeightOnBitKn,
+            limited: Axis::SurfaceSpeedRpm,
+            pieces: vec![vec![[50.0, 30.0], [200.0, 120.0]]],
+        };
+        let weight = (Axis::WeightOnBitKn, [50.0, 200.0]);
+        let mut map = view(weight, (Axis::SurfaceSpeedRpm, [150.0, 180.0]));
+        map.units = Units::Field;
+        let limits = Limits::of(&[&curve], &map, |_| [0.0; 2]);
+        let note = "Eq. 74: limit 120 rpm at 45 klbf, below this map; margin 30 rpm";
+        assert_eq!(limits.notes, [note]);
+    }
+
+    #[test]
     fn a_limit_at_the_one_speed_of_a_map_is_drawn_across_its_room() {
         let speed = (Axis::SurfaceSpeedRpm, [60.0; 2]);
         let points = [[60.0, 1.5]; 3];

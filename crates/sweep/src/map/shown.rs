@@ -21,3 +21,57 @@ pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
         (lines.flat_map(|line| &mut line.points)).for_each(place);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::{Axis, Band, Ground, MapCell, MapGroup, MapPanel, MapPoint, Mark};
+    use crate::plot::{Series, Symbol};
+    use crate::quantities::{FORCE, Units};
+
+    /// 4.4482216152605 kN are one klbf.
+    #[test]
+    fn everything_on_a_map_is_in_the_units_of_its_axes() {
+        let (at, ends) = ((4.4482216152605, 60.0), [[4.4482216152605; 2], [60.0; 2]]);
+        let name = String::new;
+        let ground = Ground::Symbol(Symbol::Cross);
+        let panel = MapPanel {
+            title: name(),
+            cells: vec![MapCell { ends, ground }],
+            points: vec![MapPoint {
+                at,
+                symbol: Symbol::Cross,
+            }],
+            lines: vec![Series {
+                name: name(),
+                points: vec![at],
+            }],
+            bands: vec![Band { name: name(), ends }],
+        };
+        let mut sheet = MapSheet {
+            title: name(),
+            axes: ["", ""].map(Axis::linear),
+            marks: vec![Mark { name: name(), at }],
+            groups: vec![MapGroup {
+                heading: name(),
+                scale: None,
+                keys: Vec::new(),
+                notes: Vec::new(),
+                panels: vec![panel],
+            }],
+        };
+        show_in(
+            &mut sheet,
+            [Units::Field.of(&FORCE), Unit::unchanged("rpm")],
+        );
+        let panel = &sheet.groups[0].panels[0];
+        let places = [
+            sheet.marks[0].at,
+            panel.points[0].at,
+            panel.lines[0].points[0],
+        ];
+        assert_eq!(places, [(1.0, 60.0); 3]);
+        let ranges = [panel.cells[0].ends, panel.bands[0].ends];
+        assert_eq!(ranges, [[[1.0; 2], [60.0; 2]]; 2]);
+    }
+}

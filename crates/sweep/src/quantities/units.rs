@@ -23,7 +23,7 @@ pub enum Units {
 pub struct Unit {
     /// Its name; empty where numbers have none.
     pub name: String,
-    /// It in the unit in SI.
+    /// How much of the unit in SI it is.
     size: f64,
 }
 
@@ -54,7 +54,8 @@ impl Units {
         }
     }
 
-    /// A name that ends in an SI unit as it is in these, and the unit.
+    /// A name that ends in an SI unit as it ends in these, and the unit; where that is the same
+    /// one, it has no name.
     pub fn named(self, name: &str) -> (String, Unit) {
         let renamed = self.twin_of(name).and_then(|twin| {
             let stem = name.strip_suffix(twin.si)?;

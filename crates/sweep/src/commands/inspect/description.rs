@@ -71,10 +71,8 @@ pub fn describe_well(sweep: &Sweep) -> String {
     let Some(friction) = &sweep.setting.friction else {
         return String::new();
     };
-    let (force, torque) = (
-        sweep.content.units.of(&FORCE),
-        sweep.content.units.of(&TORQUE).kilo(),
-    );
+    let units = sweep.content.units;
+    let (force, torque) = (units.of(&FORCE), units.of(&TORQUE).kilo());
     let weight = sweep.conditions.weight_on_bit_kn.unwrap_or(0.0);
     let [off_bottom, on_bottom] =
         [0.0, 1e3 * weight].map(|weight| 1e-3 * friction.torque_to_turn(weight));
@@ -148,11 +146,8 @@ fn sheet_lines(sweep: &Sweep) -> String {
         sheet.file
     );
     let mut text = wrapped(&title, 2, 4);
-    text.extend(
-        sheet
-            .lines(sweep.content.units)
-            .map(|line| wrapped(&line, 4, 6)),
-    );
+    let lines = sheet.lines(sweep.content.units);
+    text.extend(lines.map(|line| wrapped(&line, 4, 6)));
     text
 }
 
