@@ -146,12 +146,15 @@ pub fn factor_of_recorded(column: &str, unit: &str) -> Option<f64> {
     found.map(|(_, _, factor)| *factor)
 }
 
-/// The known name that this one is a twin of, and the factors of its numbers.
+/// The known name that this one is a twin of, and the factors of its numbers. What ends in a
+/// unit of which the ending is a part, as metres are of `_nms_rad_m`, is in another unit.
 pub fn in_si(name: &str, is_known: impl Fn(&str) -> bool) -> Option<(String, &'static [f64])> {
     TWINS.iter().find_map(|twin| {
         let stem = name.strip_suffix(twin.twin)?;
         let known = format!("{stem}{}", twin.si);
-        is_known(&known).then_some((known, twin.factors))
+        let own = shown_as(&known)?;
+        let is_whole = own.units[0] == twin.units[0];
+        (is_whole && is_known(&known)).then_some((known, twin.factors))
     })
 }
 
@@ -192,5 +195,12 @@ mod tests {
         }
         assert!(in_si("a_furlong", |_| true).is_none());
         assert!(in_si("a_in", |name| name == "b_m").is_none());
+        for (part_of_a_unit, known) in [
+            ("a_nms_rad_ft", "a_nms_rad_m"),
+            ("a_nm_per_klbf", "a_nm_per_kn"),
+            ("a_kn_lbf_ft", "a_kn_nm"),
+        ] {
+            assert!(in_si(part_of_a_unit, |name| name == known).is_none());
+        }
     }
 }

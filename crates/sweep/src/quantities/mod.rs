@@ -10,12 +10,12 @@ mod table;
 mod units;
 
 pub use axis::{Axis, StringAxis, TubeMeasure};
-#[cfg(test)]
-pub use field_units::TWINS;
 pub use field_units::{
     FOOT, FORCE, IMPULSE, INCH, INERTIA, INTEGRAL_GAIN, LENGTH, POUND, POUND_FORCE,
     PROPORTIONAL_GAIN, TORQUE, WIDTH, factor_of_recorded, in_si,
 };
+#[cfg(test)]
+pub use field_units::{TWINS, shown_as};
 pub use range::{in_digits, within};
 pub use table::LONGEST_STRING;
 pub use units::{Unit, Units};
