@@ -140,12 +140,7 @@ impl Map<'_> {
     /// The marks within the range of the design, and a note on those that are not,
     /// such as a base's that were meant for other ranges.
     fn marks(&self, marks: &[MapMark]) -> (Vec<Mark>, Option<String>) {
-        let Extent {
-            axes,
-            ranges,
-            units,
-            ..
-        } = &self.extent;
+        let Extent { axes, ranges, .. } = &self.extent;
         let table = self.manifest.sweep.design.as_ref();
         let is_inside = |axis: usize, value: f64| {
             let of_design = table.and_then(|table| table.axes.get(&axes[axis])?.ends());
@@ -160,6 +155,7 @@ impl Map<'_> {
             name: mark.name.clone(),
             at: (mark.x, mark.y),
         });
-        (inside.collect(), words::left_out(&outside, *axes, *units))
+        let note = words::left_out(&outside, *axes, self.extent.units);
+        (inside.collect(), note)
     }
 }
