@@ -107,7 +107,7 @@ fn inspect_says_what_pulls_and_when_it_buckles() {
     assert_eq!(output.code, 0, "{}", output.errors);
     for words in [
         "axial force",
-        "kN, of which 15 on the bit",
+        "kN, of which 15.0 kN on the bit",
         "m above the bit",
         "kN on the bit on",
     ] {

@@ -4,6 +4,7 @@ use linear::BuildError;
 
 use super::description::row;
 use crate::plan::Sweep;
+use crate::quantities::{FORCE, LENGTH};
 
 /// The axial force along the string, where it is modelled.
 ///
@@ -14,23 +15,25 @@ pub fn describe_axial_force(sweep: &Sweep) -> Result<String, BuildError> {
     let (Some(hanging), Some(lateral)) = (&setting.hanging, &setting.lateral) else {
         return Ok(String::new());
     };
-    let weight = sweep.conditions.weight_on_bit_kn.unwrap_or(0.0);
+    let units = sweep.content.units;
+    let (force, length) = (units.of(&FORCE), units.of(&LENGTH));
+    let on_bit = force.text(sweep.conditions.weight_on_bit_kn.unwrap_or(0.0), 1);
     let buckles = match hanging.buckling_weight(&setting.string, lateral)? {
-        Some(weight) => format!("from {:.1} kN on the bit on", 1e-3 * weight),
+        Some(weight) => format!("from {} on the bit on", force.text(1e-3 * weight, 1)),
         None => "under its own weight".to_owned(),
     };
-    let hook_load = 1e-3 * hanging.string.weight();
+    let weight = force.text(1e-3 * hanging.string.weight(), 1);
     let pieces = setting.string.axial_force();
     let pushed = pieces.iter().filter(|piece| piece.tension < 0.0);
     let compressed = pushed.fold(0.0, |length, piece| length + piece.length);
     let rows = [
         (
             "weight along the well",
-            format!("{hook_load:.1} kN, of which {weight} on the bit"),
+            format!("{weight}, of which {on_bit} on the bit"),
         ),
         (
             "under compression",
-            format!("{compressed:.1} m above the bit"),
+            format!("{} above the bit", length.text(compressed, 1)),
         ),
         ("buckles", buckles),
         ("pieces of constant force", pieces.len().to_string()),
