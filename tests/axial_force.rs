@@ -1,5 +1,5 @@
-//! The axial force as a user meets it: a grid over the weight on bit, strings that buckle, and files
-//! that are wrong.
+//! The axial force and the hole as a user meets them: a grid over the weight on bit, strings that
+//! buckle, a hole in sections, and files that are wrong.
 
 #[allow(dead_code, reason = "its small sweep is for other tests")]
 mod support;
@@ -160,6 +160,68 @@ fn what_is_wrong_is_told_by_its_key() {
         ),
     ] {
         written(&place, &text);
+        let output = place.sweep(&["run", "hanging.toml", "--out", "out"]);
+        assert_eq!(output.code, 2, "{key}: {}", output.errors);
+        for part in ["hanging.toml:", key, words] {
+            assert!(output.errors.contains(part), "{part}: {}", output.errors);
+        }
+    }
+}
+
+/// The same string in mud, in a hole of these sections.
+fn in_holes(sections: &str) -> String {
+    let mud = format!("[mud]\ndensity_kg_m3 = 1500\n[well]\nholes = [{sections}]\n[wall]");
+    HANGING
+        .replace("[axial_force]\n", "")
+        .replace("[wall]", &mud)
+}
+
+#[test]
+fn sections_of_hole_are_those_that_the_string_is_in() {
+    let place = Workplace::new();
+    let labels = |text: &str| {
+        written(&place, text);
+        let output = place.sweep(&["simulate", "hanging.toml", "--case", "2", "--out", "out"]);
+        assert_eq!(output.code, 0, "{}", output.errors);
+        std::fs::read_to_string(place.path("out/case.csv")).unwrap()
+    };
+    let whole = labels(&in_holes(
+        "{ from_m = 0, to_m = 400, hole_radius_m = 0.127 }",
+    ));
+    let more = "{ from_m = 0, to_ft = 2000, hole_diameter_in = 10 }";
+    assert_eq!(labels(&in_holes(more)), whole);
+    let washed_out = "{ from_m = 0, to_m = 350, hole_radius_m = 0.127 }, \
+                      { from_m = 350, to_m = 400, hole_radius_m = 0.2 }";
+    assert_ne!(labels(&in_holes(washed_out)), whole);
+}
+
+#[test]
+fn a_hole_that_cannot_be_is_told_by_its_key() {
+    let place = Workplace::new();
+    let upper = "{ from_m = 0, to_m = 200, hole_radius_m = 0.2 }";
+    for (sections, key, words) in [
+        (
+            format!("{upper}, {{ from_m = 190, to_m = 400, hole_radius_m = 0.15 }}"),
+            "well.holes[1].from_m",
+            "overlaps the section above, which ends at 200 m",
+        ),
+        (
+            format!("{upper}, {{ from_m = 210, to_m = 400, hole_radius_m = 0.15 }}"),
+            "well.holes[1].from_m",
+            "no hole from 200 m to 210 m",
+        ),
+        (
+            upper.to_owned(),
+            "well.holes",
+            "ends at 200 m, and the string at 400 m",
+        ),
+        (
+            format!("{upper}, {{ from_m = 200, to_m = 400, hole_radius_m = 0.09 }}"),
+            "string.sections[1].parts[0].outer_radius_m",
+            "0.09",
+        ),
+    ] {
+        written(&place, &in_holes(&sections));
         let output = place.sweep(&["run", "hanging.toml", "--out", "out"]);
         assert_eq!(output.code, 2, "{key}: {}", output.errors);
         for part in ["hanging.toml:", key, words] {

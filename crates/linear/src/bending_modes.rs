@@ -57,11 +57,11 @@ impl BendingModes {
     ) -> Result<Self, BuildError> {
         bending.check()?;
         let mesh = Mesh::new(string, Channel::Bending, &Sites::bit(), ELEMENTS_PER_CELL)?;
-        let pieces = mesh.elements.iter().zip(&mesh.tensions);
+        let pieces = mesh.elements.iter().zip(&mesh.around);
         let elements: Vec<Element> = pieces
-            .map(|(tube, tension)| Element {
-                mass: mass_matrix(string, tube),
-                stiffness: stiffness_matrix(tube, &bending.under(*tension)),
+            .map(|(tube, around)| Element {
+                mass: mass_matrix(tube, string.mass_sideways(tube, around.hole_radius)),
+                stiffness: stiffness_matrix(tube, &bending.under(around.tension)),
             })
             .collect();
         let stiffest = elements.iter().fold(0.0, |most: f64, element| {

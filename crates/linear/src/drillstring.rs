@@ -26,12 +26,38 @@ pub struct Mud {
 }
 
 /// A hole full of mud, in which the string moves sideways.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Hole {
-    /// Its radius, m.
-    pub radius: f64,
+    /// How wide it is, from the surface down; the last section ends no higher than the string.
+    pub sections: Vec<HoleSection>,
     /// What is in it.
     pub mud: Mud,
+}
+
+/// A length of hole of one width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HoleSection {
+    /// Length, m.
+    pub length: f64,
+    /// Radius, m.
+    pub radius: f64,
+}
+
+/// What is around a piece of string that bends.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Surroundings {
+    /// Axial force besides the pre-compression, N; compression where negative.
+    pub(crate) tension: f64,
+    /// Radius of the hole of mud, if it is in one, m.
+    pub(crate) hole_radius: Option<f64>,
+}
+
+/// A length of string with the same around it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stretch {
+    /// m.
+    pub(crate) length: f64,
+    pub(crate) around: Surroundings,
 }
 
 /// A length of string along which one axial force acts.
@@ -159,20 +185,19 @@ impl Drillstring {
     /// # Errors
     /// Where there is no such mud, or a part is not narrower than the hole.
     pub fn in_hole(self, hole: Hole) -> Result<Self, DrillstringError> {
-        positive("radius of the hole", hole.radius)?;
         positive("density of the mud", hole.mud.density)?;
-        for (section, cell) in self.sections.iter().enumerate() {
-            for (part, tube) in cell.parts.iter().enumerate() {
-                if tube.outer_radius >= hole.radius {
-                    return Err(DrillstringError::WiderThanHole {
-                        section,
-                        part,
-                        outer: tube.outer_radius,
-                        hole: hole.radius,
-                    });
-                }
-            }
+        for section in &hole.sections {
+            positive("length of a section of hole", section.length)?;
+            positive("radius of the hole", section.radius)?;
         }
+        let (length, depth) = (
+            self.length(),
+            hole.sections.iter().map(|it| it.length).sum(),
+        );
+        if depth < length * (1.0 - SAME_PLACE) {
+            return Err(DrillstringError::HoleTooShort { length, depth });
+        }
+        self.check_width(&hole.sections)?;
         Ok(Self {
             hole: Some(hole),
             ..self
@@ -206,18 +231,45 @@ impl Drillstring {
         })
     }
 
-    /// Mass per length of a tube that moves sideways, kg/m: its own, the mud inside, and what
+    /// Every tube is narrower than the hole is where it hangs.
+    fn check_width(&self, hole: &[HoleSection]) -> Result<(), DrillstringError> {
+        let same_place = SAME_PLACE * self.length();
+        let mut top = 0.0;
+        for (section, cell) in self.sections.iter().enumerate() {
+            for (part, tube) in (0..cell.repeat).flat_map(|_| cell.parts.iter().enumerate()) {
+                let (bottom, outer) = (top + tube.length, tube.outer_radius);
+                let mut above = 0.0;
+                for around in hole {
+                    let below = above + around.length;
+                    let is_in_it = above < bottom - same_place && below > top + same_place;
+                    if is_in_it && outer >= around.radius {
+                        return Err(DrillstringError::WiderThanHole {
+                            section,
+                            part,
+                            outer,
+                            hole: around.radius,
+                        });
+                    }
+                    above = below;
+                }
+                top = bottom;
+            }
+        }
+        Ok(())
+    }
+
+    /// Mass per length of a tube that moves sideways in a hole of a radius (m), kg/m: its own, the mud inside, and what
     /// mud around it adds, π R² ρ (R_h² + R²)/(R_h² − R²) in the middle of a hole of radius R_h
     /// (S. S. Chen, M. W. Wambsganss and J. A. Jendrzejczyk, "Added mass and damping of a
     /// vibrating rod in confined viscous fluids", *Journal of Applied Mechanics* 43, 1976,
     /// 325–329, without viscosity).
-    pub(crate) fn mass_sideways(&self, tube: &Tube) -> f64 {
+    pub(crate) fn mass_sideways(&self, tube: &Tube, hole_radius: Option<f64>) -> f64 {
         let own = self.material.density * tube.area();
-        let Some(hole) = self.hole else {
+        let Some((hole, around)) = self.hole.as_ref().zip(hole_radius) else {
             return own;
         };
         let [inner, outer, around] =
-            [tube.inner_radius, tube.outer_radius, hole.radius].map(|radius| radius * radius);
+            [tube.inner_radius, tube.outer_radius, around].map(|radius| radius * radius);
         let displaced = inner + outer * (around + outer) / (around - outer);
         own + std::f64::consts::PI * hole.mud.density * displaced
     }
@@ -225,6 +277,37 @@ impl Drillstring {
     /// The drive that turns it, if its surface does not turn as prescribed.
     pub fn top_drive(&self) -> Option<TopDrive> {
         self.top_drive
+    }
+
+    /// The radii of the hole of mud that it is in, m; none where it is in none.
+    pub(crate) fn hole_radii(&self) -> impl Iterator<Item = f64> {
+        let sections = self.hole.iter().flat_map(|hole| &hole.sections);
+        sections.map(|section| section.radius)
+    }
+
+    /// What is around it where it bends, from the surface down.
+    pub(crate) fn surroundings(&self) -> Vec<Stretch> {
+        let length = self.length();
+        let tensions = self.axial_force.iter().map(|it| (it.length, it.tension));
+        let tensions = ends(tensions, (length, 0.0));
+        let radii = self.hole.iter().flat_map(|hole| &hole.sections);
+        let radii = ends(radii.map(|it| (it.length, Some(it.radius))), (length, None));
+        let mut depths: Vec<f64> = tensions.iter().map(|it| it.0).collect();
+        depths.extend(radii.iter().map(|it| it.0));
+        depths.sort_by(f64::total_cmp);
+        depths.dedup_by(|one, other| *one - *other <= SAME_PLACE * length);
+        let mut top = 0.0;
+        let stretch = |bottom: f64| {
+            let middle = 0.5 * (top + bottom);
+            let around = Surroundings {
+                tension: at(&tensions, middle),
+                hole_radius: at(&radii, middle),
+            };
+            let length = bottom - top;
+            top = bottom;
+            Stretch { length, around }
+        };
+        depths.into_iter().map(stretch).collect()
     }
 
     /// The axial force along it, from the surface down; empty where none but that of
@@ -253,9 +336,12 @@ impl Drillstring {
             add(drive.proportional_gain);
             add(drive.integral_gain);
         }
-        if let Some(hole) = self.hole {
-            add(hole.radius);
+        if let Some(hole) = &self.hole {
             add(hole.mud.density);
+            for section in &hole.sections {
+                add(section.length);
+                add(section.radius);
+            }
         }
         for piece in &self.axial_force {
             add(piece.length);
@@ -330,6 +416,27 @@ impl Drillstring {
             section.parts.iter().map(move |part| (count, part))
         })
     }
+}
+
+/// The depths at which lengths with something end; all in one where there are none.
+fn ends<T>(pieces: impl Iterator<Item = (f64, T)>, all: (f64, T)) -> Vec<(f64, T)> {
+    let mut depth = 0.0;
+    let mut ends: Vec<(f64, T)> = pieces
+        .map(|(length, what)| {
+            depth += length;
+            (depth, what)
+        })
+        .collect();
+    if ends.is_empty() {
+        ends.push(all);
+    }
+    ends
+}
+
+/// What is at a depth; below all ends, what the last has.
+fn at<T: Copy>(ends: &[(f64, T)], depth: f64) -> T {
+    let place = ends.partition_point(|(end, _)| *end <= depth);
+    ends[place.min(ends.len() - 1)].1
 }
 
 fn positive(quantity: &'static str, value: f64) -> Result<(), DrillstringError> {

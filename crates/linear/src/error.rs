@@ -82,6 +82,14 @@ pub enum DrillstringError {
         /// The value found, N s/m per metre.
         value: f64,
     },
+    /// The hole does not reach the end of the string.
+    #[error("the hole ends at {depth} m, and the string at {length} m")]
+    HoleTooShort {
+        /// Length of the string, m.
+        length: f64,
+        /// Depth of the hole, m.
+        depth: f64,
+    },
     /// The axial force is not a force.
     #[error("the tension {value} N is not a finite number")]
     Tension {

@@ -163,8 +163,13 @@ pub(crate) fn torsional_inertia(string: &Drillstring) -> f64 {
 /// The least rate, 1/s, at which oscillations of the string in bending decay, whatever
 /// its modes and supports: the damping over twice the mass where the string is heaviest.
 pub fn bending_decay_rate(string: &Drillstring, bending: &Bending) -> f64 {
+    // Mud adds most in the narrowest hole that the tube may be in.
     let heaviest = (string.tubes()).fold(0.0, |mass: f64, (_, tube)| {
-        mass.max(string.mass_sideways(tube))
+        let radii = string
+            .hole_radii()
+            .filter(|radius| *radius > tube.outer_radius);
+        let narrowest = radii.reduce(f64::min);
+        mass.max(string.mass_sideways(tube, narrowest))
     });
     bending.damping / (2.0 * heaviest)
 }

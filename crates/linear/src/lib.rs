@@ -104,7 +104,8 @@ pub mod well;
 pub use cascade::Cascade;
 pub use channel::{Channel, Port};
 pub use drillstring::{
-    AxialForce, Bending, Drillstring, Hole, Material, Mud, Section, StringId, SurfaceSupport, Tube,
+    AxialForce, Bending, Drillstring, Hole, HoleSection, Material, Mud, Section, StringId,
+    SurfaceSupport, Tube,
 };
 pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;

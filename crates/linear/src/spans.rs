@@ -2,7 +2,7 @@
 //! two neighbouring nodes.
 
 use crate::channel::Channel;
-use crate::drillstring::{AxialForce, Drillstring, SAME_PLACE, Section, Tube};
+use crate::drillstring::{Drillstring, SAME_PLACE, Section, Stretch, Surroundings, Tube};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
 
@@ -12,53 +12,56 @@ pub(crate) struct Span {
     pub(crate) runs: Vec<Section>,
 }
 
-/// A part of a span along which one axial force acts, from the top down.
+/// A part of a span with the same around it, from the top down.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Loaded {
-    /// N; compression where negative.
-    pub(crate) tension: f64,
+pub(crate) struct Surrounded {
+    pub(crate) around: Surroundings,
     pub(crate) runs: Vec<Section>,
 }
 
-/// A span by its parts under one axial force each, from the top down.
-pub(crate) type LoadedSpan = Vec<Loaded>;
+/// A span by its parts with the same around each, from the top down.
+pub(crate) type SurroundedSpan = Vec<Surrounded>;
 
 impl Drillstring {
-    /// The spans, in bending cut where the axial force changes; in torsion that does not matter.
-    pub(crate) fn loaded_spans(
+    /// The spans, in bending cut where what is around the string changes; in torsion that does
+    /// not matter.
+    pub(crate) fn surrounded_spans(
         &self,
         channel: Channel,
         sites: &Sites,
-    ) -> Result<Vec<LoadedSpan>, DrillstringError> {
+    ) -> Result<Vec<SurroundedSpan>, DrillstringError> {
         let spans = self.spans(sites)?.into_iter();
-        if channel == Channel::Torsion || self.axial_force().is_empty() {
-            let unloaded = |Span { runs }| vec![Loaded { tension: 0.0, runs }];
-            return Ok(spans.map(unloaded).collect());
+        let mut stretches = match channel {
+            Channel::Torsion => Vec::new(),
+            Channel::Bending => self.surroundings(),
+        };
+        let last = stretches.pop().map(|last| last.around).unwrap_or_default();
+        if stretches.is_empty() {
+            let whole = |Span { runs }| vec![Surrounded { around: last, runs }];
+            return Ok(spans.map(whole).collect());
         }
+        // The last goes on to the end, whatever rounding leaves of it.
+        stretches.push(Stretch {
+            length: f64::INFINITY,
+            around: last,
+        });
         let same_place = SAME_PLACE * self.length();
-        let mut forces = self.axial_force().iter().copied();
-        let mut force = AxialForce::default();
+        let mut stretches = stretches.into_iter().peekable();
         let mut cut = |Span { mut runs }: Span| {
             let mut left: f64 = runs.iter().map(Section::length).sum();
             runs.reverse();
             let mut parts = Vec::new();
-            while left > same_place {
-                if force.length <= same_place {
-                    // Rounding may have left a sliver below the last: it is under that.
-                    let last = AxialForce {
-                        length: left,
-                        ..force
-                    };
-                    force = forces.next().unwrap_or(last);
-                }
-                let length = force.length.min(left);
+            while left > same_place
+                && let Some(stretch) = stretches.peek_mut()
+            {
+                let (around, length) = (stretch.around, stretch.length.min(left));
                 let Span { runs } = cut_off_top(&mut runs, length, same_place);
-                parts.push(Loaded {
-                    tension: force.tension,
-                    runs,
-                });
-                force.length -= length;
+                parts.push(Surrounded { around, runs });
                 left -= length;
+                stretch.length -= length;
+                if stretch.length <= same_place {
+                    stretches.next();
+                }
             }
             parts
         };

@@ -5,14 +5,16 @@ use linear::bending_modes::BendingModes;
 use linear::waves::lateral::BendingNetwork;
 use linear::well::HangingString;
 use linear::{
-    AxialForce, Bending, ChannelRequest, Complex64, Drillstring, Method, Mud, Request, Section,
-    Sites, SurfaceSupport, Tube,
+    AxialForce, Bending, ChannelRequest, Complex64, Drillstring, Hole, HoleSection, Method, Mud,
+    Request, Section, Sites, SurfaceSupport, Tube,
 };
 use problems::academic::{self, BENDING};
 use problems::pipes;
 use proptest::prelude::*;
 
 const GRAVITY: f64 = 9.806_65;
+
+const MUD: Mud = Mud { density: 1500.0 };
 
 const UNDAMPED: Bending = Bending {
     damping: 0.0,
@@ -262,8 +264,25 @@ proptest! {
         (string, support) in (strings(), supports()),
         weight_on_bit in 0.0..2e4f64,
         place in 0.1..0.9f64,
+        hole in prop::option::of((0.01..0.99f64, 0.2..0.4f64, 0.2..0.4f64)),
     ) {
-        let string = hanging(&string, &UNDAMPED, weight_on_bit, 1e-2);
+        let mut string = hanging(&string, &UNDAMPED, weight_on_bit, 1e-2);
+        let dry = BendingModes::new(&string, &UNDAMPED, support).unwrap();
+        if let Some((part, above, below)) = hole {
+            let section = |part: f64, radius| HoleSection { length: part * string.length(), radius };
+            let sections = vec![section(part, above), section(1.0 - part, below)];
+            let modes = |radius| {
+                let sections = vec![section(1.0, radius)];
+                let string = string.clone().in_hole(Hole { sections, mud: MUD }).unwrap();
+                BendingModes::new(&string, &UNDAMPED, support).unwrap().frequency(3)
+            };
+            let (wide, narrow) = (modes(above.max(below)), modes(above.min(below)));
+            string = string.in_hole(Hole { sections, mud: MUD }).unwrap();
+            // Mud slows it, and more in a narrow hole.
+            let found = BendingModes::new(&string, &UNDAMPED, support).unwrap().frequency(3);
+            let between = narrow * (1.0 - 1e-6)..=wide * (1.0 + 1e-6);
+            prop_assert!(between.contains(&found) && wide <= dry.frequency(3), "{between:?} {found}");
+        }
         let modes = BendingModes::new(&string, &UNDAMPED, support).unwrap();
         let sites = Sites::bit();
         let network = BendingNetwork::new(&string, UNDAMPED, support, &sites).unwrap();

@@ -208,12 +208,13 @@ fn mud_is_more_mass_sideways_and_none_in_torsion() {
         linear::Drillstring::new(steel, sections.clone(), 5.0).unwrap()
     };
     let (hole, mud) = (0.155, 1600.0);
-    let in_mud = string(7840.0)
-        .in_hole(linear::Hole {
-            radius: hole,
-            mud: linear::Mud { density: mud },
-        })
-        .unwrap();
+    let filled = |sections: &[(f64, f64)]| linear::Hole {
+        sections: (sections.iter())
+            .map(|&(length, radius)| linear::HoleSection { length, radius })
+            .collect(),
+        mud: linear::Mud { density: mud },
+    };
+    let in_mud = string(7840.0).in_hole(filled(&[(400.0, hole)])).unwrap();
     // 0.1² of 0.155²: what moves around is 2.43 times what the tube displaces.
     let squares = [tube.inner_radius, tube.outer_radius, hole].map(|radius: f64| radius.powi(2));
     let moved = squares[0] + squares[1] * (squares[2] + squares[1]) / (squares[2] - squares[1]);
@@ -244,9 +245,17 @@ fn mud_is_more_mass_sideways_and_none_in_torsion() {
         assert!(off(bending(&found), bending(&dry)) > 0.05);
         assert_eq!(found.torsion(), dry.torsion());
     }
-    let narrow = linear::Hole {
-        radius: 0.1,
-        mud: linear::Mud { density: mud },
-    };
-    assert!(string(7840.0).in_hole(narrow).is_err());
+    // Too narrow, somewhere; too short; and wide enough where the string is, though not below.
+    for (sections, fits) in [
+        (&[(400.0, 0.1)][..], false),
+        (&[(200.0, 0.2), (10.0, 0.1), (190.0, 0.2)], false),
+        (&[(200.0, 0.2), (199.0, 0.3)], false),
+        (&[(200.0, 0.2), (200.0, 0.3), (50.0, 0.1)], true),
+    ] {
+        assert_eq!(
+            string(7840.0).in_hole(filled(sections)).is_ok(),
+            fits,
+            "{sections:?}"
+        );
+    }
 }

@@ -166,7 +166,8 @@ mod tests {
 
     fn cell(s: Complex64) -> Beam {
         let string = string();
-        uniform(&string, &BENDING, &string.sections()[0].parts[0], s)
+        let tube = &string.sections()[0].parts[0];
+        uniform(&BENDING, tube, string.mass_sideways(tube, None), s)
     }
 
     fn difference(Block(one): Block, Block(other): Block) -> f64 {

@@ -6,8 +6,8 @@
 //! log₂ N joins at most; only differences of stiffnesses occur, so no number of cells
 //! overflows.
 
-use crate::drillstring::{Section, Tube};
-use crate::spans::{Loaded, LoadedSpan, Span};
+use crate::drillstring::{Section, Surroundings, Tube};
+use crate::spans::{Span, Surrounded, SurroundedSpan};
 
 /// Dynamic stiffness of a piece of string between its top and its bottom.
 pub trait Stiffness: Copy {
@@ -55,9 +55,12 @@ pub(crate) fn span<S: Stiffness>(span: &Span, tube: impl Fn(&Tube) -> S) -> Opti
     of_runs(&span.runs, tube)
 }
 
-/// The same where the axial force matters: of each tube, and of what acts along it.
-pub(crate) fn loaded<S: Stiffness>(span: &LoadedSpan, tube: impl Fn(f64, &Tube) -> S) -> Option<S> {
-    let part = |part: &Loaded| of_runs(&part.runs, |it| tube(part.tension, it));
+/// The same from that of its tubes and of what is around each.
+pub(crate) fn surrounded<S: Stiffness>(
+    span: &SurroundedSpan,
+    tube: impl Fn(Surroundings, &Tube) -> S,
+) -> Option<S> {
+    let part = |part: &Surrounded| of_runs(&part.runs, |it| tube(part.around, it));
     span.iter().filter_map(part).reduce(S::join)
 }
 

@@ -25,10 +25,10 @@ pub fn assemble(
     let mut mass = Vec::with_capacity(16 * mesh.elements.len());
     let mut stiffness = Vec::with_capacity(16 * mesh.elements.len());
     let mut damping = vec![0.0; size];
-    for (upper, (element, tension)) in mesh.elements.iter().zip(&mesh.tensions).enumerate() {
+    for (upper, (element, around)) in mesh.elements.iter().zip(&mesh.around).enumerate() {
         let first = 2 * upper;
-        let element_mass = mass_matrix(string, element);
-        let element_stiffness = stiffness_matrix(element, &bending.under(*tension));
+        let element_mass = mass_matrix(element, string.mass_sideways(element, around.hole_radius));
+        let element_stiffness = stiffness_matrix(element, &bending.under(around.tension));
         for row in 0..4 {
             for column in 0..4 {
                 let (Some(i), Some(j)) = (
@@ -55,10 +55,11 @@ pub(super) fn dashpot(element: &Tube, bending: &Bending) -> f64 {
     bending.damping * element.length / 2.0
 }
 
-/// ρA L/420 times the consistent mass matrix of cubic shape functions.
-pub(crate) fn mass_matrix(string: &Drillstring, element: &Tube) -> [[f64; 4]; 4] {
+/// m L/420 times the consistent mass matrix of cubic shape functions, of a mass m per length
+/// (kg/m).
+pub(crate) fn mass_matrix(element: &Tube, mass: f64) -> [[f64; 4]; 4] {
     let l = element.length;
-    let scale = string.mass_sideways(element) * l / 420.0;
+    let scale = mass * l / 420.0;
     [
         [156.0, 22.0 * l, 54.0, -13.0 * l],
         [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],

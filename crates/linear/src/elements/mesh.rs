@@ -2,10 +2,10 @@
 //! at every site.
 
 use crate::channel::Channel;
-use crate::drillstring::{Drillstring, Tube};
+use crate::drillstring::{Drillstring, Surroundings, Tube};
 use crate::error::BuildError;
 use crate::sites::Sites;
-use crate::spans::LoadedSpan;
+use crate::spans::SurroundedSpan;
 
 /// The most elements: 16 million, some gigabytes with their matrices.
 const MOST_ELEMENTS: usize = 1 << 24;
@@ -16,8 +16,8 @@ const MOST_ELEMENTS: usize = 1 << 24;
 pub struct Mesh {
     /// Each element as the piece of tube it covers.
     pub elements: Vec<Tube>,
-    /// The tension of each, N, in bending.
-    pub tensions: Vec<f64>,
+    /// What is around each, in bending.
+    pub(crate) around: Vec<Surroundings>,
     /// The node of each site, from the surface down.
     pub site_nodes: Vec<usize>,
 }
@@ -42,20 +42,20 @@ impl Mesh {
                 expected: "at least 1",
             });
         }
-        let (mut elements, mut tensions) = (Vec::new(), Vec::new());
+        let (mut elements, mut around) = (Vec::new(), Vec::new());
         let mut site_nodes = Vec::with_capacity(sites.len());
         let longest = longest_element(string, elements_per_cell);
-        let spans = string.loaded_spans(channel, sites)?;
+        let spans = string.surrounded_spans(channel, sites)?;
         check_number(&spans, longest)?;
         for span in spans {
-            for loaded in &span {
-                for run in &loaded.runs {
-                    for part in (0..run.repeat).flat_map(|_| &run.parts) {
-                        let (count, element) = divided(part, longest);
+            for part in &span {
+                for run in &part.runs {
+                    for tube in (0..run.repeat).flat_map(|_| &run.parts) {
+                        let (count, element) = divided(tube, longest);
                         elements.extend(std::iter::repeat_n(element, count));
                     }
                 }
-                tensions.resize(elements.len(), loaded.tension);
+                around.resize(elements.len(), part.around);
             }
             if site_nodes.len() < sites.len() {
                 site_nodes.push(elements.len());
@@ -63,7 +63,7 @@ impl Mesh {
         }
         Ok(Self {
             elements,
-            tensions,
+            around,
             site_nodes,
         })
     }
@@ -83,18 +83,19 @@ impl Mesh {
     }
 }
 
-/// Elements of a mesh, at most: every site may cut one in two, and so may the axial force.
+/// Elements of a mesh, at most: every site may cut one in two, and so may what is around
+/// the string.
 pub(crate) fn most_elements(string: &Drillstring, sites: &Sites, elements_per_cell: usize) -> f64 {
     let longest = longest_element(string, elements_per_cell);
     let whole: f64 = string
         .tubes()
         .map(|(count, tube)| count * elements_of(tube, longest))
         .sum();
-    whole + (sites.len() + string.axial_force().len()) as f64
+    whole + (sites.len() + string.surroundings().len()) as f64
 }
 
 /// Refuses more elements than are made; what is no number of them too.
-pub(super) fn check_number(spans: &[LoadedSpan], longest: f64) -> Result<(), BuildError> {
+pub(super) fn check_number(spans: &[SurroundedSpan], longest: f64) -> Result<(), BuildError> {
     let runs = spans.iter().flatten().flat_map(|part| &part.runs);
     let elements: f64 = runs
         .map(|run| {

@@ -23,10 +23,10 @@ use crate::assembly::stiff_beam::{StiffBeam, turns};
 use crate::assembly::torsion::{Drive, DynamicStiffness, TorsionAdmittance};
 use crate::assembly::{bending, chain, torsion};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Surroundings, Tube};
 use crate::error::BuildError;
 use crate::sites::Sites;
-use crate::spans::LoadedSpan;
+use crate::spans::SurroundedSpan;
 
 /// Velocity and acceleration per displacement at one ζ.
 #[derive(Debug, Clone, Copy)]
@@ -55,7 +55,7 @@ impl<T: Number> Rates<T> {
 #[derive(Debug)]
 pub(crate) struct ElementChain<'a> {
     string: &'a Drillstring,
-    spans: Vec<LoadedSpan>,
+    spans: Vec<SurroundedSpan>,
     sites: usize,
     longest: f64,
     weights: Weights,
@@ -73,7 +73,7 @@ impl<'a> ElementChain<'a> {
         elements_per_cell: usize,
         weights: Weights,
     ) -> Result<Self, BuildError> {
-        let spans = string.loaded_spans(channel, sites)?;
+        let spans = string.surrounded_spans(channel, sites)?;
         let longest = longest_element(string, elements_per_cell);
         check_number(&spans, longest)?;
         Ok(Self {
@@ -93,12 +93,13 @@ impl<'a> ElementChain<'a> {
         zeta: T,
     ) -> ResponseMatrix<T> {
         let rates = Rates::at(&self.weights, zeta);
-        let tube = |tension, tube: &Tube| {
+        let tube = |around: Surroundings, tube: &Tube| {
             let (count, element) = divided(tube, self.longest);
-            let element = beam_element(self.string, &bending.under(tension), &element, rates);
+            let mass = self.string.mass_sideways(tube, around.hole_radius);
+            let element = beam_element(&bending.under(around.tension), &element, mass, rates);
             Beam::of(element).repeated(count)
         };
-        let pieces = self.spans.iter().map(|span| chain::loaded(span, tube));
+        let pieces = self.spans.iter().map(|span| chain::surrounded(span, tube));
         bending::reduce(pieces, self.sites, support)
     }
 }
@@ -138,7 +139,7 @@ impl ElementChain<'_> {
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
         let tube =
             move |_, tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
-        (self.spans.iter()).map(move |span| chain::loaded(span, tube))
+        (self.spans.iter()).map(move |span| chain::surrounded(span, tube))
     }
 
     fn drive<T: Number>(&self, rates: Rates<T>) -> Option<Drive<T>> {
@@ -170,12 +171,12 @@ fn torsion_row<T: Number>(
 }
 
 fn beam_element<T: Number>(
-    string: &Drillstring,
     bending: &Bending,
     tube: &Tube,
+    mass_per_length: f64,
     rates: Rates<T>,
 ) -> StiffBeam<T> {
-    let mass = mass_matrix(string, tube);
+    let mass = mass_matrix(tube, mass_per_length);
     let damping = rates.velocity * dashpot(tube, bending);
     // Of inertia and dashpots, which a rigid motion meets in full.
     let carried = |row: usize, column: usize| {
@@ -198,7 +199,7 @@ fn beam_element<T: Number>(
     let stiffness = stiffness_matrix(tube, bending);
     let elastic = [2, 3].map(|i| [2, 3].map(|j| T::real(stiffness[i][j])));
     let mixed = cross.transpose() + along;
-    let inertia = rates.acceleration * string.mass_sideways(tube);
+    let inertia = rates.acceleration * mass_per_length;
     let foundation = inertia + rates.velocity * bending.damping;
     StiffBeam {
         length,

@@ -202,7 +202,7 @@ fn pinned_frequency(length: f64, compression: f64) -> f64 {
     let determinant = |omega: f64| {
         let s = Complex64::new(0.0, omega);
         let part = &string.sections()[0].parts[0];
-        let beam = uniform(&string, &bending, part, s).between_ends();
+        let beam = uniform(&bending, part, string.mass_sideways(part, None), s).between_ends();
         let slope = |Block(entries): Block| entries[1][1];
         (slope(beam.top) * slope(beam.bottom) - slope(beam.cross) * slope(beam.cross)).re
     };

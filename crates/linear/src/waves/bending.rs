@@ -12,7 +12,7 @@ use crate::assembly::chain::Stiffness;
 use crate::assembly::nodes::Relation;
 use crate::assembly::number::Number;
 use crate::assembly::stiff_beam::{StiffBeam, turns};
-use crate::drillstring::{Bending, Drillstring, Tube};
+use crate::drillstring::{Bending, Tube};
 
 /// The series is used where |k| times the length is below this, and the length
 /// halved until it is.
@@ -21,12 +21,12 @@ const SHORT: f64 = 1.0;
 /// The series has converged to rounding after so many powers of the length.
 const POWERS: usize = 26;
 
-/// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s).
-pub fn uniform<T: Number>(string: &Drillstring, bending: &Bending, tube: &Tube, s: T) -> Beam<T> {
+/// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s), of a mass per
+/// length (kg/m).
+pub fn uniform<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) -> Beam<T> {
     let rigidity = bending.youngs_modulus * tube.second_moment();
-    let inertia = string.mass_sideways(tube);
     // E I x⁗ + C x″ + q x = 0 (Eq. 20).
-    let q = s * (s * inertia + bending.damping);
+    let q = s * (s * mass + bending.damping);
     let mut length = tube.length;
     let mut halvings = 0;
     let mut turns = turns(bending, tube, q);

@@ -9,10 +9,10 @@ use crate::assembly::chain;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Surroundings, Tube};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
-use crate::spans::LoadedSpan;
+use crate::spans::SurroundedSpan;
 
 /// A string cut at its sites once, to be evaluated at many frequencies.
 #[derive(Debug, Clone)]
@@ -20,7 +20,7 @@ pub struct BendingNetwork<'a> {
     string: &'a Drillstring,
     bending: Bending,
     support: SurfaceSupport,
-    spans: Vec<LoadedSpan>,
+    spans: Vec<SurroundedSpan>,
     sites: usize,
 }
 
@@ -41,7 +41,7 @@ impl<'a> BendingNetwork<'a> {
             string,
             bending,
             support,
-            spans: string.loaded_spans(Channel::Bending, sites)?,
+            spans: string.surrounded_spans(Channel::Bending, sites)?,
             sites: sites.len(),
         })
     }
@@ -61,11 +61,11 @@ impl<'a> BendingNetwork<'a> {
     /// Displacement at each site (row) per unit force at each site (column) at
     /// the Laplace variable `s` (rad/s, not zero): D⁽ᵇ⁾ of Eq. 57, m/N.
     pub fn receptance<T: Number>(&self, s: T) -> ResponseMatrix<T> {
-        let tube = |tension, tube: &_| {
-            let bending = self.bending.under(tension);
-            uniform(self.string, &bending, tube, s)
+        let tube = |around: Surroundings, tube: &Tube| {
+            let mass = self.string.mass_sideways(tube, around.hole_radius);
+            uniform(&self.bending.under(around.tension), tube, mass, s)
         };
-        let pieces = self.spans.iter().map(|span| chain::loaded(span, tube));
+        let pieces = self.spans.iter().map(|span| chain::surrounded(span, tube));
         reduce(pieces, self.sites, self.support)
     }
 }

@@ -63,7 +63,7 @@ pub fn tip_receptance(string: &Drillstring, bending: &Bending, rate: f64) -> Com
     let mut chain: Option<Transfer> = None;
     for section in string.sections() {
         for part in (0..section.repeat).flat_map(|_| &section.parts) {
-            let part = Transfer::of(&uniform(string, bending, part, s));
+            let part = Transfer::of(&uniform(bending, part, string.mass_sideways(part, None), s));
             chain = Some(chain.map_or(part, |upper| part * upper));
         }
     }

@@ -21,7 +21,9 @@ use crate::sweep_file::methods::MethodTables;
 use crate::sweep_file::string::{SectionTable, StringTable, TubeTable};
 use crate::sweep_file::top_drive::TopDriveTable;
 use crate::sweep_file::units::key_in_si;
-use crate::sweep_file::well::{AxialForceTable, MudTable, StringFrictionTable, WellTable};
+use crate::sweep_file::well::{
+    AxialForceTable, HoleTable, MudTable, StringFrictionTable, WellTable,
+};
 use crate::sweep_file::wording::keys_of;
 
 const PAGE: &str = include_str!("../../../../docs/sweep-file.md");
@@ -59,6 +61,10 @@ friction = 0.5
 [[sites]]
 distance_from_bit_m = 0
 [axial_force]
+[well]
+holes = [{ from_m = 0, to_m = 150, hole_radius_m = 0.2 }]
+[mud]
+density_kg_m3 = 1500
 [[impulses]]
 distance_from_bit_m = 0
 [[eccentric_masses]]
@@ -159,6 +165,7 @@ fn chapters() -> Vec<Chapter> {
         chapter::<TubeTable>("`parts`", "string.sections.0.parts.0"),
         chapter::<TopDriveTable>("`[top_drive]`", "top_drive"),
         in_well::<WellTable>("`[well]`", "well"),
+        chapter::<HoleTable>("`[[well.holes]]`", "well.holes.0"),
         in_well::<MudTable>("`[mud]`", "mud"),
         chapter::<AxialForceTable>("`[axial_force]`", "axial_force"),
         in_well::<StringFrictionTable>("`[string_friction]`", "string_friction"),

@@ -1,10 +1,11 @@
 //! `[mud]` and `[well]`: what the string is in.
 
 use linear::well::Survey;
-use linear::{Drillstring, DrillstringError, Hole, Mud};
+use linear::{Drillstring, DrillstringError, Hole, HoleSection, Mud};
 
 use super::data::Data;
-use crate::sweep_file::{FileContent, Source, SweepFileError};
+use crate::quantities::LONGEST_STRING;
+use crate::sweep_file::{FileContent, HoleTable, Source, SweepFileError};
 
 /// No mud is heavier, kg/m³.
 const HEAVIEST_MUD: f64 = 3000.0;
@@ -34,20 +35,22 @@ pub fn resolve(
     let survey = content.well.iter().flat_map(|well| &well.survey).next();
     let message = "says how the string lies in its well: needs [string_friction] or [axial_force]";
     source.refuse_if(survey.is_some() && !rubs && !hangs, "well.survey", message)?;
-    let key = "well.hole_radius_m";
-    let radius = content.well.as_ref().and_then(|well| well.hole_radius_m);
-    let Some(radius) = radius else {
+    let Some(sections) = sections(source, content, string.length())? else {
         let message = "what moves with a string that bends depends on the hole: \
-                       needs `hole_radius_m` in [well]";
+                       needs `hole_radius_m` or [[well.holes]]";
         source.refuse_if(mud.is_some() && bends, "mud", message)?;
         return Ok((string, mud));
     };
-    source.within(key, radius, 1e-3, 2.0, "m")?;
+    let key = if content.well.iter().any(|well| well.holes.is_empty()) {
+        "well.hole_radius_m"
+    } else {
+        "well.holes"
+    };
     let Some(mud) = mud.filter(|_| bends) else {
         let message = "counts where mud moves with a string that bends: needs [mud] and a [wall]";
         return Err(source.error(key, message));
     };
-    let string = string.in_hole(Hole { radius, mud }).map_err(|error| {
+    let string = string.in_hole(Hole { sections, mud }).map_err(|error| {
         let key = match error {
             DrillstringError::WiderThanHole { section, part, .. } => {
                 format!("string.sections[{section}].parts[{part}].outer_radius_m")
@@ -57,6 +60,46 @@ pub fn resolve(
         source.error(&key, error.to_string())
     })?;
     Ok((string, Some(mud)))
+}
+
+/// How wide the hole is from the surface down, where the file says it.
+fn sections(
+    source: &Source,
+    content: &FileContent,
+    length: f64,
+) -> Result<Option<Vec<HoleSection>>, SweepFileError> {
+    let Some(well) = &content.well else {
+        return Ok(None);
+    };
+    let radius = |key: &str, radius| source.within(key, radius, 1e-3, 2.0, "m");
+    if let Some(given) = well.hole_radius_m {
+        let message = "is given instead of `hole_radius_m`, not beside it";
+        source.refuse_if(!well.holes.is_empty(), "well.holes", message)?;
+        let radius = radius("well.hole_radius_m", given)?;
+        return Ok(Some(vec![HoleSection { length, radius }]));
+    }
+    let mut depth = 0.0;
+    let section = |(index, hole): (usize, &HoleTable)| {
+        let key = |name: &str| format!("well.holes[{index}].{name}");
+        let (from, to) = (hole.from_m, hole.to_m);
+        for (name, depth) in [("from_m", from), ("to_m", to)] {
+            source.within(&key(name), depth, 0.0, LONGEST_STRING, "m")?;
+        }
+        let message = format!("overlaps the section above, which ends at {depth} m");
+        source.refuse_if(from < depth, &key("from_m"), message)?;
+        let message = format!("leaves no hole from {depth} m to {from} m");
+        source.refuse_if(from != depth, &key("from_m"), message)?;
+        source.refuse_if(to <= from, &key("to_m"), "is not below `from_m`")?;
+        depth = to;
+        Ok(HoleSection {
+            length: to - from,
+            radius: radius(&key("hole_radius_m"), hole.hole_radius_m)?,
+        })
+    };
+    let sections: Vec<_> = (well.holes.iter().enumerate())
+        .map(section)
+        .collect::<Result<_, SweepFileError>>()?;
+    Ok((!sections.is_empty()).then_some(sections))
 }
 
 /// The survey of the well, if there is one, which is as deep as the string.

@@ -48,9 +48,8 @@ pub fn resolve(
     }
     let other = |taken: Option<Axis>| {
         // Operating conditions before quantities of the string.
-        let is_string = |axis: &Axis| axis.is_of_string();
         let mut axes = design.axes().to_vec();
-        axes.sort_by_key(is_string);
+        axes.sort_by_key(|axis| (axis.is_of_string(), *axis));
         axes.into_iter().find(|axis| Some(*axis) != taken)
     };
     let y = content.map.y.or_else(|| other(content.map.x));

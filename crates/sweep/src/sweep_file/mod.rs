@@ -36,5 +36,5 @@ pub use source::{Source, TextOf};
 pub use string::SectionTable;
 pub use time_series::{read_series, read_survey};
 pub use top_drive::{ControllerName, TopDriveTable};
-pub use well::PressedByName;
+pub use well::{HoleTable, PressedByName};
 pub use wording::nearest;

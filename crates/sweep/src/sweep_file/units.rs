@@ -5,11 +5,13 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 23] = [
+const KEYS: [&str; 25] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
     "hole_radius_m",
+    "from_m",
+    "to_m",
     "distance_from_bit_m",
     "offset_m",
     "bit_radius_m",

@@ -10,8 +10,23 @@ use super::number_or::is_zero;
 pub struct WellTable {
     /// Its survey: measured depth, inclination and azimuth, as CSV or a workbook.
     pub survey: Option<String>,
-    /// Radius of the hole, m.
+    /// Radius of the hole, m, where it is the same from the surface to the bit.
     pub hole_radius_m: Option<f64>,
+    /// Else its sections, from the surface down.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub holes: Vec<HoleTable>,
+}
+
+/// A section of hole, such as a casing or a washout.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HoleTable {
+    /// Measured depth where it begins, m.
+    pub from_m: f64,
+    /// Measured depth where it ends, m.
+    pub to_m: f64,
+    /// Its radius, m.
+    pub hole_radius_m: f64,
 }
 
 /// The fluid inside and around the string.
