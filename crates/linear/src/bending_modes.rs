@@ -114,16 +114,19 @@ impl BendingModes {
     }
 
     /// The natural frequency of this number, from 0 for the lowest, rad/s; motions as a rigid rod
-    /// and buckled ones come first, and theirs is 0.
-    pub fn frequency(&self, index: usize) -> f64 {
+    /// and buckled ones come first, and theirs is 0. None where the elements have not so many.
+    pub fn frequency(&self, index: usize) -> Option<f64> {
         let mut high = self.nothing.max(f64::MIN_POSITIVE);
         if self.below(high) > index {
-            return 0.0;
+            return Some(0.0);
         }
         let mut low = high;
         while self.below(high) <= index {
             low = high;
             high *= 4.0;
+            if !high.is_finite() {
+                return None;
+            }
         }
         while high - low > SAME_FREQUENCY * high {
             let middle = 0.5 * (low + high);
@@ -133,7 +136,7 @@ impl BendingModes {
                 low = middle;
             }
         }
-        (0.5 * (low + high)).sqrt()
+        Some((0.5 * (low + high)).sqrt())
     }
 }
 

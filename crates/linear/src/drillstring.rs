@@ -258,8 +258,8 @@ impl Drillstring {
         Ok(())
     }
 
-    /// Mass per length of a tube that moves sideways in a hole of a radius (m), kg/m: its own, the mud inside, and what
-    /// mud around it adds, π R² ρ (R_h² + R²)/(R_h² − R²) in the middle of a hole of radius R_h
+    /// Mass per length of a tube that moves sideways in a hole of a radius (m), kg/m: its own,
+    /// the mud inside, and what mud around it adds, π R² ρ (R_h² + R²)/(R_h² − R²) in the middle of a hole of radius R_h
     /// (S. S. Chen, M. W. Wambsganss and J. A. Jendrzejczyk, "Added mass and damping of a
     /// vibrating rod in confined viscous fluids", *Journal of Applied Mechanics* 43, 1976,
     /// 325–329, without viscosity).

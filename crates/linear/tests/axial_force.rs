@@ -65,7 +65,7 @@ fn without_stiffness_it_swings_as_a_chain() {
         .enumerate()
     {
         let expected = 0.5 * zero * (buoyed * GRAVITY / 1000.0).sqrt();
-        let found = modes.frequency(index);
+        let found = modes.frequency(index).unwrap();
         assert!(
             (found / expected - 1.0).abs() < 2e-3,
             "{index}: {found} {expected}"
@@ -180,6 +180,16 @@ fn a_hanging_string_comes_back() {
 }
 
 #[test]
+fn elements_have_so_many_frequencies_and_no_more() {
+    let string = plain(10.0, 0.05, 0.07);
+    let modes = BendingModes::new(&string, &UNDAMPED, SurfaceSupport::Free).unwrap();
+    // Two at each of five nodes, the first two of them as a rigid rod.
+    assert_eq!([0, 1].map(|index| modes.frequency(index)), [Some(0.0); 2]);
+    assert!((2..10).all(|index| modes.frequency(index).is_some_and(|it| it > 0.0)));
+    assert_eq!(modes.frequency(10), None);
+}
+
+#[test]
 fn what_no_axial_force_can_be_is_refused() {
     let string = pipes::row(10, 0.0);
     let under = |pieces: &[(f64, f64)]| {
@@ -252,7 +262,7 @@ proptest! {
             if index as f64 * 20.0 > string.length() {
                 break;
             }
-            let (found, exact) = (found.frequency(index), exact.frequency(index));
+            let (found, exact) = (found.frequency(index).unwrap(), exact.frequency(index).unwrap());
             prop_assert!((found / exact - 1.0).abs() <= tolerance, "{index}: {found} {exact}");
         }
     }
@@ -274,20 +284,20 @@ proptest! {
             let modes = |radius| {
                 let sections = vec![section(1.0, radius)];
                 let string = string.clone().in_hole(Hole { sections, mud: MUD }).unwrap();
-                BendingModes::new(&string, &UNDAMPED, support).unwrap().frequency(3)
+                BendingModes::new(&string, &UNDAMPED, support).unwrap().frequency(3).unwrap()
             };
             let (wide, narrow) = (modes(above.max(below)), modes(above.min(below)));
             string = string.in_hole(Hole { sections, mud: MUD }).unwrap();
             // Mud slows it, and more in a narrow hole.
-            let found = BendingModes::new(&string, &UNDAMPED, support).unwrap().frequency(3);
+            let found = BendingModes::new(&string, &UNDAMPED, support).unwrap().frequency(3).unwrap();
             let between = narrow * (1.0 - 1e-6)..=wide * (1.0 + 1e-6);
-            prop_assert!(between.contains(&found) && wide <= dry.frequency(3), "{between:?} {found}");
+            prop_assert!(between.contains(&found) && wide <= dry.frequency(3).unwrap(), "{between:?} {found}");
         }
         let modes = BendingModes::new(&string, &UNDAMPED, support).unwrap();
         let sites = Sites::bit();
         let network = BendingNetwork::new(&string, UNDAMPED, support, &sites).unwrap();
         for index in [0, 1, 4] {
-            let frequency = modes.frequency(index);
+            let frequency = modes.frequency(index).unwrap();
             let at = |part: f64| network.at_rate(part * frequency)[(0, 0)].re;
             let (below, above) = (at(1.0 - 1e-4), at(1.0 + 1e-4));
             prop_assert!(below > 0.0 && above < 0.0, "{index}: {below} {above}");
