@@ -108,3 +108,44 @@ fn what_never_decays_is_refused_at_once_where_it_is_looked_at_for_too_long() {
         );
     }
 }
+
+/// What rounding leaves does not cut what has not decayed: one pipe and its joint, on a lattice so
+/// fine that its response takes millions of steps, held, winds up by its static stiffness.
+#[test]
+fn a_string_of_one_pipe_is_as_stiff_as_it_is() {
+    let string = academic::string();
+    let sections = vec![Section {
+        repeat: 1,
+        ..string.sections()[0].clone()
+    }];
+    let damping = string.torsional_damping();
+    let string = Drillstring::new(string.material(), sections, damping).unwrap();
+    let request = Request {
+        sites: Sites::bit(),
+        channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+        sampling_frequency: academic::SAMPLING_FREQUENCY,
+        longest_time: 20.0,
+    };
+    let responses = linear::responses(&string, &Method::Held, &request).unwrap();
+    let torsion = responses.torsion().unwrap();
+    let (taps, from_surface) = (&torsion.from_loads[0][0], &torsion.from_surface[0]);
+    // The torque that holds the bit while the surface turns by 1 rad/s.
+    let (mut free, mut torques) = (0.0, Vec::new());
+    for step in 0..(20.0 * academic::SAMPLING_FREQUENCY) as usize {
+        free += from_surface.get(step).copied().unwrap_or(0.0);
+        let held: f64 = (taps.iter().skip(1).zip(torques.iter().rev()))
+            .map(|(tap, torque): (&f64, &f64)| tap * torque)
+            .sum();
+        torques.push((free - held) / taps[0]);
+    }
+    // Over many periods of what rings on.
+    let half = torques.len() / 2;
+    let mean = |torques: &[f64]| torques.iter().sum::<f64>() / torques.len() as f64;
+    let rise = mean(&torques[half..]) - mean(&torques[..half]);
+    let stiffness = rise / (half as f64 / academic::SAMPLING_FREQUENCY);
+    let expected = linear::estimates::torsional_stiffness(&string);
+    assert!(
+        (stiffness / expected - 1.0).abs() < 1e-2,
+        "{stiffness} {expected}"
+    );
+}

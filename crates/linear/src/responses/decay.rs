@@ -20,6 +20,9 @@ const NEGLIGIBLE_TAIL: f64 = 1e-8;
 /// be built longer than it should last may be held up by that alone.
 const ROUNDING: f64 = 1e-12;
 
+/// What is left at the end of such a response is then rounding, and so is as much again before.
+const OF_ROUNDING: f64 = 2.0;
+
 /// A tail counts as decayed only if this last part of what was computed is
 /// negligible too, so that a quiet moment is not taken for the end.
 const QUIET_PART: f64 = 0.25;
@@ -84,9 +87,11 @@ pub(super) fn until_decayed(
         return Err(too_many(looked_at));
     }
     let mut length = first as usize;
-    let mut negligible = NEGLIGIBLE_TAIL;
+    let mut rounding = 0.0;
     loop {
         let mut taps = build(length);
+        let left = OF_ROUNDING * left_at_end(&taps);
+        let negligible = NEGLIGIBLE_TAIL.max(left.min(rounding));
         if cut_decayed_tail(&mut taps, negligible) {
             return Ok((taps, Ending::Whole));
         }
@@ -97,7 +102,7 @@ pub(super) fn until_decayed(
             return Err(too_many(looked_at));
         }
         length = (2 * length).min(MOST_TAPS);
-        negligible = NEGLIGIBLE_TAIL.max(ROUNDING * length as f64);
+        rounding = ROUNDING * length as f64;
     }
 }
 
@@ -110,6 +115,16 @@ fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -
         return taps;
     }
     transformable(taps as usize) as f64
+}
+
+/// The part of its sum that the last part of a response has, of the one in which that is most.
+fn left_at_end(responses: &[Vec<f64>]) -> f64 {
+    let sum = |taps: &[f64]| taps.iter().map(|tap| tap.abs()).sum::<f64>();
+    let parts = responses.iter().map(|taps| {
+        let end = ((1.0 - QUIET_PART) * taps.len() as f64) as usize;
+        sum(&taps[end..]) / sum(taps)
+    });
+    parts.fold(0.0, f64::max)
 }
 
 /// Cuts all responses where the last of them has decayed. Returns whether they
