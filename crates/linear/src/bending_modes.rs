@@ -24,9 +24,13 @@ const LEAST_WEIGHT: f64 = 100.0;
 /// It is known to this part of it.
 const SAME_WEIGHT: f64 = 1e-3;
 
-/// The part of an element's highest frequency that is nothing: rounding may leave as much to a
-/// string that moves as a rigid rod.
-const NOTHING: f64 = 1e-7;
+/// The part of the largest stiffness of an element that rounding may leave to a string that moves
+/// as a rigid rod.
+const ROUNDING: f64 = 2e-14;
+
+/// Elements shorter than this part of the longest are left out: what cuts them off next to the end
+/// of a tube, such as a change of axial force, would leave more rounding than they count.
+const SHORTEST: f64 = 0.002;
 
 /// A string divided into elements, to count its natural frequencies.
 #[derive(Debug, Clone)]
@@ -57,20 +61,25 @@ impl BendingModes {
     ) -> Result<Self, BuildError> {
         bending.check()?;
         let mesh = Mesh::new(string, Channel::Bending, &Sites::bit(), ELEMENTS_PER_CELL)?;
+        let longest = mesh.elements.iter().map(|tube| tube.length);
+        let shortest = SHORTEST * longest.fold(0.0, f64::max);
         let pieces = mesh.elements.iter().zip(&mesh.around);
         let elements: Vec<Element> = pieces
+            .filter(|(tube, _)| tube.length >= shortest)
             .map(|(tube, around)| Element {
                 mass: mass_matrix(tube, string.mass_sideways(tube, around.hole_radius)),
                 stiffness: stiffness_matrix(tube, &bending.under(around.tension)),
             })
             .collect();
-        let stiffest = elements.iter().fold(0.0, |most: f64, element| {
-            most.max(element.stiffness[0][0] / element.mass[0][0])
-        });
+        let stiffness = elements.iter().map(|element| element.stiffness[0][0].abs());
+        let mass = elements
+            .iter()
+            .map(|element| element.mass[0][0])
+            .sum::<f64>();
         Ok(Self {
+            nothing: ROUNDING * stiffness.fold(0.0, f64::max) / mass,
             elements,
             support,
-            nothing: NOTHING * NOTHING * stiffest,
         })
     }
 

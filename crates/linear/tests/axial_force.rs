@@ -179,6 +179,31 @@ fn a_hanging_string_comes_back() {
     }
 }
 
+/// However near to the end of a tube the hole changes.
+#[test]
+fn a_cut_beside_a_joint_changes_no_frequency() {
+    let string = hanging(&plain(2000.0, 0.05, 0.07), &UNDAMPED, 0.0, 1e-2);
+    let frequency = |above: f64| {
+        let section = |length| HoleSection {
+            length,
+            radius: 0.2,
+        };
+        let sections = vec![section(above), section(2000.0 - above)];
+        let string = string.clone().in_hole(Hole { sections, mud: MUD }).unwrap();
+        let modes = BendingModes::new(&string, &UNDAMPED, SurfaceSupport::Pinned).unwrap();
+        assert!(!modes.is_buckled());
+        modes.frequency(0).unwrap()
+    };
+    let whole = frequency(1000.0);
+    for beside in [1e-5, 1e-3, 0.1, 1.0] {
+        let found = frequency(1000.0 + beside);
+        assert!(
+            (found / whole - 1.0).abs() < 1e-4,
+            "{beside}: {found} {whole}"
+        );
+    }
+}
+
 #[test]
 fn elements_have_so_many_frequencies_and_no_more() {
     let string = plain(10.0, 0.05, 0.07);
@@ -278,6 +303,7 @@ proptest! {
     ) {
         let mut string = hanging(&string, &UNDAMPED, weight_on_bit, 1e-2);
         let dry = BendingModes::new(&string, &UNDAMPED, support).unwrap();
+        prop_assume!(!dry.is_buckled());
         if let Some((part, above, below)) = hole {
             let section = |part: f64, radius| HoleSection { length: part * string.length(), radius };
             let sections = vec![section(part, above), section(1.0 - part, below)];
@@ -290,7 +316,7 @@ proptest! {
             string = string.in_hole(Hole { sections, mud: MUD }).unwrap();
             // Mud slows it, and more in a narrow hole.
             let found = BendingModes::new(&string, &UNDAMPED, support).unwrap().frequency(3).unwrap();
-            let between = narrow * (1.0 - 1e-6)..=wide * (1.0 + 1e-6);
+            let between = narrow * (1.0 - 1e-4)..=wide * (1.0 + 1e-4);
             prop_assert!(between.contains(&found) && wide <= dry.frequency(3).unwrap(), "{between:?} {found}");
         }
         let modes = BendingModes::new(&string, &UNDAMPED, support).unwrap();
@@ -300,7 +326,7 @@ proptest! {
             let frequency = modes.frequency(index).unwrap();
             let at = |part: f64| network.at_rate(part * frequency)[(0, 0)].re;
             let (below, above) = (at(1.0 - 1e-4), at(1.0 + 1e-4));
-            prop_assert!(below > 0.0 && above < 0.0, "{index}: {below} {above}");
+            prop_assert!(below > 0.0 && above < 0.0, "{index} {frequency}: {below} {above}");
         }
         let distances = [place * string.length(), 0.0];
         let two = Sites::new(&string, &distances).unwrap();
