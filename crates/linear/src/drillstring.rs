@@ -4,6 +4,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use crate::error::DrillstringError;
+use crate::surroundings::{AxialForce, Hole, HoleSection, Stretch, stretches};
 use crate::top_drive::TopDrive;
 
 /// Two lengths closer than this fraction of the string are the same place.
@@ -16,57 +17,6 @@ pub struct Material {
     pub shear_modulus: f64,
     /// Density ρ, kg/m³.
     pub density: f64,
-}
-
-/// The fluid inside and around a string.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mud {
-    /// Density, kg/m³.
-    pub density: f64,
-}
-
-/// A hole full of mud, in which the string moves sideways.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Hole {
-    /// How wide it is, from the surface down; the last section ends no higher than the string.
-    pub sections: Vec<HoleSection>,
-    /// What is in it.
-    pub mud: Mud,
-}
-
-/// A length of hole of one width.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HoleSection {
-    /// Length, m.
-    pub length: f64,
-    /// Radius, m.
-    pub radius: f64,
-}
-
-/// What is around a piece of string that bends.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Surroundings {
-    /// Axial force besides the pre-compression, N; compression where negative.
-    pub(crate) tension: f64,
-    /// Radius of the hole of mud, if it is in one, m.
-    pub(crate) hole_radius: Option<f64>,
-}
-
-/// A length of string with the same around it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Stretch {
-    /// m.
-    pub(crate) length: f64,
-    pub(crate) around: Surroundings,
-}
-
-/// A length of string along which one axial force acts.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct AxialForce {
-    /// Length, m.
-    pub length: f64,
-    /// Tension, N; compression where negative.
-    pub tension: f64,
 }
 
 /// A uniform piece of tube.
@@ -288,26 +238,8 @@ impl Drillstring {
     /// What is around it where it bends, from the surface down.
     pub(crate) fn surroundings(&self) -> Vec<Stretch> {
         let length = self.length();
-        let tensions = self.axial_force.iter().map(|it| (it.length, it.tension));
-        let tensions = ends(tensions, (length, 0.0));
-        let radii = self.hole.iter().flat_map(|hole| &hole.sections);
-        let radii = ends(radii.map(|it| (it.length, Some(it.radius))), (length, None));
-        let mut depths: Vec<f64> = tensions.iter().map(|it| it.0).collect();
-        depths.extend(radii.iter().map(|it| it.0));
-        depths.sort_by(f64::total_cmp);
-        depths.dedup_by(|one, other| *one - *other <= SAME_PLACE * length);
-        let mut top = 0.0;
-        let stretch = |bottom: f64| {
-            let middle = 0.5 * (top + bottom);
-            let around = Surroundings {
-                tension: at(&tensions, middle),
-                hole_radius: at(&radii, middle),
-            };
-            let length = bottom - top;
-            top = bottom;
-            Stretch { length, around }
-        };
-        depths.into_iter().map(stretch).collect()
+        let hole = self.hole.as_ref();
+        stretches(&self.axial_force, hole, length, SAME_PLACE * length)
     }
 
     /// The axial force along it, from the surface down; empty where none but that of
@@ -416,27 +348,6 @@ impl Drillstring {
             section.parts.iter().map(move |part| (count, part))
         })
     }
-}
-
-/// The depths at which lengths with something end; all in one where there are none.
-fn ends<T>(pieces: impl Iterator<Item = (f64, T)>, all: (f64, T)) -> Vec<(f64, T)> {
-    let mut depth = 0.0;
-    let mut ends: Vec<(f64, T)> = pieces
-        .map(|(length, what)| {
-            depth += length;
-            (depth, what)
-        })
-        .collect();
-    if ends.is_empty() {
-        ends.push(all);
-    }
-    ends
-}
-
-/// What is at a depth; below all ends, what the last has.
-fn at<T: Copy>(ends: &[(f64, T)], depth: f64) -> T {
-    let place = ends.partition_point(|(end, _)| *end <= depth);
-    ends[place.min(ends.len() - 1)].1
 }
 
 fn positive(quantity: &'static str, value: f64) -> Result<(), DrillstringError> {

@@ -95,6 +95,7 @@ pub mod pulse;
 pub mod responses;
 mod sites;
 mod spans;
+mod surroundings;
 mod top_drive;
 #[cfg(test)]
 mod validation;
@@ -103,10 +104,7 @@ pub mod well;
 
 pub use cascade::Cascade;
 pub use channel::{Channel, Port};
-pub use drillstring::{
-    AxialForce, Bending, Drillstring, Hole, HoleSection, Material, Mud, Section, StringId,
-    SurfaceSupport, Tube,
-};
+pub use drillstring::{Bending, Drillstring, Material, Section, StringId, SurfaceSupport, Tube};
 pub use error::{BuildError, DrillstringError, ResponseError};
 pub use method::Method;
 pub use num_complex::Complex64;
@@ -116,4 +114,5 @@ pub use responses::{
     surface_torque,
 };
 pub use sites::Sites;
+pub use surroundings::{AxialForce, Hole, HoleSection, Mud};
 pub use top_drive::TopDrive;

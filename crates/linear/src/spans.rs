@@ -2,9 +2,10 @@
 //! two neighbouring nodes.
 
 use crate::channel::Channel;
-use crate::drillstring::{Drillstring, SAME_PLACE, Section, Stretch, Surroundings, Tube};
+use crate::drillstring::{Drillstring, SAME_PLACE, Section, Tube};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
+use crate::surroundings::{Stretch, Surroundings};
 
 /// The string between two neighbouring nodes, from the top down.
 #[derive(Debug, Clone, PartialEq)]

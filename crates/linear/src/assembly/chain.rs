@@ -6,8 +6,9 @@
 //! log₂ N joins at most; only differences of stiffnesses occur, so no number of cells
 //! overflows.
 
-use crate::drillstring::{Section, Surroundings, Tube};
+use crate::drillstring::{Section, Tube};
 use crate::spans::{Span, Surrounded, SurroundedSpan};
+use crate::surroundings::Surroundings;
 
 /// Dynamic stiffness of a piece of string between its top and its bottom.
 pub trait Stiffness: Copy {

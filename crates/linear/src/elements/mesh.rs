@@ -2,10 +2,11 @@
 //! at every site.
 
 use crate::channel::Channel;
-use crate::drillstring::{Drillstring, Surroundings, Tube};
+use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
+use crate::surroundings::Surroundings;
 
 /// The most elements: 16 million, some gigabytes with their matrices.
 const MOST_ELEMENTS: usize = 1 << 24;

@@ -23,10 +23,11 @@ use crate::assembly::stiff_beam::{StiffBeam, turns};
 use crate::assembly::torsion::{Drive, DynamicStiffness, TorsionAdmittance};
 use crate::assembly::{bending, chain, torsion};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Surroundings, Tube};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::BuildError;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
+use crate::surroundings::Surroundings;
 
 /// Velocity and acceleration per displacement at one ζ.
 #[derive(Debug, Clone, Copy)]

@@ -9,10 +9,11 @@ use crate::assembly::chain;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Surroundings, Tube};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport, Tube};
 use crate::error::DrillstringError;
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
+use crate::surroundings::Surroundings;
 
 /// A string cut at its sites once, to be evaluated at many frequencies.
 #[derive(Debug, Clone)]

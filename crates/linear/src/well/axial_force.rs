@@ -2,7 +2,8 @@
 
 use super::survey::Survey;
 use super::{GRAVITY, STEP};
-use crate::drillstring::{AxialForce, Bending, Drillstring, Mud};
+use crate::drillstring::{Bending, Drillstring};
+use crate::surroundings::{AxialForce, Mud};
 
 /// What a force that changes evenly by 1 along a piece does to the wave in bending that feels it
 /// most, and the angle κ by which that turns along the piece: the most of

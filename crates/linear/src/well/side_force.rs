@@ -5,7 +5,8 @@
 
 use super::survey::{Survey, Vector, combine, length};
 use super::{GRAVITY, STEP};
-use crate::drillstring::{Drillstring, Mud};
+use crate::drillstring::Drillstring;
+use crate::surroundings::Mud;
 
 /// What is taken to press a string against its well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

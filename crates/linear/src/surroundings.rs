@@ -1,0 +1,103 @@
+//! What is around a string that bends: mud in a hole of some width, and an axial force along it.
+
+/// The fluid inside and around a string.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mud {
+    /// Density, kg/m³.
+    pub density: f64,
+}
+
+/// A hole full of mud, in which the string moves sideways.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hole {
+    /// How wide it is, from the surface down; the last section ends no higher than the string.
+    pub sections: Vec<HoleSection>,
+    /// What is in it.
+    pub mud: Mud,
+}
+
+/// A length of hole of one width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HoleSection {
+    /// Length, m.
+    pub length: f64,
+    /// Radius, m.
+    pub radius: f64,
+}
+
+/// What is around a piece of string that bends.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Surroundings {
+    /// Axial force besides the pre-compression, N; compression where negative.
+    pub(crate) tension: f64,
+    /// Radius of the hole of mud, if it is in one, m.
+    pub(crate) hole_radius: Option<f64>,
+}
+
+/// A length of string with the same around it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stretch {
+    /// m.
+    pub(crate) length: f64,
+    pub(crate) around: Surroundings,
+}
+
+/// A length of string along which one axial force acts.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AxialForce {
+    /// Length, m.
+    pub length: f64,
+    /// Tension, N; compression where negative.
+    pub tension: f64,
+}
+
+/// Stretches with the same around each, from the surface down; places closer than `same_place`
+/// are one.
+pub(crate) fn stretches(
+    axial_force: &[AxialForce],
+    hole: Option<&Hole>,
+    length: f64,
+    same_place: f64,
+) -> Vec<Stretch> {
+    let tensions = axial_force.iter().map(|it| (it.length, it.tension));
+    let tensions = ends(tensions, (length, 0.0));
+    let radii = hole.into_iter().flat_map(|hole| &hole.sections);
+    let radii = ends(radii.map(|it| (it.length, Some(it.radius))), (length, None));
+    let mut depths: Vec<f64> = tensions.iter().map(|it| it.0).collect();
+    depths.extend(radii.iter().map(|it| it.0));
+    depths.sort_by(f64::total_cmp);
+    depths.dedup_by(|one, other| *one - *other <= same_place);
+    let mut top = 0.0;
+    let stretch = |bottom: f64| {
+        let middle = 0.5 * (top + bottom);
+        let around = Surroundings {
+            tension: at(&tensions, middle),
+            hole_radius: at(&radii, middle),
+        };
+        let length = bottom - top;
+        top = bottom;
+        Stretch { length, around }
+    };
+    depths.into_iter().map(stretch).collect()
+}
+
+/// The depths at which lengths with something end; all in one where there are none.
+fn ends<T>(pieces: impl Iterator<Item = (f64, T)>, all: (f64, T)) -> Vec<(f64, T)> {
+    let mut depth = 0.0;
+    let mut ends: Vec<(f64, T)> = pieces
+        .map(|(length, what)| {
+            depth += length;
+            (depth, what)
+        })
+        .collect();
+    if ends.is_empty() {
+        ends.push(all);
+    }
+    ends
+}
+
+/// What is at a depth; below all ends, what the last has.
+fn at<T: Copy>(ends: &[(f64, T)], depth: f64) -> T {
+    let place = ends.partition_point(|(end, _)| *end <= depth);
+    ends[place.min(ends.len() - 1)].1
+}
