@@ -147,6 +147,14 @@ fn what_is_wrong_is_told_by_its_key() {
             "the weight on bit is not known",
         ),
         (
+            HANGING.replace(
+                "weight_on_bit_kn = { values",
+                "torque_dynamic_nm = { values",
+            ),
+            "axial_force",
+            "the weight on bit is not known",
+        ),
+        (
             HANGING.replace("values = [0, 10, 20, 200]", "values = [-1, 10]"),
             "weight_on_bit_kn",
             "-1",
@@ -209,6 +217,11 @@ fn a_hole_that_cannot_be_is_told_by_its_key() {
             format!("{upper}, {{ from_m = 210, to_m = 400, hole_radius_m = 0.15 }}"),
             "well.holes[1].from_m",
             "no hole from 200 m to 210 m",
+        ),
+        (
+            "{ from_m = 0, to_m = 400, hole_radius_m = 0.2 }]\nhole_radius_m = 0.2 #".to_owned(),
+            "hole_radius_m",
+            "instead of `holes`, not beside it",
         ),
         (
             upper.to_owned(),

@@ -8,6 +8,8 @@ use super::conditions::Conditions;
 use super::data::Data;
 use super::hole::survey_along;
 use super::lateral::LateralSettings;
+use crate::design::Design;
+use crate::quantities::Axis;
 use crate::sweep_file::{FileContent, Source, SweepFileError};
 
 /// A string that hangs in its well.
@@ -41,7 +43,8 @@ impl Hanging {
 pub fn resolve(
     source: &Source,
     content: &FileContent,
-    (data, conditions, mud): (&Data, &Conditions, Option<Mud>),
+    (data, mud): (&Data, Option<Mud>),
+    (conditions, design): (&Conditions, &Design),
     string: Drillstring,
     lateral: Option<&LateralSettings>,
 ) -> Result<(Drillstring, Option<Hanging>), SweepFileError> {
@@ -53,10 +56,10 @@ pub fn resolve(
         let message = "matters to a string that bends: needs a [wall]";
         return Err(source.error(key, message));
     };
-    let rock = content.bit.as_ref().map(|bit| bit.rock.is_some());
-    let message = "the weight on bit is not known: needs a rock in [bit], or no [bit] for a \
-                   string off bottom";
-    source.refuse_if(rock == Some(false), key, message)?;
+    let is_known = conditions.has(Axis::WeightOnBitKn, design);
+    let message = "the weight on bit is not known: needs that and a rock in [bit], or no [bit] for \
+                   a string off bottom";
+    source.refuse_if(content.bit.is_some() && !is_known, key, message)?;
     let tolerance = table.tolerance;
     source.within("axial_force.tolerance", tolerance, 1e-4, 0.1, "")?;
     let survey = survey_along(source, data, &string)?;

@@ -73,8 +73,6 @@ fn sections(
     };
     let radius = |key: &str, radius| source.within(key, radius, 1e-3, 2.0, "m");
     if let Some(given) = well.hole_radius_m {
-        let message = "is given instead of `hole_radius_m`, not beside it";
-        source.refuse_if(!well.holes.is_empty(), "well.holes", message)?;
         let radius = radius("well.hole_radius_m", given)?;
         return Ok(Some(vec![HoleSection { length, radius }]));
     }

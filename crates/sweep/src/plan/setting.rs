@@ -109,9 +109,14 @@ impl Setting {
         };
         let sites = sites::resolve(source, content, &string)?;
         let lateral = lateral::resolve(source, content, &string, &sites, conditions, design)?;
-        let known = (data, conditions, mud);
-        let (string, hanging) =
-            axial_force::resolve(source, content, known, string, lateral.as_ref())?;
+        let (string, hanging) = axial_force::resolve(
+            source,
+            content,
+            (data, mud),
+            (conditions, design),
+            string,
+            lateral.as_ref(),
+        )?;
         let friction = string_friction::resolve(source, content, data, &string, &sites, mud)?;
         let setting = Self {
             string,

@@ -19,11 +19,12 @@ const MOST_FILES: usize = 64;
 
 /// Keys that say the same in another way: a file gives one of each pair, and it
 /// replaces the other of its base.
-const RIVALS: [Rivals; 7] = [
+const RIVALS: [Rivals; 8] = [
     Rivals("", "accuracy", "methods"),
     Rivals("", "accuracy", "method"),
     Rivals("", "accuracy", "sampling_frequency_hz"),
     Rivals("string", "file", "sections"),
+    Rivals("well", "hole_radius_m", "holes"),
     Rivals("", "surface_speed_file", "surface_speed_rpm"),
     Rivals("", "surface_speed_file", "surface_speed_rise_s"),
     Rivals("", "surface_speed_column", "surface_speed_rpm"),
