@@ -310,15 +310,6 @@ fn what_is_wrong_is_refused_with_its_place() {
             "`top_drive.inertia_kg_m2`: a rotor that is at its speed at once",
         ),
         (
-            format!(
-                "surface_speed_rpm = 9\n{}[[compare]]\ntrace = \"surface_torque_nm\"\n\
-                 file = \"recorded.csv\"\ncolumn = \"torque_klbf_ft\"\nfrom_s = 1\nto_s = 2\n",
-                &SWEEP[SWEEP.find("[string]").unwrap()..SWEEP.find("[well]").unwrap()]
-            ),
-            "",
-            "`compare[0].trace`: it is followed with [string_friction], and of a bit",
-        ),
-        (
             with("pieces = 8", "pieces = 0"),
             "",
             "`string_friction.pieces`: 0 is not between 1",

@@ -19,8 +19,8 @@ const LOOK: f64 = 8.0;
 const WATCH: f64 = 2.0;
 
 /// Numbers for each site and step of a time history with lateral motion: speed,
-/// position, wall force, all forces.
-const RECORDED: f64 = 7.0;
+/// position, force and torque of the wall, all forces.
+const RECORDED: f64 = 8.0;
 
 /// What [`crate::Simulator::new`] takes: responses of so many taps in torsion and, where
 /// there are any, in bending, to torques at so many of the sites.
@@ -58,6 +58,16 @@ pub fn case(sites: usize, taps: Taps, steps: f64) -> f64 {
 pub fn trajectory(sites: usize, is_lateral: bool, steps: f64) -> f64 {
     let recorded = if is_lateral { RECORDED } else { 1.0 };
     REAL * steps * (1.0 + recorded * sites as f64)
+}
+
+/// What a [`crate::SurfaceTorque`] takes, of responses of so many taps in torsion.
+pub fn surface_torque(sites: usize, taps: f64) -> f64 {
+    sites as f64 * kernels_memory(1, taps) + REAL * taps
+}
+
+/// What finding it takes for a motion of so many steps, besides the motion.
+pub fn surface_torque_of(taps: f64, steps: f64) -> f64 {
+    convolution_memory(1, 1, taps, steps) + 2.0 * REAL * steps
 }
 
 /// Taps of responses; none in bending where it is not modelled.

@@ -1,9 +1,6 @@
 //! How the surface turns, and what that makes of the sites.
 
-use linear::{ResponseError, Responses};
-
 use crate::convolution::{Convolution, Kernels};
-use crate::error::SimulationError;
 use crate::ranges::{SceneError, not_negative};
 use crate::recording::Recording;
 use crate::sampling::Sampling;
@@ -17,6 +14,10 @@ pub enum SurfaceProfile {
     /// It was recorded.
     Recorded(Recording),
 }
+
+/// A recorded speed is known no finer than some hundredths of a revolution per minute: its
+/// acceleration is taken over this time, s.
+const ACCELERATED_OVER: f64 = 0.1;
 
 impl Default for SurfaceProfile {
     fn default() -> Self {
@@ -49,6 +50,13 @@ impl SurfaceProfile {
             Self::Rise(_) => 1.0,
             Self::Recorded(recording) => recording.at(time),
         }
+    }
+
+    /// How it grows at a time, 1/s.
+    pub(crate) fn acceleration(&self, time: f64) -> f64 {
+        let half = 0.5 * ACCELERATED_OVER;
+        let [before, after] = [time - half, time + half].map(|time| self.at(time.max(0.0)));
+        (after - before) / ACCELERATED_OVER
     }
 }
 
@@ -103,7 +111,7 @@ impl SurfaceResponse {
     fn recorded(taps: &[f64], recording: &Recording, sampling: Sampling) -> Self {
         let recorded = (recording.end() * sampling.frequency).ceil() as usize + 1;
         let inputs = (0..recorded + taps.len()).map(|step| recording.at(sampling.time_of(step)));
-        let values = convolved(taps, &inputs.collect::<Vec<_>>());
+        let values = convolved_with(taps, &inputs.collect::<Vec<_>>());
         Self {
             last: values.last().copied().unwrap_or(0.0),
             values,
@@ -156,41 +164,9 @@ impl SurfaceResponse {
     }
 }
 
-/// Torque with which the surface is turned, N m, in every step of a motion in which nothing
-/// acts but the torque on the bit: `taps` are those of [`linear::surface_torque`] by the method
-/// of the `responses`, and the surface turns at its speed (rad/s) by its profile. Below a top drive
-/// it is the torque of its motor. A torque on the bit is met at the surface as the bit's speed is
-/// by the surface's (reciprocity, Eqs. 44–48).
-///
-/// # Errors
-/// Where these are not the responses of a string with a bit.
-pub fn surface_torque(
-    responses: &Responses,
-    taps: &[f64],
-    profile: &SurfaceProfile,
-    surface_speed: f64,
-    bit_torque: &[f64],
-) -> Result<Vec<f64>, SimulationError> {
-    profile.check()?;
-    responses.check()?;
-    if taps.is_empty() {
-        return Err(ResponseError::Shape.into());
-    }
-    let channel = linear::Channel::Torsion;
-    let torsion = (responses.torsion()).ok_or(ResponseError::NoChannel { channel })?;
-    let bit = (responses.sites.bit_site()).ok_or(SimulationError::NoTorqueInput)?;
-    let sampling = Sampling::new(responses.sampling_frequency, responses.method.moment());
-    let turned = SurfaceResponse::new(taps, profile, sampling);
-    let from_bit = convolved(&torsion.from_surface[bit], bit_torque);
-    let torques = (from_bit.iter().enumerate())
-        .map(|(step, of_bit)| surface_speed * turned.at(step) - of_bit);
-    Ok(torques.collect())
-}
-
-/// Σ A(k − n) E(n) for every input E(k).
-pub(crate) fn convolved(taps: &[f64], inputs: &[f64]) -> Vec<f64> {
-    let kernels = Kernels::of(&[vec![taps]]);
-    let mut convolution = Convolution::new(&kernels, 1, inputs.len());
+/// Σ A(k − n) E(n) for every input E(k), of one response.
+pub(crate) fn convolved(kernels: &Kernels, inputs: &[f64]) -> Vec<f64> {
+    let mut convolution = Convolution::new(kernels, 1, inputs.len());
     let sums = inputs.iter().map(|&input| {
         let mut past = [0.0];
         convolution.write_past(&mut past);
@@ -198,6 +174,11 @@ pub(crate) fn convolved(taps: &[f64], inputs: &[f64]) -> Vec<f64> {
         past[0] + kernels.instant(0, 0) * input
     });
     sums.collect()
+}
+
+/// The same of a response that is convolved but once.
+pub(crate) fn convolved_with(taps: &[f64], inputs: &[f64]) -> Vec<f64> {
+    convolved(&Kernels::of(&[vec![taps]]), inputs)
 }
 
 fn running_sums(values: &[f64]) -> Vec<f64> {

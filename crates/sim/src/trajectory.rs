@@ -16,7 +16,7 @@ pub struct Trajectory {
     /// where the bit is free.
     pub bit_torque: Vec<f64>,
     /// Torque with which the surface is turned, below a top drive that of its motor, N m; empty
-    /// unless it is asked for ([`crate::surface_torque`]).
+    /// unless it is asked for ([`crate::SurfaceTorque`]).
     pub surface_torque: Vec<f64>,
     /// Speed of the surface, rad/s; empty where it is not followed.
     pub surface_speed: Vec<f64>,
@@ -24,6 +24,8 @@ pub struct Trajectory {
     pub positions: Vec<Vec<[f64; 2]>>,
     /// Force of the wall on each site, N; empty without lateral motion.
     pub wall_forces: Vec<Vec<[f64; 2]>>,
+    /// Torque of its friction on each site, N m; empty without lateral motion.
+    pub wall_torques: Vec<Vec<f64>>,
     /// All forces on each site, disturbances included, as
     /// `forces[axis][site][step]`, N; empty without lateral motion.
     pub forces: [Vec<Vec<f64>>; 2],
@@ -45,6 +47,7 @@ impl Trajectory {
             surface_speed: Vec::new(),
             positions: vec![Vec::new(); walls],
             wall_forces: vec![Vec::new(); walls],
+            wall_torques: vec![Vec::new(); walls],
             forces: Default::default(),
         };
     }
@@ -56,6 +59,7 @@ impl Trajectory {
         for (site, contact) in now.contacts.iter().enumerate() {
             self.positions[site].push(contact.position);
             self.wall_forces[site].push(contact.force);
+            self.wall_torques[site].push(contact.torque);
         }
         self.bit_torque
             .extend(now.bit.as_ref().map(|bit| bit.torque));

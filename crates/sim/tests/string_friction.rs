@@ -6,7 +6,7 @@ use problems::academic;
 use problems::pipes;
 use sim::{
     BitTorque, CascadeScene, CascadeSimulator, LoadLine, NodeTorque, PipeFriction, Recording,
-    Scene, Simulator, Stopping, SurfaceProfile, Timing, TorqueLaw, Trajectory,
+    Scene, Simulator, Stopping, SurfaceProfile, SurfaceTorque, Timing, TorqueLaw, Trajectory,
 };
 
 fn timing(duration: f64) -> Timing {
@@ -96,14 +96,9 @@ fn pieces_one_by_one_are_the_whole_string() {
                 .simulate(&scene, Stopping::Full, Some(&mut expected))
                 .unwrap();
             let taps = linear::surface_torque(string, &method, &request).unwrap();
-            let at_surface = sim::surface_torque(
-                &responses,
-                &taps,
-                &SurfaceProfile::default(),
-                1.0,
-                &expected.bit_torque,
-            )
-            .unwrap();
+            let profile = SurfaceProfile::default();
+            let torque = SurfaceTorque::new(&responses, &taps, &profile, 0.0).unwrap();
+            let at_surface = torque.of(1.0, &expected);
             let mut torques = vec![NodeTorque::None; pieces];
             torques.push(NodeTorque::Bit(law));
             let scene = CascadeScene {

@@ -7,7 +7,7 @@ use crate::convolution::Kernel;
 use crate::error::SimulationError;
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
-use crate::surface::{SurfaceProfile, convolved};
+use crate::surface::{SurfaceProfile, convolved_with};
 
 /// A string in pieces, and what its surface makes of it, in every step per unit of the speed
 /// that a scene names.
@@ -51,21 +51,21 @@ impl CascadeSystem {
         let links: Vec<LinkKernels> = cascade.links.iter().map(LinkKernels::new).collect();
         let end = (cascade.end.as_ref()).map(|end| EndKernel::new(end.impedance, &end.reflection));
         let (own, next) = stiffness(&top, &links, end.as_ref());
-        let mut torque = convolved(&cascade.top.torque_by_set, &set);
+        let mut torque = convolved_with(&cascade.top.torque_by_set, &set);
         if rotor_inertia > 0.0 {
             for (step, torque) in torque.iter_mut().enumerate() {
-                *torque += rotor_inertia * acceleration(profile, sampling.time_of(step));
+                *torque += rotor_inertia * profile.acceleration(sampling.time_of(step));
             }
         }
         let (speed, speed_by_wave) = match &cascade.top.speed {
             None => (set.clone(), None),
-            Some([by_set, by_wave]) => (convolved(by_set, &set), Some(Kernel::new(by_wave))),
+            Some([by_set, by_wave]) => (convolved_with(by_set, &set), Some(Kernel::new(by_wave))),
         };
         Ok(Self {
             sampling,
             longest_time: cascade.longest_time,
             nodes: cascade.nodes.clone(),
-            sent: convolved(&cascade.top.sent, &set),
+            sent: convolved_with(&cascade.top.sent, &set),
             torque,
             torque_by_wave: Kernel::new(&cascade.top.torque_by_wave),
             speed,
@@ -77,17 +77,6 @@ impl CascadeSystem {
             next,
         })
     }
-}
-
-/// A recorded speed is known no finer than some hundredths of a revolution per minute: its
-/// acceleration is taken over this time, s.
-const ACCELERATED_OVER: f64 = 0.1;
-
-/// How a profile grows at a time, 1/s.
-fn acceleration(profile: &SurfaceProfile, time: f64) -> f64 {
-    let half = 0.5 * ACCELERATED_OVER;
-    let [before, after] = [time - half, time + half].map(|time| profile.at(time.max(0.0)));
-    (after - before) / ACCELERATED_OVER
 }
 
 fn stiffness(

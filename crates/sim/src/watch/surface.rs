@@ -17,6 +17,15 @@ pub struct SurfaceMeasures {
     pub greatest_torque: f64,
 }
 
+impl SurfaceMeasures {
+    /// Of a torque in every step, of which the last seconds are the closing window.
+    pub(crate) fn of(torques: &[f64], sampling: Sampling, closing_window: f64) -> Self {
+        let mut watch = SurfaceWatch::new(sampling, torques.len(), closing_window);
+        torques.iter().for_each(|torque| watch.see(*torque));
+        watch.measures()
+    }
+}
+
 /// Watches the torque step by step.
 #[derive(Debug, Clone)]
 pub(crate) struct SurfaceWatch {

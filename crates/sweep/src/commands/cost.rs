@@ -159,8 +159,7 @@ fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pa
 }
 
 fn systems_memory(sweep: &Sweep, setting: &Setting, longest: f64) -> f64 {
-    let cuts = sweep.bit.is_some();
-    let memory = StringMemory::of(setting, &sweep.methods, cuts, longest);
+    let memory = StringMemory::of(sweep, setting, &sweep.methods, longest);
     memory.systems.kept
 }
 
@@ -187,7 +186,7 @@ fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, options: RunOpti
         let part = shorten(&mut case.scene, most);
         let begun = Instant::now();
         for (method, system) in systems.iter().enumerate() {
-            system.answer(&case, method, options, &[]);
+            system.answer(&case, method, options, sweep);
         }
         Some(begun.elapsed().as_secs_f64() / part)
     };

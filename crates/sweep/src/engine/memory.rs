@@ -6,7 +6,7 @@ use linear::cost::{self, Memory};
 use sim::cost::Taps;
 
 use super::systems::request;
-use crate::plan::Setting;
+use crate::plan::{Setting, Sweep};
 
 /// Memory of one string by all methods, bytes: upper bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -20,10 +20,9 @@ pub struct StringMemory {
 }
 
 impl StringMemory {
-    /// Of cases up to the longest time (s), their bit cutting or not. Methods are
-    /// built side by side.
-    pub fn of(setting: &Setting, methods: &[Method], cuts: bool, longest_time: f64) -> Self {
-        let of_method = |method| Self::of_method(setting, method, cuts, longest_time);
+    /// Of the cases of a sweep, up to the longest time (s). Methods are built side by side.
+    pub fn of(sweep: &Sweep, setting: &Setting, methods: &[Method], longest_time: f64) -> Self {
+        let of_method = |method| Self::of_method(sweep, setting, method, longest_time);
         methods
             .iter()
             .map(of_method)
@@ -34,8 +33,8 @@ impl StringMemory {
             })
     }
 
-    fn of_method(setting: &Setting, method: &Method, cuts: bool, longest_time: f64) -> Self {
-        let sites = setting.sites.len();
+    fn of_method(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
+        let (sites, cuts) = (setting.sites.len(), sweep.bit.is_some());
         let steps = sim::cost::steps(longest_time, setting.sampling_frequency);
         let request = request(setting, cuts, longest_time);
         let built = cost::responses(&setting.string, method, &request);
@@ -55,9 +54,18 @@ impl StringMemory {
         if setting.lateral.is_some() {
             systems = systems.then(passing(cost::bending_margin(sites, taps.bending)));
         }
+        let mut case = sim::cost::case(sites, taps, steps);
+        if sweep.keeps_motion() {
+            case += sim::cost::trajectory(sites, setting.lateral.is_some(), steps);
+        }
+        if sweep.finds_surface_torque() {
+            let kept = sim::cost::surface_torque(sites, taps.torsion);
+            systems = systems.then(Memory::lasting(kept));
+            case += sim::cost::surface_torque_of(taps.torsion, steps);
+        }
         Self {
             systems,
-            case: sim::cost::case(sites, taps, steps),
+            case,
             too_long: built.too_long,
         }
     }

@@ -171,9 +171,7 @@ impl Work<'_> {
         }
         let record = match built.systems[method] {
             Ok(system) => Case::of(self.sweep, &system.setting, index)
-                .map(|case| {
-                    system.answer(&case, method, self.options, &self.sweep.data.comparisons)
-                })
+                .map(|case| system.answer(&case, method, self.options, self.sweep))
                 .map_err(Failure::new),
             Err(reason) => Err(Failure::new(reason)),
         };

@@ -81,8 +81,8 @@ pub fn survey(sweep: &Sweep) -> Result<Survey, CaseError> {
         };
         let mut found = of_string(sweep, &setting, string)?;
         if sweep.design.varies_string() {
-            let (cuts, longest) = (sweep.bit.is_some(), found.longest);
-            let memory = StringMemory::of(&setting.for_labels(), &sweep.methods, cuts, longest);
+            let longest = found.longest;
+            let memory = StringMemory::of(sweep, &setting.for_labels(), &sweep.methods, longest);
             found.heaviest = Some(Heaviest {
                 string,
                 longest,

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use sim::excitation::least_impulse;
 use sim::{
     CascadeScene, CascadeSimulator, Outcome, Sampling, Scene, SimulationError, Simulator, Stopping,
-    Trajectory,
+    SurfaceTorque, Trajectory,
 };
 
 use super::case::Case;
@@ -23,7 +23,7 @@ use super::front::{Front, Overshoot};
 use super::instability::{Instability, is_unstable};
 use super::record::{Failure, Record};
 use super::run_options::RunOptions;
-use crate::plan::{Comparison, ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
+use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
@@ -48,6 +48,8 @@ pub struct MethodSystem {
     /// there.
     undershoot: Option<f64>,
     simulator: Simulator,
+    /// What turns the surface, where that is to be known of a string that is not in pieces.
+    surface_torque: Option<SurfaceTorque>,
     /// The string in pieces, where friction acts all along it.
     cascade: Option<CascadeSimulator>,
 }
@@ -82,8 +84,14 @@ impl MethodSystem {
         method: Method,
         longest_time: f64,
     ) -> Result<Self> {
-        let system = Self::build(setting, method, sweep.bit.is_some(), longest_time)
+        let mut system = Self::build(setting, method, sweep.bit.is_some(), longest_time)
             .with_context(|| format!("the responses by {} cannot be built", method.name()))?;
+        if sweep.finds_surface_torque() {
+            system.follow_surface().with_context(|| {
+                let method = method.name();
+                format!("the torque at the surface by {method} cannot be built")
+            })?;
+        }
         // No impulse is so large: its site cannot reach the wall.
         let is_none = |(_, i0): &(usize, f64)| i0.is_nan() || *i0 > LARGEST_IMPULSE;
         if let Some((index, _)) = system.relative_impulses().find(is_none) {
@@ -166,6 +174,7 @@ impl MethodSystem {
             setting: setting.clone(),
             undershoot: responses.at_bit().map(largest_undershoot),
             simulator,
+            surface_torque: None,
             cascade: None,
             responses,
         })
@@ -275,32 +284,26 @@ impl MethodSystem {
         Some(system.driven_speeds(speed, &motion.bit_torque, steps))
     }
 
-    /// Torque of the motor, N m, in a motion of which the torque on the bit is known. `None`
-    /// without a top drive, and where lateral motion is modelled: friction at walls acts there.
+    /// Makes the torque known that turns the surface, for [`MethodSystem::surface_torque`].
     ///
     /// # Errors
     /// Where the method does not treat the string.
-    pub fn motor_torque(&self, case: &Case, motion: &Trajectory) -> Result<Option<Vec<f64>>> {
-        let (setting, longest_time) = (&self.setting, self.responses.longest_time);
-        if self.cascade.is_some() {
-            // It has been followed.
-            return Ok(None);
-        }
-        let is_driven = setting.string.top_drive().is_some() && !motion.bit_torque.is_empty();
-        if !is_driven || self.responses.bending().is_some() {
-            return Ok(None);
-        }
-        let request = request(setting, false, longest_time);
+    pub fn follow_surface(&mut self) -> Result<()> {
+        let setting = &self.setting;
+        let request = request(setting, false, self.responses.longest_time);
         let taps = linear::surface_torque(&setting.string, &self.method, &request)?;
-        let speed = case.scene.surface_speed;
-        let torques = sim::surface_torque(
-            &self.responses,
-            &taps,
-            &setting.profile,
-            speed,
-            &motion.bit_torque,
-        )?;
-        Ok(Some(torques))
+        let (profile, inertia) = (&setting.profile, setting.rotor_inertia);
+        let torque = SurfaceTorque::new(&self.responses, &taps, profile, inertia)?;
+        self.surface_torque = Some(torque);
+        Ok(())
+    }
+
+    /// Adds the torque that turns the surface, N m, to a motion where it is to be known; of a
+    /// string in pieces the motion has it.
+    pub fn add_surface_torque(&self, case: &Case, motion: &mut Trajectory) {
+        if let Some(torque) = &self.surface_torque {
+            motion.surface_torque = torque.of(case.scene.surface_speed, motion);
+        }
     }
 
     /// How far above the analytic limit of stick-slip (Eq. 74) the surface turns, rad/s: that
@@ -314,14 +317,8 @@ impl MethodSystem {
 
     /// What a run with these options comes to of a case; `method` is this one's place in
     /// the sweep's list. A case that panics is one without an answer, and not the end of
-    /// the sweep. Its motion is held against `comparisons`.
-    pub fn answer(
-        &self,
-        case: &Case,
-        method: usize,
-        options: RunOptions,
-        comparisons: &[Comparison],
-    ) -> Record {
+    /// the sweep. Its motion is held against what the sweep compares with.
+    pub fn answer(&self, case: &Case, method: usize, options: RunOptions, sweep: &Sweep) -> Record {
         let failed = |reason: CaseError| {
             let values = case.values.clone();
             Record::failed(case.index, method, values, Failure::new(reason))
@@ -330,8 +327,8 @@ impl MethodSystem {
             return failed(CaseError::Unstable(instability));
         }
         let stopping = options.stopping(case.index);
-        // Whatever is held against a recording is followed to the end.
-        let mut motion = (!comparisons.is_empty()).then(Trajectory::default);
+        // What is measured of a motion, or held against a recording, is followed to the end.
+        let mut motion = sweep.keeps_motion().then(Trajectory::default);
         let simulated = catch_unwind(AssertUnwindSafe(|| {
             self.simulate(case, stopping, motion.as_mut())
         }));
@@ -351,12 +348,14 @@ impl MethodSystem {
             if record.outcome.is_ok() {
                 record.above_limit = self.above_limit(&case.scene);
             }
-            if let (Ok(_), Some(mut motion)) = (&record.outcome, motion) {
-                match self.motor_torque(case, &motion) {
-                    Ok(torques) => motion.surface_torque.extend(torques.into_iter().flatten()),
-                    Err(error) => return failed(CaseError::Responses(error)),
+            if let (Ok(outcome), Some(mut motion)) = (&mut record.outcome, motion) {
+                self.add_surface_torque(case, &mut motion);
+                let is_measured = sweep.measures_surface_torque();
+                if let Some(torque) = self.surface_torque.as_ref().filter(|_| is_measured) {
+                    let window = case.scene.timing.closing_window;
+                    outcome.surface = Some(torque.measures(&motion.surface_torque, window));
                 }
-                record.misfits = (comparisons.iter())
+                record.misfits = (sweep.data.comparisons.iter())
                     .map(|comparison| comparison.misfit(&motion))
                     .collect();
             }

@@ -21,8 +21,13 @@ impl FollowedMethod {
     /// Of what a run steps a case against, for cases up to the longest.
     ///
     /// # Errors
-    /// Where the method does not treat the places that are only watched.
-    pub fn new(sweep: &Sweep, case: MethodSystem, longest: f64) -> Result<Self> {
+    /// Where the method does not treat the places that are only watched, or the surface.
+    pub fn new(sweep: &Sweep, mut case: MethodSystem, longest: f64) -> Result<Self> {
+        // What the motor does is shown, asked for or not; where the string rubs it is known.
+        let is_driven = case.setting.string.top_drive().is_some();
+        if is_driven && case.setting.friction.is_none() && !sweep.finds_surface_torque() {
+            case.follow_surface()?;
+        }
         let is_watched = sweep.setting.sites.len() > case.setting.sites.len();
         let watched = is_watched.then(|| {
             MethodSystem::build(&sweep.setting, case.method, sweep.bit.is_some(), longest)
@@ -47,9 +52,7 @@ impl FollowedMethod {
         options: RunOptions,
         is_alone: bool,
     ) -> Result<(Record, Option<Simulation>)> {
-        let row = self
-            .case
-            .answer(case, method, options, &sweep.data.comparisons);
+        let row = self.case.answer(case, method, options, sweep);
         let Ok(answer) = row.outcome else {
             return Ok((row, None));
         };
@@ -75,9 +78,7 @@ impl FollowedMethod {
             let method = self.case.method.name();
             format!("case {} by {method}, followed to its end", case.index)
         })?;
-        if let Some(torques) = self.case.motor_torque(case, &motion)? {
-            motion.surface_torque = torques;
-        }
+        self.case.add_surface_torque(case, &mut motion);
         if let Some(watched) = &self.watched
             && let Some(mut speeds) = watched.driven_speeds(case, &motion)
         {

@@ -111,8 +111,7 @@ impl<'a> Demand<'a> {
         let mut case: f64 = 0.0;
         let mut too_long = None;
         for (index, (setting, longest)) in self.strings.iter().enumerate() {
-            let cuts = self.sweep.bit.is_some();
-            let string = StringMemory::of(setting, &self.methods, cuts, *longest);
+            let string = StringMemory::of(self.sweep, setting, &self.methods, *longest);
             let count = if index == 0 { 1 } else { strings_at_once };
             systems = systems.then(string.systems.times(count));
             case = case.max(string.case);

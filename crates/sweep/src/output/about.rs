@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
-use super::labels::{LabelTable, shows_torque};
+use super::labels::{LabelTable, shows_surface, shows_torque};
 use super::manifest::Manifest;
 use crate::engine::{MethodSystem, RunOptions, Shard, pairs_of};
 use crate::plan::Sweep;
@@ -51,7 +51,7 @@ impl About {
         Ok(Self {
             manifest,
             shows_torque: shows_torque(sweep),
-            shows_surface: sweep.setting.friction.is_some(),
+            shows_surface: shows_surface(sweep),
             misfits: LabelTable::of(sweep)
                 .misfits
                 .into_iter()

@@ -72,7 +72,7 @@ impl<'a> LabelTable<'a> {
             methods: sweep.methods.iter().map(|method| method.name()).collect(),
             axes: sweep.design.axes(),
             shows_torque: shows_torque(sweep),
-            shows_surface: sweep.setting.friction.is_some(),
+            shows_surface: shows_surface(sweep),
             misfits: (sweep.data.comparisons.iter())
                 .map(|comparison| comparison.column.as_str())
                 .collect(),
@@ -129,6 +129,11 @@ impl<'a> LabelTable<'a> {
 /// Whether T_d has a column in the table of a sweep.
 pub(super) fn shows_torque(sweep: &Sweep) -> bool {
     sweep.bit.is_some() && !sweep.design.axes().contains(&Axis::TorqueDynamicNm)
+}
+
+/// Whether what turns the surface has columns in the table of a sweep.
+pub(super) fn shows_surface(sweep: &Sweep) -> bool {
+    sweep.content.surface_torque || sweep.setting.friction.is_some()
 }
 
 /// A row being written.

@@ -153,18 +153,13 @@ fn is_followed(
 ) -> Result<(), SweepFileError> {
     let (rubs, bends) = (content.string_friction.is_some(), content.wall.is_some());
     let at_bit = (content.sites.iter()).any(|site| site.distance_from_bit_m == 0.0);
-    let is_driven = content.top_drive.is_some() && content.bit.is_some() && !bends;
     let (is_there, message) = match trace {
         TraceName::BitSpeedRpm => (
             !bends || at_bit,
             "with a wall the bit is followed where it is one of the [[sites]]",
         ),
         TraceName::SurfaceSpeedRpm => (rubs, "it is followed with [string_friction]"),
-        TraceName::SurfaceTorqueNm => (
-            rubs || is_driven,
-            "it is followed with [string_friction], and of a bit that cuts below a [top_drive], \
-             without a wall",
-        ),
+        TraceName::SurfaceTorqueNm => return Ok(()),
     };
     source.refuse_if(!is_there, key, message)
 }

@@ -28,7 +28,6 @@ mod wall;
 
 pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
-pub use compare::Comparison;
 pub use conditions::{Conditions, to_rpm};
 pub use data::Data;
 pub use impulses::{ImpulseAmount, ImpulseSettings, LARGEST_IMPULSE};

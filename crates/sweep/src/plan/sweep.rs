@@ -17,7 +17,8 @@ use super::texts;
 use crate::design::Design;
 use crate::quantities::Axis;
 use crate::sweep_file::{
-    AutoOr, FileContent, MethodName, SheetNotes, Source, SweepFileError, TextOf, put_sections,
+    AutoOr, FileContent, MethodName, SheetNotes, Source, SweepFileError, TextOf, TraceName,
+    put_sections,
 };
 use crate::text_file::read_text;
 
@@ -164,6 +165,25 @@ impl Sweep {
     pub fn setting_at(&self, values: &[f64]) -> Result<Cow<'_, Setting>, SweepFileError> {
         let axes = self.design.axes().iter().copied();
         self.setting_with(axes.zip(values.iter().copied()))
+    }
+
+    /// Whether the torque that turns the surface is measured after each case; where the string
+    /// rubs along its well it is followed anyway.
+    pub fn measures_surface_torque(&self) -> bool {
+        self.content.surface_torque && self.content.string_friction.is_none()
+    }
+
+    /// Whether the motion of every case is kept until its row is known.
+    pub fn keeps_motion(&self) -> bool {
+        self.measures_surface_torque() || !self.data.comparisons.is_empty()
+    }
+
+    /// Whether the torque that turns the surface is to be found of motions that are kept.
+    pub fn finds_surface_torque(&self) -> bool {
+        let mut comparisons = self.data.comparisons.iter();
+        let is_compared = comparisons.any(|it| it.trace == TraceName::SurfaceTorqueNm);
+        let is_followed = self.content.string_friction.is_some();
+        self.measures_surface_torque() || is_compared && !is_followed
     }
 
     /// Whether an axis changes the string.

@@ -21,8 +21,8 @@ pub fn resolve(
     let (drive, inertia) = drive(source, table, &string)?;
     let Some(drive) = drive else {
         let message = "a rotor that is held at its speed shows in the motor's torque alone, \
-                       which is followed with [string_friction]";
-        let is_idle = content.string_friction.is_none();
+                       which is followed with [string_friction] or `surface_torque = true`";
+        let is_idle = content.string_friction.is_none() && !content.surface_torque;
         source.refuse_if(is_idle, "top_drive.controller", message)?;
         let message = "a rotor that is at its speed at once takes an infinite torque: give \
                        `surface_speed_rise_s`, or what was recorded";

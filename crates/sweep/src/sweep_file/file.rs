@@ -9,7 +9,7 @@ use super::design::DesignTable;
 use super::lateral::{EccentricMassTable, ImpulseTable, SiteTable, WallTable};
 use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
-use super::number_or::{Accuracy, AutoOr, is_zero};
+use super::number_or::{Accuracy, AutoOr, is_false, is_zero};
 use super::string::StringTable;
 use super::top_drive::TopDriveTable;
 use super::well::{AxialForceTable, MudTable, StringFrictionTable, WellTable};
@@ -38,6 +38,9 @@ pub struct FileContent {
     /// Its column of speeds, if there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surface_speed_column: Option<String>,
+    /// Whether the torque that turns the surface is measured in every case.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub surface_torque: bool,
     /// What turns the string; without it the surface turns as prescribed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub top_drive: Option<TopDriveTable>,

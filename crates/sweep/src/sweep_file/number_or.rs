@@ -92,3 +92,9 @@ impl<'de> Deserialize<'de> for AutoOr {
 pub fn is_zero(value: &f64) -> bool {
     *value == 0.0
 }
+
+/// Whether what is left out by default is not asked for.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+pub fn is_false(value: &bool) -> bool {
+    !*value
+}

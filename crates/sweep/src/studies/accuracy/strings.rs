@@ -121,12 +121,11 @@ impl<'a> Strings<'a> {
     /// # Errors
     /// Where building and stepping them would take more than the limit.
     pub fn fits(&self, method: Method, steps: Steps, held: f64) -> Result<f64> {
-        let cuts = self.sweep.bit.is_some();
         // A string that cannot be is told when it is to be built.
         let settings = (self.cases.iter()).filter_map(|&case| self.setting(case, steps).ok());
         let (mut systems, mut case) = (Memory::default(), 0.0f64);
         for setting in settings {
-            let of_string = StringMemory::of(&setting, &[method], cuts, self.longest);
+            let of_string = StringMemory::of(self.sweep, &setting, &[method], self.longest);
             // A transform that is too long is refused at once, and takes nothing; others
             // are built longer and longer until then.
             let is_transform = matches!(method, Method::Hilbert(_) | Method::DirectIdft(_));

@@ -1,0 +1,95 @@
+//! What turns the surface: the torque that it takes there to turn the string as it turned.
+
+use linear::{ResponseError, Responses};
+
+use crate::convolution::Kernels;
+use crate::error::SimulationError;
+use crate::ranges::not_negative;
+use crate::sampling::Sampling;
+use crate::surface::{SurfaceProfile, SurfaceResponse, convolved};
+use crate::trajectory::Trajectory;
+use crate::watch::surface::SurfaceMeasures;
+
+/// The torque with which the surface is turned, below a top drive that of its motor, ready to be
+/// found for any motion of a string.
+///
+/// A torque on the string is met at the surface as the speed of its site is by the surface's
+/// (reciprocity, Eqs. 44–48): what turns the freely rotating string, less what comes up from
+/// the bit and from each wall.
+#[derive(Debug, Clone)]
+pub struct SurfaceTorque {
+    sampling: Sampling,
+    profile: SurfaceProfile,
+    rotor_inertia: f64,
+    /// Of the string alone, per unit of surface speed.
+    turned: SurfaceResponse,
+    /// Of each site, what of a torque there comes to the surface.
+    from_sites: Vec<Kernels>,
+    /// The site that is the bit, where one is.
+    bit_site: Option<usize>,
+}
+
+impl SurfaceTorque {
+    /// For a string with `responses` whose surface turns by a profile; `taps` are those of
+    /// [`linear::surface_torque`] by the method of the responses. A motor that holds the surface
+    /// at its speed whatever it takes has a rotor of this inertia, kg m².
+    ///
+    /// # Errors
+    /// Where these are not the responses of a string, or the profile or the inertia is none.
+    pub fn new(
+        responses: &Responses,
+        taps: &[f64],
+        profile: &SurfaceProfile,
+        rotor_inertia: f64,
+    ) -> Result<Self, SimulationError> {
+        profile.check()?;
+        not_negative("inertia of the rotor in kg m²", rotor_inertia)?;
+        responses.check()?;
+        if taps.is_empty() {
+            return Err(ResponseError::Shape.into());
+        }
+        let channel = linear::Channel::Torsion;
+        let torsion = (responses.torsion()).ok_or(ResponseError::NoChannel { channel })?;
+        let sampling = Sampling::new(responses.sampling_frequency, responses.method.moment());
+        Ok(Self {
+            sampling,
+            profile: profile.clone(),
+            rotor_inertia,
+            turned: SurfaceResponse::new(taps, profile, sampling),
+            from_sites: (torsion.from_surface.iter())
+                .map(|taps| Kernels::of(&[vec![taps]]))
+                .collect(),
+            bit_site: responses.sites.bit_site(),
+        })
+    }
+
+    /// The torque in every step of a motion, N m, whose surface comes to a speed (rad/s).
+    pub fn of(&self, surface_speed: f64, motion: &Trajectory) -> Vec<f64> {
+        let steps = 0..motion.times.len();
+        let mut torques: Vec<f64> = steps
+            .map(|step| surface_speed * (self.turned.at(step) + self.rotor_torque(step)))
+            .collect();
+        let at_bit = (self.bit_site.into_iter()).map(|site| (site, &motion.bit_torque));
+        let at_walls = motion.wall_torques.iter().enumerate();
+        for (site, loads) in at_bit.chain(at_walls) {
+            let come_up = convolved(&self.from_sites[site], loads);
+            for (torque, from_below) in torques.iter_mut().zip(come_up) {
+                *torque -= from_below;
+            }
+        }
+        torques
+    }
+
+    /// What the rotor takes, per unit of surface speed.
+    fn rotor_torque(&self, step: usize) -> f64 {
+        if self.rotor_inertia == 0.0 {
+            return 0.0;
+        }
+        self.rotor_inertia * self.profile.acceleration(self.sampling.time_of(step))
+    }
+
+    /// What that comes to, with the last seconds of a motion as its closing window.
+    pub fn measures(&self, torques: &[f64], closing_window: f64) -> SurfaceMeasures {
+        SurfaceMeasures::of(torques, self.sampling, closing_window)
+    }
+}
