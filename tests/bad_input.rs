@@ -9,6 +9,8 @@ mod large_files;
 mod lateral;
 #[path = "bad_input/other_files.rs"]
 mod other_files;
+#[path = "bad_input/random_axes.rs"]
+mod random_axes;
 #[path = "support/refusals.rs"]
 mod refusals;
 #[path = "support/soon.rs"]

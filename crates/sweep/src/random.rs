@@ -17,10 +17,14 @@ impl Stream {
         Self(random)
     }
 
+    /// The next number, uniform from 0 to 1.
+    pub fn part(&mut self) -> f64 {
+        // 53 random bits: every double in [0, 1) of that spacing.
+        (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
     /// The next number, uniform between two, or with a uniform logarithm.
     pub fn between(&mut self, from: f64, to: f64, spacing: Spacing) -> f64 {
-        // 53 random bits: every double in [0, 1) of that spacing.
-        let fraction = (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
-        spacing.between(from, to, fraction)
+        spacing.between(from, to, self.part())
     }
 }

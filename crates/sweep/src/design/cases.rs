@@ -152,6 +152,7 @@ fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), Sweep
     let given = [
         ("axes", !table.axes.is_empty(), !is_list),
         ("cases", table.cases.is_some(), is_random),
+        ("correlations", !table.correlations.is_empty(), is_random),
         ("seed", table.seed.is_some(), is_random),
         ("file", table.file.is_some(), is_list),
     ];

@@ -77,6 +77,7 @@ fn snapped(value: f64) -> f64 {
 
 fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64>, SweepFileError> {
     let key = format!("design.axes.{}", axis.name());
+    refuse_distribution(source, &key, range)?;
     let values = match (&range.values, range.from, range.to, range.count) {
         (Some(values), None, None, None) => values.clone(),
         (None, Some(from), Some(to), Some(count)) => {
@@ -106,4 +107,28 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
         source.check_axis(&place, axis, value)?;
     }
     Ok(values)
+}
+
+/// What says how random values are spread would be ignored.
+fn refuse_distribution(
+    source: &Source,
+    key: &str,
+    range: &AxisRange,
+) -> Result<(), SweepFileError> {
+    let given = [
+        ("distribution", range.distribution.is_some()),
+        ("mean", range.mean.is_some()),
+        ("standard_deviation", range.standard_deviation.is_some()),
+        ("median", range.median.is_some()),
+        (
+            "geometric_standard_deviation",
+            range.geometric_standard_deviation.is_some(),
+        ),
+        ("mode", range.mode.is_some()),
+    ];
+    for (name, is_given) in given {
+        let message = "is of random values: `kind = \"monte-carlo\"`";
+        source.refuse_if(is_given, &format!("{key}.{name}"), message)?;
+    }
+    Ok(())
 }

@@ -2,6 +2,8 @@
 
 mod axes;
 mod cases;
+mod correlation;
+mod distribution;
 mod grid;
 mod list;
 mod monte_carlo;

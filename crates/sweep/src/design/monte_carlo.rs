@@ -1,9 +1,11 @@
-//! Independent random values. A case draws from (seed, case index) alone.
+//! Random values. A case draws from (seed, case index) alone.
 
-use super::axes::{check_ends, count_string_axes, in_order};
+use super::axes::{count_string_axes, in_order};
+use super::correlation::Correlation;
+use super::distribution::Distribution;
 use crate::quantities::Axis;
 use crate::random::Stream;
-use crate::sweep_file::{AxisRange, DesignTable, Source, Spacing, SweepFileError};
+use crate::sweep_file::{DesignTable, Source, SweepFileError};
 
 /// Random cases.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,16 +13,10 @@ pub struct MonteCarlo {
     pub(super) axes: Vec<Axis>,
     /// How many of them, the first ones, change the string.
     pub(super) of_string: usize,
-    ranges: Vec<Range>,
+    distributions: Vec<Distribution>,
+    correlation: Correlation,
     pub(super) cases: usize,
     pub(super) seed: u64,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-struct Range {
-    from: f64,
-    to: f64,
-    spacing: Spacing,
 }
 
 impl MonteCarlo {
@@ -36,13 +32,14 @@ impl MonteCarlo {
         };
         let given = in_order(table, weight_pushes);
         let axes: Vec<Axis> = given.iter().map(|(axis, _)| *axis).collect();
-        let ranges = (given.into_iter())
-            .map(|(axis, range)| Range::resolve(source, axis, range))
+        let distributions = (given.into_iter())
+            .map(|(axis, range)| Distribution::resolve(source, axis, range))
             .collect::<Result<_, _>>()?;
         Ok(Self {
             of_string: count_string_axes(&axes, weight_pushes),
+            correlation: Correlation::resolve(source, table, &axes)?,
             axes,
-            ranges,
+            distributions,
             cases,
             seed: table.seed.unwrap_or(0),
         })
@@ -52,7 +49,7 @@ impl MonteCarlo {
     /// along each axis is largest at one of them.
     pub fn corners(&self) -> Vec<Vec<f64>> {
         let mut corners = vec![Vec::new()];
-        for range in &self.ranges {
+        for range in &self.distributions {
             let ends = [range.from, range.to].into_iter();
             let with = |end: f64| {
                 corners
@@ -66,46 +63,27 @@ impl MonteCarlo {
 
     pub(super) fn values(&self, index: usize) -> Vec<f64> {
         let mut stream = Stream::new(self.seed, index as u64);
-        let ranges = self.ranges.iter();
-        ranges
-            .map(|range| stream.between(range.from, range.to, range.spacing))
+        let mut parts: Vec<f64> = self.axes.iter().map(|_| stream.part()).collect();
+        self.correlation.correlate(&mut parts);
+        std::iter::zip(&self.distributions, parts)
+            .map(|(distribution, part)| distribution.at(part))
             .collect()
-    }
-}
-
-impl Range {
-    fn resolve(source: &Source, axis: Axis, range: &AxisRange) -> Result<Self, SweepFileError> {
-        let key = format!("design.axes.{}", axis.name());
-        let (Some(from), Some(to), None, None) = (range.from, range.to, range.count, &range.values)
-        else {
-            return Err(source.error(&key, "a Monte Carlo axis has `from` and `to`"));
-        };
-        let message = "is counted in whole numbers: make it an axis of a grid or a list";
-        source.refuse_if(axis.is_counted(), &key, message)?;
-        check_ends(source, axis, range, (from, to))?;
-        Ok(Self {
-            from,
-            to,
-            spacing: range.spacing,
-        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sweep_file::Spacing;
 
     #[test]
     fn a_case_draws_from_its_seed_and_index_alone() {
-        let range = |from: f64| Range {
-            from,
-            to: from + 1.0,
-            spacing: Spacing::Linear,
-        };
+        let range = |from: f64| Distribution::uniform(from, from + 1.0, Spacing::Linear);
         let design = |seed| MonteCarlo {
             axes: vec![Axis::SurfaceSpeedRpm, Axis::TorqueDynamicNm],
             of_string: 0,
-            ranges: vec![range(1.0), range(5.0)],
+            distributions: vec![range(1.0), range(5.0)],
+            correlation: Correlation::default(),
             cases: 1000,
             seed,
         };

@@ -13,7 +13,7 @@ use crate::quantities::{Axis, TWINS, shown_as};
 use crate::sweep_file::SweepFileError;
 use crate::sweep_file::bit::{BitTable, LawTable};
 use crate::sweep_file::compare::CompareTable;
-use crate::sweep_file::design::{AxisRange, DesignTable};
+use crate::sweep_file::design::{AxisRange, CorrelationTable, DesignTable};
 use crate::sweep_file::file::FileContent;
 use crate::sweep_file::lateral::*;
 use crate::sweep_file::map::{MapTable, MarkTable};
@@ -110,6 +110,15 @@ from_s = 1
 to_s = 9
 of = "greatest"
 over_s = 0.5
+[design]
+kind = "monte-carlo"
+cases = 2
+[design.axes]
+string_friction = { from = 0.1, to = 0.4 }
+torsional_damping_nms_rad_m = { from = 1, to = 4 }
+[[design.correlations]]
+axes = ["string_friction", "torsional_damping_nms_rad_m"]
+coefficient = 0.5
 "#;
 
 /// What its files have.
@@ -184,6 +193,7 @@ fn chapters() -> Vec<Chapter> {
         chapter::<FiniteElement>("`[method.finite-element]`", "method.finite-element"),
         chapter::<DesignTable>("`[design]`", "design"),
         chapter::<AxisRange>("An axis", "design.axes.surface_speed_rpm"),
+        in_well::<CorrelationTable>("`[[design.correlations]]`", "design.correlations.0"),
         chapter::<MapTable>("`[map]`", "map"),
         chapter::<MarkTable>("`marks`", "map.marks.0"),
     ];

@@ -28,6 +28,9 @@ pub struct DesignTable {
     /// The axes of a grid or a Monte Carlo design.
     #[serde(default)]
     pub axes: BTreeMap<Axis, AxisRange>,
+    /// Random axes that go together.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub correlations: Vec<CorrelationTable>,
     /// Number of Monte Carlo cases.
     pub cases: Option<usize>,
     /// Seed of a Monte Carlo design. Default 0.
@@ -50,6 +53,64 @@ pub struct AxisRange {
     pub spacing: Spacing,
     /// Grid values one by one, instead of `from`, `to` and `count`.
     pub values: Option<Vec<f64>>,
+    /// How random values are spread between `from` and `to`. Default uniform.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub distribution: Option<DistributionName>,
+    /// Of a normal distribution, before its ends are cut off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean: Option<f64>,
+    /// Of a normal distribution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub standard_deviation: Option<f64>,
+    /// Of a log-normal distribution, before its ends are cut off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub median: Option<f64>,
+    /// Of a log-normal distribution: a factor.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geometric_standard_deviation: Option<f64>,
+    /// The most frequent value of a triangular distribution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mode: Option<f64>,
+}
+
+/// Two random axes that go together.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CorrelationTable {
+    /// Which.
+    pub axes: [Axis; 2],
+    /// The coefficient of correlation of their normal scores.
+    pub coefficient: f64,
+}
+
+/// How random values are spread.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DistributionName {
+    /// Evenly.
+    #[default]
+    Uniform,
+    /// Evenly in the logarithm.
+    LogUniform,
+    /// By a bell curve.
+    Normal,
+    /// By a bell curve in the logarithm.
+    LogNormal,
+    /// Rising and falling evenly.
+    Triangular,
+}
+
+impl DistributionName {
+    /// Its name in a sweep file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Uniform => "uniform",
+            Self::LogUniform => "log-uniform",
+            Self::Normal => "normal",
+            Self::LogNormal => "log-normal",
+            Self::Triangular => "triangular",
+        }
+    }
 }
 
 impl AxisRange {

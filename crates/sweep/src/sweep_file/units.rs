@@ -34,7 +34,15 @@ const KEYS: [&str; 25] = [
 ];
 
 /// Of an axis, what has its unit.
-const WITH_UNIT: [&str; 3] = ["from", "to", "values"];
+const WITH_UNIT: [&str; 7] = [
+    "from",
+    "to",
+    "values",
+    "mean",
+    "standard_deviation",
+    "median",
+    "mode",
+];
 
 /// A key in SI units for one in others, and the factors of its numbers; `None` for any other.
 pub fn key_in_si(key: &str) -> Option<(String, &'static [f64])> {
