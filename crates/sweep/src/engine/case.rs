@@ -51,7 +51,7 @@ impl Case {
             Some(bit) => {
                 let torque = bit.torque_dynamic(conditions)?;
                 let torque = torque.ok_or(CaseError::Missing("torque"))?;
-                (Some(torque), Some(bit.torques(torque)))
+                (Some(torque), Some(conditions.torques(torque)))
             }
         };
         let torques = (setting.friction.as_ref())

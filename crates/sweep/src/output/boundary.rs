@@ -67,8 +67,9 @@ pub enum BoundaryError {
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
-    // Every string has limits of its own.
-    if sweep.design.varies_string() {
+    // Every string has limits of its own, and every law of the bit.
+    let mut axes = sweep.design.axes().iter();
+    if sweep.design.varies_string() || axes.any(|axis| axis.changes_bit()) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
     if let (Some(lateral), Some(_)) = (
@@ -124,7 +125,7 @@ fn stick_slip_limit(
             let Some(torque) = torque else {
                 continue;
             };
-            let torques = bit.torques(torque);
+            let torques = conditions.torques(torque);
             let limit =
                 stick_slip_speed_limit(undershoot, torques.torque_static, torques.torque_dynamic);
             points.push(StickSlipPoint {

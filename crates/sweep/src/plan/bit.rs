@@ -5,7 +5,7 @@ use sim::{BitTorque, Rock};
 use thiserror::Error;
 
 use super::conditions::{Conditions, RPM};
-use crate::quantities::Axis;
+use crate::quantities::{Axis, RockConstant};
 use crate::sweep_file::{BitTable, LawTable, RockName, Source, SweepFileError};
 
 /// The bit's torque law, but for the quantities that axes may change.
@@ -13,16 +13,23 @@ use crate::sweep_file::{BitTable, LawTable, RockName, Source, SweepFileError};
 pub struct Bit {
     /// From weight on bit to T_d.
     pub rock: Option<Rock>,
-    /// T_s / T_d.
-    pub static_ratio: f64,
-    /// Speed over which the torque falls from the one to the other, rad/s.
-    pub decay_speed: f64,
 }
 
 /// Why a rock gives no torque for a weight on bit.
 #[derive(Debug, Error)]
-#[error("{}", in_kilonewtons(.0))]
-pub struct TorqueError(RockError);
+pub enum TorqueError {
+    /// It does not reach so far.
+    #[error("{}", in_kilonewtons(.0))]
+    Rock(RockError),
+    /// Its constants do not go together.
+    #[error("poor cleaning begins in phase II, above {end} kN here, not at {from} kN")]
+    Cleaning {
+        /// Where poor cleaning is said to begin, kN.
+        from: f64,
+        /// Where phase I ends, kN.
+        end: f64,
+    },
+}
 
 /// With weights in the unit in which the user gives them.
 fn in_kilonewtons(error: &RockError) -> String {
@@ -51,16 +58,22 @@ impl Bit {
         let Some((weight, rock)) = conditions.weight_on_bit_kn.zip(self.rock.as_ref()) else {
             return Ok(None);
         };
-        let torque = rock.torque_dynamic(1e3 * weight);
-        torque.map(Some).map_err(TorqueError)
+        let own = conditions.law.map(|table| consistent(&table)).transpose()?;
+        let torque = match own {
+            Some(law) => Rock::Law(law).torque_dynamic(1e3 * weight),
+            None => rock.torque_dynamic(1e3 * weight),
+        };
+        torque.map(Some).map_err(TorqueError::Rock)
     }
+}
 
-    /// Both torque limits for a dynamic torque.
+impl Conditions {
+    /// The law of the bit for a dynamic torque, N m.
     pub fn torques(&self, torque_dynamic: f64) -> BitTorque {
         BitTorque {
-            torque_static: self.static_ratio * torque_dynamic,
+            torque_static: self.torque_static_ratio.unwrap_or(1.0) * torque_dynamic,
             torque_dynamic,
-            decay_speed: self.decay_speed,
+            decay_speed: RPM * self.torque_decay_rpm.unwrap_or(0.0),
         }
     }
 }
@@ -70,10 +83,6 @@ impl Bit {
 /// # Errors
 /// Where a key of it is refused.
 pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
-    let ratio = bit.torque_static_ratio;
-    let static_ratio = source.within("bit.torque_static_ratio", ratio, 1.0, 10.0, "")?;
-    let (key, decay) = ("bit.torque_decay_rpm", bit.torque_decay_rpm);
-    let decay_speed = RPM * source.within(key, decay, 0.0, 1e4, "rpm")?;
     let rock = match (bit.rock, bit.law, &bit.table_kn_nm) {
         (None, None, None) => None,
         (Some(RockName::Sandstone), None, None) => Some(Rock::sandstone()),
@@ -92,48 +101,53 @@ pub fn resolve(source: &Source, bit: &BitTable) -> Result<Bit, SweepFileError> {
             return Err(source.error("bit.rock", message));
         }
     };
-    Ok(Bit {
-        rock,
-        static_ratio,
-        decay_speed,
-    })
+    Ok(Bit { rock })
 }
 
+/// The law of a rock, each of its constants checked.
 fn law(source: &Source, table: &LawTable) -> Result<CuttingLaw, SweepFileError> {
-    let within = |key: &str, value: f64, least: f64, most: f64, unit: &'static str| {
-        source.within(&format!("bit.law.{key}"), value, least, most, unit)
-    };
-    let (energy, strength) = (table.specific_energy_mpa, table.contact_strength_mpa);
-    let mut law = CuttingLaw {
-        bit_radius: within("bit_radius_m", table.bit_radius_m, 1e-3, 2.0, "m")?,
-        specific_energy: 1e6 * within("specific_energy_mpa", energy, 0.1, 1e4, "MPa")?,
-        cutting_ratio: within("cutting_ratio", table.cutting_ratio, 1e-2, 10.0, "")?,
-        friction: within("friction", table.friction, 0.0, 10.0, "")?,
-        contact_strength: 1e6 * within("contact_strength_mpa", strength, 0.1, 1e4, "MPa")?,
-        contact_growth: within("contact_growth", table.contact_growth, 1e-3, 1e3, "")?,
-        wear_flat: 1e-3 * within("wear_flat_mm", table.wear_flat_mm, 1e-3, 1e3, "mm")?,
+    for constant in RockConstant::ALL {
+        if let Some(&mut value) = table.clone().constant(constant) {
+            let axis = Axis::Rock(constant);
+            let key = axis.name().replacen("rock_", "bit.law.", 1);
+            source.check_axis(&key, axis, value)?;
+        }
+    }
+    let has_half = table.poor_cleaning_from_kn.is_some() != table.poor_cleaning_nm_per_kn.is_some();
+    let message = "poor cleaning needs both `poor_cleaning_from_kn` and `poor_cleaning_nm_per_kn`";
+    source.refuse_if(has_half, "bit.law", message)?;
+    source.checked("bit.law.poor_cleaning_from_kn", consistent(table))
+}
+
+/// The law of a rock whose constants are each in their range, if they go together.
+fn consistent(table: &LawTable) -> Result<CuttingLaw, TorqueError> {
+    let cleaning = table
+        .poor_cleaning_from_kn
+        .zip(table.poor_cleaning_nm_per_kn);
+    let law = CuttingLaw {
+        bit_radius: table.bit_radius_m,
+        specific_energy: 1e6 * table.specific_energy_mpa,
+        cutting_ratio: table.cutting_ratio,
+        friction: table.friction,
+        contact_strength: 1e6 * table.contact_strength_mpa,
+        contact_growth: table.contact_growth,
+        wear_flat: 1e-3 * table.wear_flat_mm,
         poor_cleaning: None,
     };
-    let (from, slope) = match (table.poor_cleaning_from_kn, table.poor_cleaning_nm_per_kn) {
-        (None, None) => return Ok(law),
-        (Some(from), Some(slope)) => (from, slope),
-        _ => {
-            let message = "poor cleaning needs both `poor_cleaning_from_kn` \
-                           and `poor_cleaning_nm_per_kn`";
-            return Err(source.error("bit.law", message));
-        }
+    let Some((from, slope)) = cleaning else {
+        return Ok(law);
     };
-    law.poor_cleaning = Some(PoorCleaning {
-        weight_on_bit: 1e3 * within("poor_cleaning_from_kn", from, 1e-3, 1e5, "kN")?,
-        slope: 1e-3 * within("poor_cleaning_nm_per_kn", slope, 1e-6, 1e6, "N m/kN")?,
-    });
-    let end = law.end_of_phase_one().0;
-    let message = format!(
-        "poor cleaning begins in phase II, above {} kN here",
-        1e-3 * end
-    );
-    source.refuse_if(1e3 * from <= end, "bit.law.poor_cleaning_from_kn", message)?;
-    Ok(law)
+    let end = 1e-3 * law.end_of_phase_one().0;
+    if from <= end {
+        return Err(TorqueError::Cleaning { from, end });
+    }
+    Ok(CuttingLaw {
+        poor_cleaning: Some(PoorCleaning {
+            weight_on_bit: 1e3 * from,
+            slope: 1e-3 * slope,
+        }),
+        ..law
+    })
 }
 
 fn table(source: &Source, rows: &[(f64, f64)]) -> Result<Rock, SweepFileError> {

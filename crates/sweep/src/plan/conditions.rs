@@ -2,7 +2,7 @@
 
 use crate::design::Design;
 use crate::quantities::Axis;
-use crate::sweep_file::{FileContent, Source, SweepFileError};
+use crate::sweep_file::{FileContent, LawTable, Source, SweepFileError};
 
 /// One turn a minute, rad/s.
 pub const RPM: f64 = std::f64::consts::TAU / 60.0;
@@ -26,13 +26,19 @@ pub struct Conditions {
     pub string_friction_ratio: Option<f64>,
     /// Its Stribeck speed, rpm.
     pub string_friction_stribeck_rpm: Option<f64>,
+    /// T_s by T_d.
+    pub torque_static_ratio: Option<f64>,
+    /// Speed over which the torque falls from the one to the other, rpm.
+    pub torque_decay_rpm: Option<f64>,
+    /// The rock's own law, where it has one.
+    pub law: Option<LawTable>,
     /// What the friction of every wall is multiplied by, whoever gives it.
     pub friction_factor: Option<f64>,
 }
 
 impl Conditions {
     /// The axes that change them.
-    pub const AXES: [Axis; 8] = [
+    pub const AXES: [Axis; 10] = [
         Axis::SurfaceSpeedRpm,
         Axis::WeightOnBitKn,
         Axis::TorqueDynamicNm,
@@ -41,6 +47,8 @@ impl Conditions {
         Axis::StringFriction,
         Axis::StringFrictionRatio,
         Axis::StringFrictionSpeed,
+        Axis::TorqueStaticRatio,
+        Axis::TorqueDecay,
     ];
 
     /// These conditions with one of them changed. Weight on bit and torque
@@ -61,6 +69,12 @@ impl Conditions {
             Axis::StringFriction => self.string_friction = Some(value),
             Axis::StringFrictionRatio => self.string_friction_ratio = Some(value),
             Axis::StringFrictionSpeed => self.string_friction_stribeck_rpm = Some(value),
+            Axis::TorqueStaticRatio => self.torque_static_ratio = Some(value),
+            Axis::TorqueDecay => self.torque_decay_rpm = Some(value),
+            Axis::Rock(constant) => {
+                let place = self.law.as_mut().and_then(|law| law.constant(constant));
+                place.into_iter().for_each(|place| *place = value);
+            }
             // Part of the setting.
             Axis::String(_) => {}
         }
@@ -78,6 +92,9 @@ impl Conditions {
             Axis::StringFriction => self.string_friction,
             Axis::StringFrictionRatio => self.string_friction_ratio,
             Axis::StringFrictionSpeed => self.string_friction_stribeck_rpm,
+            Axis::TorqueStaticRatio => self.torque_static_ratio,
+            Axis::TorqueDecay => self.torque_decay_rpm,
+            Axis::Rock(constant) => self.law?.constant(constant).copied(),
             Axis::String(_) => None,
         }
     }
@@ -116,6 +133,9 @@ pub fn resolve(
         string_friction_stribeck_rpm: friction.map(|friction| friction.stribeck_rpm),
         weight_on_bit_kn: bit.and_then(|bit| bit.weight_on_bit_kn),
         torque_dynamic_nm: bit.and_then(|bit| bit.torque_dynamic_nm),
+        torque_static_ratio: bit.map(|bit| bit.torque_static_ratio),
+        torque_decay_rpm: bit.map(|bit| bit.torque_decay_rpm),
+        law: bit.and_then(|bit| bit.law),
         ..Conditions::default()
     };
     for (key, axis) in [
@@ -125,6 +145,8 @@ pub fn resolve(
         ("string_friction.static_coefficient", Axis::StringFriction),
         ("string_friction.dynamic_ratio", Axis::StringFrictionRatio),
         ("string_friction.stribeck_rpm", Axis::StringFrictionSpeed),
+        ("bit.torque_static_ratio", Axis::TorqueStaticRatio),
+        ("bit.torque_decay_rpm", Axis::TorqueDecay),
     ] {
         if let Some(value) = conditions.value(axis) {
             source.check_axis(key, axis, value)?;
@@ -170,6 +192,21 @@ pub fn are_complete(
             return Err(source.error("string_friction", message));
         }
         _ => {}
+    }
+    let mut of_bit = (design.axes().iter()).filter(|axis| {
+        matches!(
+            axis,
+            Axis::TorqueStaticRatio | Axis::TorqueDecay | Axis::Rock(_)
+        )
+    });
+    if let Some(axis) = of_bit.find(|axis| conditions.value(**axis).is_none()) {
+        let needs = match axis {
+            Axis::Rock(_) if conditions.law.is_some() => "poor cleaning in [bit.law]",
+            Axis::Rock(_) => "a rock with a law of its own: a table [bit.law]",
+            _ => "a table [bit]",
+        };
+        let key = format!("design.axes.{}", axis.name());
+        return Err(source.error(&key, format!("needs {needs}")));
     }
     let gives_torque = |axis: &&Axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     let mut torques = design.axes().iter().filter(gives_torque);

@@ -24,6 +24,50 @@ pub enum Axis {
     StringFrictionRatio,
     /// Stribeck speed of that friction, rpm.
     StringFrictionSpeed,
+    /// Static torque T_s by dynamic torque T_d.
+    TorqueStaticRatio,
+    /// Speed over which the torque falls from the one to the other, rpm.
+    TorqueDecay,
+    /// A constant of the rock's own law.
+    Rock(RockConstant),
+}
+
+/// A constant of a rock's own law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum RockConstant {
+    /// Radius of the bit.
+    BitRadius,
+    /// Intrinsic specific energy ε.
+    SpecificEnergy,
+    /// Ratio ζ of the cutting forces.
+    CuttingRatio,
+    /// Friction μγ at the wear flats.
+    Friction,
+    /// Contact strength σ.
+    ContactStrength,
+    /// Contact growth κ.
+    ContactGrowth,
+    /// Wear-flat length ℓ.
+    WearFlat,
+    /// Weight on bit from which cuttings are cleared poorly.
+    PoorCleaningFrom,
+    /// Torque per weight on bit beyond.
+    PoorCleaningSlope,
+}
+
+impl RockConstant {
+    /// All of them.
+    pub const ALL: [Self; 9] = [
+        Self::BitRadius,
+        Self::SpecificEnergy,
+        Self::CuttingRatio,
+        Self::Friction,
+        Self::ContactStrength,
+        Self::ContactGrowth,
+        Self::WearFlat,
+        Self::PoorCleaningFrom,
+        Self::PoorCleaningSlope,
+    ];
 }
 
 /// A quantity of the string that a design varies: each value needs a linear system of
@@ -54,6 +98,24 @@ pub enum StringAxis {
     SitePlace {
         /// Which site.
         site: usize,
+    },
+    /// Moment of inertia of the top drive.
+    DriveInertia,
+    /// K_p of its controller.
+    ProportionalGain,
+    /// K_i of its controller.
+    IntegralGain,
+    /// Density of the mud.
+    MudDensity,
+    /// An eccentric mass.
+    EccentricMass {
+        /// Which one.
+        mass: usize,
+    },
+    /// Its offset from the string's centre.
+    EccentricOffset {
+        /// Of which one.
+        mass: usize,
     },
 }
 
@@ -94,6 +156,12 @@ impl Axis {
         self.is_of_string() || (weight_pushes && self == Axis::WeightOnBitKn)
     }
 
+    /// Whether it changes what a weight on bit or a torque means for the bit: each of its values
+    /// has a limit of stick-slip of its own.
+    pub fn changes_bit(self) -> bool {
+        matches!(self, Axis::TorqueStaticRatio | Axis::Rock(_))
+    }
+
     /// Whether only whole numbers make sense.
     pub fn is_counted(self) -> bool {
         matches!(self, Axis::String(StringAxis::Repeat { .. }))
@@ -120,6 +188,9 @@ impl Axis {
             Axis::String(StringAxis::Repeat { section }) => [Some(section), None],
             Axis::String(StringAxis::Tube { section, part, .. }) => [Some(section), Some(part)],
             Axis::String(StringAxis::SitePlace { site }) => [Some(site), None],
+            Axis::String(
+                StringAxis::EccentricMass { mass } | StringAxis::EccentricOffset { mass },
+            ) => [Some(mass), None],
             _ => [None, None],
         }
     }

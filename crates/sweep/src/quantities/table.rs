@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::axis::{Axis, StringAxis, TubeMeasure};
+use super::axis::{Axis, RockConstant, StringAxis, TubeMeasure};
 use super::field_units::in_si;
 use super::numbered::{numbered, numbers_in};
 use super::range::{ValueError, within};
@@ -50,7 +50,7 @@ const fn tube(measure: TubeMeasure) -> Axis {
 
 /// One axis of every kind: operating conditions in the order of their columns, then
 /// quantities of the string.
-const KINDS: [Axis; 16] = [
+const KINDS: [Axis; 33] = [
     Axis::SurfaceSpeedRpm,
     Axis::WeightOnBitKn,
     Axis::TorqueDynamicNm,
@@ -59,6 +59,17 @@ const KINDS: [Axis; 16] = [
     Axis::StringFriction,
     Axis::StringFrictionRatio,
     Axis::StringFrictionSpeed,
+    Axis::TorqueStaticRatio,
+    Axis::TorqueDecay,
+    Axis::Rock(RockConstant::BitRadius),
+    Axis::Rock(RockConstant::SpecificEnergy),
+    Axis::Rock(RockConstant::CuttingRatio),
+    Axis::Rock(RockConstant::Friction),
+    Axis::Rock(RockConstant::ContactStrength),
+    Axis::Rock(RockConstant::ContactGrowth),
+    Axis::Rock(RockConstant::WearFlat),
+    Axis::Rock(RockConstant::PoorCleaningFrom),
+    Axis::Rock(RockConstant::PoorCleaningSlope),
     Axis::String(StringAxis::TorsionalDamping),
     Axis::String(StringAxis::BendingDamping),
     Axis::String(StringAxis::Compression),
@@ -67,6 +78,12 @@ const KINDS: [Axis; 16] = [
     tube(TubeMeasure::InnerRadius),
     tube(TubeMeasure::OuterRadius),
     Axis::String(StringAxis::SitePlace { site: 0 }),
+    Axis::String(StringAxis::DriveInertia),
+    Axis::String(StringAxis::ProportionalGain),
+    Axis::String(StringAxis::IntegralGain),
+    Axis::String(StringAxis::MudDensity),
+    Axis::String(StringAxis::EccentricMass { mass: 0 }),
+    Axis::String(StringAxis::EccentricOffset { mass: 0 }),
 ];
 
 impl Axis {
@@ -81,7 +98,26 @@ impl Axis {
             Axis::StringFriction => row("string_friction", ("Static friction of the string μ_s", "μ_s"), (0.0, 50.0, "")),
             Axis::StringFrictionRatio => row("string_friction_ratio", ("Dynamic by static friction μ_d / μ_s", "μ_d/μ_s"), (0.0, 1.0, "")),
             Axis::StringFrictionSpeed => row("string_friction_stribeck_rpm", ("Speed of the Stribeck curve ω_s", "ω_s"), (0.0, 1e4, "rpm")),
+            Axis::TorqueStaticRatio => row("torque_static_ratio", ("Static by dynamic torque T_s / T_d", "T_s/T_d"), (1.0, 10.0, "")),
+            Axis::TorqueDecay => row("torque_decay_rpm", ("Speed over which the torque falls", ""), (0.0, 1e4, "rpm")),
+            Axis::Rock(constant) => match constant {
+                RockConstant::BitRadius => row("rock_bit_radius_m", ("Radius of the bit", ""), (1e-3, 2.0, "m")),
+                RockConstant::SpecificEnergy => row("rock_specific_energy_mpa", ("Specific energy of the rock ε", "ε"), (0.1, 1e4, "MPa")),
+                RockConstant::CuttingRatio => row("rock_cutting_ratio", ("Cutting ratio ζ", "ζ"), (1e-2, 10.0, "")),
+                RockConstant::Friction => row("rock_friction", ("Friction at the wear flats μγ", "μγ"), (0.0, 10.0, "")),
+                RockConstant::ContactStrength => row("rock_contact_strength_mpa", ("Contact strength of the rock σ", "σ"), (0.1, 1e4, "MPa")),
+                RockConstant::ContactGrowth => row("rock_contact_growth", ("Contact growth κ", "κ"), (1e-3, 1e3, "")),
+                RockConstant::WearFlat => row("rock_wear_flat_mm", ("Wear-flat length ℓ", "ℓ"), (1e-3, 1e3, "mm")),
+                RockConstant::PoorCleaningFrom => row("rock_poor_cleaning_from_kn", ("Weight on bit from which cleaning is poor", ""), (1e-3, 1e5, "kN")),
+                RockConstant::PoorCleaningSlope => row("rock_poor_cleaning_nm_per_kn", ("Torque per weight on bit where cleaning is poor", ""), (1e-6, 1e6, "N m/kN")),
+            },
             Axis::String(axis) => match axis {
+                StringAxis::DriveInertia => row("top_drive_inertia_kg_m2", ("Inertia of the top drive", ""), (0.0, 1e6, "kg m²")),
+                StringAxis::ProportionalGain => row("proportional_gain_knms_rad", ("Proportional gain K_p", "K_p"), (1e-6, 1e6, "kN m s/rad")),
+                StringAxis::IntegralGain => row("integral_gain_knm_rad", ("Integral gain K_i", "K_i"), (1e-6, 1e6, "kN m/rad")),
+                StringAxis::MudDensity => row("mud_density_kg_m3", ("Density of the mud", ""), (1.0, 3e3, "kg/m³")),
+                StringAxis::EccentricMass { .. } => row("eccentric_mass_0_mass_kg", ("Eccentric mass 0", ""), (0.0, 1e6, "kg")),
+                StringAxis::EccentricOffset { .. } => row("eccentric_mass_0_offset_m", ("Offset of eccentric mass 0", ""), (0.0, 10.0, "m")),
                 StringAxis::TorsionalDamping => row("torsional_damping_nms_rad_m", ("Torsional damping", ""), (0.0, 1e5, "N m s/rad per m")),
                 StringAxis::BendingDamping => row("bending_damping_ns_m2", ("Lateral damping", ""), (0.0, 1e7, "N s/m²")),
                 StringAxis::Compression => row("compression_kn", ("Pre-compression C", ""), (-1e5, 1e5, "kN")),

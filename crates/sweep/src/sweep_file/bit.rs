@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::number_or::is_zero;
+use crate::quantities::RockConstant;
 
 /// Torque at the bit: given, or from a rock and a weight on bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -67,4 +68,21 @@ pub struct LawTable {
     pub poor_cleaning_from_kn: Option<f64>,
     /// Torque per weight on bit beyond, N m per kN.
     pub poor_cleaning_nm_per_kn: Option<f64>,
+}
+
+impl LawTable {
+    /// The place of a constant; of poor cleaning there is none where that is not modelled.
+    pub fn constant(&mut self, constant: RockConstant) -> Option<&mut f64> {
+        match constant {
+            RockConstant::BitRadius => Some(&mut self.bit_radius_m),
+            RockConstant::SpecificEnergy => Some(&mut self.specific_energy_mpa),
+            RockConstant::CuttingRatio => Some(&mut self.cutting_ratio),
+            RockConstant::Friction => Some(&mut self.friction),
+            RockConstant::ContactStrength => Some(&mut self.contact_strength_mpa),
+            RockConstant::ContactGrowth => Some(&mut self.contact_growth),
+            RockConstant::WearFlat => Some(&mut self.wear_flat_mm),
+            RockConstant::PoorCleaningFrom => self.poor_cleaning_from_kn.as_mut(),
+            RockConstant::PoorCleaningSlope => self.poor_cleaning_nm_per_kn.as_mut(),
+        }
+    }
 }

@@ -4,8 +4,10 @@
 use thiserror::Error;
 
 use super::file::FileContent;
+use super::lateral::EccentricMassTable;
 use super::lateral::{BendingTable, SiteTable};
 use super::string::SectionTable;
+use super::top_drive::{ControllerName, TopDriveTable};
 use crate::quantities::StringAxis;
 
 /// Why a file has no place for a quantity of the string.
@@ -20,6 +22,18 @@ pub enum NoPlace {
     /// A section has only so many parts.
     #[error("section {0} has {1} parts, from 0")]
     Part(usize, usize),
+    /// The surface turns as prescribed.
+    #[error("needs a table [top_drive]")]
+    TopDrive,
+    /// Its controller has gains of its own.
+    #[error("needs `controller = \"gains\"` in [top_drive]")]
+    Gains,
+    /// There is no fluid.
+    #[error("needs a table [mud]")]
+    Mud,
+    /// It has only so many eccentric masses.
+    #[error("the file has {0} [[eccentric_masses]], from 0")]
+    EccentricMass(usize),
     /// It has only so many sites.
     #[error("the file has {0} [[sites]], from 0")]
     Site(usize),
@@ -47,6 +61,20 @@ impl FileContent {
                 *parts.get_mut(part).ok_or(nowhere)?.measure(measure) = value;
             }
             StringAxis::SitePlace { site } => self.site(site)?.distance_from_bit_m = value,
+            StringAxis::DriveInertia => self.drive()?.inertia_kg_m2 = value,
+            StringAxis::ProportionalGain => {
+                let drive = self.drive_with(&[ControllerName::Gains])?;
+                drive.proportional_gain_knms_rad = Some(value);
+            }
+            StringAxis::IntegralGain => {
+                let takes = [ControllerName::Gains, ControllerName::ImpedanceMatched];
+                self.drive_with(&takes)?.integral_gain_knm_rad = Some(value);
+            }
+            StringAxis::MudDensity => {
+                self.mud.as_mut().ok_or(NoPlace::Mud)?.density_kg_m3 = value;
+            }
+            StringAxis::EccentricMass { mass } => self.eccentric_mass(mass)?.mass_kg = value,
+            StringAxis::EccentricOffset { mass } => self.eccentric_mass(mass)?.offset_m = value,
         }
         Ok(())
     }
@@ -58,6 +86,22 @@ impl FileContent {
     fn section(&mut self, section: usize) -> Result<&mut SectionTable, NoPlace> {
         let nowhere = NoPlace::Section(self.string.sections.len());
         self.string.sections.get_mut(section).ok_or(nowhere)
+    }
+
+    fn drive(&mut self) -> Result<&mut TopDriveTable, NoPlace> {
+        self.top_drive.as_mut().ok_or(NoPlace::TopDrive)
+    }
+
+    /// The drive, if its controller is one of those that take a gain.
+    fn drive_with(&mut self, takes: &[ControllerName]) -> Result<&mut TopDriveTable, NoPlace> {
+        let drive = self.drive()?;
+        let is_taken = takes.contains(&drive.controller);
+        is_taken.then_some(drive).ok_or(NoPlace::Gains)
+    }
+
+    fn eccentric_mass(&mut self, mass: usize) -> Result<&mut EccentricMassTable, NoPlace> {
+        let nowhere = NoPlace::EccentricMass(self.eccentric_masses.len());
+        self.eccentric_masses.get_mut(mass).ok_or(nowhere)
     }
 
     fn site(&mut self, site: usize) -> Result<&mut SiteTable, NoPlace> {

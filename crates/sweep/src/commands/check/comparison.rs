@@ -97,12 +97,13 @@ fn distance_in_torsion(
     record: &Record,
 ) -> Option<String> {
     let system = systems.get(record.method)?;
-    let torques = sweep.bit.as_ref()?.torques(record.torque_dynamic_nm?);
+    let conditions = sweep.conditions_at(&expected.values);
+    let torques = conditions.torques(record.torque_dynamic_nm?);
     let limit = stick_slip_speed_limit(
         largest_undershoot(system.driving_point()?),
         torques.torque_static,
         torques.torque_dynamic,
     );
-    let ratio = sweep.conditions_at(&expected.values).surface_speed()? / limit;
+    let ratio = conditions.surface_speed()? / limit;
     Some(format!(", at {ratio:.3} times the speed limit of Eq. 74"))
 }

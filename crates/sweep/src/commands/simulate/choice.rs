@@ -114,6 +114,12 @@ fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
         {
             "there is no wall in this sweep"
         }
+        Axis::TorqueStaticRatio | Axis::TorqueDecay if sweep.bit.is_none() => {
+            "the bit is free in this sweep"
+        }
+        Axis::Rock(_) if sweep.conditions.value(axis).is_none() => {
+            "the rock of this sweep has no such constant"
+        }
         Axis::ImpulseRatio if !has_ratio => "no impulse of this sweep is in multiples of I₀",
         _ => return Ok(()),
     };

@@ -34,8 +34,7 @@ const REPEATED: usize = 3;
 pub fn truth(problem: &Problem) -> Result<Truth> {
     let sweep = problem.sweep("")?;
     let string = &sweep.setting.string;
-    let bit = sweep.bit.as_ref().context("there is a bit")?;
-    let law = bit.torques(TORQUE);
+    let law = sweep.conditions.torques(TORQUE);
     let guess = guess(&sweep)?;
     let is_jointed = string.sections().iter().any(|section| section.repeat > 1);
     let places = if is_jointed {
