@@ -118,6 +118,12 @@ pub enum Command {
         /// A results folder, of an unfinished run too
         folder: PathBuf,
     },
+    /// Say how often each regime occurs, how sure that is, and which axis decides
+    #[command(after_help = "Examples:\n  sweep analyse results/well\n  \
+        sweep analyse results/well --by weight_on_bit_kn,surface_speed_rpm --width 0.02\n  \
+        sweep analyse results/well/shard-* --out analysis.csv\n\n\
+        Of unfinished runs as far as they are. Intervals are of 95 % (Wilson).")]
+    Analyse(AnalyseArguments),
     /// Print a script that completes this command line in a shell
     #[command(after_help = "Example, for bash:\n  \
         sweep completions bash > ~/.local/share/bash-completion/completions/sweep")]
@@ -355,13 +361,58 @@ pub struct ReportArguments {
     pub out: Option<PathBuf>,
 }
 
+/// Arguments of `analyse`.
+#[derive(Debug, Args)]
+pub struct AnalyseArguments {
+    /// A results folder, or shards of one sweep
+    #[arg(required = true)]
+    pub folders: Vec<PathBuf>,
+    /// Count over ranges of an axis, or of two: X or X,Y; may be repeated [default: each axis]
+    #[arg(long, value_name = "AXES", value_parser = parse_axes)]
+    pub by: Vec<AxesOfCells>,
+    /// Ranges of an axis that has more than a few values
+    #[arg(long, default_value = "10", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    pub bins: u16,
+    /// Say how many more cases an interval no wider than this takes, e.g. 0.02
+    #[arg(long, value_parser = parse_width)]
+    pub width: Option<f64>,
+    /// Write all counts and intervals to a CSV file
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// One axis or two.
+#[derive(Debug, Clone)]
+pub struct AxesOfCells(pub Vec<Axis>);
+
+fn parse_axes(text: &str) -> Result<AxesOfCells, String> {
+    let axes = text
+        .split(',')
+        .map(parse_axis)
+        .collect::<Result<Vec<_>, _>>()?;
+    if axes.len() > 2 || (axes.len() == 2 && axes[0] == axes[1]) {
+        return Err(format!("`{text}` is not one axis, or two"));
+    }
+    Ok(AxesOfCells(axes))
+}
+
+fn parse_width(text: &str) -> Result<f64, String> {
+    let is_width = |width: &f64| (1e-5..1.0).contains(width);
+    let width = text.parse().ok().filter(is_width);
+    width.ok_or_else(|| format!("`{text}` is not a part between 0.00001 and 1"))
+}
+
+fn parse_axis(name: &str) -> Result<Axis, String> {
+    let name = name.trim();
+    Axis::from_name(name).ok_or_else(|| match nearest(name, &Axis::NAMES) {
+        Some(known) => format!("unknown axis `{name}`; did you mean `{known}`?"),
+        None => format!("unknown axis `{name}`; known: {}", Axis::NAMES.join(", ")),
+    })
+}
+
 fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected AXIS=VALUE")?;
-    let axis =
-        Axis::from_name(name.trim()).ok_or_else(|| match nearest(name.trim(), &Axis::NAMES) {
-            Some(known) => format!("unknown axis `{name}`; did you mean `{known}`?"),
-            None => format!("unknown axis `{name}`; known: {}", Axis::NAMES.join(", ")),
-        })?;
+    let axis = parse_axis(name)?;
     let value = value.trim();
     let number = value
         .parse()

@@ -10,7 +10,8 @@
 //!                    │       cases over all cores, each kept as done ─> crate `sim`
 //!                  output    labels.csv, boundary.csv, manifest.json, failures.csv
 //!                    │
-//!                map, plot  map.svg, map.png; `report` tells what is in the folder
+//!                map, plot  map.svg, map.png; `report` tells what is in the folder,
+//!                           `analysis` counts how often and how surely
 //! ```
 //!
 //! There is no equation here: the string is the business of `linear`, its
@@ -29,6 +30,7 @@
 //! ```
 
 mod allotted;
+mod analysis;
 mod cli;
 mod commands;
 mod design;
@@ -75,6 +77,7 @@ fn main() -> ExitCode {
         Command::Stability(arguments) => commands::stability::stability(&arguments, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
         Command::Summary { folder } => commands::report::summary(&folder, terminal),
+        Command::Analyse(arguments) => commands::analyse::analyse(&arguments, terminal),
         Command::Completions { shell } => commands::shell::completions(shell),
         Command::Man { command } => commands::shell::man(command.as_deref()),
     });

@@ -1,6 +1,7 @@
 //! One file or folder for each command, and what they share: how the program ends and
 //! what it says, threads and progress, sweeps that are read and results folders.
 
+pub mod analyse;
 pub mod check;
 mod choosing;
 mod cost;

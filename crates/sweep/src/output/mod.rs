@@ -27,7 +27,7 @@ pub use integrity::{Damage, PICTURES, TABLES};
 pub use label_rows::{LabelColumns, LabelRow, misfit_columns, read_labels, record_of};
 pub use labels::LabelTable;
 pub use manifest::{Manifest, MethodRecord, differences, fingerprint};
-pub use motion::{Labels, Motion};
+pub use motion::{Labels, Motion, is_sustained};
 pub use results::TableWriter;
 pub use tables::ResultTables;
 pub use tally::Tally;

@@ -100,14 +100,19 @@ impl Labels {
     /// Whether a motion is sustained vibration, which a map draws as a circle; none for
     /// the label of a case too short to tell, or none at all.
     pub fn is_sustained(self, motion: Motion) -> Option<bool> {
-        match self.get(motion)? {
-            Label::Torsion(TorsionRegime::Stuck) => None,
-            Label::Torsion(regime) => Some(regime == TorsionRegime::StickSlip),
-            Label::Lateral(regime) => Some(matches!(
-                regime,
-                LateralRegime::BackwardWhirl | LateralRegime::ForwardWhirl
-            )),
-        }
+        is_sustained(self.get(motion)?)
+    }
+}
+
+/// Whether a label is one of sustained vibration; none for that of a case too short to tell.
+pub fn is_sustained(label: Label) -> Option<bool> {
+    match label {
+        Label::Torsion(TorsionRegime::Stuck) => None,
+        Label::Torsion(regime) => Some(regime == TorsionRegime::StickSlip),
+        Label::Lateral(regime) => Some(matches!(
+            regime,
+            LateralRegime::BackwardWhirl | LateralRegime::ForwardWhirl
+        )),
     }
 }
 

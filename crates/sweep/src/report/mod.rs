@@ -18,6 +18,7 @@ mod sections;
 mod text;
 
 pub use comparison::compare;
+pub use document::{Block, Section, Table};
 pub use page::{is_page, page};
 pub use results::Results;
 pub use sections::sections;

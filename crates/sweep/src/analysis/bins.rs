@@ -1,0 +1,140 @@
+//! Ranges of an axis that cases are counted in.
+
+use std::collections::BTreeSet;
+
+use anyhow::Result;
+
+use crate::output::{ResultTables, read_cases};
+use crate::quantities::Axis;
+use crate::sweep_file::{DistributionName, FileContent, Spacing};
+
+/// Values of an axis up to this number have a range each.
+const MOST_VALUES: usize = 24;
+
+/// Ranges along an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bins {
+    /// The axis.
+    pub axis: Axis,
+    /// Where they begin and end; few values are ranges of no width.
+    pub ranges: Vec<[f64; 2]>,
+}
+
+/// What is known of an axis from its values.
+struct Seen {
+    distinct: BTreeSet<u64>,
+    least: f64,
+    most: f64,
+}
+
+impl Bins {
+    /// Ranges along each of some axes, of cases of any tables: so many of even width in the value or,
+    /// where the design spreads that so, in its logarithm; of few values, each of them.
+    ///
+    /// # Errors
+    /// Where the tables cannot be read.
+    pub fn along(
+        tables: &[ResultTables],
+        content: &FileContent,
+        axes: &[Axis],
+        count: usize,
+    ) -> Result<Vec<Self>> {
+        let none = || Seen {
+            distinct: BTreeSet::new(),
+            least: f64::INFINITY,
+            most: f64::NEG_INFINITY,
+        };
+        let mut all: Vec<Seen> = axes.iter().map(|_| none()).collect();
+        for tables in tables {
+            for case in read_cases(&tables.folder.join("labels.csv"), axes)? {
+                for (seen, value) in all.iter_mut().zip(case?.values) {
+                    seen.add(value);
+                }
+            }
+        }
+        let ranges = axes.iter().zip(all);
+        Ok(ranges
+            .map(|(&axis, seen)| Self {
+                axis,
+                ranges: seen.ranges(is_logarithmic(content, axis), count),
+            })
+            .collect())
+    }
+
+    /// The range that a value is in.
+    pub fn place(&self, value: f64) -> usize {
+        let below = self.ranges.partition_point(|range| range[1] < value);
+        below.min(self.ranges.len() - 1)
+    }
+}
+
+fn is_logarithmic(content: &FileContent, axis: Axis) -> bool {
+    let design = content.design.as_ref();
+    let Some(range) = design.and_then(|design| design.axes.get(&axis)) else {
+        return false;
+    };
+    range.spacing == Spacing::Log
+        || matches!(
+            range.distribution,
+            Some(DistributionName::LogUniform | DistributionName::LogNormal)
+        )
+}
+
+impl Seen {
+    fn add(&mut self, value: f64) {
+        self.least = self.least.min(value);
+        self.most = self.most.max(value);
+        if self.distinct.len() <= MOST_VALUES {
+            self.distinct.insert(value.to_bits());
+        }
+    }
+
+    fn ranges(&self, is_logarithmic: bool, count: usize) -> Vec<[f64; 2]> {
+        if self.distinct.len() <= MOST_VALUES {
+            let mut values: Vec<f64> = self.distinct.iter().copied().map(f64::from_bits).collect();
+            values.sort_by(f64::total_cmp);
+            return values.into_iter().map(|value| [value; 2]).collect();
+        }
+        let spacing = match is_logarithmic && self.least > 0.0 {
+            true => Spacing::Log,
+            false => Spacing::Linear,
+        };
+        let end =
+            |index: usize| spacing.between(self.least, self.most, index as f64 / count as f64);
+        (0..count).map(|bin| [end(bin), end(bin + 1)]).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bins(values: impl Iterator<Item = f64>, is_logarithmic: bool) -> Bins {
+        let mut seen = Seen {
+            distinct: BTreeSet::new(),
+            least: f64::INFINITY,
+            most: f64::NEG_INFINITY,
+        };
+        values.for_each(|value| seen.add(value));
+        Bins {
+            axis: Axis::Friction,
+            ranges: seen.ranges(is_logarithmic, 4),
+        }
+    }
+
+    #[test]
+    fn few_values_have_a_range_each_and_many_share_even_ones() {
+        let few = bins([3.0, 1.0, 3.0, -2.0].into_iter(), false);
+        assert_eq!(few.ranges, [[-2.0; 2], [1.0; 2], [3.0; 2]]);
+        assert_eq!([-2.0, 1.0, 3.0].map(|value| few.place(value)), [0, 1, 2]);
+        let many = bins((0..=100).map(f64::from), false);
+        let expected = [[0.0, 25.0], [25.0, 50.0], [50.0, 75.0], [75.0, 100.0]];
+        assert_eq!(many.ranges, expected);
+        let places = [0.0, 25.0, 25.1, 100.0].map(|value| many.place(value));
+        assert_eq!(places, [0, 0, 1, 3]);
+        let logarithmic = bins((0..=40).map(|step| 10f64.powf(0.1 * f64::from(step))), true);
+        for (range, low) in logarithmic.ranges.iter().zip([1.0, 10.0, 100.0, 1000.0]) {
+            assert!((range[0] / low - 1.0).abs() < 1e-12, "{range:?}");
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Which axis decides: first-order indices of I. M. Sobol from cases as they were drawn, without a
+//! design of their own (given data; E. Plischke, E. Borgonovo and C. L. Smith, *European Journal
+//! of Operational Research* 226, 2013, 536–550).
+
+use statrs::distribution::{Binomial, DiscreteCDF};
+
+use super::interval::Interval;
+use crate::random::Stream;
+
+/// Tables drawn for an interval.
+const DRAWN: usize = 400;
+
+/// The part of the variance of having a regime that is explained by the cell of one axis: of
+/// each cell, how many cases of how many have it. The interval has 95 % of what other cases
+/// with the same fractions would give. None where all cases are alike.
+pub fn sensitivity(cells: &[[usize; 2]]) -> Option<Interval> {
+    let value = index(cells)?;
+    let mut drawn: Vec<f64> = (0..DRAWN)
+        .filter_map(|number| {
+            let mut stream = Stream::new(0, number as u64);
+            let again: Vec<[usize; 2]> = cells
+                .iter()
+                .map(|&[count, of]| [redrawn(&mut stream, count, of), of])
+                .collect();
+            index(&again)
+        })
+        .collect();
+    drawn.sort_by(f64::total_cmp);
+    let at = |part: f64| drawn[((drawn.len() - 1) as f64 * part).round() as usize];
+    let [low, high] = if drawn.is_empty() {
+        [value; 2]
+    } else {
+        // Fractions that chance made unlike stay so when drawn again: what is drawn lies about
+        // another value, as wide as other cases would.
+        let mean = drawn.iter().sum::<f64>() / drawn.len() as f64;
+        [value - (at(0.975) - mean), value + (mean - at(0.025))]
+    };
+    let [low, value, high] = [low, value, high].map(|it| it.clamp(0.0, 1.0));
+    Some(Interval { value, low, high })
+}
+
+/// How many of so many have the regime when each has it about as often as was found: none of few
+/// may well have been one (H. Jeffreys' mean).
+fn redrawn(stream: &mut Stream, count: usize, of: usize) -> usize {
+    let fraction = (count as f64 + 0.5) / (of as f64 + 1.0);
+    // Between 0 and 1, so that there is such a distribution.
+    Binomial::new(fraction, of as u64)
+        .map_or(count, |drawn| drawn.inverse_cdf(stream.part()) as usize)
+}
+
+/// Variance between cells over all, less what cells of few cases add by chance.
+fn index(cells: &[[usize; 2]]) -> Option<f64> {
+    let filled = || cells.iter().filter(|cell| cell[1] > 0);
+    let all: f64 = filled().map(|cell| cell[1] as f64).sum();
+    let mean = filled().map(|cell| cell[0] as f64).sum::<f64>() / all;
+    let variance = mean * (1.0 - mean);
+    if !(variance > 0.0) {
+        return None;
+    }
+    let (mut between, mut by_chance) = (0.0, 0.0);
+    for &[count, of] in filled() {
+        let of = of as f64;
+        let fraction = count as f64 / of;
+        between += of / all * (fraction - mean).powi(2);
+        // The variance of a mean of so few, which has its own share of the mean of all.
+        if of > 1.0 {
+            by_chance += (1.0 - of / all) / all * of * fraction * (1.0 - fraction) / (of - 1.0);
+        }
+    }
+    Some((between - by_chance) / variance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CELLS: usize = 20;
+
+    /// Cells of each of three axes, even between 0 and 1, of so many cases with a regime or not.
+    fn cells(seed: u64, cases: u64, regime: impl Fn([f64; 3]) -> bool) -> [Vec<[usize; 2]>; 3] {
+        let mut all = [0; 3].map(|_: i32| vec![[0; 2]; CELLS]);
+        for case in 0..cases {
+            let mut stream = Stream::new(seed, case);
+            let point = [0.0; 3].map(|_| stream.part());
+            for (cells, value) in all.iter_mut().zip(point) {
+                let cell = &mut cells[(value * CELLS as f64) as usize];
+                *cell = [cell[0] + usize::from(regime(point)), cell[1] + 1];
+            }
+        }
+        all
+    }
+
+    /// x + 2 y > 1.5 in half of all cases; what of them is left for a given x or y is known, and so
+    /// are the integrals of its variance.
+    #[test]
+    fn a_plane_has_the_indices_of_its_integrals() {
+        let regime = |[x, y, _]: [f64; 3]| x + 2.0 * y > 1.5;
+        let steps = 100_000;
+        let variance_of = |fraction: &dyn Fn(f64) -> f64| {
+            let at = |step: i32| fraction((f64::from(step) + 0.5) / f64::from(steps));
+            let mean = (0..steps).map(at).sum::<f64>() / f64::from(steps);
+            (0..steps)
+                .map(|step| (at(step) - mean).powi(2))
+                .sum::<f64>()
+                / f64::from(steps)
+        };
+        let given_x = |x: f64| (1.0 - 0.5 * (1.5 - x)).clamp(0.0, 1.0);
+        let given_y = |y: f64| (1.0 - (1.5 - 2.0 * y)).clamp(0.0, 1.0);
+        let expected = [variance_of(&given_x), variance_of(&given_y), 0.0].map(|it| it / 0.25);
+        let found = cells(1, 100_000, regime).map(|cells| sensitivity(&cells).unwrap());
+        for (found, expected) in found.iter().zip(expected) {
+            assert!(
+                (found.value - expected).abs() < 0.01,
+                "{found:?} {expected}"
+            );
+        }
+        // A test of the interval: how often it has the index of few cases.
+        let mut held = 0;
+        for seed in 0..30 {
+            let found = cells(100 + seed, 600, regime).map(|cells| sensitivity(&cells).unwrap());
+            let holds = |(found, expected): (&Interval, f64)| {
+                found.low <= expected && expected <= found.high
+            };
+            held += found
+                .iter()
+                .zip(expected)
+                .filter(|&pair| holds(pair))
+                .count();
+        }
+        assert!(held > 81, "{held} of 90");
+    }
+
+    #[test]
+    fn cases_that_are_alike_have_no_index() {
+        assert_eq!(sensitivity(&[[3, 3], [5, 5], [0, 0]]), None);
+        assert_eq!(sensitivity(&[[0, 3]]), None);
+    }
+}
