@@ -29,6 +29,8 @@ fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
         clearance: 0.015,
         stiffness: 1e9,
         friction,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
         radius: 0.15,
     };
     Scene {

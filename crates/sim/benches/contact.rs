@@ -13,6 +13,7 @@ fn approach(free_speed: f64) -> Approach<'static> {
     Approach {
         free_position: [0.0163, -0.0004],
         previous_position: [0.0160, 0.0002],
+        previous_sliding_speed: None,
         compliance: 1e-8,
         spin: Spin {
             free_speed,
@@ -28,6 +29,8 @@ fn solve(bencher: Bencher, friction: f64, stiffness: f64, touch: Touch) {
         clearance: 0.015,
         stiffness,
         friction,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
         radius: 0.15,
     };
     let approach = approach(6.3);

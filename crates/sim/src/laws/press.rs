@@ -4,7 +4,7 @@
 //! the position r e_r satisfies p_h = (r + h₀F_N) e_r − h₀αF_N e_θ, where αF_N is
 //! the friction on the string along e_θ. For given α that is one equation for
 //! the depth of penetration; α itself is ±μ in sliding, or the root of the
-//! sliding speed in rolling.
+//! sliding speed in rolling. Where μ falls with the sliding speed, `slide` finds it.
 
 use super::bracket::{RATIO_TOLERANCE, Trial, rolling_between};
 use super::contact::{Approach, Contact, ContactError, Touch, WallLaw};
@@ -51,6 +51,11 @@ impl Wall {
             return Contact::free(approach.free_position);
         }
         let press = Press::new(self, approach, distance);
+        if self.falls()
+            && let Some(fast) = press.fast()
+        {
+            return press.contact(fast, Touch::Sliding, press.slides_either_way());
+        }
         if press.has_one_answer() {
             press.solve()
         } else {
@@ -132,11 +137,11 @@ impl<'a> Press<'a> {
         let ratio = if forward { -friction } else { friction };
         let one = self.trial(ratio);
         if one.sliding_speed == 0.0 || (one.sliding_speed > 0.0) == forward {
-            return self.contact(one, Touch::Sliding, false);
+            return self.contact(self.slow(one), Touch::Sliding, false);
         }
         let other = self.trial(-ratio);
         if other.sliding_speed == 0.0 || (other.sliding_speed > 0.0) != forward {
-            return self.contact(other, Touch::Sliding, false);
+            return self.contact(self.slow(other), Touch::Sliding, false);
         }
         let (forward, backward) = if forward { (one, other) } else { (other, one) };
         // A torque law at the same site, or a contact between rolling and
@@ -169,8 +174,9 @@ impl<'a> Press<'a> {
         let friction = self.wall.friction;
         let mut found = [None; 4];
         let (forward, backward) = (self.trial(-friction), self.trial(friction));
-        found[0] = Some((forward, Touch::Sliding)).filter(|_| forward.sliding_speed >= 0.0);
-        found[1] = Some((backward, Touch::Sliding)).filter(|_| backward.sliding_speed <= 0.0);
+        let slides = |trial| Some((self.slow(trial), Touch::Sliding));
+        found[0] = slides(forward).filter(|_| forward.sliding_speed >= 0.0);
+        found[1] = slides(backward).filter(|_| backward.sliding_speed <= 0.0);
         if self.approach.spin.resistance.is_none() {
             let directions = self.rolling_directions().into_iter().flatten();
             for (found, direction) in found[2..].iter_mut().zip(directions) {
@@ -349,6 +355,10 @@ impl<'a> Press<'a> {
             normal_force: trial.normal_force,
             friction_ratio: trial.ratio,
             torque: self.wall.radius * friction,
+            sliding_speed: match touch {
+                Touch::Rolling => 0.0,
+                _ => trial.sliding_speed,
+            },
             ambiguous,
         };
         let obeyed = Obeyed {
@@ -383,5 +393,6 @@ fn from_above(guess: f64, gap: f64, steepness: f64) -> f64 {
     }
 }
 
+mod slide;
 #[cfg(test)]
 mod tests;
