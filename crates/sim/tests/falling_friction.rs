@@ -6,7 +6,10 @@ use linear::passivity::Ending;
 use linear::{ChannelRequest, Method, Request, Responses, Sites};
 use problems::{academic, pipes};
 use sim::laws::contact::{Contact, Touch};
-use sim::{BitTorque, Impulse, Lateral, Scene, Stepper, System, Timing, Wall};
+use sim::{
+    BitTorque, EccentricMass, Ended, Impulse, Lateral, Scene, Simulator, Stepper, Stopping, System,
+    Timing, Wall,
+};
 
 /// A mass on a spring and a damper in both directions, kg, N s/m, N/m; it turns at the end of a
 /// shaft so long that no echo comes back, of this impedance, N m s/rad.
@@ -169,4 +172,49 @@ fn motion_is_that_of_much_shorter_steps() {
         "{errors:?}"
     );
     assert!(errors[2] < 0.005, "{errors:?}");
+}
+
+/// What rolls does not feel the speed at which friction would fall.
+#[test]
+fn sliding_that_friction_may_shake_is_not_taken_as_settled() {
+    let request = academic::lateral_request(&academic::string(), &[0.0], 10.0);
+    let responses = linear::responses(&academic::string(), &Method::Quadrature, &request).unwrap();
+    let simulator = Simulator::new(&responses).unwrap();
+    let ended = |friction: f64, dynamic_ratio: f64, [knock, eccentric]: [f64; 2]| {
+        let wall = Wall {
+            stiffness: 1e9,
+            friction,
+            dynamic_ratio,
+            radius: 0.15,
+            ..WALL
+        };
+        let scene = Scene {
+            surface_speed: std::f64::consts::TAU,
+            bit: None,
+            lateral: Some(Lateral {
+                walls: vec![wall],
+                impulses: vec![Impulse {
+                    amount: knock,
+                    ..KNOCK
+                }],
+                eccentric_masses: vec![EccentricMass {
+                    site: 0,
+                    mass: eccentric,
+                    offset: 0.1,
+                }],
+            }),
+            timing: Timing {
+                duration: 10.0,
+                closing_window: 2.0,
+            },
+        };
+        let outcome = simulator.simulate(&scene, Stopping::Early, None).unwrap();
+        let rolls = outcome.lateral.unwrap().rolling_fraction;
+        (outcome.ended, rolls > 0.5)
+    };
+    let (rolling, sliding) = ([1000.0, 0.0], [0.0, 1000.0]);
+    assert_eq!(ended(2.0, 1.0, rolling), (Ended::Settled, true));
+    assert_eq!(ended(2.0, 0.8, rolling), (Ended::Settled, true));
+    assert_eq!(ended(0.5, 1.0, sliding), (Ended::Settled, false));
+    assert_eq!(ended(0.5, 0.8, sliding), (Ended::End, false));
 }
