@@ -303,8 +303,8 @@ fn obeys(wall: &Wall, approach: &Arrival, tolerance: f64) -> Result<(), TestCase
 
 /// Stribeck's curve.
 fn friction_at(wall: &Wall, speed: f64) -> f64 {
-    // Above one is no ratio, and taken for one.
-    if speed <= 0.0 || !(wall.dynamic_ratio < 1.0) {
+    // What is no part is taken for one.
+    if speed <= 0.0 || !(0.0..1.0).contains(&wall.dynamic_ratio) {
         return wall.friction;
     }
     let left = match wall.stribeck_speed {

@@ -51,10 +51,8 @@ impl Wall {
             return Contact::free(approach.free_position);
         }
         let press = Press::new(self, approach, distance);
-        if self.falls()
-            && let Some(fast) = press.fast()
-        {
-            return press.contact(fast, Touch::Sliding, press.slides_either_way());
+        if self.falls() {
+            return press.meet_falling();
         }
         if press.has_one_answer() {
             press.solve()
@@ -137,11 +135,11 @@ impl<'a> Press<'a> {
         let ratio = if forward { -friction } else { friction };
         let one = self.trial(ratio);
         if one.sliding_speed == 0.0 || (one.sliding_speed > 0.0) == forward {
-            return self.contact(self.slow(one), Touch::Sliding, false);
+            return self.contact(one, Touch::Sliding, false);
         }
         let other = self.trial(-ratio);
         if other.sliding_speed == 0.0 || (other.sliding_speed > 0.0) != forward {
-            return self.contact(self.slow(other), Touch::Sliding, false);
+            return self.contact(other, Touch::Sliding, false);
         }
         let (forward, backward) = if forward { (one, other) } else { (other, one) };
         // A torque law at the same site, or a contact between rolling and
@@ -174,9 +172,8 @@ impl<'a> Press<'a> {
         let friction = self.wall.friction;
         let mut found = [None; 4];
         let (forward, backward) = (self.trial(-friction), self.trial(friction));
-        let slides = |trial| Some((self.slow(trial), Touch::Sliding));
-        found[0] = slides(forward).filter(|_| forward.sliding_speed >= 0.0);
-        found[1] = slides(backward).filter(|_| backward.sliding_speed <= 0.0);
+        found[0] = Some((forward, Touch::Sliding)).filter(|_| forward.sliding_speed >= 0.0);
+        found[1] = Some((backward, Touch::Sliding)).filter(|_| backward.sliding_speed <= 0.0);
         if self.approach.spin.resistance.is_none() {
             let directions = self.rolling_directions().into_iter().flatten();
             for (found, direction) in found[2..].iter_mut().zip(directions) {

@@ -29,7 +29,7 @@ impl Wall {
     /// Whether friction depends on the sliding speed.
     #[inline]
     pub(crate) fn falls(&self) -> bool {
-        self.dynamic_ratio < 1.0
+        (0.0..1.0).contains(&self.dynamic_ratio)
     }
 
     /// μ_d.

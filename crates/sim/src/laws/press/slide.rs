@@ -9,6 +9,8 @@
 
 use super::Press;
 use crate::laws::bracket::{RATIO_TOLERANCE, Trial, zero_between};
+use crate::laws::contact::{Contact, ContactError, Touch};
+use crate::laws::wall::Wall;
 
 /// Friction and that of the sliding speed agree to this part of the coefficient: a hundred
 /// times rounding.
@@ -38,13 +40,31 @@ impl Slide {
 }
 
 impl Press<'_> {
+    /// The answer of a wall whose friction falls.
+    #[cold]
+    pub(super) fn meet_falling(&self) -> Result<Contact, ContactError> {
+        if let Some(fast) = self.fast() {
+            return self.contact(fast, Touch::Sliding, self.slides_either_way());
+        }
+        let constant = Wall {
+            dynamic_ratio: 1.0,
+            ..*self.wall
+        };
+        let held = constant.meet_at(self.approach)?;
+        // What all friction does not hold slides against less.
+        if held.touch != Touch::Sliding || held.sliding_speed == 0.0 {
+            return Ok(held);
+        }
+        let slow = self.slow(self.trial(held.friction_ratio));
+        self.contact(slow, Touch::Sliding, held.ambiguous)
+    }
+
     /// What slid fast and goes on so, if it can. What arrives at the wall slides as it would
     /// without friction.
     ///
     /// From the least friction up: beyond v_s/√2 the curve is convex, and secants stay on the
     /// side that they are on.
-    #[cold]
-    pub(super) fn fast(&self) -> Option<Trial> {
+    fn fast(&self) -> Option<Trial> {
         let before =
             (self.approach.previous_sliding_speed).unwrap_or_else(|| self.trial(0.0).sliding_speed);
         if !self.wall.is_fast(before.abs()) {
@@ -77,8 +97,7 @@ impl Press<'_> {
     ///
     /// From the most friction down: up to v_s/√2 the curve is concave, and secants stay on the
     /// side that they are on; beyond there is one ratio left.
-    #[cold]
-    fn slowest(&self, held: Trial) -> Trial {
+    fn slow(&self, held: Trial) -> Trial {
         let direction = held.sliding_speed.signum();
         let slide = |against: f64| self.slide(direction, against);
         let mut last = self.as_slide(direction, held);
@@ -103,18 +122,8 @@ impl Press<'_> {
         self.between(slide(self.wall.dynamic_friction()), next)
     }
 
-    /// What slides, all friction being against it, with that of its speed.
-    #[inline]
-    pub(super) fn slow(&self, held: Trial) -> Trial {
-        if self.wall.falls() && held.sliding_speed != 0.0 {
-            self.slowest(held)
-        } else {
-            held
-        }
-    }
-
     /// Whether friction either way leaves the string sliding against it.
-    pub(super) fn slides_either_way(&self) -> bool {
+    fn slides_either_way(&self) -> bool {
         let friction = self.wall.friction;
         !self.has_one_answer()
             && self.trial(-friction).sliding_speed > 0.0

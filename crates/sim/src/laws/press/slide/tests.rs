@@ -5,8 +5,7 @@ use proptest::test_runner::{Config, TestRunner};
 
 use super::super::tests::any_step;
 use super::*;
-use crate::laws::contact::{Approach, Contact, Touch, WallLaw};
-use crate::laws::wall::Wall;
+use crate::laws::contact::{Approach, WallLaw};
 
 /// Ratios that are tried for roots.
 const TRIED: u32 = 1000;
