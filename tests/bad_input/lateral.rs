@@ -100,6 +100,23 @@ fn what_a_wall_cannot_be_is_refused() {
 }
 
 #[test]
+fn friction_that_falls_by_what_it_cannot_is_refused() {
+    for (key, value) in [
+        ("friction_dynamic_ratio", "1.1"),
+        ("friction_dynamic_ratio", "-0.1"),
+        ("friction_dynamic_ratio", "nan"),
+        ("friction_stribeck_m_s", "-1"),
+        ("friction_stribeck_m_s", "101"),
+    ] {
+        let line = format!("{key} = {value} # here\n");
+        let of_wall = with(&lateral(), "\n[[sites]]\n", &format!("{line}[[sites]]\n"));
+        refused_at(&of_wall, "# here", &format!("wall.{key}"), "between");
+        let of_site = with(&lateral(), "\n[[sites]]\n", &format!("[[sites]]\n{line}"));
+        refused_at(&of_site, "# here", &format!("sites[0].{key}"), "between");
+    }
+}
+
+#[test]
 fn two_sites_at_one_place_are_refused() {
     let twice = with(
         &lateral(),
@@ -208,7 +225,13 @@ fn what_changes_nothing_without_a_wall_is_refused() {
         let meant = format!("--set {axis}: there is no wall");
         refused(&place, &command, &[&meant]);
     }
-    for key in ["clearance_mm", "stiffness_gn_m15", "friction"] {
+    for key in [
+        "clearance_mm",
+        "stiffness_gn_m15",
+        "friction",
+        "friction_dynamic_ratio",
+        "friction_stribeck_m_s",
+    ] {
         let site = format!("distance_from_bit_m = 50\n{key} = 2 # here");
         let text = with(SMALL, "distance_from_bit_m = 50", &site);
         let key = format!("sites[0].{key}");

@@ -175,26 +175,52 @@ fn an_axis_of_the_string_is_as_if_the_file_said_it() {
     }
 }
 
+/// The small string with a wall, and an impulse at a site.
+fn lateral(distance: &str) -> String {
+    let text = with(
+        &small_with_design(""),
+        "[[string.sections]]",
+        "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n\n\
+         [[string.sections]]",
+    );
+    let text = with(&text, "[bit]\nrock = \"sandstone\"\n", "");
+    with(
+        &text,
+        "distance_from_bit_m = 50",
+        &format!("distance_from_bit_m = {distance}"),
+    ) + &format!(
+        "[wall]\nclearance_mm = 15\nstiffness_gn_m15 = 1\nfriction = 0.5\n\n\
+         [[impulses]]\ndistance_from_bit_m = {distance}\nratio = 3\n"
+    )
+}
+
+/// With a ratio of one it does not; the friction of a fast slide is then that of a wall which
+/// has no more.
+#[test]
+fn friction_at_the_wall_falls_with_the_speed_of_sliding() {
+    let place = Workplace::new();
+    let labels = |name: &str, friction: &str| {
+        let content = with(&lateral("0"), "friction = 0.5\n", friction);
+        place.write("one.toml", content);
+        run(&place, "one.toml", name);
+        table(&text(&place, &format!("{name}/labels.csv")))
+    };
+    let constant = labels("constant", "friction = 0.5\n");
+    let one = "friction = 0.5\nfriction_dynamic_ratio = 1\nfriction_stribeck_m_s = 2\n";
+    assert_eq!(labels("one", one), constant);
+    let falls = |speed| format!("friction = 0.5\nfriction_dynamic_ratio = 0.2\n{speed}\n");
+    let at_once = labels("at_once", &falls(""));
+    let slowly = labels("slowly", &falls("friction_stribeck_m_s = 0.3048"));
+    assert_ne!(at_once, constant);
+    assert_ne!(slowly, at_once);
+    let field = labels("field", &falls("friction_stribeck_ft_s = 1"));
+    assert_eq!(field, slowly);
+    assert_ne!(constant[1][3], "no_contact");
+}
+
 /// The impulse goes with its site, and the wall stays where it is.
 #[test]
 fn a_site_that_moves_takes_its_impulse_along() {
-    let lateral = |distance: &str| {
-        let text = with(
-            &small_with_design(""),
-            "[[string.sections]]",
-            "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n\n\
-             [[string.sections]]",
-        );
-        let text = with(&text, "[bit]\nrock = \"sandstone\"\n", "");
-        with(
-            &text,
-            "distance_from_bit_m = 50",
-            &format!("distance_from_bit_m = {distance}"),
-        ) + &format!(
-            "[wall]\nclearance_mm = 15\nstiffness_gn_m15 = 1\nfriction = 0.5\n\n\
-                 [[impulses]]\ndistance_from_bit_m = {distance}\nratio = 3\n"
-        )
-    };
     let place = Workplace::new();
     let axes = "\n[design]\nkind = \"grid\"\n[design.axes]\n\
                 site_0_distance_from_bit_m = { values = [0, 20] }\n";

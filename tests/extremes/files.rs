@@ -231,6 +231,13 @@ fn wall(random: &mut Random, drawn: &Drawn) -> String {
     if random.happens(0.7) {
         text += &keys(random, &[("stiffness_gn_m15", 1e-6, 1e6)]);
     }
+    if random.happens(0.3) {
+        let falls = [
+            ("friction_dynamic_ratio", 0.0, 1.0),
+            ("friction_stribeck_m_s", 0.0, 100.0),
+        ];
+        text += &keys(random, &falls);
+    }
     for site in &drawn.sites {
         text += &format!("[[sites]]\ndistance_from_bit_m = {site:e}\n");
         if random.happens(0.2) {

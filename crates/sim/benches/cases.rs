@@ -6,8 +6,8 @@ use linear::{Cascade, Method, Sites, responses};
 use problems::academic;
 use sim::convolution::{Convolution, Kernel, Kernels};
 use sim::{
-    CascadeScene, CascadeSimulator, Impulse, Lateral, NodeTorque, PipeFriction, Scene, Simulator,
-    Stopping, SurfaceProfile, Timing, Wall,
+    CascadeScene, CascadeSimulator, EccentricMass, Impulse, Lateral, NodeTorque, PipeFriction,
+    Scene, Simulator, Stopping, SurfaceProfile, Timing, Wall,
 };
 
 fn main() {
@@ -29,6 +29,8 @@ fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
         clearance: 0.015,
         stiffness: 1e9,
         friction,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
         radius: 0.15,
     };
     Scene {
@@ -70,7 +72,25 @@ fn transient(bencher: Bencher, sites: usize) {
     case(bencher, sites, 0.5, 10.0, Stopping::Full);
 }
 
-/// The same two with what is certain or settled left out.
+/// Ten seconds, sliding: forward whirl of an eccentric mass, against friction that falls to parts
+/// of it.
+#[divan::bench(args = [1.0, 0.5], sample_count = 10)]
+fn sliding(bencher: Bencher, dynamic_ratio: f64) {
+    let simulator = simulator(1, 10.0);
+    let mut scene = scene(1, 0.5, 10.0);
+    let lateral = scene.lateral.as_mut().unwrap();
+    lateral.impulses.clear();
+    lateral.eccentric_masses.push(EccentricMass {
+        site: 0,
+        mass: 1000.0,
+        offset: 0.1,
+    });
+    lateral.walls[0].dynamic_ratio = dynamic_ratio;
+    lateral.walls[0].stribeck_speed = 1.0;
+    bencher.bench(|| black_box(&simulator).simulate(black_box(&scene), Stopping::Full, None));
+}
+
+/// Rolling whirl, and contact that ends, with what is certain or settled left out.
 #[divan::bench(args = [1, 3, 9, 27], sample_count = 10)]
 fn whirl_until_settled(bencher: Bencher, sites: usize) {
     case(bencher, sites, 2.0, 10.0, Stopping::Early);

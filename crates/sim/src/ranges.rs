@@ -41,6 +41,7 @@ pub enum SceneError {
 const FINITE: &str = "a finite number";
 const POSITIVE: &str = "a positive finite number";
 const NOT_NEGATIVE: &str = "zero or a positive finite number";
+const PART: &str = "a number between 0 and 1";
 
 pub(crate) fn known_site(what: &'static str, site: usize, sites: usize) -> Result<(), SceneError> {
     if site < sites {
@@ -60,6 +61,10 @@ pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<(), SceneEr
 
 pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<(), SceneError> {
     in_range(quantity, value, 0.0..=f64::MAX, NOT_NEGATIVE)
+}
+
+pub(crate) fn part(quantity: &'static str, value: f64) -> Result<(), SceneError> {
+    in_range(quantity, value, 0.0..=1.0, PART)
 }
 
 fn in_range(

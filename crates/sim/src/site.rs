@@ -11,6 +11,7 @@ use crate::sampling::Sampling;
 pub(crate) struct LateralLine {
     pub(crate) free_position: [f64; 2],
     pub(crate) previous_position: [f64; 2],
+    pub(crate) previous_sliding_speed: Option<f64>,
     pub(crate) compliance: f64,
     pub(crate) sampling: Sampling,
 }
@@ -72,6 +73,7 @@ impl<B: TorqueLaw, W: WallLaw> SiteLaws<'_, B, W> {
         let contact = self.wall.meet(&Approach {
             free_position: lateral.free_position,
             previous_position: lateral.previous_position,
+            previous_sliding_speed: lateral.previous_sliding_speed,
             compliance: lateral.compliance,
             spin: Spin {
                 free_speed: line.free_speed,

@@ -67,6 +67,7 @@ struct LateralMotion<'a, W> {
     forces: Convolution<'a>,
     /// The last step's state.
     positions: Vec<[f64; 2]>,
+    sliding_speeds: Vec<Option<f64>>,
     rotations: Vec<f64>,
     /// This step without contact: forces of disturbances, and displacements; x of all
     /// sites and then y.
@@ -336,6 +337,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         self.torques.push_quiet_block();
         if let Some(lateral) = &mut self.lateral {
             lateral.positions.copy_from_slice(positions);
+            lateral.sliding_speeds.fill(None);
             lateral.forces.push_quiet_block();
         }
         self.next += steps;
@@ -370,6 +372,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             scene,
             forces: Convolution::new(kernels, 2, steps),
             positions: vec![[0.0; 2]; sites],
+            sliding_speeds: vec![None; sites],
             rotations: vec![0.0; sites],
             external: vec![0.0; 2 * sites],
             free_positions: vec![0.0; 2 * sites],
@@ -428,6 +431,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         LateralLine {
             free_position,
             previous_position: self.positions[site],
+            previous_sliding_speed: self.sliding_speeds[site],
             compliance: kernels.instant(site, site),
             sampling: system.sampling,
         }
@@ -443,6 +447,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
             self.positions[site] = system
                 .sampling
                 .end_of_step(contact.position, self.positions[site]);
+            self.sliding_speeds[site] = contact.touches().then_some(contact.sliding_speed);
             self.rotations[site] += now.speeds[site] / system.sampling.frequency;
         }
         self.forces.add(&self.step_forces);

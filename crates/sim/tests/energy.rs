@@ -62,6 +62,8 @@ const WALL: Wall = Wall {
     clearance: 0.015,
     stiffness: 1e9,
     friction: 0.0,
+    dynamic_ratio: 1.0,
+    stribeck_speed: 0.0,
     radius: 0.15,
 };
 
@@ -172,15 +174,18 @@ fn what_leaves_the_string_at_an_impact_comes_back() {
 
 #[test]
 fn friction_takes_energy_at_the_contact_and_gives_none() {
-    let trajectory = rattle(
-        &Method::Quadrature,
-        Wall {
+    for (dynamic_ratio, stribeck_speed) in [(1.0, 0.0), (0.3, 0.0), (0.3, 0.5)] {
+        friction_takes_energy(Wall {
             friction: 0.6,
+            dynamic_ratio,
+            stribeck_speed,
             ..WALL
-        },
-        SAMPLING_FREQUENCY,
-        20_000,
-    );
+        });
+    }
+}
+
+fn friction_takes_energy(wall: Wall) {
+    let trajectory = rattle(&Method::Quadrature, wall, SAMPLING_FREQUENCY, 20_000);
     let mut before = [0.0; 2];
     let mut dissipated = 0.0;
     for (step, &position) in trajectory.positions[0].iter().enumerate() {

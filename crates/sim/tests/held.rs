@@ -109,6 +109,8 @@ fn wall(stiffness: f64, friction: f64) -> Wall {
         clearance: CLEARANCE,
         stiffness,
         friction,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
         radius: 0.15,
     }
 }
@@ -224,6 +226,7 @@ proptest! {
         let approach = Approach {
             free_position: middle.into(),
             previous_position: before.into(),
+            previous_sliding_speed: None,
             compliance: 10f64.powf(exponents.0),
             spin: Spin {
                 free_speed,

@@ -26,6 +26,8 @@ const WALL: Wall = Wall {
     clearance: 0.015,
     stiffness: 1e9,
     friction: 0.5,
+    dynamic_ratio: 1.0,
+    stribeck_speed: 0.0,
     radius: 0.1,
 };
 

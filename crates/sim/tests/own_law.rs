@@ -202,6 +202,8 @@ fn a_smooth_wall_of_ones_own_gives_the_motion_of_the_built_in_one() {
         clearance,
         stiffness: f64::INFINITY,
         friction: 0.0,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
         radius: 0.1,
     };
     let (expected, expected_touches) = positions(&system, built_in);

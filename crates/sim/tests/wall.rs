@@ -11,6 +11,7 @@ use sim::{BitTorque, LoadLine, Sampling, TorqueLaw, Wall, WallLaw};
 struct Arrival {
     free_position: [f64; 2],
     previous_position: [f64; 2],
+    previous_sliding_speed: Option<f64>,
     free_speed: f64,
     compliance: f64,
     torsional_compliance: f64,
@@ -35,6 +36,7 @@ impl Arrival {
         wall.meet(&Approach {
             free_position: self.free_position,
             previous_position: self.previous_position,
+            previous_sliding_speed: self.previous_sliding_speed,
             compliance: self.compliance,
             spin: Spin {
                 free_speed: self.free_speed,
@@ -56,14 +58,30 @@ fn stiffnesses() -> impl Strategy<Value = f64> {
     ]
 }
 
+/// μ_d/μ_s and v_s, m/s.
+fn falls() -> impl Strategy<Value = (f64, f64)> {
+    let speeds = prop_oneof![Just(0.0), (-3.0..1.0f64).prop_map(|e| 10f64.powf(e))];
+    prop_oneof![Just((1.0, 0.0)), (0.0..1.0f64, speeds)]
+}
+
 fn walls() -> impl Strategy<Value = Wall> {
     let friction = prop_oneof![Just(0.0), 0.0..1.0f64, 0.0..50.0f64];
-    (stiffnesses(), friction).prop_map(|(stiffness, friction)| Wall {
-        clearance: 0.015,
-        stiffness,
-        friction,
-        radius: 0.15,
-    })
+    let wall = (stiffnesses(), friction, falls());
+    wall.prop_map(
+        |(stiffness, friction, (dynamic_ratio, stribeck_speed))| Wall {
+            clearance: 0.015,
+            stiffness,
+            friction,
+            dynamic_ratio,
+            stribeck_speed,
+            radius: 0.15,
+        },
+    )
+}
+
+/// How fast the surfaces slid, m/s, if they did.
+fn slid() -> impl Strategy<Value = Option<f64>> {
+    prop::option::of(prop_oneof![Just(0.0), -10.0..10.0f64])
 }
 
 fn approaches(furthest: f64) -> impl Strategy<Value = Arrival> {
@@ -75,8 +93,9 @@ fn approaches(furthest: f64) -> impl Strategy<Value = Arrival> {
         -50.0..50.0f64,
         -9.0..-6.0f64,
         -6.0..-3.0f64,
+        slid(),
     )
-        .prop_map(|(distance, angle, before, turn, free_speed, h, g)| {
+        .prop_map(|(distance, angle, before, turn, free_speed, h, g, slid)| {
             let clearance = 0.015;
             let at = |radius: f64, angle: f64| {
                 [
@@ -87,6 +106,7 @@ fn approaches(furthest: f64) -> impl Strategy<Value = Arrival> {
             Arrival {
                 free_position: at(distance, angle),
                 previous_position: at(before, angle + turn),
+                previous_sliding_speed: slid,
                 free_speed,
                 compliance: 10f64.powf(h),
                 torsional_compliance: 10f64.powf(g),
@@ -124,14 +144,20 @@ fn any_wall() -> impl Strategy<Value = Wall> {
         any_number(exponent(-4.0, 0.0)),
         any_number(stiffnesses()),
         any_number(0.0..50.0f64),
+        any_number(0.0..2.0f64),
+        any_number(exponent(-4.0, 1.0)),
         any_number(0.01..0.5f64),
     )
-        .prop_map(|(clearance, stiffness, friction, radius)| Wall {
-            clearance,
-            stiffness,
-            friction,
-            radius,
-        })
+        .prop_map(
+            |(clearance, stiffness, friction, dynamic_ratio, stribeck_speed, radius)| Wall {
+                clearance,
+                stiffness,
+                friction,
+                dynamic_ratio,
+                stribeck_speed,
+                radius,
+            },
+        )
 }
 
 fn any_bit() -> impl Strategy<Value = Option<(BitTorque, BitMotion)>> {
@@ -159,11 +185,13 @@ fn any_approach() -> impl Strategy<Value = Arrival> {
         any_number(exponent(-6.0, -3.0)),
         any_number(exponent(1.0, 5.0)),
         any_bit(),
+        prop::option::of(any_number(-10.0..10.0f64)),
     )
         .prop_map(
-            |(place, free_speed, compliance, torsional, frequency, bit)| Arrival {
+            |(place, free_speed, compliance, torsional, frequency, bit, slid)| Arrival {
                 free_position: [place[0], place[1]],
                 previous_position: [place[2], place[3]],
+                previous_sliding_speed: slid,
                 free_speed,
                 compliance,
                 torsional_compliance: torsional,
@@ -260,13 +288,30 @@ fn obeys(wall: &Wall, approach: &Arrival, tolerance: f64) -> Result<(), TestCase
         prop_assert!(sliding.abs() <= most, "{:e} {:e}", sliding, most);
         return Ok(());
     }
-    let full = (contact.friction_ratio.abs() - wall.friction).abs();
-    prop_assert!(full <= tolerance * wall.friction);
+    prop_assert!((sliding - contact.sliding_speed).abs() <= most);
+    let with_friction = sliding * contact.friction_ratio.signum();
+    // All the friction that there is at a speed known to within the same.
+    let [more, less] = [-most, most].map(|off| friction_at(wall, off - with_friction));
+    let friction = contact.friction_ratio.abs();
+    let rounding = tolerance * wall.friction + f64::MIN_POSITIVE;
+    prop_assert!(friction >= less - rounding && friction <= more + rounding);
     if wall.friction > 0.0 {
-        let with_friction = sliding * contact.friction_ratio.signum();
         prop_assert!(with_friction <= most, "{:e} {:e}", with_friction, most);
     }
     Ok(())
+}
+
+/// Stribeck's curve.
+fn friction_at(wall: &Wall, speed: f64) -> f64 {
+    // What is no part is taken for one.
+    if speed <= 0.0 || !(0.0..1.0).contains(&wall.dynamic_ratio) {
+        return wall.friction;
+    }
+    let left = match wall.stribeck_speed {
+        0.0 => 0.0,
+        scale => f64::exp(-(speed / scale) * (speed / scale)),
+    };
+    wall.friction * (wall.dynamic_ratio + (1.0 - wall.dynamic_ratio) * left)
 }
 
 proptest! {
@@ -306,12 +351,15 @@ fn a_position_beyond_all_numbers_is_an_error() {
         clearance: 0.015,
         stiffness: 1e9,
         friction: 0.5,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
         radius: 0.15,
     };
     for far in [1e160, f64::INFINITY, f64::NAN] {
         let approach = Arrival {
             free_position: [far, 0.0],
             previous_position: [0.01, 0.0],
+            previous_sliding_speed: None,
             free_speed: 1047.0,
             compliance: 1e-8,
             torsional_compliance: 5e-5,
@@ -337,6 +385,8 @@ fn rotating_the_axes_rotates_the_answer() {
         clearance: 0.015,
         stiffness: 1e9,
         friction: 0.7,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
         radius: 0.15,
     };
     let at = |angle: f64| {
@@ -349,6 +399,7 @@ fn rotating_the_axes_rotates_the_answer() {
         let contact = Arrival {
             free_position: turn([0.0152, 0.001]),
             previous_position: turn([0.0149, 0.0005]),
+            previous_sliding_speed: None,
             free_speed: 6.3,
             compliance: 1e-8,
             torsional_compliance: 5e-5,

@@ -25,6 +25,8 @@ fn wall(friction: f64) -> Wall {
         clearance: CLEARANCE,
         stiffness: 1e9,
         friction,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
         radius: 0.15,
     }
 }

@@ -1,4 +1,5 @@
-//! The friction ratio at which a step rolls, in a bracket of two that slide either way.
+//! The friction ratio at which a step rolls, in a bracket of two that slide either way; or
+//! at which something else of it is zero.
 
 /// Rolling is solved to this fraction of the friction coefficient.
 pub(super) const RATIO_TOLERANCE: f64 = 1e-15;
@@ -18,19 +19,39 @@ pub(super) struct Trial {
 }
 
 /// The contact that rolls between two of opposite sliding speeds, to within
-/// `tolerance` of the friction ratio: false position, and a bisection after each.
+/// `tolerance` of the friction ratio.
 pub(super) fn rolling_between(
+    low: Trial,
+    high: Trial,
+    tolerance: f64,
+    trial: impl FnMut(f64) -> Trial,
+) -> Trial {
+    zero_between(low, high, tolerance, |trial| trial.sliding_speed, trial)
+}
+
+/// The contact at which a value is zero between two at which it has opposite signs, to within
+/// `tolerance` of the friction ratio: false position, and a bisection after each.
+pub(super) fn zero_between(
     mut low: Trial,
     mut high: Trial,
     tolerance: f64,
+    value: impl Fn(&Trial) -> f64,
     mut trial: impl FnMut(f64) -> Trial,
 ) -> Trial {
+    // Keeps the root between the two.
+    let replace = |low: &mut Trial, high: &mut Trial, trial: Trial| {
+        if (value(&trial) < 0.0) == (value(low) < 0.0) {
+            *low = trial;
+        } else {
+            *high = trial;
+        }
+    };
     let mut width = (high.ratio - low.ratio).abs();
     for _ in 0..MOST_HALVINGS {
-        let slope = high.sliding_speed - low.sliding_speed;
-        let secant = high.ratio - high.sliding_speed * (high.ratio - low.ratio) / slope;
+        let slope = value(&high) - value(&low);
+        let secant = high.ratio - value(&high) * (high.ratio - low.ratio) / slope;
         let found = trial(secant);
-        if found.sliding_speed == 0.0 {
+        if value(&found) == 0.0 {
             return found;
         }
         replace(&mut low, &mut high, found);
@@ -43,17 +64,8 @@ pub(super) fn rolling_between(
         }
         width = next;
     }
-    let closer = low.sliding_speed.abs() < high.sliding_speed.abs();
+    let closer = value(&low).abs() < value(&high).abs();
     if closer { low } else { high }
-}
-
-/// Keeps the root between the two.
-fn replace(low: &mut Trial, high: &mut Trial, trial: Trial) {
-    if (trial.sliding_speed < 0.0) == (low.sliding_speed < 0.0) {
-        *low = trial;
-    } else {
-        *high = trial;
-    }
 }
 
 #[cfg(test)]

@@ -14,6 +14,9 @@ pub struct Approach<'a> {
     pub free_position: [f64; 2],
     /// Position from which the site comes, at the end of the step before, m.
     pub previous_position: [f64; 2],
+    /// Speed at which the surfaces slid in the step before, m/s, positive where the string's
+    /// moved along e_θ; zero where it rolled, `None` where it did not touch.
+    pub previous_sliding_speed: Option<f64>,
     /// h₀: displacement per force within the step, m/N.
     pub compliance: f64,
     /// How the site turns.
@@ -121,7 +124,10 @@ pub struct Contact {
     pub friction_ratio: f64,
     /// Torque of friction on the string, N m.
     pub torque: f64,
-    /// Whether other friction ratios would have solved the step too.
+    /// Speed at which the surfaces slide, m/s, for a law that asks for that of the step before.
+    pub sliding_speed: f64,
+    /// Whether other friction ratios would have solved the step too, and not what the site did
+    /// before but how far it turns decided.
     pub ambiguous: bool,
 }
 
@@ -134,6 +140,7 @@ impl Contact {
         normal_force: 0.0,
         friction_ratio: 0.0,
         torque: 0.0,
+        sliding_speed: 0.0,
         ambiguous: false,
     };
 }

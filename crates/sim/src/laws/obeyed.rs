@@ -39,8 +39,19 @@ impl Obeyed<'_> {
             && contact.torque.is_finite()
             && match contact.touch {
                 Touch::Rolling => self.rolls(),
-                _ => self.turns_as_tried(),
+                _ => self.turns_as_tried() && (!self.wall.falls() || self.rubs_as_it_slides()),
             }
+    }
+
+    /// Whether friction is that of the sliding speed, as far as that is known, and against it.
+    fn rubs_as_it_slides(&self) -> bool {
+        let (ratio, speed) = (self.trial.ratio, self.trial.sliding_speed);
+        let (against, speed) = (ratio.abs(), -speed * ratio.signum());
+        // What is no number is in no range.
+        let known = self.least_speed();
+        let [slower, faster] = [speed - known, speed + known].map(|it| self.wall.friction_at(it));
+        let rounding = TOLERANCE * self.wall.friction + f64::MIN_POSITIVE;
+        speed >= -known && faster - rounding <= against && against <= slower + rounding
     }
 
     /// Whether friction turns the string as it did in the trial, which knows the way
@@ -55,21 +66,32 @@ impl Obeyed<'_> {
     /// meet, what all friction adds to them included, or than what a bit jumps by
     /// where it slips, for there its speed takes no value between.
     fn rolls(&self) -> bool {
+        let (approach, trial) = (self.approach, self.trial);
+        let spin = approach.spin.under(self.contact.torque);
+        let ([cos, sin], [px, py]) = (trial.direction, approach.previous_position);
+        let drift = (px * sin - py * cos) * approach.sampling.rate_in_step();
+        let sliding_speed = self.wall.radius * spin + drift;
+        sliding_speed.abs() <= self.least_speed()
+    }
+
+    /// The least speed at which what slides is known from what rolls; no number where those that
+    /// meet are none.
+    fn least_speed(&self) -> f64 {
         let (wall, approach, trial) = (self.wall, self.approach, self.trial);
         let (gives, free_speed) = (approach.spin.compliance, approach.spin.free_speed);
-        let spin = approach.spin.under(self.contact.torque);
         let jump = approach.spin.resistance.map_or(0.0, |law| law.jump);
         // A bit that holds any torque never slips.
         let jump = if jump.is_finite() { jump } else { 0.0 };
-        let ([cos, sin], [px, py]) = (trial.direction, approach.previous_position);
-        let drift = (px * sin - py * cos) * approach.sampling.rate_in_step();
-        let sliding_speed = wall.radius * spin + drift;
+        let [px, py] = approach.previous_position;
         let by_friction = gives * wall.radius * wall.friction * trial.normal_force;
         let turns = wall.radius * (free_speed.abs() + by_friction);
         let goes = (self.distance + px.abs() + py.abs()) * approach.sampling.rate_in_step();
         let speeds = turns.abs() + goes.abs();
+        if !speeds.is_finite() {
+            return f64::NAN;
+        }
         let least = TOLERANCE * speeds + (1.0 + TOLERANCE) * (wall.radius * jump).abs();
-        speeds.is_finite() && sliding_speed.abs() <= least + f64::MIN_POSITIVE
+        least + f64::MIN_POSITIVE
     }
 
     /// Why there is no answer.

@@ -4,7 +4,7 @@
 //! the position r e_r satisfies p_h = (r + h₀F_N) e_r − h₀αF_N e_θ, where αF_N is
 //! the friction on the string along e_θ. For given α that is one equation for
 //! the depth of penetration; α itself is ±μ in sliding, or the root of the
-//! sliding speed in rolling.
+//! sliding speed in rolling. Where μ falls with the sliding speed, `slide` finds it.
 
 use super::bracket::{RATIO_TOLERANCE, Trial, rolling_between};
 use super::contact::{Approach, Contact, ContactError, Touch, WallLaw};
@@ -51,6 +51,9 @@ impl Wall {
             return Contact::free(approach.free_position);
         }
         let press = Press::new(self, approach, distance);
+        if self.falls() {
+            return press.meet_falling();
+        }
         if press.has_one_answer() {
             press.solve()
         } else {
@@ -349,6 +352,10 @@ impl<'a> Press<'a> {
             normal_force: trial.normal_force,
             friction_ratio: trial.ratio,
             torque: self.wall.radius * friction,
+            sliding_speed: match touch {
+                Touch::Rolling => 0.0,
+                _ => trial.sliding_speed,
+            },
             ambiguous,
         };
         let obeyed = Obeyed {
@@ -383,5 +390,6 @@ fn from_above(guess: f64, gap: f64, steepness: f64) -> f64 {
     }
 }
 
+mod slide;
 #[cfg(test)]
 mod tests;

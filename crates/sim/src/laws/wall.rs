@@ -1,7 +1,10 @@
 //! The borehole wall (Section 4.1, Eqs. 33–38 and 70–71): Hertzian or rigid, with
 //! Coulomb friction that slides or rolls. How a step of it is solved is in `press`.
+//!
+//! Friction may fall with the speed v at which the surfaces slide, from μ_s to μ_d:
+//! μ_d + (μ_s − μ_d) e^(−(v/v_s)²), the Stribeck curve of [`super::pipe`].
 
-use crate::ranges::{SceneError, not_negative, positive};
+use crate::ranges::{SceneError, not_negative, part, positive};
 
 /// A place on the borehole wall, and the string there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,16 +13,54 @@ pub struct Wall {
     pub clearance: f64,
     /// Hertzian stiffness k_c, N/m^(3/2); infinite for a rigid wall.
     pub stiffness: f64,
-    /// Coefficient of friction μ.
+    /// Coefficient of friction μ; the static one, μ_s, where it falls.
     pub friction: f64,
+    /// μ_d/μ_s: what is left of friction where the surfaces slide fast; 1 where it does not
+    /// fall.
+    pub dynamic_ratio: f64,
+    /// v_s, m/s: the Stribeck speed, at which e⁻¹ of what μ_s is more than μ_d is left; zero
+    /// where friction falls with the first slip.
+    pub stribeck_speed: f64,
     /// Radius R₀ of the string, which friction turns, m.
     pub radius: f64,
 }
 
 impl Wall {
+    /// Whether friction depends on the sliding speed.
+    #[inline]
+    pub(crate) fn falls(&self) -> bool {
+        (0.0..1.0).contains(&self.dynamic_ratio)
+    }
+
+    /// μ_d.
+    pub(super) fn dynamic_friction(&self) -> f64 {
+        self.dynamic_ratio * self.friction
+    }
+
+    /// The most friction there is, in parts of the normal force, against surfaces that slide at
+    /// a speed (m/s); that of rolling where it is not positive.
+    pub(super) fn friction_at(&self, speed: f64) -> f64 {
+        if speed <= 0.0 {
+            return self.friction;
+        }
+        let dynamic = self.dynamic_friction();
+        // With a Stribeck speed of zero nothing is left.
+        dynamic + (self.friction - dynamic) * (-(speed / self.stribeck_speed).powi(2)).exp()
+    }
+
+    /// Whether surfaces slide at a speed (m/s) beyond that at which friction falls most.
+    pub(super) fn is_fast(&self, speed: f64) -> bool {
+        speed > std::f64::consts::FRAC_1_SQRT_2 * self.stribeck_speed
+    }
+
     pub(super) fn check_numbers(&self) -> Result<(), SceneError> {
         positive("clearance of a wall in m", self.clearance)?;
         not_negative("friction of a wall", self.friction)?;
+        not_negative("Stribeck speed of a wall in m/s", self.stribeck_speed)?;
+        part(
+            "dynamic friction of a wall over the static one",
+            self.dynamic_ratio,
+        )?;
         not_negative("radius of the string at a wall in m", self.radius)?;
         if self.stiffness > 0.0 {
             return Ok(());

@@ -9,6 +9,9 @@
 //! by F_N = k_c (r − c)^(3/2) meets that force at one radius r(ω) ≥ c, wherever
 //! the string presses outwards (Re K < 0). A string of radius R₀ rolls there if it
 //! turns at Ω = ωr/R₀; if it turns faster it slides, with its friction fully used.
+//! What it needs it needs of the friction there is: of μ_s where it rolls, and where it slides of
+//! less, if friction falls with the speed. So no whirl lasts where μ_s is less than that, however
+//! friction falls.
 //!
 //! So over the rate of whirl the steady whirls of a site are curves, one for each
 //! range of rates at which the string presses: [`WhirlingSite::branches`]. Near
@@ -61,7 +64,8 @@ pub struct SteadyWhirl {
     pub rate: f64,
     /// Normal force F_N, N.
     pub normal_force: f64,
-    /// The least coefficient of friction that sustains it.
+    /// The least coefficient of friction that sustains it; at the speed at which it slides, where
+    /// friction falls with that.
     pub least_friction: f64,
 }
 

@@ -51,6 +51,8 @@ fn wall(stiffness: f64) -> Wall {
         clearance: 0.01,
         stiffness,
         friction: 0.0,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
         radius: 0.1,
     }
 }

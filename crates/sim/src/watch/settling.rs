@@ -98,7 +98,8 @@ impl Settling {
         let keeps_rolling = all(one.rolling)
             && all(other.rolling)
             && last.largest_ratio < self.rules.rolling_margin * wall.friction;
-        let keeps_sliding = one.rolling == 0 && other.rolling == 0;
+        // Friction that falls with the speed may shake what slides ever more.
+        let keeps_sliding = one.rolling == 0 && other.rolling == 0 && !wall.falls();
         (keeps_rolling || keeps_sliding)
             && all(one.contact)
             && all(other.contact)

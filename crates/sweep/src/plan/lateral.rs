@@ -110,6 +110,8 @@ fn refuse_keys(
             ("clearance_mm", site.clearance_mm),
             ("stiffness_gn_m15", site.stiffness_gn_m15),
             ("friction", site.friction),
+            ("friction_dynamic_ratio", site.friction_dynamic_ratio),
+            ("friction_stribeck_m_s", site.friction_stribeck_m_s),
         ] {
             source.refuse_if(value.is_some(), &format!("sites[{index}].{name}"), message)?;
         }

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use super::wall::WallSettings;
 use super::{Setting, Sweep};
 use crate::quantities::Axis;
 use crate::sweep_file::SweepFileError;
@@ -102,6 +103,21 @@ fn labels_need_the_bit_alone_where_there_is_no_wall() {
     );
     let touching = touching.unwrap();
     assert_eq!(touching.setting.for_labels().sites.len(), 2);
+}
+
+#[test]
+fn a_site_may_have_friction_of_its_own_that_falls() {
+    let sweep = read(
+        "sites = [{ distance_from_bit_m = 10, friction_dynamic_ratio = 0.3 }, \
+         { distance_from_bit_m = 0, friction_stribeck_m_s = 2 }]\n\
+         [wall]\nclearance_mm = 15\nfriction = 0.5\nfriction_dynamic_ratio = 0.8\n\
+         friction_stribeck_m_s = 0.1\n",
+    )
+    .unwrap();
+    let walls = sweep.setting.lateral.unwrap().walls;
+    let falls = |wall: &WallSettings| (wall.dynamic_ratio, wall.stribeck_speed);
+    let falls: Vec<(f64, f64)> = walls.iter().map(falls).collect();
+    assert_eq!(falls, [(0.3, 0.1), (0.8, 2.0)]);
 }
 
 /// Where one site goes, another still stood: what is at either goes with its own.

@@ -12,8 +12,12 @@ pub struct WallSettings {
     pub clearance: f64,
     /// Hertzian stiffness k_c, N/m^(3/2); infinite for a rigid wall.
     pub stiffness: f64,
-    /// Coefficient of friction μ₀; none where every case gives it.
+    /// Coefficient of friction μ₀, static where it falls; none where every case gives it.
     pub friction: Option<f64>,
+    /// Dynamic coefficient in parts of that.
+    pub dynamic_ratio: f64,
+    /// Stribeck speed of sliding, m/s.
+    pub stribeck_speed: f64,
     /// Radius R₀ of the string, which friction turns, m.
     pub radius: f64,
 }
@@ -25,6 +29,8 @@ impl WallSettings {
             clearance: self.clearance,
             stiffness: self.stiffness,
             friction,
+            dynamic_ratio: self.dynamic_ratio,
+            stribeck_speed: self.stribeck_speed,
             radius: self.radius,
         }
     }
@@ -47,6 +53,8 @@ pub fn resolve(
         clearance_mm: site.clearance_mm,
         stiffness_gn_m15: site.stiffness_gn_m15,
         friction: site.friction,
+        friction_dynamic_ratio: site.friction_dynamic_ratio,
+        friction_stribeck_m_s: site.friction_stribeck_m_s,
     };
     // Both: where a site has its own, what holds for all is still read back.
     check(source, "wall", &common)?;
@@ -61,10 +69,14 @@ pub fn resolve(
     let is_missing = friction.is_none() && !friction_by_axis;
     let message = "is needed: give a number, or make it an axis of the design";
     source.refuse_if(is_missing, "wall.friction", message)?;
+    let dynamic_ratio = (own.friction_dynamic_ratio).or(common.friction_dynamic_ratio);
+    let stribeck_speed = (own.friction_stribeck_m_s).or(common.friction_stribeck_m_s);
     Ok(WallSettings {
         clearance: 1e-3 * clearance,
         stiffness: stiffness.map_or(f64::INFINITY, |stiffness| 1e9 * stiffness),
         friction,
+        dynamic_ratio: dynamic_ratio.unwrap_or(1.0),
+        stribeck_speed: stribeck_speed.unwrap_or(0.0),
         radius,
     })
 }
@@ -79,6 +91,18 @@ fn check(source: &Source, at: &str, table: &WallTable) -> Result<(), SweepFileEr
     }
     if let Some(friction) = table.friction {
         source.check_axis(&format!("{at}.friction"), Axis::Friction, friction)?;
+    }
+    if let Some(ratio) = table.friction_dynamic_ratio {
+        source.within(&format!("{at}.friction_dynamic_ratio"), ratio, 0.0, 1.0, "")?;
+    }
+    if let Some(speed) = table.friction_stribeck_m_s {
+        source.within(
+            &format!("{at}.friction_stribeck_m_s"),
+            speed,
+            0.0,
+            100.0,
+            "m/s",
+        )?;
     }
     Ok(())
 }

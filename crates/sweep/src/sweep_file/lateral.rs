@@ -39,8 +39,13 @@ pub struct WallTable {
     pub clearance_mm: Option<f64>,
     /// Hertzian stiffness k_c in GN/m^(3/2); left out, the wall is rigid.
     pub stiffness_gn_m15: Option<f64>,
-    /// Coefficient of friction μ₀, unless an axis gives it.
+    /// Coefficient of friction μ₀, static where it falls, unless an axis gives it.
     pub friction: Option<f64>,
+    /// Dynamic coefficient in parts of the static one; left out, friction does not fall.
+    pub friction_dynamic_ratio: Option<f64>,
+    /// Stribeck speed of sliding, over which friction falls, m/s; left out, it falls with the
+    /// first slip.
+    pub friction_stribeck_m_s: Option<f64>,
 }
 
 /// A lateral impulse at a site.
@@ -96,4 +101,8 @@ pub struct SiteTable {
     pub stiffness_gn_m15: Option<f64>,
     /// Friction here, instead of the wall's; an axis changes it everywhere.
     pub friction: Option<f64>,
+    /// Dynamic over static coefficient here, instead of the wall's.
+    pub friction_dynamic_ratio: Option<f64>,
+    /// Stribeck speed of sliding here, m/s, instead of the wall's.
+    pub friction_stribeck_m_s: Option<f64>,
 }

@@ -5,7 +5,7 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 25] = [
+const KEYS: [&str; 26] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
@@ -25,6 +25,7 @@ const KEYS: [&str; 25] = [
     "poor_cleaning_from_kn",
     "amount_ns",
     "damping_ns_m2",
+    "friction_stribeck_m_s",
     "poor_cleaning_nm_per_kn",
     "table_kn_nm",
     "specific_energy_mpa",

@@ -7,7 +7,7 @@ use super::super::contact::Spin;
 use super::*;
 use crate::sampling::Sampling;
 
-fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
+pub(super) fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
     let wall = (
         0.005..0.1f64,
         0.0..3.0f64,
@@ -34,6 +34,8 @@ fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
             clearance,
             stiffness,
             friction,
+            dynamic_ratio: 1.0,
+            stribeck_speed: 0.0,
             radius,
         };
         let spin = Spin {
@@ -44,6 +46,7 @@ fn any_step() -> impl Strategy<Value = (Wall, Approach<'static>)> {
         let approach = Approach {
             free_position: [out * clearance, 0.0],
             previous_position: [turned.cos(), turned.sin()].map(|part| before * clearance * part),
+            previous_sliding_speed: None,
             compliance: 10f64.powf(compliance),
             spin,
             sampling: Sampling::new(frequency, 0.0),
