@@ -54,7 +54,7 @@ fn index(cells: &[[usize; 2]]) -> Option<f64> {
     let all: f64 = filled().map(|cell| cell[1] as f64).sum();
     let mean = filled().map(|cell| cell[0] as f64).sum::<f64>() / all;
     let variance = mean * (1.0 - mean);
-    if !(variance > 0.0) {
+    if variance.is_nan() || variance <= 0.0 {
         return None;
     }
     let (mut between, mut by_chance) = (0.0, 0.0);
