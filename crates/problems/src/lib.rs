@@ -4,3 +4,4 @@ pub mod academic;
 pub mod oracles;
 pub mod pipes;
 pub mod plain_lattice;
+pub mod wells;

@@ -4,6 +4,7 @@
 //! it turns, so that friction does not hold it along the well.
 
 use super::survey::{Survey, Vector, combine, length};
+use super::winding_up::{Stretch, WindingUp};
 use super::{GRAVITY, STEP};
 use crate::drillstring::Drillstring;
 use crate::surroundings::Mud;
@@ -33,6 +34,8 @@ struct Piece {
     length: f64,
     /// Of what lies on the wall, m.
     radius: f64,
+    /// By which a torque twists it, rad per N m and metre.
+    compliance: f64,
     /// Tension of a string that hangs free, N.
     tension: f64,
     /// What presses it aside without weight on bit, N/m, and per tension, 1/m.
@@ -59,6 +62,7 @@ impl SideForce {
                 let count = (part.length / STEP).ceil().max(1.0);
                 let length = part.length / count;
                 let weight = heavier * part.area() * GRAVITY;
+                let compliance = 1.0 / (string.material().shear_modulus * part.polar_moment());
                 for index in 0..count as usize {
                     let depth = top + (index as f64 + 0.5) * length;
                     let (along, turn) = survey.course(depth);
@@ -70,6 +74,7 @@ impl SideForce {
                         depth,
                         length,
                         radius,
+                        compliance,
                         // Its own weight along the well, for now.
                         tension: weight * along[2] * length,
                         pressing: combine(weight, [0.0, 0.0, 1.0], -weight * along[2], along),
@@ -93,22 +98,40 @@ impl SideForce {
     }
 
     /// Torque that the wall may exert per coefficient of friction, N m, on each of so many
-    /// equal pieces of the string, under a weight on bit (N).
+    /// equal pieces of the string, under a weight on bit (N). A short length of string, up to
+    /// two metres, is not divided between two of them ([`WindingUp::friction_torques`] does).
     pub fn friction_torques(&self, pieces: usize, weight_on_bit: f64) -> Vec<f64> {
         let mut torques = vec![0.0; pieces];
         let whole = (self.pieces.last()).map_or(0.0, |last| last.depth + 0.5 * last.length);
         for piece in &self.pieces {
-            let pressing = length(combine(1.0, piece.pressing, -weight_on_bit, piece.turn));
             let place = (piece.depth / whole * pieces as f64) as usize;
-            torques[place.min(pieces - 1)] += pressing * piece.radius * piece.length;
+            torques[place.min(pieces - 1)] += piece.friction_torque(weight_on_bit);
         }
         torques
+    }
+
+    /// The string as it is wound up by its surface under this friction and a weight on bit (N).
+    pub fn wound_up(&self, weight_on_bit: f64) -> WindingUp {
+        let stretches = self.pieces.iter().map(|piece| Stretch {
+            length: piece.length,
+            torque: piece.friction_torque(weight_on_bit),
+            compliance: piece.compliance,
+        });
+        WindingUp::new(stretches)
     }
 
     /// The weight of the string along the well, buoyed, N: what the hook carries above a bit that
     /// is off bottom.
     pub fn hook_load(&self) -> f64 {
         self.hook_load
+    }
+}
+
+impl Piece {
+    /// Torque per coefficient of friction, N m.
+    fn friction_torque(&self, weight_on_bit: f64) -> f64 {
+        let pressing = length(combine(1.0, self.pressing, -weight_on_bit, self.turn));
+        pressing * self.radius * self.length
     }
 }
 
