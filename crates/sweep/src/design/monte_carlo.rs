@@ -63,7 +63,7 @@ impl MonteCarlo {
 
     /// The ends of the range of the axis at a place.
     pub(super) fn ends(&self, place: usize) -> [f64; 2] {
-        let Range { from, to, .. } = self.ranges[place];
+        let Distribution { from, to, .. } = self.distributions[place];
         [from.min(to), from.max(to)]
     }
 
