@@ -239,7 +239,7 @@ fn a_tolerance_takes_as_many_pieces_as_it_needs() {
     let tolerance = "base = \"sweep.toml\"\n[string_friction]\ntolerance = 0.01\n\
                      [design]\ncases = 1\nkind = \"monte-carlo\"\n\
                      [design.axes]\nstring_friction = { from = 0.1, to = 0.5 }\n";
-    here.write("fine.toml", tolerance.to_owned());
+    here.write("fine.toml", tolerance);
     let output = here.sweep(&["inspect", "fine.toml"]);
     assert_eq!(output.code, 0, "{}", output.errors);
     let line = (output.output.lines()).find(|line| line.contains("pieces that slip as wholes"));

@@ -31,8 +31,8 @@ pub struct StringFriction {
     /// Nodes of the sites that are looked at.
     pub looked_at: Vec<usize>,
     pieces: usize,
-    /// Whether these follow from a tolerance: friction then is divided between them to the
-    /// centimetre. Where their number is given it stays as it was added up, so that the answers
+    /// Whether these follow from a tolerance: friction then is divided between them as finely as
+    /// they are cut. Where their number is given it stays as it was added up, so that the answers
     /// of files stay what they are.
     by_tolerance: bool,
     force: Arc<SideForce>,
