@@ -39,7 +39,12 @@ impl Problem {
     }
 
     fn pieces(&self) -> usize {
-        least_pieces(std::slice::from_ref(&self.winding), self.tolerance, MOST_PIECES).unwrap()
+        least_pieces(
+            std::slice::from_ref(&self.winding),
+            self.tolerance,
+            MOST_PIECES,
+        )
+        .unwrap()
     }
 
     /// At which the string breaks loose, N m.
