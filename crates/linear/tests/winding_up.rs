@@ -45,9 +45,10 @@ fn an_even_string_is_off_by_a_quarter_of_a_piece() {
             assert!(off.abs() < 1e-9, "{pieces}: {off}");
         }
     }
-    assert_eq!(least_pieces(&[winding.clone()], 0.0501, 2000), Ok(5));
-    assert_eq!(least_pieces(&[winding.clone()], 0.0101, 2000), Ok(25));
-    let error = least_pieces(&[winding], 1e-4, 2000).unwrap_err();
+    let windings = [winding];
+    assert_eq!(least_pieces(&windings, 0.0501, 2000), Ok(5));
+    assert_eq!(least_pieces(&windings, 0.0101, 2000), Ok(25));
+    let error = least_pieces(&windings, 1e-4, 2000).unwrap_err();
     assert_eq!((error.most, error.pieces), (2000, 2000));
     assert!((error.off / 1.25e-4 - 1.0).abs() < 1e-9, "{error}");
 }
