@@ -209,6 +209,7 @@ fn results_hang_on_what_the_files_say() {
         "{ from = 0.1, to = 0.5 }",
     );
     let sweep = sweep.replace("{ values = [0.05, 0.2] }", "{ from = 0.05, to = 0.2 }");
+    let sweep = sweep.replace("pieces = 8", "tolerance = 0.03\ntorque_along_string = true");
     let whole = place_of(&sweep, &[]);
     let here = place(&sweep.replace("cases = 6", "cases = 4"));
     assert_eq!(run(&here, &[]).code, 0);
@@ -228,6 +229,78 @@ fn results_hang_on_what_the_files_say() {
         "{}",
         output.errors
     );
+}
+
+/// As many pieces as a tolerance takes, in words and in the manifest; a file that gives their
+/// number may be the base.
+#[test]
+fn a_tolerance_takes_as_many_pieces_as_it_needs() {
+    let here = place(SWEEP);
+    let tolerance = "base = \"sweep.toml\"\n[string_friction]\ntolerance = 0.01\n\
+                     [design]\ncases = 1\nkind = \"monte-carlo\"\n\
+                     [design.axes]\nstring_friction = { from = 0.1, to = 0.5 }\n";
+    here.write("fine.toml", tolerance);
+    let output = here.sweep(&["inspect", "fine.toml"]);
+    assert_eq!(output.code, 0, "{}", output.errors);
+    let line = (output.output.lines()).find(|line| line.contains("pieces that slip as wholes"));
+    let words: Vec<&str> = line.unwrap().split_whitespace().collect();
+    let pieces: usize = words[5].trim_end_matches(',').parse().unwrap();
+    let off: f64 = words[8].parse().unwrap();
+    // Below 300 m of vertical well an even string: no fewer than a quarter of 1/0.01 of what rubs.
+    assert!((29..60).contains(&pieces), "{pieces}");
+    assert!((0.9..=1.0).contains(&off), "{off}");
+    let output = here.sweep(&["run", "fine.toml", "--out", "out", "--quiet"]);
+    assert_eq!(output.code, 0, "{}", output.errors);
+    let manifest = std::fs::read_to_string(here.path("out/manifest.json")).unwrap();
+    assert!(
+        manifest.contains(&format!("\"pieces\": {pieces}")),
+        "{manifest}"
+    );
+}
+
+/// The greatest torque along the string has columns of its own where it is asked for, and
+/// changes no other; runs that go on and parts that are merged have them to the byte.
+#[test]
+fn the_greatest_torque_along_the_string_has_columns() {
+    let asked = SWEEP.replace("pieces = 8", "pieces = 8\ntorque_along_string = true");
+    let (without, whole) = (place_of(SWEEP, &[]), place_of(&asked, &[]));
+    for row in rows(&whole) {
+        let (torque, at) = (
+            number(&row, "string_torque_peak_nm"),
+            number(&row, "string_torque_peak_from_bit_m"),
+        );
+        // Half a piece of 250 m below the surface, or further down.
+        assert!(0.0 < at && at <= 1875.0, "{at}");
+        let at_surface = number(&row, "surface_torque_peak_nm");
+        assert!(torque > 0.8 * at_surface, "{torque} {at_surface}");
+    }
+    let shorter = |line: &str| -> Vec<String> {
+        let fields: Vec<String> = line.split(',').map(str::to_owned).collect();
+        fields[..fields.len() - 2].to_vec()
+    };
+    let lines = |text: &str| -> Vec<Vec<String>> { text.lines().map(shorter).collect() };
+    let without: Vec<Vec<String>> = (without.lines())
+        .map(|line| line.split(',').map(str::to_owned).collect())
+        .collect();
+    assert_eq!(lines(&whole), without);
+    let here = place(&asked);
+    for part in ["0/2", "1/2"] {
+        let out = format!("part{}", &part[..1]);
+        let arguments = [
+            "run",
+            "sweep.toml",
+            "--shard",
+            part,
+            "--out",
+            &out,
+            "--quiet",
+        ];
+        assert_eq!(here.sweep(&arguments).code, 0);
+    }
+    let output = here.sweep(&["merge", "part0", "part1", "--out", "merged"]);
+    assert_eq!(output.code, 0, "{}", output.errors);
+    let merged = std::fs::read_to_string(here.path("merged/labels.csv")).unwrap();
+    assert_eq!(merged, whole);
 }
 
 /// A recording takes the place of its base's speed, with friction along the string and without,
@@ -317,6 +390,22 @@ fn what_is_wrong_is_refused_with_its_place() {
             ),
             "",
             "`compare[0].trace`: it is followed with [string_friction], and of a bit",
+        ),
+        (
+            with("pieces = 8", "pieces = 8\ntolerance = 0.01"),
+            "",
+            "sweep.toml:21: `tolerance`: is given instead of `pieces`",
+        ),
+        (
+            with("pieces = 8", "tolerance = 0.5"),
+            "",
+            "sweep.toml:20: `string_friction.tolerance`: 0.5 is not between 0.0001 and 0.1",
+        ),
+        (
+            with("pieces = 8", "tolerance = 0.0001"),
+            "",
+            "sweep.toml:20: `string_friction.tolerance`: no number of pieces up to 2000 keeps to \
+             0.0001: the nearest, 2000, is off by 0.000161",
         ),
         (
             with("pieces = 8", "pieces = 0"),

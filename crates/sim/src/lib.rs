@@ -117,6 +117,7 @@ pub use surface::{SurfaceProfile, surface_torque};
 pub use system::System;
 pub use timing::torsion_timing;
 pub use trajectory::Trajectory;
+pub use watch::along::StringTorque;
 pub use watch::lateral::{LateralMeasures, LateralRegime};
 pub use watch::surface::SurfaceMeasures;
 pub use watch::torsion::{TorsionMeasures, TorsionRegime};

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use serde::{Deserialize, Serialize};
 
 use crate::error::SimulationError;
+use crate::watch::along::StringTorque;
 use crate::watch::lateral::{LateralMeasures, LateralRegime};
 use crate::watch::surface::SurfaceMeasures;
 use crate::watch::torsion::{TorsionMeasures, TorsionRegime};
@@ -102,6 +103,9 @@ pub struct Outcome {
     /// What turns the surface, where that is followed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surface: Option<SurfaceMeasures>,
+    /// The greatest torque along the string, where that is followed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub string_torque: Option<StringTorque>,
     /// Regime and measures of the lateral motion, where it is modelled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lateral: Option<LateralMeasures>,

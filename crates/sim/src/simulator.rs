@@ -284,6 +284,7 @@ impl Case<'_> {
             torsion: (self.watch.bit.as_ref())
                 .map(|watch| watch.measures(self.scene.surface_speed)),
             surface: None,
+            string_torque: None,
             lateral,
         }
         .finite()

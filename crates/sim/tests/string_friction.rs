@@ -224,14 +224,14 @@ fn a_string_breaks_loose_and_swings_by_twice_what_friction_falls() {
 }
 
 /// A uniform row as masses and springs in small steps, each mass under its part of the friction:
-/// the torque at the surface at the times of a sampling frequency.
+/// the torque at the surface at the times of a sampling frequency, and the greatest in each spring.
 fn masses_and_springs(
     law: PipeFriction,
     length: f64,
     damping: f64,
     surface: impl Fn(f64) -> f64,
     (frequency, time): (f64, f64),
-) -> Vec<f64> {
+) -> (Vec<f64>, Vec<f64>) {
     let (masses, substeps) = (250, 25);
     let tube = pipes::pipe(length / masses as f64);
     let step = 1.0 / (frequency * substeps as f64);
@@ -242,6 +242,7 @@ fn masses_and_springs(
     let (mut angles, mut speeds) = (vec![0.0; masses], vec![0.0; masses]);
     // Masses are in the middle of their pieces: half a piece is twice as stiff.
     let (mut torques, mut angle) = (Vec::new(), 0.0);
+    let mut greatest = vec![0.0; masses];
     let steps = (frequency * time) as usize + 1;
     for index in 0..steps * substeps {
         angle += step * surface(step * index as f64);
@@ -251,6 +252,9 @@ fn masses_and_springs(
             .collect();
         if index % substeps == 0 {
             torques.push(twists[0]);
+        }
+        for (greatest, twist) in greatest.iter_mut().zip(&twists) {
+            *greatest = twist.abs().max(*greatest);
         }
         for mass in 0..masses {
             let driven = inertia / step * speeds[mass] + twists[mass] - twists[mass + 1];
@@ -264,7 +268,7 @@ fn masses_and_springs(
             angles[mass] += step * met.speed;
         }
     }
-    torques
+    (torques, greatest)
 }
 
 /// R.m.s. error of the torque at the surface, of so many pieces at a sampling frequency, against
@@ -279,7 +283,8 @@ fn errors_of_start(total: f64, stribeck_speed: f64) -> Vec<f64> {
         stribeck_speed,
     };
     let surface = |time: f64| speed * (time / rise).min(1.0);
-    let exact = masses_and_springs(friction_of(250), length, damping, surface, (32.0, time));
+    let start = (32.0, time);
+    let (exact, _) = masses_and_springs(friction_of(250), length, damping, surface, start);
     let error = |method: Method, pieces: usize, frequency: f64| {
         let nodes = middles(&string, pieces);
         let cascade = Cascade::new(&string, &method, &nodes, frequency, time).unwrap();
@@ -320,4 +325,188 @@ fn a_start_is_that_of_masses_and_springs_in_small_steps() {
         );
         assert!(errors[0] > errors[1] && errors[1] > errors[2], "{errors:?}");
     }
+}
+
+/// The middle one of some numbers.
+fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers[numbers.len() / 2]
+}
+
+/// A string of even friction F in all, L long, of G, J, ρ, c = √(G/ρ) and Z = ρ J c, whose friction
+/// falls to r F as soon as it turns, below a surface that turns slowly at ω.
+///
+/// *Slip.* It breaks loose when the torque in it is F (1 − s/L) from the surface (s = 0) down.
+/// With r F (1 − s/L) it would slide on; what is more, (1 − r) F (1 − s/L), sets it in motion.
+/// With u how far a place then is ahead of sliding on, u″ = (1 − r) F/(GJ L) = a at first. Odd
+/// about the surface and even about the bit, u″ goes on as a square wave g of period 4L, and of
+/// that both ways comes ∂²u/∂t² = c² [g(s − ct) + g(s + ct)]/2: a place speeds up at c² a until
+/// t = s/c, keeps the speed c a s until t = (2L − s)/c, and slows down as it sped up. **All of
+/// the string stops at t = 2L/c**, half of a free period of 4L/c, the bit having reached
+/// c a L = (1 − r) F/Z. Nothing sets it going again, for the torque left, (2r − 1) F (1 − s/L), is
+/// within what friction holds.
+///
+/// *Winding up.* While the surface turns on, static friction f = F/L gives way down to a depth d:
+/// T = (2r − 1) F (1 − d/L) + F d/L at the surface, dφ = d/(GJ) dT, and until d = L
+///
+/// Δφ = ∫ (d/GJ) 2 (1 − r) (F/L) dd = (1 − r) F L/(GJ),
+///
+/// which is what the bit turned by in the slip, 2 (1 − r) F L/(2 GJ). The period is Δφ/ω + 2L/c
+/// (Aarsnes and Shor 2018, Eq. 40, call the second part the free period).
+///
+/// That is so where friction falls at once and everywhere. With Stribeck's curve it takes
+/// ω ≪ ω_s ≪ (1 − r) F/Z; where ω_s is below a tenth of the latter, parts of the string break
+/// loose by themselves before it is wound up, and where it is not far below, it slips less.
+#[test]
+fn a_string_that_sticks_and_slips_has_the_period_of_winding_up_and_of_a_round_trip() {
+    let (pieces, total) = (40, 60e3);
+    // Each with Δφ/ω in round trips, and ω_s in parts of the greatest speed of the bit.
+    for (length, ratio, trips, part) in [
+        (60, 0.5, 20.0, 0.15),
+        (60, 0.8, 40.0, 0.12),
+        (200, 0.5, 40.0, 0.12),
+        (200, 0.8, 20.0, 0.15),
+    ] {
+        let string = pipes::row(length, 0.01);
+        let tube = string.sections()[0].parts[0];
+        let rigidity = pipes::STEEL.shear_modulus * tube.polar_moment();
+        let (length, wave_speed) = (string.length(), string.torsional_wave_speed());
+        let round_trip = 2.0 * length / wave_speed;
+        let angle = (1.0 - ratio) * total * length / rigidity;
+        let surface_speed = angle / (trips * round_trip);
+        let greatest = (1.0 - ratio) * total * wave_speed / rigidity;
+        let (expected, stribeck_speed) = (angle / surface_speed + round_trip, part * greatest);
+        let (time, frequency) = (8.0 * expected, 200.0 / round_trip);
+        let mut torques = vec![friction(total / pieces as f64, ratio, stribeck_speed); pieces];
+        torques.push(NodeTorque::None);
+        let scene = CascadeScene {
+            surface_speed,
+            torques,
+            timing: timing(time),
+        };
+        let nodes = middles(&string, pieces);
+        let simulator = cascade(&string, Method::Quadrature, &nodes, frequency, time);
+        let mut record = Trajectory::default();
+        simulator.simulate(&scene, Some(&mut record)).unwrap();
+        // When the lowest piece becomes faster than ω_s, and when it stops after that.
+        let (mut slips, mut stops) = (Vec::new(), Vec::new());
+        for (step, &speed) in record.speeds[pieces - 1].iter().enumerate() {
+            let now = step as f64 / frequency;
+            if slips.len() == stops.len() && speed > stribeck_speed {
+                slips.push(now);
+            } else if slips.len() > stops.len() && speed == 0.0 {
+                stops.push(now);
+            }
+        }
+        let periods = slips.windows(2).map(|slips| slips[1] - slips[0]).collect();
+        // The bit speeds up evenly: half of that part of the slip it is slower.
+        let as_fast = (1.0 - 0.5 * part) * round_trip;
+        let moving = std::iter::zip(&slips, &stops).map(|(slip, stop)| stop - slip);
+        let (period, moving) = (
+            median(periods) / expected,
+            median(moving.collect()) / as_fast,
+        );
+        assert!((period - 1.0).abs() < 0.05, "{length} {ratio}: {period}");
+        assert!((moving - 1.0).abs() < 0.06, "{length} {ratio}: {moving}");
+    }
+}
+
+/// The torques of a scene from rest: what the string's greatest is, where, and its record.
+fn greatest_torque(
+    string: &Drillstring,
+    (pieces, torques): (usize, Vec<NodeTorque>),
+    (surface_speed, rise): (f64, f64),
+    (frequency, time): (f64, f64),
+) -> (sim::StringTorque, Trajectory) {
+    let nodes = middles(string, pieces);
+    let cascade = Cascade::new(string, &Method::Quadrature, &nodes, frequency, time).unwrap();
+    let profile = SurfaceProfile::Rise(rise);
+    let simulator = CascadeSimulator::new(&cascade, &profile, 0.0).unwrap();
+    let scene = CascadeScene {
+        surface_speed,
+        torques,
+        timing: timing(time),
+    };
+    let mut record = Trajectory::default();
+    let simulator = simulator.following_torque(true);
+    let outcome = simulator.simulate(&scene, Some(&mut record)).unwrap();
+    (outcome.string_torque.unwrap(), record)
+}
+
+/// Wound up slowly it is twisted most at the surface, by what turns that; and where only a bit
+/// holds it, as much everywhere.
+#[test]
+fn a_string_that_is_turned_slowly_is_twisted_most_at_the_surface() {
+    let string = pipes::row(200, 0.0);
+    let pieces = 20;
+    let slow = (0.005, 20.0);
+    let mut torques = vec![friction(450.0, 1.0, 0.0); pieces];
+    torques.push(NodeTorque::None);
+    let (greatest, record) = greatest_torque(&string, (pieces, torques), slow, (16.0, 300.0));
+    let at_surface = record.surface_torque.iter().copied().fold(0.0, f64::max);
+    assert!((at_surface / 9000.0 - 1.0).abs() < 0.01, "{at_surface}");
+    let off = greatest.peak_torque / at_surface - 1.0;
+    assert!(off.abs() < 1e-3, "{greatest:?} {at_surface}");
+    // The uppermost node.
+    assert!((greatest.from_bit - 1950.0).abs() < 1e-6, "{greatest:?}");
+    let bit = BitTorque {
+        torque_static: 9000.0,
+        torque_dynamic: 9000.0,
+        decay_speed: 0.0,
+    };
+    let mut torques = vec![friction(1.0, 1.0, 0.0); pieces];
+    torques.push(NodeTorque::Bit(bit));
+    let (greatest, record) = greatest_torque(&string, (pieces, torques), slow, (16.0, 600.0));
+    let at_surface = record.surface_torque.iter().copied().fold(0.0, f64::max);
+    assert!((at_surface / 9020.0 - 1.0).abs() < 0.01, "{at_surface}");
+    let off = greatest.peak_torque / at_surface - 1.0;
+    assert!(off.abs() < 2e-3, "{greatest:?} {at_surface}");
+}
+
+/// A fast start under little friction, and a slower one under much: the greatest torque is that of
+/// masses and springs, and where it is they have it too.
+#[test]
+fn the_greatest_torque_of_a_start_is_that_of_masses_and_springs() {
+    let (length, damping, time) = (2000.0, 0.1, 8.0);
+    let string = pipes::row(200, damping);
+    for (total, speed, rise) in [(3000.0, 8.0, 0.5), (16_000.0, 6.0, 3.0)] {
+        let friction_of = |pieces: usize| PipeFriction {
+            torque_static: total / pieces as f64,
+            torque_dynamic: 0.8 * total / pieces as f64,
+            stribeck_speed: 0.5,
+        };
+        let surface = |time: f64| speed * (time / rise).min(1.0);
+        let start = (32.0, time);
+        let (_, springs) = masses_and_springs(friction_of(250), length, damping, surface, start);
+        let most = springs.iter().copied().fold(0.0, f64::max);
+        let pieces = 80;
+        let mut torques = vec![NodeTorque::Pipe(friction_of(pieces)); pieces];
+        torques.push(NodeTorque::None);
+        let all = (pieces, torques);
+        let (found, _) = greatest_torque(&string, all, (speed, rise), (256.0, time));
+        let off = found.peak_torque / most - 1.0;
+        assert!(off.abs() < 0.02, "{found:?} {most}");
+        let place = (length - found.from_bit) / length * springs.len() as f64;
+        let there = springs[(place as usize).min(springs.len() - 1)];
+        assert!(there > 0.97 * most, "{found:?} {there} {most}");
+    }
+}
+
+/// Turning steadily, the torque above a node is the sum of all below.
+#[test]
+fn the_torque_in_a_string_that_turns_is_the_sum_of_all_below() {
+    let string = pipes::row(200, 0.0);
+    let (pieces, bit) = (8, 5000.0);
+    let of = |index: usize| 100.0 * (index + 1) as f64;
+    let mut torques: Vec<NodeTorque> = (0..pieces).map(|it| friction(of(it), 1.0, 0.0)).collect();
+    torques.push(NodeTorque::Bit(BitTorque {
+        torque_static: bit,
+        torque_dynamic: bit,
+        decay_speed: 0.0,
+    }));
+    let all = (pieces, torques);
+    let (greatest, _) = greatest_torque(&string, all, (0.01, 100.0), (16.0, 400.0));
+    let sum = bit + (0..pieces).map(of).sum::<f64>();
+    let off = greatest.peak_torque / sum - 1.0;
+    assert!(off.abs() < 0.01, "{greatest:?} {sum}");
 }

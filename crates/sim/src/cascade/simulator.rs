@@ -9,6 +9,7 @@ use crate::error::SimulationError;
 use crate::outcome::{Ended, Outcome};
 use crate::surface::SurfaceProfile;
 use crate::trajectory::Trajectory;
+use crate::watch::along::StringTorqueWatch;
 use crate::watch::rules::Rules;
 use crate::watch::surface::SurfaceWatch;
 use crate::watch::torsion::BitWatch;
@@ -17,6 +18,7 @@ use crate::watch::torsion::BitWatch;
 #[derive(Debug, Clone)]
 pub struct CascadeSimulator {
     system: CascadeSystem,
+    follows_torque: bool,
 }
 
 impl CascadeSimulator {
@@ -33,7 +35,20 @@ impl CascadeSimulator {
         rotor_inertia: f64,
     ) -> Result<Self, SimulationError> {
         let system = CascadeSystem::new(cascade, profile, rotor_inertia)?;
-        Ok(Self { system })
+        Ok(Self {
+            system,
+            follows_torque: false,
+        })
+    }
+
+    /// The same, which follows the torque all along the string, or does not: that takes a little
+    /// more of each step.
+    #[must_use]
+    pub fn following_torque(self, follows_torque: bool) -> Self {
+        Self {
+            follows_torque,
+            ..self
+        }
     }
 
     /// Simulates one case to its end, writing its time history into `record` where asked: the
@@ -55,6 +70,7 @@ impl CascadeSimulator {
         let (steps, window) = (stepper.steps(), scene.timing.closing_window);
         let mut bit = BitWatch::new(Rules::USUAL, sampling, steps, window);
         let mut surface = SurfaceWatch::new(sampling, steps, window);
+        let mut along = self.follows_torque.then(StringTorqueWatch::default);
         let lowest = scene
             .torques
             .iter()
@@ -77,6 +93,9 @@ impl CascadeSimulator {
                 let torque = acts_at_last.then_some(now.nodes.torques[last]);
                 record.bit_torque.extend(torque);
             }
+            if let Some(along) = &mut along {
+                along.see(stepper.string_torques());
+            }
         }
         if let Some(record) = record {
             record.times = (0..steps).map(|step| sampling.time_of(step)).collect();
@@ -87,6 +106,8 @@ impl CascadeSimulator {
             predicted: None,
             torsion: lowest.map(|_| bit.measures(scene.surface_speed)),
             surface: Some(surface.measures()),
+            string_torque: along
+                .map(|along| along.measures(self.system.nodes.distances_from_bit())),
             lateral: None,
         }
         .finite()

@@ -112,6 +112,21 @@ impl<'a> CascadeStepper<'a> {
         Ok(Some(&self.now))
     }
 
+    /// Torques in the string in this step just above and just below each node, N m, positive where
+    /// what is above turns what is below. A piece turns its lower end with −f, and f = a − b and
+    /// a + b = Z v leave Z v − 2 a of that.
+    pub fn string_torques(&self) -> impl Iterator<Item = [f64; 2]> {
+        let top = (self.system.top.impedance, self.up.last());
+        let links = std::iter::zip(&self.system.links, &self.into);
+        let links = links.map(|(link, [_, at_bottom])| (link.impedance, at_bottom.last()));
+        let nodes = std::iter::zip(&self.now.nodes.speeds, &self.now.nodes.torques);
+        let ports = std::iter::once(top).chain(links);
+        std::iter::zip(ports, nodes).map(|((impedance, wave), (speed, torque))| {
+            let above = impedance * speed - 2.0 * wave;
+            [above, above + torque]
+        })
+    }
+
     /// What comes out of the pieces, and with which torques that drives the nodes: at each
     /// port f = (stiffness) v − 2 (1 + S(0))⁻¹ b.
     fn find_driving_torques(&mut self) {

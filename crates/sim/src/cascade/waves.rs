@@ -32,6 +32,11 @@ impl Past {
         self.values.push(value);
     }
 
+    /// What came last.
+    pub fn last(&self) -> f64 {
+        self.values.last().copied().unwrap_or(0.0)
+    }
+
     /// What the past adds to a response.
     pub fn sum(&self, kernel: &Kernel) -> f64 {
         kernel.past_sum(&self.values)

@@ -1,6 +1,7 @@
 //! What is seen of a motion while it is stepped: regimes and measures, and whether the
 //! rest is settled.
 
+pub mod along;
 pub mod lateral;
 pub mod rules;
 pub(crate) mod settling;

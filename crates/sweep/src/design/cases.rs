@@ -58,6 +58,16 @@ impl Design {
         }
     }
 
+    /// The least and the greatest value along an axis, where it is one.
+    pub fn ends(&self, axis: Axis) -> Option<[f64; 2]> {
+        let place = self.axes().iter().position(|known| *known == axis)?;
+        Some(match self {
+            Design::Grid(grid) => ends_of(grid.along(place).iter().copied()),
+            Design::MonteCarlo(random) => random.ends(place),
+            Design::List(list) => ends_of(list.cases.iter().map(|values| values[place])),
+        })
+    }
+
     /// Seed of random cases.
     pub fn seed(&self) -> Option<u64> {
         match self {
@@ -143,6 +153,14 @@ impl Design {
             Design::MonteCarlo(_) | Design::List(_) => self.cases(),
         }
     }
+}
+
+/// The least and the greatest.
+fn ends_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    )
 }
 
 /// A key that belongs to another kind of design would be ignored: refuse it.

@@ -51,6 +51,11 @@ impl Grid {
         self.values[self.of_string..].iter().map(Vec::len).product()
     }
 
+    /// The values along the axis at a place.
+    pub(super) fn along(&self, place: usize) -> &[f64] {
+        &self.values[place]
+    }
+
     pub(super) fn values(&self, index: usize) -> Vec<f64> {
         let mut left = index;
         let mut case: Vec<f64> = (self.values.iter().rev())

@@ -64,6 +64,12 @@ impl MonteCarlo {
         corners
     }
 
+    /// The ends of the range of the axis at a place.
+    pub(super) fn ends(&self, place: usize) -> [f64; 2] {
+        let Range { from, to, .. } = self.ranges[place];
+        [from.min(to), from.max(to)]
+    }
+
     pub(super) fn values(&self, index: usize) -> Vec<f64> {
         let mut stream = Stream::new(self.seed, index as u64);
         let ranges = self.ranges.iter();

@@ -144,7 +144,7 @@ impl MethodSystem {
         let simulator = CascadeSimulator::new(&cascade, &setting.profile, setting.rotor_inertia)?;
         Ok(Self {
             build_seconds: start.elapsed().as_secs_f64(),
-            cascade: Some(simulator),
+            cascade: Some(simulator.following_torque(friction.follows_torque)),
             ..system
         })
     }

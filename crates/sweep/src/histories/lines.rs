@@ -9,7 +9,7 @@ use sim::{Ended, Outcome};
 use super::simulation::Simulation;
 use crate::engine::Case;
 use crate::plan::{Sweep, to_rpm};
-use crate::quantities::{FORCE, TORQUE, Units, WIDTH};
+use crate::quantities::{FORCE, LENGTH, TORQUE, Units, WIDTH};
 use crate::words::{counted, decimals, short, site_title, together, wrapped};
 
 /// Every case with what a run answers to it by each method, and what came out later
@@ -118,6 +118,13 @@ fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>, units: Units) -> Ve
     }
     if found.is_empty() {
         found.push("the bit is free".to_owned());
+    }
+    if let Some(along) = outcome.string_torque {
+        let torque = units.of(&TORQUE).kilo().text(1e-3 * along.peak_torque, 3);
+        let place = units.of(&LENGTH).text(along.from_bit, 1);
+        found.push(format!(
+            "greatest torque along the string {torque}, {place} above the bit"
+        ));
     }
     found
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
-use super::labels::{LabelTable, shows_torque};
+use super::labels::{LabelTable, shows_string_torque, shows_torque};
 use super::manifest::Manifest;
 use crate::engine::{MethodSystem, RunOptions, Shard, pairs_of};
 use crate::plan::Sweep;
@@ -21,6 +21,9 @@ pub struct About {
     /// Whether it has columns of what turns the surface.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shows_surface: bool,
+    /// Whether it has columns of the torque along the string.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_string_torque: bool,
     /// Its columns of what cases are held against.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub misfits: Vec<String>,
@@ -52,6 +55,7 @@ impl About {
             manifest,
             shows_torque: shows_torque(sweep),
             shows_surface: sweep.setting.friction.is_some(),
+            shows_string_torque: shows_string_torque(sweep),
             misfits: LabelTable::of(sweep)
                 .misfits
                 .into_iter()
@@ -69,6 +73,7 @@ impl About {
             axes: &self.manifest.axes,
             shows_torque: self.shows_torque,
             shows_surface: self.shows_surface,
+            shows_string_torque: self.shows_string_torque,
             misfits: self.misfits.iter().map(String::as_str).collect(),
         }
     }

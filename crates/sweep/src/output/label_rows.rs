@@ -6,8 +6,8 @@ use std::str::{FromStr, Split};
 
 use anyhow::{Context, Result, anyhow};
 use sim::{
-    Ended, Label, LateralMeasures, LateralRegime, Outcome, SurfaceMeasures, TorsionMeasures,
-    TorsionRegime,
+    Ended, Label, LateralMeasures, LateralRegime, Outcome, StringTorque, SurfaceMeasures,
+    TorsionMeasures, TorsionRegime,
 };
 
 use super::labels::{FAILED, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
@@ -297,6 +297,9 @@ pub fn record_of(
             if table.shows_surface {
                 outcome.surface = Some(fields.surface()?);
             }
+            if table.shows_string_torque {
+                outcome.string_torque = Some(fields.string_torque()?);
+            }
             for _ in &table.misfits {
                 record.misfits.push(fields.optional()?);
             }
@@ -366,6 +369,7 @@ impl<'a> Fields<'a> {
                 ended
             },
             surface: None,
+            string_torque: None,
         })
     }
 
@@ -375,6 +379,13 @@ impl<'a> Fields<'a> {
             least_torque: self.number()?,
             mean_torque: self.number()?,
             greatest_torque: self.number()?,
+        })
+    }
+
+    fn string_torque(&mut self) -> Option<StringTorque> {
+        Some(StringTorque {
+            peak_torque: self.number()?,
+            from_bit: self.number()?,
         })
     }
 

@@ -43,6 +43,9 @@ const SURFACE_COLUMNS: [&str; 4] = [
     "surface_torque_greatest_nm",
 ];
 
+/// Columns of the greatest torque along the string, where that is followed.
+const STRING_COLUMNS: [&str; 2] = ["string_torque_peak_nm", "string_torque_peak_from_bit_m"];
+
 /// The status of a case with an answer, and of one without.
 const DONE: &str = "ok";
 pub(super) const FAILED: &str = "failed";
@@ -61,6 +64,8 @@ pub struct LabelTable<'a> {
     pub shows_torque: bool,
     /// Whether what turns the surface is followed.
     pub shows_surface: bool,
+    /// Whether the torque along the string is followed.
+    pub shows_string_torque: bool,
     /// Columns of what cases are held against.
     pub misfits: Vec<&'a str>,
 }
@@ -73,6 +78,7 @@ impl<'a> LabelTable<'a> {
             axes: sweep.design.axes(),
             shows_torque: shows_torque(sweep),
             shows_surface: sweep.setting.friction.is_some(),
+            shows_string_torque: shows_string_torque(sweep),
             misfits: (sweep.data.comparisons.iter())
                 .map(|comparison| comparison.column.as_str())
                 .collect(),
@@ -87,6 +93,9 @@ impl<'a> LabelTable<'a> {
         header.extend(RESULT_COLUMNS.map(str::to_owned));
         if self.shows_surface {
             header.extend(SURFACE_COLUMNS.map(str::to_owned));
+        }
+        if self.shows_string_torque {
+            header.extend(STRING_COLUMNS.map(str::to_owned));
         }
         header.extend(self.misfits.iter().map(|&column| column.to_owned()));
         header.join(",")
@@ -119,6 +128,11 @@ impl<'a> LabelTable<'a> {
             row.add_optional(surface.map(|it| it.mean_torque));
             row.add_optional(surface.map(|it| it.greatest_torque));
         }
+        if self.shows_string_torque {
+            let along = done.and_then(|outcome| outcome.string_torque);
+            row.add_optional(along.map(|it| it.peak_torque));
+            row.add_optional(along.map(|it| it.from_bit));
+        }
         for index in 0..self.misfits.len() {
             row.add_optional(record.misfits.get(index).copied().flatten());
         }
@@ -129,6 +143,12 @@ impl<'a> LabelTable<'a> {
 /// Whether T_d has a column in the table of a sweep.
 pub(super) fn shows_torque(sweep: &Sweep) -> bool {
     sweep.bit.is_some() && !sweep.design.axes().contains(&Axis::TorqueDynamicNm)
+}
+
+/// Whether the torque along the string is followed in a sweep.
+pub(super) fn shows_string_torque(sweep: &Sweep) -> bool {
+    let friction = sweep.setting.friction.as_ref();
+    friction.is_some_and(|friction| friction.follows_torque)
 }
 
 /// A row being written.

@@ -117,7 +117,14 @@ impl Setting {
             string,
             lateral.as_ref(),
         )?;
-        let friction = string_friction::resolve(source, content, data, &string, &sites, mud)?;
+        let friction = string_friction::resolve(
+            source,
+            content,
+            (data, mud),
+            (conditions, design),
+            &string,
+            &sites,
+        )?;
         let setting = Self {
             string,
             sites,

@@ -2,17 +2,23 @@
 
 use std::sync::Arc;
 
-use linear::well::{PressedBy, SideForce};
+use linear::well::{PressedBy, SideForce, WindingUp, least_pieces};
 use linear::{Drillstring, Mud, Sites};
 use sim::{NodeTorque, PipeFriction};
 
 use super::conditions::{Conditions, RPM};
 use super::data::Data;
 use super::hole::survey_along;
+use crate::design::Design;
+use crate::quantities::Axis;
 use crate::sweep_file::{FileContent, MethodName, PressedByName, Source, SweepFileError};
 
 /// More pieces than a string has joints make nothing better.
-const MOST_PIECES: f64 = 2000.0;
+const MOST_PIECES: usize = 2000;
+
+/// Weights on bit at which pieces are held to a tolerance, where that is an axis: both ends, and
+/// between them, as what presses may vanish somewhere.
+const WEIGHTS: usize = 9;
 
 /// A string that rubs along its well.
 #[derive(Debug, Clone)]
@@ -25,7 +31,15 @@ pub struct StringFriction {
     /// Nodes of the sites that are looked at.
     pub looked_at: Vec<usize>,
     pieces: usize,
+    /// Whether these follow from a tolerance: friction then is divided between them as finely as
+    /// they are cut. Where their number is given it stays as it was added up, so that the answers
+    /// of files stay what they are.
+    by_tolerance: bool,
     force: Arc<SideForce>,
+    /// By how much friction in pieces is off.
+    off_by: f64,
+    /// Whether the greatest torque along the string is followed.
+    pub follows_torque: bool,
     /// rad.
     inclination_at_bit: f64,
 }
@@ -39,7 +53,8 @@ impl StringFriction {
         at_bit: NodeTorque,
     ) -> Vec<NodeTorque> {
         let weight_on_bit = 1e3 * conditions.weight_on_bit_kn.unwrap_or(0.0);
-        let pressing = self.force.friction_torques(self.pieces, weight_on_bit);
+        let pieces = (self.pieces, self.by_tolerance);
+        let pressing = friction_torques(&self.force, pieces, weight_on_bit);
         let ratio = conditions.string_friction_ratio.unwrap_or(1.0);
         let stribeck_speed = RPM * conditions.string_friction_stribeck_rpm.unwrap_or(0.0);
         let last = self.piece_of.len() - 1;
@@ -80,6 +95,12 @@ impl StringFriction {
     pub fn pieces(&self) -> usize {
         self.pieces
     }
+
+    /// By how much the torque at the surface is off for that, in parts of that at which the string
+    /// breaks loose ([`WindingUp::off_by`]).
+    pub fn off_by(&self) -> f64 {
+        self.off_by
+    }
 }
 
 /// How the string of the file rubs, where it does.
@@ -89,10 +110,10 @@ impl StringFriction {
 pub fn resolve(
     source: &Source,
     content: &FileContent,
-    data: &Data,
+    (data, mud): (&Data, Option<Mud>),
+    (conditions, design): (&Conditions, &Design),
     string: &Drillstring,
     sites: &Sites,
-    mud: Option<Mud>,
 ) -> Result<Option<StringFriction>, SweepFileError> {
     let Some(table) = &content.string_friction else {
         return Ok(None);
@@ -103,16 +124,35 @@ pub fn resolve(
                        needs `survey` in [well]";
         return Err(source.error("string_friction", message));
     };
-    let pieces = table.pieces;
-    let (key, most) = ("string_friction.pieces", MOST_PIECES);
-    source.within(key, pieces as f64, 1.0, most, "")?;
     let pressed_by = match table.pressed_by {
         PressedByName::WeightAndTension => PressedBy::WeightAndTension,
         PressedByName::Weight => PressedBy::Weight,
     };
+    let force = SideForce::new(string, survey, mud, pressed_by);
+    let weights = weights_on_bit(conditions, design);
+    let by_tolerance = table.tolerance.is_some();
+    let (key, pieces) = match table.tolerance {
+        Some(tolerance) => {
+            let key = "string_friction.tolerance";
+            source.within(key, tolerance, 1e-4, 0.1, "")?;
+            let windings = weights.iter().map(|weight| force.wound_up(*weight));
+            let windings: Vec<WindingUp> = windings.collect();
+            let pieces = least_pieces(&windings, tolerance, MOST_PIECES);
+            (key, source.checked(key, pieces)?)
+        }
+        None => {
+            let (key, most) = ("string_friction.pieces", MOST_PIECES as f64);
+            source.within(key, table.pieces as f64, 1.0, most, "")?;
+            (key, table.pieces)
+        }
+    };
+    let off_by = |weight: &f64| {
+        let torques = friction_torques(&force, (pieces, by_tolerance), *weight);
+        force.wound_up(*weight).off_by(&torques)
+    };
+    let off_by = weights.iter().map(off_by).fold(0.0, f64::max);
     let nodes = nodes(string, sites, pieces);
-    let error =
-        |error: linear::DrillstringError| source.error("string_friction.pieces", error.to_string());
+    let error = |error: linear::DrillstringError| source.error(key, error.to_string());
     let distances: Vec<f64> = nodes.iter().map(|(distance, _)| *distance).collect();
     let at = |distance: &f64| distances.iter().position(|node| node == distance);
     Ok(Some(StringFriction {
@@ -120,9 +160,42 @@ pub fn resolve(
         piece_of: nodes.iter().map(|(_, piece)| *piece).collect(),
         looked_at: sites.distances_from_bit().iter().filter_map(at).collect(),
         pieces,
+        by_tolerance,
+        off_by,
+        follows_torque: table.torque_along_string,
         inclination_at_bit: survey.inclination(string.length().min(survey.depth())),
-        force: Arc::new(SideForce::new(string, survey, mud, pressed_by)),
+        force: Arc::new(force),
     }))
+}
+
+/// Torque on each piece per coefficient of friction, N m; so many, which may follow from a
+/// tolerance.
+fn friction_torques(
+    force: &SideForce,
+    (pieces, by_tolerance): (usize, bool),
+    weight_on_bit: f64,
+) -> Vec<f64> {
+    if by_tolerance {
+        force.wound_up(weight_on_bit).friction_torques(pieces)
+    } else {
+        force.friction_torques(pieces, weight_on_bit)
+    }
+}
+
+/// Weights on bit that cases may have, N: what they press on the string changes what a number of
+/// pieces is off by.
+fn weights_on_bit(conditions: &Conditions, design: &Design) -> Vec<f64> {
+    let given = match design.ends(Axis::TorqueDynamicNm) {
+        // In place of a weight.
+        Some(_) => 0.0,
+        None => conditions.weight_on_bit_kn.unwrap_or(0.0),
+    };
+    let Some([least, most]) = design.ends(Axis::WeightOnBitKn) else {
+        return vec![1e3 * given];
+    };
+    let part = |index: usize| index as f64 / (WEIGHTS - 1) as f64;
+    let weight = |index: usize| 1e3 * (least + part(index) * (most - least));
+    (0..WEIGHTS).map(weight).collect()
 }
 
 /// What is not stepped together with friction along the string.

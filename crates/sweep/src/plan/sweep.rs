@@ -84,7 +84,7 @@ impl Sweep {
             source.put("methods", toml::Value::Array(names.collect()));
         }
         let sheet = put_sections(&mut source, text_of)?;
-        let content: FileContent = source.parse()?;
+        let mut content: FileContent = source.parse()?;
         texts::check(&source, &content)?;
         let table = content.bit.as_ref();
         let bit = table.map(|bit| bit::resolve(&source, bit)).transpose()?;
@@ -106,6 +106,10 @@ impl Sweep {
             (time, _) => time,
         };
         let setting = Setting::resolve(&source, &content, &data, &conditions, &design)?;
+        if let (Some(table), Some(friction)) = (&mut content.string_friction, &setting.friction) {
+            // However it was found.
+            table.pieces = friction.pieces();
+        }
         string::check_axes(&source, &content, &design)?;
         if let Some(accuracy) = content.accuracy {
             choice::check(&source, accuracy)?;

@@ -19,12 +19,13 @@ const MOST_FILES: usize = 64;
 
 /// Keys that say the same in another way: a file gives one of each pair, and it
 /// replaces the other of its base.
-const RIVALS: [Rivals; 8] = [
+const RIVALS: [Rivals; 9] = [
     Rivals("", "accuracy", "methods"),
     Rivals("", "accuracy", "method"),
     Rivals("", "accuracy", "sampling_frequency_hz"),
     Rivals("string", "file", "sections"),
     Rivals("well", "hole_radius_m", "holes"),
+    Rivals("string_friction", "tolerance", "pieces"),
     Rivals("", "surface_speed_file", "surface_speed_rpm"),
     Rivals("", "surface_speed_file", "surface_speed_rise_s"),
     Rivals("", "surface_speed_column", "surface_speed_rpm"),

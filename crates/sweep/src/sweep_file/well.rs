@@ -65,6 +65,13 @@ pub struct StringFrictionTable {
     /// Equal pieces of the string, each of which slips as a whole. Default 20.
     #[serde(default = "default_pieces")]
     pub pieces: usize,
+    /// Else as many of them as keep the torque at the surface to this part of that at which the
+    /// string breaks loose.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
+    /// Whether the greatest torque along the string is followed. Default false.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub torque_along_string: bool,
 }
 
 /// What presses the string against its well.

@@ -100,7 +100,11 @@ pub fn describe_well(sweep: &Sweep) -> String {
     }
     rows.push((
         "pieces that slip as wholes",
-        format!("{}", friction.pieces()),
+        format!(
+            "{}, off by {} % of the torque that turns all at most, where friction does not fall",
+            friction.pieces(),
+            per_cent(friction.off_by())
+        ),
     ));
     let lines = rows.iter().map(|(title, value)| row(2, title, value));
     "\nwell\n".to_owned() + &lines.collect::<String>()

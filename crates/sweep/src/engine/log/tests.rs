@@ -2,7 +2,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-use sim::{Ended, Label, Outcome, SurfaceMeasures, TorsionMeasures, TorsionRegime};
+use sim::{Ended, Label, Outcome, StringTorque, SurfaceMeasures, TorsionMeasures, TorsionRegime};
 
 use std::cell::Cell;
 use std::path::PathBuf;
@@ -41,6 +41,10 @@ fn record(pair: usize) -> Record {
             predicted: Some(Label::Torsion(TorsionRegime::Stuck)),
             torsion: Some(torsion),
             lateral: None,
+            string_torque: (pair.is_multiple_of(6)).then_some(StringTorque {
+                peak_torque: number / 23.0,
+                from_bit: number,
+            }),
             surface: (pair.is_multiple_of(3)).then_some(SurfaceMeasures {
                 peak_torque: number,
                 least_torque: -number / 9.0,
