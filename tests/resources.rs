@@ -239,6 +239,31 @@ fn strings_are_built_one_by_one_where_memory_is_short() {
     assert!(tables[0] == tables[1]);
 }
 
+/// Of a string in many pieces that is held against a recording every node's motion is kept.
+#[test]
+fn a_string_in_many_pieces_takes_no_more_than_told() {
+    let setting = &SMALL[..SMALL.find("[bit]").unwrap()];
+    let setting = with(setting, "repeat = 10", "repeat = 100");
+    let compare = "[[compare]]\ntrace = \"bit_speed_rpm\"\nfile = \"recorded.csv\"\n\
+                   column = \"speed_rpm\"\nfrom_s = 1\nto_s = 9\n";
+    let design = "[design]\nkind = \"monte-carlo\"\ncases = 4\n[design.axes]\n\
+                  string_friction = { from = 0.1, to = 0.4 }\n";
+    let friction = "[well]\nsurvey = \"survey.csv\"\n[string_friction]\npieces = 500\n";
+    let text = format!("{setting}{friction}{compare}{design}");
+    let text = with(
+        &text,
+        "surface_speed_rpm = 60",
+        "surface_speed_rpm = 60\nsurface_speed_rise_s = 3",
+    );
+    let place = Workplace::with_small(&with(&text, "time_s = 12", "time_s = 60"));
+    place.write("recorded.csv", "time_s,speed_rpm\n0,0\n10,60\n");
+    let survey = "measured_depth_m,inclination_deg,azimuth_deg\n0,10,0\n1000,40,0\n";
+    place.write("survey.csv", survey);
+    let told = peaks::estimate(&place, "run");
+    let peak = peaks::peak(&place, &RUN);
+    assert!(peak.is_none_or(|peak| peak <= told), "{peak:?} {told}");
+}
+
 #[test]
 fn a_dry_run_and_inspect_tell_memory_and_time() {
     let place = Workplace::with_small(SMALL);

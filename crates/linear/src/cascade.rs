@@ -100,10 +100,10 @@ pub struct End {
 }
 
 /// Responses of the uppermost piece.
-const AT_TOP: usize = 6;
+pub(crate) const AT_TOP: usize = 6;
 
 /// Responses of a link.
-const AT_LINK: usize = 3;
+pub(crate) const AT_LINK: usize = 3;
 
 impl Cascade {
     /// Cuts a string at its nodes.
@@ -298,7 +298,7 @@ fn impedance(string: &Drillstring, span: &Span) -> f64 {
 }
 
 /// Taps in which a wave passes twice through the longest piece, and some.
-fn first_taps(string: &Drillstring, nodes: &Sites, sampling_frequency: f64) -> f64 {
+pub(crate) fn first_taps(string: &Drillstring, nodes: &Sites, sampling_frequency: f64) -> f64 {
     let from_bit = nodes.distances_from_bit();
     let ends = std::iter::once(string.length())
         .chain(from_bit.iter().copied())

@@ -10,6 +10,7 @@ use rayon::current_num_threads;
 
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
+use crate::cascade::{AT_LINK, AT_TOP, first_taps};
 use crate::drillstring::Drillstring;
 use crate::elements::mesh::most_elements;
 use crate::estimates::{torsional_inertia, torsional_settling_time};
@@ -17,7 +18,7 @@ use crate::filters::held;
 use crate::filters::quadrature::SAMPLES_PER_TAP;
 use crate::method::{FiniteElement, Method};
 use crate::passivity::REFINEMENT;
-use crate::responses::length::{MOST_TAPS, needed_taps};
+use crate::responses::length::{MOST_TAPS, needed_taps, transformable};
 use crate::responses::trains::on_lattice;
 use crate::responses::{ChannelRequest, Request, bending, decay, torsion};
 use crate::sites::Sites;
@@ -101,6 +102,37 @@ struct ChannelCost {
     asked: f64,
     taps: f64,
     memory: Memory,
+}
+
+/// Responses of a [`crate::Cascade`] last at most so many times as long as is tried first: up to
+/// 37 times on random strings.
+const LASTS: f64 = 64.0;
+
+/// The taps of each response of a [`crate::Cascade`], at most, and what cutting a string takes.
+pub fn cascade(
+    string: &Drillstring,
+    nodes: &Sites,
+    sampling_frequency: f64,
+    longest_time: f64,
+) -> (f64, Memory) {
+    let most = needed_taps(longest_time, sampling_frequency);
+    let longest = (LASTS * first_taps(string, nodes, sampling_frequency)).min(most);
+    let taps = if longest > MOST_TAPS as f64 {
+        // It will be refused.
+        longest
+    } else {
+        transformable(longest.ceil() as usize) as f64
+    };
+    let responses = (AT_TOP + AT_LINK * nodes.len()) as f64;
+    let kept = REAL * responses * taps;
+    let samples = COMPLEX * SAMPLES_PER_TAP as f64 * responses * taps;
+    let memory = Memory {
+        peak: kept
+            + samples
+            + TRANSFORM * SAMPLES_PER_TAP as f64 * taps * current_num_threads() as f64,
+        kept,
+    };
+    (taps, memory)
 }
 
 /// What [`crate::responses()`] takes on the threads of the present pool.

@@ -1,10 +1,13 @@
 //! How long responses in torsion are, and what is told of it before they are built.
 
+use linear::method::FiniteElement;
 use linear::passivity::Ending;
 use linear::{
-    BuildError, ChannelRequest, Drillstring, Method, Request, Section, Sites, Tube, cost, responses,
+    BuildError, Cascade, ChannelRequest, Drillstring, Method, Request, Section, Sites, Tube, cost,
+    responses,
 };
 use problems::academic;
+use problems::wells::{Draw, Well};
 use proptest::prelude::*;
 
 fn methods() -> [Method; 4] {
@@ -93,6 +96,38 @@ proptest! {
             }
         }
     }
+}
+
+/// Of any string in any number of pieces.
+#[test]
+fn pieces_ring_no_longer_than_told() {
+    let mut longest: f64 = 0.0;
+    for number in 0..60 {
+        let mut draw = Draw::new(number);
+        let string = Well::draw(number, &mut draw).string;
+        let pieces = draw.log_uniform(1.0, 60.0) as usize;
+        let length = string.length() / pieces as f64;
+        let middles = (0..pieces).map(|piece| (piece as f64 + 0.5) * length);
+        let places: Vec<f64> = middles.chain([0.0]).collect();
+        let nodes = Sites::new(&string, &places).unwrap();
+        let (frequency, time) = (draw.log_uniform(20.0, 400.0), 30.0);
+        for method in [
+            Method::Quadrature,
+            Method::FiniteElement(FiniteElement::default()),
+        ] {
+            let (told, _) = cost::cascade(&string, &nodes, frequency, time);
+            let cascade = Cascade::new(&string, &method, &nodes, frequency, time).unwrap();
+            let links = cascade.links.iter();
+            let responses = links.flat_map(|link| [&link.top, &link.across, &link.bottom]);
+            let top = &cascade.top;
+            let all = responses.chain([&top.reflection, &top.sent, &top.torque_by_wave]);
+            let most = all.map(Vec::len).max().unwrap() as f64;
+            assert!(most <= told, "{number} {}: {most} {told}", method.name());
+            longest = longest.max(most / told);
+        }
+    }
+    // Nor is more told than it takes in every case.
+    assert!(longest > 0.5, "{longest}");
 }
 
 #[test]

@@ -60,6 +60,28 @@ pub fn trajectory(sites: usize, is_lateral: bool, steps: f64) -> f64 {
     REAL * steps * (1.0 + recorded * sites as f64)
 }
 
+/// Numbers for each node of a string in pieces that a case holds: speeds, torques, what drives
+/// it, its law and its motion.
+const NODE: f64 = 32.0;
+
+/// Past waves that a port keeps, for each tap.
+const PAST: f64 = 4.0;
+
+/// Responses of a piece, and numbers for each step that all cases share.
+const OF_PIECE: f64 = 3.0;
+const SET: f64 = 8.0;
+
+/// What a [`crate::CascadeSimulator`] of so many nodes keeps, of responses of so many taps, for so
+/// many steps.
+pub fn cascade(nodes: usize, taps: f64, steps: f64) -> f64 {
+    REAL * (OF_PIECE * (nodes + 2) as f64 * taps + SET * steps)
+}
+
+/// What a case takes that is stepped against it.
+pub fn cascade_case(nodes: usize, taps: f64, steps: f64) -> f64 {
+    REAL * (nodes as f64 * (NODE + 2.0 * PAST * taps) + WATCH * steps)
+}
+
 /// What a [`crate::SurfaceTorque`] takes, of responses of so many taps in torsion.
 pub fn surface_torque(sites: usize, taps: f64) -> f64 {
     sites as f64 * kernels_memory(1, taps) + REAL * taps

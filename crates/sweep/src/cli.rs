@@ -386,10 +386,12 @@ pub struct AnalyseArguments {
 pub struct AxesOfCells(pub Vec<Axis>);
 
 fn parse_axes(text: &str) -> Result<AxesOfCells, String> {
-    let axes = text
-        .split(',')
-        .map(parse_axis)
-        .collect::<Result<Vec<_>, _>>()?;
+    // Values are not asked for: under its name in field units it is the same axis.
+    let axis = |name: &str| match Axis::from_field_name(name.trim()) {
+        Some((axis, _)) => Ok(axis),
+        None => parse_axis(name),
+    };
+    let axes = text.split(',').map(axis).collect::<Result<Vec<_>, _>>()?;
     if axes.len() > 2 || (axes.len() == 2 && axes[0] == axes[1]) {
         return Err(format!("`{text}` is not one axis, or two"));
     }

@@ -55,8 +55,19 @@ impl StringMemory {
             systems = systems.then(passing(cost::bending_margin(sites, taps.bending)));
         }
         let mut case = sim::cost::case(sites, taps, steps);
+        let mut recorded = sites;
+        if let Some(friction) = &setting.friction {
+            recorded = friction.nodes.len();
+            let (frequency, nodes) = (setting.sampling_frequency, &friction.nodes);
+            let (taps, built) = cost::cascade(&setting.string, nodes, frequency, longest_time);
+            let kept = sim::cost::cascade(recorded, taps, steps);
+            systems = systems
+                .then(passing(built.peak + kept))
+                .then(Memory::lasting(kept));
+            case = case.max(sim::cost::cascade_case(recorded, taps, steps));
+        }
         if sweep.keeps_motion() {
-            case += sim::cost::trajectory(sites, setting.lateral.is_some(), steps);
+            case += sim::cost::trajectory(recorded, setting.lateral.is_some(), steps);
         }
         if sweep.finds_surface_torque() {
             let kept = sim::cost::surface_torque(sites, taps.torsion);

@@ -21,7 +21,15 @@ pub fn sections(
     } else {
         &all[1..]
     };
-    let mut sections = vec![("Regimes", regimes(rows, &all[0], width))];
+    let is_random = (manifest.sweep.design.as_ref())
+        .is_some_and(|design| design.kind == DesignKind::MonteCarlo);
+    let mut in_all = regimes(rows, &all[0], width);
+    if !is_random {
+        let note = "These cases were not drawn at random: intervals are those that as many random \
+                    ones would have.";
+        in_all.push(Block::Text(note.to_owned()));
+    }
+    let mut sections = vec![("Regimes", in_all)];
     let units = manifest.sweep.units;
     let over: Vec<Block> = shown
         .iter()
@@ -30,8 +38,6 @@ pub fn sections(
     if !over.is_empty() {
         sections.push(("Where", over));
     }
-    let is_random = (manifest.sweep.design.as_ref())
-        .is_some_and(|design| design.kind == DesignKind::MonteCarlo);
     if is_random && axes > 1 {
         sections.push(("What decides", deciding(manifest, &all[1..=axes])));
     }

@@ -32,7 +32,9 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     let sets = sets_of_axes(arguments, &manifest.axes)?;
     let counted = count(arguments, &tables, &sets)?;
     let width = arguments.width;
-    let title = format!("{}: {}", manifest.name, manifest.title);
+    let so_far = tables.iter().find_map(|tables| tables.so_far);
+    let so_far = so_far.map_or_else(String::new, |so_far| format!(" ({so_far})"));
+    let title = format!("{}: {}{so_far}", manifest.name, manifest.title);
     let rows = tables.iter().map(|tables| tables.manifest.tally.rows).sum();
     say(&text(&title, &sections(manifest, rows, &counted, width)))?;
     if let Some(path) = &arguments.out {
@@ -85,7 +87,7 @@ fn sets_of_axes(arguments: &AnalyseArguments, known: &[Axis]) -> Result<Vec<Vec<
     Ok(sets)
 }
 
-/// The counts of each set of axes, and whether it is to be shown.
+/// The counts over each set of axes.
 fn count(
     arguments: &AnalyseArguments,
     tables: &[ResultTables],
