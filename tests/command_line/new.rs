@@ -6,7 +6,9 @@ use crate::{RESULTS, labels, manifest, names, names_in, run, succeeds, text};
 
 /// Every block of settings that is switched off, by its first line, and the pieces
 /// it stands in for or needs beside it.
-const SWITCHED_OFF: [(&str, Change); 9] = [
+const SWITCHED_OFF: [(&str, Change); 11] = [
+    ("units = \"field\"", Change::Nothing),
+    ("surface_torque = true", Change::Nothing),
     (
         "methods = [\"held\", \"finite-element\"]",
         Change::Instead("\nmethods = [\"held\"]"),

@@ -118,7 +118,7 @@ pub enum Command {
         /// A results folder, of an unfinished run too
         folder: PathBuf,
     },
-    /// Say how often each regime occurs, how sure that is, and which axis decides
+    /// Say how often each regime occurs, how surely, and what decides
     #[command(after_help = "Examples:\n  sweep analyse results/well\n  \
         sweep analyse results/well --by weight_on_bit_kn,surface_speed_rpm --width 0.02\n  \
         sweep analyse results/well/shard-* --out analysis.csv\n\n\
