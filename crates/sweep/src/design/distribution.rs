@@ -186,24 +186,11 @@ impl Numbers<'_> {
 
     /// A number that belongs to another distribution would be ignored: refuse it.
     fn refuse_foreign(&self, name: DistributionName) -> Result<(), SweepFileError> {
-        use DistributionName::{LogNormal, Normal, Triangular};
-        let range = self.range;
-        let given = [
-            ("mean", range.mean, Normal),
-            ("standard_deviation", range.standard_deviation, Normal),
-            ("median", range.median, LogNormal),
-            (
-                "geometric_standard_deviation",
-                range.geometric_standard_deviation,
-                LogNormal,
-            ),
-            ("mode", range.mode, Triangular),
-        ];
-        for (key, value, owner) in given {
+        for (key, value, owner) in self.range.of_distributions() {
             let message = format!("belongs to `distribution = \"{}\"`", owner.name());
             self.refuse_if(value.is_some() && owner != name, key, &message)?;
         }
-        let has_both = range.distribution.is_some() && range.spacing == Spacing::Log;
+        let has_both = self.range.distribution.is_some() && self.range.spacing == Spacing::Log;
         let message = "says what `distribution` says: leave one out";
         self.refuse_if(has_both, "spacing", message)
     }

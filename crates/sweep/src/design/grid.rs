@@ -120,18 +120,10 @@ fn refuse_distribution(
     key: &str,
     range: &AxisRange,
 ) -> Result<(), SweepFileError> {
-    let given = [
-        ("distribution", range.distribution.is_some()),
-        ("mean", range.mean.is_some()),
-        ("standard_deviation", range.standard_deviation.is_some()),
-        ("median", range.median.is_some()),
-        (
-            "geometric_standard_deviation",
-            range.geometric_standard_deviation.is_some(),
-        ),
-        ("mode", range.mode.is_some()),
-    ];
-    for (name, is_given) in given {
+    let numbers = range.of_distributions();
+    let given = numbers.map(|(name, value, _)| (name, value.is_some()));
+    let distribution = [("distribution", range.distribution.is_some())];
+    for (name, is_given) in distribution.into_iter().chain(given) {
         let message = "is of random values: `kind = \"monte-carlo\"`";
         source.refuse_if(is_given, &format!("{key}.{name}"), message)?;
     }

@@ -73,6 +73,24 @@ pub struct AxisRange {
     pub mode: Option<f64>,
 }
 
+impl AxisRange {
+    /// The numbers that belong to one distribution each, by their keys.
+    pub fn of_distributions(&self) -> [(&'static str, Option<f64>, DistributionName); 5] {
+        use DistributionName::{LogNormal, Normal, Triangular};
+        [
+            ("mean", self.mean, Normal),
+            ("standard_deviation", self.standard_deviation, Normal),
+            ("median", self.median, LogNormal),
+            (
+                "geometric_standard_deviation",
+                self.geometric_standard_deviation,
+                LogNormal,
+            ),
+            ("mode", self.mode, Triangular),
+        ]
+    }
+}
+
 /// Two random axes that go together.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
