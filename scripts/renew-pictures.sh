@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Renews the pictures of the guide, docs/images, from the sweep files that are shipped:
-# a minute or two on two cores. What the commands say, the numbers that the guide
+# two or three minutes on two cores. What the commands say, the numbers that the guide
 # quotes, goes to standard output. Two pictures take minutes and are copied by hand:
 # tradeoff.png from `sweep tradeoff`, stability.png from `sweep stability`.
 set -euo pipefail
@@ -36,7 +36,7 @@ done
 "$sweep" simulate sweeps/fig13.toml --case 0,1 --out "$folder/fig13"
 keep fig13 string
 
-for figure in fig09 fig14 fig17 well_12in well_12in_soft_torque; do
+for figure in fig09 fig14 fig17 fig17_trace well_12in well_12in_soft_torque; do
     "$sweep" run "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" map
 done

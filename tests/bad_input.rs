@@ -18,6 +18,8 @@ mod soon;
 #[path = "bad_input/spreadsheets.rs"]
 mod spreadsheets;
 mod support;
+#[path = "bad_input/traces.rs"]
+mod traces;
 #[path = "bad_input/written.rs"]
 mod written;
 

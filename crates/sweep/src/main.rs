@@ -38,6 +38,7 @@ mod engine;
 mod files;
 mod hand_table;
 mod histories;
+mod limits;
 mod map;
 mod memory;
 mod output;
@@ -51,6 +52,7 @@ mod report;
 mod studies;
 mod sweep_file;
 mod text_file;
+mod trace;
 mod words;
 
 use std::process::ExitCode;

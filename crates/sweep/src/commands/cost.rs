@@ -141,7 +141,7 @@ pub fn of_built(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem], built:
         building: built,
         stepping,
     };
-    WallTime::About(pace.seconds(sweep, sweep.design.cases() * sweep.methods.len()))
+    WallTime::About(pace.seconds(sweep, sweep.design.likely_cases() * sweep.methods.len()))
 }
 
 fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pace> {

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Result;
 
 use super::status::Status;
-use crate::output::{Manifest, Tally};
+use crate::output::{Manifest, Tally, TraceSummary};
 use crate::words::{counted, together, wrapped};
 
 /// How a run that has these results ends.
@@ -39,6 +39,32 @@ fn label_counts(tally: &Tally) -> String {
     text
 }
 
+/// How the limits were traced, and where they are no lines.
+fn traced(trace: &TraceSummary) -> String {
+    let percent = |part: f64| 100.0 * part;
+    let part = percent(trace.simulated as f64 / trace.cases_of_grid as f64);
+    let [x, y] = trace.steps.map(percent);
+    let mut text = wrapped(
+        &format!(
+            "limits traced to {x:.2} % and {y:.2} % of the axes (limits.csv), with {part:.1} % of \
+             the cases of a grid as fine, {}",
+            trace.cases_of_grid
+        ),
+        2,
+        4,
+    );
+    for limit in trace.limits.iter().filter(|limit| limit.tiles > 0) {
+        let (method, motion, tiles) = (&limit.method, &limit.motion, limit.tiles);
+        let area = percent(limit.ragged_part);
+        let words = format!(
+            "{method}, {motion}: ragged in {tiles} tiles, {area:.1} % of the map, where there is \
+             no line but how large a part has the regime (bands.csv)"
+        );
+        text += &wrapped(&words, 2, 4);
+    }
+    text
+}
+
 /// What came out, in a few lines.
 pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String> {
     let mut text = String::new();
@@ -55,6 +81,9 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
         text += &choice.lines(2);
     }
     text += &label_counts(&manifest.tally);
+    if let Some(trace) = &manifest.trace {
+        text += &traced(trace);
+    }
     if manifest.tally.failed > 0 {
         let failed = manifest.tally.failed;
         let rows = counted(rows, "row");

@@ -23,8 +23,8 @@ const BETWEEN_TICKS: Duration = Duration::from_millis(200);
 
 /// Counts what is done and shows it on the error stream.
 pub struct Progress {
-    /// Simulations in all, and those done before this run.
-    total: usize,
+    /// Simulations in all, as far as they are known, and those done before this run.
+    total: AtomicUsize,
     before: usize,
     done: AtomicUsize,
     start: Instant,
@@ -71,7 +71,7 @@ impl Progress {
         }
         let now = Instant::now();
         let progress = Arc::new(Self {
-            total,
+            total: AtomicUsize::new(total),
             before,
             done: AtomicUsize::new(0),
             start: now,
@@ -88,6 +88,18 @@ impl Progress {
         progress
     }
 
+    /// More are to be done than was known.
+    pub fn expect(&self, total: usize) {
+        self.total.store(total, Ordering::Relaxed);
+        if let Display::Bar(bar) = &self.display {
+            bar.set_length(total as u64);
+        }
+    }
+
+    fn total(&self) -> usize {
+        self.total.load(Ordering::Relaxed)
+    }
+
     /// One more is done.
     pub fn tick(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -98,14 +110,14 @@ impl Progress {
                 self.terminal.complain(&format!(
                     "{} of {} simulations done, about {left:.0} s left",
                     self.before + done,
-                    self.total
+                    self.total()
                 ));
             }),
             Display::Events => self.now_and_then(BETWEEN_EVENTS, |left| {
                 self.terminal.tell(&json!({
                     "event": "progress",
                     "done": self.before + done,
-                    "total": self.total,
+                    "total": self.total(),
                     "seconds_left": left,
                 }));
             }),
@@ -121,7 +133,7 @@ impl Progress {
         if shown.elapsed() >= pause {
             *shown = Instant::now();
             let done = self.done.load(Ordering::Relaxed).max(1);
-            let left = self.total.saturating_sub(self.before + done);
+            let left = self.total().saturating_sub(self.before + done);
             show(self.start.elapsed().as_secs_f64() / done as f64 * left as f64);
         }
     }
@@ -136,7 +148,7 @@ impl Progress {
             Display::Events => self.terminal.tell(&json!({
                 "event": "end",
                 "done": self.before + self.done.load(Ordering::Relaxed),
-                "total": self.total,
+                "total": self.total(),
                 "seconds": self.start.elapsed().as_secs_f64(),
             })),
             Display::Nothing | Display::Lines => {}

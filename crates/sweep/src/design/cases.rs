@@ -4,6 +4,7 @@ use super::axes::MOST_CASES;
 use super::grid::Grid;
 use super::list::List;
 use super::monte_carlo::MonteCarlo;
+use super::trace::TraceDesign;
 use crate::quantities::Axis;
 use crate::sweep_file::{DesignKind, DesignTable, Source, SweepFileError, TextOf};
 
@@ -16,6 +17,8 @@ pub enum Design {
     MonteCarlo(MonteCarlo),
     /// As listed in a file.
     List(List),
+    /// Those of a grid that tell where its limits are.
+    Trace(TraceDesign),
 }
 
 impl Design {
@@ -41,6 +44,7 @@ impl Design {
                 Design::MonteCarlo(MonteCarlo::resolve(source, table, weight_pushes)?)
             }
             DesignKind::List => Design::List(List::resolve(source, table, weight_pushes, text_of)?),
+            DesignKind::Trace => Design::Trace(TraceDesign::resolve(source, table, weight_pushes)?),
         };
         let cases = design.cases();
         let message = format!("{cases} cases are more than {MOST_CASES}");
@@ -55,6 +59,7 @@ impl Design {
             Design::Grid(grid) => &grid.axes,
             Design::MonteCarlo(random) => &random.axes,
             Design::List(list) => &list.axes,
+            Design::Trace(trace) => &trace.grid.axes,
         }
     }
 
@@ -65,6 +70,7 @@ impl Design {
             Design::Grid(grid) => ends_of(grid.along(place).iter().copied()),
             Design::MonteCarlo(random) => random.ends(place),
             Design::List(list) => ends_of(list.cases.iter().map(|values| values[place])),
+            Design::Trace(trace) => ends_of(trace.grid.along(place).iter().copied()),
         })
     }
 
@@ -72,16 +78,26 @@ impl Design {
     pub fn seed(&self) -> Option<u64> {
         match self {
             Design::MonteCarlo(random) => Some(random.seed),
+            Design::Trace(trace) => Some(trace.seed),
             Design::Grid(_) | Design::List(_) => None,
         }
     }
 
-    /// Number of cases.
+    /// Number of cases; of a trace, of the grid that it chooses from.
     pub fn cases(&self) -> usize {
         match self {
             Design::Grid(grid) => grid.cases(),
             Design::MonteCarlo(random) => random.cases,
             Design::List(list) => list.cases.len(),
+            Design::Trace(trace) => trace.grid.cases(),
+        }
+    }
+
+    /// About how many of them are simulated: all, or those that a trace may choose.
+    pub fn likely_cases(&self) -> usize {
+        match self {
+            Design::Trace(trace) => trace.likely_cases(),
+            Design::Grid(_) | Design::MonteCarlo(_) | Design::List(_) => self.cases(),
         }
     }
 
@@ -91,6 +107,7 @@ impl Design {
             Design::Grid(grid) => grid.values(index),
             Design::MonteCarlo(random) => random.values(index),
             Design::List(list) => list.cases[index].clone(),
+            Design::Trace(trace) => trace.grid.values(index),
         }
     }
 }
@@ -102,6 +119,7 @@ impl Design {
             Design::Grid(grid) => grid.of_string,
             Design::MonteCarlo(random) => random.of_string,
             Design::List(list) => list.of_string,
+            Design::Trace(trace) => trace.grid.of_string,
         }
     }
 
@@ -114,7 +132,9 @@ impl Design {
     pub fn strings(&self) -> usize {
         match self {
             Design::List(list) => list.strings.len(),
-            Design::Grid(_) | Design::MonteCarlo(_) => self.cases() / self.neighbours(),
+            Design::Grid(_) | Design::MonteCarlo(_) | Design::Trace(_) => {
+                self.cases() / self.neighbours()
+            }
         }
     }
 
@@ -122,7 +142,7 @@ impl Design {
     pub fn cases_of_string(&self, string: usize) -> usize {
         match self {
             Design::List(list) => list.strings[string].len(),
-            Design::Grid(_) | Design::MonteCarlo(_) => self.neighbours(),
+            Design::Grid(_) | Design::MonteCarlo(_) | Design::Trace(_) => self.neighbours(),
         }
     }
 
@@ -130,7 +150,9 @@ impl Design {
     pub fn case_of_string(&self, string: usize, position: usize) -> usize {
         match self {
             Design::List(list) => list.strings[string][position],
-            Design::Grid(_) | Design::MonteCarlo(_) => string * self.neighbours() + position,
+            Design::Grid(_) | Design::MonteCarlo(_) | Design::Trace(_) => {
+                string * self.neighbours() + position
+            }
         }
     }
 
@@ -141,7 +163,7 @@ impl Design {
                 let has_case = |cases: &Vec<usize>| cases.binary_search(&index).is_ok();
                 list.strings.iter().position(has_case).unwrap_or(0)
             }
-            Design::Grid(_) | Design::MonteCarlo(_) => index / self.neighbours(),
+            Design::Grid(_) | Design::MonteCarlo(_) | Design::Trace(_) => index / self.neighbours(),
         }
     }
 
@@ -149,6 +171,7 @@ impl Design {
     fn neighbours(&self) -> usize {
         match self {
             Design::Grid(grid) => grid.cases_per_string(),
+            Design::Trace(trace) => trace.grid.cases_per_string(),
             Design::MonteCarlo(_) if self.varies_string() => 1,
             Design::MonteCarlo(_) | Design::List(_) => self.cases(),
         }
@@ -167,12 +190,14 @@ fn ends_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
 fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), SweepFileError> {
     let is_list = table.kind == DesignKind::List;
     let is_random = table.kind == DesignKind::MonteCarlo;
+    let is_trace = table.kind == DesignKind::Trace;
     let given = [
         ("axes", !table.axes.is_empty(), !is_list),
         ("cases", table.cases.is_some(), is_random),
         ("correlations", !table.correlations.is_empty(), is_random),
-        ("seed", table.seed.is_some(), is_random),
+        ("seed", table.seed.is_some(), is_random || is_trace),
         ("file", table.file.is_some(), is_list),
+        ("tolerance", table.tolerance.is_some(), is_trace),
     ];
     for (key, is_given, belongs) in given {
         let message = "does not belong to this kind of design";

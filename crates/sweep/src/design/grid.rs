@@ -13,7 +13,7 @@ pub struct Grid {
     pub(super) axes: Vec<Axis>,
     /// How many of them, the first ones, change the string.
     pub(super) of_string: usize,
-    values: Vec<Vec<f64>>,
+    pub(super) values: Vec<Vec<f64>>,
 }
 
 impl Grid {
@@ -115,7 +115,7 @@ fn axis_values(source: &Source, axis: Axis, range: &AxisRange) -> Result<Vec<f64
 }
 
 /// What says how random values are spread would be ignored.
-fn refuse_distribution(
+pub(super) fn refuse_distribution(
     source: &Source,
     key: &str,
     range: &AxisRange,

@@ -7,7 +7,9 @@ mod distribution;
 mod grid;
 mod list;
 mod monte_carlo;
+mod trace;
 
 pub use axes::MOST_CASES;
 pub use cases::Design;
 pub use list::List;
+pub use trace::TraceDesign;

@@ -21,6 +21,11 @@ impl Cells {
         } else {
             Mesh::even(extent, most)
         };
+        Self::of(mesh)
+    }
+
+    /// Those of a mesh.
+    pub fn of(mesh: Mesh) -> Self {
         let [columns, rows] = mesh.size();
         Self {
             mesh,

@@ -78,6 +78,16 @@ impl Content {
         Ok(contents)
     }
 
+    /// What cells show that were counted, of so many cases.
+    pub fn of_cells(cells: &Cells, cases: usize) -> Self {
+        Self {
+            cells: cells.joined(),
+            points: sparse_symbols(cells),
+            cases,
+            ..Self::default()
+        }
+    }
+
     /// Whether a symbol, or its ground, is anywhere on the map.
     pub fn has(&self, symbol: Symbol) -> bool {
         self.points.iter().any(|point| point.symbol == symbol)

@@ -3,7 +3,7 @@
 //! cases has the regime.
 //!
 //! `extent` says what the cases span, `symbol`, `cells` and `fractions` what they are
-//! drawn as, in the cells of a `mesh`, `limits` where their limit is, `misfits` how near they come
+//! drawn as, in the cells of a `mesh`, `traced` what a traced design is, `limits` where their limit is, `misfits` how near they come
 //! to what was recorded; `picture` puts them
 //! together.
 
@@ -17,6 +17,7 @@ mod misfits;
 mod picture;
 mod shown;
 mod symbol;
+mod traced;
 mod words;
 
 pub use cells::Cells;

@@ -9,7 +9,9 @@ use super::extent::Extent;
 use super::limits::Limits;
 use super::misfits;
 use super::shown::show_in;
+use super::traced::TracedMap;
 use super::words;
+use crate::limits::TracedLimits;
 use crate::output::{Curve, Manifest, Motion, ResultTables};
 use crate::plan::MapMark;
 use crate::plot::{self, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
@@ -28,10 +30,16 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
     let others = manifest.axes.iter().copied();
     let others = others.filter(|axis| !axes.contains(axis)).collect();
     let labels = tables.folder.join("labels.csv");
+    let design = manifest.traced_design();
+    let traced = match &design {
+        Some(design) => TracedLimits::read(&labels, design, &manifest.method_names())?,
+        None => None,
+    };
     let map = Map {
         manifest,
         extent: Extent::of(&labels, axes, others, units)?,
         labels,
+        traced,
         curves: tables.boundary()?.curves(&manifest.axes),
     };
     let (marks, left_out) = map.marks(&settings.marks);
@@ -58,13 +66,18 @@ struct Map<'a> {
     /// Its `labels.csv`.
     labels: PathBuf,
     extent: Extent,
+    /// What a traced design has found, where it is finished.
+    traced: Option<TracedLimits<'a>>,
     curves: Vec<Curve>,
 }
 
 impl Map<'_> {
     /// The maps of a motion, with a note on marks that are on none.
     fn group(&self, motion: Motion, left_out: Option<&String>) -> Result<MapGroup> {
-        let contents = Content::read(&self.labels, &self.extent, motion)?;
+        let contents = match &self.traced {
+            Some(limits) => vec![self.traced(limits).content(motion)],
+            None => Content::read(&self.labels, &self.extent, motion)?,
+        };
         let curves = self.curves.iter().filter(|curve| curve.motion == motion);
         let curves: Vec<&Curve> = curves.collect();
         let keys = words::keys(&contents, self.manifest, motion);
@@ -101,6 +114,17 @@ impl Map<'_> {
         })
     }
 
+    /// A traced design with the axes of the map.
+    fn traced<'a>(&self, limits: &'a TracedLimits) -> TracedMap<'a> {
+        let is_upright = self.manifest.axes.first() == Some(&self.extent.axes[0]);
+        TracedMap {
+            limits,
+            methods: self.manifest.methods.len(),
+            places: if is_upright { [0, 1] } else { [1, 0] },
+            simulated: self.extent.cases,
+        }
+    }
+
     /// The values of the other axes that a map is of.
     fn panel_title(&self, index: usize) -> String {
         let values = match self.extent.combinations() {
@@ -131,6 +155,9 @@ impl Map<'_> {
     /// What the grounds of cells tell, where they tell of parts.
     fn scale(&self, motion: Motion, contents: &[Content]) -> Option<String> {
         let is_of_parts = contents.iter().any(Content::is_of_parts);
+        if let Some(trace) = &self.manifest.trace {
+            return is_of_parts.then(|| words::ragged(motion, self.manifest, trace));
+        }
         let others = self.extent.others.iter();
         let ranges = others.zip(&self.extent.other_ranges);
         let over = ranges.map(|(&axis, &range)| words::range(axis, range, self.extent.units));

@@ -11,13 +11,18 @@ pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     for row in &case.rows {
         sustained += usize::from(row.labels.is_sustained(motion)?);
     }
-    Some(if sustained == case.rows.len() {
+    Some(symbol_of_counts(sustained, case.rows.len()))
+}
+
+/// The symbol where so many of all methods find sustained vibration.
+pub fn symbol_of_counts(sustained: usize, methods: usize) -> Symbol {
+    if sustained == methods {
         Symbol::Circle
     } else if sustained == 0 {
         Symbol::Cross
     } else {
         Symbol::Square
-    })
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The words of a map: its legend, which names only what is on it, and its notes.
 
 use super::content::Content;
-use crate::output::{Manifest, Motion};
+use crate::output::{Manifest, Motion, TraceSummary};
 use crate::plan::MapMark;
 use crate::plot::{Ground, Part, Symbol};
 use crate::quantities::{Axis, Units};
@@ -92,11 +92,18 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Gr
         .filter(|(symbol, _)| is_there(*symbol))
         .map(|(symbol, meaning)| (Ground::Symbol(symbol), meaning))
         .collect();
-    if let Some((_, first)) = found.first_mut() {
+    if let (Some((_, first)), false) =
+        (found.first_mut(), contents.iter().any(Content::is_of_parts))
+    {
         *first += &format!(" ({})", methods.join(", "));
         if contents.iter().any(|content| !content.cells.is_empty()) {
-            let cases: usize = contents.iter().map(|content| content.cases).sum();
-            *first += &format!("; a cell shows what most of its cases are, {cases} in all");
+            *first += &match &manifest.trace {
+                Some(trace) => format!("; {}", of_grid(trace)),
+                None => {
+                    let cases: usize = contents.iter().map(|content| content.cases).sum();
+                    format!("; a cell shows what most of its cases are, {cases} in all")
+                }
+            };
         }
     }
     found
@@ -116,6 +123,25 @@ pub fn scale(
         "Cases with {regime} in each cell ({mean}{}), of {cases} cases over {}:",
         methods.join(", "),
         over.collect::<Vec<String>>().join(" and ")
+    )
+}
+
+/// How many cases of a trace were simulated, and what the others are.
+fn of_grid(trace: &TraceSummary) -> String {
+    let (cases, all) = (trace.simulated, trace.cases_of_grid);
+    format!("{cases} of {all} cases of a grid as fine, the others as those around")
+}
+
+/// What the grounds of a traced map tell that has tiles where its limit is no line.
+pub fn ragged(motion: Motion, manifest: &Manifest, trace: &TraceSummary) -> String {
+    let [regime, _] = motion.regimes();
+    let methods = manifest.method_names();
+    let mean = if methods.len() == 1 { "" } else { "mean of " };
+    format!(
+        "Cases with {regime} ({mean}{}): all or none of a region, a part of a tile where the \
+         limit is ragged; {}:",
+        methods.join(", "),
+        of_grid(trace)
     )
 }
 

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::labels::{LabelTable, shows_string_torque, shows_surface, shows_torque};
 use super::manifest::Manifest;
+use crate::design::Design;
 use crate::engine::{MethodSystem, RunOptions, Shard, pairs_of};
 use crate::plan::Sweep;
 
@@ -29,8 +30,8 @@ pub struct About {
     pub misfits: Vec<String>,
     /// The sweep file, as the command names it.
     pub sweep_file: String,
-    /// Simulations in all.
-    pub simulations: usize,
+    /// Simulations in all, where that is known beforehand.
+    pub simulations: Option<usize>,
 }
 
 impl About {
@@ -46,6 +47,7 @@ impl About {
         systems: &[MethodSystem],
     ) -> Result<Self> {
         let mut manifest = Manifest::new(sweep, shard, options, systems)?;
+        let is_trace = matches!(sweep.design, Design::Trace(_));
         // The same text however often the run is stopped.
         manifest.threads = 0;
         for method in &mut manifest.methods {
@@ -62,7 +64,7 @@ impl About {
                 .map(str::to_owned)
                 .collect(),
             sweep_file: sweep_file.display().to_string(),
-            simulations: pairs_of(sweep, shard),
+            simulations: (!is_trace).then(|| pairs_of(sweep, shard)),
         })
     }
 

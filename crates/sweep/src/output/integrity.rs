@@ -14,6 +14,9 @@ pub const TABLES: [&str; 3] = ["labels.csv", "failures.csv", "boundary.csv"];
 /// Its map.
 pub const PICTURES: [&str; 2] = ["map.svg", "map.png"];
 
+/// What follows from the labels of a traced design.
+pub const OF_TRACE: [&str; 2] = ["limits.csv", "bands.csv"];
+
 /// A file that is not the one that was written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Damage {

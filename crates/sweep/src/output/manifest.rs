@@ -9,12 +9,13 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::tally::Tally;
-use crate::design::Design;
+use super::trace_summary::TraceSummary;
+use crate::design::{Design, TraceDesign};
 use crate::engine::{MethodSystem, RunOptions, Shard};
 use crate::files::{Checksum, hexadecimal, refuse_irregular, write_atomically};
 use crate::plan::{Choice, Data, MapSettings, Sweep};
 use crate::quantities::Axis;
-use crate::sweep_file::FileContent;
+use crate::sweep_file::{DesignKind, FileContent};
 use crate::text_file::unreadable;
 
 /// What was run.
@@ -67,6 +68,9 @@ pub struct Manifest {
     /// The tables and pictures beside it; none in a folder of version 0.1.0.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub files: BTreeMap<String, Checksum>,
+    /// How its limits were traced, where the design is a trace.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub trace: Option<TraceSummary>,
     /// Threads used.
     pub threads: usize,
     /// Time from start to end, s; of the last part, where it was stopped.
@@ -147,6 +151,7 @@ impl Manifest {
             methods: systems.iter().map(MethodRecord::of).collect(),
             tally: Tally::default(),
             files: BTreeMap::new(),
+            trace: None,
             threads: rayon::current_num_threads(),
             wall_seconds: 0.0,
             map: sweep.map.clone(),
@@ -172,6 +177,20 @@ impl Manifest {
     /// Whether there is a map of it: none of a part, nor of fewer than two axes.
     pub fn draws(&self) -> bool {
         self.shard().is_whole() && self.map.is_some()
+    }
+
+    /// Whether its cases were chosen along limits.
+    pub fn is_trace(&self) -> bool {
+        let design = self.sweep.design.as_ref();
+        design.is_some_and(|design| design.kind == DesignKind::Trace)
+    }
+
+    /// Its design, where limits were traced to their end.
+    pub fn traced_design(&self) -> Option<TraceDesign> {
+        self.trace.as_ref()?;
+        let axes = self.axes.as_slice().try_into().ok()?;
+        // Which axes change the string does not matter any more.
+        TraceDesign::of(self.sweep.design.as_ref()?, axes, 0)
     }
 
     /// The part of the sweep it records.

@@ -18,6 +18,14 @@ impl Motion {
     /// Both, in the order of their columns.
     pub const ALL: [Motion; 2] = [Motion::Torsion, Motion::Lateral];
 
+    /// Its column in `labels.csv`.
+    pub fn key(self) -> &'static str {
+        match self {
+            Motion::Torsion => "torsion",
+            Motion::Lateral => "lateral",
+        }
+    }
+
     /// As a heading.
     pub fn title(self) -> &'static str {
         match self {

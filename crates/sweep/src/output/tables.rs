@@ -34,13 +34,14 @@ pub struct ResultTables {
 pub struct SoFar {
     /// Simulations done.
     pub done: usize,
-    /// Simulations in all.
-    pub of: usize,
+    /// Simulations in all, where that is known beforehand.
+    pub of: Option<usize>,
 }
 
 impl fmt::Display for SoFar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "unfinished: {} of {} simulations", self.done, self.of)
+        let of = self.of.map_or_else(String::new, |of| format!(" of {of}"));
+        write!(f, "unfinished: {}{of} simulations", self.done)
     }
 }
 

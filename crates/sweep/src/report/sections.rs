@@ -7,7 +7,7 @@ use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, 
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
-use crate::output::Motion;
+use crate::output::{Manifest, Motion};
 use crate::words::{counted, short};
 
 /// Everything there is to say of one folder, or of several side by side;
@@ -33,6 +33,18 @@ fn percentage(part: usize, whole: usize) -> String {
         return NOTHING.to_owned();
     }
     format!("{:.1} %", 100.0 * part as f64 / whole as f64)
+}
+
+/// How many cases; of a trace, out of how many.
+fn cases_of(manifest: &Manifest) -> String {
+    match &manifest.trace {
+        None => counted(manifest.cases, "case"),
+        Some(trace) => format!(
+            "Limits traced with {} of the {} of a grid as fine",
+            counted(trace.simulated, "case"),
+            trace.cases_of_grid
+        ),
+    }
 }
 
 fn overview(all: &[Results]) -> Vec<Block> {
@@ -63,7 +75,7 @@ fn overview(all: &[Results]) -> Vec<Block> {
             "{}: {}. {} by {} ({}).{part}{so_far} {}. {failed}{settled}",
             results.name,
             manifest.title,
-            counted(manifest.cases, "case"),
+            cases_of(manifest),
             match methods.len() {
                 1 => "one method".to_owned(),
                 count => format!("{count} methods"),

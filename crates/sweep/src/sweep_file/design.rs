@@ -17,6 +17,8 @@ pub enum DesignKind {
     MonteCarlo,
     /// The rows of a CSV file.
     List,
+    /// From a coarse scan to the limits over two axes.
+    Trace,
 }
 
 /// The cases of a sweep.
@@ -25,7 +27,7 @@ pub enum DesignKind {
 pub struct DesignTable {
     /// Which kind.
     pub kind: DesignKind,
-    /// The axes of a grid or a Monte Carlo design.
+    /// The axes of a grid, a Monte Carlo design or a trace.
     #[serde(default)]
     pub axes: BTreeMap<Axis, AxisRange>,
     /// Random axes that go together.
@@ -33,10 +35,14 @@ pub struct DesignTable {
     pub correlations: Vec<CorrelationTable>,
     /// Number of Monte Carlo cases.
     pub cases: Option<usize>,
-    /// Seed of a Monte Carlo design. Default 0.
+    /// Seed of a Monte Carlo design, and of the points that a trace draws where a limit is
+    /// ragged. Default 0.
     pub seed: Option<u64>,
     /// CSV file of a list, beside the file that names it.
     pub file: Option<PathBuf>,
+    /// Step of a trace along its limits, a part of either axis. Default 0.005.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
 }
 
 /// The values of one axis.
@@ -47,7 +53,7 @@ pub struct AxisRange {
     pub from: Option<f64>,
     /// Last value, or upper end.
     pub to: Option<f64>,
-    /// Number of grid values from `from` to `to`.
+    /// Number of values from `from` to `to`, of a grid or of the coarse scan of a trace.
     pub count: Option<usize>,
     /// Even steps in the value or in its logarithm. Default `linear`.
     pub spacing: Spacing,

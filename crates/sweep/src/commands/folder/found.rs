@@ -10,6 +10,7 @@ use super::names::{LOG, MANIFEST};
 use super::ours::Ours;
 use super::raise::with_our_number;
 use crate::commands::status::UsageError;
+use crate::design::Design;
 use crate::engine::{Header, LogError, Place};
 use crate::output::{Manifest, differences};
 use crate::plan::Sweep;
@@ -65,7 +66,9 @@ pub fn look(folder: &Path, header: &Header, sweep: &Sweep, fresh: bool) -> Resul
             return complete(folder, header);
         }
     }
-    ours.refuse_foreign(folder, header.shard.is_whole() && sweep.map.is_some())?;
+    let with_map = header.shard.is_whole() && sweep.map.is_some();
+    let is_trace = matches!(sweep.design, Design::Trace(_));
+    ours.refuse_foreign(folder, with_map, is_trace)?;
     Ok(Found::Nothing(ours))
 }
 

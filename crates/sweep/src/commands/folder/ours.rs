@@ -10,7 +10,7 @@ use anyhow::{Context, Result, bail};
 use super::names::{LOG, MANIFEST, REPORT};
 use crate::commands::status::UsageError;
 use crate::engine::{Header, Place, log_place};
-use crate::output::{Manifest, PICTURES, TABLES};
+use crate::output::{Manifest, OF_TRACE, PICTURES, TABLES};
 use crate::report::is_page;
 use crate::text_file::unreadable;
 
@@ -39,8 +39,8 @@ impl Ours {
     ///
     /// # Errors
     /// Which they are.
-    pub fn refuse_foreign(&self, folder: &Path, with_map: bool) -> Result<()> {
-        let foreign: Vec<&str> = promised(with_map)
+    pub fn refuse_foreign(&self, folder: &Path, with_map: bool, is_trace: bool) -> Result<()> {
+        let foreign: Vec<&str> = promised(with_map, is_trace)
             .filter(|name| folder.join(name).symlink_metadata().is_ok())
             .filter(|name| self.log == Place::Free && !self.of_manifest.contains(*name))
             .collect();
@@ -62,8 +62,11 @@ impl Ours {
     pub fn remove_results(&self, folder: &Path) -> Result<()> {
         // A run that was killed while it finished has left some of its tables.
         let may_be_half = matches!(self.log, Place::Log(_) | Place::OtherFormat(_));
-        for name in [MANIFEST].into_iter().chain(TABLES).chain(PICTURES) {
-            if self.of_manifest.contains(name) || may_be_half && !PICTURES.contains(&name) {
+        let derived = PICTURES.into_iter().chain(OF_TRACE);
+        let all = [MANIFEST].into_iter().chain(TABLES).chain(derived);
+        for name in all {
+            let is_table = name == MANIFEST || TABLES.contains(&name);
+            if self.of_manifest.contains(name) || may_be_half && is_table {
                 remove(&folder.join(name))?;
             }
         }
@@ -86,14 +89,19 @@ pub fn remove_page(folder: &Path) -> Result<()> {
 
 /// The files of a folder with this manifest, itself among them.
 fn names_of(manifest: Manifest) -> BTreeSet<String> {
-    let promised = promised(manifest.draws()).map(str::to_owned);
+    let promised = promised(manifest.draws(), manifest.is_trace()).map(str::to_owned);
     promised.chain(manifest.files.into_keys()).collect()
 }
 
 /// The files that a run leaves in its folder.
-fn promised(with_map: bool) -> impl Iterator<Item = &'static str> {
+fn promised(with_map: bool, is_trace: bool) -> impl Iterator<Item = &'static str> {
     let pictures = PICTURES.into_iter().filter(move |_| with_map);
-    [MANIFEST].into_iter().chain(TABLES).chain(pictures)
+    let of_trace = OF_TRACE.into_iter().filter(move |_| is_trace);
+    [MANIFEST]
+        .into_iter()
+        .chain(TABLES)
+        .chain(pictures)
+        .chain(of_trace)
 }
 
 fn remove(path: &Path) -> Result<()> {

@@ -5,6 +5,7 @@ use linear::estimates::{
     torsional_wave_left,
 };
 
+use crate::design::Design;
 use crate::engine::{MethodSystem, Survey, is_unstable};
 use crate::plan::{Choice, POUND_PER_FOOT, Sweep};
 use crate::quantities::{FORCE, IMPULSE, INCH, LENGTH, TORQUE, Unit, Units};
@@ -251,7 +252,7 @@ pub fn describe_work(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem]) -
     };
     let mut text = format!(
         "\ncost\n  {} by {}, the longest {} s ({rule})\n",
-        counted(sweep.design.cases(), "case"),
+        words_of_cases(&sweep.design),
         counted(systems.len(), "method"),
         short(survey.longest)
     );
@@ -264,12 +265,20 @@ pub fn describe_work(sweep: &Sweep, survey: &Survey, systems: &[MethodSystem]) -
     text
 }
 
+fn words_of_cases(design: &Design) -> String {
+    let cases = counted(design.likely_cases(), "case");
+    match design {
+        Design::Trace(_) => format!("perhaps {cases} of a trace"),
+        _ => cases,
+    }
+}
+
 /// Terms of the history sums of cases of mean length: between all sites in
 /// torsion and in two planes of bending, or from the torque at the bit to its
 /// speed.
 fn history_terms(sweep: &Sweep, survey: &Survey, system: &MethodSystem) -> f64 {
-    let cases = sweep.design.cases() as f64;
-    let steps = survey.simulated / cases * sweep.setting.sampling_frequency;
+    let cases = sweep.design.likely_cases() as f64;
+    let steps = survey.simulated / sweep.design.cases() as f64 * sweep.setting.sampling_frequency;
     let terms = |taps: usize| {
         let reach = steps.min(taps as f64);
         cases * reach * (steps - 0.5 * reach)

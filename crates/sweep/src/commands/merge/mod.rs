@@ -113,7 +113,7 @@ fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
             )));
         }
     }
-    ours.refuse_foreign(out, merged.map.is_some())
+    ours.refuse_foreign(out, merged.map.is_some(), false)
 }
 
 #[cfg(test)]

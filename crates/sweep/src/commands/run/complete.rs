@@ -12,8 +12,12 @@ use crate::commands::folder::{
 use crate::commands::outcome::{status_of, summary};
 use crate::commands::status::{Status, UsageError};
 use crate::commands::terminal::say;
+use crate::design::Design;
 use crate::files::write_with_checksum;
-use crate::output::{Damage, FAILURES_HEADER, Manifest, PICTURES, boundary, boundary_csv};
+use crate::limits::write_traced;
+use crate::output::{
+    Damage, FAILURES_HEADER, Manifest, OF_TRACE, PICTURES, boundary, boundary_csv,
+};
 
 /// Shows the results again, in order.
 ///
@@ -44,6 +48,9 @@ pub fn damage(task: &Task, manifest: &Manifest) -> Result<Vec<Damage>> {
     let mut damage = manifest.damage(&task.folder, &["boundary.csv", "failures.csv"])?;
     if manifest.draws() {
         damage.extend(manifest.damage(&task.folder, &PICTURES)?);
+    }
+    if manifest.is_trace() {
+        damage.extend(manifest.damage(&task.folder, &OF_TRACE)?);
     }
     Ok(damage)
 }
@@ -82,6 +89,9 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
                 manifest.files.insert(name.to_owned(), checksum);
             }
         }
+    }
+    if let (Design::Trace(design), true) = (&task.sweep.design, is_damaged(&OF_TRACE)) {
+        write_traced(folder, design, &mut manifest)?;
     }
     let draws = looks_different(task, &manifest) || is_damaged(&PICTURES);
     if draws {

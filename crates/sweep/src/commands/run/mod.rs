@@ -3,6 +3,7 @@
 
 mod complete;
 mod plan;
+mod rounds;
 mod session;
 mod systems;
 mod task;

@@ -6,6 +6,7 @@ use super::complete::damage;
 use super::task::Task;
 use crate::commands::cost::{cost_lines, probe};
 use crate::commands::folder::{Found, LOG, in_words};
+use crate::design::{Design, TraceDesign};
 use crate::engine::{LogView, pairs_of};
 use crate::memory::{Purpose, admit};
 use crate::words::{counted, short, together, wrapped};
@@ -17,9 +18,14 @@ use crate::words::{counted, short, together, wrapped};
 /// Where it would take too much memory.
 pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<String> {
     let sweep = &task.sweep;
-    let total = pairs_of(sweep, task.header.shard);
+    let is_trace = matches!(sweep.design, Design::Trace(_));
+    let total = if is_trace {
+        sweep.design.likely_cases() * sweep.methods.len()
+    } else {
+        pairs_of(sweep, task.header.shard)
+    };
     let (done, why) = match found {
-        Found::Complete(_) => (total, "complete already"),
+        Found::Complete(manifest) => (total.max(manifest.tally.rows), "complete already"),
         Found::Unfinished { .. } => {
             let (cases, methods) = (sweep.design.cases(), sweep.methods.len());
             let log = LogView::open(&task.folder.join(LOG), cases, methods)?;
@@ -35,7 +41,8 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
     let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
     text += &what_runs(task, total);
     let all = counted(total, "simulation");
-    text += &format!("{left} of {all} left: {why}\n");
+    let about = if is_trace { "perhaps " } else { "" };
+    text += &format!("{about}{left} of {all} left: {why}\n");
     if let Found::Complete(manifest) = found {
         let damage = damage(task, manifest)?;
         if !damage.is_empty() {
@@ -74,11 +81,24 @@ fn what_runs(task: &Task, total: usize) -> String {
         let cases = counted(total / methods.len(), "case");
         format!(" (shard {shard}: {cases})")
     };
-    let cases = counted(sweep.design.cases(), "case");
+    let cases = match &sweep.design {
+        Design::Trace(design) => traced(design),
+        design => counted(design.cases(), "case"),
+    };
     let methods = format!("{} ({})", methods.len(), methods.join(", "));
     let folder = together(&task.folder.display().to_string());
     let would = format!("would run {cases} by {methods}{part}, into {folder}");
     wrapped(&would, 0, 2)
+}
+
+/// What a trace chooses its cases from.
+fn traced(design: &TraceDesign) -> String {
+    let [x, y] = design.lattice.size();
+    let scanned = design.lattice.places(0).count();
+    format!(
+        "a trace (from {scanned} cases on, perhaps {} of a grid of {x} × {y})",
+        design.likely_cases()
+    )
 }
 
 fn strings(task: &Task) -> String {
@@ -93,9 +113,11 @@ fn strings(task: &Task) -> String {
 
 fn times(task: &Task) -> String {
     let (sweep, survey) = (&task.sweep, &task.survey);
+    let design = &sweep.design;
+    let part = design.likely_cases() as f64 / design.cases() as f64;
     format!(
         "simulated time {} s for each method, the longest case {} s, at {} Hz\n",
-        short(survey.simulated),
+        short(part * survey.simulated),
         short(survey.longest),
         short(sweep.setting.sampling_frequency)
     )

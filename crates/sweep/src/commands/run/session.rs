@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow, bail};
 
+use super::rounds::Rounds;
 use super::systems::Systems;
 use super::task::Task;
 use crate::commands::drawing::draw_and_note;
@@ -16,8 +17,10 @@ use crate::commands::status::Status;
 use crate::commands::stop;
 use crate::commands::terminal::say;
 use crate::commands::warnings::{warn_of_broken_lines, warn_of_overshoot, warn_of_unstable};
-use crate::engine::{Log, Record, Work, pairs_of};
+use crate::design::{Design, TraceDesign};
+use crate::engine::{Log, Record, Work};
 use crate::files::write_with_checksum;
+use crate::limits::write_traced;
 use crate::output::{About, Manifest, TableWriter, boundary_csv};
 use crate::words::counted;
 
@@ -34,8 +37,8 @@ pub struct Session<'a> {
 /// What is said of a run that does not come to its end.
 #[derive(Clone)]
 struct SoFar {
-    /// Simulations in all.
-    total: usize,
+    /// Simulations in all, where that is known beforehand.
+    total: Option<usize>,
     /// Where they are kept.
     place: String,
 }
@@ -43,9 +46,8 @@ struct SoFar {
 impl SoFar {
     fn text(&self, done: usize) -> String {
         let Self { total, place } = self;
-        format!(
-            "{done} of {total} simulations are done and kept in {place}: the same command goes on"
-        )
+        let of = total.map_or_else(String::new, |total| format!(" of {total}"));
+        format!("{done}{of} simulations are done and kept in {place}: the same command goes on")
     }
 }
 
@@ -67,11 +69,11 @@ impl<'a> Session<'a> {
         warn_of_broken_lines(&log, task.terminal);
         Ok(Self {
             log: Arc::new(log),
-            about,
             so_far: SoFar {
-                total: pairs_of(sweep, shard),
+                total: about.simulations,
                 place: task.folder.display().to_string(),
             },
+            about,
             task,
             systems,
             start,
@@ -83,7 +85,8 @@ impl<'a> Session<'a> {
     /// # Errors
     /// Where the log cannot be written; with `--fail-fast`, where a case has no answer.
     pub fn simulate(&self) -> Result<()> {
-        let total = self.so_far.total;
+        // Of a trace it is told with each round.
+        let total = self.so_far.total.unwrap_or_default();
         let (quiet, terminal) = (self.task.arguments.quiet, self.task.terminal);
         let progress = Progress::new(total, self.log.counts().done, quiet, terminal);
         stop::before_end({
@@ -94,20 +97,56 @@ impl<'a> Session<'a> {
                 log.close(|done| terminal.complain(&format!("stopped: {}", so_far.text(done))));
             }
         });
-        let worked = self.simulate_open_cases(&progress);
+        let worked = match &self.task.sweep.design {
+            Design::Trace(design) => self.simulate_rounds(design, &progress),
+            _ => self.simulate_open_cases(|_| true, |_| (), &progress),
+        };
         progress.finish();
         let kept = self.log.sync();
         worked.map_err(|error| self.with_so_far(&error))?;
         kept.map_err(|error| self.with_so_far(&error.into()))?;
-        if self.log.counts().done < total
-            && let Some(status) = stop::asked()
-        {
+        let is_complete = self
+            .so_far
+            .total
+            .is_some_and(|all| self.log.counts().done >= all);
+        if !is_complete && let Some(status) = stop::asked() {
             stop::end(status);
         }
         Ok(())
     }
 
-    fn simulate_open_cases(&self, progress: &Progress) -> Result<()> {
+    /// Simulates what a trace wants, round by round; a signal ends it sooner.
+    fn simulate_rounds(&self, design: &TraceDesign, progress: &Progress) -> Result<()> {
+        let methods = self.task.sweep.methods.len();
+        let rounds = Rounds::new(design, methods);
+        self.log.in_order(|records| {
+            records.iter().for_each(|record| rounds.note(record));
+            Ok(())
+        })?;
+        while stop::asked().is_none()
+            && let Some(wanted) = rounds.wanted()
+        {
+            let is_done = self.log.done();
+            let pairs = wanted
+                .iter()
+                .flat_map(|case| (0..methods).map(|method| (*case, method)));
+            let open = pairs
+                .filter(|(case, method)| !is_done(*case, *method))
+                .count();
+            progress.expect(self.log.counts().done + open);
+            let is_wanted = |case: usize| wanted.binary_search(&case).is_ok();
+            self.simulate_open_cases(is_wanted, |record| rounds.note(record), progress)?;
+        }
+        Ok(())
+    }
+
+    /// Simulates the wanted cases that are not in the log yet, and lets `note` see each.
+    fn simulate_open_cases(
+        &self,
+        is_wanted: impl Fn(usize) -> bool + Sync,
+        note: impl Fn(&Record) + Sync,
+        progress: &Progress,
+    ) -> Result<()> {
         let (arguments, sweep, log) = (self.task.arguments, &self.task.sweep, &self.log);
         if arguments.fail_fast && log.counts().failed > 0 {
             bail!(
@@ -118,6 +157,7 @@ impl<'a> Session<'a> {
         let is_done = log.done();
         let keep = |record: Record| -> Result<()> {
             log.append(&record)?;
+            note(&record);
             progress.tick();
             match &record.outcome {
                 Err(reason) if arguments.fail_fast => bail!(
@@ -133,7 +173,7 @@ impl<'a> Session<'a> {
             shard: self.task.header.shard,
             options: arguments.options(),
             strings_at_once: self.systems.strings_at_once,
-            is_open: &|case, method| !is_done(case, method),
+            is_open: &|case, method| is_wanted(case) && !is_done(case, method),
             stops: &|| stop::asked().is_some(),
         };
         work.run(&self.systems.methods, &keep)
@@ -147,7 +187,8 @@ impl<'a> Session<'a> {
     pub fn finish(&self) -> Result<Status> {
         stop::before_end({
             let (terminal, so_far) = (self.task.terminal, self.so_far.clone());
-            move || terminal.complain(&format!("stopped: {}", so_far.text(so_far.total)))
+            let done = self.log.counts().done;
+            move || terminal.complain(&format!("stopped: {}", so_far.text(done)))
         });
         let finished = self.write_results();
         finished.map_err(|error| self.with_so_far(&error))
@@ -181,6 +222,9 @@ impl<'a> Session<'a> {
         (manifest.tally, manifest.files) = (tally, files);
         manifest.wall_seconds = self.start.elapsed().as_secs_f64();
         manifest.files.insert("boundary.csv".to_owned(), limit);
+        if let Design::Trace(design) = &sweep.design {
+            write_traced(folder, design, &mut manifest)?;
+        }
         Ok(manifest)
     }
 

@@ -2,13 +2,16 @@
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 
 use crate::cli::RunArguments;
 use crate::commands::folder::{Found, LOG, log_of_results, look, raise_log, results_folder};
 use crate::commands::prepare::{read_sweep, survey_cases};
+use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
+
 use crate::commands::warnings::warn_of_string;
+use crate::design::Design;
 use crate::engine::{Header, Log, Shard, Survey};
 use crate::output::{Manifest, fingerprint};
 use crate::plan::Sweep;
@@ -43,6 +46,12 @@ impl<'a> Task<'a> {
             warn_of_string(&sweep, terminal);
         }
         let shard = arguments.shard.unwrap_or(Shard::WHOLE);
+        if matches!(sweep.design, Design::Trace(_)) && !shard.is_whole() {
+            bail!(UsageError(
+                "--shard: a trace is not split, for where it goes on hangs on all its cases"
+                    .to_owned()
+            ));
+        }
         let survey = survey_cases(file, &sweep)?;
         let mut folder = results_folder(arguments.out.as_ref(), &sweep);
         if arguments.out.is_none() && !shard.is_whole() {

@@ -1,0 +1,109 @@
+//! A map of a traced design: regions up to its limits, and tiles of how large a part has the
+//! regime where a limit is no line.
+
+use std::collections::BTreeSet;
+
+use super::cells::Cells;
+use super::content::Content;
+use super::mesh::{Mesh, around};
+use super::symbol::symbol_of_counts;
+use crate::limits::TracedLimits;
+use crate::output::Motion;
+use crate::plot::{Ground, MapCell, Part, Symbol};
+use crate::trace::{Band, Class, Tile};
+
+/// Cells of a map to the right and upwards at most.
+const MOST_CELLS: [usize; 2] = [400, 400];
+
+/// A traced design on a map, of so many methods.
+pub struct TracedMap<'a> {
+    /// What was found.
+    pub limits: &'a TracedLimits<'a>,
+    /// Number of methods.
+    pub methods: usize,
+    /// Which of the design's axes is to the right, and which upwards.
+    pub places: [usize; 2],
+    /// Cases that were simulated.
+    pub simulated: usize,
+}
+
+impl TracedMap<'_> {
+    /// The map of a motion.
+    pub fn content(&self, motion: Motion) -> Content {
+        let values = self
+            .places
+            .map(|place| self.limits.values()[place].to_vec());
+        let mut cells = Cells::of(Mesh::around(&values, MOST_CELLS));
+        for (right, &x) in values[0].iter().enumerate() {
+            for (up, &y) in values[1].iter().enumerate() {
+                let mut place = [0; 2];
+                place[self.places[0]] = right;
+                place[self.places[1]] = up;
+                if let Some(symbol) = self.symbol(motion, place) {
+                    cells.add([x, y], symbol);
+                }
+            }
+        }
+        let edges = values.map(|values| around(&values));
+        let tiles = self.tiles(motion).into_iter();
+        let tiles = tiles.map(|(ends, part)| MapCell {
+            ends: [0, 1].map(|axis| ends[self.places[axis]].map(|end| edges[axis][end])),
+            ground: Ground::Part(part),
+        });
+        let mut content = Content::of_cells(&cells, self.simulated);
+        let tiles: Vec<MapCell> = tiles.collect();
+        if !tiles.is_empty() {
+            // One scale for regions and tiles, which needs no symbols.
+            content.points.clear();
+            let grounds = content.cells.iter_mut().map(|cell| &mut cell.ground);
+            grounds.for_each(|ground| *ground = as_part(*ground));
+            content.cells.extend(tiles);
+        }
+        content
+    }
+
+    /// As of a case that every method has answered; none where one does not tell.
+    fn symbol(&self, motion: Motion, place: [usize; 2]) -> Option<Symbol> {
+        let classes = (0..self.methods).map(|method| self.limits.class(method, motion, place));
+        let mut with = 0;
+        for class in classes {
+            match class {
+                Class::With => with += 1,
+                Class::Without => {}
+                Class::Untold | Class::Unknown => return None,
+            }
+        }
+        Some(symbol_of_counts(with, self.methods))
+    }
+
+    /// The tiles of any method, by their ends along the design's axes, each with the mean
+    /// over the methods; of tiles within one another the larger one.
+    fn tiles(&self, motion: Motion) -> Vec<([[usize; 2]; 2], Part)> {
+        let methods = 0..self.methods;
+        let bands = methods
+            .clone()
+            .flat_map(|method| self.limits.bands(method, motion));
+        let tiles: BTreeSet<Tile> = bands.map(|band| band.tile).collect();
+        let is_within = |tile: &Tile| tiles.iter().any(|other| other != tile && other.holds(tile));
+        let of_tile = |tile: Tile| {
+            let bands = methods
+                .clone()
+                .map(|method| self.limits.band_of(method, motion, tile));
+            let told: Vec<Band> = bands.filter(|band| band.told > 0).collect();
+            let parts = told.iter().map(|band| band.with as f64 / band.told as f64);
+            let mean = parts.sum::<f64>() / told.len() as f64;
+            (!told.is_empty()).then(|| (tile.ends(), Part::of(mean)))
+        };
+        let widest = tiles.iter().filter(|tile| !is_within(tile));
+        widest.copied().filter_map(of_tile).collect()
+    }
+}
+
+/// Regions where all methods agree are all or none of the cases.
+fn as_part(ground: Ground) -> Ground {
+    match ground {
+        Ground::Symbol(Symbol::Circle) => Ground::Part(Part::of(1.0)),
+        Ground::Symbol(Symbol::Cross) => Ground::Part(Part::of(0.0)),
+        Ground::Symbol(Symbol::Square) | Ground::Part(_) | Ground::NoCase => ground,
+    }
+}
