@@ -78,6 +78,35 @@ impl Mesh {
     }
 }
 
+impl Mesh {
+    /// The sides between neighbours that are not alike, each a piece of a line; cells of which
+    /// nothing is known have no side.
+    pub fn outlines(&self, class: impl Fn(usize) -> Option<bool>) -> Vec<(f64, f64)> {
+        let [x, y] = &self.edges;
+        let [columns, rows] = self.size();
+        let mut points = Vec::new();
+        let mut draw =
+            |ends: [(f64, f64); 2]| points.extend([ends[0], ends[1], (f64::NAN, f64::NAN)]);
+        let differ = |one: usize, other: usize| {
+            class(one)
+                .zip(class(other))
+                .is_some_and(|(one, other)| one != other)
+        };
+        for column in 0..columns {
+            for row in 0..rows {
+                let cell = self.number(column, row);
+                if column + 1 < columns && differ(cell, self.number(column + 1, row)) {
+                    draw([(x[column + 1], y[row]), (x[column + 1], y[row + 1])]);
+                }
+                if row + 1 < rows && differ(cell, self.number(column, row + 1)) {
+                    draw([(x[column], y[row + 1]), (x[column + 1], y[row + 1])]);
+                }
+            }
+        }
+        points
+    }
+}
+
 /// Lines half-way between neighbours, and as far beyond the first and the last.
 pub fn around(values: &[f64]) -> Vec<f64> {
     let ([first, .., last], Some(count)) = (values, values.len().checked_sub(2)) else {

@@ -3,7 +3,8 @@
 //! cases has the regime.
 //!
 //! `extent` says what the cases span, `symbol`, `cells` and `fractions` what they are
-//! drawn as, in the cells of a `mesh`, `traced` what a traced design is, `limits` where their limit is, `misfits` how near they come
+//! drawn as, in the cells of a `mesh`, `traced` what a traced design is, `limits` where their limit is, `measures` a measure as
+//! colour in the classes of a `scale`, `misfits` how near they come
 //! to what was recorded; `picture` puts them
 //! together.
 
@@ -12,9 +13,11 @@ mod content;
 mod extent;
 mod fractions;
 mod limits;
+mod measures;
 mod mesh;
 mod misfits;
 mod picture;
+mod scale;
 mod shown;
 mod symbol;
 mod traced;

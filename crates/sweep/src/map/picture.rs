@@ -7,10 +7,10 @@ use anyhow::Result;
 use super::content::Content;
 use super::extent::Extent;
 use super::limits::Limits;
-use super::misfits;
 use super::shown::show_in;
 use super::traced::TracedMap;
 use super::words;
+use super::{measures, misfits};
 use crate::limits::TracedLimits;
 use crate::output::{Curve, Manifest, Motion, ResultTables};
 use crate::plan::MapMark;
@@ -44,6 +44,10 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
     };
     let (marks, left_out) = map.marks(&settings.marks);
     let motions = map.extent.motions.iter();
+    let coloured = settings.colour.map(|measure| {
+        let Map { labels, extent, .. } = &map;
+        measures::group(labels, extent, manifest, measure)
+    });
     let mut sheet = MapSheet {
         title: match tables.so_far {
             None => manifest.title.clone(),
@@ -53,6 +57,7 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
         marks,
         groups: motions
             .map(|&motion| map.group(motion, left_out.as_ref()))
+            .chain(coloured)
             .chain(misfits::group(&map.labels, &map.extent).transpose())
             .collect::<Result<_>>()?,
     };

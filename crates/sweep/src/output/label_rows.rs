@@ -250,15 +250,45 @@ pub fn label_rows(
     path: &Path,
     axes: &[Axis],
 ) -> Result<impl Iterator<Item = Result<LabelRow>> + use<>> {
+    Ok(rows_with(path, axes, None)?.map(|row| Ok(row?.0)))
+}
+
+/// The same with the number in another column, where a row has one.
+///
+/// # Errors
+/// As [`label_rows`].
+pub fn measured_rows(
+    path: &Path,
+    axes: &[Axis],
+    column: &str,
+) -> Result<impl Iterator<Item = Result<(LabelRow, Option<f64>)>> + use<>> {
+    rows_with(path, axes, Some(column))
+}
+
+fn rows_with(
+    path: &Path,
+    axes: &[Axis],
+    measure: Option<&str>,
+) -> Result<impl Iterator<Item = Result<(LabelRow, Option<f64>)>> + use<>> {
     let name = path.display().to_string();
     let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
     let header = reader.headers().with_context(|| unreadable(path))?;
     let columns =
         LabelColumns::find(header.iter(), axes).map_err(|reason| anyhow!("{name}:1: {reason}"))?;
+    let place = match measure {
+        None => None,
+        Some(measure) => {
+            let place = header.iter().position(|column| column == measure);
+            let missing = || LabelError::MissingColumn(measure.to_owned());
+            Some(place.ok_or_else(|| anyhow!("{name}:1: {}", missing()))?)
+        }
+    };
     Ok(reader.into_records().map(move |record| {
         let record = record.with_context(|| unreadable(Path::new(&name)))?;
         let line = record.position().map_or(0, csv::Position::line) as usize;
         let row = columns.row(line, |column| record.get(column));
-        row.map_err(|reason| anyhow!("{name}:{line}: {reason}"))
+        let row = row.map_err(|reason| anyhow!("{name}:{line}: {reason}"))?;
+        let value = place.and_then(|place| number(record.get(place)?).ok());
+        Ok((row, value))
     }))
 }

@@ -4,8 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::bit::Bit;
 use super::conditions::Conditions;
+use super::setting::Setting;
 use crate::design::Design;
-use crate::quantities::Axis;
+use crate::quantities::{Axis, Measure, Needs};
 use crate::sweep_file::{FileContent, MarkTable, Source, SweepFileError};
 
 /// How the regime map is drawn.
@@ -15,6 +16,9 @@ pub struct MapSettings {
     pub x: Axis,
     /// Axis upwards.
     pub y: Axis,
+    /// A measure drawn as colour, on maps of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub colour: Option<Measure>,
     /// Cases pointed out.
     pub marks: Vec<MapMark>,
 }
@@ -38,6 +42,7 @@ pub fn resolve(
     source: &Source,
     content: &FileContent,
     design: &Design,
+    setting: &Setting,
     bit: Option<&Bit>,
 ) -> Result<Option<MapSettings>, SweepFileError> {
     for (key, axis) in [("map.x", content.map.x), ("map.y", content.map.y)] {
@@ -61,7 +66,40 @@ pub fn resolve(
     let marks = (content.map.marks.iter().enumerate())
         .map(|(index, mark)| self::mark(source, index, mark, (x, y), bit))
         .collect::<Result<_, _>>()?;
-    Ok(Some(MapSettings { x, y, marks }))
+    let colour = content.map.colour;
+    if let Some(measure) = colour {
+        is_measured(source, content, setting, measure)?;
+    }
+    Ok(Some(MapSettings {
+        x,
+        y,
+        colour,
+        marks,
+    }))
+}
+
+/// Refuses a measure of what is not modelled.
+fn is_measured(
+    source: &Source,
+    content: &FileContent,
+    setting: &Setting,
+    measure: Measure,
+) -> Result<(), SweepFileError> {
+    let friction = content.string_friction.as_ref();
+    let (is_there, what) = match measure.needs() {
+        Needs::Bit => (content.bit.is_some(), "a torque at the bit: `[bit]`"),
+        Needs::Wall => (setting.lateral.is_some(), "a wall: `[wall]`"),
+        Needs::SurfaceTorque => (
+            content.surface_torque || friction.is_some(),
+            "the torque at the surface: `surface_torque = true`",
+        ),
+        Needs::StringTorque => (
+            friction.is_some_and(|table| table.torque_along_string),
+            "the torque along the string: `[string_friction] torque_along_string = true`",
+        ),
+    };
+    let message = format!("{} needs {what}", measure.column());
+    source.refuse_if(!is_there, "map.colour", message)
 }
 
 fn mark(

@@ -116,7 +116,7 @@ impl Sweep {
             choice::check(&source, accuracy)?;
         }
         let methods = methods::resolve(&source, &content)?;
-        let map = map::resolve(&source, &content, &design, bit.as_ref())?;
+        let map = map::resolve(&source, &content, &design, &setting, bit.as_ref())?;
         Ok(Self {
             title: content.title.clone().unwrap_or_else(|| name.clone()),
             setting,

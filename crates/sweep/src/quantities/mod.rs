@@ -4,6 +4,7 @@
 
 mod axis;
 mod field_units;
+mod measure;
 mod numbered;
 mod range;
 mod table;
@@ -16,6 +17,7 @@ pub use field_units::{
 };
 #[cfg(test)]
 pub use field_units::{TWINS, shown_as};
+pub use measure::{Measure, Needs};
 pub use range::{in_digits, within};
 pub use table::LONGEST_STRING;
 pub use units::{Unit, Units};

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::quantities::Axis;
+use crate::quantities::{Axis, Measure};
 
 /// How the regime map is drawn.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -13,6 +13,9 @@ pub struct MapTable {
     /// Axis upwards. Default: the first of the design's axes that is not that to the right.
     /// Operating conditions come before quantities of the string.
     pub y: Option<Axis>,
+    /// A measure to be drawn as colour.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub colour: Option<Measure>,
     /// Cases to point out.
     pub marks: Vec<MarkTable>,
 }

@@ -1,0 +1,157 @@
+//! Classes of a quantity between round numbers, told apart by shade.
+
+use crate::plot::Part;
+use crate::words::short;
+
+/// As many classes as there are shades.
+const CLASSES: usize = Part::EVERY.len();
+
+/// Steps of a scale in parts of a power of ten.
+const ROUND: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
+
+/// Even classes tell little where one has a larger part of all values.
+const MOST_IN_ONE: f64 = 0.7;
+
+/// Digits of an end between classes that hold as many values each.
+const DIGITS: usize = 2;
+
+/// Classes of the values between their ends.
+#[derive(Debug, PartialEq)]
+pub struct Classes {
+    /// In ascending order: of all values, the first is none above and the last none below.
+    ends: Vec<f64>,
+}
+
+impl Classes {
+    /// Even classes; where nearly all values would be in one, such as nothing is much worse
+    /// than a few are, classes of as many values each above the least.
+    pub fn of(mut values: Vec<f64>) -> Self {
+        values.retain(|value| value.is_finite());
+        values.sort_by(f64::total_cmp);
+        let even = Self::even(&values);
+        let mut fullest = [0; CLASSES];
+        for value in &values {
+            fullest[even.class(*value)] += 1;
+        }
+        let most = fullest.into_iter().max().unwrap_or_default() as f64;
+        if most <= MOST_IN_ONE * values.len() as f64 {
+            return even;
+        }
+        Self::of_as_many(&values).unwrap_or(even)
+    }
+
+    fn even(sorted: &[f64]) -> Self {
+        let [low, high] = [sorted.first(), sorted.last()].map(|end| end.copied().unwrap_or(0.0));
+        let span = (high - low).max(1e-9 * low.abs().max(high.abs()));
+        let span = if span > 0.0 { span } else { 1.0 };
+        let power = 10f64.powf((span / CLASSES as f64).log10().floor());
+        let powers = [power, 10.0 * power];
+        let steps = powers
+            .into_iter()
+            .flat_map(|power| ROUND.map(|part| part * power));
+        let count = |step: f64| {
+            let from = (low / step).floor();
+            ((high / step).ceil() - from).max(1.0) as usize
+        };
+        let step = steps.into_iter().find(|step| count(*step) <= CLASSES);
+        let step = step.unwrap_or(100.0 * power);
+        let from = (low / step).floor();
+        let ends = (0..=count(step)).map(|end| (from + end as f64) * step);
+        Self {
+            ends: ends.collect(),
+        }
+    }
+
+    /// None where there are too few different values.
+    fn of_as_many(sorted: &[f64]) -> Option<Self> {
+        let (least, greatest) = (*sorted.first()?, *sorted.last()?);
+        let above = &sorted[sorted.partition_point(|value| *value <= least)..];
+        let rounded = |value: f64| format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value);
+        let inner = (1..CLASSES).map(|class| above.get(class * above.len() / CLASSES));
+        let inner = inner.flatten().map(|value| rounded(*value));
+        let mut ends: Vec<f64> = std::iter::once(least).chain(inner).collect();
+        ends.push(greatest);
+        ends.dedup_by(|next, end| *next <= *end);
+        (ends.len() > 2).then_some(Self { ends })
+    }
+
+    fn count(&self) -> usize {
+        self.ends.len() - 1
+    }
+
+    fn class(&self, value: f64) -> usize {
+        let inner = &self.ends[1..self.count()];
+        inner.partition_point(|end| *end <= value)
+    }
+
+    /// The shade of a value: the greater, the darker.
+    pub fn shade(&self, value: f64) -> Part {
+        self.shade_of(self.class(value))
+    }
+
+    /// Fewer classes than shades are spread over them.
+    fn shade_of(&self, class: usize) -> Part {
+        Part::EVERY[class * (CLASSES - 1) / (self.count() - 1).max(1)]
+    }
+
+    /// Each shade with its range, from the lowest up.
+    pub fn words(&self) -> Vec<(Part, String)> {
+        let pairs = self.ends.windows(2).enumerate();
+        pairs
+            .map(|(class, ends)| {
+                let words = format!("{} to {}", short(ends[0]), short(ends[1]));
+                (self.shade_of(class), words)
+            })
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(values: &[f64]) -> Vec<String> {
+        let classes = Classes::of(values.to_vec());
+        classes
+            .words()
+            .into_iter()
+            .map(|(_, words)| words)
+            .collect()
+    }
+
+    #[test]
+    fn classes_end_at_round_numbers_and_hold_all() {
+        let tenths: Vec<f64> = (0..=11).map(|tenth| 0.1 * f64::from(tenth)).collect();
+        assert_eq!(
+            words(&tenths),
+            [
+                "0 to 0.2",
+                "0.2 to 0.4",
+                "0.4 to 0.6",
+                "0.6 to 0.8",
+                "0.8 to 1",
+                "1 to 1.2"
+            ]
+        );
+        assert_eq!(words(&[-3.0, 9.0]).len(), 6);
+        assert_eq!(words(&[7.0]).len(), 1);
+        assert_eq!(words(&[]).len(), 1);
+        for (low, high) in [(0.0, 1e-12), (-5e4, 3e5), (1e6, 1.001e6), (0.1, 0.7)] {
+            let classes = Classes::of(vec![low, high]);
+            assert!((2..=CLASSES).contains(&classes.count()), "{classes:?}");
+            assert!(classes.ends[0] <= low + 1e-9 * high.abs());
+            assert!(classes.ends[classes.count()] >= high * (1.0 - 1e-9));
+            assert!(classes.shade(low) != classes.shade(high));
+        }
+    }
+
+    #[test]
+    fn where_few_are_much_larger_classes_hold_as_many_each() {
+        let mut values = vec![0.0; 100];
+        values.extend((1..=60).map(|value| 1.0 + 0.01 * f64::from(value)));
+        values.push(40.0);
+        let told = words(&values);
+        assert_eq!(told.len(), CLASSES, "{told:?}");
+        assert_eq!((&told[0][..], &told[5][..]), ("0 to 1.1", "1.5 to 40"));
+    }
+}
