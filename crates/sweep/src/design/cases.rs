@@ -4,7 +4,13 @@ use super::axes::MOST_CASES;
 use super::grid::Grid;
 use super::list::List;
 use super::monte_carlo::MonteCarlo;
+#[cfg(test)]
+use super::points::Points;
+use super::random_axes::RandomAxes;
+use super::sensitivity::Sensitivity;
 use crate::quantities::Axis;
+#[cfg(test)]
+use crate::sweep_file::PointsName;
 use crate::sweep_file::{DesignKind, DesignTable, Source, SweepFileError, TextOf};
 
 /// Cases over named axes, numbered from 0.
@@ -16,6 +22,8 @@ pub enum Design {
     MonteCarlo(MonteCarlo),
     /// As listed in a file.
     List(List),
+    /// Random values in blocks that tell the axes apart.
+    Sensitivity(Sensitivity),
 }
 
 impl Design {
@@ -41,6 +49,9 @@ impl Design {
                 Design::MonteCarlo(MonteCarlo::resolve(source, table, weight_pushes)?)
             }
             DesignKind::List => Design::List(List::resolve(source, table, weight_pushes, text_of)?),
+            DesignKind::Sensitivity => {
+                Design::Sensitivity(Sensitivity::resolve(source, table, weight_pushes)?)
+            }
         };
         let cases = design.cases();
         let message = format!("{cases} cases are more than {MOST_CASES}");
@@ -53,8 +64,9 @@ impl Design {
     pub fn axes(&self) -> &[Axis] {
         match self {
             Design::Grid(grid) => &grid.axes,
-            Design::MonteCarlo(random) => &random.axes,
+            Design::MonteCarlo(drawn) => &drawn.random.axes,
             Design::List(list) => &list.axes,
+            Design::Sensitivity(blocks) => &blocks.random.axes,
         }
     }
 
@@ -63,15 +75,32 @@ impl Design {
         let place = self.axes().iter().position(|known| *known == axis)?;
         Some(match self {
             Design::Grid(grid) => ends_of(grid.along(place).iter().copied()),
-            Design::MonteCarlo(random) => random.ends(place),
+            Design::MonteCarlo(drawn) => drawn.random.ends(place),
             Design::List(list) => ends_of(list.cases.iter().map(|values| values[place])),
+            Design::Sensitivity(blocks) => blocks.random.ends(place),
         })
     }
 
     /// Seed of random cases.
     pub fn seed(&self) -> Option<u64> {
         match self {
-            Design::MonteCarlo(random) => Some(random.seed),
+            Design::MonteCarlo(drawn) => Some(drawn.points.seed),
+            Design::Sensitivity(blocks) => Some(blocks.points.seed),
+            Design::Grid(_) | Design::List(_) => None,
+        }
+    }
+
+    /// Points with every axis at an end of what it is drawn from: a quantity that rises or falls
+    /// along each axis is largest at one of them. None where nothing is drawn.
+    pub fn corners(&self) -> Vec<Vec<f64>> {
+        self.random_axes()
+            .map_or_else(Vec::new, RandomAxes::corners)
+    }
+
+    fn random_axes(&self) -> Option<&RandomAxes> {
+        match self {
+            Design::MonteCarlo(drawn) => Some(&drawn.random),
+            Design::Sensitivity(blocks) => Some(&blocks.random),
             Design::Grid(_) | Design::List(_) => None,
         }
     }
@@ -80,8 +109,9 @@ impl Design {
     pub fn cases(&self) -> usize {
         match self {
             Design::Grid(grid) => grid.cases(),
-            Design::MonteCarlo(random) => random.cases,
+            Design::MonteCarlo(drawn) => drawn.cases,
             Design::List(list) => list.cases.len(),
+            Design::Sensitivity(blocks) => blocks.cases(),
         }
     }
 
@@ -89,8 +119,9 @@ impl Design {
     pub fn values(&self, index: usize) -> Vec<f64> {
         match self {
             Design::Grid(grid) => grid.values(index),
-            Design::MonteCarlo(random) => random.values(index),
+            Design::MonteCarlo(drawn) => drawn.values(index),
             Design::List(list) => list.cases[index].clone(),
+            Design::Sensitivity(blocks) => blocks.values(index),
         }
     }
 }
@@ -100,8 +131,9 @@ impl Design {
     fn string_axes(&self) -> usize {
         match self {
             Design::Grid(grid) => grid.of_string,
-            Design::MonteCarlo(random) => random.of_string,
+            Design::MonteCarlo(drawn) => drawn.random.of_string,
             Design::List(list) => list.of_string,
+            Design::Sensitivity(blocks) => blocks.random.of_string,
         }
     }
 
@@ -114,6 +146,8 @@ impl Design {
     pub fn strings(&self) -> usize {
         match self {
             Design::List(list) => list.strings.len(),
+            Design::Sensitivity(blocks) if self.varies_string() => blocks.strings(),
+            Design::Sensitivity(_) => 1,
             Design::Grid(_) | Design::MonteCarlo(_) => self.cases() / self.neighbours(),
         }
     }
@@ -122,6 +156,8 @@ impl Design {
     pub fn cases_of_string(&self, string: usize) -> usize {
         match self {
             Design::List(list) => list.strings[string].len(),
+            Design::Sensitivity(blocks) if self.varies_string() => blocks.cases_of_string(string),
+            Design::Sensitivity(blocks) => blocks.cases(),
             Design::Grid(_) | Design::MonteCarlo(_) => self.neighbours(),
         }
     }
@@ -130,6 +166,10 @@ impl Design {
     pub fn case_of_string(&self, string: usize, position: usize) -> usize {
         match self {
             Design::List(list) => list.strings[string][position],
+            Design::Sensitivity(blocks) if self.varies_string() => {
+                blocks.case_of_string(string, position)
+            }
+            Design::Sensitivity(_) => position,
             Design::Grid(_) | Design::MonteCarlo(_) => string * self.neighbours() + position,
         }
     }
@@ -141,6 +181,8 @@ impl Design {
                 let has_case = |cases: &Vec<usize>| cases.binary_search(&index).is_ok();
                 list.strings.iter().position(has_case).unwrap_or(0)
             }
+            Design::Sensitivity(blocks) if self.varies_string() => blocks.string_of(index),
+            Design::Sensitivity(_) => 0,
             Design::Grid(_) | Design::MonteCarlo(_) => index / self.neighbours(),
         }
     }
@@ -150,8 +192,21 @@ impl Design {
         match self {
             Design::Grid(grid) => grid.cases_per_string(),
             Design::MonteCarlo(_) if self.varies_string() => 1,
-            Design::MonteCarlo(_) | Design::List(_) => self.cases(),
+            _ => self.cases(),
         }
+    }
+}
+
+#[cfg(test)]
+impl Design {
+    /// Blocks that tell axes apart, each even between its ends.
+    pub fn even_blocks(points: PointsName, seed: u64, ends: &[[f64; 2]], blocks: usize) -> Self {
+        let axes = vec![Axis::SurfaceSpeedRpm; ends.len()];
+        Design::Sensitivity(Sensitivity {
+            random: RandomAxes::uniform(axes, ends),
+            points: Points::new(points, seed, 2 * ends.len()).expect("as many coordinates"),
+            blocks,
+        })
     }
 }
 
@@ -166,11 +221,12 @@ fn ends_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
 /// A key that belongs to another kind of design would be ignored: refuse it.
 fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), SweepFileError> {
     let is_list = table.kind == DesignKind::List;
-    let is_random = table.kind == DesignKind::MonteCarlo;
+    let is_random = table.kind.is_random();
     let given = [
         ("axes", !table.axes.is_empty(), !is_list),
         ("cases", table.cases.is_some(), is_random),
         ("correlations", !table.correlations.is_empty(), is_random),
+        ("points", table.points.is_some(), is_random),
         ("seed", table.seed.is_some(), is_random),
         ("file", table.file.is_some(), is_list),
     ];
