@@ -25,7 +25,7 @@ pub use curves::Curve;
 pub use envelope::Envelope;
 pub use failures::FAILURES_HEADER;
 pub use integrity::{Damage, PICTURES, TABLES};
-pub use label_rows::{LabelColumns, LabelRow, misfit_columns, read_labels};
+pub use label_rows::{LabelColumns, LabelRow, MEASURES, misfit_columns, read_labels};
 pub use labels::LabelTable;
 pub use manifest::{Manifest, MethodRecord, differences, fingerprint};
 pub use motion::{Labels, Motion, is_sustained};
