@@ -335,10 +335,14 @@ fn a_key_of_another_kind_of_design_is_refused() {
         "grid" => "grid"⏎cases = 3 | design.cases | does not belong to this kind of design
         "grid" => "grid"⏎file = "a.csv" | design.file | does not belong to this kind of design
         "grid" => "list"⏎file = "a.csv" | design.axes | does not belong to this kind of design | [design.axes]
-        "grid" => "random" | design.kind | known here: grid, monte-carlo, list
+        "grid" => "grid"⏎points = "sobol" | design.points | does not belong to this kind of design
+        "grid" => "random" | design.kind | known here: grid, monte-carlo, list, sensitivity
+        "grid" => "sensitivity" | design | needs `cases`, how many to draw | [design]
+        "grid" => "sensitivity"⏎cases = 9 | design.axes.surface_speed_rpm | a random axis has `from` and `to` | count = 3
+        "grid" => "monte-carlo"⏎cases = 9⏎points = "halton" | design.points | known here: random, sobol
         "grid" => "monte-carlo" | design | needs `cases`, how many to draw | [design]
         "grid" => "monte-carlo"⏎cases = 0 | design.cases | there must be at least one
-        "grid" => "monte-carlo"⏎cases = 9 | design.axes.surface_speed_rpm | a Monte Carlo axis has `from` and `to` | count = 3
+        "grid" => "monte-carlo"⏎cases = 9 | design.axes.surface_speed_rpm | a random axis has `from` and `to` | count = 3
         "#,
     );
 }

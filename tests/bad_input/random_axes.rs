@@ -98,6 +98,47 @@ fn a_distribution_that_makes_no_sense_is_refused() {
     refused_at(&grid, "weight_on_bit_kn", key, meant);
 }
 
+/// Indices of first and of all orders are of independent axes.
+#[test]
+fn correlated_axes_are_refused_in_a_sensitivity_design() {
+    let text = axis("from = 1, to = 9").replace("monte-carlo", "sensitivity")
+        + "[[design.correlations]]\naxes = [\"surface_speed_rpm\", \"weight_on_bit_kn\"]\n\
+           coefficient = 0.5\n";
+    let meant = "are of axes that are independent";
+    let place = Workplace::with_small(&text);
+    refused(&place, &RUN, &["`design.correlations`: ", meant]);
+}
+
+/// Sobol's sequence has only so many dimensions, and blocks take two for each axis.
+#[test]
+fn more_axes_than_sobol_points_have_coordinates_are_refused() {
+    let sections = "[[string.sections]]\nrepeat = 1\nparts = [{ length_m = 9, \
+                    inner_radius_m = 0.05, outer_radius_m = 0.1 }]\n";
+    let text = |kind: &str, count: usize| {
+        let range = "{ from = 8, to = 9 }";
+        let axis = |index: usize| format!("section_{}_part_0_length_m = {range}\n", index + 1);
+        let design = format!(
+            "{}[design]\nkind = \"{kind}\"\npoints = \"sobol\"\ncases = 2\n[design.axes]\n\
+             surface_speed_rpm = {{ from = 1, to = 2 }}\n\
+             weight_on_bit_kn = {{ from = 1, to = 2 }}\n",
+            sections.repeat(count - 2)
+        );
+        let text = small_with_design(&design);
+        text + &(0..count - 2).map(axis).collect::<String>()
+    };
+    for (kind, most, each) in [("monte-carlo", 128, 1), ("sensitivity", 64, 2)] {
+        let place = Workplace::with_small(&text(kind, most + 1));
+        let meant = format!(
+            "at most 128 coordinates, and these axes take {}",
+            128 + each
+        );
+        refused(&place, &RUN, &["`design.points`: ", &meant]);
+        let place = Workplace::with_small(&text(kind, most));
+        let answer = place.sweep(&["run", "small.toml", "--dry-run"]);
+        assert_eq!(answer.code, 0, "{}", answer.errors);
+    }
+}
+
 #[test]
 fn a_correlation_that_cannot_be_is_refused() {
     let with = |pairs: &[(&str, f64)]| {

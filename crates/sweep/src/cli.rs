@@ -122,7 +122,8 @@ pub enum Command {
     #[command(after_help = "Examples:\n  sweep analyse results/well\n  \
         sweep analyse results/well --by weight_on_bit_kn,surface_speed_rpm --width 0.02\n  \
         sweep analyse results/well/shard-* --out analysis.csv\n\n\
-        Of unfinished runs as far as they are. Intervals are of 95 % (Wilson).")]
+        Of unfinished runs as far as they are. Intervals are of 95 % (Wilson, and for\n\
+        Sobol's indices of sensitivity designs a bootstrap).")]
     Analyse(AnalyseArguments),
     /// Print a script that completes this command line in a shell
     #[command(after_help = "Example, for bash:\n  \
@@ -379,6 +380,9 @@ pub struct AnalyseArguments {
     /// Write all counts and intervals to a CSV file
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Write Sobol's indices of a sensitivity design to a CSV file
+    #[arg(long, value_name = "FILE")]
+    pub indices: Option<PathBuf>,
 }
 
 /// One axis or two.

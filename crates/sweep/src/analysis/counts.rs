@@ -6,7 +6,7 @@ use anyhow::Result;
 use sim::Label;
 
 use super::bins::Bins;
-use crate::output::{Motion, ResultTables, read_cases};
+use crate::output::{Motion, ResultTables, is_sustained, read_cases};
 
 /// Rows by method and motion, and cells of some axes; without axes there is one cell.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,7 +15,9 @@ pub struct Counts {
     pub bins: Vec<Bins>,
     /// Of each method, in the order of the table, and each motion that has a label.
     pub groups: Vec<(String, Motion, Group)>,
-    /// Rows without an answer.
+    /// Rows that are to be counted.
+    pub rows: usize,
+    /// Of these, those without an answer.
     pub unanswered: usize,
 }
 
@@ -28,8 +30,26 @@ pub struct Group {
     pub labels: BTreeMap<Label, Vec<usize>>,
 }
 
+impl Group {
+    /// How many of the rows in each cell have sustained vibration, of those long enough to tell.
+    pub fn sustained(&self) -> Vec<[usize; 2]> {
+        let mut cells = vec![[0; 2]; self.all.len()];
+        for (label, counts) in &self.labels {
+            let Some(is_sustained) = is_sustained(*label) else {
+                continue;
+            };
+            for ([sustained, told], count) in cells.iter_mut().zip(counts) {
+                *told += count;
+                *sustained += if is_sustained { *count } else { 0 };
+            }
+        }
+        cells
+    }
+}
+
 impl Counts {
-    /// Counts the cases of any tables in the cells of each of some sets of axes.
+    /// Counts the cases of any tables that are to be counted, in the cells of each of some sets of
+    /// axes.
     ///
     /// # Errors
     /// Where the tables cannot be read.
@@ -37,6 +57,7 @@ impl Counts {
         tables: &[ResultTables],
         methods: &[&str],
         sets: Vec<Vec<Bins>>,
+        is_counted: impl Fn(usize) -> bool,
     ) -> Result<Vec<Self>> {
         let axes: Vec<Vec<_>> = (sets.iter())
             .map(|bins| bins.iter().map(|bins| bins.axis).collect())
@@ -48,11 +69,15 @@ impl Counts {
         for tables in tables {
             for case in read_cases(&tables.folder.join("labels.csv"), &known)? {
                 let case = case?;
+                if !is_counted(case.case) {
+                    continue;
+                }
                 let mut values = &case.values[..];
                 for counts in &mut all {
                     let (own, others) = values.split_at(counts.bins.len());
                     values = others;
                     let cell = counts.cell(own);
+                    counts.rows += case.rows.len();
                     for row in &case.rows {
                         let method = methods.iter().position(|method| *method == row.method);
                         let Some(method) = method.filter(|_| row.labels.is_answer()) else {
@@ -85,6 +110,7 @@ impl Counts {
         Self {
             bins,
             groups: methods.iter().flat_map(of_method).collect(),
+            rows: 0,
             unanswered: 0,
         }
     }

@@ -3,11 +3,15 @@
 //! counts are kept.
 
 mod bins;
+mod blocks;
 mod counts;
+mod indices;
 mod interval;
 mod sensitivity;
 
 pub use bins::Bins;
-pub use counts::{Counts, Group};
+pub use blocks::{MethodBlocks, blocks_of};
+pub use counts::Counts;
+pub use indices::{DRAWN, Indices, LEAST_BLOCKS, Untold};
 pub use interval::{Interval, cases_for, wilson};
 pub use sensitivity::sensitivity;

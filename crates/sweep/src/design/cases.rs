@@ -4,8 +4,14 @@ use super::axes::MOST_CASES;
 use super::grid::Grid;
 use super::list::List;
 use super::monte_carlo::MonteCarlo;
+#[cfg(test)]
+use super::points::Points;
+use super::random_axes::RandomAxes;
+use super::sensitivity::Sensitivity;
 use super::trace::TraceDesign;
 use crate::quantities::Axis;
+#[cfg(test)]
+use crate::sweep_file::PointsName;
 use crate::sweep_file::{DesignKind, DesignTable, Source, SweepFileError, TextOf};
 
 /// Cases over named axes, numbered from 0.
@@ -19,6 +25,8 @@ pub enum Design {
     List(List),
     /// Those of a grid that tell where its limits are.
     Trace(TraceDesign),
+    /// Random values in blocks that tell the axes apart.
+    Sensitivity(Sensitivity),
 }
 
 impl Design {
@@ -45,6 +53,9 @@ impl Design {
             }
             DesignKind::List => Design::List(List::resolve(source, table, weight_pushes, text_of)?),
             DesignKind::Trace => Design::Trace(TraceDesign::resolve(source, table, weight_pushes)?),
+            DesignKind::Sensitivity => {
+                Design::Sensitivity(Sensitivity::resolve(source, table, weight_pushes)?)
+            }
         };
         let cases = design.cases();
         let message = format!("{cases} cases are more than {MOST_CASES}");
@@ -57,9 +68,10 @@ impl Design {
     pub fn axes(&self) -> &[Axis] {
         match self {
             Design::Grid(grid) => &grid.axes,
-            Design::MonteCarlo(random) => &random.axes,
+            Design::MonteCarlo(drawn) => &drawn.random.axes,
             Design::List(list) => &list.axes,
             Design::Trace(trace) => &trace.grid.axes,
+            Design::Sensitivity(blocks) => &blocks.random.axes,
         }
     }
 
@@ -68,18 +80,35 @@ impl Design {
         let place = self.axes().iter().position(|known| *known == axis)?;
         Some(match self {
             Design::Grid(grid) => ends_of(grid.along(place).iter().copied()),
-            Design::MonteCarlo(random) => random.ends(place),
+            Design::MonteCarlo(drawn) => drawn.random.ends(place),
             Design::List(list) => ends_of(list.cases.iter().map(|values| values[place])),
             Design::Trace(trace) => ends_of(trace.grid.along(place).iter().copied()),
+            Design::Sensitivity(blocks) => blocks.random.ends(place),
         })
     }
 
     /// Seed of random cases.
     pub fn seed(&self) -> Option<u64> {
         match self {
-            Design::MonteCarlo(random) => Some(random.seed),
+            Design::MonteCarlo(drawn) => Some(drawn.points.seed),
+            Design::Sensitivity(blocks) => Some(blocks.points.seed),
             Design::Trace(trace) => Some(trace.seed),
             Design::Grid(_) | Design::List(_) => None,
+        }
+    }
+
+    /// Points with every axis at an end of what it is drawn from: a quantity that rises or falls
+    /// along each axis is largest at one of them. None where nothing is drawn.
+    pub fn corners(&self) -> Vec<Vec<f64>> {
+        self.random_axes()
+            .map_or_else(Vec::new, RandomAxes::corners)
+    }
+
+    fn random_axes(&self) -> Option<&RandomAxes> {
+        match self {
+            Design::MonteCarlo(drawn) => Some(&drawn.random),
+            Design::Sensitivity(blocks) => Some(&blocks.random),
+            Design::Grid(_) | Design::List(_) | Design::Trace(_) => None,
         }
     }
 
@@ -87,8 +116,9 @@ impl Design {
     pub fn cases(&self) -> usize {
         match self {
             Design::Grid(grid) => grid.cases(),
-            Design::MonteCarlo(random) => random.cases,
+            Design::MonteCarlo(drawn) => drawn.cases,
             Design::List(list) => list.cases.len(),
+            Design::Sensitivity(blocks) => blocks.cases(),
             Design::Trace(trace) => trace.grid.cases(),
         }
     }
@@ -97,7 +127,7 @@ impl Design {
     pub fn likely_cases(&self) -> usize {
         match self {
             Design::Trace(trace) => trace.likely_cases(),
-            Design::Grid(_) | Design::MonteCarlo(_) | Design::List(_) => self.cases(),
+            _ => self.cases(),
         }
     }
 
@@ -105,9 +135,10 @@ impl Design {
     pub fn values(&self, index: usize) -> Vec<f64> {
         match self {
             Design::Grid(grid) => grid.values(index),
-            Design::MonteCarlo(random) => random.values(index),
+            Design::MonteCarlo(drawn) => drawn.values(index),
             Design::List(list) => list.cases[index].clone(),
             Design::Trace(trace) => trace.grid.values(index),
+            Design::Sensitivity(blocks) => blocks.values(index),
         }
     }
 }
@@ -117,9 +148,10 @@ impl Design {
     fn string_axes(&self) -> usize {
         match self {
             Design::Grid(grid) => grid.of_string,
-            Design::MonteCarlo(random) => random.of_string,
+            Design::MonteCarlo(drawn) => drawn.random.of_string,
             Design::List(list) => list.of_string,
             Design::Trace(trace) => trace.grid.of_string,
+            Design::Sensitivity(blocks) => blocks.random.of_string,
         }
     }
 
@@ -132,6 +164,8 @@ impl Design {
     pub fn strings(&self) -> usize {
         match self {
             Design::List(list) => list.strings.len(),
+            Design::Sensitivity(blocks) if self.varies_string() => blocks.strings(),
+            Design::Sensitivity(_) => 1,
             Design::Grid(_) | Design::MonteCarlo(_) | Design::Trace(_) => {
                 self.cases() / self.neighbours()
             }
@@ -142,6 +176,8 @@ impl Design {
     pub fn cases_of_string(&self, string: usize) -> usize {
         match self {
             Design::List(list) => list.strings[string].len(),
+            Design::Sensitivity(blocks) if self.varies_string() => blocks.cases_of_string(string),
+            Design::Sensitivity(blocks) => blocks.cases(),
             Design::Grid(_) | Design::MonteCarlo(_) | Design::Trace(_) => self.neighbours(),
         }
     }
@@ -150,6 +186,10 @@ impl Design {
     pub fn case_of_string(&self, string: usize, position: usize) -> usize {
         match self {
             Design::List(list) => list.strings[string][position],
+            Design::Sensitivity(blocks) if self.varies_string() => {
+                blocks.case_of_string(string, position)
+            }
+            Design::Sensitivity(_) => position,
             Design::Grid(_) | Design::MonteCarlo(_) | Design::Trace(_) => {
                 string * self.neighbours() + position
             }
@@ -163,6 +203,8 @@ impl Design {
                 let has_case = |cases: &Vec<usize>| cases.binary_search(&index).is_ok();
                 list.strings.iter().position(has_case).unwrap_or(0)
             }
+            Design::Sensitivity(blocks) if self.varies_string() => blocks.string_of(index),
+            Design::Sensitivity(_) => 0,
             Design::Grid(_) | Design::MonteCarlo(_) | Design::Trace(_) => index / self.neighbours(),
         }
     }
@@ -173,8 +215,21 @@ impl Design {
             Design::Grid(grid) => grid.cases_per_string(),
             Design::Trace(trace) => trace.grid.cases_per_string(),
             Design::MonteCarlo(_) if self.varies_string() => 1,
-            Design::MonteCarlo(_) | Design::List(_) => self.cases(),
+            _ => self.cases(),
         }
+    }
+}
+
+#[cfg(test)]
+impl Design {
+    /// Blocks that tell axes apart, each even between its ends.
+    pub fn even_blocks(points: PointsName, seed: u64, ends: &[[f64; 2]], blocks: usize) -> Self {
+        let axes = vec![Axis::SurfaceSpeedRpm; ends.len()];
+        Design::Sensitivity(Sensitivity {
+            random: RandomAxes::uniform(axes, ends),
+            points: Points::new(points, seed, 2 * ends.len()).expect("as many coordinates"),
+            blocks,
+        })
     }
 }
 
@@ -189,12 +244,13 @@ fn ends_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
 /// A key that belongs to another kind of design would be ignored: refuse it.
 fn refuse_foreign_keys(source: &Source, table: &DesignTable) -> Result<(), SweepFileError> {
     let is_list = table.kind == DesignKind::List;
-    let is_random = table.kind == DesignKind::MonteCarlo;
+    let is_random = table.kind.is_random();
     let is_trace = table.kind == DesignKind::Trace;
     let given = [
         ("axes", !table.axes.is_empty(), !is_list),
         ("cases", table.cases.is_some(), is_random),
         ("correlations", !table.correlations.is_empty(), is_random),
+        ("points", table.points.is_some(), is_random),
         ("seed", table.seed.is_some(), is_random || is_trace),
         ("file", table.file.is_some(), is_list),
         ("tolerance", table.tolerance.is_some(), is_trace),

@@ -50,7 +50,7 @@ impl Distribution {
         let key = format!("design.axes.{}", axis.name());
         let (Some(from), Some(to), None, None) = (range.from, range.to, range.count, &range.values)
         else {
-            return Err(source.error(&key, "a Monte Carlo axis has `from` and `to`"));
+            return Err(source.error(&key, "a random axis has `from` and `to`"));
         };
         let message = "is counted in whole numbers: make it an axis of a grid or a list";
         source.refuse_if(axis.is_counted(), &key, message)?;

@@ -1,22 +1,32 @@
 //! Random values. A case draws from (seed, case index) alone.
 
-use super::axes::{count_string_axes, in_order};
 use super::correlation::Correlation;
-use super::distribution::Distribution;
-use crate::quantities::Axis;
-use crate::random::Stream;
+use super::points::Points;
+use super::random_axes::RandomAxes;
 use crate::sweep_file::{DesignTable, Source, SweepFileError};
 
 /// Random cases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MonteCarlo {
-    pub(super) axes: Vec<Axis>,
-    /// How many of them, the first ones, change the string.
-    pub(super) of_string: usize,
-    distributions: Vec<Distribution>,
+    pub(super) random: RandomAxes,
     correlation: Correlation,
+    pub(super) points: Points,
     pub(super) cases: usize,
-    pub(super) seed: u64,
+}
+
+/// How many points the table of a design asks for.
+///
+/// # Errors
+/// Where it does not, or asks for none.
+pub(super) fn count_of_points(
+    source: &Source,
+    table: &DesignTable,
+) -> Result<usize, SweepFileError> {
+    match table.cases {
+        Some(cases) if cases > 0 => Ok(cases),
+        Some(_) => Err(source.error("design.cases", "there must be at least one")),
+        None => Err(source.error("design", "needs `cases`, how many to draw")),
+    }
 }
 
 impl MonteCarlo {
@@ -25,85 +35,64 @@ impl MonteCarlo {
         table: &DesignTable,
         weight_pushes: bool,
     ) -> Result<Self, SweepFileError> {
-        let cases = match table.cases {
-            Some(cases) if cases > 0 => cases,
-            Some(_) => return Err(source.error("design.cases", "there must be at least one")),
-            None => return Err(source.error("design", "needs `cases`, how many to draw")),
-        };
-        let given = in_order(table, weight_pushes);
-        let axes: Vec<Axis> = given.iter().map(|(axis, _)| *axis).collect();
-        let distributions = (given.into_iter())
-            .map(|(axis, range)| Distribution::resolve(source, axis, range))
-            .collect::<Result<_, _>>()?;
+        let cases = count_of_points(source, table)?;
+        let random = RandomAxes::resolve(source, table, weight_pushes)?;
         Ok(Self {
-            of_string: count_string_axes(&axes, weight_pushes),
-            correlation: Correlation::resolve(source, table, &axes)?,
-            axes,
-            distributions,
+            correlation: Correlation::resolve(source, table, &random.axes)?,
+            points: Points::resolve(source, table, random.count())?,
+            random,
             cases,
-            seed: table.seed.unwrap_or(0),
         })
     }
 
-    /// Points with every axis at an end of its range: a quantity that rises or falls
-    /// along each axis is largest at one of them.
-    pub fn corners(&self) -> Vec<Vec<f64>> {
-        let mut corners = vec![Vec::new()];
-        for range in &self.distributions {
-            let ends = [range.from, range.to].into_iter();
-            let with = |end: f64| {
-                corners
-                    .iter()
-                    .map(move |corner| [&corner[..], &[end]].concat())
-            };
-            corners = ends.flat_map(with).collect();
-        }
-        corners
-    }
-
-    /// The ends of the range of the axis at a place.
-    pub(super) fn ends(&self, place: usize) -> [f64; 2] {
-        let Distribution { from, to, .. } = self.distributions[place];
-        [from.min(to), from.max(to)]
-    }
-
     pub(super) fn values(&self, index: usize) -> Vec<f64> {
-        let mut stream = Stream::new(self.seed, index as u64);
-        let mut parts: Vec<f64> = self.axes.iter().map(|_| stream.part()).collect();
+        let mut parts = self.points.point(index);
         self.correlation.correlate(&mut parts);
-        std::iter::zip(&self.distributions, parts)
-            .map(|(distribution, part)| distribution.at(part))
-            .collect()
+        self.random.at(&parts)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep_file::Spacing;
+    use crate::quantities::Axis;
+    use crate::sweep_file::PointsName;
 
     #[test]
     fn a_case_draws_from_its_seed_and_index_alone() {
-        let range = |from: f64| Distribution::uniform(from, from + 1.0, Spacing::Linear);
-        let design = |seed| MonteCarlo {
-            axes: vec![Axis::SurfaceSpeedRpm, Axis::TorqueDynamicNm],
-            of_string: 0,
-            distributions: vec![range(1.0), range(5.0)],
-            correlation: Correlation::default(),
-            cases: 1000,
-            seed,
+        let axes = || {
+            let axes = vec![Axis::SurfaceSpeedRpm, Axis::TorqueDynamicNm];
+            RandomAxes::uniform(axes, &[[1.0, 2.0], [5.0, 6.0]])
         };
-        let backwards: Vec<_> = (0..1000).rev().map(|case| design(7).values(case)).collect();
-        let forwards: Vec<_> = (0..1000).map(|case| design(7).values(case)).collect();
-        assert!(forwards.iter().eq(backwards.iter().rev()));
-        assert_ne!(design(7).values(3), design(8).values(3));
-        assert_ne!(design(7).values(3), design(7).values(4));
-        let mean = forwards.iter().map(|case| case[0]).sum::<f64>() / 1000.0;
-        // Four standard errors of a uniform mean.
-        assert!(
-            (mean - 1.5).abs() < 4.0 * (1.0f64 / 12.0 / 1000.0).sqrt(),
-            "{mean}"
+        for name in [PointsName::Random, PointsName::Sobol] {
+            let design = |seed| MonteCarlo {
+                random: axes(),
+                correlation: Correlation::default(),
+                points: Points::new(name, seed, 2).unwrap(),
+                cases: 1000,
+            };
+            let backwards: Vec<_> = (0..1000).rev().map(|case| design(7).values(case)).collect();
+            let forwards: Vec<_> = (0..1000).map(|case| design(7).values(case)).collect();
+            assert!(forwards.iter().eq(backwards.iter().rev()));
+            assert_ne!(design(7).values(3), design(8).values(3));
+            assert_ne!(design(7).values(3), design(7).values(4));
+            let mean = forwards.iter().map(|case| case[0]).sum::<f64>() / 1000.0;
+            // Four standard errors of a uniform mean.
+            assert!(
+                (mean - 1.5).abs() < 4.0 * (1.0f64 / 12.0 / 1000.0).sqrt(),
+                "{mean}"
+            );
+            assert!(forwards.iter().all(|case| (5.0..6.0).contains(&case[1])));
+        }
+    }
+
+    /// As version 0.1.0 drew them: a change would make other sweeps of the same files.
+    #[test]
+    fn random_points_stay_what_they_were() {
+        let points = Points::new(PointsName::Random, 12, 3).unwrap();
+        assert_eq!(
+            points.point(3)[1..],
+            [0.486843270671626, 0.3269813402229632]
         );
-        assert!(forwards.iter().all(|case| (5.0..6.0).contains(&case[1])));
     }
 }

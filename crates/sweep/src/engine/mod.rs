@@ -34,6 +34,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use anyhow::Result;
 use rayon::prelude::*;
 
+use crate::design::Design;
 use crate::plan::Sweep;
 
 /// What becomes of a record.
@@ -58,12 +59,21 @@ pub struct Work<'a> {
 
 /// How many pairs of case and method a part of a sweep has.
 pub fn pairs_of(sweep: &Sweep, shard: Shard) -> usize {
-    let strings = sweep.design.strings();
-    let cases = (0..strings).flat_map(|string| {
+    let cases = (0..sweep.design.strings()).flat_map(|string| {
         let cases = sweep.design.cases_of_string(string);
-        (0..cases).filter(move |&position| shard.has(strings, string, cases, position))
+        (0..cases).filter(move |&position| is_in(shard, &sweep.design, string, position))
     });
     cases.count() * sweep.methods.len()
+}
+
+/// Whether a part of a sweep has the case at a position among those of a string.
+fn is_in(shard: Shard, design: &Design, string: usize, position: usize) -> bool {
+    // Of a string that more cases do not change, so that each stays where it is.
+    let strings = match design {
+        Design::Sensitivity(_) if design.varies_string() => usize::MAX,
+        _ => design.strings(),
+    };
+    shard.has(strings, string, design.cases_of_string(string), position)
 }
 
 /// The linear system of each method for one string, or why it has none.
@@ -119,9 +129,7 @@ impl Work<'_> {
     }
 
     fn wants(&self, string: usize, position: usize, case: usize, method: usize) -> bool {
-        let design = &self.sweep.design;
-        let (strings, cases) = (design.strings(), design.cases_of_string(string));
-        self.shard.has(strings, string, cases, position) && (self.is_open)(case, method)
+        is_in(self.shard, &self.sweep.design, string, position) && (self.is_open)(case, method)
     }
 
     fn build(&self, string: usize) -> Result<Vec<Result<MethodSystem, CaseError>>, CaseError> {

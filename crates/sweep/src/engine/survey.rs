@@ -8,7 +8,6 @@ use rayon::prelude::*;
 use super::case::Case;
 use super::case_error::CaseError;
 use super::memory::StringMemory;
-use crate::design::Design;
 use crate::plan::{Setting, Sweep};
 use crate::sweep_file::SweepFileError;
 
@@ -124,9 +123,9 @@ pub(super) fn of_string(
             ..Survey::default()
         })
     })?;
-    if let (Design::MonteCarlo(random), false) = (&sweep.design, sweep.design.varies_string()) {
+    if !sweep.design.varies_string() {
         // The responses that all cases share do not depend on how many are drawn.
-        for corner in random.corners() {
+        for corner in sweep.design.corners() {
             let conditions = sweep.conditions_at(&corner);
             let case = Case::under(sweep, setting, 0, corner, &conditions)
                 .map_err(|reason| CaseError::AtAnEnd(Box::new(reason)))?;

@@ -12,6 +12,9 @@ use crate::quantities::Axis;
 use crate::sweep_file::nearest;
 use crate::text_file::{LARGEST_TABLE, read_text, unreadable};
 
+/// How severe a case's motion is, by the names of the columns.
+pub const MEASURES: [&str; 2] = ["stick_slip_severity", "contact_fraction"];
+
 /// What is read back of a row: enough to draw it or to run it again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LabelRow {
@@ -29,6 +32,8 @@ pub struct LabelRow {
     pub predicted: Option<Label>,
     /// How far it is from each recording.
     pub misfits: Vec<Option<f64>>,
+    /// Each of [`MEASURES`] that it has.
+    pub measures: [Option<f64>; MEASURES.len()],
     /// Whether the case failed.
     pub failed: bool,
 }
@@ -48,6 +53,7 @@ impl LabelRow {
             },
             predicted: None,
             misfits: Vec::new(),
+            measures: [None; MEASURES.len()],
             failed: false,
         }
     }
@@ -68,8 +74,8 @@ pub fn misfit_columns(path: &Path) -> Result<Vec<String>> {
 }
 
 /// Where the columns are that are read back: `case`, `method`, the axes asked for,
-/// `torsion` and, if they are there, `lateral`, `predicted`, misfits and `status`; others are
-/// passed over.
+/// `torsion` and, if they are there, `lateral`, `predicted`, misfits, measures and `status`;
+/// others are passed over.
 pub struct LabelColumns {
     case: usize,
     method: usize,
@@ -78,6 +84,7 @@ pub struct LabelColumns {
     lateral: Option<usize>,
     predicted: Option<usize>,
     misfits: Vec<usize>,
+    measures: [Option<usize>; MEASURES.len()],
     status: Option<usize>,
 }
 
@@ -149,6 +156,7 @@ impl LabelColumns {
                 .filter(|(_, name)| name.starts_with(MISFIT))
                 .map(|(place, _)| place)
                 .collect(),
+            measures: MEASURES.map(|name| header.clone().position(|column| column == name)),
             status: place("status")?,
         })
     }
@@ -189,6 +197,7 @@ impl LabelColumns {
             misfits: (self.misfits.iter())
                 .map(|&column| number(field(column)).ok())
                 .collect(),
+            measures: (self.measures).map(|column| number(optional(column)).ok()),
             failed: optional(self.status) == FAILED,
         })
     }

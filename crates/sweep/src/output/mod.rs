@@ -26,7 +26,9 @@ pub use curves::Curve;
 pub use envelope::Envelope;
 pub use failures::FAILURES_HEADER;
 pub use integrity::{Damage, OF_TRACE, PICTURES, TABLES};
-pub use label_rows::{LabelColumns, LabelRow, measured_rows, misfit_columns, read_labels};
+pub use label_rows::{
+    LabelColumns, LabelRow, MEASURES, measured_rows, misfit_columns, read_labels,
+};
 pub use labels::LabelTable;
 pub use manifest::{Manifest, MethodRecord, differences, fingerprint};
 pub use motion::{Labels, Motion, is_sustained};

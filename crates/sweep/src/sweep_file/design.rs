@@ -19,6 +19,31 @@ pub enum DesignKind {
     List,
     /// From a coarse scan to the limits over two axes.
     Trace,
+    /// Random values in blocks that tell the axes apart.
+    Sensitivity,
+}
+
+impl DesignKind {
+    /// Whether its values are drawn.
+    pub fn is_random(self) -> bool {
+        matches!(self, DesignKind::MonteCarlo | DesignKind::Sensitivity)
+    }
+}
+
+/// Where random points lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PointsName {
+    /// Anywhere, each by itself.
+    #[default]
+    Random,
+    /// Evenly: scrambled points of Sobol's sequence.
+    Sobol,
+}
+
+/// A file that says what is so anyway asks for the same sweep.
+fn are_random(points: &Option<PointsName>) -> bool {
+    points.unwrap_or_default() == PointsName::Random
 }
 
 /// The cases of a sweep.
@@ -27,16 +52,19 @@ pub enum DesignKind {
 pub struct DesignTable {
     /// Which kind.
     pub kind: DesignKind,
-    /// The axes of a grid, a Monte Carlo design or a trace.
+    /// The axes of a grid, of random values or of a trace.
     #[serde(default)]
     pub axes: BTreeMap<Axis, AxisRange>,
     /// Random axes that go together.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub correlations: Vec<CorrelationTable>,
-    /// Number of Monte Carlo cases.
+    /// Number of Monte Carlo cases, or of blocks of a sensitivity design.
     pub cases: Option<usize>,
-    /// Seed of a Monte Carlo design, and of the points that a trace draws where a limit is
-    /// ragged. Default 0.
+    /// Where random points lie. Default random.
+    #[serde(skip_serializing_if = "are_random")]
+    pub points: Option<PointsName>,
+    /// Seed of random values, and of the points that a trace draws where a limit is ragged.
+    /// Default 0.
     pub seed: Option<u64>,
     /// CSV file of a list, beside the file that names it.
     pub file: Option<PathBuf>,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bit::BitTable;
 use super::compare::CompareTable;
-use super::design::DesignTable;
+use super::design::{DesignTable, PointsName};
 use super::lateral::{EccentricMassTable, ImpulseTable, SiteTable, WallTable};
 use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
@@ -97,6 +97,14 @@ pub struct FileContent {
     /// How the regime map is drawn.
     #[serde(default)]
     pub map: MapTable,
+}
+
+impl FileContent {
+    /// Whether its cases are at points of Sobol's sequence.
+    pub fn has_sobol_points(&self) -> bool {
+        let points = self.design.as_ref().and_then(|design| design.points);
+        points == Some(PointsName::Sobol)
+    }
 }
 
 fn default_methods() -> Vec<MethodName> {

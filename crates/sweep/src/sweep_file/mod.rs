@@ -25,7 +25,7 @@ pub mod wording;
 pub use bha_sheet::{SheetNotes, put_sections};
 pub use bit::{BitTable, LawTable, RockName};
 pub use compare::{CompareTable, Extreme, TraceName};
-pub use design::{AxisRange, DesignKind, DesignTable, DistributionName, Spacing};
+pub use design::{AxisRange, DesignKind, DesignTable, DistributionName, PointsName, Spacing};
 pub use error::SweepFileError;
 pub use file::FileContent;
 pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SupportName, WallTable};

@@ -1,18 +1,19 @@
 //! What was counted, in words and tables.
 
-use crate::analysis::{Bins, Counts, Group, Interval, cases_for, sensitivity, wilson};
-use crate::output::{Manifest, is_sustained};
+use super::deciding;
+use crate::analysis::{Bins, Counts, Interval, MethodBlocks, cases_for, wilson};
+use crate::output::Manifest;
 use crate::quantities::Units;
 use crate::report::{Block, Section, Table};
 use crate::sweep_file::DesignKind;
 use crate::words::{counted, short};
 
 /// The sections about counts: the first in all, then over each axis, then those asked for, which
-/// are shown instead of the others.
+/// are shown instead of the others; and of the axes, from blocks of cases if they are such.
 pub fn sections(
     manifest: &Manifest,
-    rows: usize,
     all: &[Counts],
+    blocks: &[MethodBlocks],
     width: Option<f64>,
 ) -> Vec<Section> {
     let axes = manifest.axes.len();
@@ -21,14 +22,9 @@ pub fn sections(
     } else {
         &all[1..]
     };
-    let is_random = (manifest.sweep.design.as_ref())
-        .is_some_and(|design| design.kind == DesignKind::MonteCarlo);
-    let mut in_all = regimes(rows, &all[0], width);
-    if !is_random {
-        let note = "These cases were not drawn at random: intervals are those that as many random \
-                    ones would have.";
-        in_all.push(Block::Text(note.to_owned()));
-    }
+    let kind = manifest.sweep.design.as_ref().map(|design| design.kind);
+    let mut in_all = regimes(&all[0], width);
+    in_all.extend(notes(manifest, kind).map(|note| Block::Text(note.to_owned())));
     let mut sections = vec![("Regimes", in_all)];
     let units = manifest.sweep.units;
     let over: Vec<Block> = shown
@@ -38,25 +34,34 @@ pub fn sections(
     if !over.is_empty() {
         sections.push(("Where", over));
     }
-    if is_random && axes > 1 {
-        sections.push(("What decides", deciding(manifest, &all[1..=axes])));
+    match kind {
+        Some(DesignKind::MonteCarlo) if axes > 1 => {
+            sections.push(("What decides", deciding::of_cases(manifest, &all[1..=axes])));
+        }
+        Some(DesignKind::Sensitivity) => {
+            sections.push(("What decides", deciding::of_blocks(manifest, blocks)));
+        }
+        _ => {}
     }
     sections
 }
 
-/// How many of the rows in each cell have sustained vibration, of those long enough to tell.
-fn sustained(group: &Group) -> Vec<[usize; 2]> {
-    let mut cells = vec![[0; 2]; group.all.len()];
-    for (label, counts) in &group.labels {
-        let Some(is_sustained) = is_sustained(*label) else {
-            continue;
-        };
-        for ([sustained, told], count) in cells.iter_mut().zip(counts) {
-            *told += count;
-            *sustained += if is_sustained { *count } else { 0 };
-        }
-    }
-    cells
+/// What intervals that hold for independent cases say of these.
+fn notes(manifest: &Manifest, kind: Option<DesignKind>) -> impl Iterator<Item = &'static str> {
+    let is_random = kind.is_some_and(DesignKind::is_random);
+    let not_random = "These cases were not drawn at random: intervals are those that as many \
+                      random ones would have.";
+    let of_blocks = "Only the two independent points of each block of cases are counted; the \
+                     others repeat their values.";
+    let even = "Sobol points are more even than independent ones, which these intervals hold \
+                for: they are usually wider than need be.";
+    [
+        (!is_random, not_random),
+        (kind == Some(DesignKind::Sensitivity), of_blocks),
+        (manifest.sweep.has_sobol_points(), even),
+    ]
+    .into_iter()
+    .filter_map(|(is_so, note)| is_so.then_some(note))
 }
 
 fn part(value: f64) -> String {
@@ -67,7 +72,7 @@ fn ends(interval: Interval) -> [String; 3] {
     [interval.value, interval.low, interval.high].map(part)
 }
 
-fn regimes(rows: usize, counts: &Counts, width: Option<f64>) -> Vec<Block> {
+fn regimes(counts: &Counts, width: Option<f64>) -> Vec<Block> {
     let mut header = vec!["method", "regime", "cases", "part", "from", "to"];
     if width.is_some() {
         header.push("more cases");
@@ -95,7 +100,10 @@ fn regimes(rows: usize, counts: &Counts, width: Option<f64>) -> Vec<Block> {
         count => format!("{count} of them have no answer, and are not counted"),
     };
     let mut blocks = vec![
-        Block::Text(format!("{}; {unanswered}.", counted(rows, "simulation"))),
+        Block::Text(format!(
+            "{}; {unanswered}.",
+            counted(counts.rows, "simulation")
+        )),
         Block::Table(table),
     ];
     if let Some(width) = width {
@@ -111,7 +119,7 @@ fn regimes(rows: usize, counts: &Counts, width: Option<f64>) -> Vec<Block> {
 /// A table for each method and motion: over one axis in rows, over two in rows and columns.
 fn cells(counts: &Counts, units: Units) -> Vec<Block> {
     let tables = counts.groups.iter().map(|(method, motion, group)| {
-        let sustained = sustained(group);
+        let sustained = group.sustained();
         let of_what = format!("{} by {method}", motion.regimes()[0]);
         Block::Table(match &counts.bins[..] {
             [x, y] => over_two(&of_what, [x, y], &sustained, units),
@@ -174,41 +182,4 @@ fn over_two(of_what: &str, [x, y]: [&Bins; 2], sustained: &[[usize; 2]], units: 
         table.rows.push(cells.collect());
     }
     table
-}
-
-fn deciding(manifest: &Manifest, of_axes: &[Counts]) -> Vec<Block> {
-    let caption = "First-order indices of Sobol: the part of the variance that an axis explains \
-                   alone, with 95 % intervals";
-    let header = ["method", "motion", "axis", "index", "from", "to"];
-    let mut table = Table::new(caption, header);
-    let groups = of_axes.first().map_or(&[][..], |counts| &counts.groups);
-    for (index, (method, motion, _)) in groups.iter().enumerate() {
-        let mut rows: Vec<(f64, Vec<String>)> = Vec::new();
-        for counts in of_axes {
-            let (_, _, group) = &counts.groups[index];
-            let Some(found) = sensitivity(&sustained(group)) else {
-                continue;
-            };
-            let mut row = vec![
-                method.clone(),
-                motion.adjective().to_owned(),
-                counts.bins[0].axis.name_in(manifest.sweep.units),
-            ];
-            row.extend([found.value, found.low, found.high].map(|it| format!("{it:.3}")));
-            rows.push((found.value, row));
-        }
-        rows.sort_by(|one, other| other.0.total_cmp(&one.0));
-        table.rows.extend(rows.into_iter().map(|(_, row)| row));
-    }
-    if table.rows.is_empty() {
-        return vec![Block::Text("All cases are alike.".to_owned())];
-    }
-    let is_correlated =
-        (manifest.sweep.design.as_ref()).is_some_and(|design| !design.correlations.is_empty());
-    let note = if is_correlated {
-        "Axes that are correlated explain what goes with them, too: their indices are not apart."
-    } else {
-        "What they lack to 1 in all is what axes do together, and what differs within a range."
-    };
-    vec![Block::Table(table), Block::Text(note.to_owned())]
 }

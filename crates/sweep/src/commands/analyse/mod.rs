@@ -1,6 +1,7 @@
 //! `sweep analyse`: how often each regime occurs in a results folder, how sure that is, and which
 //! axis decides.
 
+mod deciding;
 mod description;
 mod table;
 
@@ -9,14 +10,16 @@ use anyhow::{Result, bail};
 use super::folder::tables_of;
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
-use crate::analysis::{Bins, Counts};
+use crate::analysis::{Bins, Counts, MethodBlocks, blocks_of};
 use crate::cli::AnalyseArguments;
+use crate::design::{Member, cases_of_block};
 use crate::files::write_atomically;
-use crate::output::ResultTables;
+use crate::output::{Manifest, ResultTables};
 use crate::quantities::Axis;
 use crate::report::text;
+use crate::sweep_file::DesignKind;
 use description::sections;
-use table::counts_csv;
+use table::{counts_csv, indices_csv};
 
 /// Counts, and says what came out.
 pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Status> {
@@ -29,16 +32,27 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
         let name = arguments.folders[0].display();
         bail!(UsageError(format!("{name} has no case to count yet")));
     }
+    if arguments.indices.is_some() && size_of_blocks(manifest).is_none() {
+        bail!(UsageError(
+            "--indices: the cases are not in blocks that tell them; `kind = \"sensitivity\"` makes \
+             such"
+                .to_owned()
+        ));
+    }
     let sets = sets_of_axes(arguments, &manifest.axes)?;
     let counted = count(arguments, &tables, &sets)?;
+    let blocks = blocks(&tables)?;
     let width = arguments.width;
     let so_far = tables.iter().find_map(|tables| tables.so_far);
     let so_far = so_far.map_or_else(String::new, |so_far| format!(" ({so_far})"));
     let title = format!("{}: {}{so_far}", manifest.name, manifest.title);
-    let rows = tables.iter().map(|tables| tables.manifest.tally.rows).sum();
-    say(&text(&title, &sections(manifest, rows, &counted, width)))?;
+    say(&text(&title, &sections(manifest, &counted, &blocks, width)))?;
     if let Some(path) = &arguments.out {
         write_atomically(path, counts_csv(&counted).as_bytes())?;
+        say(&format!("{}\n", path.display()))?;
+    }
+    if let Some(path) = &arguments.indices {
+        write_atomically(path, indices_csv(&manifest.axes, &blocks).as_bytes())?;
         say(&format!("{}\n", path.display()))?;
     }
     Ok(Status::Complete)
@@ -104,5 +118,26 @@ fn count(
     let sets = sets
         .iter()
         .map(|axes| axes.iter().filter_map(of_axis).collect());
-    Counts::of_each(tables, &manifest.method_names(), sets.collect())
+    let size = size_of_blocks(manifest);
+    let is_counted = |case: usize| {
+        // Of a block, those that are independent.
+        size.is_none_or(|size| matches!(Member::at(case % size), Member::A | Member::B))
+    };
+    Counts::of_each(tables, &manifest.method_names(), sets.collect(), is_counted)
+}
+
+/// The cases of a block, where the cases are in blocks that tell the axes apart.
+fn size_of_blocks(manifest: &Manifest) -> Option<usize> {
+    let design = manifest.sweep.design.as_ref()?;
+    let has_blocks = design.kind == DesignKind::Sensitivity;
+    has_blocks.then(|| cases_of_block(manifest.axes.len()))
+}
+
+/// The blocks of each method, where there are any.
+fn blocks(tables: &[ResultTables]) -> Result<Vec<MethodBlocks>> {
+    let manifest = &tables[0].manifest;
+    match size_of_blocks(manifest) {
+        Some(_) => blocks_of(tables, &manifest.method_names(), manifest.axes.len()),
+        None => Ok(Vec::new()),
+    }
 }

@@ -1,8 +1,10 @@
-//! All counts as CSV, tidy: a row for each set of axes, cell, method and regime.
+//! All counts as CSV, tidy: a row for each set of axes, cell, method and regime; and Sobol's indices,
+//! a row for each method, quantity and axis.
 
 use std::fmt::Write;
 
-use crate::analysis::{Counts, wilson};
+use crate::analysis::{Counts, MethodBlocks, wilson};
+use crate::quantities::Axis;
 
 /// The table; axes that a row is not counted over are empty.
 pub fn counts_csv(all: &[Counts]) -> String {
@@ -41,4 +43,27 @@ fn place(counts: &Counts, cell: usize) -> String {
         .collect();
     fields.resize(6, String::new());
     fields.join(",")
+}
+
+/// The indices of what can be told, of first order and of all, each with its interval.
+pub fn indices_csv(axes: &[Axis], methods: &[MethodBlocks]) -> String {
+    let mut text = "method,quantity,axis,blocks,first,first_low,first_high,total,total_low,\
+                    total_high\n"
+        .to_owned();
+    for of_method in methods {
+        for (quantity, blocks) in &of_method.quantities {
+            let found = blocks.indices(quantity.is_either()).unwrap_or_default();
+            for (axis, indices) in axes.iter().zip(found) {
+                let (method, quantity) = (&of_method.method, quantity.name());
+                let (axis, count) = (axis.name(), blocks.count);
+                let _ = write!(text, "{method},{quantity},{axis},{count}");
+                for interval in [indices.first, indices.total] {
+                    let (value, low, high) = (interval.value, interval.low, interval.high);
+                    let _ = write!(text, ",{value},{low},{high}");
+                }
+                text.push('\n');
+            }
+        }
+    }
+    text
 }

@@ -31,8 +31,12 @@ pub fn with_our_number(what: &str, there: &Header, ours: &Header) -> Result<Head
     fingerprint["design"]["cases"] = now.into();
     if fingerprint == ours.fingerprint {
         if now < before {
+            let of_cases = match fingerprint["design"]["kind"] == "sensitivity" {
+                true => " blocks of",
+                false => "",
+            };
             bail!(UsageError(format!(
-                "{what} {before} cases of this sweep, and {now} are fewer: `design.cases` may be \
+                "{what} {before}{of_cases} cases of this sweep, and {now} are fewer: `design.cases` may be \
                  raised, not lowered; choose another --out, or begin anew with --fresh"
             )));
         }
@@ -41,10 +45,11 @@ pub fn with_our_number(what: &str, there: &Header, ours: &Header) -> Result<Head
     Ok(there)
 }
 
-/// Number of cases of a sweep that draws them at random.
+/// Number of cases, or of blocks of them, of a sweep that draws them at random.
 fn random_cases(header: &Header) -> Option<u64> {
     let design = &header.fingerprint["design"];
-    (design["kind"] == "monte-carlo").then(|| design["cases"].as_u64())?
+    let is_random = design["kind"] == "monte-carlo" || design["kind"] == "sensitivity";
+    is_random.then(|| design["cases"].as_u64())?
 }
 
 /// Puts our header before the records of a stopped run that had fewer cases. The log
