@@ -8,8 +8,8 @@ use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::spans::SurroundedSpan;
 use crate::waves::bending::short_part;
 
-/// Natural frequencies below ω (rad/s); none where that is one of a piece to the last bit, so
-/// that nothing can be counted.
+/// Natural frequencies below ω (rad/s); none where that is one of a piece to the last bit, or
+/// beyond all measure, so that nothing can be counted.
 ///
 /// Node by node from the bit up, tubes are cut into parts so short that none of them has a
 /// natural frequency below ω with both ends held: J₀ = 0. A clamped beam has none where
@@ -36,7 +36,7 @@ pub fn below(
             let parts: Vec<_> = parts.collect();
             for (part, halvings) in (0..run.repeat).flat_map(|_| &parts) {
                 let ends = part.between_ends();
-                for _ in 0..1_u64 << halvings {
+                for _ in 0..1_u64.checked_shl(*halvings)? {
                     negative += negative_eigenvalues(ends.bottom + below);
                     // Next to a natural frequency of what is below, that opposes far more than
                     // the part: between its ends, no digits are lost to the difference. Far
@@ -57,6 +57,28 @@ pub fn below(
         SurfaceSupport::Clamped => 0,
     };
     (force.re.is_finite() && moment.re.is_finite()).then_some(negative)
+}
+
+/// Into how many parts that cuts the string.
+pub fn pieces(
+    string: &Drillstring,
+    bending: &Bending,
+    spans: &[SurroundedSpan],
+    omega: f64,
+) -> f64 {
+    let s = Complex64::new(0.0, omega);
+    let parts = spans.iter().flatten().flat_map(|surrounded| {
+        let around = surrounded.around;
+        let bending = bending.under(around.tension);
+        let runs = surrounded.runs.iter();
+        let tubes = runs.flat_map(|run| run.parts.iter().map(|tube| (run.repeat, tube)));
+        tubes.map(move |(repeat, tube)| {
+            let mass = string.mass_sideways(tube, around.hole_radius);
+            let (_, halvings) = short_part(&bending, tube, mass, s);
+            repeat as f64 * f64::from(halvings).exp2()
+        })
+    });
+    parts.sum()
 }
 
 /// Whether each entry of a block is smaller than that of another.

@@ -108,6 +108,19 @@ impl NaturalFrequencies {
         })
     }
 
+    /// Counts that finding one frequency takes, at most about: each halves where it may be.
+    pub const COUNTS: usize = 40;
+
+    /// Pieces that are gone through to count those below an angular frequency (rad/s).
+    pub fn pieces(&self, omega: f64) -> f64 {
+        match &self.motion {
+            Motion::Torsion => self.string.tubes().map(|(count, _)| count).sum(),
+            Motion::Bending { bending, spans, .. } => {
+                bending::pieces(&self.string, bending, spans, omega)
+            }
+        }
+    }
+
     /// Motions that nothing brings back: those as a rigid rod, and those in which the string
     /// buckles.
     ///
