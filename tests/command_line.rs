@@ -9,6 +9,8 @@ mod designs;
 mod manifest;
 #[path = "command_line/methods.rs"]
 mod methods;
+#[path = "command_line/modes.rs"]
+mod modes;
 #[path = "command_line/new.rs"]
 mod new;
 #[path = "command_line/promises.rs"]

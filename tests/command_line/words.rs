@@ -167,6 +167,13 @@ fn words_and_numbers_are_for_people() {
         for arguments in [
             &["run", "small.toml", "--dry-run"][..],
             &["inspect", "small.toml"],
+            &[
+                "inspect",
+                "small.toml",
+                "--modes",
+                "--orders",
+                "1,2,3,4,6,12",
+            ],
             &["simulate", "small.toml"],
             &["run", "small.toml"],
             &["run", "small.toml"],

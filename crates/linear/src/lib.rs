@@ -47,7 +47,9 @@
 //! | how far responses are from the exact ones | [`deviation`] |
 //! | the string in pieces, for torques at many places | [`cascade`] |
 //! | the well, how the string presses on its wall, and what pulls it | [`well`] |
-//! | natural frequencies in bending, and buckling | [`bending_modes`] |
+//! | buckling, by finite elements | [`bending_modes`] |
+//! | natural frequencies and mode shapes without damping | [`natural_frequencies`] |
+//! | torsional modes with damping and drive | [`modes`] |
 //! | Eqs. 59–61: what a simulation needs | [`mod@responses`], by [`Channel`] and [`Port`] |
 //!
 //! ```
@@ -90,6 +92,7 @@ pub mod estimates;
 pub mod filters;
 pub mod method;
 pub mod modes;
+pub mod natural_frequencies;
 pub mod passivity;
 pub mod pulse;
 pub mod responses;

@@ -7,6 +7,7 @@ use num_complex::Complex64;
 
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
+use crate::estimates::torsional_decay_rate;
 use crate::sites::Sites;
 use crate::waves::network::TorsionNetwork;
 
@@ -58,18 +59,8 @@ pub fn torsional_modes(
 ) -> Result<Vec<TorsionalMode>, BuildError> {
     let network = TorsionNetwork::new(string, &Sites::bit())?;
     let guesses = lumped_poles(string, (LUMPS_PER_MODE * most).max(FEWEST_LUMPS))?;
-    let mut poles: Vec<Complex64> = Vec::new();
-    for guess in guesses.into_iter().take(2 * most) {
-        // Of two poles close to one another, both guesses would find the same one: those that
-        // are known, and their mirror images, are divided out.
-        let others = |s: Complex64| {
-            let known = poles.iter().map(|pole| (s - pole) * (s - pole.conj()));
-            network.characteristic(s) / known.product::<Complex64>()
-        };
-        if let Some(pole) = zero_near(&others, guess) {
-            poles.push(pole);
-        }
-    }
+    let found = poles_near(&network, guesses.into_iter().take(2 * most));
+    let mut poles: Vec<Complex64> = found.into_iter().flatten().collect();
     poles.retain(|pole| pole.im > SWINGS * pole.norm());
     poles.sort_by(|one, other| one.im.total_cmp(&other.im));
     poles.truncate(most);
@@ -77,6 +68,59 @@ pub fn torsional_modes(
         .into_iter()
         .map(|pole| TorsionalMode { pole })
         .collect())
+}
+
+/// The mode with damping of each natural frequency without it (rad/s, from the lowest up), of the
+/// string with its surface held, whatever its drive; none where damping is so strong that it does
+/// not swing, or leads to the pole of another.
+///
+/// # Errors
+/// Where the string cannot be cut up.
+pub fn damped_modes(
+    string: &Drillstring,
+    frequencies: &[f64],
+) -> Result<Vec<Option<TorsionalMode>>, BuildError> {
+    let (sections, damping) = (string.sections().to_vec(), string.torsional_damping());
+    let held = Drillstring::new(string.material(), sections, damping)?;
+    let network = TorsionNetwork::new(&held, &Sites::bit())?;
+    let decay = torsional_decay_rate(&held);
+    // That of a uniform string: |s| is the frequency without damping.
+    let guesses = frequencies.iter().map(|&frequency| {
+        let swings = (frequency * frequency - decay * decay).max(0.0).sqrt();
+        Complex64::new(-decay, swings)
+    });
+    let found = poles_near(&network, guesses);
+    let is_its_own = |pole: &Complex64, own: f64| {
+        let far = (pole.norm() - own).abs();
+        let mut others = frequencies.iter().filter(|other| **other != own);
+        pole.im > SWINGS * pole.norm() && others.all(|other| far < (pole.norm() - other).abs())
+    };
+    let own = frequencies.iter().zip(found);
+    let modes = own.map(|(&own, pole)| {
+        let pole = pole.filter(|pole| is_its_own(pole, own))?;
+        Some(TorsionalMode { pole })
+    });
+    Ok(modes.collect())
+}
+
+/// The pole that each guess leads to.
+fn poles_near(
+    network: &TorsionNetwork<'_>,
+    guesses: impl Iterator<Item = Complex64>,
+) -> Vec<Option<Complex64>> {
+    let mut poles: Vec<Complex64> = Vec::new();
+    let find = |guess: Complex64| {
+        // Of two poles close to one another, both guesses would find the same one: those that
+        // are known, and their mirror images, are divided out.
+        let others = |s: Complex64| {
+            let known = poles.iter().map(|pole| (s - pole) * (s - pole.conj()));
+            network.characteristic(s) / known.product::<Complex64>()
+        };
+        let pole = zero_near(&others, guess);
+        poles.extend(pole);
+        pole
+    };
+    guesses.map(find).collect()
 }
 
 /// A zero of a function by the secant rule.

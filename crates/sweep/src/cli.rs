@@ -72,7 +72,8 @@ pub enum Command {
         labels.csv. Exit code 3 where it has no answer, as in failures.csv.")]
     Simulate(SimulateArguments),
     /// Show the linear system: stiffness, times, taps, stability, cost
-    #[command(after_help = "Example:\n  sweep inspect sweeps/fig09.toml")]
+    #[command(after_help = "Examples:\n  sweep inspect sweeps/fig09.toml\n  \
+        sweep inspect sweeps/well_12in.toml --modes --orders 1,3,6")]
     Inspect(InspectArguments),
     /// Draw the regime map of a results folder again
     #[command(after_help = "Example:\n  sweep plot results/fig09")]
@@ -275,9 +276,29 @@ pub struct SimulateArguments {
 pub struct InspectArguments {
     /// The sweep file
     pub file: PathBuf,
-    /// Folder for the picture [default: results/NAME, by the name of the sweep file]
+    /// Folder for the pictures [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
     pub out: Option<PathBuf>,
+    /// Show natural frequencies, critical speeds and shapes of the N lowest modes [default N: 6]
+    #[arg(
+        long,
+        value_name = "N",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "6",
+        value_parser = clap::value_parser!(u8).range(1..=30)
+    )]
+    pub modes: Option<u8>,
+    /// With --modes: what shakes the string, in multiples of its surface speed
+    #[arg(
+        long,
+        value_name = "ORDERS",
+        value_delimiter = ',',
+        default_value = "1,2,3",
+        requires = "modes",
+        value_parser = parse_order
+    )]
+    pub orders: Vec<f64>,
     #[command(flatten)]
     pub work: WorkArguments,
 }
@@ -406,6 +427,12 @@ fn parse_width(text: &str) -> Result<f64, String> {
     let is_width = |width: &f64| (1e-5..1.0).contains(width);
     let width = text.parse().ok().filter(is_width);
     width.ok_or_else(|| format!("`{text}` is not a part between 0.00001 and 1"))
+}
+
+fn parse_order(text: &str) -> Result<f64, String> {
+    let is_order = |order: &f64| (0.01..=1000.0).contains(order);
+    let order = text.trim().parse().ok().filter(is_order);
+    order.ok_or_else(|| format!("`{text}` is not a multiple from 0.01 to 1000"))
 }
 
 fn parse_axis(name: &str) -> Result<Axis, String> {

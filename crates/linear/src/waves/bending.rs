@@ -24,6 +24,16 @@ const POWERS: usize = 26;
 /// Dynamic stiffness of one uniform tube at the Laplace variable `s` (rad/s), of a mass per
 /// length (kg/m).
 pub fn uniform<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) -> Beam<T> {
+    let (mut stiffness, halvings) = short_part(bending, tube, mass, s);
+    for _ in 0..halvings {
+        stiffness = stiffness.join(stiffness);
+    }
+    stiffness
+}
+
+/// That of the part of a tube that is left after halving it so many times, until its waves
+/// turn by no more than [`SHORT`].
+pub fn short_part<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) -> (Beam<T>, u32) {
     let rigidity = bending.youngs_modulus * tube.second_moment();
     // E I x⁗ + C x″ + q x = 0 (Eq. 20).
     let q = s * (s * mass + bending.damping);
@@ -41,11 +51,7 @@ pub fn uniform<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) -> Be
         turns,
         ..scaled(&short_beam(compression, foundation), rigidity, length)
     };
-    let mut stiffness = Beam::of(short);
-    for _ in 0..halvings {
-        stiffness = stiffness.join(stiffness);
-    }
-    stiffness
+    (Beam::of(short), halvings)
 }
 
 /// What a solution of x⁗ + p x″ + Q x = 0 on (0, 1) with x^(j)(0)/j! = 1, and the other

@@ -8,6 +8,7 @@
 //! curves. Both take plain data and return a [`Picture`]; writing files is left
 //! to the caller.
 
+mod campbell;
 mod canvas;
 mod cells;
 mod colours;
@@ -17,6 +18,7 @@ mod grounds;
 mod hatching;
 mod legend;
 mod map;
+mod multiples;
 mod names;
 mod numbers;
 mod orbits;
@@ -29,10 +31,12 @@ mod scatter;
 mod symbols;
 mod text;
 
+pub use campbell::{CampbellPanel, campbell};
 pub use cells::{CellPanel, ChartCell, Seen, cell_chart};
 pub use grounds::{Ground, Part};
 pub use legend::Series;
 pub use map::{Band, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_sheet};
+pub use multiples::{Multiple, multiples};
 pub use orbits::{Orbit, orbits};
 pub use panels::{Panel, panels};
 pub use picture::Picture;

@@ -3,6 +3,7 @@
 
 mod axial_force;
 mod description;
+mod modes;
 mod responses;
 mod top_drive;
 
@@ -25,6 +26,7 @@ use axial_force::describe_axial_force;
 use description::{
     describe_left_out, describe_methods, describe_string, describe_well, describe_work,
 };
+use modes::show_modes;
 use responses::response_picture;
 use top_drive::DriveView;
 
@@ -55,11 +57,16 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         save_picture(&folder, "top_drive", &drive.picture(&sweep.title)?)?;
         pictures += &format!("picture: {}\n", folder.join("top_drive.png").display());
     }
+    let modes = match arguments.modes {
+        Some(count) => show_modes(&sweep, count.into(), &arguments.orders, &folder)?,
+        None => String::new(),
+    };
     say(&[
         describe_string(&sweep),
         describe_well(&sweep),
         describe_axial_force(&sweep)?,
         (drive.as_ref()).map_or_else(String::new, |drive| drive.words(sweep.content.units)),
+        modes,
         describe_methods(&systems, sweep.content.units),
         describe_left_out(&sweep),
         describe_work(&sweep, &survey, &systems),

@@ -1,0 +1,220 @@
+//! The frequencies themselves, by bisection on their count.
+
+use rayon::prelude::*;
+
+use super::{bending, torsion};
+use crate::channel::Channel;
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::error::BuildError;
+use crate::sites::Sites;
+use crate::spans::SurroundedSpan;
+
+/// A frequency is known to this part of it; two that differ by less are equal.
+const SAME_FREQUENCY: f64 = 1e-10;
+
+/// What is slower than this part of the slowest that stiffness could bring back is brought back
+/// by nothing.
+const NOTHING: f64 = 1e-2;
+
+/// Numbers next to one another that are tried where nothing can be counted at one.
+const TRIES: usize = 8;
+
+/// A string without damping whose natural frequencies are counted.
+#[derive(Debug, Clone)]
+pub struct NaturalFrequencies {
+    pub(super) string: Drillstring,
+    pub(super) motion: Motion,
+    /// Nothing that is brought back swings more slowly, rad/s.
+    slowest: f64,
+}
+
+/// How it swings.
+#[derive(Debug, Clone)]
+pub(super) enum Motion {
+    Torsion,
+    Bending {
+        bending: Bending,
+        support: SurfaceSupport,
+        /// The string cut where what is around it changes.
+        spans: Vec<SurroundedSpan>,
+    },
+}
+
+/// Frequencies (rad/s) between which some are, with how many are below either.
+#[derive(Debug, Clone, Copy)]
+struct Bracket {
+    ends: [f64; 2],
+    below: [usize; 2],
+}
+
+impl NaturalFrequencies {
+    /// Those of a string in torsion, its surface held, whatever its drive and damping.
+    ///
+    /// # Errors
+    /// Where the string cannot be cut up.
+    pub fn torsion(string: &Drillstring) -> Result<Self, BuildError> {
+        let sections = string.sections().to_vec();
+        let string = Drillstring::new(string.material(), sections, 0.0)?;
+        Ok(Self {
+            slowest: NOTHING * torsion::least(&string),
+            string,
+            motion: Motion::Torsion,
+        })
+    }
+
+    /// Those of a string in bending, whatever its damping, under its axial force and in its mud.
+    ///
+    /// # Errors
+    /// Where it cannot bend so.
+    pub fn bending(
+        string: &Drillstring,
+        bending: &Bending,
+        support: SurfaceSupport,
+    ) -> Result<Self, BuildError> {
+        bending.check()?;
+        let undamped = Bending {
+            damping: 0.0,
+            ..*bending
+        };
+        Ok(Self {
+            slowest: NOTHING * bending::least(string, &undamped),
+            string: string.clone(),
+            motion: Motion::Bending {
+                bending: undamped,
+                support,
+                spans: string.surrounded_spans(Channel::Bending, &Sites::bit())?,
+            },
+        })
+    }
+
+    /// Natural frequencies below an angular frequency (rad/s, positive), among them the motions
+    /// that nothing brings back.
+    ///
+    /// # Errors
+    /// Where the string's constants are so extreme that its waves have no size.
+    pub fn below(&self, omega: f64) -> Result<usize, BuildError> {
+        let count = |omega: f64| match &self.motion {
+            Motion::Torsion => torsion::below(&self.string, omega),
+            Motion::Bending {
+                bending,
+                support,
+                spans,
+            } => bending::below(&self.string, (bending, *support), spans, omega),
+        };
+        let tried = std::iter::successors(Some(omega), |omega| Some(omega.next_up()));
+        let mut counts = tried.take(TRIES).filter_map(count);
+        counts.next().ok_or(BuildError::NotFinite {
+            method: "exact waves",
+        })
+    }
+
+    /// Counts that finding one frequency takes, at most about: each halves where it may be.
+    pub const COUNTS: usize = 40;
+
+    /// Pieces that are gone through to count those below an angular frequency (rad/s).
+    pub fn pieces(&self, omega: f64) -> f64 {
+        match &self.motion {
+            Motion::Torsion => self.string.tubes().map(|(count, _)| count).sum(),
+            Motion::Bending { bending, spans, .. } => {
+                bending::pieces(&self.string, bending, spans, omega)
+            }
+        }
+    }
+
+    /// Motions that nothing brings back: those as a rigid rod, and those in which the string
+    /// buckles.
+    ///
+    /// # Errors
+    /// As [`NaturalFrequencies::below`].
+    pub fn unrestored(&self) -> Result<usize, BuildError> {
+        self.below(self.slowest)
+    }
+
+    /// All natural frequencies below an angular frequency (rad/s), from the lowest up, rad/s,
+    /// without those motions that nothing brings back; equal ones as often as they are there.
+    ///
+    /// # Errors
+    /// As [`NaturalFrequencies::below`].
+    pub fn all_below(&self, omega: f64) -> Result<Vec<f64>, BuildError> {
+        let ends = [self.slowest, omega.max(self.slowest)];
+        let below = [self.below(ends[0])?, self.below(ends[1])?];
+        let mut brackets = vec![Bracket { ends, below }];
+        brackets.retain(Bracket::has_some);
+        while brackets.iter().any(Bracket::is_wide) {
+            let halves = brackets.into_par_iter().map(|it| self.halved(it));
+            brackets = halves.collect::<Result<Vec<_>, _>>()?.concat();
+        }
+        let found = brackets.iter().flat_map(|bracket| {
+            let [low, high] = bracket.ends;
+            let [before, after] = bracket.below;
+            std::iter::repeat_n(0.5 * (low + high), after - before)
+        });
+        Ok(found.collect())
+    }
+
+    /// So many of the lowest natural frequencies, rad/s, as [`NaturalFrequencies::all_below`] has
+    /// them.
+    ///
+    /// # Errors
+    /// As [`NaturalFrequencies::below`].
+    pub fn lowest(&self, count: usize) -> Result<Vec<f64>, BuildError> {
+        let wanted = self.unrestored()? + count;
+        let mut high = 2.0 * self.slowest;
+        while self.below(high)? < wanted {
+            high *= 2.0;
+        }
+        let mut found = self.all_below(high)?;
+        found.truncate(count);
+        Ok(found)
+    }
+
+    fn halved(&self, bracket: Bracket) -> Result<Vec<Bracket>, BuildError> {
+        if !bracket.is_wide() {
+            return Ok(vec![bracket]);
+        }
+        let ([low, high], [before, after]) = (bracket.ends, bracket.below);
+        let middle = if high > 4.0 * low {
+            (low * high).sqrt()
+        } else {
+            0.5 * (low + high)
+        };
+        // Where several meet, rounding may take or give one on its own.
+        let between = self.below(middle)?.clamp(before, after);
+        let lower = Bracket {
+            ends: [low, middle],
+            below: [before, between],
+        };
+        let upper = Bracket {
+            ends: [middle, high],
+            below: [between, after],
+        };
+        let halves = [lower, upper].into_iter();
+        Ok(halves.filter(Bracket::has_some).collect())
+    }
+}
+
+impl Bracket {
+    fn has_some(&self) -> bool {
+        self.below[0] < self.below[1]
+    }
+
+    fn is_wide(&self) -> bool {
+        let [low, high] = self.ends;
+        high - low > SAME_FREQUENCY * high
+    }
+}
+
+/// The lateral natural frequencies below an angular frequency (rad/s), from the lowest up,
+/// rad/s: an eccentric string that turns as fast as one of them is at a critical speed. No
+/// contact with the borehole wall holds it.
+///
+/// # Errors
+/// Where the string cannot bend so.
+pub fn lateral_frequencies_below(
+    string: &Drillstring,
+    bending: &Bending,
+    support: SurfaceSupport,
+    omega: f64,
+) -> Result<Vec<f64>, BuildError> {
+    NaturalFrequencies::bending(string, bending, support)?.all_below(omega)
+}

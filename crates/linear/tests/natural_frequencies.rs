@@ -1,0 +1,466 @@
+//! Validation of natural frequencies counted by exact waves: closed forms of shafts and beams,
+//! elements beside them, and the modes of damped strings.
+
+use std::f64::consts::PI;
+
+use linear::bending_modes::BendingModes;
+use linear::estimates::torsional_impedance;
+use linear::modes::{damped_modes, torsional_modes};
+use linear::natural_frequencies::{NaturalFrequencies, lateral_frequencies_below};
+use linear::well::HangingString;
+use linear::{
+    AxialForce, Bending, Drillstring, Hole, HoleSection, Mud, Section, SurfaceSupport, Tube,
+};
+use problems::academic::BENDING;
+use problems::pipes::{STEEL, pipe, row};
+use proptest::prelude::*;
+
+/// Bisection ends at a part of 1e-10.
+const SAME: f64 = 2e-10;
+
+fn of(sections: Vec<Section>) -> Drillstring {
+    Drillstring::new(STEEL, sections, 3.0).unwrap()
+}
+
+fn one(parts: Vec<Tube>) -> Drillstring {
+    of(vec![Section { repeat: 1, parts }])
+}
+
+fn solid(length: f64, outer_radius: f64) -> Tube {
+    Tube {
+        length,
+        inner_radius: 0.0,
+        outer_radius,
+    }
+}
+
+fn is_close(found: f64, expected: f64, part: f64) -> bool {
+    (found / expected - 1.0).abs() < part
+}
+
+/// A root of a function between two places where it has different signs.
+fn root(mut low: f64, mut high: f64, function: impl Fn(f64) -> f64) -> f64 {
+    let negative_first = function(low) < 0.0;
+    assert_ne!(negative_first, function(high) < 0.0, "{low} {high}");
+    while high - low > 1e-14 * high {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if (function(middle) < 0.0) == negative_first {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+/// ω = (n − ½)πc/L, however the shaft is cut up.
+#[test]
+fn a_uniform_shaft_swings_in_odd_quarter_waves() {
+    for string in [
+        row(1, 0.0),
+        row(100, 20.0),
+        row(500, 0.0),
+        one(vec![pipe(3000.0)]),
+    ] {
+        let unit = PI * string.torsional_wave_speed() / string.length();
+        let found = NaturalFrequencies::torsion(&string)
+            .unwrap()
+            .lowest(60)
+            .unwrap();
+        assert_eq!(found.len(), 60);
+        for (index, found) in found.iter().enumerate() {
+            let expected = (index as f64 + 0.5) * unit;
+            assert!(
+                is_close(*found, expected, SAME),
+                "{index}: {found} {expected}"
+            );
+        }
+    }
+}
+
+/// With equal travel times tan²(kl) = Z₁/Z₂: two in every half turn.
+#[test]
+fn a_shaft_of_two_impedances_swings_as_its_tangent_says() {
+    let (upper, lower) = (solid(700.0, 0.06), solid(700.0, 0.09));
+    let string = one(vec![upper, lower]);
+    let ratio = torsional_impedance(&string, &upper) / torsional_impedance(&string, &lower);
+    let first = ratio.sqrt().atan();
+    let found = NaturalFrequencies::torsion(&string)
+        .unwrap()
+        .lowest(40)
+        .unwrap();
+    for (index, omega) in found.iter().enumerate() {
+        let half_turns = (index / 2) as f64 * PI;
+        let turns = if index % 2 == 0 { first } else { PI - first };
+        let expected = (half_turns + turns) * string.torsional_wave_speed() / 700.0;
+        assert!(
+            is_close(*omega, expected, SAME),
+            "{index}: {omega} {expected}"
+        );
+    }
+}
+
+/// kL tan kL = J_shaft/J_tip: one in every half turn.
+#[test]
+fn a_tip_inertia_slows_a_shaft() {
+    let (shaft, tip) = (solid(800.0, 0.05), solid(0.01, 4.0));
+    let string = one(vec![shaft, tip]);
+    let ratio = shaft.polar_moment() * shaft.length / (tip.polar_moment() * tip.length);
+    assert!((0.001..0.1).contains(&ratio), "{ratio}");
+    let found = NaturalFrequencies::torsion(&string)
+        .unwrap()
+        .lowest(20)
+        .unwrap();
+    for (index, omega) in found.iter().enumerate() {
+        let low = index as f64 * PI;
+        let turns = root(low + 1e-9, low + 0.5 * PI - 1e-9, |turns| {
+            turns * turns.tan() - ratio
+        });
+        let expected = turns * string.torsional_wave_speed() / shaft.length;
+        assert!(
+            is_close(*omega, expected, 1e-8),
+            "{index}: {omega} {expected}"
+        );
+    }
+}
+
+/// (kL) of uniform beams, their lower end free, by 1/cosh so that nothing overflows.
+fn beam_root(support: SurfaceSupport, index: usize) -> f64 {
+    let (middle, function): (f64, fn(f64) -> f64) = match support {
+        // cosh cos = 1
+        SurfaceSupport::Free => (1.5, |x| x.cos() - 1.0 / x.cosh()),
+        // tan = tanh
+        SurfaceSupport::Pinned => (1.25, |x| x.sin() - x.cos() * x.tanh()),
+        // cosh cos = −1
+        SurfaceSupport::Clamped => (0.5, |x| x.cos() + 1.0 / x.cosh()),
+    };
+    let middle = (index as f64 + middle) * PI;
+    root(middle - 1.0, middle + 1.0, function)
+}
+
+#[test]
+fn uniform_beams_have_the_roots_of_cosh_cos() {
+    for (length, pipes) in [(10.0, 1), (100.0, 10), (5000.0, 1), (5000.0, 500)] {
+        let part = pipe(length / pipes as f64);
+        let parts = vec![part];
+        let string = of(vec![Section {
+            repeat: pipes,
+            parts,
+        }]);
+        let rigidity = BENDING.youngs_modulus * part.second_moment();
+        let unit = (rigidity / (STEEL.density * part.area())).sqrt() / length.powi(2);
+        for (support, unrestored) in [
+            (SurfaceSupport::Free, 2),
+            (SurfaceSupport::Pinned, 1),
+            (SurfaceSupport::Clamped, 0),
+        ] {
+            let modes = NaturalFrequencies::bending(&string, &BENDING, support).unwrap();
+            assert_eq!(
+                modes.unrestored().unwrap(),
+                unrestored,
+                "{length} {support:?}"
+            );
+            for (index, found) in modes.lowest(50).unwrap().into_iter().enumerate() {
+                let expected = unit * beam_root(support, index).powi(2);
+                let told = format!("{length} {pipes} {support:?} {index}: {found} {expected}");
+                assert!(is_close(found, expected, 1e-8), "{told}");
+            }
+        }
+    }
+}
+
+/// Pinned at the top, free below and pulled: with w = A sinh αx + B sin βx, α² − β² = T/(E I) and
+/// ω² = E I α²β²/m, neither moment nor force at the end gives β³ tan βL = α³ tanh αL.
+#[test]
+fn tension_pulls_a_beam_straight_as_its_closed_form_says() {
+    for (length, tension) in [(30.0, 1e5), (1000.0, 2e4), (1000.0, 1e6), (4000.0, 1e6)] {
+        let string = of(vec![Section {
+            repeat: 10,
+            parts: vec![pipe(length / 10.0)],
+        }]);
+        let part = pipe(length);
+        let rigidity = BENDING.youngs_modulus * part.second_moment();
+        let mass = STEEL.density * part.area();
+        let pulled = Bending {
+            compression: -tension,
+            ..BENDING
+        };
+        let pinned = SurfaceSupport::Pinned;
+        // As a pre-compression, or as an axial force.
+        let under = vec![AxialForce { length, tension }];
+        let hung = string.clone().under_axial_force(under).unwrap();
+        let modes = NaturalFrequencies::bending(&string, &pulled, pinned).unwrap();
+        let other = NaturalFrequencies::bending(&hung, &BENDING, pinned).unwrap();
+        assert_eq!(modes.unrestored().unwrap(), 0);
+        let found = modes.lowest(40).unwrap();
+        let other = other.lowest(40).unwrap();
+        let mut both = found.iter().zip(&other);
+        assert!(both.all(|(one, other)| is_close(*one, *other, SAME)));
+        for (index, omega) in found.into_iter().enumerate() {
+            let alpha = |beta: f64| (beta * beta + tension / rigidity).sqrt();
+            let off = |turns: f64| {
+                let beta = turns / length;
+                let (sine, cosine) = turns.sin_cos();
+                let alpha = alpha(beta);
+                (beta / alpha).powi(3) * sine - cosine * (alpha * length).tanh()
+            };
+            let low = index as f64 * PI;
+            let beta = root(low, low + 0.5 * PI, off) / length;
+            let expected = alpha(beta) * beta * (rigidity / mass).sqrt();
+            assert!(
+                is_close(omega, expected, 1e-8),
+                "{length} {index}: {omega} {expected}"
+            );
+        }
+    }
+}
+
+/// A heavy piece between two shafts, the upper twice as long: all odd modes of the upper have one
+/// of the lower beside them, nearer the heavier the piece.
+#[test]
+fn pairs_are_found_however_close_they_are() {
+    for (radius, nearer) in [(2.0, 1e-2), (8.0, 1e-4), (60.0, 1e-7), (400.0, SAME)] {
+        let parts = vec![solid(1000.0, 0.06), solid(0.1, radius), solid(500.0, 0.06)];
+        let string = one(parts);
+        let unit = PI * string.torsional_wave_speed() / 1000.0;
+        let modes = NaturalFrequencies::torsion(&string).unwrap();
+        // One is the slow swing of the heavy piece itself.
+        let found = modes.lowest(31).unwrap();
+        let near = |frequency: f64| {
+            let close = found.iter().filter(|it| is_close(**it, frequency, nearer));
+            close.count()
+        };
+        for mode in 1..20 {
+            let expected = if mode % 2 == 1 { 2 } else { 1 };
+            assert_eq!(near(f64::from(mode) * unit), expected, "{radius} {mode}");
+        }
+    }
+}
+
+/// As many are found below a frequency as are counted there, and none is counted twice.
+#[test]
+fn what_is_found_is_what_is_counted() {
+    let string = jointed(80, 12, 0.06);
+    let lateral = (SurfaceSupport::Free, 20.0);
+    let torsion = NaturalFrequencies::torsion(&string).unwrap();
+    let bending = NaturalFrequencies::bending(&string, &BENDING, lateral.0).unwrap();
+    for (modes, highest) in [(&torsion, 2000.0), (&bending, lateral.1)] {
+        let first = modes.unrestored().unwrap();
+        let found = modes.all_below(highest).unwrap();
+        assert!(found.len() > 50, "{}", found.len());
+        // By other steps of bisection.
+        for (one, other) in found.iter().zip(modes.lowest(found.len()).unwrap()) {
+            assert!(is_close(*one, other, SAME), "{one} {other}");
+        }
+        for (index, omega) in found.iter().enumerate() {
+            let below = |part: f64| modes.below(part * omega).unwrap();
+            assert_eq!(below(1.0 - SAME), first + index, "{omega}");
+            assert_eq!(below(1.0 + SAME), first + index + 1, "{omega}");
+        }
+    }
+    let (support, highest) = lateral;
+    let same = lateral_frequencies_below(&string, &BENDING, support, highest).unwrap();
+    assert_eq!(same, bending.all_below(highest).unwrap());
+}
+
+/// sin((n − ½)πx/L) in torsion; a clamped beam is as its closed form says.
+#[test]
+fn uniform_strings_have_the_shapes_of_closed_forms() {
+    let string = row(30, 5.0);
+    let torsion = NaturalFrequencies::torsion(&string).unwrap();
+    for (index, omega) in torsion.lowest(8).unwrap().into_iter().enumerate() {
+        let shape = torsion.shape(omega, 121).unwrap();
+        for (depth, amplitude) in shape.depths.iter().zip(&shape.amplitudes) {
+            let along = ((index as f64 + 0.5) * PI * depth / 300.0).sin();
+            // The greatest is 1, wherever that is.
+            let off = (amplitude.abs() - along.abs()).abs();
+            assert!(off < 2e-5, "{index} {depth}: {amplitude} {along}");
+        }
+    }
+    let clamped = SurfaceSupport::Clamped;
+    let bending = NaturalFrequencies::bending(&string, &BENDING, clamped).unwrap();
+    for (index, omega) in bending.lowest(4).unwrap().into_iter().enumerate() {
+        let shape = bending.shape(omega, 61).unwrap();
+        let turns = beam_root(clamped, index);
+        let sigma = (turns.cosh() + turns.cos()) / (turns.sinh() + turns.sin());
+        let at = |x: f64| x.cosh() - x.cos() - sigma * (x.sinh() - x.sin());
+        for (depth, amplitude) in shape.depths.iter().zip(&shape.amplitudes) {
+            let expected = at(turns * depth / 300.0) / at(turns);
+            assert!(
+                (amplitude - expected).abs() < 2e-5,
+                "{index} {depth}: {amplitude} {expected}"
+            );
+        }
+    }
+}
+
+/// Pipe with joints, or without where their length is none, above collars.
+fn jointed(pipes: usize, collars: usize, radius: f64) -> Drillstring {
+    let tube = |length, outer_radius| Tube {
+        length,
+        inner_radius: 0.04,
+        outer_radius,
+    };
+    let pipes = Section {
+        repeat: pipes,
+        parts: vec![tube(9.5, radius), tube(0.5, 1.3 * radius)],
+    };
+    let collars = Section {
+        repeat: collars,
+        parts: vec![tube(9.0, 0.1)],
+    };
+    of(vec![pipes, collars])
+}
+
+/// Torsional natural frequencies below ω by the signs of pivots of two-node elements, consistent
+/// masses.
+fn below_by_elements(string: &Drillstring, longest: f64, omega: f64) -> usize {
+    let mut pivot = f64::INFINITY;
+    let mut negative = 0;
+    let material = string.material();
+    let mut carry = 0.0;
+    for section in string.sections() {
+        for tube in (0..section.repeat).flat_map(|_| &section.parts) {
+            let count = (tube.length / longest).ceil();
+            let length = tube.length / count;
+            let spring = material.shear_modulus * tube.polar_moment() / length;
+            let inertia = material.density * tube.polar_moment() * length * omega * omega;
+            let (own, cross) = (spring - inertia / 3.0, -spring - inertia / 6.0);
+            for _ in 0..count as usize {
+                // The node above has all it gets: that of the surface is held.
+                if pivot.is_finite() {
+                    pivot = carry + own;
+                    negative += usize::from(pivot < 0.0);
+                    carry = own - cross * cross / pivot;
+                } else {
+                    pivot = 0.0;
+                    carry = own;
+                }
+            }
+        }
+    }
+    negative + usize::from(carry < 0.0)
+}
+
+fn strings() -> impl Strategy<Value = Drillstring> {
+    (
+        (8usize..480, 1usize..25),
+        (0.05..0.08f64, 0.08..0.13f64),
+        prop::bool::ANY,
+    )
+        .prop_map(|((pipes, collars), (radius, collar), is_jointed)| {
+            let tube = |length, outer_radius| Tube {
+                length,
+                inner_radius: 0.04,
+                outer_radius,
+            };
+            let mut parts = vec![tube(9.5, radius)];
+            if is_jointed {
+                parts.push(tube(0.5, 1.3 * radius));
+            }
+            let pipes = Section {
+                repeat: pipes,
+                parts,
+            };
+            let collars = Section {
+                repeat: 1,
+                parts: vec![tube(9.0 * collars as f64, collar)],
+            };
+            of(vec![pipes, collars])
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 120, failure_persistence: None, ..Default::default() })]
+
+    /// Elements are a little too fast, by a twenty-fourth of the square of how far waves turn in
+    /// one; counts between are the same.
+    #[test]
+    fn torsion_is_that_of_elements(string in strings()) {
+        let modes = NaturalFrequencies::torsion(&string).unwrap();
+        for (index, omega) in modes.lowest(25).unwrap().into_iter().enumerate() {
+            let turns = omega * 1.0 / string.torsional_wave_speed();
+            let too_fast = turns * turns / 24.0;
+            prop_assert_eq!(below_by_elements(&string, 1.0, omega * (1.0 - 1e-8)), index);
+            let above = omega * (1.0 + 1.2 * too_fast + 1e-8);
+            prop_assert_eq!(below_by_elements(&string, 1.0, above), index + 1);
+        }
+    }
+
+    /// Between two modes of a torsional string lies one more place at rest (J. C. F. Sturm).
+    #[test]
+    fn each_torsional_mode_has_one_more_node(string in strings()) {
+        let modes = NaturalFrequencies::torsion(&string).unwrap();
+        for (index, omega) in modes.lowest(12).unwrap().into_iter().enumerate() {
+            let shape = modes.shape(omega, 401).unwrap();
+            let below = shape.amplitudes[1..].windows(2);
+            let nodes = below.filter(|pair| pair[0] * pair[1] < 0.0).count();
+            prop_assert_eq!(nodes, index);
+            let greatest = shape.amplitudes.iter().fold(0.0, |most: f64, it| most.max(it.abs()));
+            prop_assert_eq!(greatest, 1.0);
+        }
+    }
+
+    /// Elements take a little more to bend than the string, however it hangs; motions that
+    /// nothing brings back are as many.
+    #[test]
+    fn bending_is_that_of_elements(
+        string in strings(),
+        support in prop_oneof![
+            Just(SurfaceSupport::Free),
+            Just(SurfaceSupport::Pinned),
+            Just(SurfaceSupport::Clamped),
+        ],
+        hangs in prop::option::of(0.0..3e4f64),
+        hole in prop::option::of((0.1..0.9f64, 0.2..0.4f64, 0.2..0.4f64)),
+    ) {
+        let mut string = string;
+        if let Some(weight_on_bit) = hangs {
+            let force = HangingString::new(&string, None, None);
+            let force = force.axial_force(&BENDING, weight_on_bit, 1e-2);
+            string = string.under_axial_force(force).unwrap();
+        }
+        if let Some((part, above, below)) = hole {
+            let section = |part: f64, radius| HoleSection { length: part * string.length(), radius };
+            let sections = vec![section(part, above), section(1.0 - part, below)];
+            let mud = Mud { density: 1500.0 };
+            string = string.in_hole(Hole { sections, mud }).unwrap();
+        }
+        let exact = NaturalFrequencies::bending(&string, &BENDING, support).unwrap();
+        let elements = BendingModes::new(&string, &BENDING, support).unwrap();
+        let unrestored = exact.unrestored().unwrap();
+        let exact = exact.lowest(17).unwrap();
+        for index in [0, 1, 2, 4, 8, 16] {
+            let (omega, found) = (exact[index], elements.frequency(unrestored + index).unwrap());
+            // What rounding leaves to elements of the slowest motions, 1/s².
+            let off = (found * found - omega * omega).abs();
+            prop_assert!(off < 1e-3 * omega * omega + 1e-9, "{index}: {found} {omega}");
+        }
+    }
+
+    /// Every natural frequency has its pole, at the same |s| but for a part of the damping that is
+    /// not the same everywhere; those found from lumped inertias are among them.
+    #[test]
+    fn every_mode_has_its_pole(string in strings(), part in prop_oneof![1e-6..1e-3f64, 1e-3..0.3]) {
+        let exact = NaturalFrequencies::torsion(&string).unwrap().lowest(12).unwrap();
+        let tube = string.sections()[0].parts[0];
+        // The damping ratio of the first mode, were all of it pipe.
+        let damping = 2.0 * part * exact[0] * STEEL.density * tube.polar_moment();
+        let damped = Drillstring::new(STEEL, string.sections().to_vec(), damping).unwrap();
+        let modes = damped_modes(&damped, &exact).unwrap();
+        for (mode, omega) in modes.iter().zip(&exact) {
+            let pole = mode.unwrap().pole;
+            let off = (pole.norm() / omega - 1.0).abs();
+            prop_assert!(off < 2e-8 + 0.5 * part * part && pole.re < 0.0, "{pole} {omega}");
+        }
+        let lumped = torsional_modes(&damped, 12).unwrap();
+        prop_assert_eq!(lumped.len(), 12);
+        for (one, other) in lumped.iter().zip(&modes) {
+            let apart = (one.pole - other.unwrap().pole).norm();
+            prop_assert!(apart < 1e-6 * one.pole.norm(), "{one:?} {other:?}");
+        }
+    }
+}

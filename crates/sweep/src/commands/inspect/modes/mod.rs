@@ -1,0 +1,52 @@
+//! `--modes`: natural frequencies, the surface speeds at which a multiple meets one, and mode
+//! shapes.
+
+mod found;
+mod pictures;
+mod speeds;
+mod tables;
+mod words;
+
+use std::path::Path;
+
+use anyhow::Result;
+
+use crate::commands::drawing::save_picture;
+use crate::output::write_atomically;
+use crate::plan::Sweep;
+use found::find;
+use pictures::{campbell_picture, shape_picture};
+use speeds::Excitation;
+
+/// Finds the modes and says what is known of them, so many of the lowest in full; then writes
+/// tables and pictures.
+///
+/// # Errors
+/// Where that takes too long, or the files cannot be written.
+pub fn show_modes(sweep: &Sweep, count: usize, orders: &[f64], folder: &Path) -> Result<String> {
+    let excitation = Excitation::of(sweep, orders)?;
+    let found = find(sweep, count, &excitation)?;
+    for (name, table) in [
+        ("modes.csv", tables::modes(&found)?),
+        (
+            "critical_speeds.csv",
+            tables::critical_speeds(&found, &excitation)?,
+        ),
+        ("mode_shapes.csv", tables::shapes(&found)?),
+    ] {
+        write_atomically(&folder.join(name), &table)?;
+    }
+    let campbell = campbell_picture(&sweep.title, &found, &excitation)?;
+    save_picture(folder, "campbell", &campbell)?;
+    let units = sweep.content.units;
+    save_picture(
+        folder,
+        "mode_shapes",
+        &shape_picture(&sweep.title, &found, units)?,
+    )?;
+    let mut text = words::describe(sweep, &found, &excitation, count);
+    for name in ["campbell.png", "mode_shapes.png"] {
+        text += &format!("  picture: {}\n", folder.join(name).display());
+    }
+    Ok(text)
+}

@@ -1,0 +1,76 @@
+//! The modes in words and numbers.
+
+use linear::{Channel, SurfaceSupport};
+
+use super::found::Modes;
+use super::speeds::Excitation;
+use crate::plan::Sweep;
+use crate::words::{short, wrapped};
+
+/// So many of the lowest modes of each kind, and what is critical.
+pub fn describe(sweep: &Sweep, found: &[Modes], excitation: &Excitation, count: usize) -> String {
+    let mut text = "\nmodes without damping, bit free, no contact with the wall\n".to_owned();
+    for modes in found {
+        text += &format!("  {}, surface {}\n", modes.channel, surface(sweep, modes));
+        let damping = modes.damping.iter().flatten().map(|_| "damping".to_owned());
+        let orders = excitation.orders.iter();
+        let speeds = orders.map(|order| format!("rpm, {order}×"));
+        text += &line("mode", "Hz", speeds.chain(damping.take(1)));
+        let lowest = modes.frequencies.iter().zip(&modes.damping).take(count);
+        for (index, (&frequency, damping)) in lowest.enumerate() {
+            let speed = |order: &f64| short(Excitation::meets(*order, frequency));
+            let damping = damping.map(|ratio| format!("{:.2} %", 100.0 * ratio));
+            let cells = excitation.orders.iter().map(speed).chain(damping);
+            text += &line(&(index + 1).to_string(), &short(frequency), cells);
+        }
+        text += &further(modes, excitation);
+    }
+    text
+}
+
+/// Cells in columns, as wide for titles as for numbers.
+fn line(number: &str, frequency: &str, cells: impl Iterator<Item = String>) -> String {
+    let cells: String = cells.map(|cell| format!("{cell:<8} ")).collect();
+    let line = format!("    {number:<5}{frequency:<10}{cells}");
+    line.trim_end().to_owned() + "\n"
+}
+
+fn surface(sweep: &Sweep, modes: &Modes) -> &'static str {
+    let lateral = sweep.setting.lateral.as_ref();
+    match (modes.channel, lateral.map(|lateral| lateral.support)) {
+        (Channel::Torsion, _) => "held at its speed",
+        (Channel::Bending, Some(SurfaceSupport::Clamped)) => "clamped",
+        (Channel::Bending, Some(SurfaceSupport::Pinned)) => "pinned",
+        (Channel::Bending, Some(SurfaceSupport::Free) | None) => "free",
+    }
+}
+
+/// How many there are, and how many speeds are critical.
+fn further(modes: &Modes, excitation: &Excitation) -> String {
+    let [least, most] = excitation.speeds.map(short);
+    let below = |it: &&f64| **it < excitation.highest();
+    let excited = modes.frequencies.iter().filter(below).count() + modes.left_out;
+    let critical = excitation.orders.iter().map(|&order| {
+        let met = modes.frequencies.iter();
+        let met = met.filter(|it| excitation.critical(order, **it).is_some());
+        format!("{} by {order}×", met.count())
+    });
+    let critical = critical.collect::<Vec<_>>().join(", ");
+    let of = if excitation.are_of_sweep {
+        ", as in the sweep"
+    } else {
+        ""
+    };
+    let mut text = format!(
+        "{excited} below {} Hz; critical from {least} to {most} rpm{of}: {critical}",
+        short(excitation.highest())
+    );
+    if modes.left_out > 0 {
+        let listed = modes.frequencies.len();
+        text += &format!("; of these the {listed} lowest are listed and counted as critical");
+    }
+    if modes.unrestored > 0 {
+        text += &format!("; besides, {} that nothing brings back", modes.unrestored);
+    }
+    wrapped(&text, 4, 6)
+}

@@ -1,0 +1,178 @@
+//! Campbell diagrams: natural frequencies across, multiples of the speed upwards, and a mark
+//! wherever they meet.
+
+use super::canvas::{Canvas, Stroke, Title, draw_titled};
+use super::colours::GREY;
+use super::frame::{Frame, align_left};
+use super::geometry::Rect;
+use super::legend::{Key, Legend, Series, distinct, place_of};
+use super::panels::series_stroke;
+use super::picture::Picture;
+use super::scale::{Axis, Scale, visible};
+use super::symbols::draw_marker;
+use super::text::{Block, LABEL_SIZE, SMALL_SIZE};
+use anyhow::Result;
+use plotters::style::text_anchor::HPos;
+
+const WIDTH: f64 = 900.0;
+const PANEL_HEIGHT: f64 = 380.0;
+const MARGIN: f64 = 14.0;
+const GAP: f64 = 14.0;
+/// Room for the numbers of modes, to the right of a panel.
+const NUMBERS: f64 = 40.0;
+const MARKER_RADIUS: f64 = 3.2;
+/// Across all speeds.
+const NATURAL: Stroke = Stroke::solid(GREY, 0.9);
+
+/// The diagram of one way to swing.
+pub struct CampbellPanel {
+    /// Title above it.
+    pub title: String,
+    /// Speed and frequency; all panels share the range of speeds.
+    pub axes: [Axis; 2],
+    /// Natural frequencies, numbered from 1.
+    pub natural: Vec<f64>,
+    /// Each multiple of the speed, as a line.
+    pub orders: Vec<Series>,
+    /// Where a multiple of the same name meets a natural frequency.
+    pub crossings: Vec<Series>,
+}
+
+/// Draws panels one below another, with one title and one legend, in which all natural
+/// frequencies have a name.
+pub fn campbell(title: &str, natural: &str, panels: &[CampbellPanel]) -> Result<Picture> {
+    let orders = panels.iter().flat_map(|panel| &panel.orders);
+    let names = distinct(orders.map(|order| &order.name));
+    let lines = (names.iter().enumerate())
+        .map(|(index, name)| (Key::Line(order_stroke(index)), (*name).to_owned()));
+    let marks = (names.iter().enumerate())
+        .map(|(index, name)| (Key::Marker(index), format!("critical, {name}")));
+    let entries: Vec<_> = std::iter::once((Key::Line(NATURAL), natural.to_owned()))
+        .chain(lines)
+        .chain(marks)
+        .collect();
+    let texts: Vec<String> = entries.iter().map(|(_, text)| text.clone()).collect();
+    let keys = entries.into_iter().map(|(key, _)| key);
+    let legend = Legend::new(keys.zip(texts.iter().map(String::as_str)))?;
+    let title = Title::new(title, WIDTH, MARGIN)?;
+    let top = title.bottom();
+    let height = top + (panels.len() as f64 * PANEL_HEIGHT).max(legend.height()) + MARGIN;
+    let legend_left = WIDTH - MARGIN - legend.width();
+    let frames = frames(panels, top, legend_left - NUMBERS)?;
+    draw_titled(&title, height, |canvas| {
+        for (panel, frame) in panels.iter().zip(&frames) {
+            draw_panel(canvas, panel, frame, &names)?;
+        }
+        legend.draw(canvas, legend_left, top)
+    })
+}
+
+/// Dashes and colours of multiples.
+fn order_stroke(index: usize) -> Stroke {
+    Stroke {
+        width: 1.8,
+        ..series_stroke(index)
+    }
+}
+
+fn frames(panels: &[CampbellPanel], top: f64, right: f64) -> Result<Vec<Frame>> {
+    let all = panels.iter().flat_map(shown).map(|(x, _)| x);
+    let x = Scale::new(false, all);
+    let mut frames = Vec::with_capacity(panels.len());
+    for (index, panel) in panels.iter().enumerate() {
+        let top = top + index as f64 * PANEL_HEIGHT;
+        let outer = Rect {
+            left: MARGIN,
+            top: top + LABEL_SIZE + GAP / 2.0,
+            right,
+            bottom: top + PANEL_HEIGHT - GAP,
+        };
+        let shown = shown(panel).map(|(_, y)| y);
+        let y = Scale::new(
+            false,
+            shown.chain([0.0]).chain(panel.natural.iter().copied()),
+        );
+        frames.push(Frame::new(outer, &panel.axes, [x, y])?);
+    }
+    align_left(&mut frames, 1);
+    Ok(frames)
+}
+
+fn shown(panel: &CampbellPanel) -> impl Iterator<Item = (f64, f64)> {
+    let points = panel.orders.iter().flat_map(|order| &order.points);
+    visible(&panel.axes, points.copied())
+}
+
+fn draw_panel(
+    canvas: &mut Canvas,
+    panel: &CampbellPanel,
+    frame: &Frame,
+    names: &[&str],
+) -> Result<()> {
+    frame.draw(canvas)?;
+    let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width())?;
+    let above = frame.area.top - GAP / 2.0 - 2.0;
+    canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
+    draw_natural(canvas, panel, frame)?;
+    for order in &panel.orders {
+        let stroke = order_stroke(place_of(&order.name, names));
+        for piece in frame.curve(&order.points) {
+            canvas.line(&piece, stroke)?;
+        }
+    }
+    for order in &panel.crossings {
+        let kind = place_of(&order.name, names);
+        for pixel in order.points.iter().filter_map(|&point| frame.pixel(point)) {
+            draw_marker(canvas, kind, pixel, MARKER_RADIUS)?;
+        }
+    }
+    Ok(())
+}
+
+/// Lines of natural frequencies, numbered where there is room.
+fn draw_natural(canvas: &mut Canvas, panel: &CampbellPanel, frame: &Frame) -> Result<()> {
+    let Rect { left, right, .. } = frame.area;
+    let mut free_below = f64::INFINITY;
+    for (index, &frequency) in panel.natural.iter().enumerate() {
+        let Some(y) = frame.pixel_y(frequency) else {
+            continue;
+        };
+        canvas.line(&[(left, y), (right, y)], NATURAL)?;
+        if y <= free_below {
+            let number = Block::new(&(index + 1).to_string(), SMALL_SIZE, NUMBERS)?;
+            canvas.text(&number, right + GAP / 2.0, y, HPos::Left)?;
+            free_below = y - 1.2 * SMALL_SIZE;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::canvas::tests::assert_text_inside;
+    use super::*;
+
+    #[test]
+    fn lines_are_numbered_only_where_there_is_room() {
+        let series = |points| {
+            vec![Series {
+                name: "1×".to_owned(),
+                points,
+            }]
+        };
+        let panel = |natural: Vec<f64>| CampbellPanel {
+            title: "Torsion".to_owned(),
+            axes: ["Surface speed Ω (rpm)", "Frequency f (Hz)"].map(Axis::linear),
+            crossings: series(natural.iter().map(|at| (60.0 * at, *at)).collect()),
+            natural,
+            orders: series(vec![(0.0, 0.0), (120.0, 2.0)]),
+        };
+        let dense = (1..=200).map(|index| 0.01 * f64::from(index)).collect();
+        let panels = [panel(vec![0.4, 1.2]), panel(dense)];
+        let picture = campbell("A string", "natural frequency", &panels).expect("drawn");
+        assert_text_inside(&picture);
+        assert_eq!(picture.svg.matches("<circle").count(), 2 + 200 + 1);
+        let numbers = picture.svg.matches("<text").count();
+        assert!((30..60).contains(&numbers), "{numbers}");
+    }
+}
