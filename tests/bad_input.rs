@@ -336,7 +336,7 @@ fn a_key_of_another_kind_of_design_is_refused() {
         "grid" => "grid"⏎file = "a.csv" | design.file | does not belong to this kind of design
         "grid" => "list"⏎file = "a.csv" | design.axes | does not belong to this kind of design | [design.axes]
         "grid" => "grid"⏎points = "sobol" | design.points | does not belong to this kind of design
-        "grid" => "random" | design.kind | known here: grid, monte-carlo, list, sensitivity
+        "grid" => "random" | design.kind | known here: grid, monte-carlo, list, sensitivity, trace
         "grid" => "sensitivity" | design | needs `cases`, how many to draw | [design]
         "grid" => "sensitivity"⏎cases = 9 | design.axes.surface_speed_rpm | a random axis has `from` and `to` | count = 3
         "grid" => "monte-carlo"⏎cases = 9⏎points = "halton" | design.points | known here: random, sobol

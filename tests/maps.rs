@@ -381,3 +381,33 @@ fn marks_of_a_base_outside_of_the_range_are_told_and_do_not_stretch_the_axes() {
         "{words}"
     );
 }
+
+/// [`SPEED_AND_WEIGHT`] with a measure as colour.
+fn coloured(measure: &str) -> String {
+    format!("{SPEED_AND_WEIGHT}[map]\ncolour = {measure:?}\n")
+}
+
+#[test]
+fn a_measure_is_drawn_as_colour_with_its_unit_and_classes() {
+    let run = Run::of(&with_bit_and_wall(&coloured("peak_radius_mm")));
+    let svg = run.text("map.svg");
+    for words in ["Greatest radius (mm)", "limit of sustained whirl", " to "] {
+        assert!(svg.contains(words), "no {words:?}");
+    }
+    let run = Run::of(&small_with_design(&coloured("bit_speed_peak_rpm")));
+    let svg = run.text("map.svg");
+    for words in ["Greatest bit speed (rpm)", "limit of stick-slip"] {
+        assert!(svg.contains(words), "no {words:?}");
+    }
+}
+
+/// How a map is drawn is no other sweep.
+#[test]
+fn another_colour_draws_the_same_results_again() {
+    let run = Run::of(&small_with_design(SPEED_AND_WEIGHT));
+    let text = small_with_design(&coloured("stick_slip_severity"));
+    run.place.write("small.toml", text);
+    let answer = run.place.sweep(&["run", "small.toml", "--out", "results"]);
+    assert!(answer.output.contains("nothing to run"), "{answer:?}");
+    assert!(run.text("map.svg").contains("Severity of stick-slip"));
+}

@@ -229,6 +229,16 @@ fn what_follows_from_the_labels_is_made_again() {
     assert_eq!(read(&place, "out/bands.csv"), bands);
 }
 
+/// Its cases lie along limits.
+#[test]
+fn fractions_of_a_trace_are_not_counted() {
+    let place = Workplace::with_small(&small(TRACE));
+    run(&place, "small.toml", "out", &["--quiet"]);
+    let answer = place.sweep(&["analyse", "out"]);
+    assert_eq!(answer.code, 2, "{answer:?}");
+    assert!(answer.errors.contains("bands.csv"), "{answer:?}");
+}
+
 /// An axis of the string beside one that is not: a linear system for each of its values.
 #[test]
 fn a_trace_may_go_over_the_string_itself() {

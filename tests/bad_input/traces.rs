@@ -98,3 +98,16 @@ fn a_table_of_another_is_not_replaced() {
     place.write("results/limits.csv", "mine\n");
     refused(&place, &RUN, &["limits.csv", "nothing there says"]);
 }
+
+#[test]
+fn a_colour_is_a_measure_of_what_is_modelled() {
+    for (measure, meant) in [
+        ("contact_fraction", "needs a wall"),
+        ("surface_torque_peak_nm", "`surface_torque = true`"),
+        ("string_torque_peak_nm", "torque_along_string = true"),
+        ("severity", "unknown choice `severity`"),
+    ] {
+        let text = trace("", AXES) + &format!("[map]\ncolour = {measure:?}\n");
+        refused_at(&text, "colour", "map.colour", meant);
+    }
+}

@@ -193,3 +193,24 @@ impl Field {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_shows_the_mean_and_an_empty_one_the_nearest() {
+        let mut field = Field::empty(6);
+        field.add(0, Some(1.0), Some(true));
+        field.add(0, Some(3.0), Some(true));
+        field.add(0, None, Some(false));
+        field.add(5, Some(9.0), Some(false));
+        assert_eq!(field.mean(0), Some(2.0));
+        assert_eq!(field.is_sustained(0), Some(true));
+        assert!(field.lacks_any());
+        // Three columns of two.
+        field.spread([3, 2]);
+        let means: Vec<_> = field.means().collect();
+        assert_eq!(means, [2.0, 2.0, 2.0, 9.0, 9.0, 9.0]);
+    }
+}

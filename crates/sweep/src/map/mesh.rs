@@ -154,6 +154,28 @@ mod tests {
     }
 
     #[test]
+    fn outlines_part_cells_that_differ() {
+        let mesh = Mesh::around(&[vec![0.0, 2.0, 4.0], vec![0.0, 2.0]], [3, 2]);
+        // The first column with, the second without, the third unknown but for its bottom.
+        let classes = [
+            Some(true),
+            Some(true),
+            Some(false),
+            Some(false),
+            Some(true),
+            None,
+        ];
+        let points = mesh.outlines(|cell| classes[cell]);
+        let sides: Vec<_> = points.chunks(3).map(|side| [side[0], side[1]]).collect();
+        let expected = [
+            [(1.0, -1.0), (1.0, 1.0)],
+            [(1.0, 1.0), (1.0, 3.0)],
+            [(3.0, -1.0), (3.0, 1.0)],
+        ];
+        assert_eq!(sides, expected);
+    }
+
+    #[test]
     fn cells_of_cases_that_lie_anywhere_are_of_one_size() {
         let values = [0.0, 1.0, 4.0];
         let mesh = Mesh::even(&Extent::example([&values, &[5.0]], 3), [2, 2]);

@@ -9,11 +9,11 @@ const CLASSES: usize = Part::EVERY.len();
 /// Steps of a scale in parts of a power of ten.
 const ROUND: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 
+/// Ends of classes that double, or a little more, in parts of a power of ten.
+const DOUBLING: [f64; 3] = [1.0, 2.0, 5.0];
+
 /// Even classes tell little where one has a larger part of all values.
 const MOST_IN_ONE: f64 = 0.7;
-
-/// Digits of an end between classes that hold as many values each.
-const DIGITS: usize = 2;
 
 /// Classes of the values between their ends.
 #[derive(Debug, PartialEq)]
@@ -23,8 +23,8 @@ pub struct Classes {
 }
 
 impl Classes {
-    /// Even classes; where nearly all values would be in one, such as nothing is much worse
-    /// than a few are, classes of as many values each above the least.
+    /// Even classes; of amounts that would nearly all be in one, for few are much larger, classes
+    /// that double from one to the next.
     pub fn of(mut values: Vec<f64>) -> Self {
         values.retain(|value| value.is_finite());
         values.sort_by(f64::total_cmp);
@@ -34,10 +34,10 @@ impl Classes {
             fullest[even.class(*value)] += 1;
         }
         let most = fullest.into_iter().max().unwrap_or_default() as f64;
-        if most <= MOST_IN_ONE * values.len() as f64 {
+        if even.count() == 1 || most <= MOST_IN_ONE * values.len() as f64 {
             return even;
         }
-        Self::of_as_many(&values).unwrap_or(even)
+        Self::doubling(&values).unwrap_or(even)
     }
 
     fn even(sorted: &[f64]) -> Self {
@@ -62,17 +62,22 @@ impl Classes {
         }
     }
 
-    /// None where there are too few different values.
-    fn of_as_many(sorted: &[f64]) -> Option<Self> {
+    /// Down from the greatest, the last one to nothing; none where there is no amount.
+    fn doubling(sorted: &[f64]) -> Option<Self> {
         let (least, greatest) = (*sorted.first()?, *sorted.last()?);
-        let above = &sorted[sorted.partition_point(|value| *value <= least)..];
-        let rounded = |value: f64| format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value);
-        let inner = (1..CLASSES).map(|class| above.get(class * above.len() / CLASSES));
-        let inner = inner.flatten().map(|value| rounded(*value));
-        let mut ends: Vec<f64> = std::iter::once(least).chain(inner).collect();
-        ends.push(greatest);
-        ends.dedup_by(|next, end| *next <= *end);
-        (ends.len() > 2).then_some(Self { ends })
+        if least < 0.0 || greatest <= 0.0 {
+            return None;
+        }
+        let above = greatest.log10().ceil() as i32;
+        let ends =
+            (above - 3..=above).flat_map(|power| DOUBLING.map(|part| part * 10f64.powi(power)));
+        let ends: Vec<f64> = ends.collect();
+        let top = ends.iter().position(|end| *end >= greatest)?;
+        let lowest = top + 1 - CLASSES.min(top + 1);
+        let ends = std::iter::once(0.0).chain(ends[lowest..=top].iter().copied());
+        Some(Self {
+            ends: ends.collect(),
+        })
     }
 
     fn count(&self) -> usize {
@@ -146,12 +151,18 @@ mod tests {
     }
 
     #[test]
-    fn where_few_are_much_larger_classes_hold_as_many_each() {
-        let mut values = vec![0.0; 100];
+    fn where_few_are_much_larger_classes_double() {
+        let mut values = vec![0.001; 100];
         values.extend((1..=60).map(|value| 1.0 + 0.01 * f64::from(value)));
         values.push(40.0);
-        let told = words(&values);
-        assert_eq!(told.len(), CLASSES, "{told:?}");
-        assert_eq!((&told[0][..], &told[5][..]), ("0 to 1.1", "1.5 to 40"));
+        assert_eq!(
+            words(&values),
+            [
+                "0 to 1", "1 to 2", "2 to 5", "5 to 10", "10 to 20", "20 to 50"
+            ]
+        );
+        // Amounts on both sides of zero have even classes whatever they are.
+        values.push(-40.0);
+        assert_eq!(words(&values)[0], "-40 to -20");
     }
 }

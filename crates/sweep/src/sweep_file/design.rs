@@ -17,10 +17,10 @@ pub enum DesignKind {
     MonteCarlo,
     /// The rows of a CSV file.
     List,
-    /// From a coarse scan to the limits over two axes.
-    Trace,
     /// Random values in blocks that tell the axes apart.
     Sensitivity,
+    /// From a coarse scan to the limits over two axes.
+    Trace,
 }
 
 impl DesignKind {

@@ -28,6 +28,13 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
         .collect::<Result<Vec<_>>>()?;
     refuse_strangers(arguments, &tables)?;
     let manifest = &tables[0].manifest;
+    if manifest.is_trace() {
+        let name = arguments.folders[0].display();
+        bail!(UsageError(format!(
+            "{name} holds a trace: its cases lie along limits, and their fractions say nothing of \
+             the map; limits.csv and bands.csv do"
+        )));
+    }
     if tables.iter().all(|tables| tables.manifest.tally.rows == 0) {
         let name = arguments.folders[0].display();
         bail!(UsageError(format!("{name} has no case to count yet")));
