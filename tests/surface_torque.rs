@@ -115,6 +115,7 @@ fn a_bit_that_whirls_takes_the_torque_of_its_wall() {
     let (history, case) = (read("history.csv"), read("case.csv"));
     let row = rows(&case).remove(0);
     assert_eq!(row["lateral"], "backward_whirl");
+    assert!(read("history.svg").contains("Torque at surface"));
     let torques: Vec<f64> = (rows(&history).iter())
         .filter(|row| number(row, "time_s") > 18.0)
         .map(|row| {

@@ -14,7 +14,7 @@ use crate::sweep_file::TraceName;
 use crate::words::site_title;
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
-/// speed and the torque on the bit. As in the paper, the difference between the
+/// speed and the torque on the bit; the torque that turns the surface where it is followed. As in the paper, the difference between the
 /// first two methods is beneath.
 ///
 /// # Errors
@@ -114,6 +114,7 @@ impl Histories<'_> {
         let lowest = site_title(distances[distances.len() - 1], units);
         let label = format!("Difference in radius at {lowest} ({})", width.name);
         list.extend(self.difference(&label, list.last()));
+        list.extend(self.surface_torque());
         list
     }
 
@@ -148,18 +149,7 @@ impl Histories<'_> {
         if has_torque(self.simulations) {
             list.push(self.torque());
         }
-        if has_surface_torque(self.simulations) {
-            let unit = self.torque_unit();
-            let mut series = self
-                .of_each(&|trajectory, index| unit.number(1e-3 * trajectory.surface_torque[index]));
-            series.extend(self.recorded(TraceName::SurfaceTorqueNm, unit.number(1e-3)));
-            let place = match self.sweep.content.top_drive {
-                Some(_) => "of top drive",
-                None => "at surface",
-            };
-            let label = format!("Torque {place} ({})", unit.name);
-            list.push(self.panel(&label, series, Vec::new()));
-        }
+        list.extend(self.surface_torque());
         if has_surface_speed(self.simulations) {
             let mut series =
                 self.of_each(&|trajectory, index| to_rpm(trajectory.surface_speed[index]));
@@ -168,6 +158,23 @@ impl Histories<'_> {
         }
         list.extend(difference);
         list
+    }
+
+    /// What turns the surface, where it is followed, beside what was recorded.
+    fn surface_torque(&self) -> Option<Panel> {
+        if !has_surface_torque(self.simulations) {
+            return None;
+        }
+        let unit = self.torque_unit();
+        let mut series =
+            self.of_each(&|trajectory, index| unit.number(1e-3 * trajectory.surface_torque[index]));
+        series.extend(self.recorded(TraceName::SurfaceTorqueNm, unit.number(1e-3)));
+        let place = match self.sweep.content.top_drive {
+            Some(_) => "of top drive",
+            None => "at surface",
+        };
+        let label = format!("Torque {place} ({})", unit.name);
+        Some(self.panel(&label, series, Vec::new()))
     }
 
     /// What was recorded of a trace, each once, times a factor, for as long as is simulated.
