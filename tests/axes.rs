@@ -1,4 +1,4 @@
-//! Axes over quantities of bit, rock, drive, mud and masses: a value along an axis is what the same
+//! Axes over quantities of bit, rock, drive, mud, masses and walls: a value along an axis is what the same
 //! number in the file is.
 
 #[allow(dead_code, reason = "it has more than is needed here")]
@@ -64,6 +64,47 @@ clearance_mm = 20
 friction = 0.4
 [[sites]]
 distance_from_bit_m = 0
+[[eccentric_masses]]
+distance_from_bit_m = 0
+mass_kg = 30
+offset_m = 0.05
+"#;
+
+/// A string with two sites, each knocked against its wall by an impulse in multiples of its I₀.
+const TOUCHING: &str = r#"
+surface_speed_rpm = 90
+time_s = 3
+sampling_frequency_hz = 200
+methods = ["quadrature", "held"]
+[string]
+shear_modulus_gpa = 80
+density_kg_m3 = 7840
+torsional_damping_nms_rad_m = 10
+bending = { youngs_modulus_gpa = 210, damping_ns_m2 = 1000 }
+[[string.sections]]
+repeat = 10
+parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.1 }]
+[wall]
+clearance_mm = 20
+stiffness_gn_m15 = 1
+friction = 0.4
+friction_dynamic_ratio = 0.6
+friction_stribeck_m_s = 0.5
+[[sites]]
+distance_from_bit_m = 30
+[[sites]]
+distance_from_bit_m = 0
+[[impulses]]
+distance_from_bit_m = 30
+ratio = 3
+start_s = 0.1
+duration_s = 0.04
+[[impulses]]
+distance_from_bit_m = 0
+ratio = 4
+start_s = 0.5
+duration_s = 0.02
+direction_deg = 90
 [[eccentric_masses]]
 distance_from_bit_m = 0
 mass_kg = 30
@@ -163,6 +204,154 @@ fn a_value_along_an_axis_is_that_value_in_the_file() {
     }
 }
 
+/// The quantities of the wall, each with the number of the file and another.
+const OF_WALL: [(&str, [f64; 2]); 5] = [
+    ("clearance_mm", [20.0, 13.7]),
+    ("stiffness_gn_m15", [1.0, 0.037]),
+    ("friction", [0.4, 0.93]),
+    ("friction_dynamic_ratio", [0.6, 0.31]),
+    ("friction_stribeck_m_s", [0.5, 0.083]),
+];
+
+fn two_values(axis: &str, [one, other]: [f64; 2]) -> String {
+    format!("{axis} = {{ values = [{one}, {other}] }}\n")
+}
+
+fn grid(axes: &str) -> String {
+    format!("[design]\nkind = \"grid\"\n[design.axes]\n{axes}")
+}
+
+/// What a file without a design has, once for each method.
+fn of_file(text: &str) -> Vec<String> {
+    let rows = measures(text);
+    assert_eq!(rows.len(), 2);
+    rows
+}
+
+/// Of both sites, whoever gives the number in the file; I₀ follows the clearance.
+#[test]
+fn a_value_along_an_axis_of_the_wall_is_that_value_in_the_file() {
+    for (key, [file, other]) in OF_WALL {
+        let from = format!("\n{key} = {file}\n");
+        let changed = with(TOUCHING, &from, &format!("\n{key} = {other}\n"));
+        let by_file = [of_file(TOUCHING), of_file(&changed)].concat();
+        assert_ne!(by_file[..2], by_file[2..], "{key} does not matter");
+        let design = grid(&two_values(key, [file, other]));
+        let own = with(
+            TOUCHING,
+            "distance_from_bit_m = 0\n[[imp",
+            &format!("distance_from_bit_m = 0\n{key} = {}\n[[imp", 0.5 * file),
+        );
+        for text in [TOUCHING, &own] {
+            assert_eq!(measures(&format!("{text}{design}")), by_file, "{key}");
+        }
+    }
+    // A rigid wall gets a stiffness.
+    let rigid = with(TOUCHING, "stiffness_gn_m15 = 1\n", "");
+    let design = grid("stiffness_gn_m15 = { values = [1] }\n");
+    let by_axis = measures(&format!("{rigid}{design}"));
+    assert_eq!(by_axis, of_file(TOUCHING));
+    assert_ne!(by_axis, of_file(&rigid));
+}
+
+/// Of one site, before what is said of every site.
+#[test]
+fn a_value_along_an_axis_of_one_site_is_its_own_in_the_file() {
+    // The first site of the file is not the first from the surface.
+    let text = with(
+        TOUCHING,
+        "distance_from_bit_m = 30\n[[sites]]",
+        "distance_from_bit_m = 0\n[[sites]]",
+    );
+    let text = with(
+        &text,
+        "distance_from_bit_m = 0\n[[imp",
+        "distance_from_bit_m = 30\n[[imp",
+    );
+    for (site, place) in [(0, "= 0\n[[sites]]"), (1, "= 30\n[[imp")] {
+        for (key, [all, own]) in OF_WALL {
+            let (head, tail) = place.split_once('\n').unwrap();
+            let in_file =
+                |value: f64| with(&text, place, &format!("{head}\n{key} = {value}\n{tail}"));
+            let by_file = [of_file(&in_file(all)), of_file(&in_file(own))].concat();
+            let axis = format!("site_{site}_{key}");
+            assert_ne!(by_file[..2], by_file[2..], "{axis} does not matter");
+            let axes = two_values(&axis, [all, own]);
+            assert_eq!(
+                measures(&format!("{text}{}", grid(&axes))),
+                by_file,
+                "{axis}"
+            );
+            let third = in_file(0.7 * all);
+            assert_eq!(
+                measures(&format!("{third}{}", grid(&axes))),
+                by_file,
+                "{axis}"
+            );
+            // The other site has what the axis of all says.
+            let both = format!("{axes}{key} = {{ values = [{all}] }}\n");
+            let without = text.replacen(
+                &format!("\n{key} = {all}\n"),
+                &format!("\n{key} = {}\n", 0.8 * all),
+                1,
+            );
+            assert_eq!(
+                measures(&format!("{without}{}", grid(&both))),
+                by_file,
+                "{axis}"
+            );
+        }
+    }
+}
+
+/// Friction may be given by axes alone, of each site.
+#[test]
+fn friction_of_every_site_by_axes_needs_none_in_the_file() {
+    let text = with(TOUCHING, "friction = 0.4\n", "");
+    let axes = "site_0_friction = { values = [0.4] }\nsite_1_friction = { values = [0.4] }\n";
+    assert_eq!(
+        measures(&format!("{text}{}", grid(axes))),
+        of_file(TOUCHING)
+    );
+    let place = Workplace::with_small(&format!(
+        "{text}{}",
+        grid("site_0_friction = { values = [0.4] }\n")
+    ));
+    let answer = place.sweep(&["run", "small.toml", "--out", "out", "--quiet"]);
+    assert!(
+        answer.errors.contains("`wall.friction`"),
+        "{}",
+        answer.errors
+    );
+}
+
+/// A limit of whirl holds for one clearance and one stiffness of each wall and for one friction of
+/// all; how friction falls does not change it.
+#[test]
+fn over_walls_there_is_no_one_limit_of_whirl() {
+    let points = |more: &str| {
+        let axes = format!("friction = {{ values = [0.5, 1] }}\n{more}");
+        let place = Workplace::with_small(&format!("{TOUCHING}{}", grid(&axes)));
+        let answer = place.sweep(&["run", "small.toml", "--out", "out", "--quiet"]);
+        assert_eq!(answer.code, 0, "{}", answer.errors);
+        let boundary = std::fs::read_to_string(place.path("out/boundary.csv"));
+        let lines = boundary.unwrap_or_default();
+        lines.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let limit = points("");
+    assert!(!limit.is_empty());
+    for (key, values) in OF_WALL {
+        let falls = key.starts_with("friction_");
+        for axis in [key.to_owned(), format!("site_1_{key}")] {
+            if axis == "friction" {
+                continue;
+            }
+            let expected = if falls { &limit[..] } else { &[] };
+            assert_eq!(points(&two_values(&axis, values)), expected, "{axis}");
+        }
+    }
+}
+
 /// A limit of stick-slip holds for one law of the bit: over several there is none.
 #[test]
 fn over_laws_of_the_bit_there_is_no_one_limit() {
@@ -218,6 +407,14 @@ fn an_axis_of_what_is_not_there_is_refused() {
             "eccentric_mass_0_mass_kg",
             "the file has 0 [[eccentric_masses]]",
         ),
+        (bare, "clearance_mm", "needs a table [wall]"),
+        (bare, "friction_stribeck_m_s", "needs a table [wall]"),
+        (bare, "site_0_friction", "needs a table [wall]"),
+        (
+            TOUCHING,
+            "site_2_clearance_mm",
+            "the file has 2 [[sites]], from 0",
+        ),
     ] {
         let design =
             format!("[design]\nkind = \"grid\"\n[design.axes]\n{axis} = {{ values = [1] }}\n");
@@ -231,5 +428,35 @@ fn an_axis_of_what_is_not_there_is_refused() {
             answer.errors
         );
         assert_eq!(answer.errors.lines().count(), 1, "{}", answer.errors);
+    }
+}
+
+/// A number that no wall has is refused with file, line and key, of one site and of all.
+#[test]
+fn a_wall_that_is_none_is_refused() {
+    for (axis, value) in [
+        ("clearance_mm", 0.0),
+        ("site_1_clearance_mm", 2000.0),
+        ("stiffness_gn_m15", 0.0),
+        ("site_0_stiffness_gn_m15", 1e7),
+        ("site_0_friction", -0.1),
+        ("friction_dynamic_ratio", 1.5),
+        ("friction_stribeck_m_s", -1.0),
+    ] {
+        let text = format!(
+            "{TOUCHING}{}",
+            grid(&format!("{axis} = {{ values = [{value}] }}\n"))
+        );
+        let line = text.lines().count();
+        let place = Workplace::with_small(&text);
+        let answer = place.sweep(&["run", "small.toml", "--out", "out", "--quiet"]);
+        assert_ne!(answer.code, 0, "{axis}");
+        let place = format!("small.toml:{line}: `design.axes.{axis}");
+        let said = &answer.errors;
+        assert!(
+            said.contains(&place) && said.contains("is not between"),
+            "{said}"
+        );
+        assert_eq!(said.lines().count(), 1, "{said}");
     }
 }

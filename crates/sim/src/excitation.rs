@@ -67,6 +67,12 @@ impl EccentricMass {
 /// its response to a unit force in one step, `taps`, to its clearance. Infinite
 /// where none does; not a number where the taps or the impulse are none.
 pub fn least_impulse(taps: &[f64], sampling: Sampling, duration: f64, clearance: f64) -> f64 {
+    clearance / reach_of_impulse(taps, sampling, duration)
+}
+
+/// How far (m per N s) an impulse of the given duration moves a site that answers to a unit
+/// force in one step with `taps`. Not a number where the taps or the impulse are none.
+pub fn reach_of_impulse(taps: &[f64], sampling: Sampling, duration: f64) -> f64 {
     let unit = Impulse {
         site: 0,
         amount: 1.0,
@@ -79,7 +85,7 @@ pub fn least_impulse(taps: &[f64], sampling: Sampling, duration: f64, clearance:
     let pulse: Vec<f64> = (0..=steps)
         .map(|step| unit.force(sampling.time_of(step))[0])
         .collect();
-    clearance / furthest(&pulse, taps)
+    furthest(&pulse, taps)
 }
 
 /// The largest magnitude of the response to a series of forces.

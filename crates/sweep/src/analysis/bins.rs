@@ -117,7 +117,7 @@ mod tests {
         };
         values.for_each(|value| seen.add(value));
         Bins {
-            axis: Axis::Friction,
+            axis: Axis::FRICTION,
             ranges: seen.ranges(is_logarithmic, 4),
         }
     }

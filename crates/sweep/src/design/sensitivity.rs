@@ -144,7 +144,7 @@ mod tests {
         let axes = vec![
             Axis::SurfaceSpeedRpm,
             Axis::TorqueDynamicNm,
-            Axis::Friction,
+            Axis::FRICTION,
             Axis::ImpulseRatio,
         ];
         let mut random = RandomAxes::uniform(axes, &[[0.0, 1.0]; 4]);

@@ -118,16 +118,16 @@ const BY_DEFAULT: Timing = Timing {
     closing_window: 2.0,
 };
 
-/// Walls with the case's friction, impulses with the case's ratio: amounts
+/// Walls as the case has them, impulses with the case's ratio: amounts
 /// relative to I₀ stay so until a method says what its I₀ is.
 fn lateral_scene(
     settings: &LateralSettings,
     conditions: &Conditions,
 ) -> Result<Lateral, CaseError> {
     let walls = settings.walls.iter().map(|wall| {
-        let friction = conditions.friction.or(wall.friction);
+        let wall = wall.in_case(conditions);
         let factor = conditions.friction_factor.unwrap_or(1.0);
-        let friction = friction.ok_or(CaseError::Missing("friction"))?;
+        let friction = wall.friction.ok_or(CaseError::Missing("friction"))?;
         Ok(wall.with_friction(factor * friction))
     });
     let impulses = settings.impulses.iter().map(|impulse| {

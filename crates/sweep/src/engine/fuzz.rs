@@ -102,6 +102,8 @@ section_0_part_1_inner_radius_m = { values = [0.04] }
 section_1_part_0_outer_radius_m = { values = [0.16] }
 site_0_distance_from_bit_m = { from = 0, to = 1, count = 2 }
 friction = { values = [1, 2] }
+stiffness_gn_m15 = { values = [1] }
+site_0_clearance_mm = { values = [15] }
 "#;
 
 /// What is put in the place of what was there, besides words of the files.

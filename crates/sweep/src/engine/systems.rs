@@ -11,7 +11,7 @@ use linear::{
     responses, responses_with,
 };
 use rayon::prelude::*;
-use sim::excitation::least_impulse;
+use sim::excitation::reach_of_impulse;
 use sim::{
     CascadeScene, CascadeSimulator, Outcome, Sampling, Scene, SimulationError, Simulator, Stopping,
     SurfaceTorque, Trajectory,
@@ -32,8 +32,10 @@ pub struct MethodSystem {
     pub method: Method,
     /// Its impulse responses.
     pub responses: Responses,
-    /// I₀ of each impulse, N s.
+    /// I₀ of each impulse with the wall as the file says it, N s.
     pub least_impulses: Vec<f64>,
+    /// How far each impulse moves its site, m per N s.
+    reaches: Vec<f64>,
     /// Positive-real margin in torsion; `None` where no torque acts.
     pub torsion_margin: Option<f64>,
     /// Positive-real margin in bending; `None` where that is not modelled.
@@ -164,11 +166,13 @@ impl MethodSystem {
     pub fn of(setting: &Setting, responses: Responses, begun: Instant) -> Result<Self> {
         let simulator = Simulator::started(&responses, &setting.profile)?;
         let build_seconds = begun.elapsed().as_secs_f64();
+        let reaches = reaches(setting, &responses);
         Ok(Self {
             method: responses.method,
             torsion_margin: responses.torsion_margin()?,
             bending_margin: responses.bending_margin()?,
-            least_impulses: least_impulses(setting, &responses),
+            least_impulses: least_impulses(setting, &reaches),
+            reaches,
             front: None,
             build_seconds,
             setting: setting.clone(),
@@ -247,9 +251,12 @@ impl MethodSystem {
             return self.rub(cascade, &scene, record);
         }
         let mut scene = case.scene.clone();
-        for (index, least) in self.relative_impulses() {
-            if let Some(lateral) = &mut scene.lateral {
-                lateral.impulses[index].amount *= least;
+        if let Some(lateral) = &mut scene.lateral {
+            // The clearance is the case's own.
+            for (index, _) in self.relative_impulses() {
+                let impulse = &mut lateral.impulses[index];
+                let clearance = lateral.walls[impulse.site].clearance;
+                impulse.amount *= clearance / self.reaches[index];
             }
         }
         self.simulator.simulate(&scene, stopping, record)
@@ -409,18 +416,27 @@ pub fn compare_fronts(systems: &mut [MethodSystem]) {
     }
 }
 
-/// I₀ of every impulse: by this method, at its own site.
-fn least_impulses(setting: &Setting, responses: &Responses) -> Vec<f64> {
+/// How far every impulse moves its own site by this method, m per N s.
+fn reaches(setting: &Setting, responses: &Responses) -> Vec<f64> {
     let Some((lateral, bending)) = setting.lateral.as_ref().zip(responses.bending()) else {
         return Vec::new();
     };
     let of = |impulse: &ImpulseSettings| {
-        least_impulse(
+        reach_of_impulse(
             &bending.from_loads[impulse.site][impulse.site],
             Sampling::new(setting.sampling_frequency, responses.method.moment()),
             impulse.duration,
-            lateral.walls[impulse.site].clearance,
         )
     };
     lateral.impulses.iter().map(of).collect()
+}
+
+/// I₀ of every impulse: what brings its site to the wall as the file says it.
+fn least_impulses(setting: &Setting, reaches: &[f64]) -> Vec<f64> {
+    let lateral = setting.lateral.iter();
+    let of_each = lateral.flat_map(|lateral| {
+        let impulses = lateral.impulses.iter().zip(reaches);
+        impulses.map(|(impulse, reach)| lateral.walls[impulse.site].clearance / reach)
+    });
+    of_each.collect()
 }

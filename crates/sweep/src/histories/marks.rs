@@ -1,21 +1,37 @@
 //! What pictures of motion have in common: levels, and whether the wall is shown.
 
+use crate::engine::Case;
 use crate::plot::{Across, Reference};
 use crate::quantities::Unit;
 
 /// The clearance is drawn where motion reaches this part of it.
 const CLEARANCE_SHOWN: f64 = 0.2;
 
-/// A clearance (m) in a unit of widths, where motion comes so near, by its radii in that unit,
-/// that it is seen beside it.
-pub fn shown_clearance(
-    clearance: f64,
+/// The clearances of cases (m) in a unit of widths, each once, where motion comes so near, by
+/// its radii in that unit, that they are seen beside it; of each case what `of` finds among those
+/// of its sites.
+pub fn shown_clearances(
+    cases: &[Case],
+    of: impl Fn(&[f64]) -> Option<f64>,
     width: &Unit,
     radii: impl Iterator<Item = f64>,
-) -> Option<f64> {
-    let clearance = width.number(1e3 * clearance);
+) -> Vec<f64> {
+    let of_case = |case: &Case| {
+        let walls = case.scene.lateral.iter().flat_map(|lateral| &lateral.walls);
+        of(&walls.map(|wall| wall.clearance).collect::<Vec<_>>())
+    };
     let furthest = radii.fold(0.0, f64::max);
-    (furthest > CLEARANCE_SHOWN * clearance).then_some(clearance)
+    let clearances = cases.iter().filter_map(of_case);
+    let shown = clearances.map(|clearance| width.number(1e3 * clearance));
+    each_once(shown.filter(|clearance| furthest > CLEARANCE_SHOWN * clearance))
+}
+
+/// Values in order, each once.
+pub fn each_once(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
 }
 
 /// A level line.

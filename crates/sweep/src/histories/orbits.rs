@@ -2,25 +2,24 @@
 
 use anyhow::Result;
 
-use super::marks::shown_clearance;
+use super::marks::shown_clearances;
 use super::simulation::Simulation;
+use crate::engine::Case;
 use crate::plan::Sweep;
 use crate::plot::{Axis, Orbit, Picture, Series, orbits};
 use crate::quantities::WIDTH;
 use crate::words::site_title;
 
-/// The path of every site's centre, with the circle of its clearance where it comes
+/// The path of every site's centre, with the circle of its clearance in each case where it comes
 /// near that.
 ///
 /// # Errors
 /// Where it cannot be drawn.
-pub fn orbit_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Picture> {
+pub fn orbit_picture(sweep: &Sweep, cases: &[Case], simulations: &[Simulation]) -> Result<Picture> {
     let units = sweep.content.units;
     let width = units.of(&WIDTH);
     let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
-    let lateral = sweep.setting.lateral.iter();
-    let walls = lateral.flat_map(|lateral| &lateral.walls);
-    let of_sites = distances.zip(walls).map(|((site, &distance), wall)| {
+    let of_sites = distances.map(|(site, &distance)| {
         let of_site = |simulation: &Simulation| Series {
             name: simulation.name.clone(),
             points: simulation.trajectory.positions[site]
@@ -30,12 +29,14 @@ pub fn orbit_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Pictur
         };
         let series: Vec<Series> = simulations.iter().map(of_site).collect();
         let points = series.iter().flat_map(|series| &series.points);
-        let circle = shown_clearance(wall.clearance, &width, points.map(|(x, y)| x.hypot(*y)));
+        let radii = points.map(|(x, y)| x.hypot(*y));
+        let at_site = |clearances: &[f64]| clearances.get(site).copied();
+        let circles = shown_clearances(cases, at_site, &width, radii);
         let (site, unit) = (site_title(distance, units), &width.name);
         Orbit {
             axes: [format!("x at {site} ({unit})"), format!("y ({unit})")].map(Axis::linear),
             series,
-            circle,
+            circles,
         }
     });
     orbits(&sweep.title, &of_sites.collect::<Vec<_>>())

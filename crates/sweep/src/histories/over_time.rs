@@ -4,10 +4,10 @@ use anyhow::Result;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
-use super::marks::{level, shown_clearance};
+use super::marks::{each_once, level, shown_clearances};
 use super::simulation::{Simulation, has_surface_speed, has_surface_torque, has_torque};
 use crate::engine::Case;
-use crate::plan::{LateralSettings, Sweep, to_rpm};
+use crate::plan::{Sweep, to_rpm};
 use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
 use crate::quantities::{TORQUE, Unit, Units, WIDTH};
 use crate::sweep_file::TraceName;
@@ -30,7 +30,7 @@ pub fn history_picture(
         simulations,
     };
     let list = match &sweep.setting.lateral {
-        Some(lateral) => histories.radii(lateral),
+        Some(_) => histories.radii(),
         None => histories.speeds_and_torque(),
     };
     panels(&sweep.title, &list)
@@ -91,24 +91,24 @@ impl Histories<'_> {
         Some(self.panel(label, vec![series], Vec::new()))
     }
 
-    fn radii(&self, lateral: &LateralSettings) -> Vec<Panel> {
+    fn radii(&self) -> Vec<Panel> {
         let distances = self.sweep.setting.sites.distances_from_bit();
         let (units, width) = (self.units(), self.units().of(&WIDTH));
         let mut list: Vec<Panel> = (distances.iter())
-            .zip(&lateral.walls)
             .enumerate()
-            .map(|(site, (&distance, wall))| {
+            .map(|(site, &distance)| {
                 let radii = self.of_each(&|trajectory, index| {
                     let [x, y] = trajectory.positions[site][index];
                     width.number(1e3 * x.hypot(y))
                 });
                 let points = radii.iter().flat_map(|series| &series.points);
-                let clearance =
-                    shown_clearance(wall.clearance, &width, points.map(|point| point.1));
-                let wall = clearance.map(|clearance| level(clearance, "clearance"));
+                let at_site = |clearances: &[f64]| clearances.get(site).copied();
+                let points = points.map(|point| point.1);
+                let clearances = shown_clearances(self.cases, at_site, &width, points);
+                let walls = clearances.into_iter().map(|at| level(at, "clearance"));
                 let site = site_title(distance, units);
                 let label = format!("Radius at {site} ({})", width.name);
-                self.panel(&label, radii, wall.into_iter().collect())
+                self.panel(&label, radii, walls.collect())
             })
             .collect();
         let lowest = site_title(distances[distances.len() - 1], units);
@@ -233,10 +233,8 @@ impl Histories<'_> {
 
 /// A level of every case, each value once.
 fn levels(cases: &[Case], name: &str, of: impl Fn(&Case) -> Option<f64>) -> Vec<Reference> {
-    let mut values: Vec<f64> = cases.iter().filter_map(of).collect();
-    values.sort_by(f64::total_cmp);
-    values.dedup();
-    values.into_iter().map(|value| level(value, name)).collect()
+    let values = each_once(cases.iter().filter_map(of)).into_iter();
+    values.map(|value| level(value, name)).collect()
 }
 
 /// A series at a time in one of its steps or between that and the next or the last: methods

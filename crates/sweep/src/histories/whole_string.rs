@@ -3,8 +3,9 @@
 use anyhow::Result;
 use linear::elements::reconstruction::WholeString;
 
-use super::marks::{level, shown_clearance};
+use super::marks::{level, shown_clearances};
 use super::simulation::Simulation;
+use crate::engine::Case;
 use crate::plan::{LateralSettings, Sweep};
 use crate::plot::{Axis, Panel, Picture, Series, panels};
 use crate::quantities::{LENGTH, WIDTH};
@@ -17,6 +18,7 @@ use crate::quantities::{LENGTH, WIDTH};
 pub fn string_picture(
     sweep: &Sweep,
     lateral: &LateralSettings,
+    cases: &[Case],
     simulations: &[Simulation],
 ) -> Result<Picture> {
     let whole = WholeString {
@@ -40,11 +42,10 @@ pub fn string_picture(
             })
         })
         .collect::<Result<Vec<_>>>()?;
-    let clearances = lateral.walls.iter().map(|wall| wall.clearance);
-    let least = clearances.fold(f64::INFINITY, f64::min);
+    let least = |clearances: &[f64]| clearances.iter().copied().reduce(f64::min);
     let peaks = series.iter().flat_map(|series| &series.points);
-    let shown = shown_clearance(least, &width, peaks.map(|point| point.1));
-    let references = shown.map(|clearance| level(clearance, "least clearance"));
+    let shown = shown_clearances(cases, least, &width, peaks.map(|point| point.1));
+    let references = shown.into_iter().map(|at| level(at, "least clearance"));
     let panel = Panel {
         axes: [
             format!("Depth ξ ({})", length.name),
@@ -52,7 +53,7 @@ pub fn string_picture(
         ]
         .map(Axis::linear),
         series,
-        references: references.into_iter().collect(),
+        references: references.collect(),
     };
     panels(&format!("{}: the whole string", sweep.title), &[panel])
 }

@@ -157,11 +157,11 @@ mod tests {
             let row = |case| format!("{case},a,1,10,{},smooth,\n", 9 - case % count);
             (0..20).map(row).collect()
         };
-        let of_three = extent(&rows(3), vec![Axis::Friction]);
+        let of_three = extent(&rows(3), vec![Axis::FRICTION]);
         let expected = [[7.0], [8.0], [9.0]].map(Vec::from);
         assert_eq!(of_three.combinations(), Some(&expected[..]));
         assert_eq!(of_three.motions, [Motion::Torsion]);
         assert_eq!(of_three.other_ranges, [[7.0, 9.0]]);
-        assert_eq!(extent(&rows(7), vec![Axis::Friction]).combinations, None);
+        assert_eq!(extent(&rows(7), vec![Axis::FRICTION]).combinations, None);
     }
 }

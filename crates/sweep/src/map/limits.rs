@@ -257,7 +257,7 @@ mod tests {
             name: "bound".to_owned(),
             motion: Motion::Lateral,
             along: Axis::SurfaceSpeedRpm,
-            limited: Axis::Friction,
+            limited: Axis::FRICTION,
             pieces: pieces.iter().map(|piece| piece.to_vec()).collect(),
         }
     }
@@ -269,7 +269,7 @@ mod tests {
     }
 
     const IMPULSE: (Axis, [f64; 2]) = (Axis::ImpulseRatio, [1.0, 5.0]);
-    const FRICTION: (Axis, [f64; 2]) = (Axis::Friction, [0.5, 3.0]);
+    const FRICTION: (Axis, [f64; 2]) = (Axis::FRICTION, [0.5, 3.0]);
     const SPEED: (Axis, [f64; 2]) = (Axis::SurfaceSpeedRpm, [0.0, 100.0]);
 
     fn slope() -> Curve {
@@ -302,7 +302,7 @@ mod tests {
 
     #[test]
     fn a_limit_out_of_view_is_told_with_its_margin() {
-        let friction = |range| (Axis::Friction, range);
+        let friction = |range| (Axis::FRICTION, range);
         for (map, held, note) in [
             (
                 view(SPEED, friction([2.5, 3.0])),

@@ -196,14 +196,14 @@ mod tests {
     fn values_carry_their_units() {
         let told = |axis, value| quantity(axis, value, Units::Si);
         assert_eq!(told(Axis::WeightOnBitKn, 123.456), "123 kN");
-        assert_eq!(told(Axis::Friction, -0.054321), "−0.0543");
+        assert_eq!(told(Axis::FRICTION, -0.054321), "−0.0543");
         let torques = ends(Axis::TorqueDynamicNm, [1.0, 2e3], Units::Si);
         assert_eq!(torques, "1 to 2000 N m");
         let speeds = ends(Axis::SurfaceSpeedRpm, [40.0; 2], Units::Si);
         assert_eq!(speeds, "40 rpm");
         let speed = equation(Axis::SurfaceSpeedRpm, 62.5, Units::Si);
         assert_eq!(speed, "Surface speed Ω = 62.5 rpm");
-        let noisy = equation(Axis::Friction, -(0.1 + 0.2), Units::Si);
+        let noisy = equation(Axis::FRICTION, -(0.1 + 0.2), Units::Si);
         assert!(noisy.ends_with(" = −0.3"), "{noisy}");
     }
 

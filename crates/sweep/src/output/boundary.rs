@@ -61,22 +61,29 @@ pub enum BoundaryError {
     Site(#[from] DrillstringError),
 }
 
-/// The limit over the range of the design's axes: of whirl where friction is
-/// one of them, else of stick-slip; without points where neither applies.
+/// The limit over the range of the design's axes: of whirl where friction at every site is
+/// one of them, else of stick-slip; without points where neither applies, or where other axes
+/// give each case a limit of its own.
 ///
 /// # Errors
 /// Where a rock's table does not reach, or a site is not on the string.
 pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
     // Every string has limits of its own, and every law of the bit.
-    let mut axes = sweep.design.axes().iter();
-    if sweep.design.varies_string() || axes.any(|axis| axis.changes_bit()) {
+    let axes = sweep.design.axes();
+    if sweep.design.varies_string() || axes.iter().any(|axis| axis.changes_bit()) {
         return Ok(Boundary::StickSlip(Vec::new()));
     }
     if let (Some(lateral), Some(_)) = (
         &sweep.setting.lateral,
-        position(sweep, |axis| axis == Axis::Friction),
+        position(sweep, |axis| axis == Axis::FRICTION),
     ) {
-        return Ok(Boundary::Whirl(whirl_points(sweep, lateral)?));
+        // So has every wall.
+        let points = if axes.iter().any(|axis| axis.changes_whirl_limit()) {
+            Vec::new()
+        } else {
+            whirl_points(sweep, lateral)?
+        };
+        return Ok(Boundary::Whirl(points));
     }
     let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     match (&sweep.bit, position(sweep, is_torque)) {

@@ -63,7 +63,7 @@ mod tests {
     fn read(text: &str) -> Vec<Result<CaseRows>> {
         let file = tempfile::NamedTempFile::new().expect("a file");
         std::fs::write(file.path(), text).expect("written");
-        let cases = read_cases(file.path(), &[Axis::Friction]).expect("a table");
+        let cases = read_cases(file.path(), &[Axis::FRICTION]).expect("a table");
         cases.collect()
     }
 

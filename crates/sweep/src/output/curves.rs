@@ -95,7 +95,7 @@ fn whirl_curves(points: &[WhirlPoint]) -> Vec<Curve> {
         name,
         motion: Motion::Lateral,
         along: Axis::SurfaceSpeedRpm,
-        limited: Axis::Friction,
+        limited: Axis::FRICTION,
         pieces,
     })
     .collect()
@@ -173,7 +173,7 @@ mod tests {
             name: "a".to_owned(),
             motion: Motion::Lateral,
             along: Axis::SurfaceSpeedRpm,
-            limited: Axis::Friction,
+            limited: Axis::FRICTION,
             pieces: pieces.iter().map(|piece| piece.to_vec()).collect(),
         }
     }

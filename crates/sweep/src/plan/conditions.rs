@@ -1,14 +1,16 @@
 //! The operating conditions of a case: what the file says, unless an axis does.
 
+use std::collections::BTreeMap;
+
 use crate::design::Design;
-use crate::quantities::Axis;
-use crate::sweep_file::{FileContent, LawTable, Source, SweepFileError};
+use crate::quantities::{Axis, WallQuantity};
+use crate::sweep_file::{FileContent, LawTable, Source, SweepFileError, WallTable};
 
 /// One turn a minute, rad/s.
 pub const RPM: f64 = std::f64::consts::TAU / 60.0;
 
 /// Operating conditions of a case, in the units of their names.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Conditions {
     /// Surface speed, rpm.
     pub surface_speed_rpm: Option<f64>,
@@ -18,8 +20,10 @@ pub struct Conditions {
     pub torque_dynamic_nm: Option<f64>,
     /// Lateral impulse in multiples of I₀, by an axis.
     pub impulse_ratio: Option<f64>,
-    /// Friction of the wall, by an axis.
-    pub friction: Option<f64>,
+    /// The wall at every site, by axes.
+    pub wall: WallTable,
+    /// The wall at some sites, counted from 0 in the order of the file, by axes.
+    pub wall_at: BTreeMap<usize, WallTable>,
     /// Static coefficient of friction along the string.
     pub string_friction: Option<f64>,
     /// The dynamic one in parts of that.
@@ -37,48 +41,42 @@ pub struct Conditions {
 }
 
 impl Conditions {
-    /// The axes that change them.
-    pub const AXES: [Axis; 10] = [
-        Axis::SurfaceSpeedRpm,
-        Axis::WeightOnBitKn,
-        Axis::TorqueDynamicNm,
-        Axis::ImpulseRatio,
-        Axis::Friction,
-        Axis::StringFriction,
-        Axis::StringFrictionRatio,
-        Axis::StringFrictionSpeed,
-        Axis::TorqueStaticRatio,
-        Axis::TorqueDecay,
-    ];
-
     /// These conditions with one of them changed. Weight on bit and torque
     /// replace one another.
-    pub fn with(mut self, axis: Axis, value: f64) -> Self {
+    pub fn with(&self, axis: Axis, value: f64) -> Self {
+        let mut changed = self.clone();
         match axis {
-            Axis::SurfaceSpeedRpm => self.surface_speed_rpm = Some(value),
+            Axis::SurfaceSpeedRpm => changed.surface_speed_rpm = Some(value),
             Axis::WeightOnBitKn => {
-                self.weight_on_bit_kn = Some(value);
-                self.torque_dynamic_nm = None;
+                changed.weight_on_bit_kn = Some(value);
+                changed.torque_dynamic_nm = None;
             }
             Axis::TorqueDynamicNm => {
-                self.torque_dynamic_nm = Some(value);
-                self.weight_on_bit_kn = None;
+                changed.torque_dynamic_nm = Some(value);
+                changed.weight_on_bit_kn = None;
             }
-            Axis::ImpulseRatio => self.impulse_ratio = Some(value),
-            Axis::Friction => self.friction = Some(value),
-            Axis::StringFriction => self.string_friction = Some(value),
-            Axis::StringFrictionRatio => self.string_friction_ratio = Some(value),
-            Axis::StringFrictionSpeed => self.string_friction_stribeck_rpm = Some(value),
-            Axis::TorqueStaticRatio => self.torque_static_ratio = Some(value),
-            Axis::TorqueDecay => self.torque_decay_rpm = Some(value),
+            Axis::ImpulseRatio => changed.impulse_ratio = Some(value),
+            Axis::Wall(quantity) => changed.wall.set(quantity, value),
+            Axis::WallAtSite { site, quantity } => {
+                changed
+                    .wall_at
+                    .entry(site)
+                    .or_default()
+                    .set(quantity, value);
+            }
+            Axis::StringFriction => changed.string_friction = Some(value),
+            Axis::StringFrictionRatio => changed.string_friction_ratio = Some(value),
+            Axis::StringFrictionSpeed => changed.string_friction_stribeck_rpm = Some(value),
+            Axis::TorqueStaticRatio => changed.torque_static_ratio = Some(value),
+            Axis::TorqueDecay => changed.torque_decay_rpm = Some(value),
             Axis::Rock(constant) => {
-                let place = self.law.as_mut().and_then(|law| law.constant(constant));
+                let place = changed.law.as_mut().and_then(|law| law.constant(constant));
                 place.into_iter().for_each(|place| *place = value);
             }
             // Part of the setting.
             Axis::String(_) => {}
         }
-        self
+        changed
     }
 
     /// The value along an axis, where it is known.
@@ -88,7 +86,8 @@ impl Conditions {
             Axis::WeightOnBitKn => self.weight_on_bit_kn,
             Axis::TorqueDynamicNm => self.torque_dynamic_nm,
             Axis::ImpulseRatio => self.impulse_ratio,
-            Axis::Friction => self.friction,
+            Axis::Wall(quantity) => self.wall.value(quantity),
+            Axis::WallAtSite { site, quantity } => self.wall_at.get(&site)?.value(quantity),
             Axis::StringFriction => self.string_friction,
             Axis::StringFrictionRatio => self.string_friction_ratio,
             Axis::StringFrictionSpeed => self.string_friction_stribeck_rpm,
@@ -97,6 +96,13 @@ impl Conditions {
             Axis::Rock(constant) => self.law?.constant(constant).copied(),
             Axis::String(_) => None,
         }
+    }
+
+    /// What axes say of the wall at a site: what one says of this site alone goes before what
+    /// another says of every site.
+    pub fn of_wall(&self, site: usize, quantity: WallQuantity) -> Option<f64> {
+        let own = self.value(Axis::WallAtSite { site, quantity });
+        own.or_else(|| self.wall.value(quantity))
     }
 
     /// Surface speed, rad/s.

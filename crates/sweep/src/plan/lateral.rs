@@ -9,9 +9,9 @@ use super::impulses::{self, ImpulseSettings};
 use super::sites::site_of;
 use super::wall::{self, WallSettings};
 use crate::design::Design;
-use crate::quantities::{Axis, StringAxis};
+use crate::quantities::{Axis, StringAxis, WallQuantity};
 use crate::sweep_file::{
-    BendingTable, EccentricMassTable, FileContent, Source, SupportName, SweepFileError,
+    BendingTable, EccentricMassTable, FileContent, NoPlace, Source, SupportName, SweepFileError,
 };
 
 /// The lateral part of a sweep.
@@ -52,6 +52,7 @@ pub fn resolve(
         let message = "a wall needs a table [string.bending]";
         return Err(source.error("wall", message));
     };
+    sites_are_there(source, content, design)?;
     let has = |axis| conditions.has(axis, design);
     // As the sites are: from the surface down.
     let mut order: Vec<usize> = (0..content.sites.len()).collect();
@@ -60,7 +61,12 @@ pub fn resolve(
     let walls = (sites.distances_from_bit().iter().zip(order))
         .map(|(&distance, index)| {
             let radius = string.outer_radius_at(distance);
-            wall::resolve(source, content, index, radius, has(Axis::Friction))
+            let friction = Axis::WallAtSite {
+                site: index,
+                quantity: WallQuantity::Friction,
+            };
+            let has_friction = has(Axis::FRICTION) || has(friction);
+            wall::resolve(source, content, index, radius, has_friction)
         })
         .collect::<Result<_, _>>()?;
     let impulses = (content.impulses.iter().enumerate())
@@ -84,6 +90,23 @@ pub fn resolve(
     }))
 }
 
+/// Refuses an axis of the wall at a site that the file has not.
+fn sites_are_there(
+    source: &Source,
+    content: &FileContent,
+    design: &Design,
+) -> Result<(), SweepFileError> {
+    for axis in design.axes() {
+        if let Axis::WallAtSite { site, .. } = axis {
+            let key = format!("design.axes.{}", axis.name());
+            let nowhere = NoPlace::Site(content.sites.len());
+            let is_there = content.sites.get(*site).ok_or(nowhere);
+            source.checked(&key, is_there)?;
+        }
+    }
+    Ok(())
+}
+
 /// Keys that would be ignored without a wall.
 fn refuse_keys(
     source: &Source,
@@ -96,9 +119,11 @@ fn refuse_keys(
         ("impulses", !content.impulses.is_empty()),
         ("eccentric_masses", !content.eccentric_masses.is_empty()),
         ("design.axes.impulse_ratio", varies(Axis::ImpulseRatio)),
-        ("design.axes.friction", varies(Axis::Friction)),
     ] {
         source.refuse_if(is_given, key, message)?;
+    }
+    if let Some(axis) = design.axes().iter().find(|axis| axis.is_of_wall()) {
+        return Err(source.error(&format!("design.axes.{}", axis.name()), message));
     }
     for axis in [StringAxis::BendingDamping, StringAxis::Compression].map(Axis::String) {
         let message = "needs tables [wall] and [string.bending]";
@@ -106,14 +131,9 @@ fn refuse_keys(
         source.refuse_if(varies(axis), &key, message)?;
     }
     for (index, site) in content.sites.iter().enumerate() {
-        for (name, value) in [
-            ("clearance_mm", site.clearance_mm),
-            ("stiffness_gn_m15", site.stiffness_gn_m15),
-            ("friction", site.friction),
-            ("friction_dynamic_ratio", site.friction_dynamic_ratio),
-            ("friction_stribeck_m_s", site.friction_stribeck_m_s),
-        ] {
-            source.refuse_if(value.is_some(), &format!("sites[{index}].{name}"), message)?;
+        for quantity in WallQuantity::ALL {
+            let key = format!("sites[{index}].{}", quantity.key());
+            source.refuse_if(site.wall().value(quantity).is_some(), &key, message)?;
         }
     }
     Ok(())

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::bit::Bit;
-use super::conditions::Conditions;
 use super::setting::Setting;
 use crate::design::Design;
 use crate::quantities::{Axis, Measure, Needs};
@@ -109,34 +108,35 @@ fn mark(
     (x, y): (Axis, Axis),
     bit: Option<&Bit>,
 ) -> Result<MapMark, SweepFileError> {
-    let conditions = Conditions {
-        surface_speed_rpm: mark.surface_speed_rpm,
-        weight_on_bit_kn: mark.weight_on_bit_kn,
-        torque_dynamic_nm: mark.torque_dynamic_nm,
-        impulse_ratio: mark.impulse_ratio,
-        friction: mark.friction,
-        ..Conditions::default()
-    };
-    for axis in Conditions::AXES {
-        if let Some(value) = conditions.value(axis) {
+    let given = [
+        (Axis::SurfaceSpeedRpm, mark.surface_speed_rpm),
+        (Axis::WeightOnBitKn, mark.weight_on_bit_kn),
+        (Axis::TorqueDynamicNm, mark.torque_dynamic_nm),
+        (Axis::ImpulseRatio, mark.impulse_ratio),
+        (Axis::FRICTION, mark.friction),
+    ];
+    for (axis, value) in given {
+        if let Some(value) = value {
             let key = format!("map.marks[{index}].{}", axis.name());
             source.check_axis(&key, axis, value)?;
         }
     }
     let key = format!("map.marks[{index}]");
     let rock = bit.and_then(|bit| bit.rock.as_ref());
-    let value = |axis: Axis| match (conditions.value(axis), axis, mark.torque_dynamic_nm, rock) {
-        (Some(value), ..) => Ok(value),
-        (None, Axis::WeightOnBitKn, Some(torque), Some(rock)) => {
-            let weight = rock.weight_on_bit(torque);
-            Ok(1e-3 * source.checked(&format!("{key}.torque_dynamic_nm"), weight)?)
-        }
-        (None, Axis::String(_), ..) => {
+    let value = |axis: Axis| {
+        let Some((_, value)) = given.iter().find(|(given, _)| *given == axis) else {
             let name = axis.name();
             let message = format!("a mark has no place on a map over {name}: leave it out");
-            Err(source.error(&key, message))
+            return Err(source.error(&key, message));
+        };
+        match (*value, axis, mark.torque_dynamic_nm, rock) {
+            (Some(value), ..) => Ok(value),
+            (None, Axis::WeightOnBitKn, Some(torque), Some(rock)) => {
+                let weight = rock.weight_on_bit(torque);
+                Ok(1e-3 * source.checked(&format!("{key}.torque_dynamic_nm"), weight)?)
+            }
+            _ => Err(source.error(&key, format!("does not say its {}", axis.name()))),
         }
-        _ => Err(source.error(&key, format!("does not say its {}", axis.name()))),
     };
     Ok(MapMark {
         name: mark.name.clone(),

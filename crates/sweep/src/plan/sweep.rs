@@ -157,7 +157,7 @@ impl Sweep {
     /// The conditions of a case with the given values along the design's axes.
     pub fn conditions_at(&self, values: &[f64]) -> Conditions {
         let axes = self.design.axes().iter().zip(values);
-        axes.fold(self.conditions, |conditions, (&axis, &value)| {
+        axes.fold(self.conditions.clone(), |conditions, (&axis, &value)| {
             conditions.with(axis, value)
         })
     }
@@ -210,7 +210,7 @@ impl Sweep {
         if changing.peek().is_none() {
             return Ok(Cow::Borrowed(&self.setting));
         }
-        let (mut content, mut conditions) = (self.content.clone(), self.conditions);
+        let (mut content, mut conditions) = (self.content.clone(), self.conditions.clone());
         for (axis, value) in changing {
             if let Axis::String(of_string) = axis {
                 let changed = content.set(of_string, value);

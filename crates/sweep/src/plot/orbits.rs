@@ -1,5 +1,5 @@
 //! Orbits: curves in a plane with the same scale both ways, side by side, each
-//! with the circle it may not leave where it comes near that.
+//! with the circles it may not leave where it comes near those.
 
 use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
 use super::colours::CLEARANCE;
@@ -32,8 +32,8 @@ pub struct Orbit {
     pub axes: [Axis; 2],
     /// Curves.
     pub series: Vec<Series>,
-    /// Radius of a dashed circle around the origin, the clearance.
-    pub circle: Option<f64>,
+    /// Radii of dashed circles around the origin, the clearances.
+    pub circles: Vec<f64>,
 }
 
 /// Draws orbits side by side, from left to right, with one title and one legend.
@@ -42,7 +42,7 @@ pub fn orbits(title: &str, orbits: &[Orbit]) -> Result<Picture> {
     let names = distinct(series.map(|series| &series.name));
     let keys = names.iter().enumerate();
     let curves = keys.map(|(index, &name)| (Key::Line(series_stroke(index)), name));
-    let has_circle = orbits.iter().any(|orbit| orbit.circle.is_some());
+    let has_circle = orbits.iter().any(|orbit| !orbit.circles.is_empty());
     let circle = has_circle.then_some((Key::Line(CIRCLE), "clearance"));
     let legend = Legend::new(curves.chain(circle))?;
     let plots = orbits.len() as f64 * SIDE;
@@ -78,9 +78,10 @@ fn draw_orbit(
     frame.area.right = frame.area.left + side;
     frame.area.top = frame.area.bottom - side;
     frame.draw(canvas)?;
-    let circle = orbit.circle.map(circle).unwrap_or_default();
-    for piece in frame.curve(&circle) {
-        canvas.line(&piece, CIRCLE)?;
+    for radius in &orbit.circles {
+        for piece in frame.curve(&circle(*radius)) {
+            canvas.line(&piece, CIRCLE)?;
+        }
     }
     for series in &orbit.series {
         let stroke = Stroke {
@@ -97,11 +98,10 @@ fn draw_orbit(
 /// The furthest that anything drawn is from the origin, along either axis.
 fn reach(orbit: &Orbit) -> f64 {
     let points = orbit.series.iter().flat_map(|series| &series.points);
+    let furthest = orbit.circles.iter().copied().fold(0.0, f64::max);
     points
         .filter(|(x, y)| x.is_finite() && y.is_finite())
-        .fold(orbit.circle.unwrap_or(0.0), |reach, (x, y)| {
-            reach.max(x.abs()).max(y.abs())
-        })
+        .fold(furthest, |reach, (x, y)| reach.max(x.abs()).max(y.abs()))
 }
 
 fn circle(radius: f64) -> Vec<(f64, f64)> {
@@ -126,7 +126,7 @@ mod tests {
                 name: "hilbert".to_owned(),
                 points: vec![(0.0, 0.0), (3.0, f64::NAN), (20.0, -1.0)],
             }],
-            circle: Some(15.0),
+            circles: vec![15.0],
         };
         assert_eq!(reach(&orbit()), 20.0);
         let picture = orbits("Orbits", &[orbit(), orbit()]);

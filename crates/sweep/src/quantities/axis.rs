@@ -16,8 +16,15 @@ pub enum Axis {
     TorqueDynamicNm,
     /// Lateral impulse in multiples of I₀.
     ImpulseRatio,
-    /// Friction μ₀ of the borehole wall.
-    Friction,
+    /// A quantity of the borehole wall, at every site.
+    Wall(WallQuantity),
+    /// The same at one site, whatever it is at every site.
+    WallAtSite {
+        /// Which site, counted from 0 in the order of the file.
+        site: usize,
+        /// Which quantity.
+        quantity: WallQuantity,
+    },
     /// Static coefficient of friction along the string.
     StringFriction,
     /// The dynamic coefficient in parts of that.
@@ -30,6 +37,44 @@ pub enum Axis {
     TorqueDecay,
     /// A constant of the rock's own law.
     Rock(RockConstant),
+}
+
+/// A quantity of the borehole wall. The exponent of Hertz' law is none: the law of the wall is
+/// that of 3/2.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum WallQuantity {
+    /// Clearance c between string and wall.
+    Clearance,
+    /// Hertzian stiffness k_c.
+    Stiffness,
+    /// Coefficient of friction μ₀, static where it falls.
+    Friction,
+    /// Dynamic coefficient in parts of that.
+    DynamicRatio,
+    /// Stribeck speed of sliding.
+    StribeckSpeed,
+}
+
+impl WallQuantity {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Clearance,
+        Self::Stiffness,
+        Self::Friction,
+        Self::DynamicRatio,
+        Self::StribeckSpeed,
+    ];
+
+    /// Its key in a sweep file, which is the name of its axis at every site.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Clearance => "clearance_mm",
+            Self::Stiffness => "stiffness_gn_m15",
+            Self::Friction => "friction",
+            Self::DynamicRatio => "friction_dynamic_ratio",
+            Self::StribeckSpeed => "friction_stribeck_m_s",
+        }
+    }
 }
 
 /// A constant of a rock's own law.
@@ -145,6 +190,9 @@ impl TubeMeasure {
 }
 
 impl Axis {
+    /// Friction μ₀ of the borehole wall at every site.
+    pub const FRICTION: Self = Self::Wall(WallQuantity::Friction);
+
     /// Whether it is a quantity of the string.
     pub fn is_of_string(self) -> bool {
         matches!(self, Axis::String(_))
@@ -160,6 +208,26 @@ impl Axis {
     /// has a limit of stick-slip of its own.
     pub fn changes_bit(self) -> bool {
         matches!(self, Axis::TorqueStaticRatio | Axis::Rock(_))
+    }
+
+    /// Whether it is a quantity of the wall, at every site or at one.
+    pub fn is_of_wall(self) -> bool {
+        matches!(self, Axis::Wall(_) | Axis::WallAtSite { .. })
+    }
+
+    /// Whether each of its values has a limit of whirl of its own, over the friction of every
+    /// site. How friction falls matters to none: what rolls needs the static coefficient, what
+    /// slides no less.
+    pub fn changes_whirl_limit(self) -> bool {
+        use WallQuantity::{Clearance, Friction, Stiffness};
+        matches!(
+            self,
+            Axis::Wall(Clearance | Stiffness)
+                | Axis::WallAtSite {
+                    quantity: Clearance | Stiffness | Friction,
+                    ..
+                }
+        )
     }
 
     /// Whether only whole numbers make sense.
@@ -187,7 +255,9 @@ impl Axis {
         match self {
             Axis::String(StringAxis::Repeat { section }) => [Some(section), None],
             Axis::String(StringAxis::Tube { section, part, .. }) => [Some(section), Some(part)],
-            Axis::String(StringAxis::SitePlace { site }) => [Some(site), None],
+            Axis::String(StringAxis::SitePlace { site }) | Axis::WallAtSite { site, .. } => {
+                [Some(site), None]
+            }
             Axis::String(
                 StringAxis::EccentricMass { mass } | StringAxis::EccentricOffset { mass },
             ) => [Some(mass), None],

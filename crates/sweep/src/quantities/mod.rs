@@ -10,7 +10,7 @@ mod range;
 mod table;
 mod units;
 
-pub use axis::{Axis, RockConstant, StringAxis, TubeMeasure};
+pub use axis::{Axis, RockConstant, StringAxis, TubeMeasure, WallQuantity};
 pub use field_units::{
     FOOT, FORCE, IMPULSE, INCH, INERTIA, INTEGRAL_GAIN, LENGTH, POUND, POUND_FORCE,
     PROPORTIONAL_GAIN, TORQUE, WIDTH, factor_of_recorded, in_si,

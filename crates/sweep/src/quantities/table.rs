@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::axis::{Axis, RockConstant, StringAxis, TubeMeasure};
+use super::axis::{Axis, RockConstant, StringAxis, TubeMeasure, WallQuantity};
 use super::field_units::in_si;
 use super::numbered::{numbered, numbers_in};
 use super::range::{ValueError, within};
@@ -48,14 +48,27 @@ const fn tube(measure: TubeMeasure) -> Axis {
     })
 }
 
+const fn at_site(quantity: WallQuantity) -> Axis {
+    Axis::WallAtSite { site: 0, quantity }
+}
+
 /// One axis of every kind: operating conditions in the order of their columns, then
 /// quantities of the string.
-const KINDS: [Axis; 33] = [
+const KINDS: [Axis; 42] = [
     Axis::SurfaceSpeedRpm,
     Axis::WeightOnBitKn,
     Axis::TorqueDynamicNm,
     Axis::ImpulseRatio,
-    Axis::Friction,
+    Axis::Wall(WallQuantity::Clearance),
+    Axis::Wall(WallQuantity::Stiffness),
+    Axis::FRICTION,
+    Axis::Wall(WallQuantity::DynamicRatio),
+    Axis::Wall(WallQuantity::StribeckSpeed),
+    at_site(WallQuantity::Clearance),
+    at_site(WallQuantity::Stiffness),
+    at_site(WallQuantity::Friction),
+    at_site(WallQuantity::DynamicRatio),
+    at_site(WallQuantity::StribeckSpeed),
     Axis::StringFriction,
     Axis::StringFrictionRatio,
     Axis::StringFrictionSpeed,
@@ -94,7 +107,24 @@ impl Axis {
             Axis::WeightOnBitKn => row("weight_on_bit_kn", ("Weight on bit W", "W"), (0.0, 2e3, "kN")),
             Axis::TorqueDynamicNm => row("torque_dynamic_nm", ("Dynamic torque T_d", "T_d"), (0.0, 1e7, "N m")),
             Axis::ImpulseRatio => row("impulse_ratio", ("Impulse I / I₀", "I/I₀"), (0.0, 1e6, "")),
-            Axis::Friction => row("friction", ("Coefficient of friction μ₀", "μ₀"), (0.0, 50.0, "")),
+            Axis::Wall(quantity) => match quantity {
+                WallQuantity::Clearance => row("clearance_mm", ("Clearance c", "c"), (1e-3, 1e3, "mm")),
+                WallQuantity::Stiffness => row("stiffness_gn_m15", ("Stiffness of the wall k_c", "k_c"), (1e-6, 1e6, "GN/m^1.5")),
+                WallQuantity::Friction => row("friction", ("Coefficient of friction μ₀", "μ₀"), (0.0, 50.0, "")),
+                WallQuantity::DynamicRatio => row("friction_dynamic_ratio", ("Dynamic by static friction of the wall μ_d / μ₀", "μ_d/μ₀"), (0.0, 1.0, "")),
+                WallQuantity::StribeckSpeed => row("friction_stribeck_m_s", ("Stribeck speed of the wall v_s", "v_s"), (0.0, 100.0, "m/s")),
+            },
+            Axis::WallAtSite { quantity, .. } => {
+                let of_all = Axis::Wall(quantity).quantity();
+                let (name, title) = match quantity {
+                    WallQuantity::Clearance => ("site_0_clearance_mm", "Clearance at site 0"),
+                    WallQuantity::Stiffness => ("site_0_stiffness_gn_m15", "Stiffness of the wall at site 0"),
+                    WallQuantity::Friction => ("site_0_friction", "Coefficient of friction at site 0"),
+                    WallQuantity::DynamicRatio => ("site_0_friction_dynamic_ratio", "Dynamic by static friction at site 0"),
+                    WallQuantity::StribeckSpeed => ("site_0_friction_stribeck_m_s", "Stribeck speed at site 0"),
+                };
+                row(name, (title, ""), (of_all.least, of_all.most, of_all.unit))
+            }
             Axis::StringFriction => row("string_friction", ("Static friction of the string μ_s", "μ_s"), (0.0, 50.0, "")),
             Axis::StringFrictionRatio => row("string_friction_ratio", ("Dynamic by static friction μ_d / μ_s", "μ_d/μ_s"), (0.0, 1.0, "")),
             Axis::StringFrictionSpeed => row("string_friction_stribeck_rpm", ("Speed of the Stribeck curve ω_s", "ω_s"), (0.0, 1e4, "rpm")),
@@ -255,6 +285,8 @@ mod tests {
         let more = [
             "section_12_part_3_outer_radius_m",
             "site_7_distance_from_bit_m",
+            "site_12_friction",
+            "site_3_friction_stribeck_m_s",
         ];
         for name in Axis::NAMES.into_iter().chain(more) {
             let axis = Axis::from_name(name);
@@ -271,6 +303,8 @@ mod tests {
             "section_+1_repeat",
             "section_0_part_0_colour",
             "site_0",
+            "site_friction",
+            "site_00_clearance_mm",
             "section_99999999999999999999_repeat",
         ] {
             assert_eq!(Axis::from_name(name), None, "{name}");
@@ -310,7 +344,8 @@ mod tests {
         for axis in KINDS {
             let Quantity { name, unit, .. } = axis.quantity();
             let Some(twin) = Units::Field.twin_of(name) else {
-                assert!(["", "rpm"].contains(&unit), "{name} has no twin");
+                let without = ["", "rpm", "GN/m^1.5"];
+                assert!(without.contains(&unit), "{name} has no twin");
                 continue;
             };
             assert_eq!(twin.units[0], unit, "{name}");

@@ -65,7 +65,7 @@ impl Limits {
             Boundary::Whirl(points) if !points.is_empty() => {
                 let lines = vec![rolling_envelope(points); methods.len()];
                 let along = place(Axis::SurfaceSpeedRpm);
-                (Limited::Whirl, place(Axis::Friction)?, along, lines)
+                (Limited::Whirl, place(Axis::FRICTION)?, along, lines)
             }
             _ => return None,
         };

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::quantities::WallQuantity;
+
 /// Bending constants of the string, `[string.bending]`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -46,6 +48,31 @@ pub struct WallTable {
     /// Stribeck speed of sliding, over which friction falls, m/s; left out, it falls with the
     /// first slip.
     pub friction_stribeck_m_s: Option<f64>,
+}
+
+impl WallTable {
+    /// What it says of a quantity.
+    pub fn value(&self, quantity: WallQuantity) -> Option<f64> {
+        match quantity {
+            WallQuantity::Clearance => self.clearance_mm,
+            WallQuantity::Stiffness => self.stiffness_gn_m15,
+            WallQuantity::Friction => self.friction,
+            WallQuantity::DynamicRatio => self.friction_dynamic_ratio,
+            WallQuantity::StribeckSpeed => self.friction_stribeck_m_s,
+        }
+    }
+
+    /// Makes it say a value of a quantity.
+    pub fn set(&mut self, quantity: WallQuantity, value: f64) {
+        let place = match quantity {
+            WallQuantity::Clearance => &mut self.clearance_mm,
+            WallQuantity::Stiffness => &mut self.stiffness_gn_m15,
+            WallQuantity::Friction => &mut self.friction,
+            WallQuantity::DynamicRatio => &mut self.friction_dynamic_ratio,
+            WallQuantity::StribeckSpeed => &mut self.friction_stribeck_m_s,
+        };
+        *place = Some(value);
+    }
 }
 
 /// A lateral impulse at a site.
@@ -99,10 +126,23 @@ pub struct SiteTable {
     pub clearance_mm: Option<f64>,
     /// Contact stiffness here, GN/m^(3/2), instead of the wall's.
     pub stiffness_gn_m15: Option<f64>,
-    /// Friction here, instead of the wall's; an axis changes it everywhere.
+    /// Friction here, instead of the wall's, unless an axis gives it.
     pub friction: Option<f64>,
     /// Dynamic over static coefficient here, instead of the wall's.
     pub friction_dynamic_ratio: Option<f64>,
     /// Stribeck speed of sliding here, m/s, instead of the wall's.
     pub friction_stribeck_m_s: Option<f64>,
+}
+
+impl SiteTable {
+    /// What it says of the wall.
+    pub fn wall(&self) -> WallTable {
+        WallTable {
+            clearance_mm: self.clearance_mm,
+            stiffness_gn_m15: self.stiffness_gn_m15,
+            friction: self.friction,
+            friction_dynamic_ratio: self.friction_dynamic_ratio,
+            friction_stribeck_m_s: self.friction_stribeck_m_s,
+        }
+    }
 }

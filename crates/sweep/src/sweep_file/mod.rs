@@ -24,6 +24,7 @@ pub mod wording;
 
 pub use bha_sheet::{SheetNotes, put_sections};
 pub use bit::{BitTable, LawTable, RockName};
+pub use change::NoPlace;
 pub use compare::{CompareTable, Extreme, TraceName};
 pub use design::{AxisRange, DesignKind, DesignTable, DistributionName, PointsName, Spacing};
 pub use error::SweepFileError;

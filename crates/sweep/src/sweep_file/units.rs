@@ -5,7 +5,7 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 26] = [
+const KEYS: [&str; 24] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
@@ -15,7 +15,6 @@ const KEYS: [&str; 26] = [
     "distance_from_bit_m",
     "offset_m",
     "bit_radius_m",
-    "clearance_mm",
     "wear_flat_mm",
     "mass_kg",
     "density_kg_m3",
@@ -25,7 +24,6 @@ const KEYS: [&str; 26] = [
     "poor_cleaning_from_kn",
     "amount_ns",
     "damping_ns_m2",
-    "friction_stribeck_m_s",
     "poor_cleaning_nm_per_kn",
     "table_kn_nm",
     "specific_energy_mpa",

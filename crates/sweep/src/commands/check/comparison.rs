@@ -8,6 +8,7 @@ use sim::Label;
 use crate::engine::{MethodSystem, Record};
 use crate::output::{LabelRow, Labels, Motion, rolling_bound};
 use crate::plan::Sweep;
+use crate::quantities::Axis;
 
 /// Rows by the reference's numbers of cases and by method.
 pub type Found = BTreeMap<(usize, &'static str), Record>;
@@ -82,8 +83,17 @@ fn difference(
 fn distance_of_whirl(sweep: &Sweep, expected: &LabelRow) -> Option<String> {
     let conditions = sweep.conditions_at(&expected.values);
     let lateral = sweep.setting.lateral.as_ref()?;
+    // Each wall has a limit of its own, and none but that of the file is at hand.
+    if sweep
+        .design
+        .axes()
+        .iter()
+        .any(|axis| axis.changes_whirl_limit())
+    {
+        return None;
+    }
     let bound = rolling_bound(&sweep.setting, lateral, conditions.surface_speed_rpm?);
-    let ratio = conditions.friction? / bound.ok().flatten()?;
+    let ratio = conditions.value(Axis::FRICTION)? / bound.ok().flatten()?;
     Some(format!(
         ", at {ratio:.3} times the least friction of steady rolling whirl"
     ))

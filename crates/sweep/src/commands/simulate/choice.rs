@@ -109,10 +109,15 @@ fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
         Axis::WeightOnBitKn | Axis::TorqueDynamicNm if sweep.bit.is_none() => {
             "the bit is free in this sweep"
         }
-        Axis::Friction | Axis::String(StringAxis::BendingDamping | StringAxis::Compression)
+        Axis::Wall(_)
+        | Axis::WallAtSite { .. }
+        | Axis::String(StringAxis::BendingDamping | StringAxis::Compression)
             if lateral.is_none() =>
         {
             "there is no wall in this sweep"
+        }
+        Axis::WallAtSite { site, .. } if site >= sweep.content.sites.len() => {
+            "the file has no such site; they are counted from 0"
         }
         Axis::TorqueStaticRatio | Axis::TorqueDecay if sweep.bit.is_none() => {
             "the bit is free in this sweep"

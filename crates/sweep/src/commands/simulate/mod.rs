@@ -86,8 +86,8 @@ fn write_files(
     let picture = history_picture(sweep, cases, simulations)?;
     save_picture(folder, "history", &picture)?;
     if let Some(lateral) = &sweep.setting.lateral {
-        save_picture(folder, "orbit", &orbit_picture(sweep, simulations)?)?;
-        let along = string_picture(sweep, lateral, simulations)?;
+        save_picture(folder, "orbit", &orbit_picture(sweep, cases, simulations)?)?;
+        let along = string_picture(sweep, lateral, cases, simulations)?;
         save_picture(folder, "string", &along)?;
     }
     Ok(())

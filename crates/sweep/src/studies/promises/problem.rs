@@ -38,7 +38,7 @@ impl Motion {
     pub fn axis(self) -> Axis {
         match self {
             Motion::StickSlip => Axis::SurfaceSpeedRpm,
-            Motion::Whirl => Axis::Friction,
+            Motion::Whirl => Axis::FRICTION,
         }
     }
 }

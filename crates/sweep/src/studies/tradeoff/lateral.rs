@@ -122,7 +122,7 @@ fn number(
 /// The friction above which whirl starts, the impulse being that of Fig. 12.
 fn whirl_limit(sweep: &Sweep, system: &MethodSystem) -> Option<f64> {
     limit_between(LIMIT_BRACKET, |friction| {
-        let conditions = sweep.conditions.with(Axis::Friction, friction);
+        let conditions = sweep.conditions.with(Axis::FRICTION, friction);
         let outcome = trial::outcome(sweep, system, &conditions, Stopping::Early).ok()?;
         Some(outcome.lateral?.regime == LateralRegime::BackwardWhirl)
     })
