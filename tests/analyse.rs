@@ -136,6 +136,70 @@ fn parts_are_counted_together_and_strangers_are_not() {
     );
 }
 
+/// Over two axes cells, over one curves; slow bits stick and fast ones do not, so that the line of a
+/// half is somewhere.
+#[test]
+fn how_likely_a_regime_is_can_be_drawn() {
+    let place = Workplace::with_small(&random(300));
+    run(&place, &["--out", "out"]);
+    let drawn = |by: &str, file: &str, more: &[&str]| {
+        let arguments = ["analyse", "out", "--by", by, "--picture", file];
+        let said = done(&place, &[&arguments, more].concat());
+        assert!(said.ends_with(&format!("{file}\n")), "{said}");
+        std::fs::read(place.path(file)).unwrap()
+    };
+    let both = "surface_speed_rpm,weight_on_bit_kn";
+    let svg = |by: &str, more: &[&str]| String::from_utf8(drawn(by, "p.svg", more)).unwrap();
+    let map = svg(both, &["--bins", "3"]);
+    for word in ["stick-slip", "50 % of the cases\n", "300 simulations"] {
+        assert!(map.contains(word), "{word}: {map}");
+    }
+    // As many have the one label as have not the other.
+    let smooth = svg(both, &["--bins", "3", "--regime", "smooth"]);
+    assert!(smooth.contains("50 % of the cases\n") && smooth != map);
+    // Three cases of 300 in a cell are too few.
+    let fine = svg(both, &["--bins", "10"]);
+    assert!(fine.contains("too few cases") && !map.contains("too few cases"));
+    let curves = svg("surface_speed_rpm", &[]);
+    assert!(curves.contains("part of the cases"), "{curves}");
+    let png = drawn(both, "p.png", &[]);
+    assert_eq!(png[..4], *b"\x89PNG");
+}
+
+#[test]
+fn a_picture_that_cannot_be_is_refused() {
+    let place = Workplace::with_small(&random(30));
+    run(&place, &["--out", "out"]);
+    let speed = ["--by", "surface_speed_rpm"];
+    let picture = ["--picture", "p.svg"];
+    for (arguments, meant) in [
+        (vec!["--picture", "p.svg"], "--by"),
+        (
+            [&speed[..], &["--picture", "p.pdf"]].concat(),
+            ".svg or .png",
+        ),
+        ([&speed[..], &speed, &picture].concat(), "several"),
+        ([&speed[..], &["--regime", "smooth"]].concat(), "--picture"),
+        (
+            [&speed[..], &picture, &["--regime", "stick"]].concat(),
+            "stick_slip",
+        ),
+        (
+            [&speed[..], &picture, &["--regime", "no_contact"]].concat(),
+            "no case has a lateral label",
+        ),
+    ] {
+        let answer = place.sweep(&[&["analyse", "out"], &arguments[..]].concat());
+        assert_eq!(answer.code, 2, "{arguments:?}: {}", answer.errors);
+        assert!(
+            answer.errors.contains(meant),
+            "{arguments:?}: {}",
+            answer.errors
+        );
+        assert!(!place.path("p.svg").exists() && answer.output.is_empty());
+    }
+}
+
 /// So many more cases as it says bring the interval to the width asked for.
 #[test]
 fn as_many_more_cases_as_it_says_are_enough() {

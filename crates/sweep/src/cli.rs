@@ -5,10 +5,12 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use sim::Label;
 
 use crate::allotted::PassedOver;
 use crate::engine::{RunOptions, Shard};
 use crate::memory::{Limit, Size};
+use crate::output;
 use crate::quantities::Axis;
 use crate::studies::promises::Motion;
 use crate::studies::stability::Family;
@@ -122,6 +124,7 @@ pub enum Command {
     /// Say how often each regime occurs, how surely, and what decides
     #[command(after_help = "Examples:\n  sweep analyse results/well\n  \
         sweep analyse results/well --by weight_on_bit_kn,surface_speed_rpm --width 0.02\n  \
+        sweep analyse results/well --by weight_on_bit_kn,surface_speed_rpm --picture map.svg\n  \
         sweep analyse results/well/shard-* --out analysis.csv\n\n\
         Of unfinished runs as far as they are. Intervals are of 95 % (Wilson, and for\n\
         Sobol's indices of sensitivity designs a bootstrap).")]
@@ -404,6 +407,41 @@ pub struct AnalyseArguments {
     /// Write Sobol's indices of a sensitivity design to a CSV file
     #[arg(long, value_name = "FILE")]
     pub indices: Option<PathBuf>,
+    /// Draw how likely a regime is over the axes of --by, as .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = parse_picture, requires = "by")]
+    pub picture: Option<PictureFile>,
+    /// Which regime to draw, by its label [default: stick-slip, sustained whirl]
+    #[arg(long, value_name = "LABEL", value_parser = parse_regime, requires = "picture")]
+    pub regime: Option<Label>,
+}
+
+/// A file that a picture is written to, in the format of its ending.
+#[derive(Debug, Clone)]
+pub enum PictureFile {
+    /// In vectors.
+    Svg(PathBuf),
+    /// In pixels.
+    Png(PathBuf),
+}
+
+fn parse_picture(text: &str) -> Result<PictureFile, String> {
+    let path = PathBuf::from(text);
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    match ending.map(str::to_ascii_lowercase).as_deref() {
+        Some("svg") => Ok(PictureFile::Svg(path)),
+        Some("png") => Ok(PictureFile::Png(path)),
+        _ => Err("a picture ends in .svg or .png".to_owned()),
+    }
+}
+
+fn parse_regime(name: &str) -> Result<Label, String> {
+    let motions = output::Motion::ALL.into_iter();
+    let known: Vec<Label> = motions.flat_map(output::Motion::labels).collect();
+    let found = known.iter().find(|label| label.name() == name);
+    found.copied().ok_or_else(|| {
+        let names: Vec<&str> = known.iter().map(|label| label.name()).collect();
+        format!("unknown regime `{name}`; known: {}", names.join(", "))
+    })
 }
 
 /// One axis or two.

@@ -18,6 +18,8 @@ pub struct Bins {
     pub axis: Axis,
     /// Where they begin and end; few values are ranges of no width.
     pub ranges: Vec<[f64; 2]>,
+    /// In what they are even.
+    pub spacing: Spacing,
 }
 
 /// What is known of an axis from its values.
@@ -54,10 +56,7 @@ impl Bins {
         }
         let ranges = axes.iter().zip(all);
         Ok(ranges
-            .map(|(&axis, seen)| Self {
-                axis,
-                ranges: seen.ranges(is_logarithmic(content, axis), count),
-            })
+            .map(|(&axis, seen)| seen.bins(axis, is_logarithmic(content, axis), count))
             .collect())
     }
 
@@ -65,6 +64,26 @@ impl Bins {
     pub fn place(&self, value: f64) -> usize {
         let below = self.ranges.partition_point(|range| range[1] < value);
         below.min(self.ranges.len() - 1)
+    }
+
+    /// Whether each is one value.
+    pub fn are_values(&self) -> bool {
+        self.ranges.iter().all(|[from, to]| from == to)
+    }
+
+    /// The middle of a range.
+    pub fn middle(&self, place: usize) -> f64 {
+        let [from, to] = self.ranges[place];
+        self.spacing.between(from, to, 0.5)
+    }
+
+    /// The value between the middles of ranges, at a place that need not be whole.
+    pub fn at(&self, place: f64) -> f64 {
+        let last = self.ranges.len() - 1;
+        let below = (place as usize).min(last);
+        let above = (below + 1).min(last);
+        let [from, to] = [below, above].map(|range| self.middle(range));
+        self.spacing.between(from, to, place - below as f64)
     }
 }
 
@@ -89,11 +108,15 @@ impl Seen {
         }
     }
 
-    fn ranges(&self, is_logarithmic: bool, count: usize) -> Vec<[f64; 2]> {
+    fn bins(&self, axis: Axis, is_logarithmic: bool, count: usize) -> Bins {
         if self.distinct.len() <= MOST_VALUES {
             let mut values: Vec<f64> = self.distinct.iter().copied().map(f64::from_bits).collect();
             values.sort_by(f64::total_cmp);
-            return values.into_iter().map(|value| [value; 2]).collect();
+            return Bins {
+                axis,
+                ranges: values.into_iter().map(|value| [value; 2]).collect(),
+                spacing: Spacing::Linear,
+            };
         }
         let spacing = match is_logarithmic && self.least > 0.0 {
             true => Spacing::Log,
@@ -101,7 +124,11 @@ impl Seen {
         };
         let end =
             |index: usize| spacing.between(self.least, self.most, index as f64 / count as f64);
-        (0..count).map(|bin| [end(bin), end(bin + 1)]).collect()
+        Bins {
+            axis,
+            ranges: (0..count).map(|bin| [end(bin), end(bin + 1)]).collect(),
+            spacing,
+        }
     }
 }
 
@@ -116,10 +143,7 @@ mod tests {
             most: f64::NEG_INFINITY,
         };
         values.for_each(|value| seen.add(value));
-        Bins {
-            axis: Axis::FRICTION,
-            ranges: seen.ranges(is_logarithmic, 4),
-        }
+        seen.bins(Axis::FRICTION, is_logarithmic, 4)
     }
 
     #[test]
@@ -136,5 +160,12 @@ mod tests {
         for (range, low) in logarithmic.ranges.iter().zip([1.0, 10.0, 100.0, 1000.0]) {
             assert!((range[0] / low - 1.0).abs() < 1e-12, "{range:?}");
         }
+        assert!(few.are_values() && !many.are_values());
+        assert_eq!(
+            [0.0, 0.5, 2.0].map(|place| few.at(place)),
+            [-2.0, -0.5, 3.0]
+        );
+        assert_eq!([0.0, 1.5].map(|place| many.at(place)), [12.5, 50.0]);
+        assert!((logarithmic.at(0.5) / 10.0 - 1.0).abs() < 1e-12);
     }
 }

@@ -31,6 +31,17 @@ pub struct Group {
 }
 
 impl Group {
+    /// How many of the rows in each cell have a regime, of those with a label; without one asked
+    /// for, sustained vibration.
+    pub fn with(&self, regime: Option<Label>) -> Vec<[usize; 2]> {
+        let Some(regime) = regime else {
+            return self.sustained();
+        };
+        let counts = self.labels.get(&regime);
+        let of_cell = |(cell, &all)| [counts.map_or(0, |counts| counts[cell]), all];
+        self.all.iter().enumerate().map(of_cell).collect()
+    }
+
     /// How many of the rows in each cell have sustained vibration, of those long enough to tell.
     pub fn sustained(&self) -> Vec<[usize; 2]> {
         let mut cells = vec![[0; 2]; self.all.len()];

@@ -1,6 +1,7 @@
 //! The cells of a map: around the values of a grid, or of one size.
 
 use super::extent::Extent;
+use crate::analysis::Bins;
 use crate::plot::{Ground, MapCell};
 
 /// Cells over two axes, column by column.
@@ -10,6 +11,19 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// Between ranges along two axes; around values that are ranges of no width.
+    pub fn of_bins(bins: [&Bins; 2]) -> Self {
+        let edges = bins.map(|bins| {
+            let begins = bins.ranges.iter().map(|range| range[0]);
+            if bins.are_values() {
+                return around(&begins.collect::<Vec<f64>>());
+            }
+            let last = bins.ranges.last().map(|range| range[1]);
+            begins.chain(last).collect()
+        });
+        Self { edges }
+    }
+
     /// Around the values of a grid: at most `most` cells to the right and upwards, of
     /// neighbouring values together where there are more.
     pub fn around(values: &[Vec<f64>; 2], most: [usize; 2]) -> Self {

@@ -6,10 +6,11 @@
 //! drawn as, in the cells of a `mesh`, `traced` what a traced design is, `limits` where their limit is, `measures` a measure as
 //! colour in the classes of a `scale`, `misfits` how near they come
 //! to what was recorded; `picture` puts them
-//! together.
+//! together. `probability` draws counts over ranges of the axes, with lines by `contour`.
 
 mod cells;
 mod content;
+mod contour;
 mod extent;
 mod fractions;
 mod limits;
@@ -17,6 +18,7 @@ mod measures;
 mod mesh;
 mod misfits;
 mod picture;
+mod probability;
 mod scale;
 mod shown;
 mod symbol;
@@ -26,5 +28,6 @@ mod words;
 pub use cells::Cells;
 pub use extent::Extent;
 pub use picture::picture;
+pub use probability::{Probabilities, probability_picture};
 pub use symbol::symbol_of;
 pub use words::meanings;

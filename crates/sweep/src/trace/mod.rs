@@ -12,13 +12,15 @@ mod band;
 mod contour;
 mod known;
 mod lattice;
+mod line;
 mod ragged;
 mod refine;
 #[cfg(test)]
 mod tests;
 
 pub use band::Band;
-pub use contour::{Line, contours};
+pub use contour::contours;
 pub use known::{Class, Known};
 pub use lattice::{Lattice, MOST_COARSE, Tile};
+pub use line::{Line, join, pieces};
 pub use refine::{Next, Traced, next};

@@ -3,6 +3,7 @@
 
 mod deciding;
 mod description;
+mod picture;
 mod table;
 
 use anyhow::{Result, bail};
@@ -19,6 +20,7 @@ use crate::quantities::Axis;
 use crate::report::text;
 use crate::sweep_file::DesignKind;
 use description::sections;
+use picture::{draw, refuse_absent, refuse_several};
 use table::{counts_csv, indices_csv};
 
 /// Counts, and says what came out.
@@ -46,6 +48,7 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
                 .to_owned()
         ));
     }
+    refuse_several(arguments)?;
     let sets = sets_of_axes(arguments, &manifest.axes)?;
     let counted = count(arguments, &tables, &sets)?;
     let blocks = blocks(&tables)?;
@@ -53,6 +56,11 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     let so_far = tables.iter().find_map(|tables| tables.so_far);
     let so_far = so_far.map_or_else(String::new, |so_far| format!(" ({so_far})"));
     let title = format!("{}: {}{so_far}", manifest.name, manifest.title);
+    // Counts over the axes of `--by` are the last.
+    let drawn = arguments.picture.as_ref().zip(counted.last());
+    if let Some((_, counts)) = drawn {
+        refuse_absent(arguments.regime, counts)?;
+    }
     say(&text(&title, &sections(manifest, &counted, &blocks, width)))?;
     if let Some(path) = &arguments.out {
         write_atomically(path, counts_csv(&counted).as_bytes())?;
@@ -61,6 +69,9 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     if let Some(path) = &arguments.indices {
         write_atomically(path, indices_csv(&manifest.axes, &blocks).as_bytes())?;
         say(&format!("{}\n", path.display()))?;
+    }
+    if let Some((file, counts)) = drawn {
+        draw(file, arguments.regime, manifest, &so_far, counts)?;
     }
     Ok(Status::Complete)
 }

@@ -1,0 +1,60 @@
+//! The picture of how likely a regime is.
+
+use anyhow::{Result, bail};
+use sim::Label;
+
+use crate::analysis::Counts;
+use crate::cli::{AnalyseArguments, PictureFile};
+use crate::commands::status::UsageError;
+use crate::commands::terminal::say;
+use crate::files::write_atomically;
+use crate::map::{Probabilities, probability_picture};
+use crate::output::{Manifest, Motion};
+
+/// A picture has the axes of one `--by`.
+pub fn refuse_several(arguments: &AnalyseArguments) -> Result<()> {
+    if arguments.picture.is_some() && arguments.by.len() > 1 {
+        bail!(UsageError(
+            "--picture draws over the axes of one --by: here are several".to_owned()
+        ));
+    }
+    Ok(())
+}
+
+/// A regime of a motion that no case has a label of is not drawn.
+pub fn refuse_absent(regime: Option<Label>, counts: &Counts) -> Result<()> {
+    let has = |motion: Motion| counts.groups.iter().any(|(_, other, _)| *other == motion);
+    match regime {
+        Some(label) if !has(Motion::of(label)) => bail!(UsageError(format!(
+            "--regime {}: no case has a {} label",
+            label.name(),
+            Motion::of(label).adjective()
+        ))),
+        _ if counts.groups.is_empty() => bail!(UsageError(
+            "--picture: no case has an answer to draw yet".to_owned()
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Draws what was counted over the axes of `--by`, and says where.
+pub fn draw(
+    file: &PictureFile,
+    regime: Option<Label>,
+    manifest: &Manifest,
+    so_far: &str,
+    counts: &Counts,
+) -> Result<()> {
+    let picture = probability_picture(&Probabilities {
+        title: format!("{}{so_far}", manifest.title),
+        counts,
+        regime,
+        units: manifest.sweep.units,
+    })?;
+    let (path, bytes) = match file {
+        PictureFile::Svg(path) => (path, picture.svg.as_bytes()),
+        PictureFile::Png(path) => (path, &picture.png[..]),
+    };
+    write_atomically(path, bytes)?;
+    say(&format!("{}\n", path.display()))
+}
