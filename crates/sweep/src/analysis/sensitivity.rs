@@ -2,10 +2,14 @@
 //! design of their own (given data; E. Plischke, E. Borgonovo and C. L. Smith, *European Journal
 //! of Operational Research* 226, 2013, 536–550).
 
-use statrs::distribution::{Binomial, DiscreteCDF};
+use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, Normal};
 
 use super::interval::Interval;
 use crate::random::Stream;
+
+/// A binomial distribution of a larger variance is a normal one to a hundredth of its deviation,
+/// and of many cases its own function is less exact.
+const LARGE: f64 = 1e4;
 
 /// Tables drawn for an interval.
 const DRAWN: usize = 400;
@@ -43,9 +47,35 @@ pub fn sensitivity(cells: &[[usize; 2]]) -> Option<Interval> {
 /// may well have been one (H. Jeffreys' mean).
 fn redrawn(stream: &mut Stream, count: usize, of: usize) -> usize {
     let fraction = (count as f64 + 0.5) / (of as f64 + 1.0);
-    // Between 0 and 1, so that there is such a distribution.
-    Binomial::new(fraction, of as u64)
-        .map_or(count, |drawn| drawn.inverse_cdf(stream.part()) as usize)
+    let (mean, variance) = (
+        fraction * of as f64,
+        fraction * (1.0 - fraction) * of as f64,
+    );
+    let part = stream.part();
+    let drawn = if variance > LARGE {
+        let normal = Normal::new(mean, variance.sqrt()).ok();
+        normal.map(|normal| normal.inverse_cdf(part).round())
+    } else {
+        let binomial = Binomial::new(fraction, of as u64).ok();
+        binomial.map(|binomial| quantile(&binomial, part) as f64)
+    };
+    // The fraction is between 0 and 1, so that there is such a distribution.
+    drawn.map_or(count, |drawn| drawn.clamp(0.0, of as f64) as usize)
+}
+
+/// The least number that so large a part of all draws does not exceed. Rounding may make the
+/// distribution function fall here and there: halving, unlike the library's search, does not mind.
+fn quantile(drawn: &Binomial, part: f64) -> u64 {
+    let (mut low, mut high) = (0, drawn.n());
+    while low < high {
+        let middle = low + (high - low) / 2;
+        if drawn.cdf(middle) >= part {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    low
 }
 
 /// Variance between cells over all, less what cells of few cases add by chance.
@@ -128,6 +158,48 @@ mod tests {
                 .count();
         }
         assert!(held > 81, "{held} of 90");
+    }
+
+    #[test]
+    fn numbers_are_drawn_of_few_and_of_ten_million() {
+        for (count, of) in [
+            (1, 3),
+            (30, 100),
+            (0, 100_000),
+            (700_000, 1_000_000),
+            (2_500_000, 10_000_000),
+        ] {
+            let draws = 2000;
+            let drawn: Vec<f64> = (0..draws)
+                .map(|number| redrawn(&mut Stream::new(5, number), count, of) as f64)
+                .collect();
+            let p = (count as f64 + 0.5) / (of as f64 + 1.0);
+            let (mean, variance) = (p * of as f64, p * (1.0 - p) * of as f64);
+            let draws = draws as f64;
+            let found = drawn.iter().sum::<f64>() / draws;
+            assert!(
+                (found - mean).abs() < 4.0 * (variance / draws).sqrt(),
+                "{count} {found}"
+            );
+            let square = drawn.iter().map(|it| (it - mean).powi(2)).sum::<f64>() / draws;
+            assert!(
+                (square / variance - 1.0).abs() < 0.2,
+                "{count} {square} {variance}"
+            );
+        }
+    }
+
+    #[test]
+    fn every_number_has_its_part() {
+        let drawn = Binomial::new(0.3, 4).unwrap();
+        for number in 0..=4 {
+            let part = drawn.cdf(number);
+            assert_eq!(quantile(&drawn, part - 1e-9), number);
+            assert_eq!(
+                quantile(&drawn, (part + 1e-9).min(1.0)),
+                (number + 1).min(4)
+            );
+        }
     }
 
     #[test]
