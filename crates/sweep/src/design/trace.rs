@@ -3,14 +3,11 @@
 use super::axes::{MOST_CASES, check_ends, count_string_axes, in_order};
 use super::grid::{Grid, refuse_distribution};
 use crate::quantities::Axis;
-use crate::sweep_file::{AxisRange, DesignTable, Source, SweepFileError};
+use crate::sweep_file::{AxisRange, DesignTable, Source, SweepFileError, TRACE_TOLERANCE};
 use crate::trace::{Lattice, MOST_COARSE};
 
 /// Values of the coarse scan along an axis, where the file does not say.
 const COARSE: usize = 9;
-
-/// Step along the limits, a part of either axis, where the file does not say.
-const TOLERANCE: f64 = 0.005;
 
 /// A trace over two axes.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,7 +85,7 @@ impl TraceDesign {
 /// From the coarse scan down to the tolerance.
 fn lattice(table: &DesignTable, ranges: [&AxisRange; 2]) -> Lattice {
     let cells = ranges.map(|range| range.count.unwrap_or(COARSE) - 1);
-    Lattice::new(cells, table.tolerance.unwrap_or(TOLERANCE))
+    Lattice::new(cells, table.tolerance.unwrap_or(TRACE_TOLERANCE))
 }
 
 /// Refuses an axis without ends, one of whole numbers, and a scan of too few or too many

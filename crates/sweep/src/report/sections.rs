@@ -38,6 +38,10 @@ fn percentage(part: usize, whole: usize) -> String {
 /// How many cases; of a trace, out of how many.
 fn cases_of(manifest: &Manifest) -> String {
     match &manifest.trace {
+        None if manifest.is_trace() => format!(
+            "Limits traced on a grid of {}",
+            counted(manifest.cases, "case")
+        ),
         None => counted(manifest.cases, "case"),
         Some(trace) => format!(
             "Limits traced with {} of the {} of a grid as fine",

@@ -46,6 +46,14 @@ fn are_random(points: &Option<PointsName>) -> bool {
     points.unwrap_or_default() == PointsName::Random
 }
 
+/// Step of a trace along its limits, a part of either axis, where the file does not say.
+pub const TRACE_TOLERANCE: f64 = 0.005;
+
+/// The same of the step of a trace.
+fn is_usual(tolerance: &Option<f64>) -> bool {
+    tolerance.unwrap_or(TRACE_TOLERANCE) == TRACE_TOLERANCE
+}
+
 /// The cases of a sweep.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -69,7 +77,7 @@ pub struct DesignTable {
     /// CSV file of a list, beside the file that names it.
     pub file: Option<PathBuf>,
     /// Step of a trace along its limits, a part of either axis. Default 0.005.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "is_usual")]
     pub tolerance: Option<f64>,
 }
 
@@ -200,5 +208,31 @@ impl Spacing {
             Spacing::Log => from * (to / from).powf(fraction),
         };
         value.min(to)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What tells a sweep from others is how its file is written again.
+    #[test]
+    fn what_is_so_anyway_asks_for_the_same_sweep() {
+        let written = |keys: &str| {
+            let table: DesignTable = toml::from_str(keys).expect("a design");
+            toml::to_string(&table).expect("written")
+        };
+        let trace = written("kind = \"trace\"");
+        assert_eq!(written("kind = \"trace\"\ntolerance = 0.005"), trace);
+        assert_ne!(written("kind = \"trace\"\ntolerance = 0.01"), trace);
+        let random = written("kind = \"monte-carlo\"");
+        assert_eq!(
+            written("kind = \"monte-carlo\"\npoints = \"random\""),
+            random
+        );
+        assert_ne!(
+            written("kind = \"monte-carlo\"\npoints = \"sobol\""),
+            random
+        );
     }
 }

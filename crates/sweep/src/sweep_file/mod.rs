@@ -26,7 +26,9 @@ pub use bha_sheet::{SheetNotes, put_sections};
 pub use bit::{BitTable, LawTable, RockName};
 pub use change::NoPlace;
 pub use compare::{CompareTable, Extreme, TraceName};
-pub use design::{AxisRange, DesignKind, DesignTable, DistributionName, PointsName, Spacing};
+pub use design::{
+    AxisRange, DesignKind, DesignTable, DistributionName, PointsName, Spacing, TRACE_TOLERANCE,
+};
 pub use error::SweepFileError;
 pub use file::FileContent;
 pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SupportName, WallTable};
