@@ -5,14 +5,18 @@ use sim::Label;
 
 use super::indices::{Block, Blocks};
 use crate::design::{Member, cases_of_block};
-use crate::output::{CaseRows, LabelRow, MEASURES, Motion, ResultTables, read_cases};
+use crate::output::{CaseRows, LabelRow, Motion, ResultTables, read_measured_cases};
+use crate::quantities::Measure;
+
+/// How severe a case's motion is.
+const SEVERITIES: [Measure; 2] = [Measure::StickSlipSeverity, Measure::ContactFraction];
 
 /// What varies from case to case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
     /// Whether a case has a regime: 1 or 0.
     Regime(Label),
-    /// A measure by its place among [`MEASURES`].
+    /// A measure by its place among those that are read.
     Measure(usize),
 }
 
@@ -21,7 +25,7 @@ impl Quantity {
         let labels = Motion::ALL.into_iter().flat_map(Motion::labels);
         let regimes = labels.map(Quantity::Regime);
         regimes
-            .chain((0..MEASURES.len()).map(Quantity::Measure))
+            .chain((0..SEVERITIES.len()).map(Quantity::Measure))
             .collect()
     }
 
@@ -29,7 +33,7 @@ impl Quantity {
     pub fn name(self) -> &'static str {
         match self {
             Quantity::Regime(label) => label.name(),
-            Quantity::Measure(place) => MEASURES[place],
+            Quantity::Measure(place) => SEVERITIES[place].column(),
         }
     }
 
@@ -98,7 +102,10 @@ pub fn blocks_of(
 /// The cases of all tables in the order of their numbers.
 fn in_order(tables: &[ResultTables]) -> Result<impl Iterator<Item = Result<CaseRows>>> {
     let mut sources = (tables.iter())
-        .map(|tables| Ok(read_cases(&tables.folder.join("labels.csv"), &[])?.peekable()))
+        .map(|tables| {
+            let labels = tables.folder.join("labels.csv");
+            Ok(read_measured_cases(&labels, &[], &SEVERITIES)?.peekable())
+        })
         .collect::<Result<Vec<_>>>()?;
     Ok(std::iter::from_fn(move || {
         let heads = sources

@@ -9,6 +9,7 @@ use anyhow::Result;
 use rayon::prelude::*;
 use sim::Scene;
 
+use crate::design::Design;
 use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey};
 use crate::memory::{Estimate, Limit, Size};
 use crate::plan::{Setting, Sweep};
@@ -83,6 +84,10 @@ pub fn in_words(seconds: f64) -> String {
     }
 }
 
+/// How often a trace builds each string, where its limit goes along the axis of the string: 510
+/// times for 257 values of made-up limits.
+const BUILT_BY_A_TRACE: f64 = 2.0;
+
 /// What a case takes on one thread of this machine, as a mean over cases and methods.
 #[derive(Debug, Clone, Copy)]
 struct Pace {
@@ -97,10 +102,12 @@ impl Pace {
     fn seconds(&self, sweep: &Sweep, simulations: usize) -> f64 {
         let all = (sweep.design.cases() * sweep.methods.len()).max(1);
         let part = simulations as f64 / all as f64;
-        let varied = if sweep.design.varies_string() {
-            part * sweep.design.strings() as f64
-        } else {
-            0.0
+        let (design, strings) = (&sweep.design, sweep.design.strings());
+        let varied = match design {
+            _ if !design.varies_string() => 0.0,
+            // Whose cases of one string are of several rounds, unless each has its own.
+            Design::Trace(_) if strings < design.cases() => BUILT_BY_A_TRACE * strings as f64,
+            _ => part * strings as f64,
         };
         let stepped = simulations as f64 * self.stepping / rayon::current_num_threads() as f64;
         (1.0 + varied) * self.building + stepped

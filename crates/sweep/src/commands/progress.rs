@@ -88,7 +88,7 @@ impl Progress {
         progress
     }
 
-    /// More are to be done than was known.
+    /// So many are to be done in all, as far as is known now.
     pub fn expect(&self, total: usize) {
         self.total.store(total, Ordering::Relaxed);
         if let Display::Bar(bar) = &self.display {

@@ -7,7 +7,7 @@ use anyhow::Result;
 use super::extent::Extent;
 use super::mesh::Mesh;
 use super::scale::Classes;
-use crate::output::{Manifest, Motion, measured_rows};
+use crate::output::{Manifest, Motion, label_rows};
 use crate::plot::{Ground, MapGroup, MapPanel, Series};
 use crate::quantities::{Measure, Needs};
 
@@ -27,7 +27,11 @@ pub fn group(
     manifest: &Manifest,
     measure: Measure,
 ) -> Result<MapGroup> {
-    let mesh = mesh(extent, manifest.is_trace());
+    let mesh = if manifest.is_trace() {
+        Mesh::around(&extent.values, MOST_CELLS)
+    } else {
+        Mesh::of_cases(extent, MOST_CELLS, CASES_PER_CELL)
+    };
     let methods = manifest.method_names();
     let motion = match measure.needs() {
         Needs::Wall => Motion::Lateral,
@@ -38,8 +42,9 @@ pub fn group(
         .map(|_| Field::empty(columns * rows))
         .collect();
     let mut untold = 0;
-    for row in measured_rows(labels, &extent.axes, measure.column())? {
-        let (row, value) = row?;
+    for row in label_rows(labels, &extent.axes, &[measure])? {
+        let row = row?;
+        let value = row.measures[0];
         let cell = mesh.cell_of([row.values[0], row.values[1]]);
         let place = methods.iter().position(|method| *method == row.method);
         let Some(field) = place.and_then(|place| fields.get_mut(place)) else {
@@ -105,18 +110,6 @@ fn about(manifest: &Manifest, extent: &Extent) -> String {
         ""
     };
     format!("Mean of a cell{over}{others}")
-}
-
-/// Cells around the values of a grid or of a trace; of other cases, cells of one size with some
-/// cases each.
-fn mesh(extent: &Extent, is_trace: bool) -> Mesh {
-    if extent.is_grid() || is_trace {
-        return Mesh::around(&extent.values, MOST_CELLS);
-    }
-    let [x, y] = MOST_CELLS.map(|cells| cells as f64);
-    let scale = (extent.cases as f64 / (CASES_PER_CELL * x * y)).sqrt();
-    let cells = |most: usize| ((scale.min(1.0) * most as f64) as usize).max(1);
-    Mesh::even(extent, MOST_CELLS.map(cells))
 }
 
 /// What a method has in each cell.

@@ -36,6 +36,18 @@ impl Mesh {
         Self { edges }
     }
 
+    /// Around the values of a grid; of other cases, cells of one size with so many each on
+    /// average.
+    pub fn of_cases(extent: &Extent, most: [usize; 2], cases_per_cell: f64) -> Self {
+        if extent.is_grid() {
+            return Self::around(&extent.values, most);
+        }
+        let [x, y] = most.map(|cells| cells as f64);
+        let scale = (extent.cases as f64 / (cases_per_cell * x * y)).sqrt();
+        let cells = |most: usize| ((scale.min(1.0) * most as f64) as usize).max(1);
+        Self::even(extent, most.map(cells))
+    }
+
     /// Cells of one size over the ranges of cases that lie anywhere; fewer where an axis
     /// has fewer values.
     pub fn even(extent: &Extent, most: [usize; 2]) -> Self {

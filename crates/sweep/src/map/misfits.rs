@@ -29,7 +29,7 @@ pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
     if columns.is_empty() {
         return Ok(None);
     }
-    let mesh = mesh(extent);
+    let mesh = Mesh::of_cases(extent, MOST_CELLS, CASES_PER_CELL);
     let [across, upwards] = mesh.size();
     let mut least = vec![vec![f64::INFINITY; across * upwards]; columns.len()];
     for case in read_cases(labels, &extent.axes)? {
@@ -61,21 +61,6 @@ pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
         notes: Vec::new(),
         panels: panels.collect(),
     }))
-}
-
-/// Cells around the values of a grid; of other cases, cells of one size with some cases each.
-fn mesh(extent: &Extent) -> Mesh {
-    if extent.is_grid() {
-        return Mesh::around(&extent.values, MOST_CELLS);
-    }
-    let [x, y] = MOST_CELLS.map(|cells| cells as f64);
-    let scale = (extent.cases as f64 / (CASES_PER_CELL * x * y))
-        .sqrt()
-        .min(1.0);
-    Mesh::even(
-        extent,
-        MOST_CELLS.map(|cells| ((scale * cells as f64) as usize).max(1)),
-    )
 }
 
 fn ground(misfit: f64, best: f64) -> Ground {

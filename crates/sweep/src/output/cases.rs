@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use super::label_rows::{LabelRow, label_rows};
 use super::motion::Motion;
-use crate::quantities::Axis;
+use crate::quantities::{Axis, Measure};
 
 /// The rows of one case.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +43,19 @@ pub fn read_cases(
     path: &Path,
     axes: &[Axis],
 ) -> Result<impl Iterator<Item = Result<CaseRows>> + use<>> {
-    let mut rows = label_rows(path, axes)?.peekable();
+    read_measured_cases(path, axes, &[])
+}
+
+/// The same with some measures.
+///
+/// # Errors
+/// As [`read_cases`].
+pub fn read_measured_cases(
+    path: &Path,
+    axes: &[Axis],
+    measures: &[Measure],
+) -> Result<impl Iterator<Item = Result<CaseRows>> + use<>> {
+    let mut rows = label_rows(path, axes, measures)?.peekable();
     Ok(std::iter::from_fn(move || {
         let first = rows.next()?;
         Some(first.map(|first| {

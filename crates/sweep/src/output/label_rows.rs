@@ -8,12 +8,9 @@ use sim::{Label, LateralRegime, TorsionRegime};
 use super::labels::FAILED;
 use super::motion::Labels;
 use crate::hand_table::{HandTable, Mistake, NumberError, number};
-use crate::quantities::Axis;
+use crate::quantities::{Axis, Measure};
 use crate::sweep_file::nearest;
 use crate::text_file::{LARGEST_TABLE, read_text, unreadable};
-
-/// How severe a case's motion is, by the names of the columns.
-pub const MEASURES: [&str; 2] = ["stick_slip_severity", "contact_fraction"];
 
 /// What is read back of a row: enough to draw it or to run it again.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,8 +29,8 @@ pub struct LabelRow {
     pub predicted: Option<Label>,
     /// How far it is from each recording.
     pub misfits: Vec<Option<f64>>,
-    /// Each of [`MEASURES`] that it has.
-    pub measures: [Option<f64>; MEASURES.len()],
+    /// Each of the measures asked for, where it has it.
+    pub measures: Vec<Option<f64>>,
     /// Whether the case failed.
     pub failed: bool,
 }
@@ -53,7 +50,7 @@ impl LabelRow {
             },
             predicted: None,
             misfits: Vec::new(),
-            measures: [None; MEASURES.len()],
+            measures: Vec::new(),
             failed: false,
         }
     }
@@ -73,9 +70,9 @@ pub fn misfit_columns(path: &Path) -> Result<Vec<String>> {
     Ok(columns.map(str::to_owned).collect())
 }
 
-/// Where the columns are that are read back: `case`, `method`, the axes asked for,
-/// `torsion` and, if they are there, `lateral`, `predicted`, misfits, measures and `status`;
-/// others are passed over.
+/// Where the columns are that are read back: `case`, `method`, the axes and measures asked
+/// for, `torsion` and, if they are there, `lateral`, `predicted`, misfits and `status`; others
+/// are passed over.
 pub struct LabelColumns {
     case: usize,
     method: usize,
@@ -84,7 +81,7 @@ pub struct LabelColumns {
     lateral: Option<usize>,
     predicted: Option<usize>,
     misfits: Vec<usize>,
-    measures: [Option<usize>; MEASURES.len()],
+    measures: Vec<usize>,
     status: Option<usize>,
 }
 
@@ -124,13 +121,14 @@ pub enum LabelError {
 }
 
 impl LabelColumns {
-    /// From the names of all columns, the values along `axes` being wanted.
+    /// From the names of all columns, the values along `axes` and these measures being wanted.
     ///
     /// # Errors
     /// Where one is missing, or there twice.
     pub fn find<'a>(
         header: impl Iterator<Item = &'a str> + Clone,
         axes: &[Axis],
+        measures: &[Measure],
     ) -> Result<Self, LabelError> {
         let place = |name: &str| {
             let mut fields = header.clone().enumerate();
@@ -156,7 +154,9 @@ impl LabelColumns {
                 .filter(|(_, name)| name.starts_with(MISFIT))
                 .map(|(place, _)| place)
                 .collect(),
-            measures: MEASURES.map(|name| header.clone().position(|column| column == name)),
+            measures: (measures.iter())
+                .map(|measure| column(measure.column()))
+                .collect::<Result<_, _>>()?,
             status: place("status")?,
         })
     }
@@ -197,7 +197,9 @@ impl LabelColumns {
             misfits: (self.misfits.iter())
                 .map(|&column| number(field(column)).ok())
                 .collect(),
-            measures: (self.measures).map(|column| number(optional(column)).ok()),
+            measures: (self.measures.iter())
+                .map(|&column| number(field(column)).ok())
+                .collect(),
             failed: optional(self.status) == FAILED,
         })
     }
@@ -237,7 +239,7 @@ pub fn read_labels(path: &Path, axes: &[Axis]) -> Result<Vec<LabelRow>> {
 }
 
 fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
-    let columns = LabelColumns::find(table.header().iter(), axes)
+    let columns = LabelColumns::find(table.header().iter(), axes, &[])
         .map_err(|error| table.header_mistake(error.to_string()))?;
     let rows = table.rows().map(|row| {
         let row = row?;
@@ -250,54 +252,25 @@ fn rows_of(table: &HandTable, axes: &[Axis]) -> Result<Vec<LabelRow>, Mistake> {
     rows.collect()
 }
 
-/// The rows of a `labels.csv` of which the values along `axes` are wanted; only one is in
-/// memory at a time.
+/// The rows of a `labels.csv` of which the values along `axes` and some measures are wanted;
+/// only one is in memory at a time.
 ///
 /// # Errors
 /// Where it cannot be read or lacks a column; the message names file and line.
 pub fn label_rows(
     path: &Path,
     axes: &[Axis],
+    measures: &[Measure],
 ) -> Result<impl Iterator<Item = Result<LabelRow>> + use<>> {
-    Ok(rows_with(path, axes, None)?.map(|row| Ok(row?.0)))
-}
-
-/// The same with the number in another column, where a row has one.
-///
-/// # Errors
-/// As [`label_rows`].
-pub fn measured_rows(
-    path: &Path,
-    axes: &[Axis],
-    column: &str,
-) -> Result<impl Iterator<Item = Result<(LabelRow, Option<f64>)>> + use<>> {
-    rows_with(path, axes, Some(column))
-}
-
-fn rows_with(
-    path: &Path,
-    axes: &[Axis],
-    measure: Option<&str>,
-) -> Result<impl Iterator<Item = Result<(LabelRow, Option<f64>)>> + use<>> {
     let name = path.display().to_string();
     let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
     let header = reader.headers().with_context(|| unreadable(path))?;
-    let columns =
-        LabelColumns::find(header.iter(), axes).map_err(|reason| anyhow!("{name}:1: {reason}"))?;
-    let place = match measure {
-        None => None,
-        Some(measure) => {
-            let place = header.iter().position(|column| column == measure);
-            let missing = || LabelError::MissingColumn(measure.to_owned());
-            Some(place.ok_or_else(|| anyhow!("{name}:1: {}", missing()))?)
-        }
-    };
+    let columns = LabelColumns::find(header.iter(), axes, measures);
+    let columns = columns.map_err(|reason| anyhow!("{name}:1: {reason}"))?;
     Ok(reader.into_records().map(move |record| {
         let record = record.with_context(|| unreadable(Path::new(&name)))?;
         let line = record.position().map_or(0, csv::Position::line) as usize;
         let row = columns.row(line, |column| record.get(column));
-        let row = row.map_err(|reason| anyhow!("{name}:{line}: {reason}"))?;
-        let value = place.and_then(|place| number(record.get(place)?).ok());
-        Ok((row, value))
+        row.map_err(|reason| anyhow!("{name}:{line}: {reason}"))
     }))
 }

@@ -21,14 +21,12 @@ mod whirl_limit;
 pub use crate::files::write_atomically;
 pub use about::About;
 pub use boundary::{Boundary, StickSlipPoint, boundary, boundary_csv};
-pub use cases::{CaseRows, read_cases};
+pub use cases::{CaseRows, read_cases, read_measured_cases};
 pub use curves::Curve;
 pub use envelope::Envelope;
 pub use failures::FAILURES_HEADER;
 pub use integrity::{Damage, OF_TRACE, PICTURES, TABLES};
-pub use label_rows::{
-    LabelColumns, LabelRow, MEASURES, measured_rows, misfit_columns, read_labels,
-};
+pub use label_rows::{LabelColumns, LabelRow, label_rows, misfit_columns, read_labels};
 pub use labels::LabelTable;
 pub use manifest::{Manifest, MethodRecord, differences, fingerprint};
 pub use motion::{Labels, Motion, is_sustained};

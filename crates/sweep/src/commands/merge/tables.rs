@@ -78,7 +78,7 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
     if headers.iter().any(|header| *header != headers[0]) {
         bail!("the shards' labels.csv have different columns");
     }
-    let columns = LabelColumns::find(headers[0].split(','), &[])
+    let columns = LabelColumns::find(headers[0].split(','), &[], &[])
         .map_err(|reason| anyhow!("the shards' labels.csv {reason}"))?;
     file.write(format!("{}\n", headers[0]).as_bytes())?;
     while let Some((_, table)) = (tables.iter_mut())

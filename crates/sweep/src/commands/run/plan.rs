@@ -41,7 +41,7 @@ pub fn describe(task: &Task, found: &Found, stops: &dyn Fn() -> bool) -> Result<
     let mut text = wrapped(&format!("{}: {}", sweep.name, sweep.title), 0, 2);
     text += &what_runs(task, total);
     let all = counted(total, "simulation");
-    let about = if is_trace { "perhaps " } else { "" };
+    let about = if is_trace && left > 0 { "perhaps " } else { "" };
     text += &format!("{about}{left} of {all} left: {why}\n");
     if let Found::Complete(manifest) = found {
         let damage = damage(task, manifest)?;

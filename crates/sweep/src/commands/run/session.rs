@@ -85,8 +85,10 @@ impl<'a> Session<'a> {
     /// # Errors
     /// Where the log cannot be written; with `--fail-fast`, where a case has no answer.
     pub fn simulate(&self) -> Result<()> {
-        // Of a trace it is told with each round.
-        let total = self.so_far.total.unwrap_or_default();
+        // Of a trace it is told again with each round.
+        let sweep = &self.task.sweep;
+        let likely = || sweep.design.likely_cases() * sweep.methods.len();
+        let total = self.so_far.total.unwrap_or_else(likely);
         let (quiet, terminal) = (self.task.arguments.quiet, self.task.terminal);
         let progress = Progress::new(total, self.log.counts().done, quiet, terminal);
         stop::before_end({
