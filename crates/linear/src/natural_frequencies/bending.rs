@@ -1,12 +1,16 @@
-//! Bending waves without damping, the surface held as the support says and the bit free.
+//! Bending waves without damping, the surface held as the support says and the bit free, unless
+//! that or places above it are held.
 
 use num_complex::Complex64;
 
+use super::frequencies::Stretch;
 use crate::assembly::block::Block;
 use crate::assembly::nodes::{Link, Relation};
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
-use crate::spans::SurroundedSpan;
 use crate::waves::bending::short_part;
+
+/// What holds a place, N/m: so stiff that rounding hides what it gives way.
+const HELD: f64 = 1e100;
 
 /// Natural frequencies below ω (rad/s); none where that is one of a piece to the last bit, or
 /// beyond all measure, so that nothing can be counted.
@@ -18,34 +22,39 @@ use crate::waves::bending::short_part;
 pub fn below(
     string: &Drillstring,
     (bending, support): (&Bending, SurfaceSupport),
-    spans: &[SurroundedSpan],
+    stretches: &[Stretch],
     omega: f64,
 ) -> Option<usize> {
     let s = Complex64::new(0.0, omega);
     let mut negative = 0;
     // What the string below a node opposes to its motion.
     let mut below = Block::zero();
-    for surrounded in spans.iter().flatten().rev() {
-        let around = surrounded.around;
-        let bending = bending.under(around.tension);
-        for run in surrounded.runs.iter().rev() {
-            let parts = run.parts.iter().rev().map(|tube| {
-                let mass = string.mass_sideways(tube, around.hole_radius);
-                short_part(&bending, tube, mass, s)
-            });
-            let parts: Vec<_> = parts.collect();
-            for (part, halvings) in (0..run.repeat).flat_map(|_| &parts) {
-                let ends = part.between_ends();
-                for _ in 0..1_u64.checked_shl(*halvings)? {
-                    negative += negative_eigenvalues(ends.bottom + below);
-                    // Next to a natural frequency of what is below, that opposes far more than
-                    // the part: between its ends, no digits are lost to the difference. Far
-                    // less is opposed to slow motions: seen from its top, none are lost to it.
-                    below = if is_softer(below, ends.bottom) {
-                        part.above(below)
-                    } else {
-                        ends.above(below)
-                    };
+    for stretch in stretches.iter().rev() {
+        if stretch.ends_held {
+            below.0[0][0] += HELD;
+        }
+        for surrounded in stretch.span.iter().rev() {
+            let around = surrounded.around;
+            let bending = bending.under(around.tension);
+            for run in surrounded.runs.iter().rev() {
+                let parts = run.parts.iter().rev().map(|tube| {
+                    let mass = string.mass_sideways(tube, around.hole_radius);
+                    short_part(&bending, tube, mass, s)
+                });
+                let parts: Vec<_> = parts.collect();
+                for (part, halvings) in (0..run.repeat).flat_map(|_| &parts) {
+                    let ends = part.between_ends();
+                    for _ in 0..1_u64.checked_shl(*halvings)? {
+                        negative += negative_eigenvalues(ends.bottom + below);
+                        // Next to a natural frequency of what is below, that opposes far more than
+                        // the part: between its ends, no digits are lost to the difference. Far
+                        // less is opposed to slow motions: seen from its top, none are lost to it.
+                        below = if is_softer(below, ends.bottom) {
+                            part.above(below)
+                        } else {
+                            ends.above(below)
+                        };
+                    }
                 }
             }
         }
@@ -60,14 +69,10 @@ pub fn below(
 }
 
 /// Into how many parts that cuts the string.
-pub fn pieces(
-    string: &Drillstring,
-    bending: &Bending,
-    spans: &[SurroundedSpan],
-    omega: f64,
-) -> f64 {
+pub fn pieces(string: &Drillstring, bending: &Bending, stretches: &[Stretch], omega: f64) -> f64 {
     let s = Complex64::new(0.0, omega);
-    let parts = spans.iter().flatten().flat_map(|surrounded| {
+    let surrounded = stretches.iter().flat_map(|stretch| &stretch.span);
+    let parts = surrounded.flat_map(|surrounded| {
         let around = surrounded.around;
         let bending = bending.under(around.tension);
         let runs = surrounded.runs.iter();

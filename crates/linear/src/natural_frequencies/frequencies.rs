@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::{bending, torsion};
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
-use crate::error::BuildError;
+use crate::error::{BuildError, DrillstringError};
 use crate::sites::Sites;
 use crate::spans::SurroundedSpan;
 
@@ -35,9 +35,18 @@ pub(super) enum Motion {
     Bending {
         bending: Bending,
         support: SurfaceSupport,
-        /// The string cut where what is around it changes.
-        spans: Vec<SurroundedSpan>,
+        /// The string from its top down.
+        stretches: Vec<Stretch>,
     },
+}
+
+/// A stretch of a string that bends, above the bit or above a place where it is held.
+#[derive(Debug, Clone)]
+pub(super) struct Stretch {
+    /// Cut where what is around it changes.
+    pub span: SurroundedSpan,
+    /// Whether its lower end is held.
+    pub ends_held: bool,
 }
 
 /// Frequencies (rad/s) between which some are, with how many are below either.
@@ -82,9 +91,20 @@ impl NaturalFrequencies {
             motion: Motion::Bending {
                 bending: undamped,
                 support,
-                spans: string.surrounded_spans(Channel::Bending, &Sites::bit())?,
+                stretches: stretches(string, &Sites::bit(), 0)?,
             },
         })
+    }
+
+    /// Those in bending of a string that stabilisers, or whatever else, hold: without
+    /// displacement and free to turn. What is above the uppermost of these places is left out.
+    fn held(string: &Drillstring, bending: &Bending, held: &Sites) -> Result<Self, BuildError> {
+        let mut whole = Self::bending(string, bending, SurfaceSupport::Pinned)?;
+        if let Motion::Bending { stretches: all, .. } = &mut whole.motion {
+            *all = stretches(string, held, held.len())?;
+            all.remove(0);
+        }
+        Ok(whole)
     }
 
     /// Natural frequencies below an angular frequency (rad/s, positive), among them the motions
@@ -98,8 +118,8 @@ impl NaturalFrequencies {
             Motion::Bending {
                 bending,
                 support,
-                spans,
-            } => bending::below(&self.string, (bending, *support), spans, omega),
+                stretches,
+            } => bending::below(&self.string, (bending, *support), stretches, omega),
         };
         let tried = std::iter::successors(Some(omega), |omega| Some(omega.next_up()));
         let mut counts = tried.take(TRIES).filter_map(count);
@@ -115,9 +135,9 @@ impl NaturalFrequencies {
     pub fn pieces(&self, omega: f64) -> f64 {
         match &self.motion {
             Motion::Torsion => self.string.tubes().map(|(count, _)| count).sum(),
-            Motion::Bending { bending, spans, .. } => {
-                bending::pieces(&self.string, bending, spans, omega)
-            }
+            Motion::Bending {
+                bending, stretches, ..
+            } => bending::pieces(&self.string, bending, stretches, omega),
         }
     }
 
@@ -204,17 +224,33 @@ impl Bracket {
     }
 }
 
-/// The lateral natural frequencies below an angular frequency (rad/s), from the lowest up,
-/// rad/s: an eccentric string that turns as fast as one of them is at a critical speed. No
-/// contact with the borehole wall holds it.
+/// The string between its surface, its sites and the bit; of the sites the first `held` are held.
+fn stretches(
+    string: &Drillstring,
+    sites: &Sites,
+    held: usize,
+) -> Result<Vec<Stretch>, DrillstringError> {
+    let spans = string.surrounded_spans(Channel::Bending, sites)?;
+    let spans = spans.into_iter().enumerate();
+    let stretch = |(site, span)| Stretch {
+        span,
+        ends_held: site < held,
+    };
+    Ok(spans.map(stretch).collect())
+}
+
+/// Lateral natural frequencies below an angular frequency (rad/s), from the lowest up, rad/s, of
+/// the string below the uppermost of the places that hold it without displacement, such as
+/// stabilisers and the bit: an eccentric string that turns as fast as one of them is at a critical
+/// speed. At each place it is free to turn; what is above them is left out.
 ///
 /// # Errors
-/// Where the string cannot bend so.
-pub fn lateral_frequencies_below(
+/// Where the string cannot bend so, or the places are not on it.
+pub fn held_lateral_frequencies_below(
     string: &Drillstring,
     bending: &Bending,
-    support: SurfaceSupport,
+    held: &Sites,
     omega: f64,
 ) -> Result<Vec<f64>, BuildError> {
-    NaturalFrequencies::bending(string, bending, support)?.all_below(omega)
+    NaturalFrequencies::held(string, bending, held)?.all_below(omega)
 }

@@ -9,12 +9,13 @@
 //!
 //! In torsion the surface is held at its speed; a top drive is left out, as its controller damps
 //! (with it: [`crate::modes`]). In bending the surface is held as [`crate::SurfaceSupport`] says.
-//! The bit is free, and so is the string where it may touch the borehole wall.
+//! The bit is free, and so is the string where it may touch the borehole wall, unless places are
+//! said to hold it.
 
 mod bending;
 mod frequencies;
 mod shapes;
 mod torsion;
 
-pub use frequencies::{NaturalFrequencies, lateral_frequencies_below};
+pub use frequencies::{NaturalFrequencies, held_lateral_frequencies_below};
 pub use shapes::Shape;
