@@ -129,6 +129,14 @@ pub enum Command {
         Of unfinished runs as far as they are. Intervals are of 95 % (Wilson, and for\n\
         Sobol's indices of sensitivity designs a bootstrap).")]
     Analyse(AnalyseArguments),
+    /// Draw where weight and speed are safe, and the best point there
+    #[command(after_help = "Examples:\n  sweep run sweeps/well_12in_window.toml\n  \
+        sweep window sweeps/well_12in_window.toml\n  \
+        sweep window sweeps/well_12in_window.toml --held-at 0,9,18,32 --orders 1,2\n\n\
+        The file tells the string, its walls and its friction; the folders hold simulated\n\
+        cases of it over weight_on_bit_kn and surface_speed_rpm: a grid, a trace or random\n\
+        cases, of unfinished runs too.")]
+    Window(WindowArguments),
     /// Print a script that completes this command line in a shell
     #[command(after_help = "Example, for bash:\n  \
         sweep completions bash > ~/.local/share/bash-completion/completions/sweep")]
@@ -413,6 +421,45 @@ pub struct AnalyseArguments {
     /// Which regime to draw, by its label [default: stick-slip, sustained whirl]
     #[arg(long, value_name = "LABEL", value_parser = parse_regime, requires = "picture")]
     pub regime: Option<Label>,
+}
+
+/// Arguments of `window`.
+#[derive(Debug, Args)]
+pub struct WindowArguments {
+    /// The sweep file
+    pub file: PathBuf,
+    /// Results folders of its string [default: results/NAME, by the name of the sweep file]
+    pub folders: Vec<PathBuf>,
+    /// Folder for window.svg, window.png and window.csv [default: the first results folder]
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// What shakes the string sideways, in multiples of its surface speed
+    #[arg(long, value_name = "ORDERS", value_delimiter = ',', default_value = "1", value_parser = parse_order)]
+    pub orders: Vec<f64>,
+    /// Places that hold the string sideways, in m from the bit [default: the sites of the file]
+    #[arg(long, value_name = "PLACES", value_delimiter = ',')]
+    pub held_at: Option<Vec<f64>>,
+    /// The part by which a critical speed and the wall's friction may be off
+    #[arg(long, default_value_t = 0.1, value_parser = parse_part)]
+    pub margin: f64,
+    /// Of random cases, the part with vibration up to which a cell is safe
+    #[arg(long, default_value_t = 0.1, value_parser = parse_part)]
+    pub risk: f64,
+    /// Ranges of either axis that random cases are counted in
+    #[arg(long, default_value = "10", value_parser = clap::value_parser!(u16).range(2..=100))]
+    pub bins: u16,
+    /// The part of either axis that the best point keeps from every limit
+    #[arg(long, default_value_t = 0.05, value_parser = parse_part)]
+    pub clearance: f64,
+    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
+    #[arg(long)]
+    pub jobs: Option<usize>,
+}
+
+fn parse_part(text: &str) -> Result<f64, String> {
+    let is_part = |part: &f64| (0.0..=0.5).contains(part);
+    let part = text.trim().parse().ok().filter(is_part);
+    part.ok_or_else(|| format!("`{text}` is not a part from 0 to 0.5"))
 }
 
 /// A file that a picture is written to, in the format of its ending.

@@ -11,7 +11,8 @@
 //!                  output    labels.csv, boundary.csv, manifest.json, failures.csv
 //!                    │
 //!                map, plot  map.svg, map.png; `report` tells what is in the folder,
-//!                           `analysis` counts how often and how surely
+//!                           `analysis` counts how often and how surely, `window` says
+//!                           where no limit is near
 //! ```
 //!
 //! There is no equation here: the string is the business of `linear`, its
@@ -53,6 +54,7 @@ mod studies;
 mod sweep_file;
 mod text_file;
 mod trace;
+mod window;
 mod words;
 
 use std::process::ExitCode;
@@ -80,6 +82,7 @@ fn main() -> ExitCode {
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
         Command::Summary { folder } => commands::report::summary(&folder, terminal),
         Command::Analyse(arguments) => commands::analyse::analyse(&arguments, terminal),
+        Command::Window(arguments) => commands::window::window(&arguments, terminal),
         Command::Completions { shell } => commands::shell::completions(shell),
         Command::Man { command } => commands::shell::man(command.as_deref()),
     });

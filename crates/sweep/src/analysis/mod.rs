@@ -7,11 +7,15 @@ mod blocks;
 mod counts;
 mod indices;
 mod interval;
+mod of_tables;
 mod sensitivity;
 
 pub use bins::Bins;
-pub use blocks::{MethodBlocks, blocks_of};
+pub use blocks::MethodBlocks;
 pub use counts::Counts;
+#[cfg(test)]
+pub use counts::Group;
 pub use indices::{DRAWN, Indices, LEAST_BLOCKS, Untold};
 pub use interval::{Interval, cases_for, wilson};
+pub use of_tables::{blocks, count_cases, size_of_blocks};
 pub use sensitivity::sensitivity;

@@ -27,3 +27,4 @@ pub mod terminal;
 mod threads;
 pub mod tradeoff;
 mod warnings;
+pub mod window;

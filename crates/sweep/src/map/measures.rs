@@ -94,6 +94,7 @@ pub fn group(
         keys,
         notes: (untold > 0).then_some(note).into_iter().collect(),
         panels: panels.collect(),
+        ..MapGroup::default()
     })
 }
 

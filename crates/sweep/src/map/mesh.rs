@@ -11,6 +11,11 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// Between lines to the right and upwards.
+    pub fn between(edges: [Vec<f64>; 2]) -> Self {
+        Self { edges }
+    }
+
     /// Between ranges along two axes; around values that are ranges of no width.
     pub fn of_bins(bins: [&Bins; 2]) -> Self {
         let edges = bins.map(|bins| {

@@ -60,6 +60,7 @@ pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
         keys,
         notes: Vec::new(),
         panels: panels.collect(),
+        ..MapGroup::default()
     }))
 }
 

@@ -6,7 +6,8 @@
 //! drawn as, in the cells of a `mesh`, `traced` what a traced design is, `limits` where their limit is, `measures` a measure as
 //! colour in the classes of a `scale`, `misfits` how near they come
 //! to what was recorded; `picture` puts them
-//! together. `probability` draws counts over ranges of the axes, with lines by `contour`.
+//! together. `probability` draws counts over ranges of the axes, with lines by `contour`;
+//! `window` an operating window.
 
 mod cells;
 mod content;
@@ -23,6 +24,7 @@ mod scale;
 mod shown;
 mod symbol;
 mod traced;
+mod window;
 mod words;
 
 pub use cells::Cells;
@@ -30,4 +32,5 @@ pub use extent::Extent;
 pub use picture::picture;
 pub use probability::{Probabilities, probability_picture};
 pub use symbol::symbol_of;
+pub use window::{WindowSheet, window_picture};
 pub use words::meanings;

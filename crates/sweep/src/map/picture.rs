@@ -99,6 +99,7 @@ impl Map<'_> {
                 points: content.points,
                 lines: limits.lines,
                 bands: limits.bands,
+                ..MapPanel::default()
             }
         });
         let panels: Vec<MapPanel> = panels.collect();
@@ -116,6 +117,7 @@ impl Map<'_> {
             keys,
             notes,
             panels,
+            ..MapGroup::default()
         })
     }
 

@@ -136,6 +136,7 @@ impl Probabilities<'_> {
             keys: keys(&cells),
             notes: self.notes(),
             panels: panels.collect(),
+            ..MapGroup::default()
         }
     }
 

@@ -16,6 +16,7 @@ pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
     for panel in sheet.groups.iter_mut().flat_map(|group| &mut group.panels) {
         (panel.cells.iter_mut()).for_each(|cell| range(&mut cell.ends));
         (panel.bands.iter_mut()).for_each(|band| range(&mut band.ends));
+        (panel.names.iter_mut()).for_each(|name| place(&mut name.at));
         (panel.points.iter_mut()).for_each(|point| place(&mut point.at));
         let lines = panel.lines.iter_mut();
         (lines.flat_map(|line| &mut line.points)).for_each(place);
@@ -47,6 +48,7 @@ mod tests {
                 points: vec![at],
             }],
             bands: vec![Band { name: name(), ends }],
+            names: vec![Mark { name: name(), at }],
         };
         let mut sheet = MapSheet {
             title: name(),
@@ -58,6 +60,7 @@ mod tests {
                 keys: Vec::new(),
                 notes: Vec::new(),
                 panels: vec![panel],
+                ..MapGroup::default()
             }],
         };
         show_in(
@@ -69,8 +72,9 @@ mod tests {
             sheet.marks[0].at,
             panel.points[0].at,
             panel.lines[0].points[0],
+            panel.names[0].at,
         ];
-        assert_eq!(places, [(1.0, 60.0); 3]);
+        assert_eq!(places, [(1.0, 60.0); 4]);
         let ranges = [panel.cells[0].ends, panel.bands[0].ends];
         assert_eq!(ranges, [[[1.0; 2], [60.0; 2]]; 2]);
     }

@@ -104,6 +104,8 @@ fn as_part(ground: Ground) -> Ground {
     match ground {
         Ground::Symbol(Symbol::Circle) => Ground::Part(Part::of(1.0)),
         Ground::Symbol(Symbol::Cross) => Ground::Part(Part::of(0.0)),
-        Ground::Symbol(Symbol::Square) | Ground::Part(_) | Ground::NoCase => ground,
+        Ground::Symbol(Symbol::Square) | Ground::Part(_) | Ground::Safety(_) | Ground::NoCase => {
+            ground
+        }
     }
 }

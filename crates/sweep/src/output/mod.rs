@@ -35,4 +35,4 @@ pub use results::TableWriter;
 pub use tables::ResultTables;
 pub use tally::Tally;
 pub use trace_summary::{LimitSummary, TraceSummary};
-pub use whirl_limit::{rolling_bound, rolling_envelope, rolling_whirls};
+pub use whirl_limit::{rolling_bound, rolling_envelope, rolling_whirls, whirl_from};

@@ -131,6 +131,35 @@ pub fn rolling_bound(
     Ok(rolling_envelope(&points).least())
 }
 
+/// The lowest surface speed (rpm) between two from which on any steady whirl, rolling or sliding,
+/// needs no more than a friction, at any site; none where it always needs more.
+///
+/// # Errors
+/// As [`whirl_limit`].
+pub fn whirl_from(
+    setting: &Setting,
+    lateral: &LateralSettings,
+    range_rpm: [f64; 2],
+    friction: f64,
+) -> Result<Option<f64>, DrillstringError> {
+    let points = whirl_limit(setting, lateral, range_rpm)?;
+    let any = points
+        .iter()
+        .filter(|it| it.motion == WhirlMotion::RollingOrSliding);
+    let any: Vec<[f64; 2]> = any.map(|it| [it.surface_speed_rpm, it.friction]).collect();
+    Ok(first_at_most(&any, friction))
+}
+
+/// Where a falling curve comes down to a value.
+fn first_at_most(curve: &[[f64; 2]], value: f64) -> Option<f64> {
+    let place = curve.iter().position(|point| point[1] <= value)?;
+    let [x, y] = curve[place];
+    let Some(&[before, higher]) = place.checked_sub(1).map(|before| &curve[before]) else {
+        return Some(x);
+    };
+    Some(before + (x - before) * (higher - value) / (higher - y))
+}
+
 /// The least friction of steady rolling whirl over surface speed (rpm).
 pub fn rolling_envelope(points: &[WhirlPoint]) -> Envelope {
     let rolling = branches(points).filter(|curve| curve[0].motion == WhirlMotion::Rolling);
@@ -358,6 +387,27 @@ mod tests {
             rate: -9.0,
             normal_force: 1e3,
             least_friction,
+        }
+    }
+
+    #[test]
+    fn a_falling_curve_comes_down_to_a_value_once() {
+        let curve = [
+            [10.0, 3.0],
+            [20.0, 2.0],
+            [20.0, 1.5],
+            [40.0, 1.5],
+            [50.0, 0.5],
+        ];
+        for (value, expected) in [
+            (4.0, Some(10.0)),
+            (3.0, Some(10.0)),
+            (2.5, Some(15.0)),
+            (1.7, Some(20.0)),
+            (1.0, Some(45.0)),
+            (0.4, None),
+        ] {
+            assert_eq!(first_at_most(&curve, value), expected, "{value}");
         }
     }
 

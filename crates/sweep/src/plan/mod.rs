@@ -36,3 +36,4 @@ pub use map::{MapMark, MapSettings};
 pub use setting::Setting;
 pub use sheet::POUND_PER_FOOT;
 pub use sweep::Sweep;
+pub use wall::WallSettings;

@@ -25,6 +25,13 @@ pub(super) const COLOURS: [RGBColor; 7] = [
 pub(super) const BLUE_GROUND: RGBColor = RGBColor(0x9A, 0xCD, 0xEC);
 pub(super) const GREY_GROUND: RGBColor = RGBColor(0xF3, 0xF3, 0xF3);
 pub(super) const ORANGE_GROUND: RGBColor = RGBColor(0xB3, 0x50, 0x00);
+/// From what is safe to what is not: from light to dark.
+pub(super) const SAFETY: [RGBColor; 4] = [
+    RGBColor(0xEA, 0xF5, 0xFC),
+    RGBColor(0x9A, 0xCD, 0xEC),
+    RGBColor(0xC8, 0x92, 0x28),
+    RGBColor(0x8F, 0x3D, 0x00),
+];
 /// The stroke through a cell without a case.
 pub(super) const NO_CASE: RGBColor = RGBColor(0x99, 0x99, 0x99);
 

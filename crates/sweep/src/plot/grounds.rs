@@ -2,7 +2,7 @@
 //! colour vision nor colour print is needed.
 
 use super::canvas::{Canvas, Stroke};
-use super::colours::{BLUE_GROUND, GREY_GROUND, NO_CASE, ORANGE_GROUND, PARTS};
+use super::colours::{BLUE_GROUND, GREY_GROUND, NO_CASE, ORANGE_GROUND, PARTS, SAFETY};
 use super::geometry::Rect;
 use super::symbols::Symbol;
 use anyhow::Result;
@@ -15,8 +15,23 @@ pub enum Ground {
     Symbol(Symbol),
     /// How large a part of them has the regime.
     Part(Part),
+    /// How far it is from limits.
+    Safety(Safety),
     /// There are none: a stroke across the cell.
     NoCase,
+}
+
+/// How far a part of a map is from limits.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Safety {
+    /// Beyond the margin of each.
+    Safe,
+    /// The same, unless something is begun.
+    Conditional,
+    /// Within the margin of one.
+    Near,
+    /// On the wrong side of one.
+    Unsafe,
 }
 
 /// A class of parts of a whole: none of it, each quarter with its upper end, and all.
@@ -61,6 +76,7 @@ pub(super) fn draw_ground(canvas: &mut Canvas, ground: Ground, area: Rect) -> Re
         Ground::Symbol(Symbol::Cross) => GREY_GROUND,
         Ground::Symbol(Symbol::Square) => ORANGE_GROUND,
         Ground::Part(part) => part.colour(),
+        Ground::Safety(safety) => SAFETY[safety as usize],
         Ground::NoCase => {
             let stroke = [(area.left, area.bottom), (area.right, area.top)];
             return canvas.line(&stroke, Stroke::solid(NO_CASE, 0.8));
@@ -73,20 +89,27 @@ pub(super) fn draw_ground(canvas: &mut Canvas, ground: Ground, area: Rect) -> Re
 mod tests {
     use super::*;
 
+    /// Lightness of CIELAB, the gamma of sRGB taken as 2.2: what is left without colour. A
+    /// difference of 9 is plain between neighbours.
+    fn lightness(RGBColor(red, green, blue): RGBColor) -> f64 {
+        let linear = |value: u8| (f64::from(value) / 255.0).powf(2.2);
+        let luminance = 0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue);
+        116.0 * f64::cbrt(luminance) - 16.0
+    }
+
     #[test]
     fn a_larger_part_is_darker() {
-        // Relative luminance of sRGB, its gamma taken as 2.2: what is left without
-        // colour.
-        let luminance = |part: Part| {
-            let RGBColor(red, green, blue) = part.colour();
-            let linear = |value: u8| (f64::from(value) / 255.0).powf(2.2);
-            0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue)
-        };
-        // Lightness of CIELAB: a difference of 9 is plain between neighbours.
-        let lightness = |part| 116.0 * f64::cbrt(luminance(part)) - 16.0;
         for pair in Part::EVERY.windows(2) {
-            let step = lightness(pair[0]) - lightness(pair[1]);
+            let step = lightness(pair[0].colour()) - lightness(pair[1].colour());
             assert!(step > 9.0, "{pair:?}: {step}");
+        }
+    }
+
+    #[test]
+    fn what_is_less_safe_is_darker() {
+        for pair in SAFETY.windows(2) {
+            let step = lightness(pair[0]) - lightness(pair[1]);
+            assert!(step > 14.0, "{pair:?}: {step}");
         }
     }
 

@@ -152,7 +152,9 @@ fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) -> Result<()> {
                     draw_symbol(canvas, *symbol, cell.centre(), SYMBOL_RADIUS)
                 }
                 // A ground may be as light as the paper.
-                Ground::Part(_) | Ground::NoCase => canvas.outline(cell, Stroke::solid(BLACK, 0.5)),
+                Ground::Part(_) | Ground::Safety(_) | Ground::NoCase => {
+                    canvas.outline(cell, Stroke::solid(BLACK, 0.5))
+                }
             }
         }
         Key::Hatching => draw_hatching(canvas, cell, cell),

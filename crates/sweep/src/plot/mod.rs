@@ -33,7 +33,7 @@ mod text;
 
 pub use campbell::{CampbellPanel, campbell};
 pub use cells::{CellPanel, ChartCell, Seen, cell_chart};
-pub use grounds::{Ground, Part};
+pub use grounds::{Ground, Part, Safety};
 pub use legend::Series;
 pub use map::{Band, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_sheet};
 pub use multiples::{Multiple, multiples};

@@ -11,14 +11,12 @@ use anyhow::{Result, bail};
 use super::folder::tables_of;
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
-use crate::analysis::{Bins, Counts, MethodBlocks, blocks_of};
+use crate::analysis::{blocks, count_cases, size_of_blocks};
 use crate::cli::AnalyseArguments;
-use crate::design::{Member, cases_of_block};
 use crate::files::write_atomically;
-use crate::output::{Manifest, ResultTables};
+use crate::output::ResultTables;
 use crate::quantities::Axis;
 use crate::report::text;
-use crate::sweep_file::DesignKind;
 use description::sections;
 use picture::{draw, refuse_absent, refuse_several};
 use table::{counts_csv, indices_csv};
@@ -50,7 +48,7 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     }
     refuse_several(arguments)?;
     let sets = sets_of_axes(arguments, &manifest.axes)?;
-    let counted = count(arguments, &tables, &sets)?;
+    let counted = count_cases(&tables, &sets, usize::from(arguments.bins))?;
     let blocks = blocks(&tables)?;
     let width = arguments.width;
     let so_far = tables.iter().find_map(|tables| tables.so_far);
@@ -117,45 +115,4 @@ fn sets_of_axes(arguments: &AnalyseArguments, known: &[Axis]) -> Result<Vec<Vec<
         sets.push(axes.0.clone());
     }
     Ok(sets)
-}
-
-/// The counts over each set of axes.
-fn count(
-    arguments: &AnalyseArguments,
-    tables: &[ResultTables],
-    sets: &[Vec<Axis>],
-) -> Result<Vec<Counts>> {
-    let manifest = &tables[0].manifest;
-    let bins = Bins::along(
-        tables,
-        &manifest.sweep,
-        &manifest.axes,
-        usize::from(arguments.bins),
-    )?;
-    let of_axis = |axis: &Axis| bins.iter().find(|bins| bins.axis == *axis).cloned();
-    let sets = sets
-        .iter()
-        .map(|axes| axes.iter().filter_map(of_axis).collect());
-    let size = size_of_blocks(manifest);
-    let is_counted = |case: usize| {
-        // Of a block, those that are independent.
-        size.is_none_or(|size| matches!(Member::at(case % size), Member::A | Member::B))
-    };
-    Counts::of_each(tables, &manifest.method_names(), sets.collect(), is_counted)
-}
-
-/// The cases of a block, where the cases are in blocks that tell the axes apart.
-fn size_of_blocks(manifest: &Manifest) -> Option<usize> {
-    let design = manifest.sweep.design.as_ref()?;
-    let has_blocks = design.kind == DesignKind::Sensitivity;
-    has_blocks.then(|| cases_of_block(manifest.axes.len()))
-}
-
-/// The blocks of each method, where there are any.
-fn blocks(tables: &[ResultTables]) -> Result<Vec<MethodBlocks>> {
-    let manifest = &tables[0].manifest;
-    match size_of_blocks(manifest) {
-        Some(_) => blocks_of(tables, &manifest.method_names(), manifest.axes.len()),
-        None => Ok(Vec::new()),
-    }
 }

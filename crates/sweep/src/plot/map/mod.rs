@@ -40,9 +40,9 @@ pub struct Band {
     pub ends: [[f64; 2]; 2],
 }
 
-/// A named place: a filled triangle with its name beside it.
+/// A named place; one that is marked is a filled triangle with its name beside it.
 pub struct Mark {
-    /// Name beside the triangle.
+    /// Its name.
     pub name: String,
     /// Its place.
     pub at: (f64, f64),
@@ -62,9 +62,12 @@ pub struct MapPanel {
     pub lines: Vec<Series>,
     /// Hatched ranges, cut off there too.
     pub bands: Vec<Band>,
+    /// Names of regions, each where it stands.
+    pub names: Vec<Mark>,
 }
 
 /// Maps of one motion, with the legend that they share.
+#[derive(Default)]
 pub struct MapGroup {
     /// Heading above them; empty where there is one group alone.
     pub heading: String,
@@ -75,6 +78,8 @@ pub struct MapGroup {
     pub keys: Vec<(Ground, String)>,
     /// What a reader has to know besides.
     pub notes: Vec<String>,
+    /// Paragraphs below the map, where the group is one map alone.
+    pub below: Vec<String>,
     /// The maps.
     pub panels: Vec<MapPanel>,
 }

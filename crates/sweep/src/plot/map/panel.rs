@@ -105,7 +105,7 @@ fn symbol_radius(area: Rect, count: usize) -> f64 {
 /// On grounds that may be dark, a white rim sets the lines off.
 fn draw_lines(canvas: &mut Canvas, frame: &Frame, names: &[&str], panel: &MapPanel) -> Result<()> {
     let mut grounds = panel.cells.iter().map(|cell| cell.ground);
-    let may_be_dark = grounds.any(|ground| matches!(ground, Ground::Part(_)));
+    let may_be_dark = grounds.any(|ground| matches!(ground, Ground::Part(_) | Ground::Safety(_)));
     for line in &panel.lines {
         let stroke = line_stroke(place_of(&line.name, names));
         for piece in frame.curve(&line.points) {
@@ -131,6 +131,12 @@ fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPan
     let centres = places.iter().map(|&(_, centre)| centre);
     let taken = centres.map(|centre| Rect::centred(centre, size, size));
     let mut names = Names::new(frame.area, taken.collect(), drawn_lines(frame, panel));
+    for name in &panel.names {
+        if let Some(centre) = frame.pixel(name.at) {
+            let text = names.block(&name.name)?;
+            names.write(canvas, &text, &[centre])?;
+        }
+    }
     for (mark, (x, y)) in places {
         let name = names.block(&mark.name)?;
         let beside = MARK_RADIUS + HALO + 2.0 + name.width / 2.0;

@@ -71,20 +71,27 @@ fn alone(sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
     let notes = group.notes.iter().map(String::as_str).map(text);
     let legend = Legend::new(scale.chain(keys(group)).chain(notes))?;
     let top = title.bottom();
-    let height = HEIGHT_ALONE.max(top + legend.height() + MARGIN);
+    let below = (group.below.iter())
+        .map(|text| Block::new(text, SMALL_SIZE, WIDTH_ALONE - 2.0 * MARGIN))
+        .collect::<Result<Vec<_>>>()?;
+    let bottom = (HEIGHT_ALONE - MARGIN).max(top + legend.height());
+    let texts: f64 = below.iter().map(|text| text.height() + TEXT_GAP).sum();
+    let height = bottom + texts + MARGIN;
     let legend_left = WIDTH_ALONE - MARGIN - legend.width();
     let outer = Rect {
         left: MARGIN,
         top,
         right: legend_left - LEGEND_GAP,
-        bottom: height - MARGIN,
+        bottom,
     };
     let frame = Frame::new(outer, &sheet.axes, scales(sheet))?;
     draw_titled(&title, height, |canvas| {
         for panel in &group.panels {
             draw_panel(canvas, &frame, &sheet.marks, group, panel)?;
         }
-        legend.draw(canvas, legend_left, top)
+        legend.draw(canvas, legend_left, top)?;
+        write(canvas, &below, MARGIN, bottom + TEXT_GAP)?;
+        Ok(())
     })
 }
 

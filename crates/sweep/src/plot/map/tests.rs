@@ -15,6 +15,7 @@ fn group(panels: Vec<MapPanel>) -> MapGroup {
             .collect(),
         notes: Vec::new(),
         panels,
+        ..MapGroup::default()
     }
 }
 

@@ -1,0 +1,157 @@
+//! The limits of lateral motion that are known without a case: from which speed on backward whirl
+//! can last, and lateral resonance.
+
+use anyhow::Result;
+use linear::Sites;
+use linear::natural_frequencies::held_lateral_frequencies_below;
+
+use crate::cli::WindowArguments;
+use crate::commands::status::UsageError;
+use crate::output::whirl_from;
+use crate::plan::{LateralSettings, Sweep, WallSettings};
+use crate::quantities::{Axis, LENGTH, WallQuantity};
+use crate::window::{Drawn, Resonance, Source, above_speed, near_resonances};
+use crate::words::short;
+
+/// The limits within ranges of weight on bit (kN) and surface speed (rpm); none where the string does not bend.
+///
+/// # Errors
+/// Where places that hold the string are not on it.
+pub fn limits(
+    sweep: &Sweep,
+    ranges: [[f64; 2]; 2],
+    arguments: &WindowArguments,
+) -> Result<Vec<Source<'static>>> {
+    let Some(lateral) = &sweep.setting.lateral else {
+        if arguments.held_at.is_some() {
+            let message = "--held-at: the string does not bend: the file has no [wall]";
+            return Err(UsageError(message.to_owned()).into());
+        }
+        return Ok(Vec::new());
+    };
+    let mut found = resonances(sweep, lateral, ranges[1], arguments)?;
+    found.push(whirl(sweep, lateral, ranges, arguments.margin)?);
+    Ok(found)
+}
+
+/// The speed from which on backward whirl can last at a site, rolling or sliding.
+fn whirl(
+    sweep: &Sweep,
+    lateral: &LateralSettings,
+    [weights, speeds]: [[f64; 2]; 2],
+    margin: f64,
+) -> Result<Source<'static>> {
+    let frictions = friction(sweep, lateral, margin);
+    let from = frictions.map(|friction| whirl_from(&sweep.setting, lateral, speeds, friction));
+    let [latest, soonest] = from;
+    let (latest, soonest) = (latest?, soonest?);
+    let [least, most] = frictions.map(short);
+    let told = match soonest {
+        None => format!("nowhere on the map, with friction up to {most}"),
+        Some(from) if latest == Some(from) => {
+            format!("on all of the map, with friction {least} to {most}")
+        }
+        Some(from) => {
+            let to = latest.map_or_else(
+                || format!("not at all with {least}"),
+                |to| format!("{} rpm on with {least}", short(to)),
+            );
+            format!(
+                "from {} rpm on with friction {most}, from {to}",
+                short(from)
+            )
+        }
+    };
+    let line = |from: f64| weights.map(|weight| [weight, from]).to_vec();
+    // None along the edge of the map.
+    let lines = soonest
+        .into_iter()
+        .chain(latest)
+        .filter(|from| *from > speeds[0]);
+    let soonest_or_never = soonest.unwrap_or(f64::INFINITY);
+    Ok(Source {
+        name: "backward whirl can last once begun".to_owned(),
+        told: format!("{told}; balance of forces at one site alone"),
+        edges: [Vec::new(), soonest.into_iter().collect()],
+        standing: Box::new(move |ends| above_speed(soonest_or_never, ends)),
+        drawn: Drawn::Lines(lines.map(line).collect()),
+    })
+}
+
+/// The least and the greatest coefficient of friction of the site that has most: the ends of its
+/// axis, or a number that may be off by a part.
+fn friction(sweep: &Sweep, lateral: &LateralSettings, margin: f64) -> [f64; 2] {
+    let of_site = |wall: &WallSettings| {
+        let own = Axis::WallAtSite {
+            site: wall.site,
+            quantity: WallQuantity::Friction,
+        };
+        let ends = sweep.design.ends(own);
+        let ends = ends.or_else(|| sweep.design.ends(Axis::FRICTION));
+        ends.unwrap_or_else(|| {
+            let friction = wall.friction.unwrap_or_default();
+            [friction * (1.0 - margin), friction * (1.0 + margin)]
+        })
+    };
+    let all = lateral.walls.iter().map(of_site);
+    all.fold([0.0; 2], |[least, most], own| {
+        [least.max(own[0]), most.max(own[1])]
+    })
+}
+
+/// Where a multiple of the speed meets a lateral natural frequency of the string between the
+/// places that hold it.
+fn resonances(
+    sweep: &Sweep,
+    lateral: &LateralSettings,
+    speeds: [f64; 2],
+    arguments: &WindowArguments,
+) -> Result<Vec<Source<'static>>> {
+    let string = &sweep.setting.string;
+    let held = match &arguments.held_at {
+        Some(places) => {
+            Sites::new(string, places).map_err(|error| UsageError(format!("--held-at: {error}")))?
+        }
+        None => sweep.setting.sites.clone(),
+    };
+    let margin = arguments.margin;
+    let most = arguments.orders.iter().copied().fold(0.0, f64::max);
+    // Also those whose margin reaches into the map.
+    let highest = most * speeds[1] / (1.0 - margin) * std::f64::consts::TAU / 60.0;
+    let frequencies = held_lateral_frequencies_below(string, &lateral.bending, &held, highest)?;
+    let length = sweep.content.units.of(&LENGTH);
+    let places: Vec<String> = (held.distances_from_bit().iter().rev())
+        .map(|place| short(length.number(*place)))
+        .collect();
+    let held = format!("held at {} {} from the bit", places.join(", "), length.name);
+    let of_order = |&order: &f64| {
+        let all = frequencies
+            .iter()
+            .map(|omega| Resonance::of(order, omega / std::f64::consts::TAU, margin));
+        let is_on_map = |it: &Resonance| it.range[1] > speeds[0] && it.range[0] < speeds[1];
+        let all: Vec<Resonance> = all.filter(is_on_map).collect();
+        let critical: Vec<String> = all.iter().map(|it| short(it.speed)).collect();
+        let critical = match &critical[..] {
+            [] => "none on the map".to_owned(),
+            critical => format!("{} rpm", critical.join(", ")),
+        };
+        let ends = all.iter().flat_map(|it| it.range);
+        Source {
+            name: format!("lateral resonance {}×", short(order)),
+            told: format!("{critical}, ± {} %; {held}", short(100.0 * margin)),
+            edges: [Vec::new(), ends.collect()],
+            drawn: Drawn::Bands(
+                (all.iter())
+                    .map(|it| {
+                        (
+                            it.range,
+                            format!("{}×: {} rpm", short(order), short(it.speed)),
+                        )
+                    })
+                    .collect(),
+            ),
+            standing: Box::new(move |ends| near_resonances(&all, ends)),
+        }
+    };
+    Ok(arguments.orders.iter().map(of_order).collect())
+}

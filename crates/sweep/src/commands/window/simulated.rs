@@ -1,0 +1,123 @@
+//! The limits that results folders hold: of simulated cases, and Eq. 74.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+
+use crate::cli::WindowArguments;
+use crate::commands::status::UsageError;
+use crate::output::{Curve, Manifest, Motion, ResultTables};
+use crate::quantities::Axis;
+use crate::sweep_file::DesignKind;
+use crate::window::{Drawn, Simulated, Source, below_curves, simulated};
+use crate::words::{counted, short};
+
+/// What all folders span, and the limits that each holds.
+///
+/// # Errors
+/// Where a folder says nothing of limits, or they have no range in common.
+pub fn limits(
+    all: &[(PathBuf, ResultTables)],
+    arguments: &WindowArguments,
+) -> Result<([[f64; 2]; 2], Vec<Source<'static>>)> {
+    let mut sources = Vec::new();
+    let mut ranges = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
+    for (folder, tables) in all {
+        let manifest = &tables.manifest;
+        for motion in manifest.tally.motions() {
+            let found = simulated(tables, motion, usize::from(arguments.bins), arguments.risk)
+                .with_context(|| folder.display().to_string())?;
+            for (range, edges) in ranges.iter_mut().zip(found.edges()) {
+                let (first, last) = (edges[0], edges[edges.len() - 1]);
+                *range = [range[0].max(first), range[1].min(last)];
+            }
+            let is_alone = all.len() == 1;
+            sources.push(of_cases(found, manifest, motion, is_alone, arguments.risk));
+        }
+        sources.extend(of_curves(tables)?);
+    }
+    if sources.is_empty() {
+        bail!(UsageError(
+            "no case has a label: there is no limit to draw".to_owned()
+        ));
+    }
+    if ranges.iter().any(|[least, most]| least >= most) {
+        let folders = all.iter().map(|(folder, _)| folder as &Path);
+        let folders: Vec<String> = folders.map(|folder| folder.display().to_string()).collect();
+        bail!(UsageError(format!(
+            "{} have no range of weight and speed in common",
+            folders.join(" and ")
+        )));
+    }
+    Ok((ranges, sources))
+}
+
+/// By cases.
+fn of_cases(
+    found: Simulated,
+    manifest: &Manifest,
+    motion: Motion,
+    is_alone: bool,
+    risk: f64,
+) -> Source<'static> {
+    let [regime, _] = motion.regimes();
+    // Names without commas, for they stand in a table.
+    let of = match is_alone {
+        true => String::new(),
+        false => format!(" in {}", manifest.name),
+    };
+    Source {
+        name: format!("{regime} (simulated{of})"),
+        told: told(&found, manifest, risk),
+        edges: found.edges(),
+        standing: Box::new(move |ends| found.standing(ends)),
+        drawn: Drawn::Edge,
+    }
+}
+
+/// How many cases, and what is between right and wrong.
+fn told(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
+    let methods = manifest.method_names().join(", ");
+    let cases = manifest.tally.rows / manifest.methods.len().max(1);
+    let cases = counted(cases, "case");
+    let margin = match (
+        found,
+        manifest.sweep.design.as_ref().map(|design| design.kind),
+    ) {
+        (Simulated::In(_), _) => format!(
+            "clear where at most {} % of a cell's cases have it, by the upper end of the 95 % \
+             interval",
+            short(100.0 * risk)
+        ),
+        (_, Some(DesignKind::Trace)) => {
+            "traced; margin: a step of the trace, where methods differ and where it is ragged"
+                .to_owned()
+        }
+        _ => "margin: between neighbouring cases that differ, and where methods do".to_owned(),
+    };
+    format!("{cases} by {methods}; {margin}")
+}
+
+/// Eq. 74 by each method.
+fn of_curves(tables: &ResultTables) -> Result<Option<Source<'static>>> {
+    let curves = tables.boundary()?.curves(&tables.manifest.axes);
+    let is_over_weight =
+        |curve: &Curve| curve.motion == Motion::Torsion && curve.along == Axis::WeightOnBitKn;
+    let curves: Vec<Curve> = curves.into_iter().filter(is_over_weight).collect();
+    if curves.is_empty() {
+        return Ok(None);
+    }
+    let methods = tables.manifest.method_names().join(", ");
+    let told = match curves.len() {
+        1 => format!("by {methods}"),
+        _ => format!("margin: between {methods}"),
+    };
+    let lines = curves.iter().flat_map(|curve| curve.pieces.clone());
+    Ok(Some(Source {
+        name: "stick-slip can last (Eq. 74)".to_owned(),
+        told,
+        edges: Default::default(),
+        drawn: Drawn::Lines(lines.collect()),
+        standing: Box::new(move |ends| below_curves(&curves, ends)),
+    }))
+}

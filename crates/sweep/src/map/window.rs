@@ -1,0 +1,325 @@
+//! An operating window: how far each part of weight and speed is from its limits, the safe
+//! regions by their names, and the best point.
+
+use anyhow::Result;
+
+use super::contour::contour;
+use super::mesh::Mesh;
+use super::shown::show_in;
+use super::words;
+use crate::plot::{
+    self, Band, Ground, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety, Series, map_sheet,
+};
+use crate::quantities::Units;
+use crate::window::{AXES, Best, Chart, Drawn, Limit, Region, Room, Standing};
+use crate::words::short;
+
+/// Safe regions that are a smaller part of the map have no name.
+const LEAST_SHARE: f64 = 0.005;
+
+/// The part of the weights at which the names of ranges of speed stand.
+const BESIDE: f64 = 0.12;
+
+/// What they are called.
+const NAMES: [&str; 6] = ["A", "B", "C", "D", "E", "F"];
+
+/// What is drawn.
+pub struct WindowSheet<'a> {
+    /// Title above all.
+    pub title: String,
+    /// What its numbers are shown in.
+    pub units: Units,
+    /// The limits.
+    pub chart: &'a Chart,
+    /// Where all are clear, the largest first.
+    pub regions: Vec<Region>,
+    /// The best point, where one is safe.
+    pub best: Option<Best>,
+    /// The part of either axis by which that should be away from every limit.
+    pub clearance: f64,
+}
+
+/// Draws an operating window.
+///
+/// # Errors
+/// Where letters cannot be drawn.
+pub fn window_picture(of: &WindowSheet) -> Result<Picture> {
+    let chart = of.chart;
+    let mesh = Mesh::between(chart.edges.clone());
+    let best = of.best.iter().map(|best| Mark {
+        name: format!("best: {}", of.place(best.at)),
+        at: (best.at[0], best.at[1]),
+    });
+    let panel = MapPanel {
+        cells: mesh.joined(|cell| Some(ground(chart.standing(cell)))),
+        lines: chart
+            .limits
+            .iter()
+            .filter_map(|it| line(chart, it))
+            .collect(),
+        bands: chart
+            .limits
+            .iter()
+            .flat_map(|it| bands(chart, it))
+            .collect(),
+        names: (of.named_regions())
+            .map(|(name, region)| of.name_of(name, region))
+            .chain(chart.limits.iter().flat_map(|it| names_of_bands(chart, it)))
+            .collect(),
+        ..MapPanel::default()
+    };
+    let mut sheet = MapSheet {
+        title: of.title.clone(),
+        axes: AXES.map(|axis| plot::Axis::linear(axis.title(of.units))),
+        marks: best.collect(),
+        groups: vec![MapGroup {
+            heading: String::new(),
+            scale: None,
+            keys: keys(chart),
+            notes: Vec::new(),
+            below: [of.regions(), of.best(), of.limits()].concat(),
+            panels: vec![panel],
+        }],
+    };
+    show_in(&mut sheet, AXES.map(|axis| axis.unit(of.units)));
+    map_sheet(&sheet)
+}
+
+fn ground(standing: Standing) -> Ground {
+    match standing {
+        Standing::Clear => Ground::Safety(Safety::Safe),
+        Standing::Possible => Ground::Safety(Safety::Conditional),
+        Standing::Near => Ground::Safety(Safety::Near),
+        Standing::Against => Ground::Safety(Safety::Unsafe),
+        Standing::Untold => Ground::NoCase,
+    }
+}
+
+/// The grounds that are on the map.
+fn keys(chart: &Chart) -> Vec<(Ground, String)> {
+    let all = [
+        (Standing::Clear, "safe: beyond the margin of every limit"),
+        (
+            Standing::Possible,
+            "safe unless whirl is set off, which can last here",
+        ),
+        (Standing::Near, "within the margin of a limit"),
+        (Standing::Against, "on the wrong side of a limit"),
+        (
+            Standing::Untold,
+            "not known: no answer, or stuck to the end",
+        ),
+    ];
+    let is_there = |standing| chart.cells().any(|cell| chart.standing(cell) == standing);
+    let there = all.into_iter().filter(|(standing, _)| is_there(*standing));
+    there
+        .map(|(standing, text)| (ground(standing), text.to_owned()))
+        .collect()
+}
+
+/// A limit as a line: around where it is certain to be passed, or as it is known.
+fn line(chart: &Chart, limit: &Limit) -> Option<Series> {
+    let pieces = match &limit.drawn {
+        Drawn::Edge => edge(chart, limit),
+        Drawn::Lines(lines) => lines.clone(),
+        Drawn::Bands(_) => Vec::new(),
+    };
+    let gap = std::iter::once((f64::NAN, f64::NAN));
+    let points = pieces.into_iter().flat_map(|piece| {
+        let points = piece.into_iter().map(|[weight, speed]| (weight, speed));
+        points.chain(gap.clone()).collect::<Vec<_>>()
+    });
+    let points: Vec<_> = points.collect();
+    (!points.is_empty()).then(|| Series {
+        name: limit.name.clone(),
+        points,
+    })
+}
+
+/// Lines between what is against and what need not be.
+fn edge(chart: &Chart, limit: &Limit) -> Vec<Vec<[f64; 2]>> {
+    let against = |standing: &Standing| match standing {
+        Standing::Clear | Standing::Possible => Some(0.0),
+        Standing::Near => Some(0.5),
+        Standing::Against | Standing::Untold => Some(1.0),
+    };
+    let values: Vec<Option<f64>> = limit.standings.iter().map(against).collect();
+    let middle = |axis: usize, place: f64| {
+        let edges = &chart.edges[axis];
+        let middle = |cell: usize| 0.5 * (edges[cell] + edges[cell + 1]);
+        let below = (place as usize).min(edges.len() - 2);
+        let above = (below + 1).min(edges.len() - 2);
+        middle(below) + (place - below as f64) * (middle(above) - middle(below))
+    };
+    let lines = contour(chart.size(), &values, 0.75).into_iter();
+    let lines = lines.map(|line| {
+        let points = line.into_iter();
+        points
+            .map(|[column, row]| [middle(0, column), middle(1, row)])
+            .collect()
+    });
+    lines.collect()
+}
+
+/// Ranges of speed within the map, with their names.
+fn ranges<'a>(chart: &Chart, limit: &'a Limit) -> Vec<([f64; 2], &'a str)> {
+    let Drawn::Bands(ranges) = &limit.drawn else {
+        return Vec::new();
+    };
+    let [slowest, fastest] = chart.range(1);
+    let inside = |speeds: [f64; 2]| speeds.map(|speed| speed.clamp(slowest, fastest));
+    (ranges
+        .iter()
+        .map(|(speeds, name)| (inside(*speeds), name.as_str())))
+    .collect()
+}
+
+fn bands(chart: &Chart, limit: &Limit) -> Vec<Band> {
+    let band = |(speeds, _)| Band {
+        name: limit.name.clone(),
+        ends: [chart.range(0), speeds],
+    };
+    ranges(chart, limit).into_iter().map(band).collect()
+}
+
+/// The name of each range of a limit, inside it.
+fn names_of_bands(chart: &Chart, limit: &Limit) -> Vec<Mark> {
+    let [least, most] = chart.range(0);
+    let name = |([from, to], name): ([f64; 2], &str)| Mark {
+        name: name.to_owned(),
+        at: (least + BESIDE * (most - least), 0.5 * (from + to)),
+    };
+    ranges(chart, limit).into_iter().map(name).collect()
+}
+
+/// What is on the sheet, in words.
+impl WindowSheet<'_> {
+    /// Each limit, and how much of the map it takes.
+    pub fn limits(&self) -> Vec<String> {
+        let told = |limit: &Limit| {
+            let mut parts = Vec::new();
+            for (standing, what) in [
+                (Standing::Against, "of the map on its wrong side"),
+                (Standing::Possible, "of the map, once begun"),
+                (Standing::Near, "within its margin"),
+                (Standing::Untold, "not known"),
+            ] {
+                let part = self.chart.part(limit, standing);
+                if part > 0.0 {
+                    parts.push(format!("{} {what}", percent(part)));
+                }
+            }
+            if parts.is_empty() {
+                parts.push("clear of all of the map".to_owned());
+            }
+            format!("{}: {} ({})", limit.name, parts.join(", "), limit.told)
+        };
+        self.chart.limits.iter().map(told).collect()
+    }
+
+    /// The safe regions that have names.
+    pub fn regions(&self) -> Vec<String> {
+        if self.regions.is_empty() {
+            return vec!["nothing on the map is safe".to_owned()];
+        }
+        let told = |(name, region): (&str, &Region)| {
+            let [weights, speeds] =
+                [0, 1].map(|axis| words::ends(AXES[axis], region.ends[axis], self.units));
+            let share = percent(region.share);
+            let clear = match region.clear {
+                clear if clear > 0.999 * region.share => String::new(),
+                0.0 => ", though whirl could last in all of it once begun".to_owned(),
+                clear => format!(", {} where whirl could not even last", percent(clear)),
+            };
+            format!("safe region {name}: {share} of the map{clear}, within {weights} and {speeds}")
+        };
+        let mut all: Vec<String> = self.named_regions().map(told).collect();
+        let others = self.regions.len() - all.len();
+        if others > 0 {
+            let plural = if others == 1 { "" } else { "s" };
+            all.push(format!("and {others} smaller one{plural}"));
+        }
+        all
+    }
+
+    /// The best point, why it is, and what is around it.
+    pub fn best(&self) -> Vec<String> {
+        let Some(best) = &self.best else {
+            return Vec::new();
+        };
+        let place = self.place(best.at);
+        let (asked, own) = (percent(self.clearance), percent(best.clearance));
+        let rule = if best.is_as_asked {
+            format!(
+                "greatest weight × speed of the points that stay safe when both are off by {asked} \
+                 of their axes"
+            )
+        } else {
+            format!(
+                "no point stays safe when weight and speed are off by {asked} of their axes; this \
+                 one stays so up to {own}"
+            )
+        };
+        let whirl = match best.standing {
+            Standing::Clear => "",
+            _ => "; safe unless whirl is set off",
+        };
+        vec![
+            format!("best point: {place} ({rule}{whirl})"),
+            self.room(best),
+        ]
+    }
+
+    /// How far it is from the best point to what limits it.
+    fn room(&self, best: &Best) -> String {
+        let [[less, more], [slower, faster]] = &best.room;
+        let told = |axis: usize, room: &Room, way: &str| {
+            let distance = words::quantity(AXES[axis], room.distance, self.units);
+            let to = match &room.limits[..] {
+                [] => "the end of the map".to_owned(),
+                limits => limits.join(" and "),
+            };
+            format!("{distance} {way} to {to}")
+        };
+        let all = [
+            told(0, less, "less"),
+            told(0, more, "more"),
+            told(1, slower, "slower"),
+            told(1, faster, "faster"),
+        ];
+        format!("around it: {}", all.join("; "))
+    }
+
+    fn place(&self, at: [f64; 2]) -> String {
+        let [weight, speed] = [0, 1].map(|axis| words::quantity(AXES[axis], at[axis], self.units));
+        format!("{weight} at {speed}")
+    }
+
+    fn named_regions(&self) -> impl Iterator<Item = (&'static str, &Region)> {
+        let large = self
+            .regions
+            .iter()
+            .filter(|region| region.share >= LEAST_SHARE);
+        NAMES.into_iter().zip(large)
+    }
+
+    fn name_of(&self, name: &str, region: &Region) -> Mark {
+        let [weight, speed] = self.chart.middle(self.chart.heart(region));
+        Mark {
+            name: name.to_owned(),
+            at: (weight, speed),
+        }
+    }
+}
+
+fn percent(part: f64) -> String {
+    let percent = 100.0 * part;
+    let rounded = match percent {
+        percent if percent >= 10.0 => percent.round(),
+        percent => (10.0 * percent).round() / 10.0,
+    };
+    match rounded {
+        0.0 => "under 0.1 %".to_owned(),
+        rounded => format!("{} %", short(rounded)),
+    }
+}

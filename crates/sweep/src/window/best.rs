@@ -1,0 +1,235 @@
+//! The best point of a chart, by a rule.
+
+use super::chart::Chart;
+use super::standing::Standing;
+
+/// Halvings that find how far away the nearest limit is.
+const HALVINGS: usize = 20;
+
+/// A point of a safe region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Best {
+    /// Weight on bit, kN, and surface speed, rpm.
+    pub at: [f64; 2],
+    /// The part of either axis by which it may be off without meeting a limit.
+    pub clearance: f64,
+    /// Whether it and what is around it are clear of all limits, or safe unless something is begun.
+    pub standing: Standing,
+    /// Whether that is as much as was asked for; else it is the safe point that has most.
+    pub is_as_asked: bool,
+    /// How far it is to a limit, by axis, downwards and upwards.
+    pub room: [[Room; 2]; 2],
+}
+
+/// How far it is from a point in one direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Room {
+    /// How far, in the unit of the axis.
+    pub distance: f64,
+    /// The limits that are met there; none at the end of the map.
+    pub limits: Vec<String>,
+}
+
+impl Chart {
+    /// Of the points that stay safe when weight and speed are off by a part `clearance` of their
+    /// axes, together, the one with the greatest weight times speed: the power that a bit spends
+    /// on the rock grows with both. Those that are clear of every limit go before those that are
+    /// safe unless something is begun. Where no point stays so, the safe one that may be off by
+    /// most; none where nothing is safe. Beyond the map nothing is known, and nothing counted.
+    pub fn best(&self, clearance: f64) -> Option<Best> {
+        let levels = [Standing::Clear, Standing::Possible];
+        let as_asked = levels.into_iter().find_map(|standing| {
+            let points = self.clearances(standing);
+            let kept = points.iter().filter(|(_, own)| *own >= clearance);
+            let product = |cell: usize| self.middle(cell).into_iter().product::<f64>();
+            let best = kept.max_by(|one, other| product(one.0).total_cmp(&product(other.0)));
+            best.map(|&(cell, own)| (standing, cell, own))
+        });
+        let widest = || {
+            let points = self.clearances(Standing::Possible).into_iter();
+            let widest = points.max_by(|one, other| one.1.total_cmp(&other.1));
+            widest.map(|(cell, own)| (Standing::Possible, cell, own))
+        };
+        let is_as_asked = as_asked.is_some();
+        let (standing, cell, own) = as_asked.or_else(widest)?;
+        let room = |axis| [false, true].map(|upwards| self.room(standing, cell, axis, upwards));
+        Some(Best {
+            at: self.middle(cell),
+            clearance: own,
+            standing,
+            is_as_asked,
+            room: [0, 1].map(room),
+        })
+    }
+
+    /// The cells that stand no worse than that, each with the part by which it may be off.
+    fn clearances(&self, standing: Standing) -> Vec<(usize, f64)> {
+        let worse = Worse::than(standing, self);
+        let cells = self.cells().filter(|&cell| self.standing(cell) <= standing);
+        cells
+            .map(|cell| (cell, worse.clearance(self, self.middle(cell))))
+            .collect()
+    }
+
+    /// How far it is from the middle of a cell along an axis.
+    fn room(&self, standing: Standing, cell: usize, axis: usize, upwards: bool) -> Room {
+        let (mut place, middle) = (self.place(cell), self.middle(cell)[axis]);
+        loop {
+            let end = self.edges[axis][place[axis] + usize::from(upwards)];
+            let distance = (end - middle).abs();
+            let next = if upwards {
+                Some(place[axis] + 1).filter(|&it| it < self.size()[axis])
+            } else {
+                place[axis].checked_sub(1)
+            };
+            let Some(next) = next else {
+                return Room {
+                    distance,
+                    limits: Vec::new(),
+                };
+            };
+            place[axis] = next;
+            let met = self.worse_than(standing, self.number(place));
+            if !met.is_empty() {
+                let limits = met.into_iter().map(str::to_owned).collect();
+                return Room { distance, limits };
+            }
+        }
+    }
+}
+
+/// How many cells before each stand worse than some way.
+struct Worse {
+    /// By column and row, of all to the left and below.
+    before: Vec<usize>,
+    rows: usize,
+}
+
+impl Worse {
+    fn than(standing: Standing, chart: &Chart) -> Self {
+        let [columns, rows] = chart.size().map(|cells| cells + 1);
+        let mut before = vec![0; columns * rows];
+        for column in 1..columns {
+            for row in 1..rows {
+                let cell = chart.number([column - 1, row - 1]);
+                let at = |column: usize, row: usize| before[column * rows + row];
+                before[column * rows + row] = at(column - 1, row) + at(column, row - 1)
+                    - at(column - 1, row - 1)
+                    + usize::from(chart.standing(cell) > standing);
+            }
+        }
+        Self { before, rows }
+    }
+
+    /// The largest part of the axes by which a point may be off.
+    fn clearance(&self, chart: &Chart, at: [f64; 2]) -> f64 {
+        let [mut kept, mut broken] = [0.0, 1.0];
+        if self.is_clear(chart, at, broken) {
+            return broken;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (kept + broken);
+            match self.is_clear(chart, at, middle) {
+                true => kept = middle,
+                false => broken = middle,
+            }
+        }
+        kept
+    }
+
+    /// Whether no cell around a point is worse.
+    fn is_clear(&self, chart: &Chart, at: [f64; 2], clearance: f64) -> bool {
+        let [columns, rows] = [0, 1].map(|axis| {
+            let [least, most] = chart.range(axis);
+            let reach = clearance * (most - least);
+            let edges = &chart.edges[axis];
+            let first = edges.partition_point(|edge| *edge <= at[axis] - reach);
+            let last = edges.partition_point(|edge| *edge < at[axis] + reach);
+            [first.saturating_sub(1), last.min(edges.len() - 1)]
+        });
+        let before = |column: usize, row: usize| self.before[column * self.rows + row];
+        before(columns[1], rows[1]) + before(columns[0], rows[0])
+            == before(columns[0], rows[1]) + before(columns[1], rows[0])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::analytic::above_speed;
+    use super::super::chart::tests::chart;
+    use super::*;
+
+    /// Against below a line from (0, 0) to (128 kN, 256 rpm), and above 192 rpm.
+    fn wedge() -> Chart {
+        chart(vec![
+            Box::new(|[[_, weight], [speed, _]]| match speed >= 2.0 * weight {
+                true => Standing::Clear,
+                false => Standing::Against,
+            }),
+            Box::new(|[_, [_, high]]| match high <= 192.0 {
+                true => Standing::Clear,
+                false => Standing::Near,
+            }),
+        ])
+    }
+
+    #[test]
+    fn the_best_point_keeps_its_distance_from_every_limit() {
+        let chart = wedge();
+        // With a reach of 6.4 kN and 12.8 rpm: the corner (96, 192) less both.
+        let best = chart.best(0.05).expect("a point");
+        let [weight, speed] = best.at;
+        assert!(best.is_as_asked && best.clearance >= 0.05, "{best:?}");
+        assert!((speed - (192.0 - 12.8)).abs() < 3.0, "{best:?}");
+        assert!(
+            (weight - 0.5 * (speed - 12.8 - 12.8)).abs() < 3.0,
+            "{best:?}"
+        );
+        let [[less, more], [slower, faster]] = best.room;
+        assert_eq!(
+            (less.limits, &more.limits[..]),
+            (vec![], &["limit 0".to_owned()][..])
+        );
+        assert_eq!(
+            (slower.limits[0].as_str(), faster.limits[0].as_str()),
+            ("limit 0", "limit 1")
+        );
+        assert!((faster.distance - (192.0 - speed)).abs() < 1e-9);
+        assert!((less.distance - weight).abs() < 1e-9);
+        // Every corner of its box is safe, and none with a tenth more of both.
+        for sides in [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]] {
+            let [w, s] = [weight + 6.4 * sides[0], speed + 12.8 * sides[1]];
+            assert!(s >= 2.0 * w && s <= 192.0, "{w} {s}");
+        }
+    }
+
+    #[test]
+    fn what_is_clear_goes_before_what_only_does_not_begin() {
+        let with_whirl = |from: f64| {
+            let mut sides = wedge();
+            let whirl = chart(vec![Box::new(move |ends| above_speed(from, ends))]);
+            sides.limits.extend(whirl.limits);
+            sides.best(0.05).expect("a point")
+        };
+        let below = with_whirl(128.0);
+        assert_eq!(below.standing, Standing::Clear);
+        assert!((below.at[1] - (128.0 - 12.8)).abs() < 3.0, "{below:?}");
+        let all = with_whirl(20.0);
+        assert_eq!(all.standing, Standing::Possible);
+        assert!((all.at[1] - (192.0 - 12.8)).abs() < 3.0, "{all:?}");
+        assert_eq!(all.room[1][1].limits, ["limit 1"]);
+    }
+
+    #[test]
+    fn without_a_point_as_far_the_widest_is_told() {
+        let best = wedge().best(0.4).expect("a point");
+        assert!(!best.is_as_asked);
+        // At no weight 192 − 256 c is 512 c: a quarter.
+        assert!((0.23..0.25).contains(&best.clearance), "{best:?}");
+        let nowhere = chart(vec![Box::new(|_| Standing::Untold)]);
+        assert_eq!(nowhere.best(0.05), None);
+        let everywhere = chart(vec![Box::new(|_| Standing::Clear)]);
+        let best = everywhere.best(0.05).expect("a point");
+        assert_eq!((best.clearance, best.at), (1.0, [127.5, 255.0]));
+    }
+}
