@@ -30,6 +30,44 @@ fn csv(place: &Workplace, name: &str) -> Vec<Vec<String>> {
     text.lines().map(row).collect()
 }
 
+/// Every row of each table that `analyse` prints is on the page, and no grid is counted so.
+#[test]
+fn a_report_of_random_cases_tells_the_same() {
+    let place = Workplace::with_small(&random(200));
+    run(&place, &["--out", "out"]);
+    let said = done(&place, &["analyse", "out"]);
+    done(&place, &["report", "out"]);
+    let page = std::fs::read_to_string(place.path("out/report.html")).unwrap();
+    assert!(page.contains("How often, how surely, what decides"));
+    let mut rows = 0;
+    for line in said
+        .lines()
+        .filter(|line| line.contains('%') || line.contains("weight_on_bit"))
+    {
+        let cells: Vec<&str> = line
+            .split("  ")
+            .map(str::trim)
+            .filter(|it| !it.is_empty())
+            .collect();
+        if !line.starts_with("  ") || cells.len() < 4 {
+            continue;
+        }
+        let row: Vec<String> = cells.iter().map(|cell| format!(">{cell}</td>")).collect();
+        let mut on_page = page.split("<tr>").map(|row| row.to_owned());
+        assert!(
+            on_page.any(|it| row.iter().all(|cell| it.contains(cell))),
+            "{line}"
+        );
+        rows += 1;
+    }
+    assert!(rows > 15, "{said}");
+    place.write("grid.toml", support::SMALL);
+    done(&place, &["run", "grid.toml", "--quiet"]);
+    done(&place, &["report", "results/grid"]);
+    let page = std::fs::read_to_string(place.path("results/grid/report.html")).unwrap();
+    assert!(!page.contains("what decides"));
+}
+
 /// Counts of the table are those of the labels, in all and by cells; the cells of an axis have
 /// every case once.
 #[test]

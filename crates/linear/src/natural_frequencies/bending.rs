@@ -3,11 +3,20 @@
 
 use num_complex::Complex64;
 
-use super::frequencies::Stretch;
 use crate::assembly::block::Block;
 use crate::assembly::nodes::{Link, Relation};
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
+use crate::spans::SurroundedSpan;
 use crate::waves::bending::short_part;
+
+/// A stretch of a string that bends, above the bit or above a place where it is held.
+#[derive(Debug, Clone)]
+pub struct Stretch {
+    /// Cut where what is around it changes.
+    pub span: SurroundedSpan,
+    /// Whether its lower end is held.
+    pub ends_held: bool,
+}
 
 /// What holds a place, N/m: so stiff that rounding hides what it gives way.
 const HELD: f64 = 1e100;

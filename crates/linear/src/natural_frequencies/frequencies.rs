@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
-use super::{bending, torsion};
+use super::bending::{self, Stretch};
+use super::torsion;
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::{BuildError, DrillstringError};
 use crate::sites::Sites;
-use crate::spans::SurroundedSpan;
 
 /// A frequency is known to this part of it; two that differ by less are equal.
 const SAME_FREQUENCY: f64 = 1e-10;
@@ -38,15 +38,6 @@ pub(super) enum Motion {
         /// The string from its top down.
         stretches: Vec<Stretch>,
     },
-}
-
-/// A stretch of a string that bends, above the bit or above a place where it is held.
-#[derive(Debug, Clone)]
-pub(super) struct Stretch {
-    /// Cut where what is around it changes.
-    pub span: SurroundedSpan,
-    /// Whether its lower end is held.
-    pub ends_held: bool,
 }
 
 /// Frequencies (rad/s) between which some are, with how many are below either.

@@ -23,9 +23,10 @@ pub fn summary(folder: &Path, terminal: Terminal) -> Result<Status> {
 
 /// Writes a page about one folder, or several side by side.
 pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status> {
-    let all = (arguments.folders.iter())
+    let mut all = (arguments.folders.iter())
         .map(|folder| read(folder, terminal))
         .collect::<Result<Vec<_>>>()?;
+    all.iter_mut().try_for_each(Results::analyse)?;
     let comparisons = (all.iter().skip(1))
         .map(|other| compare(&all[0], other))
         .collect::<Result<Vec<_>>>()?;

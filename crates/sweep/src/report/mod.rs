@@ -2,11 +2,14 @@
 //!
 //! `results` reads a folder in one pass over its cases, so that memory does not grow
 //! with them; `comparison` compares two folders. `sections` makes words and tables of
-//! both, which a terminal (`text`) and a page (`page`) show alike.
+//! both, which a terminal (`text`) and a page (`page`) show alike. `analysed` and `deciding` are of
+//! counts of random cases, as `sweep analyse` tells them.
 
 mod agreement;
+mod analysed;
 mod character_map;
 mod comparison;
+mod deciding;
 mod document;
 mod failures;
 mod html;
@@ -17,8 +20,8 @@ mod results;
 mod sections;
 mod text;
 
+pub use analysed::analysed_sections;
 pub use comparison::compare;
-pub use document::{Block, Section, Table};
 pub use page::{is_page, page};
 pub use results::Results;
 pub use sections::sections;

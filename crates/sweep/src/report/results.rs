@@ -9,12 +9,16 @@ use super::agreement::Agreement;
 use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
+use crate::analysis::{Counts, MethodBlocks, blocks, count_cases};
 use crate::map::{Cells, Extent, symbol_of};
 use crate::output::{CaseRows, Manifest, Motion, ResultTables, read_cases};
 use crate::quantities::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
 const CHARACTERS: [usize; 2] = [64, 25];
+
+/// Ranges of an axis of random cases, as `sweep analyse` takes them by default.
+const RANGES: usize = 10;
 
 /// What a results folder says.
 pub struct Results {
@@ -30,11 +34,40 @@ pub struct Results {
     pub limits: Option<Limits>,
     /// Cases without an answer.
     pub failures: Failures,
+    /// How often each regime occurs, of random cases, where that was counted.
+    pub analysed: Option<Analysed>,
     /// The regimes in characters, where the design has two axes and a case is here.
     pub characters: Option<String>,
 }
 
+/// Counts of random cases.
+pub struct Analysed {
+    /// In all, then over each axis.
+    pub counts: Vec<Counts>,
+    /// The blocks of each method, where cases are in such.
+    pub blocks: Vec<MethodBlocks>,
+}
+
 impl Results {
+    /// Counts the cases, where they are random: of others, parts tell nothing.
+    ///
+    /// # Errors
+    /// Where the tables cannot be read.
+    pub fn analyse(&mut self) -> Result<()> {
+        let design = self.manifest.sweep.design.as_ref();
+        if !design.is_some_and(|design| design.kind.is_random()) || self.manifest.tally.rows == 0 {
+            return Ok(());
+        }
+        let each = self.manifest.axes.iter().map(|&axis| vec![axis]);
+        let sets: Vec<_> = std::iter::once(Vec::new()).chain(each).collect();
+        let tables = std::slice::from_ref(&self.tables);
+        self.analysed = Some(Analysed {
+            counts: count_cases(tables, &sets, RANGES)?,
+            blocks: blocks(tables)?,
+        });
+        Ok(())
+    }
+
     /// Reads the tables of a folder.
     ///
     /// # Errors
@@ -75,6 +108,7 @@ impl Results {
         Ok(Self {
             name: folder.display().to_string(),
             tables,
+            analysed: None,
             characters: map
                 .filter(|map| map.extent.cases > 0)
                 .map(|map| map.characters()),

@@ -2,6 +2,7 @@
 
 use sim::Label;
 
+use super::analysed::analysed_sections;
 use super::comparison::{Compared, Unlike};
 use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, table_of};
 use super::limit::{LimitCheck, Limited};
@@ -17,6 +18,7 @@ pub fn sections(all: &[Results], comparisons: &[Result<Compared, Unlike>]) -> Ve
         ("What was run", overview(all)),
         ("Regime map", maps(all)),
         ("Regimes", regimes(all)),
+        ("How often, how surely, what decides", analysed(all)),
         ("Agreement of the methods", agreement(all)),
         ("The analytic limit", limits(all)),
         ("Cases without an answer", failures(all)),
@@ -170,6 +172,23 @@ fn regimes_of(all: &[Results], motion: Motion, caption: &str) -> Table {
         }
     }
     table
+}
+
+/// Of random cases, with the name of the folder before where there are several.
+fn analysed(all: &[Results]) -> Vec<Block> {
+    let mut found = Vec::new();
+    for results in all {
+        let Some(analysed) = &results.analysed else {
+            continue;
+        };
+        if all.len() > 1 {
+            found.push(Block::Text(format!("{}:", results.name)));
+        }
+        let (counts, blocks) = (&analysed.counts, &analysed.blocks);
+        let sections = analysed_sections(&results.manifest, counts, blocks, None);
+        found.extend(sections.into_iter().flat_map(|(_, content)| content));
+    }
+    found
 }
 
 fn agreement(all: &[Results]) -> Vec<Block> {

@@ -1,8 +1,6 @@
 //! `sweep analyse`: how often each regime occurs in a results folder, how sure that is, and which
 //! axis decides.
 
-mod deciding;
-mod description;
 mod picture;
 mod table;
 
@@ -16,8 +14,7 @@ use crate::cli::AnalyseArguments;
 use crate::files::write_atomically;
 use crate::output::ResultTables;
 use crate::quantities::Axis;
-use crate::report::text;
-use description::sections;
+use crate::report::{analysed_sections, text};
 use picture::{draw, refuse_absent, refuse_several};
 use table::{counts_csv, indices_csv};
 
@@ -59,7 +56,8 @@ pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Statu
     if let Some((_, counts)) = drawn {
         refuse_absent(arguments.regime, counts)?;
     }
-    say(&text(&title, &sections(manifest, &counted, &blocks, width)))?;
+    let sections = analysed_sections(manifest, &counted, &blocks, width);
+    say(&text(&title, &sections))?;
     if let Some(path) = &arguments.out {
         write_atomically(path, counts_csv(&counted).as_bytes())?;
         say(&format!("{}\n", path.display()))?;

@@ -1,16 +1,16 @@
-//! What was counted, in words and tables.
+//! How often each regime occurs, how sure that is and which axis decides, in words and tables.
 
 use super::deciding;
+use super::document::{Block, Section, Table};
 use crate::analysis::{Bins, Counts, Interval, MethodBlocks, cases_for, wilson};
 use crate::output::Manifest;
 use crate::quantities::Units;
-use crate::report::{Block, Section, Table};
 use crate::sweep_file::DesignKind;
 use crate::words::{counted, short};
 
 /// The sections about counts: the first in all, then over each axis, then those asked for, which
 /// are shown instead of the others; and of the axes, from blocks of cases if they are such.
-pub fn sections(
+pub fn analysed_sections(
     manifest: &Manifest,
     all: &[Counts],
     blocks: &[MethodBlocks],

@@ -1,9 +1,9 @@
 //! Which axis decides, in words and tables: from cases as they were drawn, or from blocks of them
 //! that were made to tell.
 
+use super::document::{Block, Table};
 use crate::analysis::{Counts, DRAWN, Indices, LEAST_BLOCKS, MethodBlocks, Untold, sensitivity};
 use crate::output::Manifest;
-use crate::report::{Block, Table};
 use crate::words::counted;
 
 /// From counts over each axis.
