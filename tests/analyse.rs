@@ -9,7 +9,8 @@ use support::{Workplace, small_with_design};
 fn random(cases: usize) -> String {
     small_with_design(&format!(
         "[design]\nkind = \"monte-carlo\"\nseed = 2\ncases = {cases}\n[design.axes]\n\
-         surface_speed_rpm = {{ from = 0.02, to = 0.6 }}\nweight_on_bit_kn = {{ from = 30, to = 70 }}\n"
+         surface_speed_rpm = {{ from = 0.02, to = 0.6 }}\nweight_on_bit_kn = {{ from = 30, to = 70 }}\n\
+         [map]\nmarks = [{{ name = \"here\", surface_speed_rpm = 0.3, weight_on_bit_kn = 50 }}]\n"
     ))
 }
 
@@ -200,6 +201,9 @@ fn how_likely_a_regime_is_can_be_drawn() {
     assert!(fine.contains("too few cases") && !map.contains("too few cases"));
     let curves = svg("surface_speed_rpm", &[]);
     assert!(curves.contains("part of the cases"), "{curves}");
+    // What the sweep points out is pointed out, whichever axis is to the right.
+    let turned = svg("weight_on_bit_kn,surface_speed_rpm", &["--bins", "3"]);
+    assert!([&map, &turned].into_iter().all(|it| it.contains("here")) && !curves.contains("here"));
     let png = drawn(both, "p.png", &[]);
     assert_eq!(png[..4], *b"\x89PNG");
 }

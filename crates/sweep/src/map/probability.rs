@@ -9,8 +9,10 @@ use super::mesh::Mesh;
 use super::shown::show_in;
 use crate::analysis::{Bins, Counts, Interval, wilson};
 use crate::output::Motion;
+use crate::plan::{MapMark, MapSettings};
 use crate::plot::{
-    self, Ground, MapGroup, MapPanel, MapSheet, Panel, Part, Picture, Series, map_sheet, panels,
+    self, Ground, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series, map_sheet,
+    panels,
 };
 use crate::quantities::Units;
 use crate::sweep_file::Spacing;
@@ -32,6 +34,8 @@ pub struct Probabilities<'a> {
     pub regime: Option<Label>,
     /// What its numbers are shown in.
     pub units: Units,
+    /// How the map of its sweep is drawn: places that it points out are pointed out here, too.
+    pub map: Option<&'a MapSettings>,
 }
 
 /// Draws probabilities: over two axes as maps, over one as curves.
@@ -93,11 +97,44 @@ impl Probabilities<'_> {
         let mut sheet = MapSheet {
             title: self.title.clone(),
             axes: bins.map(|bins| self.axis(bins)),
-            marks: Vec::new(),
+            marks: self.marks(bins),
             groups: groups.collect(),
         };
         show_in(&mut sheet, bins.map(|bins| bins.axis.unit(self.units)));
         map_sheet(&sheet)
+    }
+
+    /// The marks of the sweep's map that are within the ranges of the same two axes.
+    fn marks(&self, bins: [&Bins; 2]) -> Vec<Mark> {
+        let Some(map) = self.map else {
+            return Vec::new();
+        };
+        let axes = bins.map(|bins| bins.axis);
+        let is_turned = axes == [map.y, map.x];
+        if !is_turned && axes != [map.x, map.y] {
+            return Vec::new();
+        }
+        let at = |mark: &MapMark| {
+            if is_turned {
+                [mark.y, mark.x]
+            } else {
+                [mark.x, mark.y]
+            }
+        };
+        let is_inside = |at: [f64; 2]| {
+            let within = |(bins, value): (&Bins, f64)| {
+                let ends = (bins.ranges.first()).zip(bins.ranges.last());
+                ends.is_some_and(|(first, last)| (first[0]..=last[1]).contains(&value))
+            };
+            bins.into_iter().zip(at).all(within)
+        };
+        let inside = map.marks.iter().filter(|mark| is_inside(at(mark)));
+        inside
+            .map(|mark| Mark {
+                name: mark.name.clone(),
+                at: at(mark).into(),
+            })
+            .collect()
     }
 
     /// The maps of a motion, one for each method.

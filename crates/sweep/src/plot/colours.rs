@@ -32,7 +32,7 @@ pub(super) const SAFETY: [RGBColor; 4] = [
     RGBColor(0xC8, 0x92, 0x28),
     RGBColor(0x8F, 0x3D, 0x00),
 ];
-/// The stroke through a cell without a case.
+/// Strokes through cells without a case.
 pub(super) const NO_CASE: RGBColor = RGBColor(0x99, 0x99, 0x99);
 
 /// Of parts of a whole, from none to all: from light to dark.

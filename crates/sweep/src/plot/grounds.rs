@@ -8,6 +8,9 @@ use super::symbols::Symbol;
 use anyhow::Result;
 use plotters::style::RGBColor;
 
+/// Distance of strokes through what has no case, along either axis.
+const STEP: f64 = 8.0;
+
 /// What the cases of a cell are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Ground {
@@ -17,7 +20,7 @@ pub enum Ground {
     Part(Part),
     /// How far it is from limits.
     Safety(Safety),
-    /// There are none: a stroke across the cell.
+    /// There are none: slanted strokes.
     NoCase,
 }
 
@@ -77,12 +80,29 @@ pub(super) fn draw_ground(canvas: &mut Canvas, ground: Ground, area: Rect) -> Re
         Ground::Symbol(Symbol::Square) => ORANGE_GROUND,
         Ground::Part(part) => part.colour(),
         Ground::Safety(safety) => SAFETY[safety as usize],
-        Ground::NoCase => {
-            let stroke = [(area.left, area.bottom), (area.right, area.top)];
-            return canvas.line(&stroke, Stroke::solid(NO_CASE, 0.8));
-        }
+        Ground::NoCase => return draw_strokes(canvas, area),
     };
     canvas.polygon(&area.corners(), colour)
+}
+
+/// Slanted strokes that go on from one cell to the next; across a cell that none of them meets,
+/// one of its own.
+fn draw_strokes(canvas: &mut Canvas, area: Rect) -> Result<()> {
+    let stroke = Stroke::solid(NO_CASE, 0.8);
+    // Where right and down are so many steps in all.
+    let [first, last] = [area.left + area.top, area.right + area.bottom];
+    let numbers = (first / STEP).ceil() as i64..(last / STEP).ceil() as i64;
+    let along = |number: i64| {
+        let sum = STEP * number as f64;
+        [(sum - area.bottom, area.bottom), (sum - area.top, area.top)]
+    };
+    let mut parts: Vec<_> = numbers
+        .flat_map(|number| area.clip(&along(number)))
+        .collect();
+    if parts.is_empty() {
+        parts.push(vec![(area.left, area.bottom), (area.right, area.top)]);
+    }
+    parts.iter().try_for_each(|part| canvas.line(part, stroke))
 }
 
 #[cfg(test)]

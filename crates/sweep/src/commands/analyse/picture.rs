@@ -50,6 +50,7 @@ pub fn draw(
         counts,
         regime,
         units: manifest.sweep.units,
+        map: manifest.map.as_ref(),
     })?;
     let (path, bytes) = match file {
         PictureFile::Svg(path) => (path, picture.svg.as_bytes()),
