@@ -36,7 +36,7 @@ done
 "$sweep" simulate sweeps/fig13.toml --case 0,1 --out "$folder/fig13"
 keep fig13 string
 
-for figure in fig09 fig14 fig17 fig17_trace well_12in well_12in_soft_torque; do
+for figure in fig09 fig09_certified fig14 fig17 fig17_trace well_12in well_12in_soft_torque; do
     "$sweep" run "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" map
 done
