@@ -36,10 +36,15 @@ done
 "$sweep" simulate sweeps/fig13.toml --case 0,1 --out "$folder/fig13"
 keep fig13 string
 
-for figure in fig09 fig14 fig17 fig17_trace well_12in well_12in_soft_torque; do
+for figure in fig09 fig09_certified fig14 fig17 fig17_trace well_12in well_12in_soft_torque; do
     "$sweep" run "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" map
 done
+
+window=well_12in_window
+"$sweep" run "sweeps/$window.toml" --out "$folder/$window"
+"$sweep" window "sweeps/$window.toml" "$folder/$window" --held-at 0,15.6,29.4 --orders 1,2
+keep "$window" window
 
 "$sweep" new "$folder/my-sweep.toml"
 "$sweep" run "$folder/my-sweep.toml" --out "$folder/first"

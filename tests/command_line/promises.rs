@@ -85,6 +85,62 @@ fn promises_are_put_to_the_test_alike_by_any_number_of_threads() {
     assert!(told.output.starts_with(&line), "{}", told.output);
 }
 
+/// What is looked at of a label that was put to the test.
+const LABEL: [&str; 6] = [
+    "motion",
+    "string",
+    "value",
+    "is_sustained",
+    "is_certain",
+    "is_sustained_in_truth",
+];
+
+/// The study of which docs/certain.md tells, and its counts: of certain labels and of others, of
+/// which the truth is known, how many are wrong.
+#[test]
+fn labels_that_are_certain_are_seldom_wrong() {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../results/reference/certain_labels.csv"
+    );
+    let study = columns(&table(&std::fs::read_to_string(file).unwrap()), LABEL);
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/certain.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    for (motion, name) in [("stick_slip", "stick-slip"), ("whirl", "whirl")] {
+        let of = |is_certain: &str| {
+            let rows = study.iter();
+            let rows = rows.filter(|row| row[0] == motion && row[4] == is_certain);
+            let known = rows.clone().filter(|row| !row[5].is_empty());
+            let wrong = known.clone().filter(|row| row[3] != row[5]).count();
+            (rows.count(), known.count(), wrong)
+        };
+        let ((certain, known, wrong), (others, of_others, others_wrong)) =
+            (of("true"), of("false"));
+        let cases = certain + others;
+        let line =
+            format!("| of {name} | {cases} | {certain} | {wrong} | {of_others} | {others_wrong} |");
+        assert!(page.contains(&line), "{line}");
+        assert_eq!(known, certain);
+        assert!(cases >= 150 && 10 * wrong < certain, "{line}");
+        assert!(others_wrong * certain > 2 * wrong * of_others, "{line}");
+    }
+    // Whoever asks finds the same.
+    let place = Workplace::new();
+    let asked = ["promises", "--labels", "--strings", "1", "--seed", "5"];
+    let answer = place.sweep(&[&asked[..], &["--motion", "whirl", "--out", "one"]].concat());
+    assert_eq!(answer.code, 0, "{answer:?}");
+    let told = "whirl: 6 cases near limits; certain: 0 of 6 wrong";
+    assert!(answer.output.starts_with(told), "{answer:?}");
+    let found = columns(&table(&text(&place, "one/labels.csv")), LABEL);
+    let known = study.iter().filter(|row| row[0] == "whirl");
+    for (found, known) in found.iter().zip(known) {
+        assert_eq!([&found[..2], &found[3..]], [&known[..2], &known[3..]]);
+        // Another machine rounds otherwise; a limit is found to 3e-4.
+        let [found, known] = [found, known].map(|row| row[2].parse::<f64>().unwrap());
+        assert!((found - known).abs() <= 1e-3 * known, "{found} {known}");
+    }
+}
+
 #[test]
 fn no_strings_are_refused() {
     let place = Workplace::new();

@@ -363,6 +363,9 @@ pub struct PromisesArguments {
     /// Only this motion; may be repeated
     #[arg(long, value_name = "MOTION", value_delimiter = ',')]
     pub motion: Vec<Motion>,
+    /// Test instead how often a label that `certify` has as certain is wrong
+    #[arg(long)]
+    pub labels: bool,
     /// Results folder
     #[arg(long, default_value = "results/promises")]
     pub out: PathBuf,

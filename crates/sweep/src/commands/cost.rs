@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use sim::Scene;
 
 use crate::design::Design;
-use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey};
+use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey, add_finer};
 use crate::memory::{Estimate, Limit, Size};
 use crate::plan::{Setting, Sweep};
 use crate::words::counted;
@@ -156,6 +156,7 @@ fn build_and_step(sweep: &Sweep, longest: f64, options: RunOptions) -> Result<Pa
     let prepared = longest.min(STEPS / setting.sampling_frequency);
     let start = Instant::now();
     let systems = MethodSystem::build_all(sweep, &setting, prepared)?;
+    let systems = add_finer(systems, sweep, prepared)?;
     let built = start.elapsed().as_secs_f64();
     Ok(Pace {
         // What takes so much more memory takes as much more time.

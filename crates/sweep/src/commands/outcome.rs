@@ -6,8 +6,8 @@ use std::path::Path;
 use anyhow::Result;
 
 use super::status::Status;
-use crate::output::{Manifest, Tally, TraceSummary};
-use crate::words::{counted, together, wrapped};
+use crate::output::{Manifest, Motion, Tally, TraceSummary};
+use crate::words::{counted, short, together, wrapped};
 
 /// How a run that has these results ends.
 pub fn status_of(manifest: &Manifest) -> Status {
@@ -37,6 +37,27 @@ fn label_counts(tally: &Tally) -> String {
         }
     }
     text
+}
+
+/// How many labels are certain, where that was asked for, in a paragraph for each motion.
+fn certain(manifest: &Manifest) -> String {
+    let Some(by) = &manifest.certified_by else {
+        return String::new();
+    };
+    let cases = manifest.cases_here();
+    let ([one, other], [first, second]) = (&by.methods, by.sampling_frequencies_hz.map(short));
+    let words = |motion: Motion| {
+        let certain = manifest.tally.certified(motion);
+        let part = 100.0 * certain as f64 / cases.max(1) as f64;
+        let words = format!(
+            "certain, {}: {certain} of {} ({part:.1} %), of which {one} and {other} say the same \
+             at {first} and {second} Hz, far enough from the limit",
+            motion.adjective(),
+            counted(cases, "case"),
+        );
+        wrapped(&words, 2, 4)
+    };
+    manifest.tally.motions().into_iter().map(words).collect()
 }
 
 /// How the limits were traced, and where they are no lines.
@@ -73,7 +94,7 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
         text,
         "{}: {} by {} in {:.2} s",
         manifest.name,
-        counted(rows / manifest.methods.len().max(1), "case"),
+        counted(manifest.cases_here(), "case"),
         counted(manifest.methods.len(), "method"),
         manifest.wall_seconds
     )?;
@@ -81,6 +102,7 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
         text += &choice.lines(2);
     }
     text += &label_counts(&manifest.tally);
+    text += &certain(manifest);
     if let Some(trace) = &manifest.trace {
         text += &traced(trace);
     }

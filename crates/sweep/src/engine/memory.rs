@@ -6,6 +6,7 @@ use linear::cost::{self, Memory};
 use sim::cost::Taps;
 
 use super::systems::request;
+use super::verdict::FINER;
 use crate::plan::{Setting, Sweep};
 
 /// Memory of one string by all methods, bytes: upper bounds.
@@ -20,17 +21,20 @@ pub struct StringMemory {
 }
 
 impl StringMemory {
-    /// Of the cases of a sweep, up to the longest time (s). Methods are built side by side.
+    /// Of the cases of a sweep, up to the longest time (s). Methods are built side by side,
+    /// with the shorter steps of those among them that certify labels.
     pub fn of(sweep: &Sweep, setting: &Setting, methods: &[Method], longest_time: f64) -> Self {
         let of_method = |method| Self::of_method(sweep, setting, method, longest_time);
-        methods
-            .iter()
-            .map(of_method)
-            .fold(Self::default(), |all, one| Self {
-                systems: all.systems.beside(one.systems),
-                case: all.case.max(one.case),
-                too_long: (all.too_long.into_iter().chain(one.too_long)).reduce(f64::max),
-            })
+        let places = sweep.certifying.into_iter().flatten();
+        let finer = places.filter_map(|place| methods.get(place)).map(|method| {
+            let setting = setting.sampled_at(FINER * setting.sampling_frequency);
+            Self::of_method(sweep, &setting, method, longest_time)
+        });
+        (methods.iter().map(of_method).chain(finer)).fold(Self::default(), |all, one| Self {
+            systems: all.systems.beside(one.systems),
+            case: all.case.max(one.case),
+            too_long: (all.too_long.into_iter().chain(one.too_long)).reduce(f64::max),
+        })
     }
 
     fn of_method(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {

@@ -14,6 +14,7 @@ mod run_options;
 mod shard;
 mod survey;
 mod systems;
+mod verdict;
 
 pub use case::Case;
 pub use case_error::CaseError;
@@ -22,11 +23,12 @@ pub use log::{
     Header, Log, LogError, LogView, Place, log_place, read_about, read_header, record_line,
 };
 pub use memory::StringMemory;
-pub use record::{Failure, Record};
+pub use record::{Failure, Record, certified};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
-pub use systems::{MethodSystem, compare_fronts};
+pub use systems::{MethodSystem, add_finer, compare_fronts};
+pub use verdict::{Certified, FINER, LateralVerdict, Verdict};
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -136,10 +138,11 @@ impl Work<'_> {
         let setting = setting_of(self.sweep, string)?;
         let longest = survey::of_string(self.sweep, &setting, string)?.longest;
         let systems = MethodSystem::build_each(self.sweep, &setting.for_labels(), longest);
-        let systems = systems.into_iter();
-        Ok(systems
-            .map(|system| system.map_err(CaseError::Responses))
-            .collect())
+        let finer = |(method, system): (usize, Result<MethodSystem>)| {
+            let system = system.and_then(|system| system.with_finer(self.sweep, method, longest));
+            system.map_err(CaseError::Responses)
+        };
+        Ok(systems.into_iter().enumerate().map(finer).collect())
     }
 
     /// Threads take the next pair each until none is left, so that no thread is

@@ -6,6 +6,8 @@ use serde::{Deserialize, Serialize};
 use sim::Outcome;
 use thiserror::Error;
 
+use super::verdict::{Certified, Verdict};
+
 /// Why a case has no answer, in a line of text. It is no enum: most of it are the words
 /// of a linear method, of the simulator or of the sweep file, and a log is read long after
 /// the errors themselves are gone.
@@ -49,11 +51,24 @@ pub struct Record {
     /// not reach that.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub misfits: Vec<Option<f64>>,
+    /// What the method says of it at [`FINER`](super::FINER) times the sampling frequency, where
+    /// that is to certify its label, and has an answer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub finer: Option<Verdict>,
     /// What came out, or why nothing did.
     pub outcome: Result<Outcome, Failure>,
 }
 
 impl Record {
+    /// What it says of the case; nothing where it has no answer.
+    pub fn verdict(&self) -> Verdict {
+        let outcome = self.outcome.as_ref();
+        outcome.map_or_else(
+            |_| Verdict::default(),
+            |it| Verdict::of(it, self.above_limit),
+        )
+    }
+
     /// Of a case without an answer.
     pub fn failed(case: usize, method: usize, values: Vec<f64>, reason: Failure) -> Self {
         Self {
@@ -64,7 +79,78 @@ impl Record {
             above_limit: None,
             site_from_bit_m: None,
             misfits: Vec::new(),
+            finer: None,
             outcome: Err(reason),
         }
+    }
+}
+
+/// What is certain of a case by the records of the methods at two places: each has one verdict
+/// and one by shorter steps, and one that is missing certifies nothing.
+pub fn certified(case: &[Record], places: [usize; 2]) -> Certified {
+    let verdicts = places.map(|place| {
+        let record = case.iter().find(|record| record.method == place);
+        let verdict = record.map(Record::verdict).unwrap_or_default();
+        let finer = record.and_then(|record| record.finer).unwrap_or_default();
+        [verdict, finer]
+    });
+    Certified::by(verdicts.as_flattened())
+}
+
+#[cfg(test)]
+mod tests {
+    use sim::{Ended, TorsionMeasures, TorsionRegime};
+
+    use super::*;
+
+    const SMOOTH: TorsionRegime = TorsionRegime::Smooth;
+
+    /// A record of a method that drills smoothly at 5 and, by shorter steps, 5.5 rad/s above
+    /// the limit.
+    fn record(method: usize) -> Record {
+        let torsion = TorsionMeasures {
+            regime: SMOOTH,
+            first_slip: Some(1.0),
+            period: None,
+            slip_time: None,
+            sticks: 0,
+            peak_speed: 9.0,
+            closing_speed: 6.0,
+            severity: None,
+        };
+        Record {
+            above_limit: Some(5.0),
+            finer: Some(Verdict {
+                torsion: Some(SMOOTH),
+                above_limit: Some(5.5),
+                lateral: None,
+            }),
+            outcome: Ok(Outcome {
+                simulated: 9.0,
+                ended: Ended::End,
+                predicted: None,
+                torsion: Some(torsion),
+                lateral: None,
+                string_torque: None,
+                surface: None,
+            }),
+            ..Record::failed(3, method, Vec::new(), Failure::new(""))
+        }
+    }
+
+    #[test]
+    fn a_case_is_certain_by_both_methods_and_both_frequencies() {
+        let all = [record(0), record(1), record(2)];
+        let found = certified(&all, [0, 2]).torsion;
+        assert_eq!(found, Some(SMOOTH));
+        // What the other method says does not matter; what one of the two lacks does.
+        let without_other = [record(0), record(2)];
+        assert_eq!(certified(&without_other, [0, 2]).torsion, found);
+        assert_eq!(certified(&all[..2], [0, 2]).torsion, None);
+        let mut lacking = all.clone();
+        lacking[2].finer = None;
+        assert_eq!(certified(&lacking, [0, 2]).torsion, None);
+        lacking[2] = Record::failed(3, 2, Vec::new(), Failure::new("why"));
+        assert_eq!(certified(&lacking, [0, 2]).torsion, None);
     }
 }

@@ -23,6 +23,7 @@ use super::front::{Front, Overshoot};
 use super::instability::{Instability, is_unstable};
 use super::record::{Failure, Record};
 use super::run_options::RunOptions;
+use super::verdict::{FINER, Verdict};
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 /// One method's responses, ready to simulate with, and what is known of them.
@@ -54,6 +55,8 @@ pub struct MethodSystem {
     surface_torque: Option<SurfaceTorque>,
     /// The string in pieces, where friction acts all along it.
     cascade: Option<CascadeSimulator>,
+    /// The same by steps that are shorter, where labels are certified.
+    finer: Option<Box<MethodSystem>>,
 }
 
 impl MethodSystem {
@@ -180,7 +183,31 @@ impl MethodSystem {
             simulator,
             surface_torque: None,
             cascade: None,
+            finer: None,
             responses,
+        })
+    }
+
+    /// The same with one that is sampled [`FINER`] times as often, where this is the method at
+    /// such a place of a sweep's list as certifies labels.
+    ///
+    /// # Errors
+    /// As [`MethodSystem::build`].
+    pub fn with_finer(self, sweep: &Sweep, place: usize, longest_time: f64) -> Result<Self> {
+        if !(sweep.certifying).is_some_and(|places| places.contains(&place)) {
+            return Ok(self);
+        }
+        let setting = self
+            .setting
+            .sampled_at(FINER * self.setting.sampling_frequency);
+        let finer = Self::build(&setting, self.method, sweep.bit.is_some(), longest_time);
+        let finer = finer.with_context(|| {
+            let (method, frequency) = (self.method.name(), setting.sampling_frequency);
+            format!("the responses by {method} at {frequency} Hz cannot be built")
+        })?;
+        Ok(Self {
+            finer: Some(Box::new(finer)),
+            ..self
         })
     }
 
@@ -206,6 +233,13 @@ impl MethodSystem {
             motion,
             margin,
         })
+    }
+
+    /// Why it certifies no label: the same of the shorter steps by which it would, and their
+    /// sampling frequency, Hz.
+    pub fn instability_of_finer(&self) -> Option<(Instability, f64)> {
+        let finer = self.finer.as_ref()?;
+        Some((finer.instability()?, finer.setting.sampling_frequency))
     }
 
     /// What is to be said of its fronts, where they were compared and overshoot.
@@ -322,6 +356,16 @@ impl MethodSystem {
         Some(scene.surface_speed - limit)
     }
 
+    /// What it says of a case, where it has an answer that means something.
+    fn verdict(&self, case: &Case, stopping: Stopping) -> Option<Verdict> {
+        if self.instability().is_some() {
+            return None;
+        }
+        let simulate = AssertUnwindSafe(|| self.simulate(case, stopping, None));
+        let outcome = catch_unwind(simulate).ok()?.ok()?;
+        Some(Verdict::of(&outcome, self.above_limit(&case.scene)))
+    }
+
     /// What a run with these options comes to of a case; `method` is this one's place in
     /// the sweep's list. A case that panics is one without an answer, and not the end of
     /// the sweep. Its motion is held against what the sweep compares with.
@@ -354,6 +398,8 @@ impl MethodSystem {
             });
             if record.outcome.is_ok() {
                 record.above_limit = self.above_limit(&case.scene);
+                let finer = self.finer.as_ref();
+                record.finer = finer.and_then(|finer| finer.verdict(case, stopping));
             }
             if let (Ok(outcome), Some(mut motion)) = (&mut record.outcome, motion) {
                 self.add_surface_torque(case, &mut motion);
@@ -392,6 +438,21 @@ pub(super) fn request(setting: &Setting, cuts: bool, longest_time: f64) -> Reque
         sampling_frequency: setting.sampling_frequency,
         longest_time,
     }
+}
+
+/// The systems of a sweep, by method, with those by shorter steps that certify labels.
+///
+/// # Errors
+/// As [`MethodSystem::with_finer`].
+pub fn add_finer(
+    systems: Vec<MethodSystem>,
+    sweep: &Sweep,
+    longest_time: f64,
+) -> Result<Vec<MethodSystem>> {
+    let systems = systems.into_par_iter().enumerate();
+    systems
+        .map(|(place, system)| system.with_finer(sweep, place, longest_time))
+        .collect()
 }
 
 /// Holds the fronts of systems of one string against the exact ones; where no torque cuts

@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use super::simulation::{Simulation, has_surface_speed, has_surface_torque, has_torque};
 use crate::engine::Record;
-use crate::output::LabelTable;
+use crate::output::{Certainty, LabelTable};
 use crate::plan::{Sweep, to_rpm};
 
 fn site_name(distance: f64) -> String {
@@ -74,7 +74,7 @@ pub fn history_csv(sweep: &Sweep, simulations: &[Simulation]) -> Result<Vec<u8>>
 /// `case.csv`: the rows that `labels.csv` has of these cases.
 pub fn case_csv(sweep: &Sweep, rows: &[Record]) -> String {
     let table = LabelTable::of(sweep);
-    let rows = rows.iter().map(|row| table.row(row));
+    let rows = rows.iter().map(|row| table.row(row, Certainty::default()));
     let lines = std::iter::once(table.header()).chain(rows);
     lines.map(|line| line + "\n").collect()
 }

@@ -9,7 +9,7 @@ use crate::plot::{Ground, MapCell, Symbol};
 pub struct Cells {
     mesh: Mesh,
     /// By cell.
-    counts: Vec<[usize; 3]>,
+    counts: Vec<[usize; Symbol::ALL.len()]>,
 }
 
 impl Cells {
@@ -29,7 +29,7 @@ impl Cells {
         let [columns, rows] = mesh.size();
         Self {
             mesh,
-            counts: vec![[0; 3]; columns * rows],
+            counts: vec![[0; Symbol::ALL.len()]; columns * rows],
         }
     }
 
@@ -56,10 +56,15 @@ impl Cells {
 
     fn symbol_in(&self, cell: usize) -> Option<Symbol> {
         let counts = self.counts[cell];
-        let symbols = [Symbol::Circle, Symbol::Cross, Symbol::Square];
-        let most = symbols
-            .into_iter()
-            .max_by_key(|&symbol| counts[symbol as usize]);
+        let most = [
+            Symbol::Disc,
+            Symbol::HeavyCross,
+            Symbol::Circle,
+            Symbol::Cross,
+            Symbol::Square,
+        ]
+        .into_iter()
+        .max_by_key(|&symbol| counts[symbol as usize]);
         most.filter(|&most| counts[most as usize] > 0)
     }
 

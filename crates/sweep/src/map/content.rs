@@ -8,7 +8,7 @@ use anyhow::Result;
 use super::cells::Cells;
 use super::extent::Extent;
 use super::fractions::Fractions;
-use super::symbol::symbol_of;
+use super::symbol::drawn_symbol_of;
 use crate::output::{CaseRows, Motion, read_cases};
 use crate::plot::{Ground, MapCell, MapPoint, Symbol};
 
@@ -107,7 +107,7 @@ impl Content {
     fn add(&mut self, case: &CaseRows, motion: Motion) {
         self.cases += 1;
         let place @ [x, y] = [case.values[0], case.values[1]];
-        let symbol = symbol_of(case, motion);
+        let symbol = drawn_symbol_of(case, motion);
         let is_told = match &mut self.counted {
             Counted::Parts(fractions) => {
                 let rows = case.rows.iter();

@@ -14,6 +14,18 @@ pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     Some(symbol_of_counts(sustained, case.rows.len()))
 }
 
+/// The same as a map has it: filled where the case is certain.
+pub fn drawn_symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
+    let symbol = symbol_of(case, motion)?;
+    let mut rows = case.rows.iter();
+    let is_certain = rows.any(|row| row.certainty.get(motion) == Some(true));
+    Some(if is_certain {
+        symbol.certified()
+    } else {
+        symbol
+    })
+}
+
 /// The symbol where so many of all methods find sustained vibration.
 pub fn symbol_of_counts(sustained: usize, methods: usize) -> Symbol {
     if sustained == methods {
@@ -47,5 +59,27 @@ mod tests {
             "no answer of one method, no lateral motion"
         );
         assert_eq!(symbols(Motion::Torsion), [None, None, Some(Symbol::Cross)]);
+    }
+
+    /// A case is drawn as certain where a method that certifies it has its label; a square
+    /// stays one.
+    #[test]
+    fn what_is_certain_is_drawn_filled() {
+        let file = tempfile::NamedTempFile::new().expect("a file");
+        let table = "case,method,torsion,torsion_certified,lateral_certified\n\
+                     3,a,smooth,true,\n3,b,smooth,true,\n4,a,smooth,false,\n4,b,smooth,false,\n\
+                     5,a,stick_slip,true,\n5,b,stick_slip,true,\n6,a,smooth,true,\n6,b,stick_slip,false,\n";
+        std::fs::write(file.path(), table).expect("written");
+        let cases = read_cases(file.path(), &[]).expect("a table");
+        let symbols: Vec<_> = cases
+            .map(|case| drawn_symbol_of(&case.expect("read"), Motion::Torsion))
+            .collect();
+        let expected = [
+            Symbol::HeavyCross,
+            Symbol::Cross,
+            Symbol::Disc,
+            Symbol::Square,
+        ];
+        assert_eq!(symbols, expected.map(Some));
     }
 }

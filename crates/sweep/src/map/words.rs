@@ -88,7 +88,12 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Gr
         " by all methods"
     };
     let is_there = |symbol| contents.iter().any(|content| content.has(symbol));
-    let mut found: Vec<_> = (meanings(motion, by_all).into_iter())
+    let meanings = meanings(motion, by_all);
+    let meanings = match manifest.certified_by {
+        Some(_) => by_certainty(meanings),
+        None => meanings.to_vec(),
+    };
+    let mut found: Vec<_> = (meanings.into_iter())
         .filter(|(symbol, _)| is_there(*symbol))
         .map(|(symbol, meaning)| (Ground::Symbol(symbol), meaning))
         .collect();
@@ -107,6 +112,21 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Gr
         }
     }
     found
+}
+
+/// The meanings of symbols where it is told of each case if it is certain.
+fn by_certainty(meanings: [(Symbol, String); 3]) -> Vec<(Symbol, String)> {
+    let of_symbol = |(symbol, meaning): (Symbol, String)| {
+        let certain = symbol.certified();
+        if certain == symbol {
+            return vec![(symbol, meaning)];
+        }
+        vec![
+            (certain, format!("{meaning}, certain")),
+            (symbol, format!("{meaning}, not certain")),
+        ]
+    };
+    meanings.into_iter().flat_map(of_symbol).collect()
 }
 
 /// What the grounds of cells tell.

@@ -28,6 +28,9 @@ pub struct About {
     /// Its columns of what cases are held against.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub misfits: Vec<String>,
+    /// The places of the methods that certify labels, where any do.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certifying: Option<[usize; 2]>,
     /// The sweep file, as the command names it.
     pub sweep_file: String,
     /// Simulations in all, where that is known beforehand.
@@ -63,6 +66,7 @@ impl About {
                 .into_iter()
                 .map(str::to_owned)
                 .collect(),
+            certifying: sweep.certifying,
             sweep_file: sweep_file.display().to_string(),
             simulations: (!is_trace).then(|| pairs_of(sweep, shard)),
         })
@@ -77,6 +81,7 @@ impl About {
             shows_surface: self.shows_surface,
             shows_string_torque: self.shows_string_torque,
             misfits: self.misfits.iter().map(String::as_str).collect(),
+            certifying: self.certifying,
         }
     }
 }

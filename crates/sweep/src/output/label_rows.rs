@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::{Context, Result, anyhow};
 use sim::{Label, LateralRegime, TorsionRegime};
 
+use super::certainty::Certainty;
 use super::labels::FAILED;
 use super::motion::Labels;
 use crate::hand_table::{HandTable, Mistake, NumberError, number};
@@ -31,6 +32,8 @@ pub struct LabelRow {
     pub misfits: Vec<Option<f64>>,
     /// Each of the measures asked for, where it has it.
     pub measures: Vec<Option<f64>>,
+    /// Which of the labels are certain, where that is told.
+    pub certainty: Certainty,
     /// Whether the case failed.
     pub failed: bool,
 }
@@ -51,6 +54,7 @@ impl LabelRow {
             predicted: None,
             misfits: Vec::new(),
             measures: Vec::new(),
+            certainty: Certainty::default(),
             failed: false,
         }
     }
@@ -71,8 +75,8 @@ pub fn misfit_columns(path: &Path) -> Result<Vec<String>> {
 }
 
 /// Where the columns are that are read back: `case`, `method`, the axes and measures asked
-/// for, `torsion` and, if they are there, `lateral`, `predicted`, misfits and `status`; others
-/// are passed over.
+/// for, `torsion` and, if they are there, `lateral`, `predicted`, misfits, certainties and
+/// `status`; others are passed over.
 pub struct LabelColumns {
     case: usize,
     method: usize,
@@ -82,6 +86,7 @@ pub struct LabelColumns {
     predicted: Option<usize>,
     misfits: Vec<usize>,
     measures: Vec<usize>,
+    certified: [Option<usize>; 2],
     status: Option<usize>,
 }
 
@@ -157,6 +162,7 @@ impl LabelColumns {
             measures: (measures.iter())
                 .map(|measure| column(measure.column()))
                 .collect::<Result<_, _>>()?,
+            certified: [place("torsion_certified")?, place("lateral_certified")?],
             status: place("status")?,
         })
     }
@@ -200,6 +206,10 @@ impl LabelColumns {
             measures: (self.measures.iter())
                 .map(|&column| number(field(column)).ok())
                 .collect(),
+            certainty: {
+                let [torsion, lateral] = self.certified.map(|column| optional(column).parse().ok());
+                Certainty { torsion, lateral }
+            },
             failed: optional(self.status) == FAILED,
         })
     }

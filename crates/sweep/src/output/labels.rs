@@ -2,9 +2,11 @@
 
 use std::fmt::{Display, Write};
 
-use sim::{Label, LateralMeasures, TorsionMeasures};
+use sim::{Label, LateralMeasures, TorsionMeasures, TorsionRegime};
 
-use crate::engine::Record;
+use super::certainty::Certainty;
+use super::motion::Labels;
+use crate::engine::{Record, Verdict, certified};
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
 
@@ -46,6 +48,18 @@ const SURFACE_COLUMNS: [&str; 4] = [
 /// Columns of the greatest torque along the string, where that is followed.
 const STRING_COLUMNS: [&str; 2] = ["string_torque_peak_nm", "string_torque_peak_from_bit_m"];
 
+/// Columns of what is certain, where labels are certified: what the method says by shorter
+/// steps, as far as it matters to that, and whether the labels of the row are certain.
+const CERTIFICATE_COLUMNS: [&str; 7] = [
+    "finer_torsion",
+    "finer_lateral",
+    "finer_stick_slip_margin_rpm",
+    "finer_contact_fraction",
+    "finer_precession_turns_per_s",
+    "torsion_certified",
+    "lateral_certified",
+];
+
 /// The status of a case with an answer, and of one without.
 const DONE: &str = "ok";
 pub(super) const FAILED: &str = "failed";
@@ -68,6 +82,8 @@ pub struct LabelTable<'a> {
     pub shows_string_torque: bool,
     /// Columns of what cases are held against.
     pub misfits: Vec<&'a str>,
+    /// The places of the methods that certify labels, where any do.
+    pub certifying: Option<[usize; 2]>,
 }
 
 impl<'a> LabelTable<'a> {
@@ -82,6 +98,7 @@ impl<'a> LabelTable<'a> {
             misfits: (sweep.data.comparisons.iter())
                 .map(|comparison| comparison.column.as_str())
                 .collect(),
+            certifying: sweep.certifying,
         }
     }
 
@@ -98,11 +115,33 @@ impl<'a> LabelTable<'a> {
             header.extend(STRING_COLUMNS.map(str::to_owned));
         }
         header.extend(self.misfits.iter().map(|&column| column.to_owned()));
+        if self.certifying.is_some() {
+            header.extend(CERTIFICATE_COLUMNS.map(str::to_owned));
+        }
         header.join(",")
     }
 
+    /// What is certain of each of some records, in which those of a case follow one another.
+    pub fn certainties(&self, records: &[Record]) -> Vec<Certainty> {
+        let Some(places) = self.certifying else {
+            return vec![Certainty::default(); records.len()];
+        };
+        let cases = records.chunk_by(|one, next| one.case == next.case);
+        let of_case = |case: &[Record]| {
+            let certified = certified(case, places);
+            let labels = case.iter().map(|record| {
+                let outcome = record.outcome.as_ref();
+                outcome.map(Labels::of).unwrap_or_default()
+            });
+            labels
+                .map(|labels| Certainty::of(labels, certified))
+                .collect::<Vec<_>>()
+        };
+        cases.flat_map(of_case).collect()
+    }
+
     /// A row. No field of it needs quotes: they are names and numbers.
-    pub fn row(&self, record: &Record) -> String {
+    pub fn row(&self, record: &Record, certainty: Certainty) -> String {
         let mut row = Row(record.case.to_string());
         row.add(self.methods[record.method]);
         record.values.iter().for_each(|value| row.add(value));
@@ -135,6 +174,11 @@ impl<'a> LabelTable<'a> {
         }
         for index in 0..self.misfits.len() {
             row.add_optional(record.misfits.get(index).copied().flatten());
+        }
+        if self.certifying.is_some() {
+            row.add_finer(&record.finer.unwrap_or_default());
+            row.add_optional(certainty.torsion);
+            row.add_optional(certainty.lateral);
         }
         row.0
     }
@@ -198,6 +242,16 @@ impl Row {
         self.add(to_turns(lateral.precession_rate));
         self.add(to_kn(lateral.mean_normal_force));
         self.add(lateral.ambiguous_steps);
+    }
+
+    /// What decides the labels by shorter steps.
+    fn add_finer(&mut self, finer: &Verdict) {
+        let lateral = finer.lateral.as_ref();
+        self.add_optional(finer.torsion.map(TorsionRegime::name));
+        self.add_optional(lateral.map(|it| it.regime.name()));
+        self.add_optional(finer.above_limit.map(to_rpm));
+        self.add_optional(lateral.map(|it| it.contact_fraction));
+        self.add_optional(lateral.map(|it| to_turns(it.precession_rate)));
     }
 }
 

@@ -8,6 +8,7 @@ use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::certainty::CertifiedBy;
 use super::tally::Tally;
 use super::trace_summary::TraceSummary;
 use crate::design::{Design, TraceDesign};
@@ -62,6 +63,9 @@ pub struct Manifest {
     /// What is known of each method; of the string as the file says it, where
     /// axes change the string.
     pub methods: Vec<MethodRecord>,
+    /// What certifies its labels, where it does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certified_by: Option<CertifiedBy>,
     /// What came out.
     #[serde(flatten)]
     pub tally: Tally,
@@ -149,6 +153,7 @@ impl Manifest {
             shard: (!shard.is_whole()).then_some(shard),
             options,
             methods: systems.iter().map(MethodRecord::of).collect(),
+            certified_by: CertifiedBy::of(sweep),
             tally: Tally::default(),
             files: BTreeMap::new(),
             trace: None,
@@ -177,6 +182,11 @@ impl Manifest {
     /// Whether there is a map of it: none of a part, nor of fewer than two axes.
     pub fn draws(&self) -> bool {
         self.shard().is_whole() && self.map.is_some()
+    }
+
+    /// Cases that it has rows of.
+    pub fn cases_here(&self) -> usize {
+        self.tally.rows / self.methods.len().max(1)
     }
 
     /// Whether its cases were chosen along limits.

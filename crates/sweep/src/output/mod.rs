@@ -3,6 +3,7 @@
 mod about;
 mod boundary;
 mod cases;
+mod certainty;
 mod curves;
 mod envelope;
 mod failures;
@@ -22,6 +23,7 @@ pub use crate::files::write_atomically;
 pub use about::About;
 pub use boundary::{Boundary, StickSlipPoint, boundary, boundary_csv};
 pub use cases::{CaseRows, read_cases, read_measured_cases};
+pub use certainty::Certainty;
 pub use curves::Curve;
 pub use envelope::Envelope;
 pub use failures::FAILURES_HEADER;

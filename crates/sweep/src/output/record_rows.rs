@@ -8,8 +8,9 @@ use sim::{
     TorsionMeasures, TorsionRegime,
 };
 
+use super::certainty::Certainty;
 use super::labels::{LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
-use crate::engine::{Failure, Record};
+use crate::engine::{Failure, LateralVerdict, Record, Verdict};
 use crate::plan::{Sweep, to_rpm};
 
 /// The record that a row of a sweep's table was written from; `reason` says why a case
@@ -48,8 +49,14 @@ pub fn record_of(
             Ok(outcome)
         }
     };
+    let mut certainty = Certainty::default();
+    if table.certifying.is_some() && record.outcome.is_ok() {
+        record.finer = fields.finer()?;
+        certainty.torsion = fields.optional()?;
+        certainty.lateral = fields.optional()?;
+    }
     // What is left out above, such as the values, is compared here.
-    (table.row(&record) == row).then_some(record)
+    (table.row(&record, certainty) == row).then_some(record)
 }
 
 /// The fields of a row, in their order.
@@ -64,7 +71,7 @@ impl<'a> Fields<'a> {
         self.word()?.parse().ok()
     }
 
-    fn optional(&mut self) -> Option<Option<f64>> {
+    fn optional<Field: FromStr>(&mut self) -> Option<Option<Field>> {
         match self.word()? {
             "" => Some(None),
             word => word.parse().ok().map(Some),
@@ -113,6 +120,33 @@ impl<'a> Fields<'a> {
             surface: None,
             string_torque: None,
         })
+    }
+
+    /// None where that has no answer.
+    fn finer(&mut self) -> Option<Option<Verdict>> {
+        let (torsion, lateral) = (self.word()?, self.word()?);
+        let above_limit = self.optional_of_unit(to_rpm)?;
+        let lateral = match lateral {
+            "" => {
+                self.0.nth(1)?;
+                None
+            }
+            regime => Some(LateralVerdict {
+                regime: LateralRegime::of_name(regime)?,
+                contact_fraction: self.number()?,
+                precession_rate: self.of_unit(to_turns)?,
+            }),
+        };
+        let torsion = match torsion {
+            "" => None,
+            regime => Some(TorsionRegime::of_name(regime)?),
+        };
+        let verdict = Verdict {
+            torsion,
+            above_limit,
+            lateral,
+        };
+        Some((verdict != Verdict::default()).then_some(verdict))
     }
 
     fn surface(&mut self) -> Option<SurfaceMeasures> {

@@ -7,6 +7,7 @@ use anyhow::Result;
 use rayon::prelude::*;
 
 use super::about::About;
+use super::certainty::Certainty;
 use super::failures::{FAILURES_HEADER, failures_row, repeat_command};
 use super::labels::LabelTable;
 use super::motion::Labels;
@@ -46,22 +47,25 @@ impl<'a> TableWriter<'a> {
         })
     }
 
-    /// Adds rows, which come after those of earlier cases and methods.
+    /// Adds the rows of whole cases, which come after those of earlier ones.
     ///
     /// # Errors
     /// Where they cannot be written.
     pub fn add(&mut self, records: &[Record]) -> Result<()> {
-        for records in records.chunks(ROWS_AT_ONCE) {
-            let rows: Vec<String> = (records.par_iter())
-                .map(|record| self.table.row(record) + "\n")
+        let certainties = self.table.certainties(records);
+        let blocks = certainties.chunks(ROWS_AT_ONCE);
+        for (records, certainties) in records.chunks(ROWS_AT_ONCE).zip(blocks) {
+            let rows: Vec<String> = (records.par_iter().zip(certainties))
+                .map(|(record, certainty)| self.table.row(record, *certainty) + "\n")
                 .collect();
             self.labels.write(rows.concat().as_bytes())?;
-            records.iter().try_for_each(|record| self.count(record))?;
+            let mut rows = records.iter().zip(certainties);
+            rows.try_for_each(|(record, certainty)| self.count(record, *certainty))?;
         }
         Ok(())
     }
 
-    fn count(&mut self, record: &Record) -> Result<()> {
+    fn count(&mut self, record: &Record, certainty: Certainty) -> Result<()> {
         let method = self.table.methods[record.method];
         let (labels, predicted) = match &record.outcome {
             Ok(outcome) => (Labels::of(outcome), outcome.predicted),
@@ -72,7 +76,13 @@ impl<'a> TableWriter<'a> {
                 Default::default()
             }
         };
-        (self.tally).add(method, record.outcome.is_err(), labels, predicted);
+        (self.tally).add(
+            method,
+            record.outcome.is_err(),
+            labels,
+            predicted,
+            certainty,
+        );
         Ok(())
     }
 

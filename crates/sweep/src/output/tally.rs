@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 use sim::Label;
 
+use super::certainty::Certainty;
 use super::motion::{Labels, Motion};
 
 /// What came out, counted.
@@ -15,6 +16,9 @@ pub struct Tally {
     /// Rows per method and label. A row of a scene with bit and wall has two labels,
     /// one of each motion.
     pub labels: BTreeMap<String, BTreeMap<Label, usize>>,
+    /// Those of them that are certain, where the run certifies labels.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub certified: BTreeMap<String, BTreeMap<Label, usize>>,
     /// Rows without an answer.
     pub failed: usize,
     /// Settled rows that were followed to the end, and those of them whose label
@@ -25,9 +29,16 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts what a case is by a method: whether it failed, its labels, and the label
-    /// predicted when motion settled.
-    pub fn add(&mut self, method: &str, failed: bool, labels: Labels, predicted: Option<Label>) {
+    /// Counts what a case is by a method: whether it failed, its labels, the label predicted
+    /// when motion settled, and which labels are certain.
+    pub fn add(
+        &mut self,
+        method: &str,
+        failed: bool,
+        labels: Labels,
+        predicted: Option<Label>,
+        certainty: Certainty,
+    ) {
         self.rows += 1;
         self.failed += usize::from(failed);
         if let Some(predicted) = predicted {
@@ -37,6 +48,10 @@ impl Tally {
         for label in labels.each() {
             let of_method = self.labels.entry(method.to_owned()).or_default();
             *of_method.entry(label).or_default() += 1;
+            if certainty.get(Motion::of(label)) == Some(true) {
+                let of_method = self.certified.entry(method.to_owned()).or_default();
+                *of_method.entry(label).or_default() += 1;
+            }
         }
     }
 
@@ -49,6 +64,18 @@ impl Tally {
         } else {
             found.into_iter().collect()
         }
+    }
+
+    /// Cases whose label of a motion is certain, whatever it is: the rows of a method that
+    /// certifies them, of which no method has more.
+    pub fn certified(&self, motion: Motion) -> usize {
+        let of_method = |labels: &BTreeMap<Label, usize>| {
+            let of_motion = labels
+                .iter()
+                .filter(|(label, _)| Motion::of(**label) == motion);
+            of_motion.map(|(_, count)| count).sum()
+        };
+        self.certified.values().map(of_method).max().unwrap_or(0)
     }
 
     /// The labels of a method, each with its rows, in one list for each motion that

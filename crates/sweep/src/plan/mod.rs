@@ -3,6 +3,7 @@
 
 mod axial_force;
 mod bit;
+mod certify;
 mod choice;
 mod compare;
 mod conditions;

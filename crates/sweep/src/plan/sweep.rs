@@ -6,6 +6,7 @@ use std::path::Path;
 use linear::Method;
 
 use super::bit::{self, Bit};
+use super::certify;
 use super::choice::{self, Choice};
 use super::conditions::{self, Conditions};
 use super::data::Data;
@@ -33,6 +34,8 @@ pub struct Sweep {
     pub setting: Setting,
     /// Linear methods.
     pub methods: Vec<Method>,
+    /// The places among them of the two that certify labels, in a run that does.
+    pub certifying: Option<[usize; 2]>,
     /// What was chosen for the accuracy asked for.
     pub choice: Option<Choice>,
     /// Time simulated, s; by default until the regime can be told.
@@ -115,12 +118,16 @@ impl Sweep {
         if let Some(accuracy) = content.accuracy {
             choice::check(&source, accuracy)?;
         }
+        if methods.is_empty() {
+            certify::resolve(&source, &content)?;
+        }
         let methods = methods::resolve(&source, &content)?;
         let map = map::resolve(&source, &content, &design, &setting, bit.as_ref())?;
         Ok(Self {
             title: content.title.clone().unwrap_or_else(|| name.clone()),
             setting,
             methods,
+            certifying: None,
             choice: None,
             map,
             name,
@@ -132,6 +139,18 @@ impl Sweep {
             data,
             content,
             source,
+        })
+    }
+
+    /// The same sweep as a run has it, which certifies labels where it is asked to; whoever
+    /// only looks at cases does not.
+    ///
+    /// # Errors
+    /// Where the methods that it is left with cannot.
+    pub fn for_run(self) -> Result<Self, SweepFileError> {
+        Ok(Self {
+            certifying: certify::resolve(&self.source, &self.content)?,
+            ..self
         })
     }
 

@@ -273,3 +273,28 @@ fn what_no_drive_can_be_is_refused_with_its_key() {
         assert!(message.starts_with(expected), "{message}");
     }
 }
+
+#[test]
+fn labels_are_certified_by_two_methods_that_share_no_equation() {
+    let held_to = |methods: &str| message(&format!("methods = {methods}\ncertify = true\n"));
+    for (methods, lacks) in [
+        ("[\"held\", \"quadrature\"]", "`finite-element`"),
+        ("[\"finite-element\", \"quadrature\"]", "`held`"),
+    ] {
+        let message = held_to(methods);
+        assert!(
+            message.starts_with("sweep.toml:3: `certify`: "),
+            "{message}"
+        );
+        assert!(
+            message.ends_with(&format!("`methods` lacks {lacks}")),
+            "{message}"
+        );
+    }
+    let text = "methods = [\"hilbert\", \"finite-element\", \"held\"]\ncertify = true\n";
+    let sweep = read(text).unwrap();
+    assert_eq!(sweep.certifying, None, "nobody runs it");
+    assert_eq!(sweep.for_run().unwrap().certifying, Some([2, 1]));
+    let both = message("accuracy = 0.1\ncertify = true\n");
+    assert!(both.contains("is given instead of `certify`"), "{both}");
+}

@@ -25,6 +25,9 @@ pub(super) const COLOURS: [RGBColor; 7] = [
 pub(super) const BLUE_GROUND: RGBColor = RGBColor(0x9A, 0xCD, 0xEC);
 pub(super) const GREY_GROUND: RGBColor = RGBColor(0xF3, 0xF3, 0xF3);
 pub(super) const ORANGE_GROUND: RGBColor = RGBColor(0xB3, 0x50, 0x00);
+/// Of cases that are certain, darker than those that are not.
+pub(super) const CERTAIN_BLUE_GROUND: RGBColor = RGBColor(0x50, 0x97, 0xC8);
+pub(super) const CERTAIN_GREY_GROUND: RGBColor = RGBColor(0xD0, 0xD0, 0xD0);
 /// From what is safe to what is not: from light to dark.
 pub(super) const SAFETY: [RGBColor; 4] = [
     RGBColor(0xEA, 0xF5, 0xFC),

@@ -2,7 +2,10 @@
 //! colour vision nor colour print is needed.
 
 use super::canvas::{Canvas, Stroke};
-use super::colours::{BLUE_GROUND, GREY_GROUND, NO_CASE, ORANGE_GROUND, PARTS, SAFETY};
+use super::colours::{
+    BLUE_GROUND, CERTAIN_BLUE_GROUND, CERTAIN_GREY_GROUND, GREY_GROUND, NO_CASE, ORANGE_GROUND,
+    PARTS, SAFETY,
+};
 use super::geometry::Rect;
 use super::symbols::Symbol;
 use anyhow::Result;
@@ -78,6 +81,8 @@ pub(super) fn draw_ground(canvas: &mut Canvas, ground: Ground, area: Rect) -> Re
         Ground::Symbol(Symbol::Circle) => BLUE_GROUND,
         Ground::Symbol(Symbol::Cross) => GREY_GROUND,
         Ground::Symbol(Symbol::Square) => ORANGE_GROUND,
+        Ground::Symbol(Symbol::Disc) => CERTAIN_BLUE_GROUND,
+        Ground::Symbol(Symbol::HeavyCross) => CERTAIN_GREY_GROUND,
         Ground::Part(part) => part.colour(),
         Ground::Safety(safety) => SAFETY[safety as usize],
         Ground::NoCase => return draw_strokes(canvas, area),

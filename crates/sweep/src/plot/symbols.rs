@@ -22,6 +22,30 @@ pub enum Symbol {
     Cross,
     /// The methods differ: an open square.
     Square,
+    /// Every method finds the regime, and that is certain: a filled circle.
+    Disc,
+    /// No method finds the regime, and that is certain: a heavy cross.
+    HeavyCross,
+}
+
+impl Symbol {
+    /// Every one, in the order of their numbers.
+    pub const ALL: [Symbol; 5] = [
+        Symbol::Circle,
+        Symbol::Cross,
+        Symbol::Square,
+        Symbol::Disc,
+        Symbol::HeavyCross,
+    ];
+
+    /// The same of a case that is certain.
+    pub fn certified(self) -> Self {
+        match self {
+            Symbol::Circle => Symbol::Disc,
+            Symbol::Cross => Symbol::HeavyCross,
+            other => other,
+        }
+    }
 }
 
 /// Draws one symbol as one SVG element.
@@ -40,6 +64,8 @@ pub(super) fn draw_symbol(
             let path = [(x, c), (b, c), (b, d), (a, d), (a, c), (x, c)];
             canvas.line(&path, Stroke::solid(ORANGE, 0.42 * r))
         }
+        Symbol::Disc => canvas.disc((x, y), 1.1 * r, BLUE),
+        Symbol::HeavyCross => draw_cross(canvas, (x, y), 0.85 * r, Stroke::solid(GREY, 0.6 * r)),
     }
 }
 

@@ -59,8 +59,8 @@ fn legend(cells: &Cells, motion: Motion) -> String {
 /// As unlike each other as characters can be.
 fn character(symbol: Symbol) -> char {
     match symbol {
-        Symbol::Circle => 'O',
-        Symbol::Cross => '.',
+        Symbol::Circle | Symbol::Disc => 'O',
+        Symbol::Cross | Symbol::HeavyCross => '.',
         Symbol::Square => '#',
     }
 }

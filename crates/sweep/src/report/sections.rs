@@ -224,9 +224,44 @@ fn agreement(all: &[Results]) -> Vec<Block> {
         blocks.push(Block::Table(pairs));
     }
     blocks.push(Block::Table(symbols));
+    blocks.extend(certain(all));
     let differing = all.iter().filter(|results| results.agreement.differing > 0);
     blocks.extend(differing.map(|results| Block::Table(differing_cases(all, results))));
     blocks
+}
+
+/// How many labels are certain, where any folder tells that.
+fn certain(all: &[Results]) -> Option<Block> {
+    let header = [
+        "motion",
+        "methods",
+        "sampled at",
+        "certain",
+        "of cases",
+        "part",
+    ];
+    let mut table = table_of(all, "Cases whose label is certain", &header);
+    for results in all {
+        let manifest = &results.manifest;
+        let Some(by) = &manifest.certified_by else {
+            continue;
+        };
+        let [first, second] = by.sampling_frequencies_hz.map(short);
+        let cases = manifest.cases_here();
+        for motion in manifest.tally.motions() {
+            let certain = manifest.tally.certified(motion);
+            let cells = vec![
+                motion.adjective().to_owned(),
+                by.methods.join(" and "),
+                format!("{first} and {second} Hz"),
+                certain.to_string(),
+                cases.to_string(),
+                percentage(certain, cases),
+            ];
+            table.rows.push(row_of(all, results, cells));
+        }
+    }
+    (!table.rows.is_empty()).then_some(Block::Table(table))
 }
 
 fn differing_cases(all: &[Results], results: &Results) -> Table {

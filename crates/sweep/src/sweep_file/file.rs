@@ -78,6 +78,9 @@ pub struct FileContent {
     /// Linear methods, in the order of the results. Default: `held`.
     #[serde(default = "default_methods")]
     pub methods: Vec<MethodName>,
+    /// Whether it is told of each label if it is certain.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub certify: bool,
     /// Parameters of the methods.
     #[serde(default)]
     pub method: MethodTables,

@@ -19,9 +19,10 @@ const MOST_FILES: usize = 64;
 
 /// Keys that say the same in another way: a file gives one of each pair, and it
 /// replaces the other of its base.
-const RIVALS: [Rivals; 9] = [
+const RIVALS: [Rivals; 10] = [
     Rivals("", "accuracy", "methods"),
     Rivals("", "accuracy", "method"),
+    Rivals("", "accuracy", "certify"),
     Rivals("", "accuracy", "sampling_frequency_hz"),
     Rivals("string", "file", "sections"),
     Rivals("well", "hole_radius_m", "holes"),

@@ -38,6 +38,8 @@ struct Found {
     with: bool,
     without: bool,
     untold: bool,
+    /// Of labels that are certified, one that is not certain.
+    uncertain: bool,
 }
 
 /// Random cases in ranges.
@@ -125,6 +127,7 @@ fn points(tables: &ResultTables, motion: Motion) -> Result<Points> {
         let case = case?;
         let mut at = Found::default();
         for row in &case.rows {
+            at.uncertain |= row.certainty.get(motion) == Some(false);
             match row.labels.is_sustained(motion) {
                 Some(true) => at.with = true,
                 Some(false) => at.without = true,
@@ -155,6 +158,7 @@ fn points(tables: &ResultTables, motion: Motion) -> Result<Points> {
         all.with |= own.with;
         all.without |= own.without;
         all.untold |= own.untold;
+        all.uncertain |= own.uncertain;
     }
     Ok(Points {
         values,
@@ -247,10 +251,14 @@ impl Points {
                 all.with |= found.with;
                 all.without |= found.without;
                 all.untold |= found.untold;
+                all.uncertain |= found.uncertain;
             }
         }
         match all {
             Found { untold: true, .. } => Standing::Untold,
+            Found {
+                uncertain: true, ..
+            } => Standing::Near,
             Found {
                 with: true,
                 without: true,
@@ -276,13 +284,14 @@ mod tests {
             with: kind == 0,
             without: kind == 1,
             untold: kind == 2,
+            uncertain: false,
         });
         // Two weights by three speeds by two methods: at the highest speed of the first weight
         // the methods differ.
         let both = Found {
             with: true,
             without: true,
-            untold: false,
+            ..Found::default()
         };
         let mut points = Points {
             values: [vec![10.0, 20.0], vec![1.0, 2.0, 3.0, 4.0]],
@@ -295,6 +304,8 @@ mod tests {
         assert_eq!(at(&points, [3.2, 3.5]), Standing::Near);
         points.found[3] = without;
         assert_eq!(at(&points, [3.2, 3.5]), Standing::Clear);
+        points.found[3].uncertain = true;
+        assert_eq!(at(&points, [3.2, 3.5]), Standing::Near);
         points.found[7] = untold;
         assert_eq!(at(&points, [3.2, 3.5]), Standing::Untold);
         points.ragged = vec![[[10.0, 20.0], [1.0, 2.0]]];

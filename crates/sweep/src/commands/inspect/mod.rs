@@ -20,7 +20,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::{warn_of_overshoot, warn_of_string};
 use crate::cli::InspectArguments;
-use crate::engine::compare_fronts;
+use crate::engine::{add_finer, compare_fronts};
 use crate::memory::{Demand, Purpose, admit};
 use axial_force::describe_axial_force;
 use description::{
@@ -34,6 +34,8 @@ use top_drive::DriveView;
 pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Status> {
     use_threads(arguments.work.jobs, terminal)?;
     let sweep = read_sweep(&arguments.file, &arguments.work, false, false, terminal)?;
+    // With other methods than a run may have, what it costs is that of one without certificates.
+    let sweep = sweep.clone().for_run().unwrap_or(sweep);
     warn_of_string(&sweep, terminal);
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     let survey = survey_cases(&arguments.file, &sweep)?;
@@ -42,7 +44,8 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     let limit = arguments.work.memory.limit();
     admit(&sweep, &setting, &survey, Purpose::Look, &limit)?;
     let start = Instant::now();
-    let mut systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
+    let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
+    let mut systems = add_finer(systems, &sweep, survey.longest)?;
     let built = start.elapsed().as_secs_f64();
     compare_fronts(&mut systems);
     warn_of_overshoot(&sweep, &systems, terminal);

@@ -91,7 +91,13 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
         let fields: Vec<&str> = line.split(',').collect();
         let row = columns.row(tally.rows, |column| fields.get(column).copied());
         let row = row.map_err(|reason| anyhow!("{}: `{line}`: {reason}", table.path.display()))?;
-        tally.add(&row.method, row.failed, row.labels, row.predicted);
+        tally.add(
+            &row.method,
+            row.failed,
+            row.labels,
+            row.predicted,
+            row.certainty,
+        );
         file.write(format!("{line}\n").as_bytes())?;
     }
     let expected: usize = parts.iter().map(|part| part.manifest.tally.rows).sum();

@@ -1,5 +1,7 @@
-//! `sweep promises`: how often an accuracy asked for is kept, on strings drawn at random.
+//! `sweep promises`: how often an accuracy asked for is kept, or a label that is certain is
+//! right, on strings drawn at random.
 
+mod labels;
 mod table;
 
 use anyhow::Result;
@@ -12,7 +14,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::PromisesArguments;
 use crate::output::write_atomically;
-use crate::studies::promises::{Motion, run};
+use crate::studies::promises::{Motion, run, test_labels};
 use table::{columns, summary};
 
 /// Puts promises to the test and writes their table.
@@ -26,13 +28,22 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
     let strings = arguments.strings.get();
     let progress = Progress::new(motions.len() * strings, 0, arguments.quiet, terminal);
     let tick = || progress.tick();
-    let found = run(&motions, strings, arguments.seed, &limit, &tick);
-    progress.finish();
-    let promises = found?;
-    let table = csv_table(promises.iter().map(columns))?;
-    write_atomically(&arguments.out.join("promises.csv"), &table)?;
+    let (name, table, text) = if arguments.labels {
+        let found = test_labels(&motions, strings, arguments.seed, &tick);
+        progress.finish();
+        let tested = found?;
+        let table = csv_table(tested.iter().map(labels::columns))?;
+        ("labels.csv", table, labels::summary(&tested))
+    } else {
+        let found = run(&motions, strings, arguments.seed, &limit, &tick);
+        progress.finish();
+        let promises = found?;
+        let table = csv_table(promises.iter().map(columns))?;
+        ("promises.csv", table, summary(&promises))
+    };
+    write_atomically(&arguments.out.join(name), &table)?;
     if !arguments.quiet {
-        say(&summary(&promises))?;
+        say(&text)?;
     }
     Ok(Status::Complete)
 }

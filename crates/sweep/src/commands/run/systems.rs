@@ -6,7 +6,7 @@ use linear::Method;
 use super::task::Task;
 use crate::commands::prepare::build_systems;
 use crate::commands::status::UsageError;
-use crate::engine::{MethodSystem, compare_fronts};
+use crate::engine::{MethodSystem, add_finer, compare_fronts};
 use crate::memory::{Estimate, Purpose, admit};
 use crate::output::{Boundary, boundary};
 
@@ -27,7 +27,8 @@ impl Systems {
     /// Where they take more, or a method cannot treat the string.
     pub fn build(task: &Task) -> Result<Self> {
         let (arguments, sweep) = (task.arguments, &task.sweep);
-        let (memory, mut methods) = build_admitted(task)?;
+        let (memory, methods) = build_admitted(task)?;
+        let mut methods = add_finer(methods, sweep, task.survey.longest)?;
         // Where axes change the string, none stands for all.
         if !(sweep.design.varies_string() || arguments.allow_unstable) {
             refuse_unstable(task, &methods)?;
@@ -59,8 +60,12 @@ pub fn build_admitted(task: &Task) -> Result<(Estimate, Vec<MethodSystem>)> {
 fn refuse_unstable(task: &Task, systems: &[MethodSystem]) -> Result<()> {
     let (arguments, sweep) = (task.arguments, &task.sweep);
     let mut found = systems.iter().enumerate();
-    let first = found.find_map(|(index, system)| Some((index, system, system.instability()?)));
-    let Some((index, system, instability)) = first else {
+    let first = found.find_map(|(index, system)| {
+        let own = system.instability().map(|own| (own, None));
+        let finer = || system.instability_of_finer().map(|(it, at)| (it, Some(at)));
+        Some((index, system, own.or_else(finer)?))
+    });
+    let Some((index, system, (instability, at_shorter_steps))) = first else {
         return Ok(());
     };
     let remedy = match system.method {
@@ -70,7 +75,12 @@ fn refuse_unstable(task: &Task, systems: &[MethodSystem]) -> Result<()> {
             "take another method"
         }
     };
-    let message = format!("{instability}; {remedy}, or give --allow-unstable");
+    let message = match at_shorter_steps {
+        None => format!("{instability}; {remedy}, or give --allow-unstable"),
+        Some(frequency) => {
+            format!("{instability} at the {frequency} Hz that certify labels; {remedy}")
+        }
+    };
     if arguments.work.methods.is_empty() {
         let key = format!("methods[{index}]");
         bail!(sweep.source.error(&key, message));

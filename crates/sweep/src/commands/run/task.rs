@@ -41,7 +41,14 @@ impl<'a> Task<'a> {
         let RunArguments {
             file, work, quiet, ..
         } = arguments;
-        let sweep = read_sweep(file, work, arguments.full, *quiet, terminal)?;
+        let sweep = read_sweep(file, work, arguments.full, *quiet, terminal)?.for_run()?;
+        if sweep.certifying.is_some() && arguments.allow_unstable {
+            bail!(UsageError(
+                "--allow-unstable: methods that chatter certify nothing; leave it out, or \
+                 `certify` in the sweep file"
+                    .to_owned()
+            ));
+        }
         if !quiet {
             warn_of_string(&sweep, terminal);
         }

@@ -4,6 +4,7 @@
 
 mod draw;
 mod finder;
+mod labels;
 mod problem;
 mod stick_slip;
 mod waveguide;
@@ -12,6 +13,7 @@ mod whirl;
 use anyhow::{Context, Result};
 use rayon::prelude::*;
 
+pub use labels::{Tested, test_labels};
 pub use problem::{Motion, Problem};
 
 use crate::memory::Limit;
@@ -83,15 +85,27 @@ pub fn run(
     limit: &Limit,
     done: &(dyn Fn() + Sync),
 ) -> Result<Vec<Promise>> {
+    of_each(motions, strings, done, |motion, number| {
+        Ok(promises(&Problem::draw(motion, number, seed)?, limit))
+    })
+}
+
+/// What comes of so many strings for each motion, one after the other.
+fn of_each<Found: Clone + Send>(
+    motions: &[Motion],
+    strings: usize,
+    done: &(dyn Fn() + Sync),
+    of_string: impl Fn(Motion, usize) -> Result<Vec<Found>> + Sync,
+) -> Result<Vec<Found>> {
     let numbers: Vec<(Motion, usize)> = (motions.iter())
         .flat_map(|&motion| (0..strings).map(move |number| (motion, number)))
         .collect();
     let of_number = |&(motion, number): &(Motion, usize)| {
-        let promises = promises(&Problem::draw(motion, number, seed)?, limit);
+        let found = of_string(motion, number);
         done();
-        Ok(promises)
+        found
     };
-    let found: Vec<Result<Vec<Promise>>> =
+    let found: Vec<Result<Vec<Found>>> =
         numbers.par_iter().with_max_len(1).map(of_number).collect();
     let found = found.into_iter().collect::<Result<Vec<_>>>()?;
     Ok(found.concat())

@@ -36,12 +36,7 @@ pub fn truth(problem: &Problem) -> Result<Truth> {
     let string = &sweep.setting.string;
     let law = sweep.conditions.torques(TORQUE);
     let guess = guess(&sweep)?;
-    let is_jointed = string.sections().iter().any(|section| section.repeat > 1);
-    let places = if is_jointed {
-        PLACES_OF_JOINTED
-    } else {
-        PLACES
-    };
+    let places = places(string);
     let limit = |places: f64, bracket| limit(string, law, places, bracket);
     let wide = [guess / WITHIN, guess * WITHIN];
     let coarse = limit(places, wide)?;
@@ -53,8 +48,27 @@ pub fn truth(problem: &Problem) -> Result<Truth> {
     })
 }
 
+/// What two waveguides, one finer than the other, say of a surface speed (rpm): whether the bit
+/// sticks and slips.
+pub fn labels(sweep: &Sweep, rpm: f64) -> [bool; 2] {
+    let string = &sweep.setting.string;
+    let law = sweep.conditions.torques(TORQUE);
+    let places = places(string);
+    [places, FINER * places].map(|places| sticks_and_slips(string, law, places, rpm))
+}
+
+/// Of the coarser waveguide.
+fn places(string: &Drillstring) -> f64 {
+    let is_jointed = string.sections().iter().any(|section| section.repeat > 1);
+    if is_jointed {
+        PLACES_OF_JOINTED
+    } else {
+        PLACES
+    }
+}
+
 /// Between the two speeds of the problem.
-fn guess(sweep: &Sweep) -> Result<f64> {
+pub fn guess(sweep: &Sweep) -> Result<f64> {
     let values = [0, 1].map(|case| sweep.design.values(case)[0]);
     ensure!(values[0] > 0.0, "the string has no undershoot");
     Ok((values[0] * values[1]).sqrt() / 1.13)

@@ -13,10 +13,10 @@ use crate::engine::MethodSystem;
 use crate::plan::Sweep;
 
 /// Sampling frequencies, Hz, each twice the one before.
-const FREQUENCIES: [f64; 2] = [5120.0, 10_240.0];
+pub const FREQUENCIES: [f64; 2] = [5120.0, 10_240.0];
 
 /// Where the limit is looked for, coefficient of friction.
-const BRACKET: [f64; 2] = [0.3, 6.0];
+pub const BRACKET: [f64; 2] = [0.3, 6.0];
 
 /// The limit at the higher frequency; what it has changed by from the lower is its
 /// uncertainty. (Without wave fronts in torsion it would be a third of that.)
@@ -39,7 +39,7 @@ pub fn truth(problem: &Problem) -> Result<Truth> {
 }
 
 /// Quadrature in bending, held torques in torsion.
-fn system(sweep: &Sweep, longest: f64) -> Result<MethodSystem> {
+pub fn system(sweep: &Sweep, longest: f64) -> Result<MethodSystem> {
     let (setting, begun) = (&sweep.setting, Instant::now());
     let bending = MethodSystem::build_for(sweep, setting, Method::Quadrature, longest)?.responses;
     let torques = (0..setting.sites.len()).collect();

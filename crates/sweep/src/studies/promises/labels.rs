@@ -1,0 +1,172 @@
+//! Certified labels put to the test: cases near the limits of random strings, each with a
+//! label that is certain or not, and what is true of it by methods that have no part in that.
+
+use anyhow::{Context, Result};
+use linear::Method;
+use linear::estimates::sampling_frequency;
+use linear::waves::lattice::Lattice;
+use sim::Stopping;
+
+use super::draw::Draw;
+use super::finder::{Finder, longest};
+use super::problem::{Motion, Problem};
+use super::{of_each, stick_slip, whirl};
+use crate::engine::{MethodSystem, Record, RunOptions, certified};
+use crate::plan::Sweep;
+use crate::studies::accuracy::is_inside;
+use crate::studies::trial;
+
+/// Cases of a string: each at most so far from its limit, as a natural logarithm.
+const NEAR: [f64; 6] = [0.02, 0.05, 0.05, 0.15, 0.15, 0.3];
+
+/// Where the limit of whirl is about, coefficient of friction, if it is not found.
+const USUAL_FRICTION: f64 = 1.4;
+
+/// An impulse of 20 ms has four samples from this sampling frequency on, Hz: a string of which
+/// the rule has a lower one is sampled at that.
+const LEAST_OF_IMPULSES: f64 = 200.0;
+
+/// Random numbers of the cases: no string has these.
+const STREAM: u64 = 1 << 32;
+
+/// A case and its label.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tested {
+    /// On which string.
+    pub problem: Problem,
+    /// Sampling frequency, Hz; the label is certified at twice that, too.
+    pub sampling_frequency: f64,
+    /// Surface speed in rpm, or coefficient of friction.
+    pub value: f64,
+    /// Whether the motion is sustained vibration by [`Method::Held`].
+    pub label: bool,
+    /// Whether that is certain.
+    pub is_certain: bool,
+    /// Whether it is in truth; `None` where those that say so differ.
+    pub truth: Option<bool>,
+}
+
+impl Tested {
+    /// Whether the label is wrong, where that is known.
+    pub fn is_wrong(&self) -> Option<bool> {
+        self.truth.map(|truth| truth != self.label)
+    }
+}
+
+/// Tests the labels of cases of so many strings for each motion; `done` is called after each
+/// string.
+///
+/// # Errors
+/// Where a string cannot be drawn, or its responses cannot be built.
+pub fn test_labels(
+    motions: &[Motion],
+    strings: usize,
+    seed: u64,
+    done: &(dyn Fn() + Sync),
+) -> Result<Vec<Tested>> {
+    of_each(motions, strings, done, |motion, number| {
+        let problem = Problem::draw(motion, number, seed)?;
+        let stream = STREAM + 2 * number as u64 + u64::from(motion == Motion::Whirl);
+        of_string(&problem, &mut Draw::new(seed, stream))
+            .with_context(|| format!("{} of string {number}", motion.name()))
+    })
+}
+
+fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
+    let rule = sampling_frequency(
+        &problem
+            .sweep("sampling_frequency_hz = 1000\n")?
+            .setting
+            .string,
+    );
+    let frequency = match problem.motion {
+        Motion::StickSlip => rule,
+        Motion::Whirl => rule.max(LEAST_OF_IMPULSES),
+    };
+    let sweep = problem.sweep(&format!(
+        "methods = [\"held\", \"finite-element\"]\ncertify = true\n\
+         sampling_frequency_hz = {frequency}\n"
+    ))?;
+    let sweep = sweep.for_run()?;
+    let limit = limit(problem, &sweep)?;
+    let longest = longest(problem, &sweep, limit)?;
+    let systems = (sweep.methods.iter().enumerate())
+        .map(|(place, method)| {
+            let system = MethodSystem::build_for(&sweep, &sweep.setting, *method, longest)?;
+            system.with_finer(&sweep, place, longest)
+        })
+        .collect::<Result<Vec<_>>>()?;
+    let judges = judges(problem, &sweep, longest)?;
+    let mut tested = Vec::new();
+    for near in NEAR {
+        let value = limit * (near * draw.uniform(-1.0, 1.0)).exp();
+        let conditions = sweep.conditions.with(problem.motion.axis(), value);
+        let case = trial::case(&sweep, &sweep.setting, &conditions)?;
+        let answer = |(place, system): (usize, &MethodSystem)| {
+            system.answer(&case, place, RunOptions::default(), &sweep)
+        };
+        let records: Vec<Record> = systems.iter().enumerate().map(answer).collect();
+        // Of a case without an answer there is no label.
+        let Ok(outcome) = &records[0].outcome else {
+            continue;
+        };
+        let certified = certified(&records, [0, 1]);
+        let mut said = judges
+            .iter()
+            .map(|(sweep, system)| {
+                let outcome = trial::outcome(sweep, system, &conditions, Stopping::Early);
+                outcome.ok().map(|outcome| is_inside(&outcome))
+            })
+            .collect::<Vec<_>>();
+        if problem.motion == Motion::StickSlip {
+            said.extend(stick_slip::labels(&sweep, value).map(Some));
+        }
+        tested.push(Tested {
+            problem: problem.clone(),
+            sampling_frequency: frequency,
+            value,
+            label: is_inside(outcome),
+            is_certain: match problem.motion {
+                Motion::StickSlip => certified.torsion.is_some(),
+                Motion::Whirl => certified.lateral.is_some(),
+            },
+            truth: (said[0]).filter(|first| said.iter().all(|other| *other == Some(*first))),
+        });
+    }
+    Ok(tested)
+}
+
+/// Where the limit is by [`Method::Held`] in steps of the rule, about which cases are drawn.
+fn limit(problem: &Problem, sweep: &Sweep) -> Result<f64> {
+    let middle = match problem.motion {
+        Motion::StickSlip => stick_slip::guess(sweep)?,
+        Motion::Whirl => USUAL_FRICTION,
+    };
+    let finder = Finder::new(problem, sweep, middle)?;
+    let found = match problem.motion {
+        Motion::StickSlip => finder.nearest(middle),
+        Motion::Whirl => finder.between(whirl::BRACKET),
+    };
+    Ok(found.unwrap_or(middle))
+}
+
+/// Systems that say what is true, where they agree: in torsion alone in steps of a piece of
+/// the string's lattice, in which every front is in time, beside two waveguides that share no
+/// code with it; with a wall those of the true limit of whirl.
+fn judges(problem: &Problem, sweep: &Sweep, longest: f64) -> Result<Vec<(Sweep, MethodSystem)>> {
+    match problem.motion {
+        Motion::StickSlip => {
+            let lattice = Lattice::new(&sweep.setting.string, &sweep.setting.sites)?;
+            let setting = sweep.setting.sampled_at(lattice.step.recip());
+            let system = MethodSystem::build_for(sweep, &setting, Method::Held, longest)?;
+            Ok(vec![(sweep.clone(), system)])
+        }
+        Motion::Whirl => (whirl::FREQUENCIES.iter())
+            .map(|frequency| {
+                let sweep = problem.sweep(&format!("sampling_frequency_hz = {frequency}\n"))?;
+                let system = whirl::system(&sweep, longest)?;
+                Ok((sweep, system))
+            })
+            .collect(),
+    }
+}
