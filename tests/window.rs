@@ -306,10 +306,8 @@ fn what_is_safe_is_smooth_by_another_method_too() {
         let place = Workplace::new();
         let both = "methods = [\"quadrature\", \"finite-element\"]\n";
         let run = |name: &str, methods: &str, design: String| {
-            place.write(
-                &format!("{name}.toml"),
-                &format!("{methods}{string}{design}"),
-            );
+            let text = format!("{methods}{string}{design}");
+            place.write(&format!("{name}.toml"), text);
             done(
                 &place,
                 &["run", &format!("{name}.toml"), "--quiet", "--fresh"],
