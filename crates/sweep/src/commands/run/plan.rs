@@ -7,7 +7,7 @@ use super::task::Task;
 use crate::commands::cost::{cost_lines, probe};
 use crate::commands::folder::{Found, LOG, in_words};
 use crate::design::{Design, TraceDesign};
-use crate::engine::{LogView, pairs_of};
+use crate::engine::{FINER, LogView, pairs_of};
 use crate::memory::{Purpose, admit};
 use crate::words::{counted, short, together, wrapped};
 
@@ -115,10 +115,17 @@ fn times(task: &Task) -> String {
     let (sweep, survey) = (&task.sweep, &task.survey);
     let design = &sweep.design;
     let part = design.likely_cases() as f64 / design.cases() as f64;
-    format!(
-        "simulated time {} s for each method, the longest case {} s, at {} Hz\n",
+    let frequency = sweep.setting.sampling_frequency;
+    let certifying = sweep.certifying.map_or_else(String::new, |places| {
+        let [one, other] = places.map(|place| sweep.methods[place].name());
+        let finer = short(FINER * frequency);
+        format!(", and by {one} and {other} at {finer} Hz, to certify labels")
+    });
+    let words = format!(
+        "simulated time {} s for each method, the longest case {} s, at {} Hz{certifying}",
         short(part * survey.simulated),
         short(survey.longest),
-        short(sweep.setting.sampling_frequency)
-    )
+        short(frequency)
+    );
+    wrapped(&words, 0, 2)
 }
