@@ -86,6 +86,12 @@ fn a_cell_is_safe_where_cases_around_it_are_smooth_and_above_eq_74() {
         let [[x, y], [next, z]] = [limit[above - 1], limit[above]];
         y + (z - y) * (at - x) / (next - x)
     };
+    // The limit is proportional to the undershoot, by the method and as it is.
+    let manifest = std::fs::read_to_string(place.path("results/small/manifest.json")).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+    let undershoot = |name: &str| manifest["methods"][0][name].as_f64().unwrap();
+    let exact = undershoot("exact_undershoot_rad_s_per_nm") / undershoot("undershoot_rad_s_per_nm");
+    assert!((exact - 1.0).abs() > 0.005, "{exact}");
     let found = cells(&place, "results/small/window.csv");
     let mut seen = [0; 4];
     for cell in &found {
@@ -105,7 +111,8 @@ fn a_cell_is_safe_where_cases_around_it_are_smooth_and_above_eq_74() {
             .map(|row| row[torsion].as_str())
             .collect();
         assert_eq!(around.len(), 4, "{:?}", cell.ends);
-        let [lowest, highest] = weights.map(limit_at);
+        let lowest = limit_at(weights[0]) * exact.min(1.0);
+        let highest = limit_at(weights[1]) * exact.max(1.0);
         let simulated = if around.contains(&"stuck") {
             3
         } else if around.iter().all(|label| *label == "smooth") {

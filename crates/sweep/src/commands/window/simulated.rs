@@ -98,20 +98,29 @@ fn told(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
     format!("{cases} by {methods}; {margin}")
 }
 
-/// Eq. 74 by each method.
+/// Eq. 74 by each method, and by the exact undershoot where that is known.
 fn of_curves(tables: &ResultTables) -> Result<Option<Source<'static>>> {
-    let curves = tables.boundary()?.curves(&tables.manifest.axes);
+    let manifest = &tables.manifest;
+    let curves = tables.boundary()?.curves(&manifest.axes);
     let is_over_weight =
         |curve: &Curve| curve.motion == Motion::Torsion && curve.along == Axis::WeightOnBitKn;
-    let curves: Vec<Curve> = curves.into_iter().filter(is_over_weight).collect();
-    if curves.is_empty() {
+    let mut curves: Vec<Curve> = curves.into_iter().filter(is_over_weight).collect();
+    let Some(first) = curves.first() else {
         return Ok(None);
-    }
-    let methods = tables.manifest.method_names().join(", ");
-    let told = match curves.len() {
-        1 => format!("by {methods}"),
-        _ => format!("margin: between {methods}"),
     };
+    let exact = manifest.methods.iter().find_map(|method| {
+        let is_of_method = first.name.ends_with(&format!(", {}", method.method));
+        let own = method.undershoot_rad_s_per_nm.filter(|_| is_of_method)?;
+        // The limit is proportional to the undershoot.
+        Some(first.scaled(method.exact_undershoot_rad_s_per_nm? / own))
+    });
+    let methods = manifest.method_names().join(", ");
+    let told = match (&exact, curves.len()) {
+        (Some(_), _) => format!("margin: between {methods} and the exact undershoot"),
+        (None, 1) => format!("by {methods}"),
+        (None, _) => format!("margin: between {methods}"),
+    };
+    curves.extend(exact);
     let lines = curves.iter().flat_map(|curve| curve.pieces.clone());
     Ok(Some(Source {
         name: "stick-slip can last (Eq. 74)".to_owned(),
