@@ -6,6 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 use linear::DrillstringError;
+use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use serde::Deserialize;
 
@@ -108,7 +109,10 @@ fn range_of_axis(sweep: &Sweep, position: usize) -> [f64; 2] {
 
 /// Values from the least to the greatest of an axis.
 fn along_axis(sweep: &Sweep, position: usize) -> impl Iterator<Item = f64> + use<> {
-    let [from, to] = range_of_axis(sweep, position);
+    between(range_of_axis(sweep, position))
+}
+
+fn between([from, to]: [f64; 2]) -> impl Iterator<Item = f64> + use<> {
     (0..=POINTS).map(move |step| from + (to - from) * step as f64 / POINTS as f64)
 }
 
@@ -124,26 +128,64 @@ fn stick_slip_limit(
         let Some(taps) = system.driving_point() else {
             continue;
         };
-        let undershoot = largest_undershoot(taps);
-        for value in along_axis(sweep, position) {
-            let conditions = sweep.conditions.with(axis, value);
-            let torque = bit.torque_dynamic(&conditions);
-            let torque = torque.map_err(BoundaryError::Rock)?;
-            let Some(torque) = torque else {
-                continue;
-            };
-            let torques = conditions.torques(torque);
-            let limit =
-                stick_slip_speed_limit(undershoot, torques.torque_static, torques.torque_dynamic);
-            points.push(StickSlipPoint {
-                weight_on_bit_kn: conditions.weight_on_bit_kn,
-                torque_dynamic_nm: torque,
-                surface_speed_rpm: to_rpm(limit),
-                method: system.method.name().to_owned(),
-            });
-        }
+        let front = (system.method.name(), largest_undershoot(taps));
+        let values = along_axis(sweep, position);
+        points.extend(stick_slip_points(sweep, bit, (axis, values), front)?);
     }
     Ok(points)
+}
+
+/// Eq. 74 at values of an axis, by a method and its undershoot Δ, rad/s per N m.
+fn stick_slip_points(
+    sweep: &Sweep,
+    bit: &Bit,
+    (axis, values): (Axis, impl Iterator<Item = f64>),
+    (method, undershoot): (&str, f64),
+) -> Result<Vec<StickSlipPoint>, BoundaryError> {
+    let mut points = Vec::new();
+    for value in values {
+        let conditions = sweep.conditions.with(axis, value);
+        let torque = bit.torque_dynamic(&conditions);
+        let torque = torque.map_err(BoundaryError::Rock)?;
+        let Some(torque) = torque else {
+            continue;
+        };
+        let torques = conditions.torques(torque);
+        let limit =
+            stick_slip_speed_limit(undershoot, torques.torque_static, torques.torque_dynamic);
+        points.push(StickSlipPoint {
+            weight_on_bit_kn: conditions.weight_on_bit_kn,
+            torque_dynamic_nm: torque,
+            surface_speed_rpm: to_rpm(limit),
+            method: method.to_owned(),
+        });
+    }
+    Ok(points)
+}
+
+/// Eq. 74 between two weights on bit (kN) by the undershoot of the string as it is, whose fronts
+/// no step smears; without points where the cases have no one limit, or where that undershoot
+/// would take too much memory.
+///
+/// # Errors
+/// Where a rock's table does not reach.
+pub fn exact_stick_slip_limit(sweep: &Sweep, weights: [f64; 2]) -> Result<Boundary, BoundaryError> {
+    let is_one =
+        !sweep.design.varies_string() && !sweep.design.axes().iter().any(|axis| axis.changes_bit());
+    let undershoot = exact_undershoot(&sweep.setting.string).ok();
+    let points = match (&sweep.bit, undershoot.filter(|_| is_one)) {
+        (Some(bit), Some(undershoot)) => {
+            let values = between(weights);
+            stick_slip_points(
+                sweep,
+                bit,
+                (Axis::WeightOnBitKn, values),
+                ("exact", undershoot),
+            )?
+        }
+        _ => Vec::new(),
+    };
+    Ok(Boundary::StickSlip(points))
 }
 
 /// The limit of whirl over all surface speeds of the design.

@@ -123,15 +123,6 @@ fn piece(branch: &[WhirlPoint]) -> Vec<[f64; 2]> {
 }
 
 impl Curve {
-    /// The same with its limited quantity so many times as large.
-    pub fn scaled(&self, factor: f64) -> Self {
-        let mut scaled = self.clone();
-        for point in scaled.pieces.iter_mut().flatten() {
-            point[1] *= factor;
-        }
-        scaled
-    }
-
     /// The ranges of one of its two quantities, `shown`, while the other one is
     /// within `held`: one for each stretch of the curve. The quantities are 0 for the
     /// one that the limit depends on, 1 for the limited one.

@@ -21,7 +21,7 @@ mod whirl_limit;
 
 pub use crate::files::write_atomically;
 pub use about::About;
-pub use boundary::{Boundary, StickSlipPoint, boundary, boundary_csv};
+pub use boundary::{Boundary, StickSlipPoint, boundary, boundary_csv, exact_stick_slip_limit};
 pub use cases::{CaseRows, read_cases, read_measured_cases};
 pub use certainty::Certainty;
 pub use curves::Curve;

@@ -38,7 +38,7 @@ pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status>
         refuse_strangers(&sweep, &arguments.file, &folder, &tables)?;
         all.push((folder, tables));
     }
-    let (ranges, mut sources) = simulated::limits(&all, arguments)?;
+    let (ranges, mut sources) = simulated::limits(&sweep, &all, arguments)?;
     sources.extend(lateral::limits(&sweep, ranges, arguments)?);
     let chart = Chart::new(ranges, sources);
     let sheet = WindowSheet {

@@ -6,10 +6,11 @@ use anyhow::{Context, Result, bail};
 
 use crate::cli::WindowArguments;
 use crate::commands::status::UsageError;
-use crate::output::{Curve, Manifest, Motion, ResultTables};
+use crate::output::{Boundary, Curve, Manifest, Motion, ResultTables, exact_stick_slip_limit};
+use crate::plan::Sweep;
 use crate::quantities::Axis;
 use crate::sweep_file::DesignKind;
-use crate::window::{Drawn, Simulated, Source, below_curves, simulated};
+use crate::window::{AXES, Drawn, Simulated, Source, below_curves, simulated};
 use crate::words::{counted, short};
 
 /// What all folders span, and the limits that each holds.
@@ -17,10 +18,11 @@ use crate::words::{counted, short};
 /// # Errors
 /// Where a folder says nothing of limits, or they have no range in common.
 pub fn limits(
+    sweep: &Sweep,
     all: &[(PathBuf, ResultTables)],
     arguments: &WindowArguments,
 ) -> Result<([[f64; 2]; 2], Vec<Source<'static>>)> {
-    let mut sources = Vec::new();
+    let (mut sources, mut curves) = (Vec::new(), Vec::new());
     let mut ranges = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
     for (folder, tables) in all {
         let manifest = &tables.manifest;
@@ -34,7 +36,7 @@ pub fn limits(
             let is_alone = all.len() == 1;
             sources.push(of_cases(found, manifest, motion, is_alone, arguments.risk));
         }
-        sources.extend(of_curves(tables)?);
+        curves.extend(curves_of(&tables.boundary()?, &manifest.axes));
     }
     if sources.is_empty() {
         bail!(UsageError(
@@ -49,6 +51,7 @@ pub fn limits(
             folders.join(" and ")
         )));
     }
+    sources.extend(of_curves(sweep, curves, ranges[0])?);
     Ok((ranges, sources))
 }
 
@@ -98,29 +101,34 @@ fn told(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
     format!("{cases} by {methods}; {margin}")
 }
 
-/// Eq. 74 by each method, and by the exact undershoot where that is known.
-fn of_curves(tables: &ResultTables) -> Result<Option<Source<'static>>> {
-    let manifest = &tables.manifest;
-    let curves = tables.boundary()?.curves(&manifest.axes);
+/// Curves of Eq. 74 over weight.
+fn curves_of(boundary: &Boundary, axes: &[Axis]) -> Vec<Curve> {
     let is_over_weight =
         |curve: &Curve| curve.motion == Motion::Torsion && curve.along == Axis::WeightOnBitKn;
-    let mut curves: Vec<Curve> = curves.into_iter().filter(is_over_weight).collect();
-    let Some(first) = curves.first() else {
+    let curves = boundary.curves(axes).into_iter();
+    curves.filter(is_over_weight).collect()
+}
+
+/// Eq. 74 by each method and by the exact undershoot: methods may agree with one another on fronts
+/// that they smear alike.
+fn of_curves(
+    sweep: &Sweep,
+    mut curves: Vec<Curve>,
+    weights: [f64; 2],
+) -> Result<Option<Source<'static>>> {
+    if curves.is_empty() {
         return Ok(None);
+    }
+    let exact = exact_stick_slip_limit(sweep, weights)?;
+    curves.extend(curves_of(&exact, &AXES));
+    let names = curves
+        .iter()
+        .map(|curve| curve.name.trim_start_matches("Eq. 74, "));
+    let names: Vec<&str> = names.collect();
+    let told = match &names[..] {
+        [name] => format!("by {name}"),
+        names => format!("margin: between {}", names.join(", ")),
     };
-    let exact = manifest.methods.iter().find_map(|method| {
-        let is_of_method = first.name.ends_with(&format!(", {}", method.method));
-        let own = method.undershoot_rad_s_per_nm.filter(|_| is_of_method)?;
-        // The limit is proportional to the undershoot.
-        Some(first.scaled(method.exact_undershoot_rad_s_per_nm? / own))
-    });
-    let methods = manifest.method_names().join(", ");
-    let told = match (&exact, curves.len()) {
-        (Some(_), _) => format!("margin: between {methods} and the exact undershoot"),
-        (None, 1) => format!("by {methods}"),
-        (None, _) => format!("margin: between {methods}"),
-    };
-    curves.extend(exact);
     let lines = curves.iter().flat_map(|curve| curve.pieces.clone());
     Ok(Some(Source {
         name: "stick-slip can last (Eq. 74)".to_owned(),
