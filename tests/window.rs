@@ -170,6 +170,30 @@ fn a_cell_is_safe_where_cases_around_it_are_smooth_and_above_eq_74() {
     }
 }
 
+/// Of a part of a grid, what is around cases that are not there is not known.
+#[test]
+fn what_was_not_simulated_is_not_known() {
+    let place = Workplace::with_small(&grid(6));
+    let part = ["run", "small.toml", "--quiet", "--shard", "0/5"];
+    done(&place, &part);
+    let arguments = ["window", "small.toml", "results/small/shard-0-of-5"];
+    let said = done(&place, &arguments);
+    let found = cells(&place, "results/small/shard-0-of-5/window.csv");
+    let untold = found.iter().filter(|cell| cell.standing == "untold");
+    assert!(untold.count() > found.len() / 10, "{said}");
+    // A list of cases here and there says nothing of what is between.
+    place.write(
+        "cases.csv",
+        "surface_speed_rpm,weight_on_bit_kn\n0.1,30\n0.2,40\n0.3,30\n",
+    );
+    let list = small_with_design("[design]\nkind = \"list\"\nfile = \"cases.csv\"\n");
+    place.write("list.toml", list);
+    done(&place, &["run", "list.toml", "--quiet"]);
+    let message = "does not hold every combination of some weights and speeds";
+    let answer = place.sweep(&["window", "list.toml"]);
+    assert!(answer.errors.contains(message), "{answer:?}");
+}
+
 /// A uniform string held at the bit and 20 m above, that hangs free beyond.
 fn held() -> String {
     let part = "{ length_m = 0.5, inner_radius_m = 0.04, outer_radius_m = 0.15 },";

@@ -180,7 +180,7 @@ pub fn exact_stick_slip_limit(sweep: &Sweep, weights: [f64; 2]) -> Result<Bounda
                 sweep,
                 bit,
                 (Axis::WeightOnBitKn, values),
-                ("exact", undershoot),
+                ("the exact undershoot", undershoot),
             )?
         }
         _ => Vec::new(),

@@ -7,6 +7,7 @@ use crate::analysis::{Bins, Counts, count_cases, wilson};
 use crate::limits::TracedLimits;
 use crate::output::{Manifest, Motion, ResultTables, read_cases};
 use crate::quantities::Axis;
+use crate::sweep_file::DesignKind;
 use crate::trace::Class;
 
 /// The axes of a chart.
@@ -42,6 +43,18 @@ struct Found {
     uncertain: bool,
 }
 
+impl Found {
+    /// What the cases of both are.
+    fn and(self, other: Self) -> Self {
+        Self {
+            with: self.with || other.with,
+            without: self.without || other.without,
+            untold: self.untold || other.untold,
+            uncertain: self.uncertain || other.uncertain,
+        }
+    }
+}
+
 /// Random cases in ranges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
@@ -72,12 +85,16 @@ pub fn simulated(
     if manifest.is_trace() {
         bail!("holds a trace that is not finished: its limits are not known yet");
     }
-    let is_random = manifest.sweep.design.as_ref();
-    if is_random.is_some_and(|design| design.kind.is_random()) {
+    if kind_of(tables).is_some_and(DesignKind::is_random) {
         let counts = count_cases(std::slice::from_ref(tables), &[AXES.to_vec()], ranges)?;
         return Ok(Simulated::In(cells(&counts[0], motion, risk)));
     }
     points(tables, motion).map(Simulated::At)
+}
+
+fn kind_of(tables: &ResultTables) -> Option<DesignKind> {
+    let design = tables.manifest.sweep.design.as_ref();
+    design.map(|design| design.kind)
 }
 
 fn labels(tables: &ResultTables) -> std::path::PathBuf {
@@ -142,27 +159,29 @@ fn points(tables: &ResultTables, motion: Motion) -> Result<Points> {
         values.dedup();
         values
     });
-    if values.iter().any(|values| values.len() < 2)
-        || values[0].len() * values[1].len() > cases.len()
-    {
+    let places = values[0].len() * values[1].len();
+    // A grid may not be finished yet; a list is a lattice or none.
+    let is_grid = kind_of(tables) == Some(DesignKind::Grid);
+    if values.iter().any(|values| values.len() < 2) || !is_grid && places > cases.len() {
         bail!(
             "does not hold every combination of some weights and speeds: a grid, a trace or \
-               random cases tell where limits are"
+             random cases tell where limits are"
         );
     }
-    let mut found = vec![Found::default(); values[0].len() * values[1].len()];
+    let mut found: Vec<Option<Found>> = vec![None; places];
     for (at, own) in cases {
         let [column, row] =
             [0, 1].map(|axis| values[axis].partition_point(|value| *value < at[axis]));
         let all = &mut found[column * values[1].len() + row];
-        all.with |= own.with;
-        all.without |= own.without;
-        all.untold |= own.untold;
-        all.uncertain |= own.uncertain;
+        *all = Some(all.unwrap_or_default().and(own));
     }
+    let missing = Found {
+        untold: true,
+        ..Found::default()
+    };
     Ok(Points {
         values,
-        found,
+        found: found.into_iter().map(|it| it.unwrap_or(missing)).collect(),
         ragged: Vec::new(),
     })
 }
@@ -247,11 +266,7 @@ impl Points {
         let mut all = Found::default();
         for column in columns {
             for row in rows {
-                let found = self.found[column * self.values[1].len() + row];
-                all.with |= found.with;
-                all.without |= found.without;
-                all.untold |= found.untold;
-                all.uncertain |= found.uncertain;
+                all = all.and(self.found[column * self.values[1].len() + row]);
             }
         }
         match all {

@@ -116,11 +116,14 @@ fn of_curves(
     mut curves: Vec<Curve>,
     weights: [f64; 2],
 ) -> Result<Option<Source<'static>>> {
+    // Where the string rubs along its well, that has a part in it.
+    if sweep.content.string_friction.is_none() {
+        let exact = exact_stick_slip_limit(sweep, weights)?;
+        curves.extend(curves_of(&exact, &AXES));
+    }
     if curves.is_empty() {
         return Ok(None);
     }
-    let exact = exact_stick_slip_limit(sweep, weights)?;
-    curves.extend(curves_of(&exact, &AXES));
     let names = curves
         .iter()
         .map(|curve| curve.name.trim_start_matches("Eq. 74, "));
