@@ -117,7 +117,7 @@ fn keys(chart: &Chart) -> Vec<(Ground, String)> {
         .collect()
 }
 
-/// A limit as a line: around where it is certain to be passed, or as it is known.
+/// A limit as a line: around where it is passed beyond its margin, or as it is known.
 fn line(chart: &Chart, limit: &Limit) -> Option<Series> {
     let pieces = match &limit.drawn {
         Drawn::Edge => edge(chart, limit),
@@ -136,7 +136,7 @@ fn line(chart: &Chart, limit: &Limit) -> Option<Series> {
     })
 }
 
-/// Lines between what is against and what need not be.
+/// Lines around what is against, or not known.
 fn edge(chart: &Chart, limit: &Limit) -> Vec<Vec<[f64; 2]>> {
     let against = |standing: &Standing| match standing {
         Standing::Clear | Standing::Possible => Some(0.0),

@@ -132,7 +132,8 @@ pub fn rolling_bound(
 }
 
 /// The lowest surface speed (rpm) between two from which on any steady whirl, rolling or sliding,
-/// needs no more than a friction, at any site; none where it always needs more.
+/// needs no more than a friction, at any site, for each of two frictions; none where it always needs
+/// more.
 ///
 /// # Errors
 /// As [`whirl_limit`].
@@ -140,14 +141,12 @@ pub fn whirl_from(
     setting: &Setting,
     lateral: &LateralSettings,
     range_rpm: [f64; 2],
-    friction: f64,
-) -> Result<Option<f64>, DrillstringError> {
+    frictions: [f64; 2],
+) -> Result<[Option<f64>; 2], DrillstringError> {
     let points = whirl_limit(setting, lateral, range_rpm)?;
-    let any = points
-        .iter()
-        .filter(|it| it.motion == WhirlMotion::RollingOrSliding);
+    let any = (points.iter()).filter(|it| it.motion == WhirlMotion::RollingOrSliding);
     let any: Vec<[f64; 2]> = any.map(|it| [it.surface_speed_rpm, it.friction]).collect();
-    Ok(first_at_most(&any, friction))
+    Ok(frictions.map(|friction| first_at_most(&any, friction)))
 }
 
 /// Where a falling curve comes down to a value.

@@ -45,10 +45,13 @@ impl Chart {
             let best = kept.max_by(|one, other| product(one.0).total_cmp(&product(other.0)));
             best.map(|&(cell, own)| (standing, cell, own))
         });
+        // Of equals the last, which is clear.
         let widest = || {
-            let points = self.clearances(Standing::Possible).into_iter();
-            let widest = points.max_by(|one, other| one.1.total_cmp(&other.1));
-            widest.map(|(cell, own)| (Standing::Possible, cell, own))
+            let points = levels.into_iter().rev().flat_map(|standing| {
+                let points = self.clearances(standing).into_iter();
+                points.map(move |(cell, own)| (standing, cell, own))
+            });
+            points.max_by(|one, other| one.2.total_cmp(&other.2))
         };
         let is_as_asked = as_asked.is_some();
         let (standing, cell, own) = as_asked.or_else(widest)?;
@@ -226,6 +229,7 @@ mod tests {
         assert!(!best.is_as_asked);
         // At no weight 192 − 256 c is 512 c: a quarter.
         assert!((0.23..0.25).contains(&best.clearance), "{best:?}");
+        assert_eq!(best.standing, Standing::Clear);
         let nowhere = chart(vec![Box::new(|_| Standing::Untold)]);
         assert_eq!(nowhere.best(0.05), None);
         let everywhere = chart(vec![Box::new(|_| Standing::Clear)]);

@@ -13,7 +13,8 @@ use crate::quantities::{Axis, LENGTH, WallQuantity};
 use crate::window::{Drawn, Resonance, Source, above_speed, near_resonances};
 use crate::words::short;
 
-/// The limits within ranges of weight on bit (kN) and surface speed (rpm); none where the string does not bend.
+/// The limits within ranges of weight on bit (kN) and surface speed (rpm); none where the string
+/// does not bend.
 ///
 /// # Errors
 /// Where places that hold the string are not on it.
@@ -42,9 +43,7 @@ fn whirl(
     margin: f64,
 ) -> Result<Source<'static>> {
     let frictions = friction(sweep, lateral, margin);
-    let from = frictions.map(|friction| whirl_from(&sweep.setting, lateral, speeds, friction));
-    let [latest, soonest] = from;
-    let (latest, soonest) = (latest?, soonest?);
+    let [latest, soonest] = whirl_from(&sweep.setting, lateral, speeds, frictions)?;
     let [least, most] = frictions.map(short);
     let told = match soonest {
         None => format!("nowhere on the map, with friction up to {most}"),

@@ -1,5 +1,9 @@
 //! The command line.
 
+mod values;
+
+pub use values::{AxesOfCells, PictureFile};
+
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -10,12 +14,15 @@ use sim::Label;
 use crate::allotted::PassedOver;
 use crate::engine::{RunOptions, Shard};
 use crate::memory::{Limit, Size};
-use crate::output;
 use crate::quantities::Axis;
 use crate::studies::promises::Motion;
 use crate::studies::stability::Family;
 use crate::studies::tradeoff::{LADDER, Measure};
-use crate::sweep_file::{MethodName, nearest};
+use crate::sweep_file::MethodName;
+use values::{
+    parse_axes, parse_measure, parse_order, parse_part, parse_picture, parse_regime, parse_setting,
+    parse_width,
+};
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
 #[derive(Debug, Parser)]
@@ -379,13 +386,6 @@ pub struct PromisesArguments {
     pub quiet: bool,
 }
 
-fn parse_measure(name: &str) -> Result<Measure, String> {
-    Measure::from_name(name).ok_or_else(|| {
-        let known = Measure::all().map(Measure::name);
-        format!("unknown measure `{name}`; known: {}", known.join(", "))
-    })
-}
-
 /// Arguments of `report`.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
@@ -457,86 +457,4 @@ pub struct WindowArguments {
     /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
     #[arg(long)]
     pub jobs: Option<usize>,
-}
-
-fn parse_part(text: &str) -> Result<f64, String> {
-    let is_part = |part: &f64| (0.0..=0.5).contains(part);
-    let part = text.trim().parse().ok().filter(is_part);
-    part.ok_or_else(|| format!("`{text}` is not a part from 0 to 0.5"))
-}
-
-/// A file that a picture is written to, in the format of its ending.
-#[derive(Debug, Clone)]
-pub enum PictureFile {
-    /// In vectors.
-    Svg(PathBuf),
-    /// In pixels.
-    Png(PathBuf),
-}
-
-fn parse_picture(text: &str) -> Result<PictureFile, String> {
-    let path = PathBuf::from(text);
-    let ending = path.extension().and_then(|ending| ending.to_str());
-    match ending.map(str::to_ascii_lowercase).as_deref() {
-        Some("svg") => Ok(PictureFile::Svg(path)),
-        Some("png") => Ok(PictureFile::Png(path)),
-        _ => Err("a picture ends in .svg or .png".to_owned()),
-    }
-}
-
-fn parse_regime(name: &str) -> Result<Label, String> {
-    let motions = output::Motion::ALL.into_iter();
-    let known: Vec<Label> = motions.flat_map(output::Motion::labels).collect();
-    let found = known.iter().find(|label| label.name() == name);
-    found.copied().ok_or_else(|| {
-        let names: Vec<&str> = known.iter().map(|label| label.name()).collect();
-        format!("unknown regime `{name}`; known: {}", names.join(", "))
-    })
-}
-
-/// One axis or two.
-#[derive(Debug, Clone)]
-pub struct AxesOfCells(pub Vec<Axis>);
-
-fn parse_axes(text: &str) -> Result<AxesOfCells, String> {
-    // Values are not asked for: under its name in field units it is the same axis.
-    let axis = |name: &str| match Axis::from_field_name(name.trim()) {
-        Some((axis, _)) => Ok(axis),
-        None => parse_axis(name),
-    };
-    let axes = text.split(',').map(axis).collect::<Result<Vec<_>, _>>()?;
-    if axes.len() > 2 || (axes.len() == 2 && axes[0] == axes[1]) {
-        return Err(format!("`{text}` is not one axis, or two"));
-    }
-    Ok(AxesOfCells(axes))
-}
-
-fn parse_width(text: &str) -> Result<f64, String> {
-    let is_width = |width: &f64| (1e-5..1.0).contains(width);
-    let width = text.parse().ok().filter(is_width);
-    width.ok_or_else(|| format!("`{text}` is not a part between 0.00001 and 1"))
-}
-
-fn parse_order(text: &str) -> Result<f64, String> {
-    let is_order = |order: &f64| (0.01..=1000.0).contains(order);
-    let order = text.trim().parse().ok().filter(is_order);
-    order.ok_or_else(|| format!("`{text}` is not a multiple from 0.01 to 1000"))
-}
-
-fn parse_axis(name: &str) -> Result<Axis, String> {
-    let name = name.trim();
-    Axis::from_name(name).ok_or_else(|| match nearest(name, &Axis::NAMES) {
-        Some(known) => format!("unknown axis `{name}`; did you mean `{known}`?"),
-        None => format!("unknown axis `{name}`; known: {}", Axis::NAMES.join(", ")),
-    })
-}
-
-fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
-    let (name, value) = text.split_once('=').ok_or("expected AXIS=VALUE")?;
-    let axis = parse_axis(name)?;
-    let value = value.trim();
-    let number = value
-        .parse()
-        .map_err(|_| format!("`{value}` is not a number"))?;
-    Ok((axis, number))
 }
