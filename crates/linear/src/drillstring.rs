@@ -183,7 +183,7 @@ impl Drillstring {
 
     /// Every tube is narrower than the hole is where it hangs.
     fn check_width(&self, hole: &[HoleSection]) -> Result<(), DrillstringError> {
-        let same_place = SAME_PLACE * self.length();
+        let same_place = self.same_place();
         let mut top = 0.0;
         for (section, cell) in self.sections.iter().enumerate() {
             for (part, tube) in (0..cell.repeat).flat_map(|_| cell.parts.iter().enumerate()) {
@@ -239,7 +239,7 @@ impl Drillstring {
     pub(crate) fn surroundings(&self) -> Vec<Stretch> {
         let length = self.length();
         let hole = self.hole.as_ref();
-        stretches(&self.axial_force, hole, length, SAME_PLACE * length)
+        stretches(&self.axial_force, hole, length, self.same_place())
     }
 
     /// The axial force along it, from the surface down; empty where none but that of
@@ -317,28 +317,38 @@ impl Drillstring {
         (self.material.shear_modulus / self.material.density).sqrt()
     }
 
-    /// External radius at a distance from the bit, m; at a joint between two
-    /// tubes, that of the lower; beyond an end of the string, that of the end.
-    pub fn outer_radius_at(&self, distance_from_bit: f64) -> f64 {
-        let same_place = SAME_PLACE * self.length();
-        let mut left = distance_from_bit + same_place;
-        let mut radius = self.sections[0].parts[0].outer_radius;
-        for section in self.sections.iter().rev() {
-            let cell = section.cell_length();
-            if left > section.length() {
+    /// Two places that are no further apart than this, m, are one.
+    pub fn same_place(&self) -> f64 {
+        SAME_PLACE * self.length()
+    }
+
+    /// The tubes just below and just above a place at a distance from the bit (m), each by its
+    /// section and its part of the cell; the same twice but at a joint between two. Beyond an end
+    /// of the string it is that of the end.
+    pub fn parts_around(&self, distance_from_bit: f64) -> [(usize, usize); 2] {
+        let same_place = self.same_place();
+        [-same_place, same_place].map(|beside| self.part_at(distance_from_bit + beside))
+    }
+
+    /// The tube at a distance from the bit (m), which is none of its ends.
+    fn part_at(&self, distance_from_bit: f64) -> (usize, usize) {
+        let mut left = distance_from_bit.max(0.0);
+        for (index, section) in self.sections.iter().enumerate().rev() {
+            if left >= section.length() {
                 left -= section.length();
                 continue;
             }
-            left %= cell;
-            for part in section.parts.iter().rev() {
-                radius = part.outer_radius;
-                if left <= part.length + same_place {
-                    return radius;
+            left %= section.cell_length();
+            for (part, tube) in section.parts.iter().enumerate().rev() {
+                if left < tube.length {
+                    return (index, part);
                 }
-                left -= part.length;
+                left -= tube.length;
             }
+            // Missed by a rounding.
+            return (index, 0);
         }
-        radius
+        (0, 0)
     }
 
     /// Every tube with the number of times it occurs, from the surface down.
@@ -453,19 +463,25 @@ mod tests {
     use crate::validation::academic;
 
     #[test]
-    fn the_radius_at_a_place_is_that_of_the_tube_there() {
+    fn the_tubes_around_a_place_are_those_there() {
         let string = academic::string();
-        for (distance, radius) in [
-            (-1.0, 0.15),
-            (99.9, 0.15),
-            (100.2, 0.15),
-            (100.7, 0.125),
-            (109.9, 0.125),
-            (110.4, 0.15),
-            (999.0, 0.125),
-            (1001.0, 0.125),
+        let (pipe, joint, collar) = ((0, 0), (0, 1), (1, 0));
+        for (distance, around) in [
+            (-1.0, [collar; 2]),
+            (0.0, [collar; 2]),
+            (99.9, [collar; 2]),
+            (100.0, [collar, joint]),
+            (100.2, [joint; 2]),
+            (100.5, [joint, pipe]),
+            (100.7, [pipe; 2]),
+            (109.9, [pipe; 2]),
+            (110.0, [pipe, joint]),
+            (110.4, [joint; 2]),
+            (999.0, [pipe; 2]),
+            (1000.0, [pipe; 2]),
+            (1001.0, [pipe; 2]),
         ] {
-            assert_eq!(string.outer_radius_at(distance), radius, "{distance}");
+            assert_eq!(string.parts_around(distance), around, "{distance}");
         }
     }
 

@@ -1,7 +1,7 @@
 //! The sites of a string (Table 2, Fig. 5): where something acts on it or it is looked
 //! at.
 
-use crate::drillstring::{Drillstring, SAME_PLACE};
+use crate::drillstring::Drillstring;
 use crate::error::DrillstringError;
 
 /// The places where something acts on the string or is looked at, from the
@@ -28,7 +28,7 @@ impl Sites {
         sites.check(string)?;
         match sites.distances_from_bit.last_mut() {
             None => return Err(DrillstringError::NoSites),
-            Some(last) if *last <= SAME_PLACE * string.length() => *last = 0.0,
+            Some(last) if *last <= string.same_place() => *last = 0.0,
             Some(_) => {}
         }
         Ok(sites)
@@ -41,7 +41,7 @@ impl Sites {
     /// Where one is not between the bit and the surface, or two are at one place.
     pub fn check(&self, string: &Drillstring) -> Result<(), DrillstringError> {
         let length = string.length();
-        let same_place = SAME_PLACE * length;
+        let same_place = string.same_place();
         for &distance in &self.distances_from_bit {
             if !(distance >= 0.0 && distance < length - same_place) {
                 return Err(DrillstringError::SiteOffString { distance, length });
