@@ -144,7 +144,13 @@ fn change_strings(demand: &mut Demand, change: fn(&Drillstring) -> (Vec<Section>
 fn suspects(sweep: &Sweep) -> Vec<(String, Change)> {
     let mut list: Vec<(String, Change)> = vec![(time_key(sweep), usual_time)];
     if sweep.setting.sites.len() > 1 {
-        list.push(("sites".to_owned(), usual_sites));
+        let are_candidates = sweep.content.wall_with_candidates().is_some();
+        let key = if are_candidates {
+            "wall.sites"
+        } else {
+            "sites"
+        };
+        list.push((key.to_owned(), usual_sites));
     }
     let frequency = match sweep.choice {
         Some(_) => "accuracy",

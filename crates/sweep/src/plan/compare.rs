@@ -152,7 +152,7 @@ fn is_followed(
     trace: TraceName,
 ) -> Result<(), SweepFileError> {
     let (rubs, bends) = (content.string_friction.is_some(), content.wall.is_some());
-    let at_bit = (content.sites.iter()).any(|site| site.distance_from_bit_m == 0.0);
+    let at_bit = content.bit_is_site();
     let (is_there, message) = match trace {
         TraceName::BitSpeedRpm => (
             !bends || at_bit,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::design::Design;
 use crate::quantities::{Axis, WallQuantity};
-use crate::sweep_file::{FileContent, LawTable, Source, SweepFileError, WallTable};
+use crate::sweep_file::{FileContent, LawTable, Source, SweepFileError};
 
 /// One turn a minute, rad/s.
 pub const RPM: f64 = std::f64::consts::TAU / 60.0;
@@ -21,9 +21,9 @@ pub struct Conditions {
     /// Lateral impulse in multiples of I₀, by an axis.
     pub impulse_ratio: Option<f64>,
     /// The wall at every site, by axes.
-    pub wall: WallTable,
+    pub wall: BTreeMap<WallQuantity, f64>,
     /// The wall at some sites, counted from 0 in the order of the file, by axes.
-    pub wall_at: BTreeMap<usize, WallTable>,
+    pub wall_at: BTreeMap<(usize, WallQuantity), f64>,
     /// Static coefficient of friction along the string.
     pub string_friction: Option<f64>,
     /// The dynamic one in parts of that.
@@ -56,13 +56,11 @@ impl Conditions {
                 changed.weight_on_bit_kn = None;
             }
             Axis::ImpulseRatio => changed.impulse_ratio = Some(value),
-            Axis::Wall(quantity) => changed.wall.set(quantity, value),
+            Axis::Wall(quantity) => {
+                changed.wall.insert(quantity, value);
+            }
             Axis::WallAtSite { site, quantity } => {
-                changed
-                    .wall_at
-                    .entry(site)
-                    .or_default()
-                    .set(quantity, value);
+                changed.wall_at.insert((site, quantity), value);
             }
             Axis::StringFriction => changed.string_friction = Some(value),
             Axis::StringFrictionRatio => changed.string_friction_ratio = Some(value),
@@ -86,8 +84,8 @@ impl Conditions {
             Axis::WeightOnBitKn => self.weight_on_bit_kn,
             Axis::TorqueDynamicNm => self.torque_dynamic_nm,
             Axis::ImpulseRatio => self.impulse_ratio,
-            Axis::Wall(quantity) => self.wall.value(quantity),
-            Axis::WallAtSite { site, quantity } => self.wall_at.get(&site)?.value(quantity),
+            Axis::Wall(quantity) => self.wall.get(&quantity).copied(),
+            Axis::WallAtSite { site, quantity } => self.wall_at.get(&(site, quantity)).copied(),
             Axis::StringFriction => self.string_friction,
             Axis::StringFrictionRatio => self.string_friction_ratio,
             Axis::StringFrictionSpeed => self.string_friction_stribeck_rpm,
@@ -98,11 +96,11 @@ impl Conditions {
         }
     }
 
-    /// What axes say of the wall at a site: what one says of this site alone goes before what
-    /// another says of every site.
-    pub fn of_wall(&self, site: usize, quantity: WallQuantity) -> Option<f64> {
-        let own = self.value(Axis::WallAtSite { site, quantity });
-        own.or_else(|| self.wall.value(quantity))
+    /// What axes say of the wall at a site of the file, or at another: what one says of this site
+    /// alone goes before what another says of every site.
+    pub fn of_wall(&self, site: Option<usize>, quantity: WallQuantity) -> Option<f64> {
+        let own = site.and_then(|site| self.value(Axis::WallAtSite { site, quantity }));
+        own.or_else(|| self.value(Axis::Wall(quantity)))
     }
 
     /// Surface speed, rad/s.

@@ -1,8 +1,9 @@
 //! `[mud]` and `[well]`: what the string is in.
 
 use linear::well::Survey;
-use linear::{Drillstring, DrillstringError, Hole, HoleSection, Mud};
+use linear::{Drillstring, Hole, HoleSection, Mud};
 
+use super::contacts::StringInHole;
 use super::data::Data;
 use crate::quantities::LONGEST_STRING;
 use crate::sweep_file::{FileContent, HoleTable, Source, SweepFileError};
@@ -10,7 +11,8 @@ use crate::sweep_file::{FileContent, HoleTable, Source, SweepFileError};
 /// No mud is heavier, kg/m³.
 const HEAVIEST_MUD: f64 = 3000.0;
 
-/// The string in its hole, whose mud moves with it where it bends; and the mud that buoys it.
+/// The string in its hole, whose mud moves with it where it bends; the mud that buoys it; and the
+/// hole from the surface down, empty where nothing is known of it.
 ///
 /// # Errors
 /// Where a key is refused, or something needed is missing.
@@ -18,7 +20,7 @@ pub fn resolve(
     source: &Source,
     content: &FileContent,
     string: Drillstring,
-) -> Result<(Drillstring, Option<Mud>), SweepFileError> {
+) -> Result<(Drillstring, Option<Mud>, Vec<HoleSection>), SweepFileError> {
     let mud = content.mud.map(|mud| {
         let key = "mud.density_kg_m3";
         let density = source.within(key, mud.density_kg_m3, 1.0, HEAVIEST_MUD, "kg/m³")?;
@@ -35,46 +37,78 @@ pub fn resolve(
     let survey = content.well.iter().flat_map(|well| &well.survey).next();
     let message = "says how the string lies in its well: needs [string_friction] or [axial_force]";
     source.refuse_if(survey.is_some() && !rubs && !hangs, "well.survey", message)?;
-    let Some(sections) = sections(source, content, string.length())? else {
+    let decides_clearance = content.clearance_is_of_hole();
+    let sections = sections(source, content, string.length())?;
+    if sections.is_empty() {
         let message = "what moves with a string that bends depends on the hole: \
                        needs `hole_radius_m` or [[well.holes]]";
         source.refuse_if(mud.is_some() && bends, "mud", message)?;
-        return Ok((string, mud));
-    };
+        let message = "the clearance is that in a hole: needs [well] with `hole_radius_m` or \
+                       [[well.holes]]";
+        source.refuse_if(decides_clearance, "wall.clearance", message)?;
+        return Ok((string, mud, sections));
+    }
     let key = if content.well.iter().any(|well| well.holes.is_empty()) {
         "well.hole_radius_m"
     } else {
         "well.holes"
     };
-    let Some(mud) = mud.filter(|_| bends) else {
-        let message = "counts where mud moves with a string that bends: needs [mud] and a [wall]";
-        return Err(source.error(key, message));
+    let message = "counts where mud moves with a string that bends, and for its clearance: needs \
+                   [mud] and a [wall], or `clearance = \"hole\"` in [wall]";
+    let moves_mud = mud.is_some() && bends;
+    source.refuse_if(!moves_mud && !decides_clearance, key, message)?;
+    fits(source, content, &string, &sections)?;
+    let Some(mud) = mud else {
+        return Ok((string, None, sections));
     };
-    let string = string.in_hole(Hole { sections, mud }).map_err(|error| {
-        let key = match error {
-            DrillstringError::WiderThanHole { section, part, .. } => {
-                format!("string.sections[{section}].parts[{part}].outer_radius_m")
-            }
-            _ => key.to_owned(),
-        };
-        source.error(&key, error.to_string())
-    })?;
-    Ok((string, Some(mud)))
+    let hole = Hole {
+        sections: sections.clone(),
+        mud,
+    };
+    let string = source.checked(key, string.in_hole(hole))?;
+    Ok((string, Some(mud), sections))
 }
 
-/// How wide the hole is from the surface down, where the file says it.
+/// Refuses a string that is as wide as its hole, or wider.
+fn fits(
+    source: &Source,
+    content: &FileContent,
+    string: &Drillstring,
+    hole: &[HoleSection],
+) -> Result<(), SweepFileError> {
+    let sections = &content.string.sections;
+    let in_hole = StringInHole {
+        string,
+        sections,
+        hole,
+    };
+    let Some(wide) = in_hole.too_wide() else {
+        return Ok(());
+    };
+    let (section, part) = (wide.section, wide.part);
+    let is_given = sections[section].parts[part].contact_radius_m.is_some();
+    let name = if is_given { "contact" } else { "outer" };
+    let key = format!("string.sections[{section}].parts[{part}].{name}_radius_m");
+    let message = format!(
+        "the string does not fit: {} m, and at a depth of {} m the hole has a radius of {} m",
+        wide.radius, wide.depth, wide.hole_radius
+    );
+    Err(source.error(&key, message))
+}
+
+/// How wide the hole is from the surface down; empty where the file does not say it.
 fn sections(
     source: &Source,
     content: &FileContent,
     length: f64,
-) -> Result<Option<Vec<HoleSection>>, SweepFileError> {
+) -> Result<Vec<HoleSection>, SweepFileError> {
     let Some(well) = &content.well else {
-        return Ok(None);
+        return Ok(Vec::new());
     };
     let radius = |key: &str, radius| source.within(key, radius, 1e-3, 2.0, "m");
     if let Some(given) = well.hole_radius_m {
         let radius = radius("well.hole_radius_m", given)?;
-        return Ok(Some(vec![HoleSection { length, radius }]));
+        return Ok(vec![HoleSection { length, radius }]);
     }
     let mut depth = 0.0;
     let section = |(index, hole): (usize, &HoleTable)| {
@@ -94,10 +128,7 @@ fn sections(
             radius: radius(&key("hole_radius_m"), hole.hole_radius_m)?,
         })
     };
-    let sections: Vec<_> = (well.holes.iter().enumerate())
-        .map(section)
-        .collect::<Result<_, SweepFileError>>()?;
-    Ok((!sections.is_empty()).then_some(sections))
+    well.holes.iter().enumerate().map(section).collect()
 }
 
 /// The survey of the well, if there is one, which is as deep as the string.

@@ -1,8 +1,6 @@
 //! Lateral impulses.
 
-use linear::Sites;
-
-use super::sites::site_of;
+use super::sites::Places;
 use crate::quantities::in_digits;
 use crate::sweep_file::{ImpulseTable, Source, SweepFileError};
 
@@ -62,12 +60,12 @@ pub fn resolve(
     source: &Source,
     index: usize,
     table: &ImpulseTable,
-    sites: &Sites,
+    places: &Places,
     ratio_by_axis: bool,
 ) -> Result<ImpulseSettings, SweepFileError> {
     let key = |name: &str| format!("impulses[{index}].{name}");
     let place = table.distance_from_bit_m;
-    let site = site_of(source, &key("distance_from_bit_m"), place, sites)?;
+    let site = places.site_of(source, &key("distance_from_bit_m"), place)?;
     let start = source.within(&key("start_s"), table.start_s, 0.0, 1e6, "s")?;
     let duration = table.duration_s;
     let message = format!("{duration} s: the impulse ends before it starts");

@@ -1,12 +1,13 @@
 //! The lateral part of a sweep file: bending, the borehole wall at the sites,
 //! disturbances.
 
-use linear::{Bending, Drillstring, Sites, SurfaceSupport};
+use linear::{Bending, SurfaceSupport};
 use sim::EccentricMass;
 
 use super::conditions::Conditions;
+use super::contacts::StringInHole;
 use super::impulses::{self, ImpulseSettings};
-use super::sites::site_of;
+use super::sites::Places;
 use super::wall::{self, WallSettings};
 use crate::design::Design;
 use crate::quantities::{Axis, StringAxis, WallQuantity};
@@ -36,8 +37,8 @@ pub struct LateralSettings {
 pub fn resolve(
     source: &Source,
     content: &FileContent,
-    string: &Drillstring,
-    sites: &Sites,
+    in_hole: &StringInHole,
+    places: &Places,
     conditions: &Conditions,
     design: &Design,
 ) -> Result<Option<LateralSettings>, SweepFileError> {
@@ -54,24 +55,19 @@ pub fn resolve(
     };
     sites_are_there(source, content, design)?;
     let has = |axis| conditions.has(axis, design);
-    // As the sites are: from the surface down.
-    let mut order: Vec<usize> = (0..content.sites.len()).collect();
-    let distance = |index: &usize| content.sites[*index].distance_from_bit_m;
-    order.sort_by(|one, other| distance(other).total_cmp(&distance(one)));
-    let walls = (sites.distances_from_bit().iter().zip(order))
-        .map(|(&distance, index)| {
-            let radius = string.outer_radius_at(distance);
-            let friction = Axis::WallAtSite {
-                site: index,
-                quantity: WallQuantity::Friction,
-            };
-            let has_friction = has(Axis::FRICTION) || has(friction);
-            wall::resolve(source, content, index, radius, has_friction)
+    let distances = places.sites.distances_from_bit();
+    let walls = (distances.iter().zip(&places.given))
+        .map(|(&distance, &site)| {
+            let contact = in_hole.contact(distance);
+            let quantity = WallQuantity::Friction;
+            let has_own = site.is_some_and(|site| has(Axis::WallAtSite { site, quantity }));
+            let has_friction = has(Axis::FRICTION) || has_own;
+            wall::resolve(source, content, site, (in_hole, contact), has_friction)
         })
         .collect::<Result<_, _>>()?;
     let impulses = (content.impulses.iter().enumerate())
         .map(|(index, table)| {
-            impulses::resolve(source, index, table, sites, has(Axis::ImpulseRatio))
+            impulses::resolve(source, index, table, places, has(Axis::ImpulseRatio))
         })
         .collect::<Result<Vec<_>, _>>()?;
     let has_ratio = impulses.iter().any(ImpulseSettings::is_relative);
@@ -79,7 +75,7 @@ pub fn resolve(
     let message = "the axis impulse_ratio needs an entry [[impulses]] without `amount_ns`";
     source.refuse_if(is_idle, "design.axes.impulse_ratio", message)?;
     let eccentric_masses = (content.eccentric_masses.iter().enumerate())
-        .map(|(index, table)| eccentric_mass(source, index, table, sites))
+        .map(|(index, table)| eccentric_mass(source, index, table, places))
         .collect::<Result<_, _>>()?;
     Ok(Some(LateralSettings {
         bending,
@@ -133,7 +129,7 @@ fn refuse_keys(
     for (index, site) in content.sites.iter().enumerate() {
         for quantity in WallQuantity::ALL {
             let key = format!("sites[{index}].{}", quantity.key());
-            source.refuse_if(site.wall().value(quantity).is_some(), &key, message)?;
+            source.refuse_if(site.value(quantity).is_some(), &key, message)?;
         }
     }
     Ok(())
@@ -170,11 +166,11 @@ fn eccentric_mass(
     source: &Source,
     index: usize,
     table: &EccentricMassTable,
-    sites: &Sites,
+    places: &Places,
 ) -> Result<EccentricMass, SweepFileError> {
     let key = |name: &str| format!("eccentric_masses[{index}].{name}");
     let distance = table.distance_from_bit_m;
-    let site = site_of(source, &key("distance_from_bit_m"), distance, sites)?;
+    let site = places.site_of(source, &key("distance_from_bit_m"), distance)?;
     Ok(EccentricMass {
         site,
         mass: source.within(&key("mass_kg"), table.mass_kg, 0.0, 1e6, "kg")?,

@@ -7,6 +7,7 @@ mod certify;
 mod choice;
 mod compare;
 mod conditions;
+mod contacts;
 mod data;
 #[cfg(test)]
 mod guide;

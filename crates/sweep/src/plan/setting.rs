@@ -10,6 +10,7 @@ use sim::SurfaceProfile;
 
 use super::axial_force::Hanging;
 use super::conditions::Conditions;
+use super::contacts::StringInHole;
 use super::data::Data;
 use super::impulses::ImpulseSettings;
 use super::lateral::{self, LateralSettings};
@@ -89,7 +90,7 @@ impl Setting {
         design: &Design,
     ) -> Result<Self, SweepFileError> {
         let string = string::resolve(source, content)?;
-        let (string, mud) = hole::resolve(source, content, string)?;
+        let (string, mud, hole) = hole::resolve(source, content, string)?;
         let (string, rotor_inertia) = top_drive::resolve(source, content, string)?;
         let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
             AutoOr::Auto => (sampling_frequency(&string), true),
@@ -107,8 +108,14 @@ impl Setting {
             }
             _ => SurfaceProfile::Rise(rise),
         };
-        let sites = sites::resolve(source, content, &string)?;
-        let lateral = lateral::resolve(source, content, &string, &sites, conditions, design)?;
+        let in_hole = StringInHole {
+            string: &string,
+            sections: &content.string.sections,
+            hole: &hole,
+        };
+        let places = sites::resolve(source, content, &in_hole)?;
+        let lateral = lateral::resolve(source, content, &in_hole, &places, conditions, design)?;
+        let sites = places.sites;
         let (string, hanging) = axial_force::resolve(
             source,
             content,

@@ -2,67 +2,173 @@
 
 use linear::{Drillstring, Sites};
 
-use crate::sweep_file::{FileContent, Source, SweepFileError};
+use super::contacts::{Candidates, StringInHole};
+use crate::quantities::LONGEST_STRING;
+use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 
-/// The sites of the file, and the bit where there is no wall.
+/// More candidates than this are more than anybody waits for.
+const MOST_CANDIDATES: usize = 2000;
+
+/// So many sites are listed in a message, of more the nearest.
+const MOST_LISTED: usize = 12;
+
+/// The sites of a string.
+#[derive(Debug, Clone)]
+pub struct Places {
+    /// From the surface down.
+    pub sites: Sites,
+    /// Which site of the file each is, if one.
+    pub given: Vec<Option<usize>>,
+    /// Places no further apart than this, m, are one.
+    same_place: f64,
+}
+
+/// The sites of the file, the bit where there is no wall, and candidates where the file asks for
+/// them.
 ///
 /// # Errors
-/// Where one is not on the string, or there are none to touch the wall.
+/// Where one is not on the string, there are none to touch the wall, or too many.
 pub fn resolve(
     source: &Source,
     content: &FileContent,
-    string: &Drillstring,
-) -> Result<Sites, SweepFileError> {
-    // Without a wall, the bit is always looked at.
-    let mut distances = vec![0.0];
-    if content.wall.is_some() {
-        distances.clear();
-        let bit_is_site = (content.sites.iter()).any(|site| site.distance_from_bit_m == 0.0);
-        if content.sites.is_empty() || (content.bit.is_some() && !bit_is_site) {
-            let message = "a wall needs [[sites]] where it may be touched, \
-                           the bit among them if it cuts";
-            let is_empty = content.sites.is_empty();
-            return Err(source.error(if is_empty { "wall" } else { "sites" }, message));
+    in_hole: &StringInHole,
+) -> Result<Places, SweepFileError> {
+    let string = in_hole.string;
+    let mut places = given(source, content, string)?;
+    let same_place = string.same_place();
+    for candidate in candidates(source, content, in_hole)? {
+        let is_given = |(given, _): &(f64, _)| (given - candidate).abs() <= same_place;
+        // Candidates are further apart than that.
+        if !places.iter().any(is_given) {
+            places.push((candidate, None));
         }
     }
-    // How many distances there are with each site.
-    let mut counts = Vec::with_capacity(content.sites.len());
-    for site in &content.sites {
-        if content.wall.is_some() || site.distance_from_bit_m != 0.0 {
-            distances.push(site.distance_from_bit_m);
-        }
-        counts.push(distances.len());
+    let bit_is_site = places.iter().any(|(distance, _)| *distance == 0.0);
+    if places.is_empty() || (content.bit.is_some() && !bit_is_site) {
+        let message = "a wall needs [[sites]] where it may be touched, \
+                       the bit among them if it cuts";
+        let key = if content.sites.is_empty() {
+            "wall"
+        } else {
+            "sites"
+        };
+        return Err(source.error(key, message));
     }
-    Sites::new(string, &distances).map_err(|error| {
-        // The first site with which there is an error is to blame.
-        let error_with = |count: usize| Sites::new(string, &distances[..count]).err();
-        let index = counts.partition_point(|&count| error_with(count).is_none());
-        let blamed = counts.get(index).and_then(|&count| error_with(count));
-        let key = format!("sites[{index}].distance_from_bit_m");
-        source.error(&key, blamed.unwrap_or(error).to_string())
+    places.sort_by(|(one, _), (other, _)| other.total_cmp(one));
+    let (distances, given): (Vec<f64>, Vec<_>) = places.into_iter().unzip();
+    Ok(Places {
+        sites: source.checked("sites", Sites::new(string, &distances))?,
+        given,
+        same_place,
     })
 }
 
-/// The number of the site that a disturbance is at.
-///
-/// # Errors
-/// Where there is none.
-pub fn site_of(
+/// Distances of the file's sites from the bit, with their numbers; and that of the bit, where
+/// there is no wall.
+fn given(
     source: &Source,
-    key: &str,
-    distance: f64,
-    sites: &Sites,
-) -> Result<usize, SweepFileError> {
-    // They are in order, and may be many.
-    let distances = sites.distances_from_bit();
-    let index = distances.partition_point(|site| *site > distance);
-    let found = distances.get(index).filter(|site| **site == distance);
-    found.map(|_| index).ok_or_else(|| {
-        let known: Vec<String> = distances.iter().map(f64::to_string).collect();
-        let message = format!(
-            "no site is {distance} m from the bit; there are sites at {} m",
-            known.join(", ")
-        );
-        source.error(key, message)
-    })
+    content: &FileContent,
+    string: &Drillstring,
+) -> Result<Vec<(f64, Option<usize>)>, SweepFileError> {
+    let mut places = Vec::with_capacity(content.sites.len());
+    // Without a wall, the bit is always looked at.
+    let has_bit = content.wall.is_none();
+    if has_bit {
+        places.push((0.0, None));
+    }
+    for (index, site) in content.sites.iter().enumerate() {
+        if !has_bit || site.distance_from_bit_m != 0.0 {
+            places.push((site.distance_from_bit_m, Some(index)));
+        }
+    }
+    // The first site with which there is an error is to blame.
+    let distances: Vec<f64> = places.iter().map(|(distance, _)| *distance).collect();
+    let error_with = |count: usize| Sites::new(string, &distances[..count]).err();
+    if !places.is_empty() && error_with(places.len()).is_some() {
+        let counts: Vec<usize> = (1..=places.len()).collect();
+        let fine = counts.partition_point(|&count| error_with(count).is_none());
+        if let (Some((_, Some(index))), Some(error)) = (places.get(fine), error_with(fine + 1)) {
+            let key = format!("sites[{index}].distance_from_bit_m");
+            return Err(source.error(&key, error.to_string()));
+        }
+    }
+    Ok(places)
+}
+
+/// Distances of candidates from the bit, m, if the file asks for any.
+fn candidates(
+    source: &Source,
+    content: &FileContent,
+    in_hole: &StringInHole,
+) -> Result<Vec<f64>, SweepFileError> {
+    let wall = content.wall.unwrap_or_default();
+    for (key, value) in [
+        ("wall.sites_every_m", wall.sites_every_m),
+        ("wall.sites_to_m", wall.sites_to_m),
+    ] {
+        if let Some(value) = value {
+            source.within(key, value, 1e-3, LONGEST_STRING, "m")?;
+            let message = "says where candidate sites are: needs `sites = \"all\"`";
+            source.refuse_if(wall.sites != SitesName::All, key, message)?;
+        }
+    }
+    if wall.sites != SitesName::All {
+        return Ok(Vec::new());
+    }
+    let which = Candidates {
+        every: wall.sites_every_m,
+        to: wall.sites_to_m.unwrap_or(f64::INFINITY),
+    };
+    let found = in_hole.candidates(which).take(MOST_CANDIDATES + 1);
+    let found: Vec<f64> = found.map(|it| it.distance_from_bit).collect();
+    let within =
+        (wall.sites_to_m).map_or_else(String::new, |to| format!(" up to {to} m from the bit"));
+    let message = format!(
+        "no part of the string{within} is wider than one beside it: `sites_every_m` makes sites at \
+         even distances, and a part's `contact_radius_m` makes it wide"
+    );
+    source.refuse_if(found.is_empty(), "wall.sites", message)?;
+    let message = format!(
+        "there are more than {MOST_CANDIDATES} candidates{within}: `sites_to_m` ends them, and a \
+         larger `sites_every_m` makes fewer"
+    );
+    source.refuse_if(found.len() > MOST_CANDIDATES, "wall.sites", message)?;
+    Ok(found)
+}
+
+impl Places {
+    /// The number of the site that a disturbance is at.
+    ///
+    /// # Errors
+    /// Where there is none.
+    pub fn site_of(
+        &self,
+        source: &Source,
+        key: &str,
+        distance: f64,
+    ) -> Result<usize, SweepFileError> {
+        // They are in order, and may be many.
+        let distances = self.sites.distances_from_bit();
+        let index = distances.partition_point(|site| *site > distance + self.same_place);
+        let found = distances.get(index);
+        if found.is_some_and(|site| (site - distance).abs() <= self.same_place) {
+            return Ok(index);
+        }
+        let listed = |sites: &[f64]| {
+            let sites: Vec<String> = sites.iter().map(f64::to_string).collect();
+            sites.join(", ")
+        };
+        let known = if distances.len() <= MOST_LISTED {
+            format!("there are sites at {} m", listed(distances))
+        } else {
+            let nearest = &distances[index.saturating_sub(1)..distances.len().min(index + 1)];
+            format!(
+                "of {} sites the nearest are at {} m",
+                distances.len(),
+                listed(nearest)
+            )
+        };
+        let message = format!("no site is {distance} m from the bit; {known}");
+        Err(source.error(key, message))
+    }
 }

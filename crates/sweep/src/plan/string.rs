@@ -4,7 +4,10 @@ use linear::{Drillstring, DrillstringError, Material, Section, Tube};
 
 use crate::design::Design;
 use crate::quantities::{Axis, LONGEST_STRING, StringAxis, TubeMeasure};
-use crate::sweep_file::{FileContent, SectionTable, Source, SweepFileError};
+use crate::sweep_file::{FileContent, SectionTable, Source, SweepFileError, TubeTable};
+
+/// No string is wider than this radius, m.
+const WIDEST: f64 = 2.0;
 
 /// The drillstring that the file describes.
 ///
@@ -71,6 +74,11 @@ fn section(
             let key = format!("{key}.parts[{part}].{}", measure.key());
             source.check_axis(&key, axis, *tube.clone().measure(measure))?;
         }
+        contact_radius(
+            source,
+            &format!("{key}.parts[{part}].contact_radius_m"),
+            tube,
+        )?;
     }
     let tubes = table.parts.iter().map(|part| Tube {
         length: part.length_m,
@@ -81,6 +89,17 @@ fn section(
         repeat: table.repeat,
         parts: tubes.collect(),
     })
+}
+
+/// What a part touches the wall with is no narrower than itself.
+fn contact_radius(source: &Source, key: &str, tube: &TubeTable) -> Result<(), SweepFileError> {
+    let Some(radius) = tube.contact_radius_m else {
+        return Ok(());
+    };
+    source.within(key, radius, 1e-3, WIDEST, "m")?;
+    let outer = tube.outer_radius_m;
+    let message = format!("{radius} m is less than the external radius, {outer} m");
+    source.refuse_if(radius < outer, key, message)
 }
 
 /// An axis of the string must have something to change.

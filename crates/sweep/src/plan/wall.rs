@@ -3,14 +3,15 @@
 use sim::Wall;
 
 use super::conditions::Conditions;
+use super::contacts::{Contact, StringInHole};
 use crate::quantities::{Axis, WallQuantity};
-use crate::sweep_file::{FileContent, Source, SweepFileError, WallTable};
+use crate::sweep_file::{FileContent, Source, SweepFileError};
 
 /// The wall at a site, but for what a case says of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WallSettings {
-    /// Which site of the file it is at.
-    pub site: usize,
+    /// Which site of the file it is at; none at a candidate.
+    pub site: Option<usize>,
     /// Clearance c between string and wall, m.
     pub clearance: f64,
     /// Hertzian stiffness k_c, N/m^(3/2); infinite for a rigid wall.
@@ -21,7 +22,7 @@ pub struct WallSettings {
     pub dynamic_ratio: f64,
     /// Stribeck speed of sliding, m/s.
     pub stribeck_speed: f64,
-    /// Radius R₀ of the string, which friction turns, m.
+    /// Radius R₀ with which the string touches it, which friction turns, m.
     pub radius: f64,
 }
 
@@ -61,42 +62,44 @@ impl WallSettings {
     }
 }
 
-/// The wall at a site of the file, where the string has an outer radius (m).
+/// The wall at a place, which is a site of the file or a candidate.
 ///
 /// # Errors
 /// Where a number is refused, or missing.
 pub fn resolve(
     source: &Source,
     content: &FileContent,
-    index: usize,
-    radius: f64,
+    site: Option<usize>,
+    (in_hole, contact): (&StringInHole, Contact),
     friction_by_axis: bool,
 ) -> Result<WallSettings, SweepFileError> {
     let common = content.wall.unwrap_or_default();
-    let site = &content.sites[index];
-    let own = site.wall();
+    let own = |quantity| site.and_then(|site| content.sites[site].value(quantity));
     // Both: where a site has its own, what holds for all is still read back.
-    check(source, "wall", &common)?;
-    check(source, &format!("sites[{index}]"), &own)?;
-    let Some(clearance) = own.clearance_mm.or(common.clearance_mm) else {
-        let distance = site.distance_from_bit_m;
-        // Where an axis gives it too: I₀ is told of the string as the file says it.
-        let message = format!("the site {distance} m from the bit has no clearance");
-        return Err(source.error("wall", message));
-    };
+    check(source, "wall", |quantity| common.value(quantity))?;
+    if let Some(site) = site {
+        check(source, &format!("sites[{site}]"), own)?;
+    }
     let mut wall = WallSettings {
-        site: index,
-        clearance: 1e-3 * clearance,
+        site,
+        clearance: 0.0,
         stiffness: f64::INFINITY,
         friction: None,
         dynamic_ratio: 1.0,
         stribeck_speed: 0.0,
-        radius,
+        radius: contact.radius,
     };
     for quantity in WallQuantity::ALL {
-        if let Some(value) = own.value(quantity).or(common.value(quantity)) {
+        if let Some(value) = own(quantity).or(common.value(quantity)) {
             wall.set(quantity, value);
         }
+    }
+    if own(WallQuantity::Clearance)
+        .or(common.clearance_mm)
+        .is_none()
+    {
+        let clearance = left_by_hole(source, content, site, in_hole, &contact)?;
+        wall.set(WallQuantity::Clearance, clearance);
     }
     let is_missing = wall.friction.is_none() && !friction_by_axis;
     let message = "is needed: give a number, or make it an axis of the design";
@@ -104,9 +107,50 @@ pub fn resolve(
     Ok(wall)
 }
 
-fn check(source: &Source, at: &str, table: &WallTable) -> Result<(), SweepFileError> {
+/// The clearance (mm) at a place for which the file gives none.
+fn left_by_hole(
+    source: &Source,
+    content: &FileContent,
+    site: Option<usize>,
+    in_hole: &StringInHole,
+    contact: &Contact,
+) -> Result<f64, SweepFileError> {
+    let distance = contact.distance_from_bit;
+    if !content.clearance_is_of_hole() {
+        // Where an axis gives it too: I₀ is told of the string as the file says it.
+        let message = format!("the site {distance} m from the bit has no clearance");
+        return Err(source.error("wall", message));
+    }
+    let depth = in_hole.string.length() - distance;
+    let of_site = site.map(|site| format!("sites[{site}].distance_from_bit_m"));
+    let Some(clearance) = contact.clearance_mm else {
+        let message = format!(
+            "the site {distance} m from the bit is at a depth of {depth} m, and the hole ends at \
+             {} m",
+            in_hole.depth_of_hole()
+        );
+        return Err(source.error(of_site.as_deref().unwrap_or("well.holes"), message));
+    };
+    let key = of_site.as_deref().unwrap_or("wall.clearance");
+    let axis = Axis::Wall(WallQuantity::Clearance);
+    axis.check(clearance).map_err(|reason| {
+        let message = format!(
+            "{distance} m from the bit, at a depth of {depth} m, the string touches with a radius \
+             of {} m, and the clearance that the hole leaves it is out of range: {reason}",
+            contact.radius
+        );
+        source.error(key, message)
+    })?;
+    Ok(clearance)
+}
+
+fn check(
+    source: &Source,
+    at: &str,
+    value: impl Fn(WallQuantity) -> Option<f64>,
+) -> Result<(), SweepFileError> {
     for quantity in WallQuantity::ALL {
-        if let Some(value) = table.value(quantity) {
+        if let Some(value) = value(quantity) {
             let key = format!("{at}.{}", quantity.key());
             source.check_axis(&key, Axis::Wall(quantity), value)?;
         }

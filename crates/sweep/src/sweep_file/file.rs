@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use super::bit::BitTable;
 use super::compare::CompareTable;
 use super::design::{DesignTable, PointsName};
-use super::lateral::{EccentricMassTable, ImpulseTable, SiteTable, WallTable};
+use super::lateral::{
+    ClearanceName, EccentricMassTable, ImpulseTable, SiteTable, SitesName, WallTable,
+};
 use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
 use super::number_or::{Accuracy, AutoOr, is_false, is_zero};
@@ -103,6 +105,26 @@ pub struct FileContent {
 }
 
 impl FileContent {
+    /// Whether the hole decides the clearance where nothing else does.
+    pub fn clearance_is_of_hole(&self) -> bool {
+        let clearance = self.wall.and_then(|wall| wall.clearance);
+        clearance == Some(ClearanceName::Hole)
+    }
+
+    /// The wall, where candidates are sites too.
+    pub fn wall_with_candidates(&self) -> Option<&WallTable> {
+        let wall = self.wall.as_ref();
+        wall.filter(|wall| wall.sites == SitesName::All)
+    }
+
+    /// Whether the bit is one of the sites.
+    pub fn bit_is_site(&self) -> bool {
+        let is_given = (self.sites.iter()).any(|site| site.distance_from_bit_m == 0.0);
+        // Candidates at every so many metres begin there.
+        let candidates = self.wall_with_candidates();
+        is_given || candidates.is_some_and(|wall| wall.sites_every_m.is_some())
+    }
+
     /// Whether its cases are at points of Sobol's sequence.
     pub fn has_sobol_points(&self) -> bool {
         let points = self.design.as_ref().and_then(|design| design.points);

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::number_or::is_default;
 use crate::quantities::WallQuantity;
 
 /// Bending constants of the string, `[string.bending]`.
@@ -33,12 +34,15 @@ pub enum SupportName {
     Clamped,
 }
 
-/// The borehole wall, at every site that does not say otherwise.
+/// The borehole wall, at every site that does not say otherwise, and where there are sites.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct WallTable {
     /// Clearance between string and wall, mm.
     pub clearance_mm: Option<f64>,
+    /// What decides the clearance instead.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub clearance: Option<ClearanceName>,
     /// Hertzian stiffness k_c in GN/m^(3/2); left out, the wall is rigid.
     pub stiffness_gn_m15: Option<f64>,
     /// Coefficient of friction μ₀, static where it falls, unless an axis gives it.
@@ -48,6 +52,34 @@ pub struct WallTable {
     /// Stribeck speed of sliding, over which friction falls, m/s; left out, it falls with the
     /// first slip.
     pub friction_stribeck_m_s: Option<f64>,
+    /// Where the wall may be touched. Default `given`.
+    #[serde(skip_serializing_if = "is_default")]
+    pub sites: SitesName,
+    /// Distance between candidate sites, m; left out, they are where the string is wide.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sites_every_m: Option<f64>,
+    /// How far up from the bit there are candidate sites, m; left out, to the surface.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sites_to_m: Option<f64>,
+}
+
+/// What decides the clearance, where the file does not give it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ClearanceName {
+    /// How wide the hole is, and the string in it.
+    Hole,
+}
+
+/// Where the wall may be touched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SitesName {
+    /// At the sites of the file.
+    #[default]
+    Given,
+    /// At every candidate besides.
+    All,
 }
 
 impl WallTable {
@@ -60,18 +92,6 @@ impl WallTable {
             WallQuantity::DynamicRatio => self.friction_dynamic_ratio,
             WallQuantity::StribeckSpeed => self.friction_stribeck_m_s,
         }
-    }
-
-    /// Makes it say a value of a quantity.
-    pub fn set(&mut self, quantity: WallQuantity, value: f64) {
-        let place = match quantity {
-            WallQuantity::Clearance => &mut self.clearance_mm,
-            WallQuantity::Stiffness => &mut self.stiffness_gn_m15,
-            WallQuantity::Friction => &mut self.friction,
-            WallQuantity::DynamicRatio => &mut self.friction_dynamic_ratio,
-            WallQuantity::StribeckSpeed => &mut self.friction_stribeck_m_s,
-        };
-        *place = Some(value);
     }
 }
 
@@ -135,14 +155,14 @@ pub struct SiteTable {
 }
 
 impl SiteTable {
-    /// What it says of the wall.
-    pub fn wall(&self) -> WallTable {
-        WallTable {
-            clearance_mm: self.clearance_mm,
-            stiffness_gn_m15: self.stiffness_gn_m15,
-            friction: self.friction,
-            friction_dynamic_ratio: self.friction_dynamic_ratio,
-            friction_stribeck_m_s: self.friction_stribeck_m_s,
+    /// What it says of the wall here.
+    pub fn value(&self, quantity: WallQuantity) -> Option<f64> {
+        match quantity {
+            WallQuantity::Clearance => self.clearance_mm,
+            WallQuantity::Stiffness => self.stiffness_gn_m15,
+            WallQuantity::Friction => self.friction,
+            WallQuantity::DynamicRatio => self.friction_dynamic_ratio,
+            WallQuantity::StribeckSpeed => self.friction_stribeck_m_s,
         }
     }
 }

@@ -31,12 +31,12 @@ pub use design::{
 };
 pub use error::SweepFileError;
 pub use file::FileContent;
-pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SupportName, WallTable};
+pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SitesName, SupportName};
 pub use map::MarkTable;
 pub use methods::MethodName;
 pub use number_or::{Accuracy, AutoOr, per_cent};
 pub use source::{Source, TextOf};
-pub use string::SectionTable;
+pub use string::{SectionTable, TubeTable};
 pub use time_series::{read_series, read_survey};
 pub use top_drive::{ControllerName, TopDriveTable};
 pub use well::{HoleTable, PressedByName};

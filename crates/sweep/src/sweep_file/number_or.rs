@@ -98,3 +98,8 @@ pub fn is_zero(value: &f64) -> bool {
 pub fn is_false(value: &bool) -> bool {
     !*value
 }
+
+/// Whether a choice that has a default is that.
+pub fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}

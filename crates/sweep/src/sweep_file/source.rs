@@ -5,10 +5,12 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
-use toml::de::{DeTable, DeValue};
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
 
 use super::error::SweepFileError;
 use super::placed::{LineNumbers, Placed, Twice};
+use super::units::key_in_si;
 use super::wording::{in_words, keys_of};
 use crate::quantities::{Axis, within};
 use crate::text_file::LARGEST_SWEEP_FILE;
@@ -19,13 +21,14 @@ const MOST_FILES: usize = 64;
 
 /// Keys that say the same in another way: a file gives one of each pair, and it
 /// replaces the other of its base.
-const RIVALS: [Rivals; 10] = [
+const RIVALS: [Rivals; 11] = [
     Rivals("", "accuracy", "methods"),
     Rivals("", "accuracy", "method"),
     Rivals("", "accuracy", "certify"),
     Rivals("", "accuracy", "sampling_frequency_hz"),
     Rivals("string", "file", "sections"),
     Rivals("well", "hole_radius_m", "holes"),
+    Rivals("wall", "clearance", "clearance_mm"),
     Rivals("string_friction", "tolerance", "pieces"),
     Rivals("", "surface_speed_file", "surface_speed_rpm"),
     Rivals("", "surface_speed_file", "surface_speed_rise_s"),
@@ -34,6 +37,18 @@ const RIVALS: [Rivals; 10] = [
 
 /// The table that both are in, or none, and their names.
 struct Rivals(&'static str, &'static str, &'static str);
+
+/// The key of a table that says what one in SI units does, in whatever unit it is.
+fn key_as_written<'a, 'text>(
+    table: &'a DeTable<'text>,
+    name: &str,
+) -> Option<&'a Spanned<DeString<'text>>> {
+    let says_the_same = |key: &&Spanned<DeString>| {
+        let key = key.get_ref().as_ref();
+        key == name || key_in_si(key).is_some_and(|(in_si, _)| in_si == name)
+    };
+    table.keys().find(says_the_same)
+}
 
 /// Gives the text of a file that has at most so many bytes: from the disk or, in
 /// tests, from memory.
@@ -235,15 +250,16 @@ impl Source {
             let Some(around) = around else {
                 continue;
             };
-            match (around.get_key_value(one), around.contains_key(other)) {
-                (Some((key, _)), true) => {
+            match [one, other].map(|name| key_as_written(around, name)) {
+                [Some(key), Some(other)] => {
                     let line = lines.of(key.span().start);
+                    let other = other.get_ref();
                     let message = format!("is given instead of `{other}`, not beside it");
-                    return Err(unusable(Some(line), Some(one), message));
+                    return Err(unusable(Some(line), Some(key.get_ref()), message));
                 }
-                (Some(_), false) => self.merged.remove_in(table, other),
-                (None, true) => self.merged.remove_in(table, one),
-                (None, false) => {}
+                [Some(_), None] => self.merged.remove_in(table, other),
+                [None, Some(_)] => self.merged.remove_in(table, one),
+                [None, None] => {}
             }
         }
         self.merged

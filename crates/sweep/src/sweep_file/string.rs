@@ -59,9 +59,18 @@ pub struct TubeTable {
     pub inner_radius_m: f64,
     /// External radius, m.
     pub outer_radius_m: f64,
+    /// Radius with which it touches the wall, m, where that is not the external one: of the
+    /// blades of a stabiliser, or of a wear band.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact_radius_m: Option<f64>,
 }
 
 impl TubeTable {
+    /// Radius with which it touches the wall, m.
+    pub fn contact_radius(&self) -> f64 {
+        self.contact_radius_m.unwrap_or(self.outer_radius_m)
+    }
+
     /// One of its measures.
     pub fn measure(&mut self, measure: TubeMeasure) -> &mut f64 {
         match measure {

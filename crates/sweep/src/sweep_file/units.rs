@@ -5,14 +5,17 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 24] = [
+const KEYS: [&str; 27] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
+    "contact_radius_m",
     "hole_radius_m",
     "from_m",
     "to_m",
     "distance_from_bit_m",
+    "sites_every_m",
+    "sites_to_m",
     "offset_m",
     "bit_radius_m",
     "wear_flat_mm",

@@ -2,6 +2,7 @@
 //! picture (Fig. 6).
 
 mod axial_force;
+mod clearances;
 mod description;
 mod modes;
 mod responses;
@@ -23,6 +24,7 @@ use crate::cli::InspectArguments;
 use crate::engine::{add_finer, compare_fronts};
 use crate::memory::{Demand, Purpose, admit};
 use axial_force::describe_axial_force;
+use clearances::describe_clearances;
 use description::{
     describe_left_out, describe_methods, describe_string, describe_well, describe_work,
 };
@@ -67,6 +69,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     say(&[
         describe_string(&sweep),
         describe_well(&sweep),
+        describe_clearances(&sweep),
         describe_axial_force(&sweep)?,
         (drive.as_ref()).map_or_else(String::new, |drive| drive.words(sweep.content.units)),
         modes,

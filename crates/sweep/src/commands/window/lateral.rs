@@ -81,11 +81,9 @@ fn whirl(
 /// axis, or a number that may be off by a part.
 fn friction(sweep: &Sweep, lateral: &LateralSettings, margin: f64) -> [f64; 2] {
     let of_site = |wall: &WallSettings| {
-        let own = Axis::WallAtSite {
-            site: wall.site,
-            quantity: WallQuantity::Friction,
-        };
-        let ends = sweep.design.ends(own);
+        let quantity = WallQuantity::Friction;
+        let own = (wall.site).map(|site| Axis::WallAtSite { site, quantity });
+        let ends = own.and_then(|own| sweep.design.ends(own));
         let ends = ends.or_else(|| sweep.design.ends(Axis::FRICTION));
         ends.unwrap_or_else(|| {
             let friction = wall.friction.unwrap_or_default();
@@ -107,12 +105,17 @@ fn resonances(
     arguments: &WindowArguments,
 ) -> Result<Vec<Source<'static>>> {
     let string = &sweep.setting.string;
-    let held = match &arguments.held_at {
-        Some(places) => {
-            Sites::new(string, places).map_err(|error| UsageError(format!("--held-at: {error}")))?
-        }
-        None => sweep.setting.sites.clone(),
+    // What only may touch the wall, such as a tool joint, does not hold the string.
+    let of_file = || {
+        let sites = sweep.setting.sites.distances_from_bit().iter();
+        let of_file = sites
+            .zip(&lateral.walls)
+            .filter(|(_, wall)| wall.site.is_some());
+        of_file.map(|(distance, _)| *distance).collect()
     };
+    let places: Vec<f64> = arguments.held_at.clone().unwrap_or_else(of_file);
+    let held =
+        Sites::new(string, &places).map_err(|error| UsageError(format!("--held-at: {error}")))?;
     let margin = arguments.margin;
     let most = arguments.orders.iter().copied().fold(0.0, f64::max);
     // Also those whose margin reaches into the map.

@@ -15,6 +15,8 @@ pub enum Quantity {
     OuterDiameter,
     /// Inner diameter.
     InnerDiameter,
+    /// Outer diameter of what touches the wall: the blades of a stabiliser, a wear band.
+    BladeOuterDiameter,
     /// Length of all joints together.
     Length,
     /// Mass of all joints together, or their weight in air.
@@ -40,7 +42,7 @@ const PLAIN: [(Quantity, &[&str]); 3] = [
 type Unit = (&'static str, f64);
 
 /// Names of quantities, each to be followed by a unit, and their units.
-const WITH_UNIT: [(Quantity, &[&str], &[Unit]); 8] = [
+const WITH_UNIT: [(Quantity, &[&str], &[Unit]); 9] = [
     (
         Quantity::OuterDiameter,
         &["od", "outer_diameter"],
@@ -49,6 +51,11 @@ const WITH_UNIT: [(Quantity, &[&str], &[Unit]); 8] = [
     (
         Quantity::InnerDiameter,
         &["id", "inner_diameter"],
+        &DIAMETERS,
+    ),
+    (
+        Quantity::BladeOuterDiameter,
+        &["blade_od", "blade_outer_diameter"],
         &DIAMETERS,
     ),
     (Quantity::Length, &["length"], &LENGTHS),
@@ -223,6 +230,8 @@ mod tests {
             ("lb/ft", Quantity::LinearMass, 1.488163944),
             ("Mass kg/m", Quantity::LinearMass, 1.0),
             ("tool_joint_od_in", Quantity::ToolJointOuterDiameter, 0.0254),
+            ("Blade OD (in)", Quantity::BladeOuterDiameter, 0.0254),
+            ("blade_od_mm", Quantity::BladeOuterDiameter, 1e-3),
             ("Joints", Quantity::Joints, 1.0),
         ] {
             let (found, found_factor) = meaning(name).expect(name);

@@ -151,13 +151,14 @@ pub fn section(row: &Row, density: f64) -> Result<(Value, Told), String> {
     for part in &parts {
         check(part).map_err(|reason| format!("{}: {reason}", row.line))?;
     }
+    let touches = touching(row, &parts).map_err(|reason| format!("{}: {reason}", row.line))?;
     let told = Told {
         line: row.line,
         name: row.name.clone(),
         excess,
         made,
     };
-    Ok((table(row, joints, &parts), told))
+    Ok((table(row, joints, &parts, touches), told))
 }
 
 /// The parts of a cell by the sheet's dimensions.
@@ -245,14 +246,39 @@ fn check(part: &Part) -> Result<(), String> {
     Ok(())
 }
 
-/// As it would stand under `[[string.sections]]`.
-fn table(row: &Row, joints: usize, parts: &[Part]) -> Value {
-    let parts = parts.iter().map(|part| {
-        Value::Table(Table::from_iter([
-            ("length_m".to_owned(), Value::Float(part.length)),
-            ("inner_radius_m".to_owned(), Value::Float(0.5 * part.inner)),
-            ("outer_radius_m".to_owned(), Value::Float(0.5 * part.outer)),
-        ]))
+/// Which part of a cell has the row's blades, and their outer diameter (m): its widest.
+fn touching(row: &Row, parts: &[Part]) -> Result<Option<(usize, f64)>, String> {
+    let Some(blade) = row.blade_outer_diameter else {
+        return Ok(None);
+    };
+    let widths = parts.iter().map(|part| part.outer).enumerate();
+    let widest = widths.max_by(|(_, one), (_, other)| one.total_cmp(other));
+    let narrower = widest.filter(|(_, width)| blade < *width);
+    if let Some((_, width)) = narrower {
+        let [blade, width] = [blade, width].map(|diameter| diameter / INCH);
+        return Err(format!(
+            "blades of {blade:.3} in are narrower than what they are on, {width:.3} in"
+        ));
+    }
+    Ok(widest.map(|(part, _)| (part, blade)))
+}
+
+/// As it would stand under `[[string.sections]]`, where a part touches the wall with blades of an
+/// outer diameter (m), if one does.
+fn table(row: &Row, joints: usize, parts: &[Part], touches: Option<(usize, f64)>) -> Value {
+    let parts = parts.iter().enumerate().map(|(index, part)| {
+        let blade = touches.filter(|(touching, _)| *touching == index);
+        let radii = [
+            ("inner_radius_m", Some(part.inner)),
+            ("outer_radius_m", Some(part.outer)),
+            ("contact_radius_m", blade.map(|(_, blade)| blade)),
+        ];
+        let radii = radii.into_iter().filter_map(|(key, diameter)| {
+            let radius = Value::Float(0.5 * diameter?);
+            Some((key.to_owned(), radius))
+        });
+        let length = ("length_m".to_owned(), Value::Float(part.length));
+        Value::Table(std::iter::once(length).chain(radii).collect())
     });
     let mut section = Table::from_iter([
         ("repeat".to_owned(), Value::Integer(joints as i64)),
@@ -276,6 +302,7 @@ mod tests {
             joints: Some(10),
             outer_diameter: 0.127,
             inner_diameter: 0.1086,
+            blade_outer_diameter: None,
             length: 96.0,
             mass: None,
             tool_joint: ToolJoint::default(),
@@ -338,6 +365,28 @@ mod tests {
         let joint = &found["parts"][1];
         assert_eq!(joint["length_m"].as_float(), Some(0.45));
         assert_eq!(joint["inner_radius_m"].as_float(), Some(0.0475));
+    }
+
+    #[test]
+    fn blades_touch_where_a_joint_is_widest_and_weigh_nothing() {
+        let row = Row {
+            mass: Some(3000.0),
+            blade_outer_diameter: Some(0.2),
+            ..pipe()
+        };
+        let (found, _) = section(&row, 7850.0).unwrap();
+        let parts = found["parts"].as_array().unwrap();
+        assert_eq!(parts.len(), 2);
+        assert!(parts[0].get("contact_radius_m").is_none());
+        assert_eq!(parts[1]["contact_radius_m"].as_float(), Some(0.1));
+        assert!((mass_of(&found) / 3000.0 - 1.0).abs() < 1e-12);
+        let narrow = Row {
+            blade_outer_diameter: Some(0.12),
+            ..pipe()
+        };
+        let reason = section(&narrow, 7850.0).unwrap_err();
+        let words = "2: blades of 4.724 in are narrower than what they are on, 5.000 in";
+        assert_eq!(reason, words);
     }
 
     #[test]

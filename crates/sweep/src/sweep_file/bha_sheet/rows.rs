@@ -17,6 +17,8 @@ pub struct Row {
     pub outer_diameter: f64,
     /// Inner diameter, m.
     pub inner_diameter: f64,
+    /// Outer diameter of what touches the wall, m, where it says that.
+    pub blade_outer_diameter: Option<f64>,
     /// Length of all together, m.
     pub length: f64,
     /// Mass of all together, kg, where it says that.
@@ -70,6 +72,7 @@ impl RowReader<'_> {
             joints: self.joints()?,
             outer_diameter: self.needed(Quantity::OuterDiameter)?,
             inner_diameter: self.needed(Quantity::InnerDiameter)?,
+            blade_outer_diameter: self.given(Quantity::BladeOuterDiameter)?,
             length,
             mass: mass.or(linear_mass.map(|linear| linear * length)),
             tool_joint: ToolJoint {
