@@ -199,3 +199,228 @@ fn depths(hole: &[HoleSection]) -> impl Iterator<Item = (f64, f64, f64)> {
 fn to_decimals(value: f64, parts: f64) -> f64 {
     (value * parts).round() / parts
 }
+
+#[cfg(test)]
+mod tests {
+    use linear::{Material, Section, Tube};
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::sweep_file::TubeTable;
+
+    /// A section by its cells and, from the top down, length, outer radius and perhaps radius of
+    /// contact of its parts, m.
+    fn section(repeat: usize, parts: &[(f64, f64, Option<f64>)]) -> SectionTable {
+        let part =
+            |&(length_m, outer_radius_m, contact_radius_m): &(f64, f64, Option<f64>)| TubeTable {
+                length_m,
+                inner_radius_m: 0.03,
+                outer_radius_m,
+                contact_radius_m,
+            };
+        SectionTable {
+            name: None,
+            repeat,
+            parts: parts.iter().map(part).collect(),
+        }
+    }
+
+    fn string(sections: &[SectionTable]) -> Drillstring {
+        let tube = |part: &TubeTable| Tube {
+            length: part.length_m,
+            inner_radius: part.inner_radius_m,
+            outer_radius: part.outer_radius_m,
+        };
+        let section = |section: &SectionTable| Section {
+            repeat: section.repeat,
+            parts: section.parts.iter().map(tube).collect(),
+        };
+        let steel = Material {
+            shear_modulus: 80e9,
+            density: 7850.0,
+        };
+        Drillstring::new(steel, sections.iter().map(section).collect(), 1.0).unwrap()
+    }
+
+    fn hole(sections: &[(f64, f64)]) -> Vec<HoleSection> {
+        let section = |&(length, radius): &(f64, f64)| HoleSection { length, radius };
+        sections.iter().map(section).collect()
+    }
+
+    /// Places of candidates on a string that hangs free.
+    fn candidates(sections: &[SectionTable], every: Option<f64>, to: f64) -> Vec<f64> {
+        let string = string(sections);
+        let in_hole = StringInHole {
+            string: &string,
+            sections,
+            hole: &[],
+        };
+        let found = in_hole.candidates(Candidates { every, to });
+        found.map(|it| it.distance_from_bit).collect()
+    }
+
+    /// Pipe with joints, collars, a stabiliser and a bit: 47.5 m.
+    fn assembly() -> Vec<SectionTable> {
+        vec![
+            section(3, &[(9.5, 0.06, None), (0.5, 0.08, None)]),
+            section(2, &[(8.0, 0.1, None)]),
+            section(1, &[(1.0, 0.1, Some(0.15))]),
+            section(1, &[(0.5, 0.1, None)]),
+        ]
+    }
+
+    #[test]
+    fn candidates_are_where_a_string_is_wider_than_beside() {
+        let none: [f64; 0] = [];
+        let everywhere = f64::INFINITY;
+        // Of two collars the upper, which is below pipe; of the joints each.
+        let all = [1.0, 13.5, 17.75, 27.75, 37.75];
+        assert_eq!(candidates(&assembly(), None, everywhere), all);
+        assert_eq!(candidates(&assembly(), None, 17.75), all[..3]);
+        assert_eq!(candidates(&assembly(), None, 17.7), all[..2]);
+        let uniform = [
+            section(5, &[(9.0, 0.1, None)]),
+            section(1, &[(3.0, 0.1, None)]),
+        ];
+        assert_eq!(candidates(&uniform, None, everywhere), none);
+        // One radius, given in inches and in metres.
+        let same = [section(
+            1,
+            &[(9.0, 0.1016, None), (9.0, 4.0 * 0.0254 + 1e-12, None)],
+        )];
+        assert_eq!(candidates(&same, None, everywhere), none);
+        // A wear band touches where it is no wider than beside.
+        let band = [section(2, &[(9.0, 0.1, None), (1.0, 0.09, Some(0.1))])];
+        assert_eq!(candidates(&band, None, everywhere), [0.5, 10.5]);
+        let taper = [section(
+            1,
+            &[(9.0, 0.1, None), (3.0, 0.09, None), (1.0, 0.08, None)],
+        )];
+        assert_eq!(candidates(&taper, None, everywhere), [2.5, 8.5]);
+    }
+
+    #[test]
+    fn candidates_at_even_distances_begin_at_the_bit_and_end_below_the_surface() {
+        let even = candidates(&assembly(), Some(9.5), f64::INFINITY);
+        assert_eq!(even, [0.0, 9.5, 19.0, 28.5, 38.0]);
+        assert_eq!(
+            candidates(&assembly(), Some(0.1), 0.3),
+            [0.0, 0.1, 0.2, 0.3]
+        );
+        assert_eq!(candidates(&assembly(), Some(100.0), f64::INFINITY), [0.0]);
+    }
+
+    /// Casing, open hole with a washout.
+    #[test]
+    fn clearances_are_those_by_hand() {
+        let sections = assembly();
+        let string = string(&sections);
+        let in_hole = StringInHole {
+            string: &string,
+            sections: &sections,
+            hole: &hole(&[(30.0, 0.2), (10.0, 0.16), (4.0, 0.25), (2.5, 0.16)]),
+        };
+        for (distance, radius, clearance_mm) in [
+            // Beyond the end of the hole, at 46.5 m.
+            (0.9, 0.15, None),
+            (1.0, 0.15, Some(10.0)),
+            (1.5, 0.15, Some(10.0)),
+            (5.0, 0.1, Some(150.0)),
+            // The washout begins there.
+            (7.5, 0.1, Some(60.0)),
+            (13.5, 0.1, Some(60.0)),
+            // The casing ends there, and the collar.
+            (17.5, 0.1, Some(60.0)),
+            (17.75, 0.08, Some(120.0)),
+            (18.0, 0.08, Some(120.0)),
+            (18.1, 0.06, Some(140.0)),
+            (47.5, 0.06, Some(140.0)),
+        ] {
+            let expected = Contact {
+                distance_from_bit: distance,
+                radius,
+                clearance_mm,
+            };
+            assert_eq!(in_hole.contact(distance), expected);
+        }
+        assert_eq!(in_hole.too_wide(), None);
+    }
+
+    #[test]
+    fn the_lowest_part_that_is_too_wide_is_told_with_where_it_jams() {
+        let sections = assembly();
+        let string = string(&sections);
+        let too_wide = |sections_of_hole: &[(f64, f64)]| {
+            let hole = hole(sections_of_hole);
+            let in_hole = StringInHole {
+                string: &string,
+                sections: &sections,
+                hole: &hole,
+            };
+            let found = in_hole.too_wide();
+            found.map(|it| (it.section, it.radius, it.depth, it.hole_radius))
+        };
+        // By its blades, not its body; as wide as the hole is too wide.
+        let narrow = [(46.6, 0.2), (9.0, 0.15)];
+        assert_eq!(too_wide(&narrow), Some((2, 0.15, 46.6, 0.15)));
+        assert_eq!(too_wide(&[(47.0, 0.2), (9.0, 0.11)]), None);
+        // A joint beside a stretch that is narrow over less than its length.
+        let stretch = [(9.6, 0.2), (0.1, 0.07), (40.0, 0.2)];
+        assert_eq!(too_wide(&stretch), Some((0, 0.08, 9.6, 0.07)));
+        assert_eq!(too_wide(&[]), None);
+    }
+
+    prop_compose! {
+        /// Strings of 1 to 4 sections of 1 to 20 cells.
+        fn strings()(sections in proptest::collection::vec(
+            (1usize..20, proptest::collection::vec((0.1f64..12.0, 0.05f64..0.2, proptest::option::of(0.2f64..0.3)), 1..4)),
+            1..5,
+        )) -> Vec<SectionTable> {
+            sections.iter().map(|(repeat, parts)| section(*repeat, parts)).collect()
+        }
+    }
+
+    proptest! {
+        /// What is found by dividing lengths is what is found by walking from part to part.
+        #[test]
+        fn a_radius_is_that_of_the_part_that_one_comes_to(
+            sections in strings(),
+            place in 0.0f64..1.0,
+        ) {
+            let string = string(&sections);
+            let in_hole = StringInHole { string: &string, sections: &sections, hole: &[] };
+            let ends = in_hole.parts().map(|part| part.ends[1]).collect::<Vec<_>>();
+            let same_place = string.same_place();
+            let at_joint = ends[(place * ends.len() as f64) as usize];
+            for distance in [place * string.length(), at_joint] {
+                let there = in_hole.parts().filter(|part| {
+                    part.ends[0] <= distance + same_place && distance - same_place <= part.ends[1]
+                });
+                let widest = there.map(|part| part.radius).reduce(f64::max);
+                prop_assert_eq!(Some(in_hole.contact(distance).radius), widest);
+            }
+        }
+
+        /// Of every part it is told by hand whether it is wide.
+        #[test]
+        fn every_wide_part_is_a_candidate_and_no_other(sections in strings()) {
+            let string = string(&sections);
+            let in_hole = StringInHole { string: &string, sections: &sections, hole: &[] };
+            let parts: Vec<Hanging> = in_hole.parts().collect();
+            let middles = parts.iter().enumerate().filter(|(index, part)| {
+                let below = index.checked_sub(1).map(|below| parts[below].radius);
+                let above = parts.get(index + 1).map(|above| above.radius);
+                let least = below.into_iter().chain(above).fold(f64::INFINITY, f64::min);
+                part.is_given || part.radius > least + SAME_RADIUS
+            });
+            let middles: Vec<f64> = middles
+                .map(|(_, part)| 0.5 * (part.ends[0] + part.ends[1]))
+                .collect();
+            let found = candidates(&sections, None, f64::INFINITY);
+            prop_assert_eq!(found.len(), middles.len());
+            for (found, middle) in found.iter().zip(middles) {
+                prop_assert!((found - middle).abs() <= 0.51e-9);
+            }
+        }
+    }
+}

@@ -13,6 +13,8 @@ mod data;
 mod guide;
 mod hole;
 mod impulses;
+#[cfg(test)]
+mod in_hole;
 mod lateral;
 mod map;
 mod methods;

@@ -105,15 +105,12 @@ fn resonances(
     arguments: &WindowArguments,
 ) -> Result<Vec<Source<'static>>> {
     let string = &sweep.setting.string;
-    // What only may touch the wall, such as a tool joint, does not hold the string.
-    let of_file = || {
-        let sites = sweep.setting.sites.distances_from_bit().iter();
-        let of_file = sites
-            .zip(&lateral.walls)
-            .filter(|(_, wall)| wall.site.is_some());
-        of_file.map(|(distance, _)| *distance).collect()
-    };
-    let places: Vec<f64> = arguments.held_at.clone().unwrap_or_else(of_file);
+    let places = arguments.held_at.clone();
+    let places = places.unwrap_or_else(|| of_file(&sweep.setting.sites, lateral));
+    if places.is_empty() {
+        let message = "--held-at: what holds the string sideways? The file has no [[sites]]";
+        return Err(UsageError(message.to_owned()).into());
+    }
     let held =
         Sites::new(string, &places).map_err(|error| UsageError(format!("--held-at: {error}")))?;
     let margin = arguments.margin;
@@ -156,4 +153,12 @@ fn resonances(
         }
     };
     Ok(arguments.orders.iter().map(of_order).collect())
+}
+
+/// Distances of the file's own sites from the bit, m: what only may touch the wall, such as a tool
+/// joint, does not hold the string.
+fn of_file(sites: &Sites, lateral: &LateralSettings) -> Vec<f64> {
+    let sites = sites.distances_from_bit().iter().zip(&lateral.walls);
+    let of_file = sites.filter(|(_, wall)| wall.site.is_some());
+    of_file.map(|(distance, _)| *distance).collect()
 }

@@ -1,0 +1,273 @@
+//! Strings in their holes as sweep files describe them: where they touch, with how much clearance,
+//! and what is refused with its line.
+
+use std::path::Path;
+
+use super::{Setting, Sweep};
+use crate::sweep_file::SweepFileError;
+
+/// Pipe with joints, collars, a stabiliser and a bit, 47.5 m, in casing, open hole and a washout.
+const IN_HOLE: &str = r#"surface_speed_rpm = 60
+time_s = 10
+[string]
+shear_modulus_gpa = 80
+density_kg_m3 = 7850
+torsional_damping_nms_rad_m = 10
+bending = { youngs_modulus_gpa = 210, damping_ns_m2 = 2000 }
+[[string.sections]]
+repeat = 3
+parts = [{ length_m = 9.5, inner_radius_m = 0.05, outer_radius_m = 0.06 }, { length_m = 0.5, inner_radius_m = 0.05, outer_radius_m = 0.08 }]
+[[string.sections]]
+repeat = 2
+parts = [{ length_m = 8, inner_radius_m = 0.04, outer_radius_m = 0.1 }]
+[[string.sections]]
+repeat = 1
+parts = [{ length_m = 1, inner_radius_m = 0.04, outer_radius_m = 0.1, contact_radius_m = 0.15 }]
+[[string.sections]]
+repeat = 1
+parts = [{ length_m = 0.5, inner_radius_m = 0.04, outer_radius_m = 0.1 }]
+[well]
+holes = [
+    { from_m = 0, to_m = 30, hole_radius_m = 0.2 },
+    { from_m = 30, to_m = 40, hole_radius_m = 0.16 },
+    { from_m = 40, to_m = 44, hole_radius_m = 0.25 },
+    { from_m = 44, to_m = 60, hole_radius_m = 0.16 },
+]
+[wall]
+clearance = "hole"
+friction = 0.3
+sites = "all"
+"#;
+
+fn read(text: &str) -> Result<Sweep, SweepFileError> {
+    Sweep::read_from(Path::new("sweep.toml"), &[], &|_, _| Ok(text.to_owned()))
+}
+
+/// [`IN_HOLE`] with one piece of it replaced, and more after it.
+#[track_caller]
+fn with(piece: &str, instead: &str, more: &str) -> String {
+    assert_eq!(IN_HOLE.matches(piece).count(), 1, "{piece}");
+    IN_HOLE.replace(piece, instead) + more
+}
+
+/// Of each site from the bit up: its distance, which one of the file it is, clearance in mm, R₀.
+fn sites(setting: &Setting) -> Vec<(f64, Option<usize>, f64, f64)> {
+    let walls = &setting.lateral.as_ref().unwrap().walls;
+    let sites = setting.sites.distances_from_bit().iter().zip(walls).rev();
+    sites
+        .map(|(distance, wall)| {
+            let clearance_mm = (1e9 * wall.clearance).round() / 1e6;
+            (*distance, wall.site, clearance_mm, wall.radius)
+        })
+        .collect()
+}
+
+#[test]
+fn candidates_and_sites_of_the_file_have_the_clearance_that_the_hole_leaves() {
+    let more = "[[sites]]\ndistance_from_bit_m = 5\n\
+                [[sites]]\ndistance_from_bit_m = 13.50000001\nfriction = 0.1\n\
+                [[sites]]\ndistance_from_bit_m = 0\nclearance_mm = 2\n\
+                [[impulses]]\ndistance_from_bit_ft = 58.23490813648294\nratio = 3\n";
+    let sweep = read(&(IN_HOLE.to_owned() + more)).unwrap();
+    assert_eq!(
+        sites(&sweep.setting),
+        [
+            (0.0, Some(2), 2.0, 0.1),
+            (1.0, None, 10.0, 0.15),
+            (5.0, Some(0), 150.0, 0.1),
+            (13.50000001, Some(1), 60.0, 0.1),
+            (17.75, None, 120.0, 0.08),
+            (27.75, None, 120.0, 0.08),
+            (37.75, None, 120.0, 0.08),
+        ]
+    );
+    let lateral = sweep.setting.lateral.as_ref().unwrap();
+    // Counted from the surface down, at the lowest joint.
+    assert_eq!(lateral.impulses[0].site, 2);
+    assert_eq!(lateral.walls[3].friction, Some(0.1));
+    assert_eq!(lateral.walls[2].friction, Some(0.3));
+    // Sites are those of the file in what is written of it.
+    assert_eq!(sweep.content.sites.len(), 3);
+}
+
+/// A hole of one width goes as deep as the string; a string of other measures touches elsewhere.
+#[test]
+fn axes_of_the_string_move_candidates_and_clearances() {
+    let holes = &IN_HOLE[IN_HOLE.find("holes =").unwrap()..IN_HOLE.find("[wall]").unwrap()];
+    let more = "[design]\nkind = \"grid\"\n[design.axes]\n\
+                section_0_part_1_outer_radius_m = { values = [0.08, 0.09] }\n\
+                section_1_part_0_length_m = { values = [8, 9] }\n\
+                clearance_mm = { values = [7] }\n";
+    let sweep = read(&with(holes, "hole_radius_m = 0.2\n", more)).unwrap();
+    let of_case = |values: [f64; 2]| {
+        let places = [0, 1].map(|place| (sweep.design.axes()[place], values[place]));
+        sites(&sweep.setting_with(places.into_iter()).unwrap())
+    };
+    assert_eq!(of_case([0.08, 8.0])[2], (17.75, None, 120.0, 0.08));
+    assert_eq!(of_case([0.09, 8.0])[2], (17.75, None, 110.0, 0.09));
+    assert_eq!(of_case([0.08, 9.0])[1], (15.0, None, 100.0, 0.1));
+    // An axis of the clearance goes before what the hole leaves.
+    let lateral = sweep.setting.lateral.as_ref().unwrap();
+    let conditions = sweep.conditions_at(&[0.08, 8.0, 7.0]);
+    let clearances = lateral
+        .walls
+        .iter()
+        .map(|wall| wall.in_case(&conditions).clearance);
+    assert!(clearances.into_iter().all(|clearance| clearance == 7e-3));
+}
+
+/// Blades of a clearance given by hand turn on the wall with their own radius.
+#[test]
+fn the_radius_of_contact_counts_where_the_clearance_is_given() {
+    let well = &IN_HOLE[IN_HOLE.find("[well]").unwrap()..IN_HOLE.find("[wall]").unwrap()];
+    let text = with(well, "", "").replace("clearance = \"hole\"", "clearance_mm = 4");
+    let found = sites(&read(&text).unwrap().setting);
+    assert_eq!(found[0], (1.0, None, 4.0, 0.15));
+    assert_eq!(found.len(), 5);
+    let even = text.replace("sites = \"all\"", "sites = \"all\"\nsites_every_ft = 100\n");
+    assert_eq!(
+        sites(&read(&even).unwrap().setting),
+        [(0.0, None, 4.0, 0.1), (30.48, None, 4.0, 0.06)]
+    );
+}
+
+/// The shipped one: three stabilisers, a sixteenth of an inch from the wall.
+#[test]
+fn the_shipped_string_touches_with_its_blades() {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../sweeps/well_12in_contacts.toml"
+    );
+    let found = sites(&Sweep::read(Path::new(file)).unwrap().setting);
+    let close = found.iter().filter(|site| site.2 == 1.5875);
+    let close: Vec<f64> = close.map(|site| site.0).collect();
+    assert_eq!(close, [4.735, 15.625, 29.43]);
+    assert_eq!(found.len(), 24);
+}
+
+/// A mistake: the file, a piece of the line that is to blame, its key, and what is told.
+#[track_caller]
+fn is_refused(text: &str, at: &str, key: &str, told: &str) {
+    let line = 1 + text.lines().position(|line| line.contains(at)).expect(at);
+    let message = read(text).unwrap_err().to_string();
+    let place = format!("sweep.toml:{line}: `{key}`: ");
+    assert!(message.starts_with(&place), "{place}\n{message}");
+    assert!(message.contains(told), "{told}\n{message}");
+}
+
+#[test]
+fn a_clearance_that_the_hole_cannot_leave_is_refused_with_its_line() {
+    let well = &IN_HOLE[IN_HOLE.find("[well]").unwrap()..IN_HOLE.find("[wall]").unwrap()];
+    is_refused(
+        &with(well, "", ""),
+        "clearance =",
+        "wall.clearance",
+        "needs [well]",
+    );
+    let both = with(
+        "clearance = \"hole\"",
+        "clearance = \"hole\"\nclearance_in = 1",
+        "",
+    );
+    let told = "is given instead of `clearance_in`, not beside it";
+    is_refused(&both, "clearance = \"hole\"", "clearance", told);
+    let by_hand = with("clearance = \"hole\"", "clearance_mm = 4", "");
+    is_refused(&by_hand, "holes = [", "well.holes", "needs [mud]");
+    let narrow = with(
+        "to_m = 60, hole_radius_m = 0.16",
+        "to_m = 60, hole_radius_m = 0.15",
+        "",
+    );
+    let key = "string.sections[2].parts[0].contact_radius_m";
+    let told = "does not fit: 0.15 m, and at a depth of 46 m the hole has a radius of 0.15 m";
+    is_refused(&narrow, "contact_radius_m", key, told);
+    let narrow = with(
+        "to_m = 30, hole_radius_m = 0.2",
+        "to_m = 30, hole_radius_m = 0.07",
+        "",
+    );
+    let key = "string.sections[0].parts[1].outer_radius_m";
+    let told = "does not fit: 0.08 m, and at a depth of 29.5 m the hole has a radius of 0.07 m";
+    is_refused(&narrow, "length_m = 9.5", key, told);
+}
+
+#[test]
+fn sites_that_the_hole_does_not_reach_are_refused_with_their_line() {
+    let short = IN_HOLE.replace(
+        "    { from_m = 44, to_m = 60, hole_radius_m = 0.16 },\n",
+        "",
+    );
+    let told = "the site 1 m from the bit is at a depth of 46.5 m, and the hole ends at 44 m";
+    is_refused(&short, "holes = [", "well.holes", told);
+    let own = "[[sites]]\ndistance_from_bit_m = 2 # here\n";
+    let short = short.replace("sites = \"all\"\n", "") + own;
+    let told = "at a depth of 45.5 m, and the hole ends at 44 m";
+    is_refused(&short, "# here", "sites[0].distance_from_bit_m", told);
+    // It does not need the hole that has a clearance of its own.
+    let sweep = read(&(short + "clearance_mm = 3\n")).unwrap();
+    assert_eq!(sites(&sweep.setting), [(2.0, Some(0), 3.0, 0.1)]);
+    // Below the collar, which just fits above, the hole is narrow.
+    let touching = with(
+        "from_m = 40, to_m = 44, hole_radius_m = 0.25",
+        "from_m = 40, to_m = 44, hole_radius_m = 0.1000005",
+        "",
+    )
+    .replace("sites = \"all\"\n", "")
+        + "[[sites]]\ndistance_from_bit_m = 7.5 # here\n";
+    let told = "at a depth of 40 m, the string touches with a radius of 0.1 m, and the clearance \
+                that the hole leaves it is out of range: 0.0005 mm is not between";
+    is_refused(&touching, "# here", "sites[0].distance_from_bit_m", told);
+}
+
+#[test]
+fn candidates_that_are_none_or_too_many_are_refused_with_their_line() {
+    let key = "wall.sites";
+    let none = IN_HOLE.replace("sites = \"all\"", "sites = \"all\"\nsites_to_m = 0.6");
+    let told = "no part of the string up to 0.6 m from the bit is wider than one beside it: \
+                `sites_every_m` makes";
+    is_refused(&none, "sites = \"all\"", key, told);
+    let many = IN_HOLE.replace("sites = \"all\"", "sites = \"all\"\nsites_every_m = 0.02");
+    is_refused(
+        &many,
+        "sites = \"all\"",
+        key,
+        "more than 2000 candidates: `sites_to_m` ends",
+    );
+    for name in ["sites_every_m", "sites_to_ft"] {
+        let idle = IN_HOLE.replace("sites = \"all\"", &format!("{name} = 9"));
+        is_refused(
+            &idle,
+            name,
+            &format!("wall.{name}"),
+            "needs `sites = \"all\"`",
+        );
+    }
+    let cutting = "[bit]\ntorque_dynamic_nm = 2000\n";
+    is_refused(
+        &(IN_HOLE.to_owned() + cutting),
+        "[wall]",
+        "wall",
+        "the bit among them if it cuts",
+    );
+    let even = IN_HOLE.replace("sites = \"all\"", "sites = \"all\"\nsites_every_m = 9");
+    assert!(read(&(even + cutting)).is_ok());
+    let far = "[[impulses]]\ndistance_from_bit_m = 20 # here\nratio = 3\n";
+    let told = "no site is 20 m from the bit; there are sites at 37.75, 27.75, 17.75, 13.5, 1 m";
+    let at = "impulses[0].distance_from_bit_m";
+    is_refused(&(IN_HOLE.to_owned() + far), "# here", at, told);
+    let many = IN_HOLE.replace("sites = \"all\"", "sites = \"all\"\nsites_every_m = 3") + far;
+    is_refused(
+        &many,
+        "# here",
+        at,
+        "of 16 sites the nearest are at 21, 18 m",
+    );
+    let narrow = with("contact_radius_m = 0.15", "contact_diameter_in = 7", "");
+    let key = "string.sections[2].parts[0].contact_diameter_in";
+    is_refused(
+        &narrow,
+        "contact_diameter_in",
+        key,
+        "is less than the external radius, 0.1 m",
+    );
+}
