@@ -78,7 +78,7 @@ fn what_a_wall_cannot_be_is_refused() {
             "sites = []\n",
             "sites",
             "wall.sites",
-            "unknown key",
+            "expected a string, found another kind of value; a list belongs above the first [table]",
         ),
         (
             "[string.bending]\nyoungs_modulus_gpa = 210\ndamping_ns_m2 = 2000\n",

@@ -76,7 +76,7 @@ impl StringInHole<'_> {
         let radii =
             parts.map(|(section, part)| self.sections[section].parts[part].contact_radius());
         let radius = radii[0].max(radii[1]);
-        let hole = self.hole_radius(self.string.length() - distance_from_bit);
+        let hole = self.hole_radius(self.depth(distance_from_bit));
         Contact {
             distance_from_bit,
             radius,
@@ -86,10 +86,8 @@ impl StringInHole<'_> {
 
     /// The candidates, from the bit up.
     pub fn candidates(&self, which: Candidates) -> impl Iterator<Item = Contact> {
-        let of_parts = which
-            .every
-            .is_none()
-            .then(|| self.middles_of_wide_parts(which.to));
+        let by_parts = which.every.is_none();
+        let of_parts = by_parts.then(|| self.middles_of_wide_parts(which.to));
         let even = (which.every.into_iter())
             .flat_map(|every| (0..).map(move |count| f64::from(count) * every));
         let same_place = self.string.same_place();
@@ -104,11 +102,9 @@ impl StringInHole<'_> {
 
     /// The lowest part that does not fit into the hole, if there is one.
     pub fn too_wide(&self) -> Option<TooWide> {
-        let length = self.string.length();
         let same_place = self.string.same_place();
-        let mut parts = self.parts();
-        parts.find_map(|hanging| {
-            let [bottom, top] = hanging.ends.map(|end| length - end);
+        self.parts().find_map(|hanging| {
+            let [bottom, top] = hanging.ends.map(|end| self.depth(end));
             let mut sections = depths(self.hole);
             let narrow = sections.find(|(from, to, radius)| {
                 let is_around = *from < bottom - same_place && *to > top + same_place;
@@ -118,15 +114,21 @@ impl StringInHole<'_> {
                 section: hanging.section,
                 part: hanging.part,
                 radius: hanging.radius,
-                depth: top.max(from),
+                depth: to_decimals(top.max(from), 1e9),
                 hole_radius,
             })
         })
     }
 
+    /// The depth (m) at a distance from the bit (m).
+    pub fn depth(&self, distance_from_bit: f64) -> f64 {
+        to_decimals(self.string.length() - distance_from_bit, 1e9)
+    }
+
     /// Where the hole ends, as depth, m.
     pub fn depth_of_hole(&self) -> f64 {
-        self.hole.iter().map(|section| section.length).sum()
+        let length = self.hole.iter().map(|section| section.length).sum();
+        to_decimals(length, 1e9)
     }
 
     /// Radius of the hole at a depth (m), if it goes so deep.
@@ -194,8 +196,8 @@ fn depths(hole: &[HoleSection]) -> impl Iterator<Item = (f64, f64, f64)> {
     })
 }
 
-/// The nearest decimal of so many parts of one, such as a person would write: sums and differences
-/// of lengths are off by a rounding.
+/// The nearest decimal in so many parts of one, as a person would write it: sums and differences of
+/// lengths are off by a rounding.
 fn to_decimals(value: f64, parts: f64) -> f64 {
     (value * parts).round() / parts
 }

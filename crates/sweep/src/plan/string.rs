@@ -6,9 +6,6 @@ use crate::design::Design;
 use crate::quantities::{Axis, LONGEST_STRING, StringAxis, TubeMeasure};
 use crate::sweep_file::{FileContent, SectionTable, Source, SweepFileError, TubeTable};
 
-/// No string is wider than this radius, m.
-const WIDEST: f64 = 2.0;
-
 /// The drillstring that the file describes.
 ///
 /// # Errors
@@ -74,11 +71,8 @@ fn section(
             let key = format!("{key}.parts[{part}].{}", measure.key());
             source.check_axis(&key, axis, *tube.clone().measure(measure))?;
         }
-        contact_radius(
-            source,
-            &format!("{key}.parts[{part}].contact_radius_m"),
-            tube,
-        )?;
+        let key = format!("{key}.parts[{part}].contact_radius_m");
+        contact_radius(source, &key, tube)?;
     }
     let tubes = table.parts.iter().map(|part| Tube {
         length: part.length_m,
@@ -96,7 +90,13 @@ fn contact_radius(source: &Source, key: &str, tube: &TubeTable) -> Result<(), Sw
     let Some(radius) = tube.contact_radius_m else {
         return Ok(());
     };
-    source.within(key, radius, 1e-3, WIDEST, "m")?;
+    // As wide as a string may be.
+    let axis = Axis::String(StringAxis::Tube {
+        section: 0,
+        part: 0,
+        measure: TubeMeasure::OuterRadius,
+    });
+    source.check_axis(key, axis, radius)?;
     let outer = tube.outer_radius_m;
     let message = format!("{radius} m is less than the external radius, {outer} m");
     source.refuse_if(radius < outer, key, message)

@@ -121,7 +121,7 @@ fn left_by_hole(
         let message = format!("the site {distance} m from the bit has no clearance");
         return Err(source.error("wall", message));
     }
-    let depth = in_hole.string.length() - distance;
+    let depth = in_hole.depth(distance);
     let of_site = site.map(|site| format!("sites[{site}].distance_from_bit_m"));
     let Some(clearance) = contact.clearance_mm else {
         let message = format!(

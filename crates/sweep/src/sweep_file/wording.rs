@@ -16,8 +16,14 @@ pub fn in_words(path: &str, message: &str, file_keys: &[String]) -> (String, Str
         .or(message.strip_prefix("invalid value: "))
         .and_then(|words| words.rsplit_once(", expected "))
     {
+        let is_choice = expected == CHOICE;
         let (found, expected) = (kind(found), kind(expected));
-        let message = format!("expected {expected}, found {found}");
+        let mut message = format!("expected {expected}, found {found}");
+        // A list, such as that of the sites, below the table of its choices.
+        let name = path.rsplit_once('.').map(|(_, name)| name);
+        if is_choice && file_keys.iter().any(|key| Some(key.as_str()) == name) {
+            message += "; a list belongs above the first [table] of the file";
+        }
         return (path.to_owned(), message);
     }
     let Some(unknown) = message.strip_prefix("unknown ").and(quoted.first()) else {
@@ -79,6 +85,9 @@ fn join(path: &str, key: &str) -> String {
     }
 }
 
+/// How Serde calls one of several words.
+const CHOICE: &str = "string only";
+
 /// The kinds of values as the user knows them.
 fn kind(kind: &str) -> &str {
     match kind {
@@ -86,7 +95,7 @@ fn kind(kind: &str) -> &str {
         "u64" | "usize" => "a whole number, zero or more",
         "map" | "a map" => "a table",
         "sequence" | "a sequence" => "an array",
-        "string only" => "a string",
+        CHOICE => "a string",
         "unit variant" => "another kind of value",
         _ if kind.starts_with("struct ") => "a table",
         _ => kind,
