@@ -1,7 +1,7 @@
 //! Eqs. 59–61, step by step: what the past adds, the load lines that leaves, and the
 //! local laws that meet them.
 
-use crate::convolution::Convolution;
+use crate::channel::{Bending, Past};
 use crate::coupling::Coupling;
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
@@ -38,7 +38,7 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     /// The next step, and how many there are.
     next: usize,
     steps: usize,
-    torques: Convolution<'a>,
+    torques: Past<'a, 1, 1>,
     lateral: Option<LateralMotion<'a, W>>,
     coupling: Coupling,
     bit_state: B::State,
@@ -63,8 +63,9 @@ enum Reference<'a> {
 #[derive(Debug)]
 struct LateralMotion<'a, W> {
     scene: &'a Lateral<W>,
+    channel: &'a Bending,
     /// Forces at the sites, along x and along y.
-    forces: Convolution<'a>,
+    forces: Past<'a, 2, 2>,
     /// The last step's state.
     positions: Vec<[f64; 2]>,
     sliding_speeds: Vec<Option<f64>>,
@@ -126,7 +127,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             held: 0.0,
             next: first,
             steps,
-            torques: Convolution::new(&system.from_torques, 1, steps - first.min(steps)),
+            torques: system.from_torques.past(steps - first.min(steps)),
             lateral,
             coupling: Coupling::new(system, &radii),
             bit_state: B::State::default(),
@@ -302,12 +303,12 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
 
     /// All torques on a site so far, as the reference motion is left by them, N m.
     pub(crate) fn torques(&self, index: usize) -> &[f64] {
-        self.torques.inputs(0, index)
+        self.torques.loads(0, index)
     }
 
     /// All forces on a site so far along an axis, disturbances included, N.
     pub(crate) fn forces(&self, axis: usize, site: usize) -> &[f64] {
-        (self.lateral.as_ref()).map_or(&[], |lateral| lateral.forces.inputs(axis, site))
+        (self.lateral.as_ref()).map_or(&[], |lateral| lateral.forces.loads(axis, site))
     }
 
     /// At the beginning of a block, displacements of all sites through it, x of all sites
@@ -347,13 +348,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
 /// The speed of a site without its own load, with those of the others.
 #[inline]
 fn turned_by_others(system: &System, free_speed: f64, index: usize, loads: &[Load]) -> f64 {
-    let mut speed = free_speed;
-    for (other, load) in loads.iter().enumerate() {
-        if other != index {
-            speed += system.from_torques.instant(index, other) * load.torque;
-        }
-    }
-    speed
+    let felt = system.from_torques.felt_at(index);
+    felt.fold(free_speed, |speed, (other, compliance)| {
+        speed + compliance * loads[other].torque
+    })
 }
 
 impl<'a, W: WallLaw> LateralMotion<'a, W> {
@@ -363,14 +361,15 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         steps: usize,
     ) -> Result<Self, SimulationError> {
         let sites = system.sites;
-        let kernels = (system.from_forces.as_ref()).ok_or(SimulationError::NoForceInput)?;
+        let channel = (system.from_forces.as_ref()).ok_or(SimulationError::NoForceInput)?;
         if scene.walls.len() != sites {
             let walls = scene.walls.len();
             return Err(SimulationError::NotAWallForEachSite { walls, sites });
         }
         Ok(Self {
             scene,
-            forces: Convolution::new(kernels, 2, steps),
+            channel,
+            forces: channel.past(steps),
             positions: vec![[0.0; 2]; sites],
             sliding_speeds: vec![None; sites],
             rotations: vec![0.0; sites],
@@ -384,12 +383,16 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         let sites = system.sites;
         self.find_external_forces(system, time, last_speeds);
         self.forces.write_past(&mut self.free_positions);
-        let kernels = self.forces.kernels();
-        for (place, position) in self.free_positions.iter_mut().enumerate() {
-            let (axis, site) = (place / sites, place % sites);
-            for input in 0..sites {
-                let force = self.external[axis * sites + input];
-                *position += kernels.instant(site, input) * force;
+        let planes = self.free_positions.chunks_exact_mut(sites);
+        for (positions, external) in planes.zip(self.external.chunks_exact(sites)) {
+            let acting = external
+                .iter()
+                .enumerate()
+                .filter(|(_, force)| **force != 0.0);
+            for (input, force) in acting {
+                for (site, position) in positions.iter_mut().enumerate() {
+                    *position += self.channel.instant(site, input) * force;
+                }
             }
         }
     }
@@ -420,19 +423,16 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
     fn line(&self, system: &System, site: usize, loads: &[Load]) -> LateralLine {
         let sites = system.sites;
         let mut free_position = [0, 1].map(|axis| self.free_positions[axis * sites + site]);
-        let kernels = self.forces.kernels();
-        for (other, load) in loads.iter().enumerate() {
-            if other != site {
-                let compliance = kernels.instant(site, other);
-                free_position[0] += compliance * load.force[0];
-                free_position[1] += compliance * load.force[1];
+        for (other, compliance) in self.channel.felt_at(site) {
+            for (position, force) in free_position.iter_mut().zip(loads[other].force) {
+                *position += compliance * force;
             }
         }
         LateralLine {
             free_position,
             previous_position: self.positions[site],
             previous_sliding_speed: self.sliding_speeds[site],
-            compliance: kernels.instant(site, site),
+            compliance: self.channel.instant(site, site),
             sampling: system.sampling,
         }
     }

@@ -101,7 +101,7 @@ impl SteppedString {
     }
 
     /// The responses of all sites from the surface and from loads at some of the sites, by
-    /// number, as long as a simulation.
+    /// number, as long as a simulation; without any, those in torsion alone.
     ///
     /// # Errors
     /// Where a site is none, or the responses would be too long.
@@ -123,20 +123,20 @@ impl SteppedString {
             from_loads: from_loads(&self.torsion, loads, count),
             ending: Ending::Cut,
         };
-        let bending = ChannelResponses {
+        let bending = (!loads.is_empty()).then(|| ChannelResponses {
             channel: Channel::Bending,
             loads: loads.to_vec(),
             from_surface: Vec::new(),
             from_loads: from_loads(&self.bending, loads, count),
             ending: Ending::Cut,
-        };
+        });
         Ok(Responses {
             string: self.string,
             method,
             sites: self.sites.clone(),
             sampling_frequency: self.sampling_frequency,
             longest_time,
-            channels: vec![torsion, bending],
+            channels: std::iter::once(torsion).chain(bending).collect(),
         })
     }
 
