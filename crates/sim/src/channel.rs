@@ -19,8 +19,6 @@ pub(crate) struct Channel<const FREEDOMS: usize, const PLANES: usize> {
     memory: Memory<FREEDOMS, PLANES>,
     /// A(0), `[output × sites + input]`.
     instants: Vec<f64>,
-    /// Of each site, the others whose loads it feels within their step.
-    others: Vec<Vec<usize>>,
 }
 
 /// What the past is remembered by.
@@ -52,25 +50,19 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
     /// Of responses `[output][input]`, known to be a square.
     pub(crate) fn of_taps(taps: &[Vec<impl AsRef<[f64]>>]) -> Self {
         let kernels = Kernels::of(taps);
-        let instant = |output, input| kernels.instant(output, input);
-        let (instants, others) = within_a_step(taps.len(), instant);
         Self {
             sites: taps.len(),
+            instants: of_pairs(taps.len(), |output, input| kernels.instant(output, input)),
             memory: Memory::Taps(kernels),
-            instants,
-            others,
         }
     }
 
     /// Of a mesh.
     pub(crate) fn of_mesh(mesh: &SteppedChannel<FREEDOMS, PLANES>) -> Self {
-        let instant = |output, input| mesh.instant(output, input);
-        let (instants, others) = within_a_step(mesh.sites(), instant);
         Self {
             sites: mesh.sites(),
+            instants: of_pairs(mesh.sites(), |output, input| mesh.instant(output, input)),
             memory: Memory::Mesh(mesh.clone()),
-            instants,
-            others,
         }
     }
 
@@ -86,13 +78,6 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
     #[inline]
     pub(crate) fn instant(&self, output: usize, input: usize) -> f64 {
         self.instants[output * self.sites + input]
-    }
-
-    /// The other sites whose loads a site feels within their step, and how it does.
-    #[inline]
-    pub(crate) fn felt_at(&self, site: usize) -> impl Iterator<Item = (usize, f64)> {
-        let others = self.others[site].iter();
-        others.map(move |&other| (other, self.instant(site, other)))
     }
 
     /// How far an input at another site moves this one within the step, as a part of what its
@@ -117,20 +102,12 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
     }
 }
 
-/// All first taps, and of each site the others it feels.
-fn within_a_step(
-    sites: usize,
-    instant: impl Fn(usize, usize) -> f64,
-) -> (Vec<f64>, Vec<Vec<usize>>) {
-    let pairs = (0..sites).flat_map(|output| (0..sites).map(move |input| (output, input)));
-    let instants = pairs.map(|(output, input)| instant(output, input));
-    let others = (0..sites).map(|site| {
-        let others = (0..sites).filter(|other| *other != site);
-        others
-            .filter(|other| instant(site, *other) != 0.0)
-            .collect()
-    });
-    (instants.collect(), others.collect())
+/// Of all outputs and inputs, row by row.
+fn of_pairs(sites: usize, instant: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+    let pairs = 0..sites * sites;
+    pairs
+        .map(|pair| instant(pair / sites, pair % sites))
+        .collect()
 }
 
 impl<const FREEDOMS: usize, const PLANES: usize> Past<'_, FREEDOMS, PLANES> {

@@ -16,13 +16,21 @@ const MOST_TURNS: usize = 200;
 /// The loads of all sites that may bear one.
 #[derive(Debug)]
 pub(crate) struct Coupling {
-    loads: Vec<Load>,
+    loads: Loads,
     normal_forces: Vec<f64>,
     /// What the others' loads have changed by since a site was solved, as force at it, N.
     pending: Vec<f64>,
     /// What the load of a site is worth at another, `[site × sites + other]`; nothing without
     /// walls.
     shares: Vec<Share>,
+}
+
+/// Loads by site; of many sites few bear one.
+#[derive(Debug)]
+pub(crate) struct Loads {
+    all: Vec<Load>,
+    /// The sites whose load is not zero, in rising order.
+    acting: Vec<usize>,
 }
 
 /// The force at a site that a load at another is worth. A site gives way by its own response,
@@ -50,7 +58,7 @@ impl Coupling {
         };
         let of_site = |(site, &radius)| (0..count).map(move |other| share(site, radius, other));
         Self {
-            loads: vec![Load::default(); count],
+            loads: Loads::none(count),
             normal_forces: vec![0.0; count],
             pending: vec![0.0; count],
             shares: radii.iter().enumerate().flat_map(of_site).collect(),
@@ -59,17 +67,21 @@ impl Coupling {
 
     /// The loads of the step solved last.
     pub(crate) fn loads(&self) -> &[Load] {
-        &self.loads
+        &self.loads.all
     }
 
     /// Forgets what acted in the last step.
     pub(crate) fn clear(&mut self) {
-        self.loads.fill(Load::default());
+        self.loads.clear();
     }
 
     /// The torque on the one site that bears a load.
     pub(crate) fn set_torque(&mut self, index: usize, torque: f64) {
-        self.loads[index].torque = torque;
+        let load = Load {
+            torque,
+            ..self.loads.all[index]
+        };
+        self.loads.replace(index, load);
     }
 
     /// Solves a step by solving one site after the other, from the loads of the last
@@ -78,13 +90,13 @@ impl Coupling {
     #[inline]
     pub(crate) fn settle<E>(
         &mut self,
-        mut solve: impl FnMut(usize, &[Load]) -> Result<(Load, f64), E>,
+        mut solve: impl FnMut(usize, &Loads) -> Result<(Load, f64), E>,
     ) -> Result<bool, E> {
         self.pending.fill(f64::INFINITY);
         for _ in 0..MOST_TURNS {
             let largest = self.normal_forces.iter().copied().fold(0.0, f64::max);
             let mut is_settled = true;
-            for site in 0..self.loads.len() {
+            for site in 0..self.pending.len() {
                 if self.pending[site] <= COUPLING_TOLERANCE * largest {
                     continue;
                 }
@@ -103,10 +115,10 @@ impl Coupling {
     /// The load of a site that has been solved, and what it changes for the others.
     #[inline]
     fn replace(&mut self, site: usize, load: Load) {
-        let before = std::mem::replace(&mut self.loads[site], load);
+        let before = self.loads.replace(site, load);
         let [x, y] = [0, 1].map(|axis| (load.force[axis] - before.force[axis]).abs());
         let torque = (load.torque - before.torque).abs();
-        let sites = self.loads.len();
+        let sites = self.pending.len();
         let shares = || self.shares.iter().skip(site).step_by(sites);
         if x + y > 0.0 {
             for (pending, share) in self.pending.iter_mut().zip(shares()) {
@@ -119,6 +131,41 @@ impl Coupling {
             }
         }
         self.pending[site] = 0.0;
+    }
+}
+
+impl Loads {
+    fn none(sites: usize) -> Self {
+        Self {
+            all: vec![Load::default(); sites],
+            acting: Vec::with_capacity(sites),
+        }
+    }
+
+    fn clear(&mut self) {
+        for site in self.acting.drain(..) {
+            self.all[site] = Load::default();
+        }
+    }
+
+    /// Gives a site a load, and what it was before.
+    fn replace(&mut self, site: usize, load: Load) -> Load {
+        let before = std::mem::replace(&mut self.all[site], load);
+        let [did, does] = [before, load].map(|load| load != Load::default());
+        if did != does {
+            match self.acting.binary_search(&site) {
+                Ok(place) => drop(self.acting.remove(place)),
+                Err(place) => self.acting.insert(place, site),
+            }
+        }
+        before
+    }
+
+    /// Those that act on other sites than this one.
+    #[inline]
+    pub(crate) fn besides(&self, site: usize) -> impl Iterator<Item = (usize, &Load)> {
+        let others = self.acting.iter().filter(move |other| **other != site);
+        others.map(|&other| (other, &self.all[other]))
     }
 }
 
@@ -139,23 +186,24 @@ mod tests {
                 of_torque: 0.0,
             };
             Coupling {
-                loads: vec![Load::default(); 3],
+                loads: Loads::none(3),
                 normal_forces: vec![0.0; 3],
                 pending: vec![0.0; 3],
                 shares: self.shares.iter().flatten().map(share).collect(),
             }
         }
 
-        fn force(&self, site: usize, loads: &[Load]) -> f64 {
-            let shares = self.shares[site].iter().zip(loads);
+        fn force(&self, site: usize, loads: &Loads) -> f64 {
+            let shares = self.shares[site];
+            let others = loads.besides(site);
             self.alone[site]
-                - shares
-                    .map(|(share, load)| share * load.force[0])
+                - others
+                    .map(|(other, load)| shares[other] * load.force[0])
                     .sum::<f64>()
         }
 
         /// Whether they settle, at which loads, and how often a site was solved.
-        fn settle(&self) -> (bool, Vec<Load>, usize) {
+        fn settle(&self) -> (bool, Loads, usize) {
             let (mut coupling, mut solved) = (self.coupling(), 0);
             let settled = coupling.settle(|site, loads| {
                 solved += 1;
@@ -178,7 +226,7 @@ mod tests {
         };
         let (is_settled, loads, _) = system.settle();
         assert!(is_settled);
-        for (site, load) in loads.iter().enumerate() {
+        for (site, load) in loads.all.iter().enumerate() {
             let off = load.force[0] - system.force(site, &loads);
             assert!(
                 off.abs() <= 3.0 * COUPLING_TOLERANCE,
@@ -197,7 +245,7 @@ mod tests {
         let (is_settled, loads, solved) = system.settle();
         assert!(is_settled);
         assert_eq!(solved, 3);
-        assert!((loads[1].force[0] + 1.9).abs() < 1e-15);
+        assert!((loads.all[1].force[0] + 1.9).abs() < 1e-15);
     }
 
     #[test]

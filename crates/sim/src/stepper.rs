@@ -2,14 +2,14 @@
 //! local laws that meet them.
 
 use crate::channel::{Bending, Past};
-use crate::coupling::Coupling;
+use crate::coupling::{Coupling, Loads};
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
 use crate::scene::{Lateral, Scene};
-use crate::site::{LateralLine, Load, SiteLaws};
+use crate::site::{LateralLine, SiteLaws};
 use crate::system::System;
 
 /// One step of all sites that may bear a load.
@@ -347,10 +347,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
 
 /// The speed of a site without its own load, with those of the others.
 #[inline]
-fn turned_by_others(system: &System, free_speed: f64, index: usize, loads: &[Load]) -> f64 {
-    let felt = system.from_torques.felt_at(index);
-    felt.fold(free_speed, |speed, (other, compliance)| {
-        speed + compliance * loads[other].torque
+fn turned_by_others(system: &System, free_speed: f64, index: usize, loads: &Loads) -> f64 {
+    let others = loads.besides(index);
+    others.fold(free_speed, |speed, (other, load)| {
+        speed + system.from_torques.instant(index, other) * load.torque
     })
 }
 
@@ -420,11 +420,12 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
 
     /// The load line of a site, the loads of the others given.
     #[inline]
-    fn line(&self, system: &System, site: usize, loads: &[Load]) -> LateralLine {
+    fn line(&self, system: &System, site: usize, loads: &Loads) -> LateralLine {
         let sites = system.sites;
         let mut free_position = [0, 1].map(|axis| self.free_positions[axis * sites + site]);
-        for (other, compliance) in self.channel.felt_at(site) {
-            for (position, force) in free_position.iter_mut().zip(loads[other].force) {
+        for (other, load) in loads.besides(site) {
+            let compliance = self.channel.instant(site, other);
+            for (position, force) in free_position.iter_mut().zip(load.force) {
                 *position += compliance * force;
             }
         }
