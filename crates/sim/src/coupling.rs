@@ -20,8 +20,7 @@ pub(crate) struct Coupling {
     normal_forces: Vec<f64>,
     /// What the others' loads have changed by since a site was solved, as force at it, N.
     pending: Vec<f64>,
-    /// What the load of a site is worth at another, `[site × sites + other]`; nothing without
-    /// walls.
+    /// What the load of a site is worth at every other, site by site; nothing without walls.
     shares: Vec<Share>,
 }
 
@@ -56,12 +55,15 @@ impl Coupling {
                 of_torque: if turned == 0.0 { 0.0 } else { turned / radius },
             }
         };
-        let of_site = |(site, &radius)| (0..count).map(move |other| share(site, radius, other));
+        let of_load = |loaded| {
+            let sites = radii.iter().enumerate();
+            sites.map(move |(site, &radius)| share(site, radius, loaded))
+        };
         Self {
             loads: Loads::none(count),
             normal_forces: vec![0.0; count],
             pending: vec![0.0; count],
-            shares: radii.iter().enumerate().flat_map(of_site).collect(),
+            shares: (0..count).flat_map(of_load).collect(),
         }
     }
 
@@ -118,17 +120,10 @@ impl Coupling {
         let before = self.loads.replace(site, load);
         let [x, y] = [0, 1].map(|axis| (load.force[axis] - before.force[axis]).abs());
         let torque = (load.torque - before.torque).abs();
-        let sites = self.pending.len();
-        let shares = || self.shares.iter().skip(site).step_by(sites);
-        if x + y > 0.0 {
-            for (pending, share) in self.pending.iter_mut().zip(shares()) {
-                *pending += share.of_force * (x + y);
-            }
-        }
-        if torque > 0.0 {
-            for (pending, share) in self.pending.iter_mut().zip(shares()) {
-                *pending += share.of_torque * torque;
-            }
+        let shares = self.shares.chunks_exact(self.pending.len()).nth(site);
+        for (pending, share) in (self.pending.iter_mut()).zip(shares.into_iter().flatten()) {
+            *pending += share.of_force * (x + y);
+            *pending += share.of_torque * torque;
         }
         self.pending[site] = 0.0;
     }
@@ -189,7 +184,9 @@ mod tests {
                 loads: Loads::none(3),
                 normal_forces: vec![0.0; 3],
                 pending: vec![0.0; 3],
-                shares: self.shares.iter().flatten().map(share).collect(),
+                shares: (0..9)
+                    .map(|pair| share(&self.shares[pair % 3][pair / 3]))
+                    .collect(),
             }
         }
 
