@@ -1,6 +1,6 @@
 //! All sites of a step at once: those that feel one another within it are solved in
 //! turn, each with the others' latest loads, until what has changed of these no longer
-//! matters.
+//! matters. Sites that these cannot bring to their walls wait until the others have settled.
 
 use crate::site::Load;
 use crate::system::System;
@@ -20,8 +20,20 @@ pub(crate) struct Coupling {
     normal_forces: Vec<f64>,
     /// What the others' loads have changed by since a site was solved, as force at it, N.
     pending: Vec<f64>,
+    /// What of that leaves a site without a load as it was solved last, N.
+    slack: Vec<f64>,
     /// What the load of a site is worth at every other, site by site; nothing without walls.
     shares: Vec<Share>,
+}
+
+/// A site solved within a step, the loads of the others given.
+pub(crate) struct Solved {
+    pub(crate) load: Load,
+    /// N.
+    pub(crate) normal_force: f64,
+    /// The force at the site, N, that the loads of others have to change by before it may bear
+    /// one; zero where it does.
+    pub(crate) slack: f64,
 }
 
 /// Loads by site; of many sites few bear one.
@@ -63,6 +75,7 @@ impl Coupling {
             loads: Loads::none(count),
             normal_forces: vec![0.0; count],
             pending: vec![0.0; count],
+            slack: vec![0.0; count],
             shares: (0..count).flat_map(of_load).collect(),
         }
     }
@@ -87,31 +100,46 @@ impl Coupling {
     }
 
     /// Solves a step by solving one site after the other, from the loads of the last
-    /// step on: `solve` gives the load of a site and its normal force, N. Gives whether
-    /// they settled.
+    /// step on. Gives whether they settled.
     #[inline]
     pub(crate) fn settle<E>(
         &mut self,
-        mut solve: impl FnMut(usize, &Loads) -> Result<(Load, f64), E>,
+        mut solve: impl FnMut(usize, &Loads) -> Result<Solved, E>,
     ) -> Result<bool, E> {
         self.pending.fill(f64::INFINITY);
         for _ in 0..MOST_TURNS {
             let largest = self.normal_forces.iter().copied().fold(0.0, f64::max);
+            let matters = COUPLING_TOLERANCE * largest;
             let mut is_settled = true;
             for site in 0..self.pending.len() {
-                if self.pending[site] <= COUPLING_TOLERANCE * largest {
-                    continue;
+                if self.pending[site] > self.slack[site].max(matters) {
+                    self.solve_site(site, &mut solve)?;
+                    is_settled = false;
                 }
-                let (load, normal_force) = solve(site, &self.loads)?;
-                self.normal_forces[site] = normal_force;
-                self.replace(site, load);
-                is_settled = false;
             }
             if is_settled {
+                for site in 0..self.pending.len() {
+                    if self.pending[site] > matters {
+                        self.solve_site(site, &mut solve)?;
+                    }
+                }
                 return Ok(true);
             }
         }
         Ok(false)
+    }
+
+    #[inline]
+    fn solve_site<E>(
+        &mut self,
+        site: usize,
+        solve: &mut impl FnMut(usize, &Loads) -> Result<Solved, E>,
+    ) -> Result<(), E> {
+        let solved = solve(site, &self.loads)?;
+        self.normal_forces[site] = solved.normal_force;
+        self.slack[site] = solved.slack;
+        self.replace(site, solved.load);
+        Ok(())
     }
 
     /// The load of a site that has been solved, and what it changes for the others.
@@ -120,6 +148,10 @@ impl Coupling {
         let before = self.loads.replace(site, load);
         let [x, y] = [0, 1].map(|axis| (load.force[axis] - before.force[axis]).abs());
         let torque = (load.torque - before.torque).abs();
+        self.pending[site] = 0.0;
+        if x + y + torque == 0.0 {
+            return;
+        }
         let shares = self.shares.chunks_exact(self.pending.len()).nth(site);
         for (pending, share) in (self.pending.iter_mut()).zip(shares.into_iter().flatten()) {
             *pending += share.of_force * (x + y);
@@ -184,6 +216,7 @@ mod tests {
                 loads: Loads::none(3),
                 normal_forces: vec![0.0; 3],
                 pending: vec![0.0; 3],
+                slack: vec![0.0; 3],
                 shares: (0..9)
                     .map(|pair| share(&self.shares[pair % 3][pair / 3]))
                     .collect(),
@@ -209,7 +242,11 @@ mod tests {
                     force: [force, 0.0],
                     torque: 0.0,
                 };
-                Ok::<_, ()>((load, force.abs()))
+                Ok::<_, ()>(Solved {
+                    load,
+                    normal_force: force.abs(),
+                    slack: 0.0,
+                })
             });
             (settled == Ok(true), coupling.loads, solved)
         }

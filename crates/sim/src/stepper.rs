@@ -2,14 +2,14 @@
 //! local laws that meet them.
 
 use crate::channel::{Bending, Past};
-use crate::coupling::{Coupling, Loads};
+use crate::coupling::{Coupling, Loads, Solved};
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
 use crate::scene::{Lateral, Scene};
-use crate::site::{LateralLine, SiteLaws};
+use crate::site::{LateralLine, Load, SiteLaws};
 use crate::system::System;
 
 /// One step of all sites that may bear a load.
@@ -250,10 +250,19 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 free_speed: turned_by_others(system, free_speeds[index], index, loads),
                 compliance: system.from_torques.instant(index, index),
             };
+            let lateral_line = lateral.line(system, index, loads);
             let found = laws
-                .meet(line, lateral.line(system, index, loads))
+                .meet(line, lateral_line)
                 .map_err(|error| SimulationError::of_contact(error, system.loaded[index], time))?;
-            let (load, normal_force) = (found.load(), found.contact.normal_force);
+            let load = found.load();
+            let solved = Solved {
+                load,
+                normal_force: found.contact.normal_force,
+                slack: match load == Load::default() && at_bit.is_none() {
+                    true => lateral_line.slack(laws.wall.clearance()),
+                    false => 0.0,
+                },
+            };
             if !(found.speed.is_finite() && load.torque.is_finite()) {
                 return Err(system.not_finite(index, time));
             }
@@ -262,7 +271,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             if found.bit.is_some() {
                 now.bit = found.bit;
             }
-            Ok((load, normal_force))
+            Ok(solved)
         })?;
         match settled {
             true => Ok(()),
