@@ -125,7 +125,10 @@ fn a_mesh_that_is_stepped_moves_as_its_taps_do() {
         let [one, other] = [&taps.0, &mesh.0].map(|outcome| outcome.lateral.unwrap());
         assert_eq!(one.regime, other.regime, "{friction}");
         let first = one.first_contact.unwrap();
-        assert!(first < 1.5 && other.first_contact == Some(first), "{friction}");
+        assert!(
+            first < 1.5 && other.first_contact == Some(first),
+            "{friction}"
+        );
     }
 }
 
