@@ -74,6 +74,11 @@ impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
         }
     }
 
+    /// Number of sites.
+    pub(crate) fn sites(&self) -> usize {
+        self.sites
+    }
+
     /// A(0): the response of a site within the step of an input at another.
     #[inline]
     pub(crate) fn instant(&self, output: usize, input: usize) -> f64 {

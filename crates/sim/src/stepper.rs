@@ -2,7 +2,7 @@
 //! local laws that meet them.
 
 use crate::channel::{Bending, Past};
-use crate::coupling::{Coupling, Loads, Solved};
+use crate::coupling::{Coupling, Free, Solved, Unloaded};
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
@@ -40,7 +40,7 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     steps: usize,
     torques: Past<'a, 1, 1>,
     lateral: Option<LateralMotion<'a, W>>,
-    coupling: Coupling,
+    coupling: Coupling<'a>,
     bit_state: B::State,
     /// Speeds of this step without its loads.
     free_speeds: Vec<f64>,
@@ -129,7 +129,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             steps,
             torques: system.from_torques.past(steps - first.min(steps)),
             lateral,
-            coupling: Coupling::new(system, &radii),
+            coupling: Coupling::new(&system.from_torques, system.from_forces.as_ref(), &radii),
             bit_state: B::State::default(),
             free_speeds: vec![0.0; count],
             step_torques: vec![0.0; count],
@@ -239,7 +239,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             return Ok(());
         };
         let (system, lateral, time) = (*system, &*lateral, now.time);
-        let settled = coupling.settle(|index, loads| {
+        let free = Free {
+            positions: &lateral.free_positions,
+            speeds: free_speeds,
+        };
+        let settled = coupling.settle(free, |index, unloaded: Unloaded| {
             let at_bit = bit.filter(|(_, load)| *load == index);
             let laws = SiteLaws {
                 bit: at_bit.map(|(law, _)| (law, &*bit_state)),
@@ -247,10 +251,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             };
             let line = LoadLine {
                 time,
-                free_speed: turned_by_others(system, free_speeds[index], index, loads),
+                free_speed: unloaded.speed,
                 compliance: system.from_torques.instant(index, index),
             };
-            let lateral_line = lateral.line(system, index, loads);
+            let lateral_line = lateral.line(system, index, unloaded.position);
             let found = laws
                 .meet(line, lateral_line)
                 .map_err(|error| SimulationError::of_contact(error, system.loaded[index], time))?;
@@ -354,15 +358,6 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     }
 }
 
-/// The speed of a site without its own load, with those of the others.
-#[inline]
-fn turned_by_others(system: &System, free_speed: f64, index: usize, loads: &Loads) -> f64 {
-    let others = loads.besides(index);
-    others.fold(free_speed, |speed, (other, load)| {
-        speed + system.from_torques.instant(index, other) * load.torque
-    })
-}
-
 impl<'a, W: WallLaw> LateralMotion<'a, W> {
     fn new(
         system: &'a System,
@@ -427,17 +422,9 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         }
     }
 
-    /// The load line of a site, the loads of the others given.
+    /// The load line of a site that would be at a position without its own load.
     #[inline]
-    fn line(&self, system: &System, site: usize, loads: &Loads) -> LateralLine {
-        let sites = system.sites;
-        let mut free_position = [0, 1].map(|axis| self.free_positions[axis * sites + site]);
-        for (other, load) in loads.besides(site) {
-            let compliance = self.channel.instant(site, other);
-            for (position, force) in free_position.iter_mut().zip(load.force) {
-                *position += compliance * force;
-            }
-        }
+    fn line(&self, system: &System, site: usize, free_position: [f64; 2]) -> LateralLine {
         LateralLine {
             free_position,
             previous_position: self.positions[site],
