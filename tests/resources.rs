@@ -239,6 +239,19 @@ fn strings_are_built_one_by_one_where_memory_is_short() {
     assert!(tables[0] == tables[1]);
 }
 
+/// A string that may touch at many sites is stepped by finite elements; one whose places are
+/// two hundred would take gigabytes otherwise.
+#[test]
+fn a_string_that_is_stepped_takes_no_more_than_told() {
+    let text = with(&lateral(200, 0.4), "time_s = 12", "time_s = 60");
+    let text = with(&text, "\"quadrature\"", "\"finite-element\"");
+    let place = Workplace::with_small(&text);
+    let told = peaks::estimate(&place, "run");
+    assert!(told < 1e9, "{told}");
+    let peak = peaks::peak(&place, &RUN);
+    assert!(peak.is_none_or(|peak| peak <= told), "{peak:?} {told}");
+}
+
 /// Of a string in many pieces that is held against a recording every node's motion is kept.
 #[test]
 fn a_string_in_many_pieces_takes_no_more_than_told() {

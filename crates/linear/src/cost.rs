@@ -252,6 +252,42 @@ pub fn reconstruction(string: &Drillstring, sites: &Sites, parameters: &FiniteEl
     beam(string, sites, parameters, 2.0)
 }
 
+/// Numbers for each element that is stepped: its links in torsion and in bending.
+const LINK: f64 = 24.0;
+
+/// Numbers for each element in the motion of a case: in torsion and in two planes of bending.
+const MOTION: f64 = 15.0;
+
+/// What [`crate::elements::stepped::SteppedString`] and its responses to loads at so many of the
+/// sites take, and the lengths of these.
+pub fn stepped(
+    string: &Drillstring,
+    request: &Request,
+    loads: usize,
+    parameters: &FiniteElement,
+) -> ResponseCost {
+    let sites = request.sites.len() as f64;
+    let elements = most_elements(string, &request.sites, parameters.elements_per_cell);
+    let taps = needed_taps(request.longest_time, request.sampling_frequency);
+    // Of a load at each site no more than all nodes feel.
+    let kept =
+        REAL * elements * (LINK + 3.0 * sites) + REAL * sites * (1.0 + 2.0 * loads as f64) * taps;
+    ResponseCost {
+        torsion_taps: taps,
+        bending_taps: taps,
+        memory: Memory {
+            peak: kept + elements * BEAM_ELEMENT,
+            kept,
+        },
+        too_long: (taps > MOST_TAPS as f64).then_some(taps),
+    }
+}
+
+/// What a case takes that such a string is stepped through.
+pub fn stepped_motion(string: &Drillstring, sites: &Sites, parameters: &FiniteElement) -> f64 {
+    REAL * MOTION * most_elements(string, sites, parameters.elements_per_cell)
+}
+
 /// What the positive-real margin of so many driving points takes (see
 /// [`crate::passivity`]).
 pub fn margin(inputs: usize, taps: f64) -> f64 {

@@ -4,6 +4,7 @@
 
 use linear::elements::newmark::Weights;
 use linear::elements::reduction::{CondensedBeam, CondensedString};
+use linear::elements::stepped::SteppedString;
 use linear::method::FiniteElement;
 use linear::{
     AxialForce, Bending, ChannelRequest, ChannelResponses, Drillstring, Method, Request, Section,
@@ -218,6 +219,78 @@ fn taps_of_the_papers_string_are_those_of_stepping_all_of_it() {
     assert!(bending < 1e-9 && longer < 1e-9, "{bending} {longer}");
 }
 
+/// The largest difference of a mesh that is stepped node by node, in torsion and bending: of
+/// all that its sites do, within the step of a load and after, over what the loaded one does.
+fn difference_when_stepped(model: &Model) -> f64 {
+    let (bending, support) = (model.bending, model.support);
+    let mesh = SteppedString::new(
+        &model.string,
+        &bending,
+        support,
+        &model.sites,
+        &model.parameters,
+        model.sampling_frequency,
+    )
+    .unwrap();
+    let loads: Vec<usize> = (0..model.sites.len()).collect();
+    let longest = (STEPS - 1) as f64 / model.sampling_frequency;
+    let stepped = mesh.responses(&loads, longest).unwrap();
+    let torsion = model.taps(ChannelRequest::Torsion { torques: loads }, 1);
+    let bending = model.taps(ChannelRequest::Bending { bending, support }, 1);
+    let mut worst: f64 = 0.0;
+    for (taps, stepped) in [
+        (&torsion, stepped.torsion().unwrap()),
+        (&bending, stepped.bending().unwrap()),
+    ] {
+        for (taps, stepped) in taps.from_surface.iter().zip(&stepped.from_surface) {
+            worst = worst.max(difference(taps, stepped) / peak(taps));
+        }
+        for site in 0..model.sites.len() {
+            let scale = peak(&taps.from_loads[site][site]);
+            for load in 0..model.sites.len() {
+                let (taps, stepped) = (
+                    &taps.from_loads[site][load],
+                    &stepped.from_loads[site][load],
+                );
+                worst = worst.max(difference(taps, stepped) / scale);
+            }
+        }
+    }
+    for (output, input) in (0..model.sites.len()).flat_map(|it| [(it, it), (0, it), (it, 0)]) {
+        let instants = [
+            (mesh.torsion().instant(output, input), &torsion),
+            (mesh.bending().instant(output, input), &bending),
+        ];
+        for (instant, taps) in instants {
+            let own = taps.from_loads[output][output][0];
+            worst = worst.max((instant - taps.from_loads[output][input][0]).abs() / own);
+        }
+    }
+    worst
+}
+
+/// A mesh that is stepped has the responses of its taps.
+#[test]
+fn the_papers_string_stepped_answers_as_its_taps_do() {
+    let string = academic::string();
+    for support in [
+        SurfaceSupport::Free,
+        SurfaceSupport::Pinned,
+        SurfaceSupport::Clamped,
+    ] {
+        let model = Model {
+            sites: Sites::new(&string, &[0.0, 3.0, 36.0, 250.0, 995.0]).unwrap(),
+            string: string.clone(),
+            parameters: FiniteElement::default(),
+            sampling_frequency: academic::SAMPLING_FREQUENCY,
+            bending: academic::BENDING,
+            support,
+        };
+        let worst = difference_when_stepped(&model);
+        assert!(worst < 1e-8, "{support:?}: {worst}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..Default::default() })]
 
@@ -230,5 +303,12 @@ proptest! {
         let [bending, longer] = model.differences_in_bending();
         prop_assert!(bending < 1e-7, "bending: {bending}");
         prop_assert!(longer < 1e-9, "bending, other ζ: {longer}");
+    }
+
+    /// So has any other string; short elements cost it digits too.
+    #[test]
+    fn any_string_stepped_answers_as_its_taps_do(model in any_model()) {
+        let worst = difference_when_stepped(&model);
+        prop_assert!(worst < 1e-7, "{worst}");
     }
 }

@@ -42,6 +42,19 @@ pub fn simulator(sites: usize, loads: usize, taps: Taps, steps: f64) -> Memory {
     }
 }
 
+/// What [`crate::Simulator::stepped`] takes besides the mesh that it copies: of so many sites,
+/// whose responses to the surface have so many taps.
+pub fn stepped_simulator(sites: usize, taps: f64) -> f64 {
+    let sites = sites as f64;
+    REAL * (sites * taps + 2.0 * sites * sites)
+}
+
+/// What a case of so many steps takes besides the motion of that.
+pub fn stepped_case(sites: usize, steps: f64) -> f64 {
+    let sites = sites as f64;
+    REAL * (3.0 * sites * steps + 2.0 * sites * sites + WATCH * steps)
+}
+
 /// What [`crate::Simulator::simulate`] takes for a case of so many steps, stepped to its
 /// end.
 pub fn case(sites: usize, taps: Taps, steps: f64) -> f64 {

@@ -71,6 +71,7 @@
 //! ```
 
 pub mod cascade;
+mod channel;
 pub mod convolution;
 pub mod cost;
 mod coupling;

@@ -1,6 +1,7 @@
 //! One case from rest to its regimes: the stepper, what is skipped, and who watches.
 
 use linear::Responses;
+use linear::elements::stepped::SteppedString;
 
 use crate::error::SimulationError;
 use crate::laws::bit::BitMotion;
@@ -44,6 +45,22 @@ impl Simulator {
         Ok(Self {
             bit_alone: BitAlone::of(&system, responses),
             system,
+        })
+    }
+
+    /// Of a string whose elements are stepped, with its responses to the surface: for many
+    /// sites.
+    ///
+    /// # Errors
+    /// As [`System::stepped`].
+    pub fn stepped(
+        string: &SteppedString,
+        responses: &Responses,
+        profile: &SurfaceProfile,
+    ) -> Result<Self, SimulationError> {
+        Ok(Self {
+            system: System::stepped(string, responses, profile)?,
+            bit_alone: None,
         })
     }
 

@@ -16,6 +16,14 @@ pub(crate) struct LateralLine {
     pub(crate) sampling: Sampling,
 }
 
+impl LateralLine {
+    /// The force, N, that a site without a load may be pushed by before it reaches its wall.
+    pub(crate) fn slack(&self, clearance: f64) -> f64 {
+        let [x, y] = self.free_position;
+        ((clearance - x.hypot(y)) / self.compliance).max(0.0)
+    }
+}
+
 /// The laws at a site.
 #[derive(Debug)]
 pub(crate) struct SiteLaws<'a, B: TorqueLaw, W> {

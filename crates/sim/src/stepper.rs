@@ -1,8 +1,8 @@
 //! Eqs. 59–61, step by step: what the past adds, the load lines that leaves, and the
 //! local laws that meet them.
 
-use crate::convolution::Convolution;
-use crate::coupling::Coupling;
+use crate::channel::{Bending, Past};
+use crate::coupling::{Coupling, Free, Solved, Unloaded};
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
@@ -38,9 +38,9 @@ pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     /// The next step, and how many there are.
     next: usize,
     steps: usize,
-    torques: Convolution<'a>,
+    torques: Past<'a, 1, 1>,
     lateral: Option<LateralMotion<'a, W>>,
-    coupling: Coupling,
+    coupling: Coupling<'a>,
     bit_state: B::State,
     /// Speeds of this step without its loads.
     free_speeds: Vec<f64>,
@@ -63,8 +63,9 @@ enum Reference<'a> {
 #[derive(Debug)]
 struct LateralMotion<'a, W> {
     scene: &'a Lateral<W>,
+    channel: &'a Bending,
     /// Forces at the sites, along x and along y.
-    forces: Convolution<'a>,
+    forces: Past<'a, 2, 2>,
     /// The last step's state.
     positions: Vec<[f64; 2]>,
     sliding_speeds: Vec<Option<f64>>,
@@ -126,9 +127,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             held: 0.0,
             next: first,
             steps,
-            torques: Convolution::new(&system.from_torques, 1, steps - first.min(steps)),
+            torques: system.from_torques.past(steps - first.min(steps)),
             lateral,
-            coupling: Coupling::new(system, &radii),
+            coupling: Coupling::new(&system.from_torques, system.from_forces.as_ref(), &radii),
             bit_state: B::State::default(),
             free_speeds: vec![0.0; count],
             step_torques: vec![0.0; count],
@@ -238,7 +239,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             return Ok(());
         };
         let (system, lateral, time) = (*system, &*lateral, now.time);
-        let settled = coupling.settle(|index, loads| {
+        let free = Free {
+            positions: &lateral.free_positions,
+            speeds: free_speeds,
+        };
+        let settled = coupling.settle(free, |index, unloaded: Unloaded| {
             let at_bit = bit.filter(|(_, load)| *load == index);
             let laws = SiteLaws {
                 bit: at_bit.map(|(law, _)| (law, &*bit_state)),
@@ -246,13 +251,22 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             };
             let line = LoadLine {
                 time,
-                free_speed: turned_by_others(system, free_speeds[index], index, loads),
+                free_speed: unloaded.speed,
                 compliance: system.from_torques.instant(index, index),
             };
+            let lateral_line = lateral.line(system, index, unloaded.position);
             let found = laws
-                .meet(line, lateral.line(system, index, loads))
+                .meet(line, lateral_line)
                 .map_err(|error| SimulationError::of_contact(error, system.loaded[index], time))?;
-            let (load, normal_force) = (found.load(), found.contact.normal_force);
+            let load = found.load();
+            let solved = Solved {
+                load,
+                normal_force: found.contact.normal_force,
+                slack: match load == Load::default() && at_bit.is_none() {
+                    true => lateral_line.slack(laws.wall.clearance()),
+                    false => 0.0,
+                },
+            };
             if !(found.speed.is_finite() && load.torque.is_finite()) {
                 return Err(system.not_finite(index, time));
             }
@@ -261,7 +275,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             if found.bit.is_some() {
                 now.bit = found.bit;
             }
-            Ok((load, normal_force))
+            Ok(solved)
         })?;
         match settled {
             true => Ok(()),
@@ -302,12 +316,12 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
 
     /// All torques on a site so far, as the reference motion is left by them, N m.
     pub(crate) fn torques(&self, index: usize) -> &[f64] {
-        self.torques.inputs(0, index)
+        self.torques.loads(0, index)
     }
 
     /// All forces on a site so far along an axis, disturbances included, N.
     pub(crate) fn forces(&self, axis: usize, site: usize) -> &[f64] {
-        (self.lateral.as_ref()).map_or(&[], |lateral| lateral.forces.inputs(axis, site))
+        (self.lateral.as_ref()).map_or(&[], |lateral| lateral.forces.loads(axis, site))
     }
 
     /// At the beginning of a block, displacements of all sites through it, x of all sites
@@ -344,18 +358,6 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     }
 }
 
-/// The speed of a site without its own load, with those of the others.
-#[inline]
-fn turned_by_others(system: &System, free_speed: f64, index: usize, loads: &[Load]) -> f64 {
-    let mut speed = free_speed;
-    for (other, load) in loads.iter().enumerate() {
-        if other != index {
-            speed += system.from_torques.instant(index, other) * load.torque;
-        }
-    }
-    speed
-}
-
 impl<'a, W: WallLaw> LateralMotion<'a, W> {
     fn new(
         system: &'a System,
@@ -363,14 +365,15 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         steps: usize,
     ) -> Result<Self, SimulationError> {
         let sites = system.sites;
-        let kernels = (system.from_forces.as_ref()).ok_or(SimulationError::NoForceInput)?;
+        let channel = (system.from_forces.as_ref()).ok_or(SimulationError::NoForceInput)?;
         if scene.walls.len() != sites {
             let walls = scene.walls.len();
             return Err(SimulationError::NotAWallForEachSite { walls, sites });
         }
         Ok(Self {
             scene,
-            forces: Convolution::new(kernels, 2, steps),
+            channel,
+            forces: channel.past(steps),
             positions: vec![[0.0; 2]; sites],
             sliding_speeds: vec![None; sites],
             rotations: vec![0.0; sites],
@@ -384,12 +387,16 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         let sites = system.sites;
         self.find_external_forces(system, time, last_speeds);
         self.forces.write_past(&mut self.free_positions);
-        let kernels = self.forces.kernels();
-        for (place, position) in self.free_positions.iter_mut().enumerate() {
-            let (axis, site) = (place / sites, place % sites);
-            for input in 0..sites {
-                let force = self.external[axis * sites + input];
-                *position += kernels.instant(site, input) * force;
+        let planes = self.free_positions.chunks_exact_mut(sites);
+        for (positions, external) in planes.zip(self.external.chunks_exact(sites)) {
+            let acting = external
+                .iter()
+                .enumerate()
+                .filter(|(_, force)| **force != 0.0);
+            for (input, force) in acting {
+                for (site, position) in positions.iter_mut().enumerate() {
+                    *position += self.channel.instant(site, input) * force;
+                }
             }
         }
     }
@@ -415,24 +422,14 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         }
     }
 
-    /// The load line of a site, the loads of the others given.
+    /// The load line of a site that would be at a position without its own load.
     #[inline]
-    fn line(&self, system: &System, site: usize, loads: &[Load]) -> LateralLine {
-        let sites = system.sites;
-        let mut free_position = [0, 1].map(|axis| self.free_positions[axis * sites + site]);
-        let kernels = self.forces.kernels();
-        for (other, load) in loads.iter().enumerate() {
-            if other != site {
-                let compliance = kernels.instant(site, other);
-                free_position[0] += compliance * load.force[0];
-                free_position[1] += compliance * load.force[1];
-            }
-        }
+    fn line(&self, system: &System, site: usize, free_position: [f64; 2]) -> LateralLine {
         LateralLine {
             free_position,
             previous_position: self.positions[site],
             previous_sliding_speed: self.sliding_speeds[site],
-            compliance: kernels.instant(site, site),
+            compliance: self.channel.instant(site, site),
             sampling: system.sampling,
         }
     }

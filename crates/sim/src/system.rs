@@ -1,8 +1,10 @@
 //! The linear part as all cases share it: responses ready to step against.
 
+use linear::elements::stepped::SteppedString;
 use linear::{ChannelResponses, ResponseError, Responses};
 
-use crate::convolution::{Kernel, Kernels};
+use crate::channel::{Bending, Channel, Torsion};
+use crate::convolution::Kernel;
 use crate::error::SimulationError;
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
@@ -23,12 +25,12 @@ pub struct System {
     /// The sites that a torque may act on.
     pub(crate) loaded: Vec<usize>,
     /// From torques to speeds, between loaded sites.
-    pub(crate) from_torques: Kernels,
+    pub(crate) from_torques: Torsion,
     /// From a torque at the bit to the speeds of the sites that bear none, which are only
     /// looked at.
     to_others: Vec<(usize, Kernel)>,
     /// From forces to displacements, between all sites, where bending is modelled.
-    pub(crate) from_forces: Option<Kernels>,
+    pub(crate) from_forces: Option<Bending>,
 }
 
 impl System {
@@ -50,11 +52,7 @@ impl System {
         responses: &Responses,
         profile: &SurfaceProfile,
     ) -> Result<Self, SimulationError> {
-        profile.check()?;
-        not_negative("longest time in s", responses.longest_time)?;
-        responses.check()?;
-        let channel = linear::Channel::Torsion;
-        let torsion = (responses.torsion()).ok_or(ResponseError::NoChannel { channel })?;
+        let torsion = checked_torsion(responses, profile)?;
         let sites = responses.sites.len();
         let loaded = torsion.loads.clone();
         let bending = responses.bending();
@@ -63,18 +61,54 @@ impl System {
         {
             return Err(SimulationError::UnlikeChannels);
         }
+        let to_others = to_others(torsion, responses.sites.bit_site());
+        let from_torques = Channel::of_taps(&torsion.driving_points());
+        let from_forces = bending.map(|bending| Channel::of_taps(&bending.from_loads));
+        Ok(Self {
+            to_others,
+            ..Self::of(responses, profile, (loaded, from_torques, from_forces))?
+        })
+    }
+
+    /// The same of a string whose elements are stepped, loads acting at any of its sites, with
+    /// its responses to the surface.
+    ///
+    /// # Errors
+    /// As [`System::started`], and where the responses are those of other sites.
+    pub fn stepped(
+        string: &SteppedString,
+        responses: &Responses,
+        profile: &SurfaceProfile,
+    ) -> Result<Self, SimulationError> {
+        let sites = string.torsion().sites();
+        if responses.sites.len() != sites {
+            return Err(ResponseError::OtherSites.into());
+        }
+        let from_torques = Channel::of_mesh(string.torsion());
+        let from_forces = Channel::of_mesh(string.bending());
+        let channels = ((0..sites).collect(), from_torques, Some(from_forces));
+        Self::of(responses, profile, channels)
+    }
+
+    /// From responses to the surface, and the channels between sites that loads act on.
+    fn of(
+        responses: &Responses,
+        profile: &SurfaceProfile,
+        (loaded, from_torques, from_forces): (Vec<usize>, Torsion, Option<Bending>),
+    ) -> Result<Self, SimulationError> {
+        let torsion = checked_torsion(responses, profile)?;
         let sampling = Sampling::new(responses.sampling_frequency, responses.method.moment());
         Ok(Self {
-            sites,
+            sites: responses.sites.len(),
             bit_site: responses.sites.bit_site(),
             sampling,
             longest_time: responses.longest_time,
             surface: (torsion.from_surface.iter())
                 .map(|taps| SurfaceResponse::new(taps, profile, sampling))
                 .collect(),
-            from_torques: Kernels::of(&torsion.driving_points()),
-            to_others: to_others(torsion, responses.sites.bit_site()),
-            from_forces: bending.map(|bending| Kernels::of(&bending.from_loads)),
+            from_torques,
+            to_others: Vec::new(),
+            from_forces,
             loaded,
         })
     }
@@ -164,6 +198,18 @@ impl System {
 pub(crate) struct BitLoad {
     pub(crate) site: usize,
     pub(crate) load: usize,
+}
+
+/// The responses in torsion of what is sound, with a start that there is.
+fn checked_torsion<'a>(
+    responses: &'a Responses,
+    profile: &SurfaceProfile,
+) -> Result<&'a ChannelResponses, SimulationError> {
+    profile.check()?;
+    not_negative("longest time in s", responses.longest_time)?;
+    responses.check()?;
+    let channel = linear::Channel::Torsion;
+    Ok((responses.torsion()).ok_or(ResponseError::NoChannel { channel })?)
 }
 
 fn to_others(torsion: &ChannelResponses, bit_site: Option<usize>) -> Vec<(usize, Kernel)> {

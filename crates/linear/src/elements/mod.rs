@@ -8,4 +8,5 @@ pub mod newmark;
 pub mod reconstruction;
 pub(crate) mod recurrence;
 pub mod reduction;
+pub mod stepped;
 pub(crate) mod torsion;

@@ -47,6 +47,21 @@ impl Matrices {
         self.damping.len()
     }
 
+    /// Row, column and value of what the mass matrix has.
+    pub fn mass_entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        entries(&self.mass)
+    }
+
+    /// The same of the stiffness matrix.
+    pub fn stiffness_entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        entries(&self.stiffness)
+    }
+
+    /// A dashpot a degree of freedom.
+    pub fn damping(&self) -> &[f64] {
+        &self.damping
+    }
+
     /// M + `damping_gain` C + `stiffness_gain` K.
     fn combined(
         &self,
@@ -54,9 +69,8 @@ impl Matrices {
         stiffness_gain: f64,
     ) -> Result<SparseColMat<usize, f64>, BuildError> {
         let scaled = |matrix: &SparseColMat<usize, f64>, gain: f64| -> Vec<Entry> {
-            matrix
-                .triplet_iter()
-                .map(|entry| Entry::new(entry.row, entry.col, gain * *entry.val))
+            entries(matrix)
+                .map(|(row, column, value)| Entry::new(row, column, gain * value))
                 .collect()
         };
         let mut entries = scaled(&self.mass, 1.0);
@@ -69,6 +83,11 @@ impl Matrices {
         );
         sparse(self.size(), &entries)
     }
+}
+
+fn entries(matrix: &SparseColMat<usize, f64>) -> impl Iterator<Item = (usize, usize, f64)> {
+    let entries = matrix.triplet_iter();
+    entries.map(|entry| (entry.row, entry.col, *entry.val))
 }
 
 fn sparse(size: usize, entries: &[Entry]) -> Result<SparseColMat<usize, f64>, BuildError> {

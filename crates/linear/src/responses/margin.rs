@@ -62,8 +62,8 @@ impl Responses {
             .transpose()
     }
 
-    /// Taps from the forces at the sites to their velocities, as the method
-    /// differentiates in time; `[site][load]`, m/s per N.
+    /// Taps from the forces at the sites that loads act on to the velocities of these, as the
+    /// method differentiates in time; `[output][input]`, m/s per N.
     pub fn velocities(&self) -> Option<Vec<Vec<Vec<f64>>>> {
         let derivative = self.method.derivative();
         let bending = self.bending()?;
@@ -78,10 +78,11 @@ fn differences(taps: &[f64]) -> Vec<f64> {
     pairs.map(|(now, before)| now - before).collect()
 }
 
-/// Every response to a load, changed.
+/// Every response between sites that loads act on, changed.
 fn each(channel: &ChannelResponses, change: impl Fn(&[f64]) -> Vec<f64>) -> Vec<Vec<Vec<f64>>> {
-    let of_site = |loads: &Vec<Vec<f64>>| loads.iter().map(|taps| change(taps)).collect();
-    channel.from_loads.iter().map(of_site).collect()
+    let points = channel.driving_points();
+    let of_site = |inputs: &Vec<&[f64]>| inputs.iter().map(|taps| change(taps)).collect();
+    points.iter().map(of_site).collect()
 }
 
 /// How velocities at sites end, `[site][input]`.

@@ -150,13 +150,4 @@ impl Kernels {
     pub(crate) fn instant(&self, output: usize, input: usize) -> f64 {
         self.instants[output * self.sites + input]
     }
-
-    /// How far an input at another site moves this one within the step, as a part of what its
-    /// own does.
-    pub(crate) fn share(&self, output: usize, input: usize) -> f64 {
-        match self.instant(output, input) {
-            0.0 => 0.0,
-            moved => (moved / self.instant(output, output)).abs(),
-        }
-    }
 }

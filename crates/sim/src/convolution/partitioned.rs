@@ -152,11 +152,6 @@ impl<'a> Convolution<'a> {
         self.end_block();
     }
 
-    /// The responses that are summed.
-    pub(crate) fn kernels(&self) -> &'a Kernels {
-        self.kernels
-    }
-
     /// All inputs of a plane and site so far.
     pub(crate) fn inputs(&self, plane: usize, site: usize) -> &[f64] {
         &self.past.inputs[plane * self.kernels.sites + site]

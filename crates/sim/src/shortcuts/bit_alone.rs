@@ -36,10 +36,11 @@ impl BitAlone {
         if system.from_forces.is_some() || system.loaded.len() > 1 {
             return None;
         }
+        let kernels = system.from_torques.kernels()?;
         let surface = |step: usize| system.surface_response(bit.site, step);
         let steps = system.steps_of(responses.longest_time);
         Some(Self {
-            stuck_torque: StuckTorque::new(&system.from_torques, surface, steps),
+            stuck_torque: StuckTorque::new(kernels, surface, steps),
             look_ahead: LookAhead::new(responses.at_bit()?),
             site: bit.site,
             round_trip: 2 * system.surface_arrives(bit.site, ARRIVED),

@@ -3,8 +3,10 @@
 
 use linear::Method;
 use linear::cost::{self, Memory};
+use linear::method::FiniteElement;
 use sim::cost::Taps;
 
+use super::stepped::{looked_at, stepped_by};
 use super::systems::request;
 use super::verdict::FINER;
 use crate::plan::{Setting, Sweep};
@@ -38,6 +40,9 @@ impl StringMemory {
     }
 
     fn of_method(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
+        if let Some((_, parameters)) = stepped_by(setting, method) {
+            return Self::of_stepped(sweep, setting, &parameters, longest_time);
+        }
         let (sites, cuts) = (setting.sites.len(), sweep.bit.is_some());
         let steps = sim::cost::steps(longest_time, setting.sampling_frequency);
         let request = request(setting, cuts, longest_time);
@@ -70,19 +75,66 @@ impl StringMemory {
                 .then(Memory::lasting(kept));
             case = case.max(sim::cost::cascade_case(recorded, taps, steps));
         }
-        if sweep.keeps_motion() {
-            case += sim::cost::trajectory(recorded, setting.lateral.is_some(), steps);
-        }
-        if sweep.finds_surface_torque() {
-            let kept = sim::cost::surface_torque(sites, taps.torsion);
-            systems = systems.then(Memory::lasting(kept));
-            case += sim::cost::surface_torque_of(taps.torsion, steps);
-        }
         Self {
             systems,
             case,
             too_long: built.too_long,
         }
+        .with_motion(
+            sweep,
+            recorded,
+            setting.lateral.is_some(),
+            taps.torsion,
+            steps,
+        )
+    }
+
+    /// Of elements that are stepped.
+    fn of_stepped(
+        sweep: &Sweep,
+        setting: &Setting,
+        parameters: &FiniteElement,
+        longest_time: f64,
+    ) -> Self {
+        let (sites, loads) = (setting.sites.len(), looked_at(setting).len());
+        let steps = sim::cost::steps(longest_time, setting.sampling_frequency);
+        let request = request(setting, false, longest_time);
+        let built = cost::stepped(&setting.string, &request, loads, parameters);
+        let prepared = Memory::lasting(
+            built.memory.kept + sim::cost::stepped_simulator(sites, built.torsion_taps),
+        );
+        let margins = [
+            cost::margin(loads, built.torsion_taps),
+            cost::bending_margin(loads, built.bending_taps),
+        ];
+        let systems = margins.into_iter().map(passing);
+        let motion = cost::stepped_motion(&setting.string, &setting.sites, parameters);
+        Self {
+            systems: systems.fold(built.memory.then(prepared), Memory::then),
+            case: motion + sim::cost::stepped_case(sites, steps),
+            too_long: built.too_long,
+        }
+        .with_motion(sweep, sites, true, built.torsion_taps, steps)
+    }
+
+    /// With what a motion of so many places takes that is kept until its row is known.
+    fn with_motion(
+        mut self,
+        sweep: &Sweep,
+        recorded: usize,
+        is_lateral: bool,
+        torsion_taps: f64,
+        steps: f64,
+    ) -> Self {
+        if sweep.keeps_motion() {
+            self.case += sim::cost::trajectory(recorded, is_lateral, steps);
+        }
+        if sweep.finds_surface_torque() {
+            let kept = sim::cost::surface_torque(recorded, torsion_taps);
+            self.systems = self.systems.then(Memory::lasting(kept));
+            self.case += sim::cost::surface_torque_of(torsion_taps, steps);
+        }
+        self
     }
 }
 

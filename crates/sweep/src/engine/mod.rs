@@ -12,6 +12,7 @@ mod memory;
 mod record;
 mod run_options;
 mod shard;
+mod stepped;
 mod survey;
 mod systems;
 mod verdict;

@@ -23,6 +23,7 @@ use super::front::{Front, Overshoot};
 use super::instability::{Instability, is_unstable};
 use super::record::{Failure, Record};
 use super::run_options::RunOptions;
+use super::stepped::{self, stepped_by};
 use super::verdict::{FINER, Verdict};
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
@@ -143,6 +144,11 @@ impl MethodSystem {
         trains: Option<&ImpulseTrains>,
     ) -> Result<Self> {
         let start = Instant::now();
+        if let Some((lateral, parameters)) = stepped_by(setting, &method) {
+            let (responses, simulator) =
+                stepped::build(setting, lateral, &parameters, longest_time)?;
+            return Self::with(setting, responses, simulator, start);
+        }
         let (string, request) = (&setting.string, request(setting, cuts, longest_time));
         let responses = match trains {
             None => responses(string, &method, &request)?,
@@ -168,6 +174,15 @@ impl MethodSystem {
     /// Where they are not those of a string.
     pub fn of(setting: &Setting, responses: Responses, begun: Instant) -> Result<Self> {
         let simulator = Simulator::started(&responses, &setting.profile)?;
+        Self::with(setting, responses, simulator, begun)
+    }
+
+    fn with(
+        setting: &Setting,
+        responses: Responses,
+        simulator: Simulator,
+        begun: Instant,
+    ) -> Result<Self> {
         let build_seconds = begun.elapsed().as_secs_f64();
         let reaches = reaches(setting, &responses);
         Ok(Self {
@@ -482,12 +497,10 @@ fn reaches(setting: &Setting, responses: &Responses) -> Vec<f64> {
     let Some((lateral, bending)) = setting.lateral.as_ref().zip(responses.bending()) else {
         return Vec::new();
     };
+    let sampling = Sampling::new(setting.sampling_frequency, responses.method.moment());
     let of = |impulse: &ImpulseSettings| {
-        reach_of_impulse(
-            &bending.from_loads[impulse.site][impulse.site],
-            Sampling::new(setting.sampling_frequency, responses.method.moment()),
-            impulse.duration,
-        )
+        let taps = bending.taps_between(impulse.site, impulse.site);
+        reach_of_impulse(taps.unwrap_or_default(), sampling, impulse.duration)
     };
     lateral.impulses.iter().map(of).collect()
 }

@@ -1,0 +1,346 @@
+//! Newmark's scheme on elements in a row, a pass down the string and one back for each step.
+//!
+//! [`super::super::newmark`] keeps displacement, velocity and acceleration of every step. Here
+//! the first two are kept as they are predicted for the present one (Eqs. 64 and 65 without the
+//! new acceleration a): ṽ and ũ, from which the next follow as ṽ + h a and
+//! ũ + h ṽ + (½ + γ) h² a. So an acceleration may be added to after the fact, which is what
+//! loads do that depend on where the string would be without them, and prediction, internal
+//! forces and elimination are one pass over the nodes.
+
+use std::ops::Range;
+
+use super::super::newmark::{Matrices, Weights};
+use crate::error::BuildError;
+
+/// What a load accelerates by a smaller part than this of the most is left out: it is below
+/// rounding.
+const NEGLIGIBLE: f64 = 1e-18;
+
+/// Between the degrees of freedom of two nodes, row by row.
+type Block<const D: usize> = [[f64; D]; D];
+
+/// Of each degree of freedom of a node, a value in every plane.
+type Values<const D: usize, const P: usize> = [[f64; P]; D];
+
+/// The matrices at a node, and between it and the next one.
+#[derive(Debug, Clone)]
+struct Link<const D: usize> {
+    damping: [f64; D],
+    stiffness: Block<D>,
+    /// From this node to the next.
+    stiffness_below: Block<D>,
+    /// Of the effective mass M + γh C + βh² K = L D Lᵀ: D⁻¹ at the node,
+    pivot_inverse: Block<D>,
+    /// and L from it to the next.
+    factor_below: Block<D>,
+}
+
+/// Elements in a row with so many degrees of freedom at a node, their effective mass factorised.
+#[derive(Debug, Clone)]
+pub(super) struct Chain<const D: usize> {
+    weights: Weights,
+    links: Vec<Link<D>>,
+}
+
+/// The motion of a chain in so many planes, ready for the loads of a step.
+#[derive(Debug, Clone)]
+pub(super) struct ChainMotion<const D: usize, const P: usize> {
+    nodes: Vec<NodeMotion<D, P>>,
+}
+
+/// Displacement and velocity as predicted, and acceleration.
+#[derive(Debug, Clone, Copy)]
+struct NodeMotion<const D: usize, const P: usize> {
+    displacement: Values<D, P>,
+    velocity: Values<D, P>,
+    acceleration: Values<D, P>,
+}
+
+/// Accelerations of the nodes around a unit load.
+#[derive(Debug, Clone)]
+pub(super) struct Column<const D: usize> {
+    first: usize,
+    accelerations: Vec<[f64; D]>,
+}
+
+impl<const D: usize> Chain<D> {
+    /// Of matrices that join neighbouring nodes only; the first node has so many degrees of
+    /// freedom less.
+    ///
+    /// # Errors
+    /// Where the effective mass is not positive definite.
+    pub fn new(matrices: &Matrices, held: usize, weights: Weights) -> Result<Self, BuildError> {
+        let (velocity_gain, displacement_gain) =
+            (weights.velocity_gain(), weights.displacement_gain());
+        let nodes = (matrices.size() + held) / D;
+        let mut stiffness = Blocks::new(nodes);
+        let mut effective = Blocks::new(nodes);
+        for (row, column, value) in matrices.stiffness_entries() {
+            stiffness.add(row + held, column + held, value);
+            effective.add(row + held, column + held, displacement_gain * value);
+        }
+        for (row, column, value) in matrices.mass_entries() {
+            effective.add(row + held, column + held, value);
+        }
+        let mut damping = vec![[0.0; D]; nodes];
+        for (place, dashpot) in matrices.damping().iter().enumerate() {
+            let place = place + held;
+            damping[place / D][place % D] = *dashpot;
+            effective.add(place, place, velocity_gain * dashpot);
+        }
+        // What is held has no force on it and is never accelerated.
+        for place in 0..held {
+            effective.add(place, place, 1.0);
+        }
+        let mut links = Vec::with_capacity(nodes);
+        let mut taken = [[0.0; D]; D];
+        for (node, damping) in damping.into_iter().enumerate() {
+            let pivot = difference(effective.own[node], taken);
+            let pivot_inverse = inverse(pivot).ok_or_else(|| BuildError::Factorisation {
+                reason: format!("the effective mass is not positive definite at node {node}"),
+            })?;
+            let below = effective.below[node];
+            let factor_below = product(below, pivot_inverse);
+            taken = product(factor_below, transposed(below));
+            links.push(Link {
+                damping,
+                stiffness: stiffness.own[node],
+                stiffness_below: stiffness.below[node],
+                pivot_inverse,
+                factor_below,
+            });
+        }
+        Ok(Self { weights, links })
+    }
+
+    /// At rest.
+    pub fn rest<const P: usize>(&self) -> ChainMotion<D, P> {
+        let still = NodeMotion {
+            displacement: [[0.0; P]; D],
+            velocity: [[0.0; P]; D],
+            acceleration: [[0.0; P]; D],
+        };
+        ChainMotion {
+            nodes: vec![still; self.links.len()],
+        }
+    }
+
+    /// The next step, no load acting.
+    pub fn advance<const P: usize>(&self, motion: &mut ChainMotion<D, P>) {
+        let nodes = &mut motion.nodes[..self.links.len()];
+        if let Some(first) = nodes.first_mut() {
+            first.predict(&self.weights);
+        }
+        // What the node above leaves on the right-hand side of the next.
+        let mut carried = [[0.0; P]; D];
+        for (index, link) in self.links.iter().enumerate() {
+            let (above, below) = nodes.split_at_mut(index + 1);
+            let node = &mut above[index];
+            let mut force = carried;
+            if let Some(below) = below.first_mut() {
+                below.predict(&self.weights);
+                subtract_transposed(&mut force, &link.stiffness_below, &below.displacement);
+            }
+            for ((force, damping), velocity) in
+                force.iter_mut().zip(link.damping).zip(&node.velocity)
+            {
+                for (force, velocity) in force.iter_mut().zip(velocity) {
+                    *force -= damping * velocity;
+                }
+            }
+            subtract(&mut force, &link.stiffness, &node.displacement);
+            carried = [[0.0; P]; D];
+            subtract(&mut carried, &link.stiffness_below, &node.displacement);
+            subtract(&mut carried, &link.factor_below, &force);
+            node.acceleration = force;
+        }
+        let mut below = [[0.0; P]; D];
+        for (node, link) in nodes.iter_mut().zip(&self.links).rev() {
+            let mut acceleration = times(&link.pivot_inverse, &node.acceleration);
+            subtract_transposed(&mut acceleration, &link.factor_below, &below);
+            node.acceleration = acceleration;
+            below = acceleration;
+        }
+    }
+
+    /// What a unit load on the first degree of freedom of a node accelerates.
+    pub fn column(&self, loaded: usize) -> Column<D> {
+        let mut values = vec![[[0.0; 1]; D]; self.links.len()];
+        values[loaded][0] = [1.0];
+        let links = self.links.iter().enumerate().skip(loaded);
+        for (node, link) in links.take(self.links.len() - loaded - 1) {
+            let above = values[node];
+            subtract(&mut values[node + 1], &link.factor_below, &above);
+        }
+        let mut below = [[0.0; 1]; D];
+        for (value, link) in values.iter_mut().zip(&self.links).rev() {
+            let mut acceleration = times(&link.pivot_inverse, value);
+            subtract_transposed(&mut acceleration, &link.factor_below, &below);
+            *value = acceleration;
+            below = acceleration;
+        }
+        let Range { start, end } = felt(&values);
+        let accelerations = values[start..end].iter().map(|node| node.map(|[one]| one));
+        Column {
+            first: start,
+            accelerations: accelerations.collect(),
+        }
+    }
+}
+
+/// The nodes that feel a load.
+fn felt<const D: usize>(values: &[Values<D, 1>]) -> Range<usize> {
+    let of_node = |node: &Values<D, 1>| node.iter().fold(0.0, |most: f64, [it]| most.max(it.abs()));
+    let most = values.iter().map(of_node).fold(0.0, f64::max);
+    let is_felt = |node: &Values<D, 1>| of_node(node) > NEGLIGIBLE * most;
+    let first = values.iter().position(is_felt).unwrap_or(0);
+    let last = values.iter().rposition(is_felt).unwrap_or(0);
+    first..last + 1
+}
+
+impl<const D: usize, const P: usize> ChainMotion<D, P> {
+    /// Adds what loads in every plane do to the step.
+    pub fn add(&mut self, column: &Column<D>, loads: [f64; P]) {
+        let nodes = self.nodes[column.first..].iter_mut();
+        for (node, unit) in nodes.zip(&column.accelerations) {
+            for (acceleration, unit) in node.acceleration.iter_mut().zip(unit) {
+                for (acceleration, load) in acceleration.iter_mut().zip(loads) {
+                    *acceleration += unit * load;
+                }
+            }
+        }
+    }
+
+    /// Displacement of a node in the step, of the first degree of freedom, in every plane.
+    pub fn displacement(&self, node: usize, weights: &Weights) -> [f64; P] {
+        let (node, gain) = (&self.nodes[node], weights.displacement_gain());
+        std::array::from_fn(|plane| {
+            node.displacement[0][plane] + gain * node.acceleration[0][plane]
+        })
+    }
+
+    /// Velocity in the same way.
+    pub fn velocity(&self, node: usize, weights: &Weights) -> [f64; P] {
+        let (node, gain) = (&self.nodes[node], weights.velocity_gain());
+        std::array::from_fn(|plane| node.velocity[0][plane] + gain * node.acceleration[0][plane])
+    }
+}
+
+impl<const D: usize, const P: usize> NodeMotion<D, P> {
+    #[inline(always)]
+    fn predict(&mut self, weights: &Weights) {
+        let step = weights.step;
+        let gain = (0.5 + weights.gamma) * step * step;
+        for freedom in 0..D {
+            for plane in 0..P {
+                let acceleration = self.acceleration[freedom][plane];
+                let velocity = self.velocity[freedom][plane];
+                self.displacement[freedom][plane] += step * velocity + gain * acceleration;
+                self.velocity[freedom][plane] = velocity + step * acceleration;
+            }
+        }
+    }
+}
+
+impl<const D: usize> Column<D> {
+    /// The acceleration of the first degree of freedom of a node.
+    pub fn at(&self, node: usize) -> f64 {
+        let place = node.checked_sub(self.first);
+        let found = place.and_then(|place| self.accelerations.get(place));
+        found.map_or(0.0, |accelerations| accelerations[0])
+    }
+}
+
+/// A symmetric matrix by its nodes.
+struct Blocks<const D: usize> {
+    own: Vec<Block<D>>,
+    below: Vec<Block<D>>,
+}
+
+impl<const D: usize> Blocks<D> {
+    fn new(nodes: usize) -> Self {
+        Self {
+            own: vec![[[0.0; D]; D]; nodes],
+            below: vec![[[0.0; D]; D]; nodes],
+        }
+    }
+
+    /// Adds an entry; those above the diagonal blocks are their mirrors'.
+    fn add(&mut self, row: usize, column: usize, value: f64) {
+        let (node, other) = (row / D, column / D);
+        if node == other {
+            self.own[node][row % D][column % D] += value;
+        } else if node == other + 1 {
+            self.below[other][row % D][column % D] += value;
+        }
+    }
+}
+
+#[inline(always)]
+fn times<const D: usize, const P: usize>(block: &Block<D>, values: &Values<D, P>) -> Values<D, P> {
+    std::array::from_fn(|row| {
+        std::array::from_fn(|plane| (0..D).map(|it| block[row][it] * values[it][plane]).sum())
+    })
+}
+
+#[inline(always)]
+fn subtract<const D: usize, const P: usize>(
+    from: &mut Values<D, P>,
+    block: &Block<D>,
+    values: &Values<D, P>,
+) {
+    for (from, row) in from.iter_mut().zip(block) {
+        for (entry, values) in row.iter().zip(values) {
+            for (from, value) in from.iter_mut().zip(values) {
+                *from -= entry * value;
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn subtract_transposed<const D: usize, const P: usize>(
+    from: &mut Values<D, P>,
+    block: &Block<D>,
+    values: &Values<D, P>,
+) {
+    subtract(from, &transposed(*block), values);
+}
+
+#[inline(always)]
+fn transposed<const D: usize>(block: Block<D>) -> Block<D> {
+    std::array::from_fn(|row| std::array::from_fn(|column| block[column][row]))
+}
+
+fn difference<const D: usize>(one: Block<D>, other: Block<D>) -> Block<D> {
+    std::array::from_fn(|row| std::array::from_fn(|column| one[row][column] - other[row][column]))
+}
+
+fn product<const D: usize>(one: Block<D>, other: Block<D>) -> Block<D> {
+    times(&one, &other)
+}
+
+/// The inverse of a positive definite block, by elimination without exchange.
+fn inverse<const D: usize>(mut block: Block<D>) -> Option<Block<D>> {
+    let mut inverse: Block<D> = std::array::from_fn(|row| {
+        std::array::from_fn(|column| if row == column { 1.0 } else { 0.0 })
+    });
+    for pivot in 0..D {
+        let value = block[pivot][pivot];
+        if !(value > 0.0 && value.is_finite()) {
+            return None;
+        }
+        for matrix in [&mut block, &mut inverse] {
+            matrix[pivot] = matrix[pivot].map(|entry| entry / value);
+        }
+        for row in (0..D).filter(|row| *row != pivot) {
+            let factor = block[row][pivot];
+            for matrix in [&mut block, &mut inverse] {
+                for column in 0..D {
+                    matrix[row][column] -= factor * matrix[pivot][column];
+                }
+            }
+        }
+    }
+    Some(inverse)
+}

@@ -1,0 +1,174 @@
+//! Newton's method on the loads of all sites that bear one or may: where each would be if the
+//! others bore theirs follows from the first taps, and what its laws then answer is
+//! differentiated numerically. Between sticking and sliding, touching and not, the answer has
+//! kinks; a step that leaves the sites further apart is shortened, or not taken.
+
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+
+use super::{Coupling, Free, Solved, Unloaded};
+use crate::site::Load;
+
+/// A load has so many components: two of force, and torque.
+const COMPONENTS: usize = 3;
+
+/// Answers are differentiated over this part of the largest load.
+const DIFFERENCE: f64 = 1e-6;
+
+/// A step is halved so often before it is not taken.
+const HALVINGS: usize = 6;
+
+/// Components of a load.
+type Components = [f64; COMPONENTS];
+
+fn components(load: Load) -> Components {
+    [load.force[0], load.force[1], load.torque]
+}
+
+fn load_of([x, y, torque]: Components) -> Load {
+    Load {
+        force: [x, y],
+        torque,
+    }
+}
+
+fn difference(one: Components, other: Components) -> Components {
+    std::array::from_fn(|component| one[component] - other[component])
+}
+
+/// A step on the loads of a coupling, after which all sites have to be solved again; none where
+/// it does not bring them closer. A site without an answer is left to whoever solves it next.
+pub(super) fn step<E>(
+    coupling: &mut Coupling,
+    free: Free,
+    solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
+) {
+    let open = |site: &usize| coupling.pending[*site] > coupling.slack[*site];
+    let bears = |site: &usize| coupling.loads.all[*site] != Load::default();
+    let sites: Vec<usize> = (0..coupling.pending.len())
+        .filter(|site| open(site) || bears(site))
+        .collect();
+    coupling.pending.fill(f64::INFINITY);
+    let before: Vec<Components> = (sites.iter())
+        .map(|&site| components(coupling.loads.all[site]))
+        .collect();
+    let Some(scales) = scales(&before) else {
+        return;
+    };
+    let Some((answers, slopes)) = differentiate(coupling, &sites, scales, free, solve) else {
+        return;
+    };
+    let misses: Vec<Components> = (answers.iter().zip(&before))
+        .map(|(answer, load)| difference(*answer, *load))
+        .collect();
+    let change = newton_change(coupling, &sites, &slopes, &misses);
+    let least = size(&misses, scales);
+    for halvings in 0..HALVINGS {
+        let part = 0.5f64.powi(halvings as i32);
+        for ((&site, before), change) in sites.iter().zip(&before).zip(&change) {
+            let load = std::array::from_fn(|it| before[it] + part * change[it]);
+            coupling.loads.replace(site, load_of(load));
+        }
+        let misses = sites.iter().map(|&site| {
+            let answer = solve(site, coupling.unloaded(site, free)).ok()?;
+            Some(difference(
+                components(answer.load),
+                components(coupling.loads.all[site]),
+            ))
+        });
+        let misses: Option<Vec<Components>> = misses.collect();
+        if misses.is_some_and(|misses| size(&misses, scales) < least) {
+            return;
+        }
+    }
+    for (&site, before) in sites.iter().zip(before) {
+        coupling.loads.replace(site, load_of(before));
+    }
+}
+
+/// The largest force and the largest torque; none where nothing acts.
+fn scales(loads: &[Components]) -> Option<[f64; 2]> {
+    let force = loads.iter().map(|[x, y, _]| x.hypot(*y));
+    let force = force.fold(0.0, f64::max);
+    let torque = loads.iter().map(|load| load[2].abs()).fold(0.0, f64::max);
+    let is_there = force > 0.0 || torque > 0.0;
+    // Where only one of both acts, a unit of the other stands for it.
+    let or_unit = |scale: f64| if scale > 0.0 { scale } else { 1.0 };
+    is_there.then(|| [force, torque].map(or_unit))
+}
+
+/// How far loads are from what the laws answer them, in parts of the largest.
+fn size(misses: &[Components], [force, torque]: [f64; 2]) -> f64 {
+    let of_site = |[x, y, miss]: &Components| (x.hypot(*y) / force).max(miss.abs() / torque);
+    // No number is no small miss.
+    let sizes = misses.iter().map(of_site);
+    sizes.fold(0.0, |most, size| {
+        if size > most || size.is_nan() {
+            size
+        } else {
+            most
+        }
+    })
+}
+
+/// What the laws of each site answer, and by how much more to a unit of displacement along x
+/// and y, and of speed, `[component][input]`.
+fn differentiate<E>(
+    coupling: &Coupling,
+    sites: &[usize],
+    [force, torque]: [f64; 2],
+    free: Free,
+    solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
+) -> Option<(Vec<Components>, Vec<[Components; COMPONENTS]>)> {
+    let mut slopes = Vec::with_capacity(sites.len());
+    let mut answers = Vec::with_capacity(sites.len());
+    for &site in sites {
+        let at = coupling.unloaded(site, free);
+        let mut answer = |at| Some(components(solve(site, at).ok()?.load));
+        let here = answer(at)?;
+        let moved = DIFFERENCE * force * coupling.bending?.instant(site, site);
+        let turned = DIFFERENCE * torque * coupling.torsion.instant(site, site);
+        let mut by_input = [[0.0; COMPONENTS]; COMPONENTS];
+        for (input, by_input) in by_input.iter_mut().enumerate() {
+            let (mut there, step) = (at, if input < 2 { moved } else { turned });
+            match input {
+                2 => there.speed += step,
+                axis => there.position[axis] += step,
+            }
+            *by_input = difference(answer(there)?, here).map(|change| change / step);
+        }
+        slopes.push(std::array::from_fn(|component| {
+            by_input.map(|input| input[component])
+        }));
+        answers.push(here);
+    }
+    Some((answers, slopes))
+}
+
+/// The change of all loads after which the laws would answer them, were they straight.
+fn newton_change(
+    coupling: &Coupling,
+    sites: &[usize],
+    slopes: &[[Components; COMPONENTS]],
+    misses: &[Components],
+) -> Vec<Components> {
+    let size = COMPONENTS * sites.len();
+    let compliance = |output: usize, input: usize, component: usize| match component {
+        2 => coupling.torsion.instant(output, input),
+        _ => (coupling.bending).map_or(0.0, |bending| bending.instant(output, input)),
+    };
+    let matrix = Mat::from_fn(size, size, |row, column| {
+        let (here, component) = (row / COMPONENTS, row % COMPONENTS);
+        let (there, input) = (column / COMPONENTS, column % COMPONENTS);
+        let own = if row == column { 1.0 } else { 0.0 };
+        let felt = match here == there {
+            true => 0.0,
+            false => compliance(sites[here], sites[there], input),
+        };
+        own - slopes[here][component][input] * felt
+    });
+    let right = Mat::from_fn(size, 1, |row, _| misses[row / COMPONENTS][row % COMPONENTS]);
+    let change = matrix.partial_piv_lu().solve(&right);
+    let of_site = |site: usize| std::array::from_fn(|it| change[(COMPONENTS * site + it, 0)]);
+    (0..sites.len()).map(of_site).collect()
+}
