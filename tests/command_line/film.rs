@@ -123,14 +123,17 @@ fn a_film_that_cannot_be_is_refused() {
             &["--film-to", "0.5"],
             &["0 steps to show from the first contact", "--film-from"],
         ),
-        (&["--film-frames", "0"], &["--film-frames", "1..=60"]),
     ] {
         refused(&place, &with(options), words);
     }
-    refused(
-        &place,
-        &["simulate", "small.toml", "--film-to", "1"],
-        &["--film"],
-    );
+    // By the command line itself.
+    for (arguments, word) in [
+        (with(&["--film-frames", "0"]), "1..=60"),
+        (vec!["simulate", "small.toml", "--film-to", "1"], "--film\n"),
+    ] {
+        let answer = place.sweep(&arguments);
+        assert_eq!(answer.code, 2, "{answer:?}");
+        assert!(answer.errors.contains(word), "{answer:?}");
+    }
     assert_eq!(names_in(&place, "."), names(["small.toml"]));
 }

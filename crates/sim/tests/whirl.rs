@@ -395,7 +395,8 @@ fn the_reconstructed_string_passes_through_its_site() {
 }
 
 /// The whole string passes through each of several sites, at any step: by finite elements to
-/// rounding, whose mesh it is; by another method as far as that is from finite elements.
+/// rounding, whose mesh it is; by another method about as well as both agree on the response to
+/// the same forces.
 #[test]
 fn the_whole_string_passes_through_every_site_at_every_time() {
     let parameters = FiniteElement::default();
@@ -403,7 +404,7 @@ fn the_whole_string_passes_through_every_site_at_every_time() {
     let snapshots = [0, 655, 700, 900, 1300, 2000];
     for (method, close) in [
         (Method::FiniteElement(parameters), 1e-8),
-        (Method::Quadrature, 0.25),
+        (Method::Quadrature, 0.1),
     ] {
         let case = Case::new(&method, &distances);
         let lateral = Lateral {
@@ -439,7 +440,7 @@ fn the_whole_string_passes_through_every_site_at_every_time() {
             method.name()
         );
         // One that it does pass by: the forces are those of another method.
-        assert!(method == Method::FiniteElement(parameters) || furthest > 1e-4 * CLEARANCE);
+        assert!(method == Method::FiniteElement(parameters) || furthest > 0.01 * CLEARANCE);
     }
 }
 
@@ -449,29 +450,31 @@ fn the_whole_string_passes_through_every_site_at_every_time() {
 #[test]
 fn a_history_tells_how_a_site_touches() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
-    let mut trajectory = Trajectory::default();
-    case.run(case.at_bit(3.0, wall(2.0)), Some(&mut trajectory));
     let mut seen = [0; 3];
-    for (step, &touch) in trajectory.touches[0].iter().enumerate() {
-        seen[touch as usize] += 1;
-        let [x, y] = trajectory.positions[0][step];
-        let [force_x, force_y] = trajectory.wall_forces[0][step];
-        let normal = trajectory.normal_forces[0][step];
-        if touch == Touch::Free {
-            assert_eq!((normal, force_x, force_y), (0.0, 0.0, 0.0));
-            continue;
-        }
-        let radius = x.hypot(y);
-        assert!(normal > 0.0 && radius > CLEARANCE);
-        let against = -(force_x * x + force_y * y) / radius;
-        assert_close(against, normal, 1e-9);
-        let friction = (force_x * y - force_y * x).abs() / radius / normal;
-        assert!(friction < 2.0 * (1.0 + 1e-9), "{step}: {friction}");
-        if touch == Touch::Sliding {
-            assert_close(friction, 2.0, 1e-9);
+    for most in [0.5, 2.0] {
+        let mut trajectory = Trajectory::default();
+        case.run(case.at_bit(3.0, wall(most)), Some(&mut trajectory));
+        for (step, &touch) in trajectory.touches[0].iter().enumerate() {
+            seen[touch as usize] += 1;
+            let [x, y] = trajectory.positions[0][step];
+            let [force_x, force_y] = trajectory.wall_forces[0][step];
+            let normal = trajectory.normal_forces[0][step];
+            if touch == Touch::Free {
+                assert_eq!((normal, force_x, force_y), (0.0, 0.0, 0.0));
+                continue;
+            }
+            let radius = x.hypot(y);
+            assert!(normal > 0.0 && radius > CLEARANCE);
+            let against = -(force_x * x + force_y * y) / radius;
+            assert_close(against, normal, 1e-9);
+            let friction = (force_x * y - force_y * x).abs() / radius / normal;
+            match touch {
+                Touch::Sliding => assert_close(friction, most, 1e-9),
+                _ => assert!(friction <= most * (1.0 + 1e-9), "{step}: {friction}"),
+            }
         }
     }
-    assert!(seen.iter().all(|count| *count > 5), "{seen:?}");
+    assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
 }
 
 /// A smooth wall, against which a force presses for nearly all of the time.

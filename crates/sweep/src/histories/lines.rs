@@ -58,7 +58,7 @@ fn beyond_line(
     whole: &Reconstruction,
 ) -> String {
     let units = sweep.content.units;
-    let width = |value: f64| together(&units.of(&WIDTH).text(1e3 * value, 1));
+    let width = |value: f64| together(&units.of(&WIDTH).text(1e3 * value, 2));
     let at_sites = hole.farthest_at_sites(&simulation.trajectory).max(0.0);
     let told = match hole.farthest_beyond(whole) {
         Some(Beyond {
