@@ -45,7 +45,8 @@ pub fn case_lines(
             }
         }
     }
-    text += &wrapped(&format!("{files} are in {}", folder.display()), 0, 0);
+    let folder = together(&folder.display().to_string());
+    text += &wrapped(&format!("{files} are in {folder}"), 0, 0);
     Ok(text)
 }
 

@@ -38,7 +38,7 @@ const FINER: f64 = 2.0;
 /// A stretch of a band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bar {
-    /// Where it begins and ends.
+    /// Where it begins.
     pub from: f64,
     /// Where it ends.
     pub to: f64,

@@ -47,8 +47,8 @@ pub struct Film {
     pub axes: [Axis; 2],
     /// Places along the string, on the vertical axis, in order.
     pub places: Vec<f64>,
-    /// The wall: its distance from the middle, where it is known and between, by places on the
-    /// vertical axis; none where the string is nowhere near it.
+    /// The wall: its distance from the middle at sites, each with its place on the vertical axis;
+    /// those that the string is nowhere near are left out.
     pub wall: Vec<(f64, f64)>,
     /// What else is to be said, in the legend.
     pub notes: Vec<String>,

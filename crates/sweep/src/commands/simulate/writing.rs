@@ -19,11 +19,15 @@ use crate::plan::Sweep;
 
 /// Simulated cases, and where their files are written.
 pub struct Written<'a> {
+    /// The sweep.
     pub sweep: &'a Sweep,
+    /// Its cases that were asked for.
     pub cases: &'a [Case],
+    /// The rows that a run has of them.
     pub rows: &'a [Record],
-    /// At least one.
+    /// The motion of each case and method that has an answer; at least one.
     pub simulations: &'a [Simulation],
+    /// Where the files go.
     pub folder: &'a Path,
 }
 
