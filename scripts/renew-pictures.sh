@@ -25,10 +25,12 @@ keep() {
 "$sweep" inspect sweeps/fig10.toml --out "$folder/fig06"
 keep fig06 inspect
 
-for figure in fig07a fig07b fig08a fig08b fig11 fig16a fig16b; do
+for figure in fig07a fig07b fig08a fig08b fig11 fig16a; do
     "$sweep" simulate "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" history
 done
+"$sweep" simulate sweeps/fig16b.toml --film --film-to 2.5 --out "$folder/fig16b"
+keep fig16b history contacts film
 for figure in fig10 fig12 fig15; do
     "$sweep" simulate "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" history orbit

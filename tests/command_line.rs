@@ -5,6 +5,8 @@
 mod check;
 #[path = "command_line/designs.rs"]
 mod designs;
+#[path = "command_line/film.rs"]
+mod film;
 #[path = "command_line/manifest.rs"]
 mod manifest;
 #[path = "command_line/methods.rs"]

@@ -247,9 +247,21 @@ fn of_bending(method: &Method, request: &Request) -> ChannelCost {
     }
 }
 
-/// What [`crate::elements::reconstruction::WholeString::reconstruct`] takes.
-pub fn reconstruction(string: &Drillstring, sites: &Sites, parameters: &FiniteElement) -> f64 {
-    beam(string, sites, parameters, 2.0)
+/// What [`crate::elements::reconstruction::WholeString::reconstruct`] takes, with so many
+/// shapes kept.
+pub fn reconstruction(
+    string: &Drillstring,
+    sites: &Sites,
+    parameters: &FiniteElement,
+    snapshots: usize,
+) -> Memory {
+    let elements = most_elements(string, sites, parameters.elements_per_cell);
+    let depths_and_peaks = 2.0;
+    let kept = REAL * (elements + 1.0) * (depths_and_peaks + 2.0 * snapshots as f64);
+    Memory {
+        peak: beam(string, sites, parameters, 2.0) + kept,
+        kept,
+    }
 }
 
 /// Numbers for each element that is stepped: its links in torsion and in bending.

@@ -19,8 +19,9 @@ const LOOK: f64 = 8.0;
 const WATCH: f64 = 2.0;
 
 /// Numbers for each site and step of a time history with lateral motion: speed,
-/// position, force and torque of the wall, all forces.
-const RECORDED: f64 = 8.0;
+/// position, force, normal force and torque of the wall, all forces; and a byte of how it
+/// touches.
+const RECORDED: f64 = 9.0 + 1.0 / REAL;
 
 /// What [`crate::Simulator::new`] takes: responses of so many taps in torsion and, where
 /// there are any, in bending, to torques at so many of the sites.

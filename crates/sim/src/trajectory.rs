@@ -1,6 +1,7 @@
 //! The time history of one case, kept only where it is asked for.
 
 use crate::laws::bit::BitMotion;
+use crate::laws::contact::Touch;
 use crate::scene::Scene;
 use crate::stepper::{Step, Stepper};
 use crate::system::System;
@@ -24,6 +25,11 @@ pub struct Trajectory {
     pub positions: Vec<Vec<[f64; 2]>>,
     /// Force of the wall on each site, N; empty without lateral motion.
     pub wall_forces: Vec<Vec<[f64; 2]>>,
+    /// How each site meets its wall; empty without lateral motion.
+    pub touches: Vec<Vec<Touch>>,
+    /// Normal force F_N of the wall on each site, N, zero where it does not touch; empty
+    /// without lateral motion.
+    pub normal_forces: Vec<Vec<f64>>,
     /// Torque of its friction on each site, N m; empty without lateral motion.
     pub wall_torques: Vec<Vec<f64>>,
     /// All forces on each site, disturbances included, as
@@ -47,6 +53,8 @@ impl Trajectory {
             surface_speed: Vec::new(),
             positions: vec![Vec::new(); walls],
             wall_forces: vec![Vec::new(); walls],
+            touches: vec![Vec::new(); walls],
+            normal_forces: vec![Vec::new(); walls],
             wall_torques: vec![Vec::new(); walls],
             forces: Default::default(),
         };
@@ -59,6 +67,8 @@ impl Trajectory {
         for (site, contact) in now.contacts.iter().enumerate() {
             self.positions[site].push(contact.position);
             self.wall_forces[site].push(contact.force);
+            self.touches[site].push(contact.touch);
+            self.normal_forces[site].push(contact.normal_force);
             self.wall_torques[site].push(contact.torque);
         }
         self.bit_torque

@@ -10,6 +10,7 @@ use linear::{Complex64, Drillstring, Method, RaisedCosine, Sites, SurfaceSupport
 use problems::academic::{self, BENDING};
 use problems::oracles::assert_close;
 use sim::excitation::least_impulse;
+use sim::laws::contact::Touch;
 use sim::{
     EccentricMass, Impulse, Lateral, LateralMeasures, LateralRegime, Sampling, Scene, Simulator,
     SteadyWhirl, Stopping, Timing, Trajectory, Wall, WhirlingSite,
@@ -391,6 +392,89 @@ fn the_reconstructed_string_passes_through_its_site() {
     let [shape_x, shape_y] = &whole.shapes[0];
     assert!((shape_x[bit] - x).hypot(shape_y[bit] - y) < 1e-9 * CLEARANCE);
     assert!(whole.peaks.iter().all(|peak| *peak <= whole.peaks[bit]));
+}
+
+/// The whole string passes through each of several sites, at any step: by finite elements to
+/// rounding, whose mesh it is; by another method about as well as both agree on the response to
+/// the same forces.
+#[test]
+fn the_whole_string_passes_through_every_site_at_every_time() {
+    let parameters = FiniteElement::default();
+    let distances = [100.0, 50.0, 0.0];
+    let snapshots = [0, 655, 700, 900, 1300, 2000];
+    for (method, close) in [
+        (Method::FiniteElement(parameters), 1e-8),
+        (Method::Quadrature, 0.1),
+    ] {
+        let case = Case::new(&method, &distances);
+        let lateral = Lateral {
+            walls: vec![wall(2.0); 3],
+            impulses: vec![case.impulse(1, 3.0)],
+            eccentric_masses: vec![],
+        };
+        let mut trajectory = Trajectory::default();
+        case.run(lateral, Some(&mut trajectory));
+        let string = academic::string();
+        let whole = WholeString {
+            string: &string,
+            bending: &BENDING,
+            support: SurfaceSupport::Free,
+            sites: &Sites::new(&string, &distances).unwrap(),
+            sampling_frequency: academic::SAMPLING_FREQUENCY,
+            parameters,
+        };
+        let whole = whole.reconstruct(&trajectory.forces, &snapshots).unwrap();
+        assert_eq!(whole.shapes.len(), snapshots.len());
+        let mut furthest = 0.0_f64;
+        for (site, distance) in distances.iter().enumerate() {
+            let node = |depth: &f64| (depth - (string.length() - distance)).abs() < 1e-6;
+            let node = whole.depths.iter().position(node).unwrap();
+            for (step, [x, y]) in snapshots.iter().zip(&whole.shapes) {
+                let [at_x, at_y] = trajectory.positions[site][*step];
+                furthest = furthest.max((x[node] - at_x).hypot(y[node] - at_y));
+            }
+        }
+        assert!(
+            furthest < close * CLEARANCE,
+            "{} {furthest:e}",
+            method.name()
+        );
+        // One that it does pass by: the forces are those of another method.
+        assert!(method == Method::FiniteElement(parameters) || furthest > 0.01 * CLEARANCE);
+    }
+}
+
+/// What is kept of contact is what its laws say: the normal force is the part of the force
+/// against the radius, there is none without contact, and rolling takes no more friction than
+/// there is.
+#[test]
+fn a_history_tells_how_a_site_touches() {
+    let case = Case::new(&Method::Quadrature, &[0.0]);
+    let mut seen = [0; 3];
+    for most in [0.5, 2.0] {
+        let mut trajectory = Trajectory::default();
+        case.run(case.at_bit(3.0, wall(most)), Some(&mut trajectory));
+        for (step, &touch) in trajectory.touches[0].iter().enumerate() {
+            seen[touch as usize] += 1;
+            let [x, y] = trajectory.positions[0][step];
+            let [force_x, force_y] = trajectory.wall_forces[0][step];
+            let normal = trajectory.normal_forces[0][step];
+            if touch == Touch::Free {
+                assert_eq!((normal, force_x, force_y), (0.0, 0.0, 0.0));
+                continue;
+            }
+            let radius = x.hypot(y);
+            assert!(normal > 0.0 && radius > CLEARANCE);
+            let against = -(force_x * x + force_y * y) / radius;
+            assert_close(against, normal, 1e-9);
+            let friction = (force_x * y - force_y * x).abs() / radius / normal;
+            match touch {
+                Touch::Sliding => assert_close(friction, most, 1e-9),
+                _ => assert!(friction <= most * (1.0 + 1e-9), "{step}: {friction}"),
+            }
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
 }
 
 /// A smooth wall, against which a force presses for nearly all of the time.

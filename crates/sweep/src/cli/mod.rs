@@ -72,8 +72,9 @@ pub enum Command {
         Exit code 5 where a label differs; each that does is printed."
     )]
     Check(CheckArguments),
-    /// Run a case in full: time histories as CSV and as a picture
+    /// Run a case in full: time histories, contact and shapes, as CSV and pictures
     #[command(after_help = "Examples:\n  sweep simulate sweeps/fig08b.toml\n  \
+        sweep simulate sweeps/fig16b.toml --film --film-to 2.5\n  \
         sweep simulate sweeps/fig09.toml --case 17\n  \
         sweep simulate sweeps/fig13.toml --case 0,1\n  \
         sweep simulate sweeps/fig09.toml --set weight_on_bit_kn=60\n\n\
@@ -276,6 +277,8 @@ pub struct SimulateArguments {
     /// Set a quantity, e.g. surface_speed_rpm=0.1; may be repeated
     #[arg(long, value_name = "AXIS=VALUE", value_parser = parse_setting)]
     pub set: Vec<(Axis, f64)>,
+    #[command(flatten)]
+    pub film: FilmArguments,
     /// Folder for the files [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
     pub out: Option<PathBuf>,
@@ -287,6 +290,36 @@ pub struct SimulateArguments {
     /// The case of a run with --allow-unstable, where axes change the string
     #[arg(long)]
     pub allow_unstable: bool,
+}
+
+/// Which snapshots `simulate` draws of the string in its hole.
+#[derive(Debug, Args)]
+pub struct FilmArguments {
+    /// Draw the string in its hole from time to time, of the first case and method
+    #[arg(long)]
+    pub film: bool,
+    /// With --film: how many frames, up to 60
+    #[arg(
+        long = "film-frames",
+        value_name = "N",
+        default_value = "12",
+        requires = "film",
+        value_parser = clap::value_parser!(u8).range(1..=60)
+    )]
+    pub frames: u8,
+    /// With --film: time of its first frame, s [default: at the first contact]
+    #[arg(long = "film-from", value_name = "TIME", requires = "film")]
+    pub from: Option<f64>,
+    /// With --film: time of its last frame, s [default: at the end]
+    #[arg(long = "film-to", value_name = "TIME", requires = "film")]
+    pub to: Option<f64>,
+}
+
+impl FilmArguments {
+    /// How many frames are asked for.
+    pub fn frames_asked(&self) -> usize {
+        if self.film { self.frames.into() } else { 0 }
+    }
 }
 
 /// Arguments of `inspect`.

@@ -4,21 +4,25 @@ use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::Result;
+use linear::elements::reconstruction::Reconstruction;
 use sim::{Ended, Outcome};
 
+use super::hole::{Beyond, Hole};
 use super::simulation::Simulation;
 use crate::engine::Case;
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::{FORCE, LENGTH, TORQUE, Units, WIDTH};
 use crate::words::{counted, decimals, short, site_title, together, wrapped};
 
-/// Every case with what a run answers to it by each method, and what came out later
-/// where that differs.
+/// Every case with what a run answers to it by each method, what came out later where that
+/// differs, and how far the whole string goes beyond the wall; then the files that were written
+/// into a folder.
 pub fn case_lines(
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
-    folder: &Path,
+    wholes: &[Reconstruction],
+    (files, folder): (&str, &Path),
 ) -> Result<String> {
     let mut text = String::new();
     for case in cases {
@@ -28,19 +32,57 @@ pub fn case_lines(
             format!(", T_d = {}", unit.text(torque, 1))
         });
         writeln!(text, "Ω = {rpm:.4} rpm{torque}")?;
-        let own = simulations
-            .iter()
-            .filter(|simulation| simulation.case == case.index);
-        for simulation in own {
+        let own = |simulation: &&Simulation| simulation.case == case.index;
+        for simulation in simulations.iter().filter(own) {
             text += &answer_lines(sweep, simulation);
         }
+        let hole = Hole::of(sweep, case);
+        for (simulation, whole) in simulations.iter().zip(wholes) {
+            if simulation.case == case.index
+                && let Some(hole) = &hole
+            {
+                text += &beyond_line(sweep, hole, simulation, whole);
+            }
+        }
     }
-    writeln!(
-        text,
-        "history.svg, history.png, history.csv and case.csv are in {}",
-        folder.display()
-    )?;
+    let folder = together(&folder.display().to_string());
+    text += &wrapped(&format!("{files} are in {folder}"), 0, 0);
     Ok(text)
+}
+
+/// Where the whole string goes farthest beyond the wall away from its sites: there is no wall
+/// there to keep it.
+fn beyond_line(
+    sweep: &Sweep,
+    hole: &Hole,
+    simulation: &Simulation,
+    whole: &Reconstruction,
+) -> String {
+    let units = sweep.content.units;
+    let width = |value: f64| together(&units.of(&WIDTH).text(1e3 * value, 2));
+    let at_sites = hole.farthest_at_sites(&simulation.trajectory).max(0.0);
+    let told = match hole.farthest_beyond(whole) {
+        Some(Beyond {
+            depth,
+            by,
+            clearance,
+        }) if by > at_sites => {
+            let above = together(&units.of(&LENGTH).text(hole.length() - depth, 1));
+            format!(
+                "goes {} beyond the wall {above} above the bit, where it has no site and the \
+                 clearance is {}; {} at its sites",
+                width(by),
+                width(clearance),
+                width(at_sites)
+            )
+        }
+        Some(Beyond { by, .. }) if by > 0.0 => format!(
+            "goes nowhere farther beyond the wall than at its sites, {}",
+            width(at_sites)
+        ),
+        _ => "goes nowhere beyond the wall away from its sites".to_owned(),
+    };
+    wrapped(&format!("{}: the string {told}", simulation.name), 2, 4)
 }
 
 fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {

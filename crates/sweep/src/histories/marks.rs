@@ -1,11 +1,13 @@
 //! What pictures of motion have in common: levels, and whether the wall is shown.
 
+use super::hole::Hole;
 use crate::engine::Case;
+use crate::plan::Sweep;
 use crate::plot::{Across, Reference};
 use crate::quantities::Unit;
 
 /// The clearance is drawn where motion reaches this part of it.
-const CLEARANCE_SHOWN: f64 = 0.2;
+pub const CLEARANCE_SHOWN: f64 = 0.2;
 
 /// The clearances of cases (m) in a unit of widths, each once, where motion comes so near, by
 /// its radii in that unit, that they are seen beside it; of each case what `of` finds among those
@@ -24,6 +26,17 @@ pub fn shown_clearances(
     let clearances = cases.iter().filter_map(of_case);
     let shown = clearances.map(|clearance| width.number(1e3 * clearance));
     each_once(shown.filter(|clearance| furthest > CLEARANCE_SHOWN * clearance))
+}
+
+/// The holes of cases, each once.
+pub fn each_hole(sweep: &Sweep, cases: &[Case]) -> Vec<Hole> {
+    let mut holes: Vec<Hole> = Vec::new();
+    for hole in cases.iter().filter_map(|case| Hole::of(sweep, case)) {
+        if !holes.contains(&hole) {
+            holes.push(hole);
+        }
+    }
+    holes
 }
 
 /// Values in order, each once.

@@ -1,7 +1,10 @@
 //! Cases in full: their motion to the end of their time, as tables, pictures (Figs. 7, 8,
-//! 10–13, 15 and 16) and words.
+//! 10–13, 15 and 16, contact with the wall, the string in its hole) and words.
 
+mod contact_map;
+mod film;
 mod follow;
+mod hole;
 mod lines;
 mod marks;
 mod orbits;
@@ -10,10 +13,12 @@ mod simulation;
 mod tables;
 mod whole_string;
 
+pub use contact_map::contact_picture;
+pub use film::film_picture;
 pub use follow::FollowedMethod;
 pub use lines::case_lines;
 pub use orbits::orbit_picture;
 pub use over_time::history_picture;
 pub use simulation::Simulation;
-pub use tables::{case_csv, history_csv};
-pub use whole_string::string_picture;
+pub use tables::{case_csv, contacts_csv, history_csv};
+pub use whole_string::{string_picture, whole_strings};

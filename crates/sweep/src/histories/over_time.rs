@@ -58,6 +58,7 @@ impl Histories<'_> {
             axes: ["Time t (s)", label].map(Axis::linear),
             series,
             references,
+            walls: Vec::new(),
         }
     }
 

@@ -214,6 +214,7 @@ impl Probabilities<'_> {
                         curve("95 % interval, to", |it| it.high),
                     ],
                     references: Vec::new(),
+                    walls: Vec::new(),
                 });
             }
         }

@@ -19,6 +19,12 @@ const PROGRAM: f64 = 16.0 * MIB;
 const THREAD: f64 = 2.0 * MIB;
 const PICTURE: f64 = 48.0 * MIB;
 
+/// What a picture takes for each site of which it has a panel, for each case and method of
+/// which it has one, and for each shape of the string: pixels.
+const SITE_SHOWN: f64 = 4.0 * MIB;
+const CASE_SHOWN: f64 = 12.0 * MIB;
+const SHAPE_SHOWN: f64 = 1.5 * MIB;
+
 /// What the allocator takes for every byte, some of it freed and not yet given back.
 const ALLOCATOR: f64 = 1.1;
 
@@ -42,8 +48,9 @@ const STRINGS_PER_THREAD: usize = 4;
 pub enum Purpose {
     /// To step cases for their labels, one on each thread.
     Labels,
-    /// To step so many cases for their histories, which are all kept and drawn.
-    Histories(usize),
+    /// To step so many cases for their histories, which are all kept and drawn; of the first
+    /// one so many shapes of the whole string.
+    Histories { cases: usize, shapes: usize },
     /// To be looked at.
     Look,
 }
@@ -125,13 +132,28 @@ impl<'a> Demand<'a> {
     fn own(&self) -> f64 {
         let cases = self.sweep.design.cases() as f64;
         let noted = NOTED * self.simulations();
-        let draws = self.purpose != Purpose::Labels || self.sweep.map.is_some();
-        let picture = if draws { PICTURE } else { 0.0 };
+        let picture = match self.purpose {
+            Purpose::Labels if self.sweep.map.is_none() => 0.0,
+            Purpose::Labels | Purpose::Look => PICTURE,
+            Purpose::Histories { cases, shapes } => PICTURE + self.largest_picture(cases, shapes),
+        };
         let listed = match self.sweep.design {
             Design::List(_) => LISTED * cases,
             _ => 0.0,
         };
         PROGRAM + THREAD * current_num_threads() as f64 + picture + noted + listed
+    }
+
+    /// What the largest picture of histories takes, one part for each that it shows.
+    fn largest_picture(&self, cases: usize, shapes: usize) -> f64 {
+        let sites = self.strings[0].0.sites.len();
+        let parts = [
+            (SITE_SHOWN, sites),
+            (CASE_SHOWN, cases * self.methods.len()),
+            (SHAPE_SHOWN, shapes),
+        ];
+        let takes = parts.map(|(part, count)| part * count as f64);
+        takes.into_iter().fold(0.0, f64::max)
     }
 
     fn simulations(&self) -> f64 {
@@ -154,12 +176,19 @@ impl<'a> Demand<'a> {
                 let at_once = self.simulations().min(current_num_threads() as f64);
                 Memory::lasting(at_once * case)
             }
-            Purpose::Histories(cases) => {
+            Purpose::Histories { cases, shapes } => {
                 let is_lateral = setting.lateral.is_some();
                 let kept = sim::cost::trajectory(sites, is_lateral, steps) + line * steps;
-                let whole = cost::reconstruction(&setting.string, &setting.sites, &self.mesh);
-                let whole = if is_lateral { whole } else { 0.0 };
-                Memory::lasting(methods * cases as f64 * kept + case.max(whole))
+                let simulations = methods * cases as f64;
+                if !is_lateral {
+                    return Memory::lasting(simulations * kept + case);
+                }
+                let whole = |shapes| {
+                    cost::reconstruction(&setting.string, &setting.sites, &self.mesh, shapes)
+                };
+                let (with_shapes, peaks) = (whole(shapes), whole(0).kept);
+                let used = case.max(with_shapes.peak);
+                Memory::lasting(simulations * (kept + peaks) + used)
             }
             Purpose::Look => {
                 let points = steps.max(setting.steps_shown() as f64);

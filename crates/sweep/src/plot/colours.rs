@@ -48,6 +48,9 @@ pub(super) const PARTS: [RGBColor; 6] = [
     RGBColor(0x0B, 0x35, 0x6B),
 ];
 
+/// Of values in bands, from small to large: from light to dark, and none as light as paper.
+pub(super) const BANDS: [RGBColor; 5] = [PARTS[1], PARTS[2], PARTS[3], PARTS[4], PARTS[5]];
+
 // Tints of sky blue and orange, and of nothing.
 pub(super) const SKY: RGBColor = RGBColor(0xD3, 0xEA, 0xF8);
 pub(super) const SAND: RGBColor = RGBColor(0xF8, 0xDD, 0xA6);

@@ -15,6 +15,8 @@ const MINOR_TICK: f64 = 3.0;
 const GAP: f64 = 5.0;
 /// Least distance between neighbouring tick labels.
 const LABEL_GAP: f64 = 14.0;
+/// Least distance between the names of rows.
+const ROW_GAP: f64 = 3.0;
 /// Most labelled ticks on an axis.
 const MOST_TICKS: usize = 9;
 
@@ -33,6 +35,51 @@ pub(super) struct Frame {
 impl Frame {
     /// A frame that fills `outer` with its plotting area, ticks and titles.
     pub fn new(outer: Rect, axes: &[Axis; 2], scales: [Scale; 2]) -> Result<Frame> {
+        Self::laid_out(outer, axes, scales, |height| {
+            roomy_ticks(&scales[1], height, |_| Ok(SMALL_SIZE))
+        })
+    }
+
+    /// The same to the right of one with the same vertical axis, which it shows without title and
+    /// numbers.
+    pub fn beside(outer: Rect, x: &Axis, scales: [Scale; 2]) -> Result<Frame> {
+        let axes = [Axis::linear(x.label.as_str()), Axis::linear("")];
+        Self::laid_out(outer, &axes, scales, |height| {
+            let ticks = roomy_ticks(&scales[1], height, |_| Ok(SMALL_SIZE))?.into_iter();
+            let without_number = |tick: Tick| Tick {
+                label: tick.label.map(|_| String::new()),
+                ..tick
+            };
+            Ok(ticks.map(without_number).collect())
+        })
+    }
+
+    /// The same over rows with names, from top to bottom: the last one is from 0 to 1 along the
+    /// vertical axis, that above it from 1 to 2. Where not all names have room, the last one's
+    /// and that of every so many above it are written.
+    pub fn of_rows(outer: Rect, axes: &[Axis; 2], x: Scale, names: &[String]) -> Result<Frame> {
+        let rows = Scale::new(false, [0.0, names.len() as f64].into_iter());
+        Self::laid_out(outer, axes, [x, rows], |height| {
+            let needed = (SMALL_SIZE + ROW_GAP) * names.len() as f64;
+            let every = (needed / height).ceil().max(1.0) as usize;
+            let named = names.iter().rev().enumerate().step_by(every);
+            let ticks = named.filter_map(|(row, name)| {
+                Some(Tick {
+                    fraction: rows.fraction(row as f64 + 0.5)?,
+                    label: Some(name.clone()),
+                })
+            });
+            Ok(ticks.collect())
+        })
+    }
+
+    /// A frame whose vertical axis, of a height, has the given ticks.
+    fn laid_out(
+        outer: Rect,
+        axes: &[Axis; 2],
+        scales: [Scale; 2],
+        y_ticks: impl FnOnce(f64) -> Result<Vec<Tick>>,
+    ) -> Result<Frame> {
         // The left margin is not known yet; the title may be a bit narrower.
         let x_title = Block::new(&axes[0].label, LABEL_SIZE, 0.75 * outer.width())?;
         let below = MAJOR_TICK + SMALL_SIZE + 2.0 * GAP + x_title.height();
@@ -41,7 +88,7 @@ impl Frame {
             ..outer
         };
         let y_title = Block::new(&axes[1].label, LABEL_SIZE, area.height())?;
-        let y_ticks = roomy_ticks(&scales[1], area.height(), |_| Ok(SMALL_SIZE))?;
+        let y_ticks = y_ticks(area.height())?;
         let y_labels = y_ticks.iter().filter_map(|tick| tick.label.as_ref());
         let y_labels = text::widest(y_labels, SMALL_SIZE)?;
         area.left += y_title.height() + y_labels + MAJOR_TICK + 2.0 * GAP;

@@ -4,11 +4,11 @@ use super::canvas::{Canvas, Stroke};
 use super::geometry::Rect;
 use super::grounds::{Ground, draw_ground};
 use super::hatching::draw_hatching;
-use super::symbols::{Symbol, draw_marker, draw_rim, draw_symbol};
+use super::symbols::{Symbol, draw_marker, draw_rim, draw_site, draw_symbol};
 use super::text::{Block, SMALL_SIZE};
 use anyhow::Result;
-use plotters::style::BLACK;
 use plotters::style::text_anchor::HPos;
+use plotters::style::{BLACK, RGBColor};
 
 /// Width of the line or symbol before an entry's text.
 const KEY_WIDTH: f64 = 42.0;
@@ -34,6 +34,10 @@ pub(super) enum Key {
     Marker(usize),
     /// The rim around what is pointed out.
     Rim,
+    /// A bar of a colour, which fills this part of the height of its band.
+    Bar(RGBColor, f64),
+    /// The mark of a site, which touches the wall or does not.
+    Site(bool),
 }
 
 /// Keys and their texts, in rows.
@@ -162,6 +166,12 @@ fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) -> Result<()> {
         Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY_WIDTH, y)], *stroke),
         Key::Marker(kind) => draw_marker(canvas, *kind, centre, SYMBOL_RADIUS),
         Key::Rim => draw_rim(canvas, centre, 1.5 * SYMBOL_RADIUS),
+        Key::Bar(colour, part) => {
+            let top = cell.bottom - part * cell.height();
+            canvas.polygon(&Rect { top, ..cell }.corners(), *colour)?;
+            canvas.outline(cell, Stroke::solid(BLACK, 0.5))
+        }
+        Key::Site(touches) => draw_site(canvas, *touches, centre, SYMBOL_RADIUS),
     }
 }
 

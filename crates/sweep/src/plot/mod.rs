@@ -8,10 +8,12 @@
 //! curves. Both take plain data and return a [`Picture`]; writing files is left
 //! to the caller.
 
+mod bands;
 mod campbell;
 mod canvas;
 mod cells;
 mod colours;
+mod film;
 mod frame;
 mod geometry;
 mod grounds;
@@ -31,14 +33,16 @@ mod scatter;
 mod symbols;
 mod text;
 
+pub use bands::{BandChart, BandPanel, Bar, COLUMNS, band_chart};
 pub use campbell::{CampbellPanel, campbell};
 pub use cells::{CellPanel, ChartCell, Seen, cell_chart};
+pub use film::{Film, FilmFrame, FilmSite, film};
 pub use grounds::{Ground, Part, Safety};
 pub use legend::Series;
 pub use map::{Band, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_sheet};
 pub use multiples::{Multiple, multiples};
 pub use orbits::{Orbit, orbits};
-pub use panels::{Panel, panels};
+pub use panels::{Panel, Wall, panels};
 pub use picture::Picture;
 pub use references::{Across, Reference};
 pub use scale::Axis;

@@ -1,7 +1,7 @@
 //! Stacked panels of curves, such as time histories.
 
 use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
-use super::colours::COLOURS;
+use super::colours::{CLEARANCE, COLOURS};
 use super::frame::{Frame, align_left};
 use super::geometry::{Rect, thin};
 use super::legend::{Key, Legend, Series, distinct, place_of};
@@ -34,7 +34,25 @@ pub struct Panel {
     pub series: Vec<Series>,
     /// Reference lines; the axes are long enough to show them.
     pub references: Vec<Reference>,
+    /// What curves may not pass; the vertical axis is long enough to show it.
+    pub walls: Vec<Wall>,
 }
+
+/// A dashed line, with rings at the places where it is known.
+pub struct Wall {
+    /// The line.
+    pub line: Vec<(f64, f64)>,
+    /// Those places.
+    pub known: Vec<(f64, f64)>,
+}
+
+const WALL: Stroke = Stroke {
+    colour: CLEARANCE,
+    width: 1.2,
+    dash: DASHES[1],
+};
+const KNOWN: Stroke = Stroke::solid(CLEARANCE, 1.2);
+const KNOWN_RADIUS: f64 = 3.5;
 
 /// Draws stacked panels of the same width, top to bottom, with one title and one legend.
 pub fn panels(title: &str, panels: &[Panel]) -> Result<Picture> {
@@ -43,7 +61,9 @@ pub fn panels(title: &str, panels: &[Panel]) -> Result<Picture> {
     let title = Title::new(title, WIDTH, MARGIN)?;
     let strokes = strokes(panels, &names);
     let keys = strokes.iter().map(|&stroke| Key::Line(stroke));
-    let legend = Legend::new(keys.zip(names.iter().copied()))?;
+    let has_wall = panels.iter().any(|panel| !panel.walls.is_empty());
+    let wall = has_wall.then_some((Key::Line(WALL), "clearance, known at the rings"));
+    let legend = Legend::new(keys.zip(names.iter().copied()).chain(wall))?;
     let top = title.bottom();
     let stacked = panels.len() as f64 * PANEL_HEIGHT;
     let height = top + stacked.max(legend.height() + MARGIN);
@@ -122,7 +142,9 @@ fn y_scale(panel: &Panel) -> Scale {
     let [_, axis] = &panel.axes;
     let lines = || places(&panel.references, Across::Y);
     let shown = shown_points(panel).map(|(_, y)| y);
-    let mut values: Vec<f64> = shown.chain(lines()).collect();
+    let walls = panel.walls.iter().flat_map(|wall| &wall.line);
+    let walls = walls.map(|point| point.1);
+    let mut values: Vec<f64> = shown.chain(lines()).chain(walls).collect();
     if !axis.logarithmic {
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -148,9 +170,27 @@ fn draw_panel(
         let stroke = strokes[place_of(&series.name, names)];
         draw_series(canvas, frame, series, stroke)?;
     }
+    for wall in &panel.walls {
+        draw_wall(canvas, frame, wall)?;
+    }
     let curves = panel.series.iter();
     let curves = curves.flat_map(|series| frame.curve(&series.points));
     draw_references(canvas, frame, curves.collect(), &panel.references)
+}
+
+/// Within the frame, for it may go on beyond what is shown.
+fn draw_wall(canvas: &mut Canvas, frame: &Frame, wall: &Wall) -> Result<()> {
+    for piece in frame.curve(&wall.line) {
+        for part in frame.area.clip(&piece) {
+            canvas.line(&part, WALL)?;
+        }
+    }
+    let known = wall.known.iter().filter_map(|&point| frame.pixel(point));
+    let shown = known.filter(|(x, _)| (frame.area.left..=frame.area.right).contains(x));
+    for point in shown {
+        canvas.ring(point, KNOWN_RADIUS, KNOWN)?;
+    }
+    Ok(())
 }
 
 fn draw_series(canvas: &mut Canvas, frame: &Frame, series: &Series, stroke: Stroke) -> Result<()> {
@@ -188,6 +228,7 @@ mod tests {
                     name: name.to_string(),
                 })
                 .into(),
+            walls: Vec::new(),
         }
     }
 
@@ -236,6 +277,24 @@ mod tests {
         let picture = draw(vec![both, difference]);
         // The second curve and its key.
         assert_eq!(picture.svg.matches("dasharray").count(), 2);
+    }
+
+    #[test]
+    fn a_wall_is_seen_however_far_it_is_and_ringed_where_it_is_known() {
+        let mut panel = panel("a", vec![(0.0, 1.0), (1.0, 2.0)], false);
+        panel.references.clear();
+        let line = vec![(0.0, 9.0), (0.4, 9.0), (0.8, 12.0), (5.0, 12.0)];
+        let known = line[1..].to_vec();
+        panel.walls = vec![Wall { line, known }];
+        assert_eq!(
+            y_scale(&panel).fraction(12.0).map(|at| at <= 1.0),
+            Some(true)
+        );
+        let picture = draw(vec![panel]);
+        assert_text_inside(&picture);
+        // The third place is beyond the right end.
+        assert_eq!(picture.svg.matches("<circle").count(), 2);
+        assert!(picture.svg.contains("clearance, known at"));
     }
 
     #[test]

@@ -92,6 +92,15 @@ pub(super) fn draw_cross(canvas: &mut Canvas, centre: Pixel, r: f64, stroke: Str
     canvas.line(&[first, third, centre, second, fourth], stroke)
 }
 
+/// The mark of a site: filled where it touches the wall, else open.
+pub(super) fn draw_site(canvas: &Canvas, touches: bool, centre: Pixel, radius: f64) -> Result<()> {
+    canvas.disc(centre, radius, BLACK)?;
+    if touches {
+        return Ok(());
+    }
+    canvas.disc(centre, 0.7 * radius, WHITE)
+}
+
 /// A ring around a point.
 pub(super) fn draw_rim(canvas: &Canvas, centre: Pixel, radius: f64) -> Result<()> {
     canvas.ring(centre, radius, Stroke::solid(BLACK, 1.4))

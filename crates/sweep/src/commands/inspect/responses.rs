@@ -82,6 +82,7 @@ fn time_panel(
         axes: [&format!("Time {time} (s)"), label].map(Axis::linear),
         series: systems.iter().filter_map(of_method).collect(),
         references: Vec::new(),
+        walls: Vec::new(),
     }
 }
 
@@ -127,6 +128,7 @@ fn exact_panel(label: &str, sweep: &Sweep, response: &dyn Fn(f64) -> f64) -> Pan
             points: points.collect(),
         }],
         references: Vec::new(),
+        walls: Vec::new(),
     }
 }
 

@@ -146,6 +146,7 @@ impl<'a> DriveView<'a> {
                 at: self.first.frequency / TAU,
                 name: "first mode".to_owned(),
             }],
+            walls: Vec::new(),
         }
     }
 
@@ -163,6 +164,7 @@ impl<'a> DriveView<'a> {
                 series("modes, surface held", &self.surface_held),
             ],
             references: Vec::new(),
+            walls: Vec::new(),
         }
     }
 }

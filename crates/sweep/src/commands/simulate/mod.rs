@@ -4,14 +4,13 @@
 //! end of its time.
 
 mod choice;
+mod film;
 mod systems;
-
-use std::path::Path;
+mod writing;
 
 use anyhow::Result;
 
-use super::drawing::save_picture;
-use super::folder::{make_folder, results_folder};
+use super::folder::results_folder;
 use super::prepare::read_sweep;
 use super::status::Status;
 use super::terminal::{Terminal, say};
@@ -19,15 +18,12 @@ use super::threads::use_threads;
 use super::warnings::warn_of_string;
 use crate::cli::SimulateArguments;
 use crate::engine::{Case, Failure, Record, Survey};
-use crate::histories::{
-    Simulation, case_csv, case_lines, history_csv, history_picture, orbit_picture, string_picture,
-};
 use crate::memory::{Limit, Purpose, admit};
-use crate::output::write_atomically;
 use crate::plan::Sweep;
 use crate::sweep_file::SweepFileError;
 use choice::{Choice, ChosenCase, common_setting};
 use systems::simulate_all;
+use writing::Written;
 
 /// Simulates the chosen cases with every method and keeps their time histories.
 pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Status> {
@@ -48,48 +44,42 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
     let cases = (choices.into_iter())
         .map(|choice| choice.case(&sweep, file))
         .collect::<Result<Vec<_>>>()?;
-    admit_histories(&sweep, &cases, &work.memory.limit())?;
+    film::refuse_idle(&sweep, &cases, &arguments.film)?;
+    let shapes = arguments.film.frames_asked();
+    admit_histories(&sweep, &cases, shapes, &work.memory.limit())?;
     let (rows, simulations) = simulate_all(&sweep, arguments, &cases, terminal)?;
     let cases: Vec<Case> = cases.into_iter().map(|chosen| chosen.case).collect();
     if !simulations.is_empty() {
         let folder = results_folder(arguments.out.as_ref(), &sweep);
-        make_folder(&folder)?;
-        write_files(&sweep, &cases, &rows, &simulations, &folder)?;
-        say(&case_lines(&sweep, &cases, &simulations, &folder)?)?;
+        let written = Written {
+            sweep: &sweep,
+            cases: &cases,
+            rows: &rows,
+            simulations: &simulations,
+            folder: &folder,
+        };
+        say(&written.write(&arguments.film)?)?;
     }
     Ok(tell_of_failures(&sweep, &rows, terminal))
 }
 
 /// Refuses what would take more memory than is allowed.
-fn admit_histories(sweep: &Sweep, cases: &[ChosenCase], limit: &Limit) -> Result<()> {
+fn admit_histories(
+    sweep: &Sweep,
+    cases: &[ChosenCase],
+    shapes: usize,
+    limit: &Limit,
+) -> Result<()> {
     let longest = cases.iter().map(|chosen| chosen.longest);
     let survey = Survey {
         longest: longest.fold(0.0, f64::max),
         ..Survey::default()
     };
-    let purpose = Purpose::Histories(cases.len());
+    let purpose = Purpose::Histories {
+        cases: cases.len(),
+        shapes,
+    };
     admit(sweep, &sweep.setting, &survey, purpose, limit)?;
-    Ok(())
-}
-
-/// `history.csv`, `case.csv` and the pictures.
-fn write_files(
-    sweep: &Sweep,
-    cases: &[Case],
-    rows: &[Record],
-    simulations: &[Simulation],
-    folder: &Path,
-) -> Result<()> {
-    let history = history_csv(sweep, simulations)?;
-    write_atomically(&folder.join("history.csv"), &history)?;
-    write_atomically(&folder.join("case.csv"), case_csv(sweep, rows).as_bytes())?;
-    let picture = history_picture(sweep, cases, simulations)?;
-    save_picture(folder, "history", &picture)?;
-    if let Some(lateral) = &sweep.setting.lateral {
-        save_picture(folder, "orbit", &orbit_picture(sweep, cases, simulations)?)?;
-        let along = string_picture(sweep, lateral, cases, simulations)?;
-        save_picture(folder, "string", &along)?;
-    }
     Ok(())
 }
 

@@ -1,0 +1,107 @@
+//! The picture of contact: when each site touches the wall, how hard, and whether it rolls.
+
+use anyhow::Result;
+use sim::Trajectory;
+use sim::laws::contact::Touch;
+
+use super::simulation::Simulation;
+use crate::plan::Sweep;
+use crate::plot::{Axis, BandChart, BandPanel, Bar, COLUMNS, Picture, band_chart};
+use crate::quantities::{FORCE, LENGTH, Unit};
+use crate::words::short;
+
+/// A panel for each case and method; in it a band for each site, from the surface down.
+///
+/// # Errors
+/// Where it cannot be drawn.
+pub fn contact_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Picture> {
+    let units = sweep.content.units;
+    let [length, force] = [&LENGTH, &FORCE].map(|twin| units.of(twin));
+    let frequency = sweep.setting.sampling_frequency;
+    let motions = simulations.iter().map(|simulation| &simulation.trajectory);
+    let steps = motions.map(|motion| motion.times.len()).max().unwrap_or(0);
+    let steps_a_bin = steps.div_ceil(COLUMNS).max(1);
+    let panels = simulations.iter().map(|simulation| BandPanel {
+        title: simulation.name.clone(),
+        rows: bars(&simulation.trajectory, frequency, steps_a_bin, &force),
+    });
+    let distances = sweep.setting.sites.distances_from_bit().iter();
+    let rows = distances.map(|&distance| match distance {
+        0.0 => "bit".to_owned(),
+        _ => length.rounded(distance).to_string(),
+    });
+    let bin = short(1e3 * steps_a_bin as f64 / frequency);
+    band_chart(&BandChart {
+        title: format!("{}: contact with the wall", sweep.title),
+        axes: [
+            "Time t (s)".to_owned(),
+            format!("Above the bit ({})", length.name),
+        ]
+        .map(Axis::linear),
+        ends: [0.0, steps as f64 / frequency],
+        rows: rows.collect(),
+        unit: force.name.clone(),
+        kinds: ["full height: rolling", "low: sliding"].map(str::to_owned),
+        notes: vec![
+            "empty: no contact".to_owned(),
+            format!(
+                "The largest normal force of every {bin} ms; rolling or sliding, whichever takes longer in them."
+            ),
+        ],
+        panels: panels.collect(),
+    })
+}
+
+/// The bars of each site, each of so many steps: with the largest normal force, and full where
+/// the site rolls in at least half of the steps in which it touches.
+fn bars(motion: &Trajectory, frequency: f64, steps: usize, force: &Unit) -> Vec<Vec<Bar>> {
+    let time = |step: usize| step as f64 / frequency;
+    let of_site = |(touches, forces): (&Vec<Touch>, &Vec<f64>)| {
+        let bins = touches.chunks(steps).zip(forces.chunks(steps)).enumerate();
+        let bars = bins.filter_map(|(bin, (touches, forces))| {
+            let count = |touch: Touch| touches.iter().filter(|it| **it == touch).count();
+            let [rolling, sliding] = [Touch::Rolling, Touch::Sliding].map(count);
+            let largest = forces.iter().copied().fold(0.0, f64::max);
+            (rolling + sliding > 0).then(|| Bar {
+                from: time(bin * steps),
+                to: time((bin + 1) * steps),
+                value: force.number(1e-3 * largest),
+                is_full: rolling >= sliding,
+            })
+        });
+        bars.collect()
+    };
+    motion
+        .touches
+        .iter()
+        .zip(&motion.normal_forces)
+        .map(of_site)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::Units;
+
+    #[test]
+    fn a_bin_has_its_largest_force_and_what_takes_most_of_its_contact() {
+        use Touch::{Free, Rolling, Sliding};
+        let motion = Trajectory {
+            touches: vec![vec![
+                Free, Free, Free, Sliding, Rolling, Rolling, Sliding, Sliding, Rolling, Free,
+            ]],
+            normal_forces: vec![vec![0.0, 0.0, 0.0, 9e3, 1e3, 2e3, 4e3, 8e3, 1e3, 0.0]],
+            ..Trajectory::default()
+        };
+        let bars = bars(&motion, 100.0, 3, &Units::Si.of(&FORCE));
+        let found: Vec<_> = (bars[0].iter())
+            .map(|bar| (bar.from, bar.to, bar.value, bar.is_full))
+            .collect();
+        // The last bin, of one step, is free.
+        assert_eq!(found, [(0.03, 0.06, 9.0, true), (0.06, 0.09, 8.0, false)]);
+        let at_once = super::bars(&motion, 100.0, 100, &Units::Si.of(&FORCE));
+        assert_eq!(at_once[0].len(), 1);
+        assert!(at_once[0][0].is_full, "three steps against three");
+    }
+}

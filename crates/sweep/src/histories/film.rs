@@ -1,0 +1,129 @@
+//! The film of a string in its hole.
+
+use anyhow::Result;
+use linear::elements::reconstruction::Reconstruction;
+use sim::laws::contact::Touch;
+
+use super::hole::Hole;
+use super::marks::CLEARANCE_SHOWN;
+use super::simulation::Simulation;
+use crate::engine::Case;
+use crate::plan::Sweep;
+use crate::plot::{Axis, Film, FilmFrame, FilmSite, Picture, film};
+use crate::quantities::{LENGTH, WIDTH};
+use crate::words::decimals;
+
+/// The string is shown from where its peak displacement is this part of the largest.
+const SHOWN_FROM: f64 = 0.01;
+
+/// The most decimals of a time, s.
+const MOST_DECIMALS: f64 = 5.0;
+
+/// The shapes that were kept of a simulation, at their steps; what moves less than a hundredth
+/// of the most, above the rest, is left out.
+///
+/// # Errors
+/// Where it cannot be drawn.
+pub fn film_picture(
+    sweep: &Sweep,
+    cases: &[Case],
+    simulation: &Simulation,
+    whole: &Reconstruction,
+    steps: &[usize],
+) -> Result<Picture> {
+    let [length, width] = [&LENGTH, &WIDTH].map(|twin| sweep.content.units.of(twin));
+    let string_length = sweep.setting.string.length();
+    let above_bit = |depth: f64| length.number(string_length - depth);
+    let first = first_shown(&whole.peaks);
+    let motion = &simulation.trajectory;
+    let distances = sweep.setting.sites.distances_from_bit();
+    let across = |value: f64| width.number(1e3 * value);
+    let places = time_decimals(motion.times.as_slice(), steps);
+    let highest = string_length - whole.depths[first];
+    let frames = steps.iter().zip(&whole.shapes).map(|(&step, [x, y])| {
+        let site = |(site, &distance): (usize, &f64)| {
+            let [x, y] = motion.positions[site][step];
+            FilmSite {
+                place: length.number(distance),
+                radius: across(x.hypot(y)),
+                touches: motion.touches[site][step] != Touch::Free,
+            }
+        };
+        FilmFrame {
+            title: format!("t = {} s", decimals(motion.times[step], places)),
+            shape: (x[first..].iter().zip(&y[first..]))
+                .map(|(x, y)| [across(*x), across(*y)])
+                .collect(),
+            sites: (distances.iter().enumerate())
+                .filter(|(_, distance)| **distance <= highest)
+                .map(site)
+                .collect(),
+        }
+    });
+    let case = cases.iter().find(|case| case.index == simulation.case);
+    let hole = case.and_then(|case| Hole::of(sweep, case));
+    let furthest = whole.peaks.iter().copied().fold(0.0, f64::max);
+    let wall = hole.iter().flat_map(Hole::sites);
+    let wall = wall.filter(|(depth, clearance)| {
+        *depth >= whole.depths[first] && furthest > CLEARANCE_SHOWN * clearance
+    });
+    let cut = (first > 0).then(|| {
+        let from = length.text(highest, 0);
+        format!("Higher than {from} above the bit the string moves less than 1 % of the most.")
+    });
+    film(&Film {
+        title: format!(
+            "{}: the string in its hole, {}",
+            sweep.title, simulation.name
+        ),
+        axes: [
+            format!("x, y, r ({})", width.name),
+            format!("Above the bit ({})", length.name),
+        ]
+        .map(Axis::linear),
+        places: whole.depths[first..]
+            .iter()
+            .copied()
+            .map(above_bit)
+            .collect(),
+        wall: wall
+            .map(|(depth, clearance)| (across(*clearance), above_bit(*depth)))
+            .collect(),
+        notes: cut.into_iter().collect(),
+        frames: frames.collect(),
+    })
+}
+
+/// The uppermost node that is shown.
+fn first_shown(peaks: &[f64]) -> usize {
+    let largest = peaks.iter().copied().fold(0.0, f64::max);
+    let first = peaks.iter().position(|peak| *peak > SHOWN_FROM * largest);
+    first.unwrap_or(0)
+}
+
+/// Decimals that tell the times of steps apart.
+fn time_decimals(times: &[f64], steps: &[usize]) -> usize {
+    let pairs = steps.windows(2);
+    let gaps = pairs.map(|pair| times[pair[1]] - times[pair[0]]);
+    let least = gaps.fold(f64::INFINITY, f64::min);
+    (1.0 - least.log10().floor()).clamp(1.0, MOST_DECIMALS) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_string_is_shown_from_where_it_moves() {
+        assert_eq!(first_shown(&[0.0, 0.009, 0.011, 0.0, 1.0]), 2);
+        assert_eq!(first_shown(&[0.0; 3]), 0);
+    }
+
+    #[test]
+    fn times_are_told_apart() {
+        let times = [0.0, 0.0015, 0.003, 0.8, 1.6];
+        assert_eq!(time_decimals(&times, &[0, 3, 4]), 2);
+        assert_eq!(time_decimals(&times, &[0, 1, 2]), 4);
+        assert_eq!(time_decimals(&times, &[2]), 1);
+    }
+}

@@ -1,0 +1,279 @@
+//! A film of a string in its hole: frames of the same scale, in rows. In each the string
+//! stands upright; its displacement is along x and y, and its radius is shaded to both sides.
+
+use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
+use super::colours::{BLUE, CLEARANCE, ORANGE_GROUND, SKY};
+use super::frame::Frame;
+use super::geometry::{Pixel, Rect, thin};
+use super::legend::{Key, Legend};
+use super::picture::Picture;
+use super::scale::{Axis, Scale};
+use super::symbols::draw_site;
+use super::text::{Block, LABEL_SIZE};
+use anyhow::Result;
+use plotters::style::text_anchor::HPos;
+
+const WIDTH: f64 = 1180.0;
+const FRAME_HEIGHT: f64 = 350.0;
+const COLUMNS: usize = 6;
+const MARGIN: f64 = 14.0;
+/// Distance between frames, and between those beside each other, whose numbers reach beyond
+/// them.
+const GAP: f64 = 14.0;
+const COLUMN_GAP: f64 = 26.0;
+const X: Stroke = Stroke::solid(BLUE, 1.6);
+const Y: Stroke = Stroke {
+    colour: ORANGE_GROUND,
+    width: 1.4,
+    dash: DASHES[2],
+};
+const WALL: Stroke = Stroke {
+    colour: CLEARANCE,
+    width: 0.8,
+    dash: DASHES[1],
+};
+/// The wall at a site: a bar so far up and down where there is room.
+const WALL_AT_SITE: Stroke = Stroke::solid(CLEARANCE, 2.2);
+const REACH: f64 = 6.0;
+/// The mark of a site where there is room.
+const RADIUS: f64 = 4.0;
+const LEAST_RADIUS: f64 = 2.2;
+
+/// A string in its hole, from time to time.
+pub struct Film {
+    /// Title above all.
+    pub title: String,
+    /// Horizontal axis, of displacements, and vertical axis.
+    pub axes: [Axis; 2],
+    /// Places along the string, on the vertical axis, in order.
+    pub places: Vec<f64>,
+    /// The wall: its distance from the middle at sites, each with its place on the vertical axis;
+    /// those that the string is nowhere near are left out.
+    pub wall: Vec<(f64, f64)>,
+    /// What else is to be said, in the legend.
+    pub notes: Vec<String>,
+    /// The frames.
+    pub frames: Vec<FilmFrame>,
+}
+
+/// A string in its hole at a time.
+pub struct FilmFrame {
+    /// Title above it.
+    pub title: String,
+    /// Displacement x and y of each place.
+    pub shape: Vec<[f64; 2]>,
+    /// Sites.
+    pub sites: Vec<FilmSite>,
+}
+
+/// A site of a string.
+pub struct FilmSite {
+    /// Its place on the vertical axis.
+    pub place: f64,
+    /// How far it is from the middle.
+    pub radius: f64,
+    /// Whether it touches the wall.
+    pub touches: bool,
+}
+
+/// Draws a film.
+pub fn film(film: &Film) -> Result<Picture> {
+    let title = Title::new(&film.title, WIDTH, MARGIN)?;
+    let legend = legend(film)?.in_rows(WIDTH - 2.0 * MARGIN);
+    let top = title.bottom();
+    let rows = film.frames.len().div_ceil(COLUMNS);
+    let legend_top = top + rows as f64 * FRAME_HEIGHT;
+    let frames = frames(film, top)?;
+    draw_titled(&title, legend_top + legend.height() + MARGIN, |canvas| {
+        for (shown, frame) in film.frames.iter().zip(&frames) {
+            draw_frame(canvas, film, shown, frame)?;
+        }
+        legend.draw(canvas, MARGIN, legend_top)
+    })
+}
+
+fn legend(film: &Film) -> Result<Legend> {
+    let string = [
+        (Key::Line(X), "x"),
+        (Key::Line(Y), "y"),
+        (Key::Bar(SKY, 1.0), "radius r, to both sides"),
+        (Key::Site(true), "site that touches the wall"),
+        (Key::Site(false), "site that does not"),
+    ];
+    let wall = [
+        (Key::Line(WALL_AT_SITE), "wall at a site"),
+        (Key::Line(WALL), "between sites, straight"),
+    ];
+    // Of a single site there is no wall between.
+    let wall = wall.into_iter().take(film.wall.len());
+    let notes = film.notes.iter().map(|note| (Key::Nothing, note.as_str()));
+    Legend::new(string.into_iter().chain(wall).chain(notes))
+}
+
+/// The frames in rows; the vertical axis has its title at the first of each row.
+fn frames(film: &Film, top: f64) -> Result<Vec<Frame>> {
+    let shapes = film.frames.iter().flat_map(|frame| &frame.shape);
+    let radii = shapes.map(|[x, y]| x.hypot(*y));
+    let reach = (radii.chain(film.wall.iter().map(|(distance, _)| *distance)))
+        .filter(|radius| radius.is_finite())
+        .fold(0.0, f64::max);
+    let scales = [
+        Scale::new(false, [-reach, reach].into_iter()),
+        Scale::new(false, film.places.iter().copied()),
+    ];
+    let at = |index: usize, left: f64, width: f64| {
+        let top = top + (index / COLUMNS) as f64 * FRAME_HEIGHT;
+        Rect {
+            left,
+            top: top + LABEL_SIZE + 0.5 * GAP,
+            right: left + width,
+            bottom: top + FRAME_HEIGHT - GAP,
+        }
+    };
+    let all = WIDTH - 2.0 * MARGIN;
+    // The room that titles and numbers of the vertical axis take at the first of each row.
+    let room = Frame::new(at(0, 0.0, all), &film.axes, scales)?.area.left;
+    let width = (all - room + COLUMN_GAP) / COLUMNS as f64;
+    let of_index = |index: usize| {
+        let left = MARGIN + room + (index % COLUMNS) as f64 * width;
+        let mut frame = match index % COLUMNS {
+            0 => Frame::new(
+                at(index, MARGIN, room + width - COLUMN_GAP),
+                &film.axes,
+                scales,
+            )?,
+            _ => Frame::beside(at(index, left, width - COLUMN_GAP), &film.axes[0], scales)?,
+        };
+        frame.area.left = left;
+        Ok(frame)
+    };
+    (0..film.frames.len()).map(of_index).collect()
+}
+
+fn draw_frame(canvas: &mut Canvas, film: &Film, shown: &FilmFrame, frame: &Frame) -> Result<()> {
+    frame.draw(canvas)?;
+    let title = Block::new(&shown.title, LABEL_SIZE, frame.area.width())?;
+    let above = frame.area.top - 0.5 * GAP - 2.0;
+    canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
+    let curve = |along: &dyn Fn(&[f64; 2]) -> f64| {
+        let points = shown
+            .shape
+            .iter()
+            .map(along)
+            .zip(film.places.iter().copied());
+        thin_upright(frame.curve(&points.collect::<Vec<_>>()).concat())
+    };
+    let mut shaded = curve(&|[x, y]| x.hypot(*y));
+    shaded.extend(curve(&|[x, y]| -x.hypot(*y)).iter().rev());
+    canvas.polygon(&shaded, SKY)?;
+    draw_wall(canvas, &film.wall, frame)?;
+    canvas.line(&curve(&|[x, _]| *x), X)?;
+    canvas.line(&curve(&|[_, y]| *y), Y)?;
+    let radius = RADIUS
+        .min(0.5 * closest(&shown.sites, frame))
+        .max(LEAST_RADIUS);
+    for site in &shown.sites {
+        if let Some(centre) = frame.pixel((site.radius, site.place)) {
+            draw_site(canvas, site.touches, centre, radius)?;
+        }
+    }
+    Ok(())
+}
+
+fn draw_wall(canvas: &mut Canvas, wall: &[(f64, f64)], frame: &Frame) -> Result<()> {
+    for side in [-1.0, 1.0] {
+        let points: Vec<_> = wall.iter().map(|(at, place)| (side * at, *place)).collect();
+        for piece in frame.curve(&points) {
+            if piece.len() > 1 {
+                canvas.line(&piece, WALL)?;
+            }
+            for (x, y) in piece {
+                let bar = [(x, y - REACH), (x, y + REACH)];
+                for part in frame.area.clip(&bar) {
+                    canvas.line(&part, WALL_AT_SITE)?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The least distance between neighbouring sites, pixels.
+fn closest(sites: &[FilmSite], frame: &Frame) -> f64 {
+    let heights: Vec<f64> = (sites.iter())
+        .filter_map(|site| frame.pixel_y(site.place))
+        .collect();
+    let pairs = heights.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    pairs.fold(f64::INFINITY, f64::min)
+}
+
+/// [`thin`] of a curve that runs up and down.
+fn thin_upright(curve: Vec<Pixel>) -> Vec<Pixel> {
+    let across: Vec<Pixel> = curve.into_iter().map(|(x, y)| (y, x)).collect();
+    thin(&across).into_iter().map(|(y, x)| (x, y)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::canvas::tests::assert_text_inside;
+    use super::*;
+
+    fn of_sites(count: usize, wall: bool) -> Film {
+        let places: Vec<f64> = (0..5000).map(f64::from).collect();
+        let at = |site: usize| 4999.0 * site as f64 / count as f64;
+        let frame = |index: usize| FilmFrame {
+            title: format!("t = {index}.25 s"),
+            shape: (places.iter())
+                .map(|place| [20.0 * (0.01 * place).sin(), -3.0])
+                .collect(),
+            sites: (0..count)
+                .map(|site| FilmSite {
+                    place: at(site),
+                    radius: 15.0,
+                    touches: site % 2 == 0,
+                })
+                .collect(),
+        };
+        Film {
+            title: "Fig. 16: the string in its hole, quadrature".to_owned(),
+            axes: ["x, y, r (mm)", "Above the bit (m)"].map(Axis::linear),
+            wall: (0..count)
+                .filter(|_| wall)
+                .map(|site| (15.0, at(site)))
+                .collect(),
+            notes: vec!["above 5000 m the string moves less".to_owned()],
+            frames: (0..8).map(frame).collect(),
+            places,
+        }
+    }
+
+    /// Of two sites in eight frames, one of them touching: a black disc each, and a white one
+    /// in that which does not; the same once in the legend.
+    #[test]
+    fn every_frame_has_its_sites_and_those_that_touch_are_filled() {
+        let picture = film(&of_sites(2, true)).expect("drawn");
+        assert_text_inside(&picture);
+        assert_eq!(picture.svg.matches("<circle").count(), 8 * 3 + 3);
+        assert!(picture.svg.contains("t = 7.25 s"));
+    }
+
+    /// The two dashed lines of the wall, and the dashed line of y.
+    #[test]
+    fn a_wall_that_is_far_away_is_not_drawn() {
+        let dashed = |wall| {
+            let picture = film(&of_sites(3, wall)).expect("drawn");
+            picture.svg.matches("dasharray").count()
+        };
+        assert_eq!(dashed(true), 8 * 3 + 2);
+        assert_eq!(dashed(false), 8 + 1);
+    }
+
+    #[test]
+    fn a_fine_mesh_makes_no_large_file() {
+        let picture = film(&of_sites(100, true)).expect("drawn");
+        // Of which the font is 60 kB.
+        assert!(picture.svg.len() < 1_000_000, "{}", picture.svg.len());
+        let again = film(&of_sites(100, true)).expect("drawn");
+        assert!(picture.svg == again.svg && picture.png == again.png);
+    }
+}
