@@ -1,7 +1,6 @@
 //! The whole string from the forces at its sites (Section 5.2.2, Fig. 13).
 
-use super::newmark::Weights;
-use super::reduction::CondensedBeam;
+use super::stepped;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::BuildError;
 use crate::method::FiniteElement;
@@ -56,32 +55,37 @@ impl WholeString<'_> {
         if !forces.iter().all(fits) {
             return Err(BuildError::Forces);
         }
-        let beam = CondensedBeam::new(
+        let (beam, depths) = stepped::bent(
             self.string,
             self.bending,
             self.support,
             self.sites,
-            self.parameters.elements_per_cell,
-            Weights::new(&self.parameters, self.sampling_frequency)?,
+            &self.parameters,
+            self.sampling_frequency,
         )?;
-        let depths = beam.depths();
         let mut peaks = vec![0.0; depths.len()];
         let mut shapes = Vec::with_capacity(snapshots.len());
-        let mut motions = [beam.rest(), beam.rest()];
+        let mut motion = beam.rest();
+        let mut now = vec![0.0; 2 * sites];
         for step in 0..steps {
-            for (motion, forces) in motions.iter_mut().zip(forces) {
-                beam.step_free(motion);
-                for (site, forces) in forces.iter().enumerate() {
-                    beam.apply_force(motion, site, forces[step]);
-                }
+            for (now, forces) in now.iter_mut().zip(forces.iter().flatten()) {
+                *now = forces[step];
             }
-            let [x, y] = [0, 1].map(|axis: usize| beam.node_displacements(&motions[axis]));
-            for ((peak, x), y) in peaks.iter_mut().zip(&x).zip(&y) {
-                *peak = f64::max(*peak, x.hypot(*y));
+            beam.load(&mut motion, &now);
+            for (node, peak) in peaks.iter_mut().enumerate() {
+                let [x, y] = beam.seen_at(&motion, node);
+                *peak = f64::max(*peak, x.hypot(y));
             }
             if snapshots.contains(&step) {
-                shapes.push([x, y]);
+                let along = |axis: usize| {
+                    let nodes = 0..depths.len();
+                    nodes
+                        .map(|node| beam.seen_at(&motion, node)[axis])
+                        .collect()
+                };
+                shapes.push([along(0), along(1)]);
             }
+            beam.advance(&mut motion);
         }
         Ok(Reconstruction {
             depths,

@@ -152,8 +152,6 @@ impl CondensedString {
 #[derive(Debug)]
 pub struct CondensedBeam {
     model: Condensed,
-    support: SurfaceSupport,
-    depths: Vec<f64>,
 }
 
 impl CondensedBeam {
@@ -176,8 +174,6 @@ impl CondensedBeam {
         let sites = mesh.site_nodes.iter().map(|node| 2 * node - held).collect();
         Ok(Self {
             model: Condensed::new(matrices, sites, weights)?,
-            support,
-            depths: mesh.depths(),
         })
     }
 
@@ -200,21 +196,5 @@ impl CondensedBeam {
     /// Displacement at site `output`, m.
     pub fn displacement(&self, motion: &Motion, output: usize) -> f64 {
         motion.displacement[self.model.sites[output]]
-    }
-
-    /// Depth of every node below the surface, m.
-    pub(crate) fn depths(&self) -> Vec<f64> {
-        self.depths.clone()
-    }
-
-    /// Displacement of every node, m; zero where the surface holds it.
-    pub(crate) fn node_displacements(&self, motion: &Motion) -> Vec<f64> {
-        let held = self.support.held();
-        (0..self.depths.len())
-            .map(|node| {
-                let place = (2 * node).checked_sub(held);
-                place.map_or(0.0, |place| motion.displacement[place])
-            })
-            .collect()
     }
 }

@@ -80,6 +80,16 @@ impl<const FREEDOMS: usize, const PLANES: usize> SteppedChannel<FREEDOMS, PLANES
 
     /// Ends a step with loads on the sites, by planes and in each by sites.
     pub fn end_step(&self, motion: &mut SteppedMotion<FREEDOMS, PLANES>, loads: &[f64]) {
+        self.load(motion, loads);
+        self.advance(motion);
+    }
+
+    /// Adds what loads on the sites do to a step.
+    pub(in crate::elements) fn load(
+        &self,
+        motion: &mut SteppedMotion<FREEDOMS, PLANES>,
+        loads: &[f64],
+    ) {
         let sites = self.nodes.len();
         for (site, column) in self.columns.iter().enumerate() {
             let load: [f64; PLANES] = std::array::from_fn(|plane| loads[plane * sites + site]);
@@ -87,6 +97,10 @@ impl<const FREEDOMS: usize, const PLANES: usize> SteppedChannel<FREEDOMS, PLANES
                 motion.0.add(column, load);
             }
         }
+    }
+
+    /// Goes on to the next step.
+    pub(in crate::elements) fn advance(&self, motion: &mut SteppedMotion<FREEDOMS, PLANES>) {
         self.chain.advance(&mut motion.0);
     }
 
@@ -112,12 +126,17 @@ impl<const FREEDOMS: usize, const PLANES: usize> SteppedChannel<FREEDOMS, PLANES
             for (seen, &node) in seen.iter_mut().zip(&self.nodes) {
                 seen.push(self.seen_at(&motion, node)[0]);
             }
-            self.chain.advance(&mut motion.0);
+            self.advance(&mut motion);
         }
         seen
     }
 
-    fn seen_at(&self, motion: &SteppedMotion<FREEDOMS, PLANES>, node: usize) -> [f64; PLANES] {
+    /// Motion of a node in a step, in every plane.
+    pub(in crate::elements) fn seen_at(
+        &self,
+        motion: &SteppedMotion<FREEDOMS, PLANES>,
+        node: usize,
+    ) -> [f64; PLANES] {
         match self.seen {
             Seen::Displacement => motion.0.displacement(node, &self.weights),
             Seen::Velocity => motion.0.velocity(node, &self.weights),

@@ -63,8 +63,12 @@ impl SteppedString {
             return Err(BuildError::SteppedBelowDrive);
         }
         let weights = Weights::new(parameters, sampling_frequency)?;
-        let mesh = |channel| Mesh::new(string, channel, sites, parameters.elements_per_cell);
-        let turned = mesh(Channel::Torsion)?;
+        let turned = Mesh::new(
+            string,
+            Channel::Torsion,
+            sites,
+            parameters.elements_per_cell,
+        )?;
         let TorsionMatrices {
             free,
             surface_mass,
@@ -73,9 +77,6 @@ impl SteppedString {
         // The surface is none of its nodes.
         let nodes = turned.site_nodes.iter().map(|node| node - 1).collect();
         let torsion = SteppedChannel::new(&free, 0, weights, Seen::Velocity, nodes)?;
-        let bent = mesh(Channel::Bending)?;
-        let matrices = beam::assemble(string, bending, support, &bent)?;
-        let (held, nodes) = (support.held(), bent.site_nodes);
         Ok(Self {
             string: string.id(),
             parameters: *parameters,
@@ -86,7 +87,15 @@ impl SteppedString {
                 stiffness: surface_stiffness,
             },
             torsion,
-            bending: SteppedChannel::new(&matrices, held, weights, Seen::Displacement, nodes)?,
+            bending: bent(
+                string,
+                bending,
+                support,
+                sites,
+                parameters,
+                sampling_frequency,
+            )?
+            .0,
         })
     }
 
@@ -143,6 +152,32 @@ impl SteppedString {
     fn weights(&self) -> Result<Weights, BuildError> {
         Weights::new(&self.parameters, self.sampling_frequency)
     }
+}
+
+/// A string in bending, along x and along y, and the depth of each of its nodes, m.
+///
+/// # Errors
+/// As [`SteppedString::new`].
+pub(super) fn bent(
+    string: &Drillstring,
+    bending: &Bending,
+    support: SurfaceSupport,
+    sites: &Sites,
+    parameters: &FiniteElement,
+    sampling_frequency: f64,
+) -> Result<(SteppedChannel<2, 2>, Vec<f64>), BuildError> {
+    let weights = Weights::new(parameters, sampling_frequency)?;
+    let mesh = Mesh::new(
+        string,
+        Channel::Bending,
+        sites,
+        parameters.elements_per_cell,
+    )?;
+    let matrices = beam::assemble(string, bending, support, &mesh)?;
+    let (held, depths) = (support.held(), mesh.depths());
+    let seen = Seen::Displacement;
+    let channel = SteppedChannel::new(&matrices, held, weights, seen, mesh.site_nodes)?;
+    Ok((channel, depths))
 }
 
 impl SurfaceElement {
