@@ -17,16 +17,20 @@
 //! range of rates at which the string presses: [`WhirlingSite::branches`]. Near
 //! resonances one surface speed has several: [`WhirlingSite::rolling_at`]. Whirl that
 //! slides may need less friction than any that rolls:
-//! [`WhirlingSite::least_friction`].
+//! [`WhirlingSite::least_friction`]. Several sites together may need less than any of them:
+//! [`WhirlingSites::least_friction`].
 
 mod balance;
 mod branches;
+mod many_sites;
+mod pencil;
 mod rolling;
 mod variation;
 
 use crate::laws::wall::Wall;
 use balance::Balance;
 pub use branches::MOST_FRICTION;
+pub use many_sites::{SitesWhirl, WhirlingSites};
 use variation::{Sample, Variation};
 
 /// Whirl is looked for up to a radius of so many clearances.

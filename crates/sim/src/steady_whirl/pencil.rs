@@ -1,0 +1,84 @@
+//! Which forces at several sites press hardest for what they lose, at one rate of whirl.
+//!
+//! Let H be the receptance at the sites. Forces f of any sizes and phases press with
+//! −Re f*Hf and lose −Im f*Hf > 0; H is symmetric, so these are f*Pf and f*Qf with the real
+//! symmetric P = −Re H and Q = −Im H, and their greatest ratio is the greatest eigenvalue of
+//! the pencil (P, Q). It has a real eigenvector: forces that are all in phase or opposite.
+//!
+//! Neighbouring sites make Q nearly singular, and rounding then hides some of its directions.
+//! That must not hide forces that press. No string presses more than Λ times what it loses
+//! (`most`), Λf*Qf ≥ f*Pf, so that for an ε > 0
+//!
+//! (f*Pf + 2Λε) / (f*Qf + 2ε) ≥ f*Pf / f*Qf,
+//!
+//! and with P + (2Λ + 1)ε and Q + ε in place of P and Q the ratio is never too small, as long as
+//! neither is off by more than ε.
+
+use faer::{Mat, Side};
+use linear::Complex64;
+
+/// What P and Q are off by at most, in parts of their norm, with each site in units in which
+/// its driving-point receptance is one.
+const ROUNDING: f64 = 3e-11;
+
+/// Forces that press hardest for what they lose.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Hardest {
+    /// By how much more they press than lose; negative where none press.
+    pub ratio: f64,
+    /// What each site does of the pressing, which adds up to one; nothing is known where a
+    /// receptance is no number.
+    pub shares: Vec<f64>,
+}
+
+/// The hardest by a receptance (row by row, m/N) that presses no more than `most` times what it
+/// loses.
+pub(super) fn hardest(receptance: &[Complex64], most: f64) -> Hardest {
+    forces(receptance, most).unwrap_or(Hardest {
+        ratio: most,
+        shares: Vec::new(),
+    })
+}
+
+/// None where the eigenvalues of a matrix are not found, as where it is not finite.
+fn forces(receptance: &[Complex64], most: f64) -> Option<Hardest> {
+    let size = receptance.len().isqrt();
+    let entry = |row: usize, column: usize| receptance[row * size + column];
+    let unit = |site: usize| entry(site, site).norm().sqrt().recip();
+    let scaled = |part: fn(Complex64) -> f64| {
+        Mat::from_fn(size, size, |row, column| {
+            -part(entry(row, column)) * unit(row) * unit(column)
+        })
+    };
+    let (pressing, losing) = (scaled(|it| it.re), scaled(|it| it.im));
+    let off = ROUNDING * pressing.norm_l2().hypot(losing.norm_l2());
+    if !off.is_finite() {
+        return None;
+    }
+    let losses = losing.self_adjoint_eigen(Side::Lower).ok()?;
+    // Forces that lose one each.
+    let basis = Mat::from_fn(size, size, |row, column| {
+        let loss = losses.S()[column].max(0.0) + off;
+        losses.U()[(row, column)] / loss.sqrt()
+    });
+    let more = (2.0 * most + 1.0) * off;
+    let raised = Mat::from_fn(size, size, |row, column| {
+        let diagonal = if row == column { more } else { 0.0 };
+        pressing[(row, column)] + diagonal
+    });
+    let pressings = (basis.transpose() * raised * &basis)
+        .self_adjoint_eigen(Side::Lower)
+        .ok()?;
+    // They rise.
+    let greatest = size - 1;
+    let forces = &basis * pressings.U().col(greatest);
+    let displacements = &pressing * &forces;
+    let works: Vec<f64> = (0..size)
+        .map(|site| forces[site] * displacements[site])
+        .collect();
+    let whole: f64 = works.iter().sum();
+    Some(Hardest {
+        ratio: pressings.S()[greatest].min(most),
+        shares: works.into_iter().map(|work| work / whole).collect(),
+    })
+}
