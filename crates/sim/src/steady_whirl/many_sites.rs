@@ -10,8 +10,8 @@
 //! so that μ ≥ Im r*Kr / (−Re r*Kr) ≥ 1/λ, with λ the greatest that −Re r*Kr / Im r*Kr is for any
 //! r. It holds for each choice of the sites that touch, for it asks for none. The forces to the
 //! displacements r are Kr, and K⁻¹ is the receptance, by which λ is found ([`super::pencil`]). So
-//! radii, phases and the law of the wall play no part: it is a lower bound, and what whirls may
-//! need more.
+//! radii, phases and the law of the wall play no part, nor that a wall cannot pull where another
+//! pushes: it is a lower bound, and what whirls may need more.
 //!
 //! Two properties of λ make the search over the rates certain.
 //!
@@ -62,17 +62,17 @@ pub struct SitesWhirl {
     pub rate: f64,
     /// The least coefficient of friction.
     pub least_friction: f64,
-    /// What each site does of the work of the normal forces, which adds up to one; without
-    /// entries where a receptance is no number.
+    /// What each site does of the work of the normal forces, which adds up to one. Less than
+    /// nothing where the wall would have to pull.
     pub shares: Vec<f64>,
 }
 
 impl<H: Fn(f64) -> Vec<Complex64>> WhirlingSites<H> {
-    /// The least friction of any steady whirl at one rate, over all surface speeds up to one
-    /// (rad/s): from the speed of each entry to that of the next. No whirl there needs less than
-    /// the entry's by more than 1 %, none at speeds below the first less than
-    /// [`MOST_FRICTION`] by more than that. The last may be a friction of 0.02, which every wall has:
-    /// less is not looked for. Empty without damping, as of [`super::WhirlingSite`].
+    /// The least friction of steady whirl over all surface speeds up to one (rad/s), each from its
+    /// own speed to that of the next. No whirl needs less than 1 % less, and none at speeds below
+    /// the first less than 1 % less than [`MOST_FRICTION`]. The last may be a friction of little
+    /// less than 0.02: any wall has that, and less is not looked for. Empty without damping, as
+    /// [`super::WhirlingSite`] has it.
     pub fn least_friction(&self, fastest_surface_speed: f64) -> Vec<SitesWhirl> {
         let ratios = self.walls.iter().map(|wall| wall.radius / wall.clearance);
         let ratio = ratios.fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! Steady backward whirl as a balance of forces: what the wall must supply is
+//! Steady whirl as a balance of forces: what the wall must supply is
 //! the dynamic stiffness of the string at the rate of whirl.
 //!
 //! Where the centre goes around at a rate ω against the rotation, at a radius r,
@@ -19,9 +19,12 @@
 //! slides may need less friction than any that rolls:
 //! [`WhirlingSite::least_friction`]. Several sites together may need less than any of them:
 //! [`WhirlingSites::least_friction`].
+//!
+//! An eccentric mass takes the string round with the rotation: [`EccentricString`].
 
 mod balance;
 mod branches;
+mod forward;
 mod many_sites;
 mod pencil;
 mod rolling;
@@ -30,6 +33,7 @@ mod variation;
 use crate::laws::wall::Wall;
 use balance::Balance;
 pub use branches::MOST_FRICTION;
+pub use forward::{EccentricString, ForwardWhirl, Touch};
 pub use many_sites::{SitesWhirl, WhirlingSites};
 use variation::{Sample, Variation};
 
