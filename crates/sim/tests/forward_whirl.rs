@@ -130,7 +130,6 @@ fn no_touch_of_a_dense_scan_is_missed() {
             assert!(touches_at(surface_speed, &heavier), "{number} {touch:?}");
         }
     }
-    println!("{touches} touch, {scanned} of them above the slowest speed");
     assert!(scanned >= 10 && touches < 40, "{touches} {scanned}");
 }
 
@@ -181,7 +180,6 @@ fn academic_whirl(
 fn the_string_of_the_paper_goes_round_along_its_wall() {
     let mass = mass(0, 1000.0, 0.1);
     let (radii, force, simulated) = academic_whirl(&[0.0], vec![wall(0.015)], mass);
-    println!("{radii:?} {force}");
     assert_close(radii[0], 0.01523, 0.001);
     assert_close(force, 3500.0, 0.01);
     assert_eq!(simulated.regime, LateralRegime::ForwardWhirl);
@@ -194,7 +192,6 @@ fn the_string_of_the_paper_goes_round_along_its_wall() {
 fn a_mass_elsewhere_takes_the_bit_round() {
     let walls = vec![wall(1.0), wall(0.015)];
     let (radii, force, simulated) = academic_whirl(&[50.0, 0.0], walls, mass(0, 1000.0, 0.4));
-    println!("{radii:?} {force} {simulated:?}");
     assert_eq!(simulated.regime, LateralRegime::ForwardWhirl);
     assert_close(simulated.mean_radius, radii[1], 0.01);
     assert_close(simulated.mean_normal_force, force, 0.02);

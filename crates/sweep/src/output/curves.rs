@@ -10,7 +10,8 @@ use crate::quantities::Axis;
 const ROLLING: &str = "steady rolling whirl at one site";
 const LEAST: &str =
     "least friction of steady whirl at one site, rolling or sliding (necessary, not sufficient)";
-const OF_ANY_SITES: &str = "no steady whirl below it, of any sites together";
+const OF_ANY_SITES: &str =
+    "least friction of steady whirl of any sites together (necessary, not sufficient)";
 
 /// More branches than this hide the cases of a map.
 const MOST_BRANCHES: usize = 6;
