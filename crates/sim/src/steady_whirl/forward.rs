@@ -171,10 +171,9 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
             (site, scale * (in_clearances + most(mass)))
         };
         let reaches = (0..self.walls.len()).map(reach);
-        reaches.fold(
-            (0, 0.0),
-            |most, next| if next.1 > most.1 { next } else { most },
-        )
+        // What is no number counts as the greatest.
+        let greatest = reaches.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()));
+        greatest.unwrap_or((mass, scale * most(mass)))
     }
 
     fn touch(&self, here: &Sample) -> Touch {

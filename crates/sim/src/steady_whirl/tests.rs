@@ -1,3 +1,5 @@
+use std::cell::Cell;
+
 use linear::Complex64;
 use proptest::prelude::*;
 
@@ -501,4 +503,102 @@ fn no_rate_needs_less_friction_than_the_least_of_several_sites() {
             prop_assert!((ratio * whirl.least_friction - 1.0).abs() < 1e-9);
         }
     });
+}
+
+/// What whirl is found to balance does: the forces told bring about the displacements told, and
+/// obey the laws of the walls; and it needs no less friction than whirl can.
+#[test]
+fn whirl_that_is_found_together_balances_every_force() {
+    let found_with = |masses: &Masses, walls: &[Wall], speed: f64| {
+        let sites = masses.all_on(walls);
+        let found = sites.least_together(speed)?;
+        let touching = |site: usize| found.contacts.iter().find(|contact| contact.site == site);
+        let forces: Vec<Complex64> = (0..walls.len())
+            .map(|site| {
+                touching(site).map_or(Complex64::ZERO, |contact| {
+                    let force = contact.normal_force * Complex64::new(-1.0, found.friction);
+                    force * Complex64::cis(contact.phase)
+                })
+            })
+            .collect();
+        let receptance = masses.receptance(walls.len(), found.rate);
+        for (site, row) in receptance.chunks(walls.len()).enumerate() {
+            let displacement: Complex64 = row.iter().zip(&forces).map(|(h, f)| h * f).sum();
+            let wall = walls[site];
+            let Some(contact) = touching(site) else {
+                assert!(
+                    displacement.norm() <= wall.clearance * (1.0 + 1e-6),
+                    "{found:?}"
+                );
+                continue;
+            };
+            let told = Complex64::from_polar(contact.radius, contact.phase);
+            assert!(
+                (displacement - told).norm() < 1e-6 * wall.clearance,
+                "{found:?}"
+            );
+            let depth = (contact.normal_force / wall.stiffness).powf(2.0 / 3.0);
+            assert!((wall.clearance + depth - contact.radius).abs() < 1e-6 * wall.clearance);
+            let excess = speed * wall.radius - found.rate * contact.radius;
+            assert!(contact.normal_force > 0.0 && excess > -1e-6 * speed * wall.radius);
+        }
+        let bound = sites.least_friction(speed).pop();
+        let bound = bound.map_or(MOST_FRICTION, |whirl| whirl.least_friction);
+        assert!(
+            found.friction >= bound / 1.0101 || found.friction < 0.0202,
+            "{bound} {found:?}"
+        );
+        Some(found)
+    };
+    let stiffness = prop_oneof![
+        Just(f64::INFINITY),
+        (6.0..10.0f64).prop_map(|it| 10f64.powf(it))
+    ];
+    let clearances = prop::collection::vec(0.005..0.02f64, 5);
+    let strategy = (
+        some_masses(),
+        1..=4usize,
+        20.0..400.0f64,
+        stiffness,
+        clearances,
+    );
+    let [several, rigid] = [0; 2].map(Cell::new);
+    let add = |count: &Cell<usize>, one: bool| count.set(count.get() + usize::from(one));
+    proptest!(ProptestConfig::with_cases(60), |(
+        (mut masses, sites, fastest, stiffness, clearances) in strategy,
+    )| {
+        let sites = sites.min(masses.masses.len());
+        // Nearly free, as a string is, so that they take each other along.
+        masses.grounds.fill(100.0);
+        let wall = |clearance: &f64| Wall {
+            clearance: *clearance,
+            ..wall(stiffness)
+        };
+        let walls: Vec<Wall> = clearances[..sites].iter().map(wall).collect();
+        if let Some(found) = found_with(&masses, &walls, speed_of(fastest)) {
+            add(&several, found.contacts.len() > 1);
+            add(&rigid, stiffness.is_infinite());
+        }
+    });
+    let counts = [several, rigid].map(Cell::into_inner);
+    assert!(counts.iter().all(|count| *count > 5), "{counts:?}");
+}
+
+/// One site whirls with no less friction than it needs, and nearly with that where resonances
+/// are wide.
+#[test]
+fn one_site_together_with_none_whirls_with_what_it_needs() {
+    let near = Cell::new(0);
+    let strategy = (some_masses(), 20.0..400.0f64);
+    proptest!(ProptestConfig::with_cases(100), |((masses, fastest) in strategy)| {
+        let (wall, speed) = (wall(1e8), speed_of(fastest));
+        let alone = masses.on(wall).least_friction(speed).map(|whirl| whirl.least_friction);
+        let found = masses.all_on(&[wall]).least_together(speed).map(|whirl| whirl.friction);
+        if let Some(found) = found {
+            let alone = alone.unwrap_or(MOST_FRICTION);
+            prop_assert!(found > alone / 1.02, "{alone} {found}");
+            near.set(near.get() + usize::from(found < 1.02 * alone));
+        }
+    });
+    assert!(near.get() > 40, "{near:?}");
 }
