@@ -37,13 +37,13 @@ const TOLERANCE: f64 = 0.005;
 /// … and none is told that is not greater by this part than the last.
 const STEP: f64 = 0.005;
 
-/// Any wall has this friction: what needs less is not told apart.
+/// Any wall has this friction: less is not looked for.
 const LITTLE_FRICTION: f64 = 0.02;
 
 /// Places where the string may touch the wall.
 #[derive(Debug, Clone)]
 pub struct WhirlingSites<H> {
-    /// The walls; of these only clearance and radius of the string play a part.
+    /// The walls; their friction plays no part.
     pub walls: Vec<Wall>,
     /// The receptance H at the sites, row by row (m/N), at a rate (rad/s).
     pub receptance: H,
@@ -70,8 +70,8 @@ pub struct SitesWhirl {
 impl<H: Fn(f64) -> Vec<Complex64>> WhirlingSites<H> {
     /// The least friction of steady whirl over all surface speeds up to one (rad/s), each from its
     /// own speed to that of the next. No whirl needs less than 1 % less, and none at speeds below
-    /// the first less than 1 % less than [`MOST_FRICTION`]. The last may be a friction of little
-    /// less than 0.02: any wall has that, and less is not looked for. Empty without damping, as
+    /// the first less than 1 % less than [`MOST_FRICTION`]. Once it is less than 0.02, which any
+    /// wall has, lesser ones are not looked for. Empty without damping, as
     /// [`super::WhirlingSite`] has it.
     pub fn least_friction(&self, fastest_surface_speed: f64) -> Vec<SitesWhirl> {
         let ratios = self.walls.iter().map(|wall| wall.radius / wall.clearance);

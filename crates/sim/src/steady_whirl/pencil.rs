@@ -18,8 +18,8 @@ use faer::{Mat, Side};
 use linear::Complex64;
 
 /// What P and Q are off by at most, in parts of their norm, with each site in units in which
-/// its driving-point receptance is one. Cut at other places too, strings of 100 m to 5 km have
-/// receptances that differ by up to half of this; more where damping is light and rates are slow.
+/// its driving-point receptance is one. The receptances of strings of 100 m to 5 km differ by
+/// up to half of this when the strings are cut at other places too.
 const ROUNDING: f64 = 3e-11;
 
 /// Forces that press hardest for what they lose.
