@@ -99,8 +99,12 @@ fn table(place: &Workplace, name: &str) -> Vec<BTreeMap<String, String>> {
     rows.map(Result::unwrap).collect()
 }
 
+/// What there is of each site alone.
 fn limit(place: &Workplace) -> Vec<Row> {
-    let rows = table(place, "boundary.csv").into_iter().map(|row| {
+    let mut rows = table(place, "boundary.csv");
+    rows.retain(|row| row["motion"] != "any_sites");
+    let rows = rows.into_iter().map(|row| {
+        assert_eq!(row["sites_from_bit_m"], row["site_from_bit_m"]);
         let number = |name: &str| row[name].parse::<f64>().unwrap();
         Row {
             speed: number("surface_speed_rpm") * TAU / 60.0,
@@ -192,6 +196,45 @@ fn branches_are_continuous_and_balance_the_forces() {
     for row in &curves {
         let least = any.iter().rev().find(|any| any.speed <= row.speed).unwrap();
         assert!(least.friction <= 1.1 * row.friction, "{row:?} {least:?}");
+    }
+}
+
+/// Of any sites together: a staircase over the speeds, each step of which is no lower than what
+/// the forces at its rate need.
+#[test]
+fn any_sites_need_no_more_than_one() {
+    let place = run(SWEEP);
+    let mut rows = table(&place, "boundary.csv");
+    rows.retain(|row| row["motion"] == "any_sites");
+    let number = |row: &BTreeMap<String, String>, name: &str| row[name].parse::<f64>().unwrap();
+    assert_eq!(number(&rows[0], "surface_speed_rpm"), 60.0);
+    assert_eq!(number(rows.last().unwrap(), "surface_speed_rpm"), 180.0);
+    for pair in rows.windows(2) {
+        let [before, after] = [0, 1].map(|it| number(&pair[it], "surface_speed_rpm"));
+        let [more, less] = [0, 1].map(|it| number(&pair[it], "friction"));
+        let falls = before == after && more > less;
+        assert!(before <= after && (falls || more == less), "{pair:?}");
+    }
+    for row in limit(&place) {
+        let steps = rows.iter().rev();
+        let told = (steps.map(|step| (number(step, "surface_speed_rpm") * TAU / 60.0, step)))
+            .find(|(speed, _)| *speed <= row.speed * (1.0 + 1e-9));
+        let told = number(told.unwrap().1, "friction");
+        assert!(told <= 1.02 * row.friction, "{row:?} {told}");
+    }
+    let together = rows
+        .iter()
+        .filter(|row| row["sites_from_bit_m"].contains(';'));
+    assert!(together.count() > 0);
+    for row in &rows {
+        assert_eq!(
+            (&row["radius_mm"][..], &row["normal_force_kn"][..]),
+            ("", "")
+        );
+        let rate = TAU * number(row, "precession_turns_per_s");
+        // No faster than the tightest place lets it, nor slower than damping lets it.
+        let fastest = number(row, "surface_speed_rpm") * TAU / 60.0 * RADIUS / SITES[0].1;
+        assert!(rate <= fastest * (1.0 + 1e-9), "{row:?}");
     }
 }
 

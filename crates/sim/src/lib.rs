@@ -113,7 +113,7 @@ pub use recording::{Recording, RecordingError};
 pub use sampling::Sampling;
 pub use scene::{Lateral, Scene, Timing};
 pub use simulator::Simulator;
-pub use steady_whirl::{SteadyWhirl, WhirlingSite};
+pub use steady_whirl::{SitesWhirl, SteadyWhirl, WhirlingSite, WhirlingSites};
 pub use stepper::{Step, Stepper};
 pub use surface::SurfaceProfile;
 pub use surface_torque::SurfaceTorque;

@@ -84,6 +84,13 @@ struct Point {
     whirl: Option<SteadyWhirl>,
 }
 
+impl Point {
+    /// Its rate, and how it presses there.
+    fn place(&self) -> (f64, f64) {
+        (self.sample.rate, self.pressing)
+    }
+}
+
 struct Trace<'a, K> {
     site: &'a WhirlingSite<K>,
     /// At the slowest and the fastest surface speed.
@@ -153,7 +160,7 @@ impl<K: Fn(f64) -> [f64; 2]> Trace<'_, K> {
         let real = variation.real_range([&low.sample, &high.sample]);
         let rates = [low.sample.rate, high.sample.rate];
         let [slowest, fastest] = &self.range;
-        variation.pressing_range([&low.sample, &high.sample])[1] <= self.least_pressing
+        variation.pressing_range([low, high].map(Point::place))[1] <= self.least_pressing
             || slowest.is_positive(real, rates)
             || fastest.is_negative(real, rates)
     }
@@ -163,7 +170,7 @@ impl<K: Fn(f64) -> [f64; 2]> Trace<'_, K> {
     fn is_settled(&self, points: [&Point; 3], distance: f64) -> bool {
         let [low, middle, high] = points.map(|point| point.pressing);
         let is_straight = (middle - 0.5 * (low + high)).abs() <= OFF_CHORD;
-        let ends = [&points[0].sample, &points[2].sample];
+        let ends = [points[0], points[2]].map(Point::place);
         let [least, _] = self.site.variation().pressing_range(ends);
         let is_close = distance <= FURTHEST || least.sinh() > LITTLE_FRICTION.recip();
         match self.wanted {

@@ -1,4 +1,4 @@
-//! Steady backward whirl as a balance of forces: what the wall must supply is
+//! Steady whirl as a balance of forces: what the wall must supply is
 //! the dynamic stiffness of the string at the rate of whirl.
 //!
 //! Where the centre goes around at a rate ω against the rotation, at a radius r,
@@ -17,16 +17,28 @@
 //! range of rates at which the string presses: [`WhirlingSite::branches`]. Near
 //! resonances one surface speed has several: [`WhirlingSite::rolling_at`]. Whirl that
 //! slides may need less friction than any that rolls:
-//! [`WhirlingSite::least_friction`].
+//! [`WhirlingSite::least_friction`]. Several sites together may need less than any of them:
+//! [`WhirlingSites::least_friction`] is a lower bound of that, and
+//! [`WhirlingSites::least_together`] an upper one.
+//!
+//! An eccentric mass takes the string round with the rotation: [`EccentricString`].
 
 mod balance;
 mod branches;
+mod contacts;
+mod forward;
+mod many_sites;
+mod pencil;
 mod rolling;
+mod together;
 mod variation;
 
 use crate::laws::wall::Wall;
 use balance::Balance;
 pub use branches::MOST_FRICTION;
+pub use forward::{EccentricString, ForwardWhirl, Touch};
+pub use many_sites::{SitesWhirl, WhirlingSites};
+pub use together::{Contact, WhirlTogether};
 use variation::{Sample, Variation};
 
 /// Whirl is looked for up to a radius of so many clearances.

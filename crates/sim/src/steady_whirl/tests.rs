@@ -1,5 +1,10 @@
-use super::*;
+use std::cell::Cell;
+
+use linear::Complex64;
 use proptest::prelude::*;
+
+use super::pencil::{Hardest, hardest};
+use super::*;
 
 /// Masses in a row, each held by a spring and a damper of its own and joined to the
 /// next; the wall touches the first.
@@ -37,6 +42,51 @@ impl Masses {
         below
     }
 
+    /// The dynamic stiffness at all masses, row by row.
+    fn stiffnesses(&self, rate: f64) -> Vec<Vec<Complex64>> {
+        let count = self.masses.len();
+        let mut whole = vec![vec![Complex64::ZERO; count]; count];
+        for (index, mass) in self.masses.iter().enumerate() {
+            let damping = 2.0 * self.decay_rate * mass * rate;
+            whole[index][index] +=
+                Complex64::new(self.grounds[index] - mass * rate * rate, damping);
+        }
+        for index in 1..count {
+            let joint = self.joints[index - 1];
+            for (row, column, sign) in [(0, 0, 1.0), (0, 1, -1.0), (1, 0, -1.0), (1, 1, 1.0)] {
+                whole[index - row][index - column] += sign * joint;
+            }
+        }
+        whole
+    }
+
+    /// The receptance at the first masses, row by row: the others feel no force.
+    fn receptance(&self, sites: usize, rate: f64) -> Vec<Complex64> {
+        let whole = self.stiffnesses(rate);
+        let unit = |place| {
+            let mut force = vec![Complex64::ZERO; whole.len()];
+            force[place] = Complex64::ONE;
+            force
+        };
+        (0..sites)
+            .flat_map(|site| solved(whole.clone(), unit(site)).into_iter().take(sites))
+            .collect()
+    }
+
+    fn all_on(&self, walls: &[Wall]) -> WhirlingSites<impl Fn(f64) -> Vec<Complex64>> {
+        WhirlingSites {
+            walls: walls.to_vec(),
+            receptance: |rate| self.receptance(walls.len(), rate),
+            decay_rate: self.decay_rate,
+        }
+    }
+
+    /// The hardest that the first masses press at a rate.
+    fn hardest(&self, sites: usize, rate: f64) -> Hardest {
+        let most = 0.5 * rate / self.decay_rate;
+        hardest(&self.receptance(sites, rate), most)
+    }
+
     fn on(&self, wall: Wall) -> WhirlingSite<impl Fn(f64) -> [f64; 2]> {
         WhirlingSite {
             wall,
@@ -44,6 +94,32 @@ impl Masses {
             decay_rate: self.decay_rate,
         }
     }
+}
+
+/// The solution of linear equations by elimination.
+fn solved(mut matrix: Vec<Vec<Complex64>>, mut right: Vec<Complex64>) -> Vec<Complex64> {
+    let count = right.len();
+    for pivot in 0..count {
+        let size = |row: &usize| matrix[*row][pivot].norm();
+        let best = (pivot..count).max_by(|one, other| size(one).total_cmp(&size(other)));
+        let best = best.expect("there are rows left");
+        matrix.swap(pivot, best);
+        right.swap(pivot, best);
+        for row in pivot + 1..count {
+            let factor = matrix[row][pivot] / matrix[pivot][pivot];
+            for column in pivot..count {
+                let above = matrix[pivot][column];
+                matrix[row][column] -= factor * above;
+            }
+            let above = right[pivot];
+            right[row] -= factor * above;
+        }
+    }
+    for row in (0..count).rev() {
+        let known: Complex64 = (row + 1..count).map(|it| matrix[row][it] * right[it]).sum();
+        right[row] = (right[row] - known) / matrix[row][row];
+    }
+    right
 }
 
 fn wall(stiffness: f64) -> Wall {
@@ -138,7 +214,8 @@ fn nothing_varies_faster_than_its_bound() {
         let variation = Variation { decay_rate: masses.decay_rate };
         let (low, high) = (site.sample(one.min(other)), site.sample(one.max(other)));
         let [least, greatest] = variation.real_range([&low, &high]);
-        let [lax, hard] = variation.pressing_range([&low, &high]);
+        let places = [low, high].map(|end| (end.rate, end.pressing()));
+        let [lax, hard] = variation.pressing_range(places);
         let curvature = variation.curvature([&low, &high]);
         let (width, slack) = (high.rate - low.rate, 1e-7 * low.real.hypot(high.real));
         for step in 0..=64 {
@@ -280,4 +357,248 @@ fn whirl_that_needs_more_friction_than_any_wall_has_is_none() {
     };
     assert!(rolling.least_friction > MOST_FRICTION, "{rolling:?}");
     assert_eq!(site.least_friction(speed), None);
+}
+
+/// By how much more forces press than lose: −Re f*Hf over −Im f*Hf.
+fn ratio(receptance: &[Complex64], forces: &[Complex64]) -> f64 {
+    let rows = receptance.chunks(forces.len());
+    let works = rows.zip(forces).map(|(row, force)| {
+        let displacement: Complex64 = row.iter().zip(forces).map(|(h, f)| h * f).sum();
+        force.conj() * displacement
+    });
+    let work: Complex64 = works.sum();
+    work.re / work.im
+}
+
+/// Whether a symmetric matrix is positive definite, by elimination.
+fn is_positive(mut matrix: Vec<Vec<f64>>) -> bool {
+    let count = matrix.len();
+    for pivot in 0..count {
+        if matrix[pivot][pivot] <= 0.0 {
+            return false;
+        }
+        for row in pivot + 1..count {
+            let factor = matrix[row][pivot] / matrix[pivot][pivot];
+            for column in pivot..count {
+                matrix[row][column] -= factor * matrix[pivot][column];
+            }
+        }
+    }
+    true
+}
+
+/// No forces of any phases press harder than the hardest; and where all masses are sites, what
+/// they need is a matter of their stiffness: λ Im K + Re K is positive definite for a λ that is
+/// a little greater, and not for one a little less.
+#[test]
+fn no_forces_press_harder_than_the_hardest() {
+    let force = (-1.0..1.0f64, -1.0..1.0f64).prop_map(|(re, im)| Complex64::new(re, im));
+    let forces = prop::collection::vec(prop::collection::vec(force, 5), 50);
+    let strategy = (some_masses(), 1..=5usize, 1.0..400.0f64, forces);
+    proptest!(ProptestConfig::with_cases(300), |((masses, sites, rate, forces) in strategy)| {
+        let sites = sites.min(masses.masses.len());
+        let receptance = masses.receptance(sites, rate);
+        let found = masses.hardest(sites, rate);
+        let most = 0.5 * rate / masses.decay_rate;
+        prop_assert!(found.ratio <= most);
+        for forces in forces {
+            let ratio = ratio(&receptance, &forces[..sites]);
+            prop_assert!(ratio <= found.ratio + 1e-6 * most, "{ratio} {found:?}");
+        }
+        let whole = masses.stiffnesses(rate);
+        let is_enough = |ratio: f64| {
+            let entry = |entry: &Complex64| ratio * entry.im + entry.re;
+            is_positive(whole.iter().map(|row| row.iter().map(entry).collect()).collect())
+        };
+        let all = masses.hardest(whole.len(), rate).ratio;
+        let off = 1e-6 * all.abs().max(most);
+        prop_assert!(is_enough(all + off) && !is_enough(all - off), "{all} {most}");
+        // More sites can do what fewer can.
+        prop_assert!(found.ratio <= all + off);
+    });
+}
+
+/// Equal masses that are free and all touch go round as one, against their damping alone.
+#[test]
+fn masses_that_all_touch_need_friction_against_their_damping() {
+    let masses = Masses {
+        masses: vec![3.0; 5],
+        grounds: vec![0.0; 5],
+        joints: vec![1e4; 5],
+        decay_rate: 2.0,
+    };
+    let found = masses.hardest(5, 30.0);
+    assert!((found.ratio / 7.5 - 1.0).abs() < 1e-9, "{found:?}");
+    assert!(
+        found.shares.iter().all(|share| (share - 0.2).abs() < 1e-6),
+        "{found:?}"
+    );
+    // At each surface speed, c/mω at the fastest rate.
+    let whirls = masses
+        .all_on(&[wall(1e8); 5])
+        .least_friction(speed_of(30.0));
+    for whirl in &whirls {
+        assert!(
+            (whirl.rate * whirl.least_friction / 4.0 - 1.0).abs() < 1e-9,
+            "{whirl:?}"
+        );
+        assert!((speed_of(whirl.rate) / whirl.surface_speed - 1.0).abs() < 1e-9);
+    }
+    let last = whirls.last().expect("whirl at the fastest rate").rate;
+    assert!((29.7..=30.0).contains(&last), "{last}");
+}
+
+/// It varies no faster with the rate than the stiffness of one site.
+#[test]
+fn the_hardest_varies_no_faster_than_its_bound() {
+    let strategy = (some_masses(), 1..=5usize, 1.0..400.0f64, 1.0..400.0f64);
+    proptest!(ProptestConfig::with_cases(500), |((masses, sites, one, other) in strategy)| {
+        let sites = sites.min(masses.masses.len());
+        let variation = Variation { decay_rate: masses.decay_rate };
+        let [at_one, at_other] = [one, other].map(|rate| masses.hardest(sites, rate).ratio.asinh());
+        prop_assert!((at_one - at_other).abs() <= variation.distance(one, other) + 1e-6);
+    });
+}
+
+/// The least friction of one site against a rigid wall, by its dynamic stiffness.
+#[test]
+fn several_sites_of_which_there_is_one_need_what_it_needs() {
+    let strategy = (some_masses(), 20.0..400.0f64);
+    proptest!(ProptestConfig::with_cases(200), |((masses, fastest) in strategy)| {
+        let (wall, speed) = (wall(f64::INFINITY), speed_of(fastest));
+        let alone = masses.on(wall).least_friction(speed).map(|whirl| whirl.least_friction);
+        let all = masses.all_on(&[wall]).least_friction(speed);
+        let all = all.last().map(|whirl| whirl.least_friction);
+        match (alone, all) {
+            // Less than any wall has is not told apart.
+            (Some(alone), Some(all)) => {
+                let near = (alone / all - 1.0).abs() < 0.02;
+                prop_assert!(near || alone.max(all) < 0.0202, "{alone} {all}");
+            }
+            // Nearly the most that is looked for.
+            (Some(one), None) | (None, Some(one)) => prop_assert!(one > 0.98 * MOST_FRICTION),
+            (None, None) => {}
+        }
+    });
+}
+
+/// The least friction of several sites against a dense scan of the rate, at every speed.
+#[test]
+fn no_rate_needs_less_friction_than_the_least_of_several_sites() {
+    let strategy = (some_masses(), 1..=5usize, 20.0..400.0f64);
+    proptest!(ProptestConfig::with_cases(40), |((masses, sites, fastest) in strategy)| {
+        let sites = sites.min(masses.masses.len());
+        let speed = speed_of(fastest);
+        let found = masses.all_on(&vec![wall(1e8); sites]).least_friction(speed);
+        prop_assert!(found.is_sorted_by(|one, other| one.surface_speed < other.surface_speed));
+        for step in 1..=4000 {
+            let rate = fastest * f64::from(step) / 4000.0;
+            let told = found.iter().rev().find(|whirl| whirl.rate <= rate);
+            let told = told.map_or(MOST_FRICTION, |whirl| whirl.least_friction);
+            let ratio = masses.hardest(sites, rate).ratio;
+            prop_assert!(told < 0.0202 || ratio * told < 1.0101, "{rate} {ratio} {told}");
+        }
+        for whirl in &found {
+            let ratio = masses.hardest(sites, whirl.rate).ratio;
+            prop_assert!((ratio * whirl.least_friction - 1.0).abs() < 1e-9);
+        }
+    });
+}
+
+/// What whirl is found to balance does: the forces told bring about the displacements told, and
+/// obey the laws of the walls; and it needs no less friction than whirl can.
+#[test]
+fn whirl_that_is_found_together_balances_every_force() {
+    let found_with = |masses: &Masses, walls: &[Wall], speed: f64| {
+        let sites = masses.all_on(walls);
+        let found = sites.least_together(speed)?;
+        let touching = |site: usize| found.contacts.iter().find(|contact| contact.site == site);
+        let forces: Vec<Complex64> = (0..walls.len())
+            .map(|site| {
+                touching(site).map_or(Complex64::ZERO, |contact| {
+                    let force = contact.normal_force * Complex64::new(-1.0, found.friction);
+                    force * Complex64::cis(contact.phase)
+                })
+            })
+            .collect();
+        let receptance = masses.receptance(walls.len(), found.rate);
+        for (site, row) in receptance.chunks(walls.len()).enumerate() {
+            let displacement: Complex64 = row.iter().zip(&forces).map(|(h, f)| h * f).sum();
+            let wall = walls[site];
+            let Some(contact) = touching(site) else {
+                assert!(
+                    displacement.norm() <= wall.clearance * (1.0 + 1e-6),
+                    "{found:?}"
+                );
+                continue;
+            };
+            let told = Complex64::from_polar(contact.radius, contact.phase);
+            assert!(
+                (displacement - told).norm() < 1e-6 * wall.clearance,
+                "{found:?}"
+            );
+            let depth = (contact.normal_force / wall.stiffness).powf(2.0 / 3.0);
+            assert!((wall.clearance + depth - contact.radius).abs() < 1e-6 * wall.clearance);
+            let excess = speed * wall.radius - found.rate * contact.radius;
+            assert!(contact.normal_force > 0.0 && excess > -1e-6 * speed * wall.radius);
+        }
+        let bound = sites.least_friction(speed).pop();
+        let bound = bound.map_or(MOST_FRICTION, |whirl| whirl.least_friction);
+        assert!(
+            found.friction >= bound / 1.0101 || found.friction < 0.0202,
+            "{bound} {found:?}"
+        );
+        Some(found)
+    };
+    let stiffness = prop_oneof![
+        Just(f64::INFINITY),
+        (6.0..10.0f64).prop_map(|it| 10f64.powf(it))
+    ];
+    let clearances = prop::collection::vec(0.005..0.02f64, 5);
+    let strategy = (
+        some_masses(),
+        1..=4usize,
+        20.0..400.0f64,
+        stiffness,
+        clearances,
+    );
+    let [several, rigid] = [0; 2].map(Cell::new);
+    let add = |count: &Cell<usize>, one: bool| count.set(count.get() + usize::from(one));
+    proptest!(ProptestConfig::with_cases(60), |(
+        (mut masses, sites, fastest, stiffness, clearances) in strategy,
+    )| {
+        let sites = sites.min(masses.masses.len());
+        // Nearly free, as a string is, so that they take each other along.
+        masses.grounds.fill(100.0);
+        let wall = |clearance: &f64| Wall {
+            clearance: *clearance,
+            ..wall(stiffness)
+        };
+        let walls: Vec<Wall> = clearances[..sites].iter().map(wall).collect();
+        if let Some(found) = found_with(&masses, &walls, speed_of(fastest)) {
+            add(&several, found.contacts.len() > 1);
+            add(&rigid, stiffness.is_infinite());
+        }
+    });
+    let counts = [several, rigid].map(Cell::into_inner);
+    assert!(counts.iter().all(|count| *count > 5), "{counts:?}");
+}
+
+/// One site whirls with no less friction than it needs, and nearly with that where resonances
+/// are wide.
+#[test]
+fn one_site_together_with_none_whirls_with_what_it_needs() {
+    let near = Cell::new(0);
+    let strategy = (some_masses(), 20.0..400.0f64);
+    proptest!(ProptestConfig::with_cases(100), |((masses, fastest) in strategy)| {
+        let (wall, speed) = (wall(1e8), speed_of(fastest));
+        let alone = masses.on(wall).least_friction(speed).map(|whirl| whirl.least_friction);
+        let found = masses.all_on(&[wall]).least_together(speed).map(|whirl| whirl.friction);
+        if let Some(found) = found {
+            let alone = alone.unwrap_or(MOST_FRICTION);
+            prop_assert!(found > alone / 1.02, "{alone} {found}");
+            near.set(near.get() + usize::from(found < 1.02 * alone));
+        }
+    });
+    assert!(near.get() > 40, "{near:?}");
 }

@@ -52,13 +52,13 @@ impl Variation {
         2.0 * (moved / (4.0 * self.decay_rate * (one * other).sqrt())).asinh()
     }
 
-    /// The least and the greatest that [`Sample::pressing`] can be between two samples.
-    /// The imaginary axis is no shortest path, so that distances along it do not add
-    /// up: each half is as near to its own sample as the middle is.
-    pub fn pressing_range(&self, [a, b]: [&Sample; 2]) -> [f64; 2] {
-        let middle = 0.5 * (a.rate + b.rate);
-        let halves = [a, b].map(|sample| (sample.pressing(), self.distance(sample.rate, middle)));
-        let whole = self.distance(a.rate, b.rate);
+    /// The least and the greatest that [`Sample::pressing`] can be between two rates, each with
+    /// its own. The imaginary axis is no shortest path, so that distances along it do not add
+    /// up: each half is as near to its own rate as the middle is.
+    pub fn pressing_range(&self, [a, b]: [(f64, f64); 2]) -> [f64; 2] {
+        let middle = 0.5 * (a.0 + b.0);
+        let halves = [a, b].map(|(rate, pressing)| (pressing, self.distance(rate, middle)));
+        let whole = self.distance(a.0, b.0);
         let [(p, reach_p), (q, reach_q)] = halves;
         [
             (p - reach_p).min(q - reach_q).max(p.max(q) - whole),

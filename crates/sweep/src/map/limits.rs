@@ -30,11 +30,9 @@ impl Limits {
     /// within the ranges of its cases.
     pub fn of(curves: &[&Curve], extent: &Extent, held: impl Fn(Axis) -> [f64; 2]) -> Limits {
         let mut limits = Limits::default();
-        let curves = match Self::least_over_a_range(curves, extent, &held) {
-            Some(least) => &[least][..],
-            None => curves,
-        };
-        for curve in curves {
+        let shown =
+            (curves.iter()).filter(|curve| curve.is_least || !Self::is_range(curve, extent, &held));
+        for curve in shown {
             let note = limits.add(curve, extent, &held);
             limits.notes.extend(note);
         }
@@ -43,20 +41,14 @@ impl Limits {
         limits
     }
 
-    /// Where a map puts cases together that differ in what the limit of whirl depends
-    /// on, the range of the least limit counts, not that of each branch.
-    fn least_over_a_range<'a>(
-        curves: &[&'a Curve],
-        extent: &Extent,
-        held: impl Fn(Axis) -> [f64; 2],
-    ) -> Option<&'a Curve> {
-        let least = *curves.last()?;
-        let [low, high] = held(least.along);
-        let is_range = least.motion == Motion::Lateral
-            && extent.axes.contains(&least.limited)
-            && !extent.axes.contains(&least.along)
-            && low < high;
-        is_range.then_some(least)
+    /// Whether a map puts cases together that differ in what a limit of whirl depends on: then
+    /// the range of the least limit counts, not that of each branch.
+    fn is_range(curve: &Curve, extent: &Extent, held: impl Fn(Axis) -> [f64; 2]) -> bool {
+        let [low, high] = held(curve.along);
+        curve.motion == Motion::Lateral
+            && extent.axes.contains(&curve.limited)
+            && !extent.axes.contains(&curve.along)
+            && low < high
     }
 
     /// Adds a curve to what is drawn, or gives a note on where it is.
@@ -259,6 +251,7 @@ mod tests {
             along: Axis::SurfaceSpeedRpm,
             limited: Axis::FRICTION,
             pieces: pieces.iter().map(|piece| piece.to_vec()).collect(),
+            is_least: true,
         }
     }
 
@@ -342,6 +335,7 @@ mod tests {
             along: Axis::WeightOnBitKn,
             limited: Axis::SurfaceSpeedRpm,
             pieces: vec![vec![[50.0, 30.0], [200.0, 120.0]]],
+            is_least: true,
         };
         let weight = (Axis::WeightOnBitKn, [50.0, 200.0]);
         let mut map = view(weight, (Axis::SurfaceSpeedRpm, [150.0, 180.0]));

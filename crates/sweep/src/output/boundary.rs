@@ -10,6 +10,7 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use serde::Deserialize;
 
+use super::many_sites_limit::many_sites_limit;
 use super::whirl_limit::{WhirlPoint, whirl_limit};
 use crate::engine::MethodSystem;
 use crate::plan::{Bit, LateralSettings, Sweep, TorqueError, to_rpm};
@@ -200,7 +201,9 @@ fn whirl_points(
     let Some(range) = range else {
         return Ok(Vec::new());
     };
-    whirl_limit(&sweep.setting, lateral, range)
+    let mut points = whirl_limit(&sweep.setting, lateral, range)?;
+    points.extend(many_sites_limit(&sweep.setting, lateral, range)?);
+    Ok(points)
 }
 
 /// The whole of `boundary.csv`; numbers spelt as in `labels.csv`. No field needs quotes:
@@ -224,21 +227,26 @@ pub fn boundary_csv(boundary: &Boundary) -> String {
         Boundary::Whirl(points) => {
             let header = format!(
                 "surface_speed_rpm,friction,{ONLY_OF_WHIRL},radius_mm,precession_turns_per_s,\
-                 normal_force_kn,branch,motion,least\n"
+                 normal_force_kn,branch,motion,least,sites_from_bit_m\n"
             );
+            let known = |number: Option<f64>| number.map_or(String::new(), |it| it.to_string());
             let row = |point: &WhirlPoint| {
                 let branch = point.branch.map(|branch| branch.to_string());
+                let sites: Vec<_> = (point.sites_from_bit_m.iter())
+                    .map(f64::to_string)
+                    .collect();
                 format!(
-                    "{},{},{},{},{},{},{},{},{}\n",
+                    "{},{},{},{},{},{},{},{},{},{}\n",
                     point.surface_speed_rpm,
                     point.friction,
                     point.site_from_bit_m,
-                    point.radius_mm,
+                    known(point.radius_mm),
                     point.precession_turns_per_s,
-                    point.normal_force_kn,
+                    known(point.normal_force_kn),
                     branch.unwrap_or_default(),
                     point.motion.name(),
-                    point.least
+                    point.least,
+                    sites.join(";")
                 )
             };
             header + &points.iter().map(row).collect::<String>()
@@ -278,10 +286,15 @@ mod tests {
     fn a_table_is_read_back_as_it_was_written() {
         let boundary = read(
             "surface_speed_rpm,friction,site_from_bit_m,radius_mm,precession_turns_per_s,\
-             normal_force_kn,branch,motion,least\n\
-             60,1.5,0,16,9,34,0,rolling,true\n\
-             60,1.2,0,16,9,34,,rolling_or_sliding,true\n",
+             normal_force_kn,branch,motion,least,sites_from_bit_m\n\
+             60,1.5,0,16,9,34,0,rolling,true,0\n\
+             60,1.2,0,16,9,34,,rolling_or_sliding,true,0\n\
+             60,0.2,50,,8,,,any_sites,true,0;50\n",
         );
+        let Boundary::Whirl(points) = &boundary else {
+            panic!("{boundary:?}");
+        };
+        assert_eq!(points[2].sites_from_bit_m, [0.0, 50.0]);
         assert_eq!(read(&boundary_csv(&boundary)), boundary);
     }
 

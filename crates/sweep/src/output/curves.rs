@@ -6,10 +6,12 @@ use super::motion::Motion;
 use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
 use crate::quantities::Axis;
 
-/// What the curves of whirl are. Several sites together may whirl below them.
+/// What the curves of whirl are. Several sites together may whirl below those of one.
 const ROLLING: &str = "steady rolling whirl at one site";
 const LEAST: &str =
     "least friction of steady whirl at one site, rolling or sliding (necessary, not sufficient)";
+const OF_ANY_SITES: &str =
+    "least friction of steady whirl of any sites together (necessary, not sufficient)";
 
 /// More branches than this hide the cases of a map.
 const MOST_BRANCHES: usize = 6;
@@ -31,11 +33,12 @@ pub struct Curve {
     /// Values of both, in the order in which they are joined; there is no limit
     /// between the pieces.
     pub pieces: Vec<Vec<[f64; 2]>>,
+    /// Whether no other curve of as many sites is below it.
+    pub is_least: bool,
 }
 
 impl Boundary {
-    /// The curves of the limit, for cases that differ along `axes`; of whirl the last
-    /// is the least of all.
+    /// The curves of the limit, for cases that differ along `axes`.
     pub fn curves(&self, axes: &[Axis]) -> Vec<Curve> {
         match self {
             Boundary::StickSlip(points) => stick_slip_curves(points, axes),
@@ -64,12 +67,13 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
                     .filter_map(|point| Some([point.along(along)?, point.surface_speed_rpm]))
                     .collect(),
             ],
+            is_least: true,
         })
         .collect()
 }
 
-/// Rolling whirl, a piece for each of its branches, and any whirl where that needs less
-/// friction.
+/// Rolling whirl, a piece for each of its branches, any whirl at one site where that needs less
+/// friction, and what whirl of any sites needs.
 fn whirl_curves(points: &[WhirlPoint]) -> Vec<Curve> {
     let of_motion = |motion| {
         let of_motion = branches(points).filter(|branch| branch[0].motion == motion);
@@ -82,21 +86,25 @@ fn whirl_curves(points: &[WhirlPoint]) -> Vec<Curve> {
     };
     let any = of_motion(WhirlMotion::RollingOrSliding);
     let needs_less = any.iter().copied().flatten().any(is_lower);
+    let (rolling_name, rolling) = rolling_curve(&of_motion(WhirlMotion::Rolling));
+    let any = any.into_iter().filter(|_| needs_less).map(piece).collect();
+    // One line, whichever sites do most of the work.
+    let together = of_motion(WhirlMotion::AnySites).concat();
+    let together = [together].iter().map(|points| piece(points)).collect();
     [
-        rolling_curve(&of_motion(WhirlMotion::Rolling)),
-        (
-            LEAST.to_owned(),
-            any.into_iter().filter(|_| needs_less).map(piece).collect(),
-        ),
+        (rolling_name, rolling, !needs_less),
+        (LEAST.to_owned(), any, true),
+        (OF_ANY_SITES.to_owned(), together, true),
     ]
     .into_iter()
-    .filter(|(_, pieces)| !pieces.is_empty())
-    .map(|(name, pieces)| Curve {
+    .filter(|(_, pieces, _)| pieces.iter().any(|piece| !piece.is_empty()))
+    .map(|(name, pieces, is_least)| Curve {
         name,
         motion: Motion::Lateral,
         along: Axis::SurfaceSpeedRpm,
         limited: Axis::FRICTION,
         pieces,
+        is_least,
     })
     .collect()
 }
@@ -175,6 +183,7 @@ mod tests {
             along: Axis::SurfaceSpeedRpm,
             limited: Axis::FRICTION,
             pieces: pieces.iter().map(|piece| piece.to_vec()).collect(),
+            is_least: true,
         }
     }
 
@@ -200,15 +209,16 @@ mod tests {
             surface_speed_rpm: speed,
             friction,
             site_from_bit_m: 0.0,
-            radius_mm: 16.0,
+            radius_mm: Some(16.0),
             precession_turns_per_s: 9.0,
-            normal_force_kn: 34.0,
+            normal_force_kn: Some(34.0),
             branch,
             motion: match branch {
                 Some(_) => WhirlMotion::Rolling,
                 None => WhirlMotion::RollingOrSliding,
             },
             least: true,
+            sites_from_bit_m: vec![0.0],
         }
     }
 
@@ -224,6 +234,7 @@ mod tests {
         let pieces: Vec<_> = curves.iter().map(|curve| &curve.pieces[..]).collect();
         let rolling = [vec![[60.0, 1.5], [70.0, 1.4]], vec![[60.0, 1.6]]];
         assert_eq!(pieces, [&rolling[..], &[vec![[60.0, 1.2]]]]);
+        assert!(!curves[0].is_least && curves[1].is_least);
         points[3].friction = 1.5;
         assert_eq!(Boundary::Whirl(points.clone()).curves(&[]).len(), 1);
         // Of many branches, the stretches that need the least.
@@ -237,5 +248,21 @@ mod tests {
         let curves = Boundary::Whirl(points).curves(&[]);
         assert_eq!(curves[0].pieces, [[[60.0, 1.5], [70.0, 1.4]]]);
         assert_eq!(Boundary::Whirl(Vec::new()).curves(&[]), []);
+    }
+
+    #[test]
+    fn whirl_of_any_sites_is_one_line_whichever_do_most() {
+        let any = [(60.0, 0.3, 0.0), (70.0, 0.3, 0.0), (70.0, 0.2, 50.0)];
+        let any = any.map(|(speed, friction, site_from_bit_m)| WhirlPoint {
+            site_from_bit_m,
+            motion: WhirlMotion::AnySites,
+            ..point(speed, friction, None)
+        });
+        let mut points = vec![point(60.0, 1.5, Some(0)), point(60.0, 1.5, None)];
+        points.extend(any);
+        let curves = Boundary::Whirl(points).curves(&[]);
+        assert_eq!(curves.len(), 2);
+        assert_eq!(curves[1].pieces, [[[60.0, 0.3], [70.0, 0.3], [70.0, 0.2]]]);
+        assert!(curves.iter().all(|curve| curve.is_least));
     }
 }

@@ -11,6 +11,7 @@ mod integrity;
 mod label_rows;
 mod labels;
 mod manifest;
+mod many_sites_limit;
 mod motion;
 mod record_rows;
 mod results;

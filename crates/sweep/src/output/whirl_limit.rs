@@ -9,7 +9,7 @@ use linear::estimates::bending_decay_rate;
 use linear::waves::lateral::BendingNetwork;
 use linear::{DrillstringError, Sites};
 use rayon::prelude::*;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer, de};
 use sim::steady_whirl::MOST_FRICTION;
 use sim::{SteadyWhirl, WhirlingSite};
 
@@ -25,6 +25,8 @@ pub enum WhirlMotion {
     Rolling,
     /// It rolls or slides, whichever needs less friction.
     RollingOrSliding,
+    /// Of any sites, alone or together, it rolls or slides.
+    AnySites,
 }
 
 impl WhirlMotion {
@@ -33,25 +35,27 @@ impl WhirlMotion {
         match self {
             WhirlMotion::Rolling => "rolling",
             WhirlMotion::RollingOrSliding => "rolling_or_sliding",
+            WhirlMotion::AnySites => "any_sites",
         }
     }
 }
 
-/// One point of the limit of backward whirl: steady whirl at one site alone.
+/// One point of the limit of backward whirl: steady whirl at one site alone, or the friction
+/// below which there is none of any sites together.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct WhirlPoint {
     /// Surface speed, rpm.
     pub surface_speed_rpm: f64,
     /// The least friction that sustains it.
     pub friction: f64,
-    /// The site, m from the bit.
+    /// The site, m from the bit; of several, that which does most of the work.
     pub site_from_bit_m: f64,
-    /// Radius of the centre, mm.
-    pub radius_mm: f64,
+    /// Radius of the centre, mm; of one site.
+    pub radius_mm: Option<f64>,
     /// Rate of precession, against the rotation.
     pub precession_turns_per_s: f64,
-    /// Normal force, kN.
-    pub normal_force_kn: f64,
+    /// Normal force, kN; of one site.
+    pub normal_force_kn: Option<f64>,
     /// Of rolling whirl, the curve that the point lies on, counted from 0 at each
     /// site; its rows follow one another.
     #[serde(default)]
@@ -62,11 +66,22 @@ pub struct WhirlPoint {
     /// Whether no other whirl of this motion needs less friction at this speed.
     #[serde(default = "yes")]
     pub least: bool,
+    /// The sites that do the work, m from the bit.
+    #[serde(default, deserialize_with = "distances")]
+    pub sites_from_bit_m: Vec<f64>,
 }
 
 /// A table without that column has one point for a speed.
 fn yes() -> bool {
     true
+}
+
+/// Reads numbers with `;` between them.
+fn distances<'de, D: Deserializer<'de>>(field: D) -> Result<Vec<f64>, D::Error> {
+    let field = String::deserialize(field)?;
+    let numbers = field.split(';').filter(|number| !number.is_empty());
+    let numbers = numbers.map(|number| number.parse().map_err(de::Error::custom));
+    numbers.collect()
 }
 
 /// Numbers that differ by a smaller part are the same but for rounding.
@@ -299,12 +314,13 @@ fn point(whirl: &SteadyWhirl, surface_speed: f64, site_from_bit_m: f64) -> Whirl
         surface_speed_rpm: to_rpm(surface_speed),
         friction: whirl.least_friction,
         site_from_bit_m,
-        radius_mm: 1e3 * whirl.radius,
+        radius_mm: Some(1e3 * whirl.radius),
         precession_turns_per_s: whirl.rate / std::f64::consts::TAU,
-        normal_force_kn: 1e-3 * whirl.normal_force,
+        normal_force_kn: Some(1e-3 * whirl.normal_force),
         branch: None,
         motion: WhirlMotion::Rolling,
         least: true,
+        sites_from_bit_m: vec![site_from_bit_m],
     }
 }
 

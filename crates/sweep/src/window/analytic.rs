@@ -70,6 +70,7 @@ mod tests {
             along: Axis::WeightOnBitKn,
             limited: Axis::SurfaceSpeedRpm,
             pieces: vec![ends.to_vec()],
+            is_least: true,
         }
     }
 

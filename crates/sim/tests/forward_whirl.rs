@@ -1,0 +1,198 @@
+//! Steady forward whirl against closed forms, dense scans of the speed, the paper and simulations.
+
+use std::f64::consts::TAU;
+
+use linear::waves::lateral::BendingNetwork;
+use linear::{
+    Bending, Complex64, Drillstring, Method, Sites, SurfaceSupport, estimates, responses,
+};
+use problems::academic::{self, BENDING};
+use problems::oracles::assert_close;
+use problems::wells::{Draw, Well};
+use sim::steady_whirl::{EccentricString, Touch};
+use sim::{
+    EccentricMass, Lateral, LateralMeasures, LateralRegime, Scene, SceneError, Simulator, Stopping,
+    Timing, Wall,
+};
+
+fn wall(clearance: f64) -> Wall {
+    Wall {
+        clearance,
+        stiffness: 1e9,
+        friction: 0.5,
+        dynamic_ratio: 1.0,
+        stribeck_speed: 0.0,
+        radius: 0.15,
+    }
+}
+
+fn mass(site: usize, mass: f64, offset: f64) -> EccentricMass {
+    EccentricMass { site, mass, offset }
+}
+
+/// A mass on a spring with a damper: r = m_e d Ω²/(|K| − m_e Ω²), K = k − mΩ² + icΩ.
+#[test]
+fn a_rotor_follows_its_closed_form() {
+    let (heavy, stiffness, damping) = (50.0, 2e5, 400.0);
+    let dynamic = |rate: f64| Complex64::new(stiffness - heavy * rate * rate, damping * rate);
+    let (eccentric, offset, clearance) = (8.0, 1e-3, 2e-3);
+    let rotor = EccentricString {
+        walls: vec![wall(clearance)],
+        mass: mass(0, eccentric, offset),
+        receptance: |rate: f64| vec![dynamic(rate).inv()],
+        decay_rate: 0.5 * damping / heavy,
+    };
+    let radius = |rate: f64| {
+        let force = eccentric * rate * rate;
+        force * offset / (dynamic(rate).norm() - force)
+    };
+    for rate in [10.0, 40.0, 55.0, 90.0, 200.0] {
+        let [found] = rotor.free_radii(rate).unwrap()[..] else {
+            panic!("one site");
+        };
+        assert_close(found, radius(rate), 1e-12);
+    }
+    // At resonance nothing but the wall limits it.
+    let natural = f64::sqrt(stiffness / heavy);
+    assert_eq!(rotor.free_radii(natural), None);
+    let touch = rotor.first_touch([1.0, 500.0]).unwrap().unwrap();
+    assert_close(radius(touch.surface_speed), clearance, 0.005);
+    let beyond = rotor.first_touch([1.5 * natural, 500.0]).unwrap();
+    assert_eq!(beyond, None);
+    for (speeds, decay_rate) in [([0.0, 9.0], 1.0), ([1.0, 9.0], 1e-6)] {
+        let refused = EccentricString {
+            decay_rate,
+            ..rotor.clone()
+        }
+        .first_touch(speeds);
+        assert!(
+            matches!(refused, Err(SceneError::OutOfRange { .. })),
+            "{refused:?}"
+        );
+    }
+    // In contact the forces along and across balance.
+    let contact = rotor.in_contact_at(0, natural).unwrap();
+    let (radius, force) = (contact.radii[0], contact.normal_force);
+    assert_close(force, 1e9 * (radius - clearance).powf(1.5), 1e-6);
+    let needed = dynamic(natural) * radius + force * Complex64::new(1.0, 0.5);
+    let has = eccentric * (offset + radius) * natural * natural;
+    assert_close(needed.norm(), has, 1e-9);
+    assert_eq!(rotor.in_contact_at(0, 10.0), None);
+}
+
+/// On random strings a dense scan of the speed finds no site beyond its clearance below the
+/// first touch, and at that a little more mass makes one touch.
+#[test]
+fn no_touch_of_a_dense_scan_is_missed() {
+    let (mut touches, mut scanned) = (0, 0);
+    for number in 0..40 {
+        let mut draw = Draw::new(number);
+        let Well { string, .. } = Well::draw(number, &mut draw);
+        let damping = draw.log_uniform(5.0, 500.0);
+        let bending = Bending { damping, ..BENDING };
+        let count = 1 + number % 4;
+        let span = draw.log_uniform(5.0, 0.8 * string.length());
+        let place = |it: usize| span * (it as f64 + 0.3) / count as f64;
+        let sites = Sites::new(&string, &(0..count).map(place).collect::<Vec<_>>()).unwrap();
+        let network = network(&string, bending, &sites);
+        let clearances: Vec<f64> = (0..count).map(|_| draw.log_uniform(2e-3, 5e-2)).collect();
+        let eccentric = EccentricString {
+            walls: clearances
+                .iter()
+                .map(|clearance| wall(*clearance))
+                .collect(),
+            mass: mass(
+                number % count,
+                draw.log_uniform(20.0, 1000.0),
+                draw.log_uniform(1e-4, 0.02),
+            ),
+            receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
+            decay_rate: estimates::bending_decay_rate(&string, &bending),
+        };
+        let [slowest, fastest] = [0.2, 25.0];
+        let touch = eccentric.first_touch([slowest, fastest]).unwrap();
+        let touches_at = |speed: f64, eccentric: &EccentricString<_>| {
+            let radii = eccentric.free_radii(speed);
+            radii.is_none_or(|radii| std::iter::zip(radii, &clearances).any(|(r, c)| r >= *c))
+        };
+        let until = touch.map_or(fastest, |touch| touch.surface_speed);
+        for step in 0..3000 {
+            let speed = slowest + (until - slowest) * f64::from(step) / 3000.0;
+            // At the slowest there may be a touch already.
+            let is_clear = speed == until || !touches_at(speed, &eccentric);
+            assert!(is_clear, "{number} {speed} {touch:?}");
+        }
+        if let Some(Touch { surface_speed, .. }) = touch {
+            touches += 1;
+            scanned += usize::from(surface_speed > slowest);
+            let mut heavier = eccentric.clone();
+            heavier.mass.mass *= 1.002;
+            assert!(touches_at(surface_speed, &heavier), "{number} {touch:?}");
+        }
+    }
+    assert!(scanned >= 10 && touches < 40, "{touches} {scanned}");
+}
+
+fn network<'a>(string: &'a Drillstring, bending: Bending, sites: &Sites) -> BendingNetwork<'a> {
+    BendingNetwork::new(string, bending, SurfaceSupport::Free, sites).unwrap()
+}
+
+/// The academic string with walls at places, by the balance of forces and by simulation, where
+/// it whirls in contact at the last of them.
+fn academic_whirl(
+    places: &[f64],
+    walls: Vec<Wall>,
+    mass: EccentricMass,
+) -> (Vec<f64>, f64, LateralMeasures) {
+    const SPEED: f64 = TAU;
+    let string = academic::string();
+    let sites = Sites::new(&string, places).unwrap();
+    let network = network(&string, BENDING, &sites);
+    let eccentric = EccentricString {
+        walls: walls.clone(),
+        mass,
+        receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
+        decay_rate: estimates::bending_decay_rate(&string, &BENDING),
+    };
+    let found = eccentric.in_contact_at(places.len() - 1, SPEED).unwrap();
+    let request = academic::lateral_request(&string, places, 20.0);
+    let responses = responses(&string, &Method::Quadrature, &request).unwrap();
+    let scene = Scene {
+        surface_speed: SPEED,
+        bit: None,
+        lateral: Some(Lateral {
+            walls,
+            impulses: vec![],
+            eccentric_masses: vec![mass],
+        }),
+        timing: Timing {
+            duration: 20.0,
+            closing_window: 2.0,
+        },
+    };
+    let simulator = Simulator::new(&responses).unwrap();
+    let outcome = simulator.simulate(&scene, Stopping::Full, None).unwrap();
+    (found.radii, found.normal_force, outcome.lateral.unwrap())
+}
+
+/// Fig. 15: 3.5 kN at 15.23 mm.
+#[test]
+fn the_string_of_the_paper_goes_round_along_its_wall() {
+    let mass = mass(0, 1000.0, 0.1);
+    let (radii, force, simulated) = academic_whirl(&[0.0], vec![wall(0.015)], mass);
+    assert_close(radii[0], 0.01523, 0.001);
+    assert_close(force, 3500.0, 0.01);
+    assert_eq!(simulated.regime, LateralRegime::ForwardWhirl);
+    assert_close(simulated.mean_radius, radii[0], 0.01);
+    assert_close(simulated.mean_normal_force, force, 0.01);
+}
+
+/// A mass 50 m above the bit, which touches, while the string is clear of the wall there.
+#[test]
+fn a_mass_elsewhere_takes_the_bit_round() {
+    let walls = vec![wall(1.0), wall(0.015)];
+    let (radii, force, simulated) = academic_whirl(&[50.0, 0.0], walls, mass(0, 1000.0, 0.4));
+    assert_eq!(simulated.regime, LateralRegime::ForwardWhirl);
+    assert_close(simulated.mean_radius, radii[1], 0.01);
+    assert_close(simulated.mean_normal_force, force, 0.02);
+}
