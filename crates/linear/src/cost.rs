@@ -270,7 +270,7 @@ const LINK: f64 = 24.0;
 /// Numbers for each element in the motion of a case: in torsion and in two planes of bending.
 const MOTION: f64 = 15.0;
 
-/// What [`crate::elements::stepped::SteppedString`] and its responses to loads at so many of the
+/// What [`crate::SteppedString`] and its responses to loads at so many of the
 /// sites take, and the lengths of these.
 pub fn stepped(
     string: &Drillstring,

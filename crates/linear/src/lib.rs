@@ -41,6 +41,7 @@
 //! | where Eqs. 5–10 fail without their scaling | [`waves::transfer`] |
 //! | Section 2.4, Fig. 3: stability in sticking | [`passivity`] |
 //! | Section 3: finite elements, Newmark | [`elements`] |
+//! | the same stepped, for many sites | [`stepped`] |
 //! | Section 5.2.2: the band-limited impulse | [`pulse`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
 //! | memory, before it is taken | [`cost`] |
@@ -98,6 +99,7 @@ pub mod pulse;
 pub mod responses;
 mod sites;
 mod spans;
+pub mod stepped;
 mod surroundings;
 mod top_drive;
 #[cfg(test)]
@@ -117,5 +119,6 @@ pub use responses::{
     surface_torque,
 };
 pub use sites::Sites;
+pub use stepped::SteppedString;
 pub use surroundings::{AxialForce, Hole, HoleSection, Mud};
 pub use top_drive::TopDrive;

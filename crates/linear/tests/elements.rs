@@ -4,11 +4,10 @@
 
 use linear::elements::newmark::Weights;
 use linear::elements::reduction::{CondensedBeam, CondensedString};
-use linear::elements::stepped::SteppedString;
 use linear::method::FiniteElement;
 use linear::{
     AxialForce, Bending, ChannelRequest, ChannelResponses, Drillstring, Method, Request, Section,
-    Sites, SurfaceSupport,
+    Sites, SteppedString, SurfaceSupport,
 };
 use problems::academic::{self, tube};
 use proptest::prelude::*;

@@ -3,9 +3,8 @@
 #![allow(missing_docs, reason = "benchmarks are no interface")]
 
 use divan::{Bencher, black_box};
-use linear::elements::stepped::SteppedString;
 use linear::method::FiniteElement;
-use linear::{Method, Sites, SurfaceSupport, responses};
+use linear::{Method, Sites, SteppedString, SurfaceSupport, responses};
 use problems::academic::{self, BENDING, SAMPLING_FREQUENCY};
 use sim::{EccentricMass, Lateral, Scene, Simulator, Stopping, SurfaceProfile, Timing, Wall};
 

@@ -1,7 +1,6 @@
 //! One case from rest to its regimes: the stepper, what is skipped, and who watches.
 
-use linear::Responses;
-use linear::elements::stepped::SteppedString;
+use linear::{Responses, SteppedString};
 
 use crate::error::SimulationError;
 use crate::laws::bit::BitMotion;

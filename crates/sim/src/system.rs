@@ -1,7 +1,6 @@
 //! The linear part as all cases share it: responses ready to step against.
 
-use linear::elements::stepped::SteppedString;
-use linear::{ChannelResponses, ResponseError, Responses};
+use linear::{ChannelResponses, ResponseError, Responses, SteppedString};
 
 use crate::channel::{Bending, Channel, Torsion};
 use crate::convolution::Kernel;

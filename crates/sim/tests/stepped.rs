@@ -1,9 +1,8 @@
 //! Strings that may touch at many sites: a mesh that is stepped against the taps of the same
 //! elements, whose convolution shares no line with it.
 
-use linear::elements::stepped::SteppedString;
 use linear::method::FiniteElement;
-use linear::{Drillstring, Method, Section, Sites, SurfaceSupport, responses};
+use linear::{Drillstring, Method, Section, Sites, SteppedString, SurfaceSupport, responses};
 use problems::academic::{self, BENDING, SAMPLING_FREQUENCY, tube};
 use sim::{
     BitTorque, EccentricMass, Impulse, Lateral, Outcome, Scene, Simulator, Stopping,

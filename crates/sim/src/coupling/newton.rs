@@ -6,7 +6,7 @@
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-use super::{Coupling, Free, Solved, Unloaded};
+use super::sites::{Coupling, Free, Solved, Unloaded};
 use crate::site::Load;
 
 /// A load has so many components: two of force, and torque.

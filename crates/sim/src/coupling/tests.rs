@@ -1,10 +1,12 @@
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
+use super::turns::{COUPLING_TOLERANCE, MOST_TURNS};
 use super::*;
 use crate::laws::contact::{Approach, Spin, WallLaw};
 use crate::laws::wall::Wall;
 use crate::sampling::Sampling;
+use crate::site::Load;
 
 /// Taps of one step: what each site (row) does under a load at each.
 fn channel<const D: usize, const P: usize>(instants: &[Vec<f64>]) -> crate::channel::Channel<D, P> {

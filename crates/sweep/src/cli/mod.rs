@@ -72,7 +72,7 @@ pub enum Command {
         Exit code 5 where a label differs; each that does is printed."
     )]
     Check(CheckArguments),
-    /// Run a case in full: time histories, contact and shapes, as CSV and pictures
+    /// Run a case in full: motion and contact, as CSV and as pictures
     #[command(after_help = "Examples:\n  sweep simulate sweeps/fig08b.toml\n  \
         sweep simulate sweeps/fig16b.toml --film --film-to 2.5\n  \
         sweep simulate sweeps/fig09.toml --case 17\n  \

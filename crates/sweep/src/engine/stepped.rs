@@ -1,9 +1,8 @@
 //! When the elements of a string are stepped instead of summing their taps.
 
 use anyhow::Result;
-use linear::elements::stepped::SteppedString;
 use linear::method::FiniteElement;
-use linear::{Method, Responses};
+use linear::{Method, Responses, SteppedString};
 use sim::Simulator;
 
 use crate::plan::{LateralSettings, Setting};

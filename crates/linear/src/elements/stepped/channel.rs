@@ -105,14 +105,14 @@ impl<const FREEDOMS: usize, const PLANES: usize> SteppedChannel<FREEDOMS, PLANES
     }
 
     /// Taps of every site, so many, from a unit load at a site in the first step.
-    pub(super) fn taps_from(&self, site: usize, count: usize) -> Vec<Vec<f64>> {
+    pub(crate) fn taps_from(&self, site: usize, count: usize) -> Vec<Vec<f64>> {
         let mut first = vec![0.0; count];
         first[0] = 1.0;
         self.driven(&self.columns[site], &first)
     }
 
     /// Motion of every site in every step under loads on the first node.
-    pub(super) fn driven_from_above(&self, loads: &[f64]) -> Vec<Vec<f64>> {
+    pub(crate) fn driven_from_above(&self, loads: &[f64]) -> Vec<Vec<f64>> {
         self.driven(&self.chain.column(0), loads)
     }
 

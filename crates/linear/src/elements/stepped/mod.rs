@@ -1,164 +1,63 @@
-//! The whole string as finite elements that are stepped (Section 3), for strings that are
-//! touched at many sites.
-//!
-//! Responses between N sites are N² series of taps, as long as the simulation. A mesh that is
-//! stepped has the same memory in the state of its nodes: what a step costs depends on the
-//! length of the string, not on the sites, and loads cost where they act alone. It gives what
-//! [`crate::responses()`] give by [`Method::FiniteElement`], up to rounding.
+//! Newmark's scheme stepped over all elements of a string, for many sites: what a step costs
+//! depends on the length of the string, not on the sites, and loads cost where they act alone.
 
 mod chain;
 mod channel;
 
+use super::beam;
+use super::mesh::Mesh;
+use super::newmark::{Motion, Weights};
+use super::torsion::{self, TorsionMatrices};
 use crate::channel::Channel;
-use crate::drillstring::{Bending, Drillstring, StringId, SurfaceSupport};
-use crate::elements::beam;
-use crate::elements::mesh::Mesh;
-use crate::elements::newmark::{Motion, Weights};
-use crate::elements::torsion::{self, TorsionMatrices};
+use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::BuildError;
-use crate::method::{FiniteElement, Method};
-use crate::passivity::Ending;
-use crate::responses::length::{MOST_TAPS, needed_taps, too_many};
-use crate::responses::{ChannelResponses, Responses};
+use crate::method::FiniteElement;
 use crate::sites::Sites;
 
 use channel::Seen;
 pub use channel::{SteppedChannel, SteppedMotion};
 
-/// A string that bends, as finite elements in torsion and in two planes of bending.
-#[derive(Debug, Clone)]
-pub struct SteppedString {
-    string: StringId,
-    parameters: FiniteElement,
-    sites: Sites,
-    sampling_frequency: f64,
-    surface: SurfaceElement,
-    torsion: SteppedChannel<1, 1>,
-    bending: SteppedChannel<2, 2>,
-}
-
 /// How the surface pulls on the node below it.
 #[derive(Debug, Clone, Copy)]
-struct SurfaceElement {
+pub(crate) struct SurfaceElement {
     mass: f64,
     stiffness: f64,
 }
 
-impl SteppedString {
-    /// Divides a string into elements, its surface turned as prescribed.
-    ///
-    /// # Errors
-    /// Where the sites are not the string's, parameters are out of range, the elements would be
-    /// too many or cannot be factorised, or a top drive turns the string
-    /// ([`BuildError::SteppedBelowDrive`]).
-    pub fn new(
-        string: &Drillstring,
-        bending: &Bending,
-        support: SurfaceSupport,
-        sites: &Sites,
-        parameters: &FiniteElement,
-        sampling_frequency: f64,
-    ) -> Result<Self, BuildError> {
-        if string.top_drive().is_some() {
-            return Err(BuildError::SteppedBelowDrive);
-        }
-        let weights = Weights::new(parameters, sampling_frequency)?;
-        let turned = Mesh::new(
-            string,
-            Channel::Torsion,
-            sites,
-            parameters.elements_per_cell,
-        )?;
-        let TorsionMatrices {
-            free,
-            surface_mass,
-            surface_stiffness,
-        } = torsion::assemble(string, &turned)?;
-        // The surface is none of its nodes.
-        let nodes = turned.site_nodes.iter().map(|node| node - 1).collect();
-        let torsion = SteppedChannel::new(&free, 0, weights, Seen::Velocity, nodes)?;
-        Ok(Self {
-            string: string.id(),
-            parameters: *parameters,
-            sites: sites.clone(),
-            sampling_frequency,
-            surface: SurfaceElement {
-                mass: surface_mass,
-                stiffness: surface_stiffness,
-            },
-            torsion,
-            bending: bent(
-                string,
-                bending,
-                support,
-                sites,
-                parameters,
-                sampling_frequency,
-            )?
-            .0,
-        })
-    }
-
-    /// In torsion: from torques, N m, to speeds, rad/s.
-    pub fn torsion(&self) -> &SteppedChannel<1, 1> {
-        &self.torsion
-    }
-
-    /// In bending, along x and along y: from forces, N, to displacements, m.
-    pub fn bending(&self) -> &SteppedChannel<2, 2> {
-        &self.bending
-    }
-
-    /// The responses of all sites from the surface and from loads at some of the sites, by
-    /// number, as long as a simulation; without any, those in torsion alone.
-    ///
-    /// # Errors
-    /// Where a site is none, or the responses would be too long.
-    pub fn responses(&self, loads: &[usize], longest_time: f64) -> Result<Responses, BuildError> {
-        let sites = self.sites.len();
-        if let Some(&site) = loads.iter().find(|&&site| site >= sites) {
-            return Err(BuildError::NoSuchSite { site, sites });
-        }
-        let needed = needed_taps(longest_time, self.sampling_frequency);
-        if needed > MOST_TAPS as f64 {
-            return Err(too_many(needed));
-        }
-        let (count, method) = (needed as usize, Method::FiniteElement(self.parameters));
-        let pulled = self.surface.torques(count, &self.weights()?);
-        let torsion = ChannelResponses {
-            channel: Channel::Torsion,
-            loads: loads.to_vec(),
-            from_surface: self.torsion.driven_from_above(&pulled),
-            from_loads: from_loads(&self.torsion, loads, count),
-            ending: Ending::Cut,
-        };
-        let bending = (!loads.is_empty()).then(|| ChannelResponses {
-            channel: Channel::Bending,
-            loads: loads.to_vec(),
-            from_surface: Vec::new(),
-            from_loads: from_loads(&self.bending, loads, count),
-            ending: Ending::Cut,
-        });
-        Ok(Responses {
-            string: self.string,
-            method,
-            sites: self.sites.clone(),
-            sampling_frequency: self.sampling_frequency,
-            longest_time,
-            channels: std::iter::once(torsion).chain(bending).collect(),
-        })
-    }
-
-    fn weights(&self) -> Result<Weights, BuildError> {
-        Weights::new(&self.parameters, self.sampling_frequency)
-    }
+/// A string in torsion, its surface held, and how the surface pulls on it.
+///
+/// # Errors
+/// As [`bent`].
+pub(crate) fn turned(
+    string: &Drillstring,
+    sites: &Sites,
+    parameters: &FiniteElement,
+    sampling_frequency: f64,
+) -> Result<(SteppedChannel<1, 1>, SurfaceElement), BuildError> {
+    let weights = Weights::new(parameters, sampling_frequency)?;
+    let mesh = Mesh::new(
+        string,
+        Channel::Torsion,
+        sites,
+        parameters.elements_per_cell,
+    )?;
+    let TorsionMatrices {
+        free,
+        surface_mass: mass,
+        surface_stiffness: stiffness,
+    } = torsion::assemble(string, &mesh)?;
+    // The surface is none of its nodes.
+    let nodes = mesh.site_nodes.iter().map(|node| node - 1).collect();
+    let channel = SteppedChannel::new(&free, 0, weights, Seen::Velocity, nodes)?;
+    Ok((channel, SurfaceElement { mass, stiffness }))
 }
 
 /// A string in bending, along x and along y, and the depth of each of its nodes, m.
 ///
 /// # Errors
-/// As [`SteppedString::new`].
-pub(super) fn bent(
+/// Where the sites are not the string's, parameters are out of range, or the elements would be
+/// too many or cannot be factorised.
+pub(crate) fn bent(
     string: &Drillstring,
     bending: &Bending,
     support: SurfaceSupport,
@@ -183,7 +82,7 @@ pub(super) fn bent(
 impl SurfaceElement {
     /// The torques on the node below a surface that turns with a speed of one in the first step
     /// alone, and follows Newmark's scheme too.
-    fn torques(&self, count: usize, weights: &Weights) -> Vec<f64> {
+    pub(crate) fn torques(&self, count: usize, weights: &Weights) -> Vec<f64> {
         let mut surface = Motion::rest(1);
         let torque = |step: usize| {
             surface.predict(weights);
@@ -194,19 +93,4 @@ impl SurfaceElement {
         };
         (0..count).map(torque).collect()
     }
-}
-
-/// `[site][load]`, from a unit load in the first step.
-fn from_loads<const FREEDOMS: usize, const PLANES: usize>(
-    channel: &SteppedChannel<FREEDOMS, PLANES>,
-    loads: &[usize],
-    count: usize,
-) -> Vec<Vec<Vec<f64>>> {
-    let mut found = vec![Vec::with_capacity(loads.len()); channel.sites()];
-    for &load in loads {
-        for (found, taps) in found.iter_mut().zip(channel.taps_from(load, count)) {
-            found.push(taps);
-        }
-    }
-    found
 }

@@ -1,0 +1,138 @@
+//! The whole string as finite elements that are stepped (Section 3), for strings that are
+//! touched at many sites.
+//!
+//! Responses between N sites are N² series of taps, as long as the simulation. A mesh that is
+//! stepped has the same memory in the state of its nodes: what a step costs depends on the
+//! length of the string, not on the sites, and loads cost where they act alone. It gives what
+//! [`crate::responses()`] give by [`Method::FiniteElement`], up to rounding.
+
+use crate::channel::Channel;
+use crate::drillstring::{Bending, Drillstring, StringId, SurfaceSupport};
+use crate::elements::newmark::Weights;
+use crate::elements::stepped::{SteppedChannel, SurfaceElement, bent, turned};
+use crate::error::BuildError;
+use crate::method::{FiniteElement, Method};
+use crate::passivity::Ending;
+use crate::responses::length::{MOST_TAPS, needed_taps, too_many};
+use crate::responses::{ChannelResponses, Responses};
+use crate::sites::Sites;
+
+/// A string that bends, as finite elements in torsion and in two planes of bending.
+#[derive(Debug, Clone)]
+pub struct SteppedString {
+    string: StringId,
+    parameters: FiniteElement,
+    sites: Sites,
+    sampling_frequency: f64,
+    surface: SurfaceElement,
+    torsion: SteppedChannel<1, 1>,
+    bending: SteppedChannel<2, 2>,
+}
+
+impl SteppedString {
+    /// Divides a string into elements, its surface turned as prescribed.
+    ///
+    /// # Errors
+    /// Where the sites are not the string's, parameters are out of range, the elements would be
+    /// too many or cannot be factorised, or a top drive turns the string
+    /// ([`BuildError::SteppedBelowDrive`]).
+    pub fn new(
+        string: &Drillstring,
+        bending: &Bending,
+        support: SurfaceSupport,
+        sites: &Sites,
+        parameters: &FiniteElement,
+        sampling_frequency: f64,
+    ) -> Result<Self, BuildError> {
+        if string.top_drive().is_some() {
+            return Err(BuildError::SteppedBelowDrive);
+        }
+        let (torsion, surface) = turned(string, sites, parameters, sampling_frequency)?;
+        let (bending, _) = bent(
+            string,
+            bending,
+            support,
+            sites,
+            parameters,
+            sampling_frequency,
+        )?;
+        Ok(Self {
+            string: string.id(),
+            parameters: *parameters,
+            sites: sites.clone(),
+            sampling_frequency,
+            surface,
+            torsion,
+            bending,
+        })
+    }
+
+    /// In torsion: from torques, N m, to speeds, rad/s.
+    pub fn torsion(&self) -> &SteppedChannel<1, 1> {
+        &self.torsion
+    }
+
+    /// In bending, along x and along y: from forces, N, to displacements, m.
+    pub fn bending(&self) -> &SteppedChannel<2, 2> {
+        &self.bending
+    }
+
+    /// The responses of all sites from the surface and from loads at some of the sites, by
+    /// number, as long as a simulation; without any, those in torsion alone.
+    ///
+    /// # Errors
+    /// Where a site is none, or the responses would be too long.
+    pub fn responses(&self, loads: &[usize], longest_time: f64) -> Result<Responses, BuildError> {
+        let sites = self.sites.len();
+        if let Some(&site) = loads.iter().find(|&&site| site >= sites) {
+            return Err(BuildError::NoSuchSite { site, sites });
+        }
+        let needed = needed_taps(longest_time, self.sampling_frequency);
+        if needed > MOST_TAPS as f64 {
+            return Err(too_many(needed));
+        }
+        let (count, method) = (needed as usize, Method::FiniteElement(self.parameters));
+        let pulled = self.surface.torques(count, &self.weights()?);
+        let torsion = ChannelResponses {
+            channel: Channel::Torsion,
+            loads: loads.to_vec(),
+            from_surface: self.torsion.driven_from_above(&pulled),
+            from_loads: from_loads(&self.torsion, loads, count),
+            ending: Ending::Cut,
+        };
+        let bending = (!loads.is_empty()).then(|| ChannelResponses {
+            channel: Channel::Bending,
+            loads: loads.to_vec(),
+            from_surface: Vec::new(),
+            from_loads: from_loads(&self.bending, loads, count),
+            ending: Ending::Cut,
+        });
+        Ok(Responses {
+            string: self.string,
+            method,
+            sites: self.sites.clone(),
+            sampling_frequency: self.sampling_frequency,
+            longest_time,
+            channels: std::iter::once(torsion).chain(bending).collect(),
+        })
+    }
+
+    fn weights(&self) -> Result<Weights, BuildError> {
+        Weights::new(&self.parameters, self.sampling_frequency)
+    }
+}
+
+/// `[site][load]`, from a unit load in the first step.
+fn from_loads<const FREEDOMS: usize, const PLANES: usize>(
+    channel: &SteppedChannel<FREEDOMS, PLANES>,
+    loads: &[usize],
+    count: usize,
+) -> Vec<Vec<Vec<f64>>> {
+    let mut found = vec![Vec::with_capacity(loads.len()); channel.sites()];
+    for &load in loads {
+        for (found, taps) in found.iter_mut().zip(channel.taps_from(load, count)) {
+            found.push(taps);
+        }
+    }
+    found
+}
