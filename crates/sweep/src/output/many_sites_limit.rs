@@ -9,11 +9,14 @@ use sim::{SitesWhirl, WhirlingSites};
 use super::whirl_limit::{WhirlMotion, WhirlPoint};
 use crate::plan::{LateralSettings, Setting, to_rpm};
 
+/// With more sites it takes minutes, as the cube of their number.
+const MOST_SITES: usize = 64;
+
 /// A site that does a smaller part of the work than this is not named.
 const LEAST_SHARE: f64 = 0.05;
 
 /// The limit between two surface speeds (rpm), which may be the same: a staircase that falls.
-/// Without points where there is but one site, or where any whirl needs more friction than any
+/// Without points where there is but one site or more than 64, or where any whirl needs more friction than any
 /// wall has.
 ///
 /// # Errors
@@ -24,7 +27,7 @@ pub fn many_sites_limit(
     range_rpm: [f64; 2],
 ) -> Result<Vec<WhirlPoint>, DrillstringError> {
     let Setting { string, sites, .. } = setting;
-    if sites.len() == 1 {
+    if !(2..=MOST_SITES).contains(&sites.len()) {
         return Ok(Vec::new());
     }
     let network = BendingNetwork::new(string, lateral.bending, lateral.support, sites)?;
