@@ -28,7 +28,8 @@ pub fn contact_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Pict
     let distances = sweep.setting.sites.distances_from_bit().iter();
     let rows = distances.map(|&distance| match distance {
         0.0 => "bit".to_owned(),
-        _ => length.rounded(distance).to_string(),
+        // To a centimetre, or as finely in another unit.
+        _ => ((100.0 * length.number(distance)).round() / 100.0).to_string(),
     });
     let bin = short(1e3 * steps_a_bin as f64 / frequency);
     band_chart(&BandChart {

@@ -14,7 +14,7 @@ use crate::quantities::{LENGTH, WIDTH};
 use crate::words::decimals;
 
 /// The string is shown from where its peak displacement is this part of the largest.
-const SHOWN_FROM: f64 = 0.01;
+const SHOWN_FROM: f64 = 0.05;
 
 /// The most decimals of a time, s.
 const MOST_DECIMALS: f64 = 5.0;
@@ -69,7 +69,7 @@ pub fn film_picture(
     });
     let cut = (first > 0).then(|| {
         let from = length.text(highest, 0);
-        format!("Higher than {from} above the bit the string moves less than 1 % of the most.")
+        format!("Higher than {from} above the bit the string moves less than 5 % of the most.")
     });
     film(&Film {
         title: format!(
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn the_string_is_shown_from_where_it_moves() {
-        assert_eq!(first_shown(&[0.0, 0.009, 0.011, 0.0, 1.0]), 2);
+        assert_eq!(first_shown(&[0.0, 0.049, 0.051, 0.0, 1.0]), 2);
         assert_eq!(first_shown(&[0.0; 3]), 0);
     }
 

@@ -2,7 +2,7 @@
 
 use linear::{Drillstring, Sites};
 
-use super::contacts::{Candidates, StringInHole};
+use super::contacts::{CANDIDATES_TO, Candidates, StringInHole};
 use crate::quantities::LONGEST_STRING;
 use crate::sweep_file::{FileContent, SitesName, Source, SweepFileError};
 
@@ -36,8 +36,9 @@ pub fn resolve(
     let string = in_hole.string;
     let mut places = given(source, content, string)?;
     let same_place = string.same_place();
+    let near = same_place.max(CANDIDATES_TO);
     for candidate in candidates(source, content, in_hole)? {
-        let is_given = |(given, _): &(f64, _)| (given - candidate).abs() <= same_place;
+        let is_given = |(given, _): &(f64, _)| (given - candidate).abs() <= near;
         // Candidates are further apart than that.
         if !places.iter().any(is_given) {
             places.push((candidate, None));
