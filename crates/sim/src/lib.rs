@@ -3,7 +3,7 @@
 //!
 //! After T. Butlin and R. S. Langley, *An efficient model of drillstring
 //! dynamics*, Journal of Sound and Vibration (2015). This crate sees taps, never how
-//! they were made.
+//! they were made; of strings that may touch at many sites, elements that it steps.
 //!
 //! ```text
 //!   Responses from `linear`        Scene: surface speed, bit, walls, impulses, time
@@ -29,6 +29,8 @@
 //! | paper | here |
 //! |---|---|
 //! | Eqs. 16–17, 59–61: history and load lines | [`convolution`], [`stepper`] |
+//! | the same by stepping elements, for many sites | `channel.rs`, [`linear::SteppedString`] |
+//! | Eqs. 59–60 at all sites of a step at once | `coupling/` |
 //! | Sections 2.2.2, 5.2.1: torque at the bit | [`laws::bit`] |
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
