@@ -126,14 +126,12 @@ impl<'a> Coupling<'a> {
         let before = self.loads.replace(site, load);
         let [x, y] = [0, 1].map(|axis| (load.force[axis] - before.force[axis]).abs());
         let torque = (load.torque - before.torque).abs();
-        self.pending[site] = 0.0;
-        if x + y + torque == 0.0 {
-            return;
-        }
-        let shares = self.shares.chunks_exact(self.pending.len()).nth(site);
-        for (pending, share) in (self.pending.iter_mut()).zip(shares.into_iter().flatten()) {
-            *pending += share.of_force * (x + y);
-            *pending += share.of_torque * torque;
+        if x + y + torque != 0.0 {
+            let shares = self.shares.chunks_exact(self.pending.len()).nth(site);
+            for (pending, share) in (self.pending.iter_mut()).zip(shares.into_iter().flatten()) {
+                *pending += share.of_force * (x + y);
+                *pending += share.of_torque * torque;
+            }
         }
         self.pending[site] = 0.0;
     }

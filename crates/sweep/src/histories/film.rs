@@ -19,7 +19,7 @@ const SHOWN_FROM: f64 = 0.05;
 /// The most decimals of a time, s.
 const MOST_DECIMALS: f64 = 5.0;
 
-/// The shapes that were kept of a simulation, at their steps; what moves less than a hundredth
+/// The shapes that were kept of a simulation, at their steps; what moves less than a twentieth
 /// of the most, above the rest, is left out.
 ///
 /// # Errors

@@ -69,8 +69,8 @@ fn beyond_line(
         }) if by > at_sites => {
             let above = together(&units.of(&LENGTH).text(hole.length() - depth, 1));
             format!(
-                "goes {} beyond the wall {above} above the bit, where it has no site and the \
-                 clearance is {}; {} at its sites",
+                "goes {} beyond the wall {above} above the bit, where it has no site and those \
+                 around make the clearance {}; {} at its sites",
                 width(by),
                 width(clearance),
                 width(at_sites)
