@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use sim::Scene;
 
 use crate::design::Design;
-use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey, add_finer};
+use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey, add_finer, answer};
 use crate::memory::{Estimate, Limit, Size};
 use crate::plan::{Setting, Sweep};
 use crate::words::counted;
@@ -194,7 +194,7 @@ fn step(sweep: &Sweep, systems: &[MethodSystem], prepared: f64, options: RunOpti
         let part = shorten(&mut case.scene, most);
         let begun = Instant::now();
         for (method, system) in systems.iter().enumerate() {
-            system.answer(&case, method, options, sweep);
+            answer(system, &case, method, options, sweep);
         }
         Some(begun.elapsed().as_secs_f64() / part)
     };

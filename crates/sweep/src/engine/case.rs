@@ -15,6 +15,8 @@ pub struct Case {
     pub values: Vec<f64>,
     /// T_d, N m, where the bit is modelled.
     pub torque_dynamic_nm: Option<f64>,
+    /// Under which conditions.
+    pub conditions: Conditions,
     /// What is simulated.
     pub scene: Scene,
     /// The torque at each node of a string that rubs along its well, that on the bit included.
@@ -80,6 +82,7 @@ impl Case {
             index,
             values,
             torque_dynamic_nm,
+            conditions: conditions.clone(),
             along_string: torques,
             scene: Scene {
                 surface_speed,
@@ -90,6 +93,18 @@ impl Case {
                 timing,
             },
         })
+    }
+
+    /// The same case with other sites.
+    ///
+    /// # Errors
+    /// Where one of them has no friction.
+    pub fn at_sites_of(&self, setting: &Setting) -> Result<Self, CaseError> {
+        let lateral = setting.lateral.as_ref();
+        let lateral = lateral.map(|settings| lateral_scene(settings, &self.conditions));
+        let mut case = self.clone();
+        case.scene.lateral = lateral.transpose()?;
+        Ok(case)
     }
 }
 

@@ -6,6 +6,7 @@ use thiserror::Error;
 use super::instability::Instability;
 use crate::plan::TorqueError;
 use crate::sweep_file::SweepFileError;
+use crate::words::counted;
 
 /// Why there is no case, or no answer to it.
 #[derive(Debug, Error)]
@@ -28,6 +29,24 @@ pub enum CaseError {
     /// A method has no responses of its string.
     #[error("{0:#}")]
     Responses(anyhow::Error),
+    /// The sites that were found do not keep it within its wall.
+    #[error(
+        "with {sites} sites, found in {}, the string still goes {by_mm:.1} mm beyond \
+         the wall {from_bit:.1} m from the bit: {why}",
+        counted(*rounds, "round")
+    )]
+    Beyond {
+        /// How far, mm.
+        by_mm: f64,
+        /// Where, m from the bit.
+        from_bit: f64,
+        /// How often it was run again.
+        rounds: usize,
+        /// How many sites it has by then.
+        sites: usize,
+        /// Why no more are made.
+        why: &'static str,
+    },
     /// Its labels would mean little.
     #[error("{0} (--allow-unstable simulates it)")]
     Unstable(Instability),

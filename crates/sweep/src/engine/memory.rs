@@ -1,11 +1,12 @@
 //! What the linear systems of a string take in memory, and a case stepped against
 //! them: told before anything is built.
 
-use linear::Method;
 use linear::cost::{self, Memory};
 use linear::method::FiniteElement;
+use linear::{Method, Sites};
 use sim::cost::Taps;
 
+use super::finding::most_sites;
 use super::stepped::{looked_at, stepped_by};
 use super::systems::request;
 use super::verdict::FINER;
@@ -40,6 +41,18 @@ impl StringMemory {
     }
 
     fn of_method(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
+        let mut own = Self::at_sites(sweep, setting, method, longest_time);
+        if let Some(most) = with_most_sites(setting, method) {
+            // A case is run again with a system of its own, and its whole string looked at.
+            let again = Self::at_sites(sweep, &most, method, longest_time);
+            let mesh = &sweep.content.method.finite_element;
+            let whole = cost::reconstruction(&most.string, &most.sites, mesh, 0);
+            own.case = own.case.max(again.systems.peak + again.case) + whole.peak;
+        }
+        own
+    }
+
+    fn at_sites(sweep: &Sweep, setting: &Setting, method: &Method, longest_time: f64) -> Self {
         if let Some((_, parameters)) = stepped_by(setting, method) {
             return Self::of_stepped(sweep, setting, &parameters, longest_time);
         }
@@ -80,13 +93,7 @@ impl StringMemory {
             case,
             too_long: built.too_long,
         }
-        .with_motion(
-            sweep,
-            recorded,
-            setting.lateral.is_some(),
-            taps.torsion,
-            steps,
-        )
+        .with_motion(sweep, setting, recorded, taps.torsion, steps)
     }
 
     /// Of elements that are stepped.
@@ -114,20 +121,22 @@ impl StringMemory {
             case: motion + sim::cost::stepped_case(sites, steps),
             too_long: built.too_long,
         }
-        .with_motion(sweep, sites, true, built.torsion_taps, steps)
+        .with_motion(sweep, setting, sites, built.torsion_taps, steps)
     }
 
     /// With what a motion of so many places takes that is kept until its row is known.
     fn with_motion(
         mut self,
         sweep: &Sweep,
+        setting: &Setting,
         recorded: usize,
-        is_lateral: bool,
         torsion_taps: f64,
         steps: f64,
     ) -> Self {
-        if sweep.keeps_motion() {
-            self.case += sim::cost::trajectory(recorded, is_lateral, steps);
+        let lateral = setting.lateral.as_ref();
+        let finds_sites = lateral.is_some_and(|lateral| lateral.finding.is_some());
+        if sweep.keeps_motion() || finds_sites {
+            self.case += sim::cost::trajectory(recorded, lateral.is_some(), steps);
         }
         if sweep.finds_surface_torque() {
             let kept = sim::cost::surface_torque(recorded, torsion_taps);
@@ -136,6 +145,20 @@ impl StringMemory {
         }
         self
     }
+}
+
+/// A setting with as many sites as may be found, where they are looked for, wherever they are.
+fn with_most_sites(setting: &Setting, method: &Method) -> Option<Setting> {
+    let finding = setting.lateral.as_ref()?.finding.as_ref()?;
+    let most = most_sites(setting, method).max(setting.sites.len());
+    let reach = finding.to.min(setting.string.length());
+    let place = |site: usize| reach * site as f64 / most as f64;
+    let places: Vec<f64> = (0..most).rev().map(place).collect();
+    let sites = Sites::new(&setting.string, &places).ok()?;
+    Some(Setting {
+        sites,
+        ..setting.clone()
+    })
 }
 
 /// What is taken and given back.

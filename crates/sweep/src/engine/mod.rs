@@ -1,8 +1,11 @@
 //! From a sweep to its records: each distinct string's linear systems built once,
 //! every case stepped against them on all cores.
 
+mod answer;
 mod case;
 mod case_error;
+mod clearances;
+mod finding;
 mod front;
 #[cfg(test)]
 mod fuzz;
@@ -17,14 +20,16 @@ mod survey;
 mod systems;
 mod verdict;
 
+pub use answer::answer;
 pub use case::Case;
 pub use case_error::CaseError;
+pub use clearances::{Beyond, Clearances};
 pub use instability::is_unstable;
 pub use log::{
     Header, Log, LogError, LogView, Place, log_place, read_about, read_header, record_line,
 };
 pub use memory::StringMemory;
-pub use record::{Failure, Record, certified};
+pub use record::{Failure, Found, Record, certified};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use survey::{Survey, longest_beside, setting_of, survey};
@@ -183,7 +188,7 @@ impl Work<'_> {
         }
         let record = match built.systems[method] {
             Ok(system) => Case::of(self.sweep, &system.setting, index)
-                .map(|case| system.answer(&case, method, self.options, self.sweep))
+                .map(|case| answer(system, &case, method, self.options, self.sweep))
                 .map_err(Failure::new),
             Err(reason) => Err(Failure::new(reason)),
         };

@@ -28,6 +28,15 @@ impl Failure {
     }
 }
 
+/// The sites that a case was found to have besides those of the file.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Found {
+    /// Their distances from the bit, m, from the bit up.
+    pub sites: Vec<f64>,
+    /// How often the case was run again.
+    pub rounds: usize,
+}
+
 /// A case done by one method.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Record {
@@ -55,6 +64,9 @@ pub struct Record {
     /// that is to certify its label, and has an answer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub finer: Option<Verdict>,
+    /// Where it was found to touch its wall, where that is looked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub found: Option<Found>,
     /// What came out, or why nothing did.
     pub outcome: Result<Outcome, Failure>,
 }
@@ -80,6 +92,7 @@ impl Record {
             site_from_bit_m: None,
             misfits: Vec::new(),
             finer: None,
+            found: None,
             outcome: Err(reason),
         }
     }

@@ -9,7 +9,7 @@ use crate::plan::{LateralSettings, Setting};
 
 /// Taps between more sites than these take longer to build, to hold and to sum than their
 /// elements take to step.
-const MOST_BY_TAPS: usize = 40;
+pub(super) const MOST_BY_TAPS: usize = 40;
 
 /// What a method steps of a setting; `None` where taps are summed.
 pub fn stepped_by<'a>(
@@ -20,7 +20,9 @@ pub fn stepped_by<'a>(
         return None;
     };
     let lateral = setting.lateral.as_ref()?;
-    let is_stepped = setting.sites.len() > MOST_BY_TAPS && setting.string.top_drive().is_none();
+    // Sites that are found are other ones in every case, whose taps none would use again.
+    let are_many = setting.sites.len() > MOST_BY_TAPS || lateral.finding.is_some();
+    let is_stepped = are_many && setting.string.top_drive().is_none();
     is_stepped.then_some((lateral, *parameters))
 }
 

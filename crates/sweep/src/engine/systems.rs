@@ -381,10 +381,22 @@ impl MethodSystem {
         Some(Verdict::of(&outcome, self.above_limit(&case.scene)))
     }
 
-    /// What a run with these options comes to of a case; `method` is this one's place in
-    /// the sweep's list. A case that panics is one without an answer, and not the end of
-    /// the sweep. Its motion is held against what the sweep compares with.
-    pub fn answer(&self, case: &Case, method: usize, options: RunOptions, sweep: &Sweep) -> Record {
+    /// The same by its shorter steps, where it has any.
+    pub(super) fn finer_verdict(&self, case: &Case, stopping: Stopping) -> Option<Verdict> {
+        self.finer.as_ref()?.verdict(case, stopping)
+    }
+
+    /// What it comes to of a case, as a run has it, at the sites that it was built for; `method`
+    /// is its place in the sweep's list. The motion is followed to its end where there is one to
+    /// be written, and held against what the sweep compares with.
+    pub(super) fn follow(
+        &self,
+        case: &Case,
+        method: usize,
+        options: RunOptions,
+        sweep: &Sweep,
+        mut motion: Option<&mut Trajectory>,
+    ) -> Record {
         let failed = |reason: CaseError| {
             let values = case.values.clone();
             Record::failed(case.index, method, values, Failure::new(reason))
@@ -393,10 +405,8 @@ impl MethodSystem {
             return failed(CaseError::Unstable(instability));
         }
         let stopping = options.stopping(case.index);
-        // What is measured of a motion, or held against a recording, is followed to the end.
-        let mut motion = sweep.keeps_motion().then(Trajectory::default);
         let simulated = catch_unwind(AssertUnwindSafe(|| {
-            self.simulate(case, stopping, motion.as_mut())
+            self.simulate(case, stopping, motion.as_deref_mut())
         }));
         let friction = self.setting.friction.as_ref();
         let sites = friction.map_or(&self.setting.sites, |friction| &friction.nodes);
@@ -413,18 +423,16 @@ impl MethodSystem {
             });
             if record.outcome.is_ok() {
                 record.above_limit = self.above_limit(&case.scene);
-                let finer = self.finer.as_ref();
-                record.finer = finer.and_then(|finer| finer.verdict(case, stopping));
             }
-            if let (Ok(outcome), Some(mut motion)) = (&mut record.outcome, motion) {
-                self.add_surface_torque(case, &mut motion);
+            if let (Ok(outcome), Some(motion)) = (&mut record.outcome, motion) {
+                self.add_surface_torque(case, motion);
                 let is_measured = sweep.measures_surface_torque();
                 if let Some(torque) = self.surface_torque.as_ref().filter(|_| is_measured) {
                     let window = case.scene.timing.closing_window;
                     outcome.surface = Some(torque.measures(&motion.surface_torque, window));
                 }
                 record.misfits = (sweep.data.comparisons.iter())
-                    .map(|comparison| comparison.misfit(&motion))
+                    .map(|comparison| comparison.misfit(motion))
                     .collect();
             }
         }

@@ -4,10 +4,9 @@ use anyhow::Result;
 use linear::elements::reconstruction::Reconstruction;
 use sim::laws::contact::Touch;
 
-use super::hole::Hole;
 use super::marks::CLEARANCE_SHOWN;
 use super::simulation::Simulation;
-use crate::engine::Case;
+use crate::engine::{Case, Clearances};
 use crate::plan::Sweep;
 use crate::plot::{Axis, Film, FilmFrame, FilmSite, Picture, film};
 use crate::quantities::{LENGTH, WIDTH};
@@ -61,9 +60,9 @@ pub fn film_picture(
         }
     });
     let case = cases.iter().find(|case| case.index == simulation.case);
-    let hole = case.and_then(|case| Hole::of(sweep, case));
+    let clearances = case.and_then(|case| Clearances::of(&sweep.setting, case));
     let furthest = whole.peaks.iter().copied().fold(0.0, f64::max);
-    let wall = hole.iter().flat_map(Hole::sites);
+    let wall = clearances.iter().flat_map(Clearances::sites);
     let wall = wall.filter(|(depth, clearance)| {
         *depth >= whole.depths[first] && furthest > CLEARANCE_SHOWN * clearance
     });

@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use sim::{Outcome, Stopping, Trajectory};
 
 use super::simulation::Simulation;
-use crate::engine::{Case, MethodSystem, Record, RunOptions};
+use crate::engine::{Case, MethodSystem, Record, RunOptions, answer};
 use crate::plan::Sweep;
 use crate::words::short;
 
@@ -52,7 +52,7 @@ impl FollowedMethod {
         options: RunOptions,
         is_alone: bool,
     ) -> Result<(Record, Option<Simulation>)> {
-        let row = self.case.answer(case, method, options, sweep);
+        let row = answer(&self.case, case, method, options, sweep);
         let Ok(answer) = row.outcome else {
             return Ok((row, None));
         };

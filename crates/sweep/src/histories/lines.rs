@@ -7,9 +7,8 @@ use anyhow::Result;
 use linear::elements::reconstruction::Reconstruction;
 use sim::{Ended, Outcome};
 
-use super::hole::{Beyond, Hole};
 use super::simulation::Simulation;
-use crate::engine::Case;
+use crate::engine::{Beyond, Case, Clearances};
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::{FORCE, LENGTH, TORQUE, Units, WIDTH};
 use crate::words::{counted, decimals, short, site_title, together, wrapped};
@@ -25,6 +24,7 @@ pub fn case_lines(
     (files, folder): (&str, &Path),
 ) -> Result<String> {
     let mut text = String::new();
+    text += &found_line(sweep);
     for case in cases {
         let rpm = to_rpm(case.scene.surface_speed);
         let unit = sweep.content.units.of(&TORQUE);
@@ -36,12 +36,12 @@ pub fn case_lines(
         for simulation in simulations.iter().filter(own) {
             text += &answer_lines(sweep, simulation);
         }
-        let hole = Hole::of(sweep, case);
+        let clearances = Clearances::of(&sweep.setting, case);
         for (simulation, whole) in simulations.iter().zip(wholes) {
             if simulation.case == case.index
-                && let Some(hole) = &hole
+                && let Some(clearances) = &clearances
             {
-                text += &beyond_line(sweep, hole, simulation, whole);
+                text += &beyond_line(sweep, clearances, simulation, whole);
             }
         }
     }
@@ -50,27 +50,49 @@ pub fn case_lines(
     Ok(text)
 }
 
+/// Which sites were found, where they were looked for.
+fn found_line(sweep: &Sweep) -> String {
+    let lateral = sweep.setting.lateral.as_ref();
+    let Some(finding) = lateral.and_then(|lateral| lateral.finding.as_ref()) else {
+        return String::new();
+    };
+    if finding.found.is_empty() {
+        return "no sites were found besides those of the file\n".to_owned();
+    }
+    let length = sweep.content.units.of(&LENGTH);
+    let places = finding.found.iter().map(|site| short(length.number(*site)));
+    let words = format!(
+        "{} found, {} {} from the bit",
+        counted(finding.found.len(), "site"),
+        places.collect::<Vec<_>>().join(", "),
+        length.name
+    );
+    wrapped(&words, 0, 2)
+}
+
 /// Where the whole string goes farthest beyond the wall away from its sites: there is no wall
 /// there to keep it.
 fn beyond_line(
     sweep: &Sweep,
-    hole: &Hole,
+    clearances: &Clearances,
     simulation: &Simulation,
     whole: &Reconstruction,
 ) -> String {
     let units = sweep.content.units;
     let width = |value: f64| together(&units.of(&WIDTH).text(1e3 * value, 2));
-    let at_sites = hole.farthest_at_sites(&simulation.trajectory).max(0.0);
-    let told = match hole.farthest_beyond(whole) {
+    let at_sites = clearances
+        .farthest_at_sites(&simulation.trajectory)
+        .max(0.0);
+    let told = match clearances.farthest_beyond(whole) {
         Some(Beyond {
             depth,
             by,
             clearance,
         }) if by > at_sites => {
-            let above = together(&units.of(&LENGTH).text(hole.length() - depth, 1));
+            let above = together(&units.of(&LENGTH).text(clearances.length() - depth, 1));
             format!(
-                "goes {} beyond the wall {above} above the bit, where it has no site and those \
-                 around make the clearance {}; {} at its sites",
+                "goes {} beyond the wall {above} above the bit, where it has no site and a \
+                 clearance of {}; {} at its sites",
                 width(by),
                 width(clearance),
                 width(at_sites)

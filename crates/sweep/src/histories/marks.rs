@@ -1,7 +1,6 @@
 //! What pictures of motion have in common: levels, and whether the wall is shown.
 
-use super::hole::Hole;
-use crate::engine::Case;
+use crate::engine::{Case, Clearances};
 use crate::plan::Sweep;
 use crate::plot::{Across, Reference};
 use crate::quantities::Unit;
@@ -28,15 +27,16 @@ pub fn shown_clearances(
     each_once(shown.filter(|clearance| furthest > CLEARANCE_SHOWN * clearance))
 }
 
-/// The holes of cases, each once.
-pub fn each_hole(sweep: &Sweep, cases: &[Case]) -> Vec<Hole> {
-    let mut holes: Vec<Hole> = Vec::new();
-    for hole in cases.iter().filter_map(|case| Hole::of(sweep, case)) {
-        if !holes.contains(&hole) {
-            holes.push(hole);
+/// The clearances along the string of cases, each once.
+pub fn each_clearance(sweep: &Sweep, cases: &[Case]) -> Vec<Clearances> {
+    let mut each: Vec<Clearances> = Vec::new();
+    let of_cases = cases.iter();
+    for of_case in of_cases.filter_map(|case| Clearances::of(&sweep.setting, case)) {
+        if !each.contains(&of_case) {
+            each.push(of_case);
         }
     }
-    holes
+    each
 }
 
 /// Values in order, each once.

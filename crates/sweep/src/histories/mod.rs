@@ -4,7 +4,6 @@
 mod contact_map;
 mod film;
 mod follow;
-mod hole;
 mod lines;
 mod marks;
 mod orbits;

@@ -3,10 +3,9 @@
 use anyhow::Result;
 use linear::elements::reconstruction::{Reconstruction, WholeString};
 
-use super::hole::Hole;
-use super::marks::{CLEARANCE_SHOWN, each_hole};
+use super::marks::{CLEARANCE_SHOWN, each_clearance};
 use super::simulation::Simulation;
-use crate::engine::Case;
+use crate::engine::{Case, Clearances};
 use crate::plan::{LateralSettings, Sweep};
 use crate::plot::{Axis, Panel, Picture, Series, Wall, panels};
 use crate::quantities::{LENGTH, Unit, WIDTH};
@@ -15,6 +14,11 @@ use crate::quantities::{LENGTH, Unit, WIDTH};
 /// sites; and the part of the string that they are within, where they are shown apart.
 const SHOWN_ABOVE: f64 = 0.15;
 const APART: f64 = 0.5;
+
+/// A wall with more corners than this, those of every tool joint of a long string, is shown by its
+/// least clearance in each of so many pieces.
+const MOST_CORNERS: usize = 400;
+const PIECES: usize = 150;
 
 /// The whole string of each simulation, reconstructed by finite elements from the forces at its
 /// sites, whatever method gave them; of the first one the shapes in these steps too.
@@ -56,9 +60,9 @@ pub fn string_picture(
     let [length, width] = [&LENGTH, &WIDTH].map(|twin| sweep.content.units.of(twin));
     let peaks = wholes.iter().flat_map(|whole| &whole.peaks);
     let furthest = peaks.copied().fold(0.0, f64::max);
-    let holes = each_hole(sweep, cases);
-    let near = |hole: &&Hole| {
-        let least = hole.sites().iter().map(|site| site.1);
+    let all = each_clearance(sweep, cases);
+    let near = |clearances: &&Clearances| {
+        let least = clearances.sites().iter().map(|site| site.1);
         furthest > CLEARANCE_SHOWN * least.fold(f64::INFINITY, f64::min)
     };
     let panel = |label: &str, from: f64| Panel {
@@ -74,8 +78,8 @@ pub fn string_picture(
             })
             .collect(),
         references: Vec::new(),
-        walls: (holes.iter().filter(near))
-            .map(|hole| wall(hole, from, [&length, &width]))
+        walls: (all.iter().filter(near))
+            .map(|clearances| wall(clearances, from, [&length, &width]))
             .collect(),
     };
     let mut list = vec![panel("Depth ξ", 0.0)];
@@ -102,15 +106,69 @@ fn shown(
     points.map(in_units).collect()
 }
 
-fn wall(hole: &Hole, from: f64, units: [&Unit; 2]) -> Wall {
+fn wall(clearances: &Clearances, from: f64, units: [&Unit; 2]) -> Wall {
     let points = |places: &[(f64, f64)]| {
         let (depths, clearances): (Vec<f64>, Vec<f64>) = places.iter().copied().unzip();
-        // The wall goes on to where the picture begins.
-        let depths: Vec<f64> = depths.iter().map(|depth| depth.max(from)).collect();
         shown(&depths, &clearances, from, units)
     };
+    // The wall goes on to where the picture begins.
+    let begins = clearances.at(from).map(|clearance| (from, clearance));
+    let corners = clearances.line().into_iter();
+    let line: Vec<(f64, f64)> = (begins.into_iter())
+        .chain(corners.filter(|corner| corner.0 > from))
+        .collect();
+    let line = if line.len() > MOST_CORNERS {
+        least_of_each_piece(&line)
+    } else {
+        line
+    };
     Wall {
-        line: points(&hole.line()),
-        known: points(hole.sites()),
+        line: points(&line),
+        known: points(clearances.sites()),
+    }
+}
+
+/// The least clearance of each of even pieces of a wall, level over each.
+fn least_of_each_piece(line: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let Some((first, last)) = line.first().zip(line.last()) else {
+        return Vec::new();
+    };
+    let length = (last.0 - first.0) / PIECES as f64;
+    let pieces = (0..PIECES).flat_map(|piece| {
+        let ends = [piece, piece + 1].map(|end| first.0 + length * end as f64);
+        // What is level there, too, begins before it or ends after it.
+        let above = line.partition_point(|corner| corner.0 < ends[0]);
+        let below = line.partition_point(|corner| corner.0 <= ends[1]);
+        let around = &line[above.saturating_sub(1)..(below + 1).min(line.len())];
+        let least = around.iter().map(|corner| corner.1);
+        let least = least.fold(f64::INFINITY, f64::min);
+        ends.map(|end| (end, least))
+    });
+    pieces.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wall_of_many_corners_is_shown_by_its_least_clearance() {
+        // Joints of half a metre every ten, and one of them narrower.
+        let line: Vec<(f64, f64)> = (0..300)
+            .flat_map(|joint| {
+                let from = 10.0 * f64::from(joint);
+                let narrow = if joint == 200 { 0.01 } else { 0.03 };
+                [(0.0, 0.05), (9.5, 0.05), (9.5, narrow), (10.0, narrow)]
+                    .map(|(depth, clearance)| (from + depth, clearance))
+            })
+            .collect();
+        let shown = least_of_each_piece(&line);
+        assert_eq!(shown.len(), 2 * PIECES);
+        let at = |depth: f64| {
+            let next = shown.partition_point(|corner| corner.0 < depth);
+            shown[next].1
+        };
+        assert_eq!((at(1000.0), at(2009.8), at(2500.0)), (0.03, 0.01, 0.03));
+        assert_eq!(shown.last().unwrap().0, 3000.0);
     }
 }

@@ -11,7 +11,7 @@ use crate::design::Design;
 use crate::engine::Survey;
 use crate::plan::{Setting, Sweep};
 use crate::quantities::Axis;
-use crate::sweep_file::AutoOr;
+use crate::sweep_file::{AutoOr, SitesName};
 
 /// A usual time simulated, s.
 const TIME: f64 = 10.0;
@@ -112,6 +112,9 @@ fn usual_frequency(demand: &mut Demand) {
 fn usual_sites(demand: &mut Demand) {
     for (setting, _) in &mut demand.strings {
         setting.sites = Sites::bit();
+        if let Some(lateral) = &mut setting.lateral {
+            lateral.finding = None;
+        }
     }
 }
 
@@ -143,12 +146,11 @@ fn change_strings(demand: &mut Demand, change: fn(&Drillstring) -> (Vec<Section>
 /// the first is to blame.
 fn suspects(sweep: &Sweep) -> Vec<(String, Change)> {
     let mut list: Vec<(String, Change)> = vec![(time_key(sweep), usual_time)];
-    if sweep.setting.sites.len() > 1 {
-        let are_candidates = sweep.content.wall_with_candidates().is_some();
-        let key = if are_candidates {
-            "wall.sites"
-        } else {
-            "sites"
+    let which = sweep.content.wall.unwrap_or_default().sites;
+    if sweep.setting.sites.len() > 1 || which == SitesName::Auto {
+        let key = match which {
+            SitesName::Given => "sites",
+            SitesName::All | SitesName::Auto => "wall.sites",
         };
         list.push((key.to_owned(), usual_sites));
     }

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
-use super::labels::{LabelTable, shows_string_torque, shows_surface, shows_torque};
+use super::labels::{LabelTable, shows_found, shows_string_torque, shows_surface, shows_torque};
 use super::manifest::Manifest;
 use crate::design::Design;
 use crate::engine::{MethodSystem, RunOptions, Shard, pairs_of};
@@ -31,6 +31,9 @@ pub struct About {
     /// The places of the methods that certify labels, where any do.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certifying: Option<[usize; 2]>,
+    /// Whether it has columns of sites that were found.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_found: bool,
     /// The sweep file, as the command names it.
     pub sweep_file: String,
     /// Simulations in all, where that is known beforehand.
@@ -67,6 +70,7 @@ impl About {
                 .map(str::to_owned)
                 .collect(),
             certifying: sweep.certifying,
+            shows_found: shows_found(sweep),
             sweep_file: sweep_file.display().to_string(),
             simulations: (!is_trace).then(|| pairs_of(sweep, shard)),
         })
@@ -82,6 +86,7 @@ impl About {
             shows_string_torque: self.shows_string_torque,
             misfits: self.misfits.iter().map(String::as_str).collect(),
             certifying: self.certifying,
+            shows_found: self.shows_found,
         }
     }
 }

@@ -60,6 +60,10 @@ const CERTIFICATE_COLUMNS: [&str; 7] = [
     "lateral_certified",
 ];
 
+/// Columns of the sites that a case was found to have besides those of the file, with `;` between
+/// them, and of how often it was run again for them.
+const FOUND_COLUMNS: [&str; 2] = ["found_sites_from_bit_m", "found_rounds"];
+
 /// The status of a case with an answer, and of one without.
 const DONE: &str = "ok";
 pub(super) const FAILED: &str = "failed";
@@ -84,6 +88,8 @@ pub struct LabelTable<'a> {
     pub misfits: Vec<&'a str>,
     /// The places of the methods that certify labels, where any do.
     pub certifying: Option<[usize; 2]>,
+    /// Whether sites are found.
+    pub shows_found: bool,
 }
 
 impl<'a> LabelTable<'a> {
@@ -99,6 +105,7 @@ impl<'a> LabelTable<'a> {
                 .map(|comparison| comparison.column.as_str())
                 .collect(),
             certifying: sweep.certifying,
+            shows_found: shows_found(sweep),
         }
     }
 
@@ -117,6 +124,9 @@ impl<'a> LabelTable<'a> {
         header.extend(self.misfits.iter().map(|&column| column.to_owned()));
         if self.certifying.is_some() {
             header.extend(CERTIFICATE_COLUMNS.map(str::to_owned));
+        }
+        if self.shows_found {
+            header.extend(FOUND_COLUMNS.map(str::to_owned));
         }
         header.join(",")
     }
@@ -180,6 +190,13 @@ impl<'a> LabelTable<'a> {
             row.add_optional(certainty.torsion);
             row.add_optional(certainty.lateral);
         }
+        if self.shows_found {
+            let found = record.found.as_ref();
+            let sites = found.map(|found| found.sites.iter().map(f64::to_string));
+            let sites: Vec<String> = sites.into_iter().flatten().collect();
+            row.add(sites.join(";"));
+            row.add_optional(found.map(|found| found.rounds));
+        }
         row.0
     }
 }
@@ -192,6 +209,12 @@ pub(super) fn shows_torque(sweep: &Sweep) -> bool {
 /// Whether what turns the surface has columns in the table of a sweep.
 pub(super) fn shows_surface(sweep: &Sweep) -> bool {
     sweep.content.surface_torque || sweep.setting.friction.is_some()
+}
+
+/// Whether the sites of a sweep are found case by case.
+pub(super) fn shows_found(sweep: &Sweep) -> bool {
+    let lateral = sweep.setting.lateral.as_ref();
+    lateral.is_some_and(|lateral| lateral.finding.is_some())
 }
 
 /// Whether the torque along the string is followed in a sweep.

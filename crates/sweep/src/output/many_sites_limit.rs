@@ -16,8 +16,8 @@ const MOST_SITES: usize = 64;
 const LEAST_SHARE: f64 = 0.05;
 
 /// The limit between two surface speeds (rpm), which may be the same: a staircase that falls.
-/// Without points where there is but one site or more than 64, or where any whirl needs more friction than any
-/// wall has.
+/// Without points where there is but one site or more than 64, where sites are found, or where any
+/// whirl needs more friction than any wall has.
 ///
 /// # Errors
 /// Where a site is not on the string.
@@ -27,7 +27,9 @@ pub fn many_sites_limit(
     range_rpm: [f64; 2],
 ) -> Result<Vec<WhirlPoint>, DrillstringError> {
     let Setting { string, sites, .. } = setting;
-    if !(2..=MOST_SITES).contains(&sites.len()) {
+    // Each case has others where they are found.
+    let are_found = lateral.finding.is_some();
+    if are_found || !(2..=MOST_SITES).contains(&sites.len()) {
         return Ok(Vec::new());
     }
     let network = BendingNetwork::new(string, lateral.bending, lateral.support, sites)?;

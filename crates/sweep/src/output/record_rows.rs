@@ -10,7 +10,7 @@ use sim::{
 
 use super::certainty::Certainty;
 use super::labels::{LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
-use crate::engine::{Failure, LateralVerdict, Record, Verdict};
+use crate::engine::{Failure, Found, LateralVerdict, Record, Verdict};
 use crate::plan::{Sweep, to_rpm};
 
 /// The record that a row of a sweep's table was written from; `reason` says why a case
@@ -55,8 +55,26 @@ pub fn record_of(
         certainty.torsion = fields.optional()?;
         certainty.lateral = fields.optional()?;
     }
+    if table.shows_found {
+        record.found = found_of(row)?;
+    }
     // What is left out above, such as the values, is compared here.
     (table.row(&record, certainty) == row).then_some(record)
+}
+
+/// The sites that were found, the last of a row, also of a case without an answer; none where none
+/// were looked for.
+fn found_of(row: &str) -> Option<Option<Found>> {
+    let mut last = row.rsplit(',');
+    let (rounds, sites) = (last.next()?, last.next()?);
+    if rounds.is_empty() {
+        return Some(None);
+    }
+    let sites = sites.split(';').filter(|site| !site.is_empty());
+    Some(Some(Found {
+        sites: sites.map(|site| site.parse().ok()).collect::<Option<_>>()?,
+        rounds: rounds.parse().ok()?,
+    }))
 }
 
 /// The fields of a row, in their order.

@@ -104,6 +104,31 @@ impl StringInHole<'_> {
             .map(|distance| self.contact(distance))
     }
 
+    /// The clearance along the string: corners by depth and clearance, m, from the surface down to
+    /// the bit, or to the end of the hole. It is level between two corners or, at the same depth,
+    /// changes from one to the other.
+    pub fn clearances(&self) -> Vec<(f64, f64)> {
+        let mut corners: Vec<(f64, f64)> = Vec::new();
+        let mut parts: Vec<Hanging> = self.parts().collect();
+        parts.reverse();
+        for part in parts {
+            let [bottom, top] = part.ends.map(|end| self.depth(end));
+            for (from, to, radius) in depths(self.hole) {
+                let (from, to) = (from.max(top), to.min(bottom));
+                if from >= to {
+                    continue;
+                }
+                let clearance = radius - part.radius;
+                match corners.last_mut() {
+                    // The same as above goes on.
+                    Some(last) if (last.1 - clearance).abs() <= SAME_RADIUS => last.0 = to,
+                    _ => corners.extend([(from, clearance), (to, clearance)]),
+                }
+            }
+        }
+        corners
+    }
+
     /// The lowest part that does not fit into the hole, if there is one.
     pub fn too_wide(&self) -> Option<TooWide> {
         let same_place = self.string.same_place();

@@ -239,7 +239,7 @@ fn candidates_that_are_none_or_too_many_are_refused_with_their_line() {
             &idle,
             name,
             &format!("wall.{name}"),
-            "needs `sites = \"all\"`",
+            "needs `sites = \"all\"` or `\"auto\"`",
         );
     }
     let cutting = "[bit]\ntorque_dynamic_nm = 2000\n";
@@ -270,4 +270,70 @@ fn candidates_that_are_none_or_too_many_are_refused_with_their_line() {
         key,
         "is less than the external radius, 0.1 m",
     );
+}
+
+#[test]
+fn sites_that_cannot_be_found_are_refused() {
+    let site = "[[sites]]\ndistance_from_bit_m = 13.5\n";
+    let auto = with("sites = \"all\"", "sites = \"auto\"", site);
+    let sweep = read(&auto).unwrap();
+    let lateral = sweep.setting.lateral.as_ref().unwrap();
+    assert_eq!(lateral.walls.len(), 1);
+    // Every corner of the hole and of the string, twice where something changes.
+    let clearances: Vec<(f64, f64)> = (lateral.clearances.iter())
+        .map(|(depth, clearance)| (*depth, (1e9 * clearance).round() / 1e6))
+        .collect();
+    assert_eq!(
+        clearances[..4],
+        [(0.0, 140.0), (9.5, 140.0), (9.5, 120.0), (10.0, 120.0)]
+    );
+    let last = &clearances[clearances.len() - 9..];
+    let expected = [(40.0, 60.0), (40.0, 150.0), (44.0, 150.0), (44.0, 60.0)];
+    assert_eq!(last[..4], expected, "{clearances:?}");
+    let bit = [
+        (46.0, 60.0),
+        (46.0, 10.0),
+        (47.0, 10.0),
+        (47.0, 60.0),
+        (47.5, 60.0),
+    ];
+    assert_eq!(last[4..], bit);
+    let more = |key: &str| auto.replace("sites = \"auto\"", &format!("sites = \"auto\"\n{key}"));
+    for (key, value, told) in [
+        ("sites_rounds", "0", "0 is not between 1 and 1000"),
+        ("sites_rounds", "1001", "1001 is not between 1 and 1000"),
+        (
+            "sites_tolerance_mm",
+            "0",
+            "0 mm is not between 0.001 and 1000 mm",
+        ),
+    ] {
+        let text = more(&format!("{key} = {value}"));
+        is_refused(&text, key, &format!("wall.{key}"), told);
+    }
+    for key in ["sites_rounds = 3", "sites_tolerance_in = 0.1"] {
+        let idle = auto.replace("sites = \"auto\"", key);
+        let name = key.split(' ').next().unwrap();
+        is_refused(
+            &idle,
+            name,
+            &format!("wall.{name}"),
+            "needs `sites = \"auto\"`",
+        );
+    }
+    let short = auto.replace("to_m = 60", "to_m = 47.2");
+    let told = "finds sites down to the bit, at a depth of 47.5 m, and the hole ends at 47.2 m";
+    is_refused(&short, "sites = \"auto\"", "wall.sites", told);
+    let unknown = auto.replace("clearance = \"hole\"\n", "");
+    let own = unknown.replace(site, &format!("{site}clearance_mm = 5\n"));
+    let well = &own[own.find("[well]").unwrap()..own.find("[wall]").unwrap()];
+    let own = own.replace(well, "");
+    is_refused(
+        &own,
+        "sites = \"auto\"",
+        "wall.sites",
+        "needs `clearance_mm` or",
+    );
+    let none = auto.replace(site, "");
+    is_refused(&none, "[wall]", "wall", "a wall needs [[sites]]");
 }

@@ -1,11 +1,14 @@
 //! The lateral part of a sweep file: bending, the borehole wall at the sites,
 //! disturbances.
 
+use std::sync::Arc;
+
 use linear::{Bending, SurfaceSupport};
 use sim::EccentricMass;
 
 use super::conditions::Conditions;
 use super::contacts::StringInHole;
+use super::finding::{self, Finding};
 use super::impulses::{self, ImpulseSettings};
 use super::sites::Places;
 use super::wall::{self, WallSettings};
@@ -24,6 +27,11 @@ pub struct LateralSettings {
     pub support: SurfaceSupport,
     /// The wall at each site, from the surface down.
     pub walls: Vec<WallSettings>,
+    /// The clearance along the string, whatever sites have: corners by depth and clearance, m,
+    /// from the surface down. Empty where only sites have one.
+    pub clearances: Arc<[(f64, f64)]>,
+    /// How further sites are found, where they are.
+    pub finding: Option<Finding>,
     /// Impulses.
     pub impulses: Vec<ImpulseSettings>,
     /// Eccentric masses.
@@ -38,7 +46,7 @@ pub fn resolve(
     source: &Source,
     content: &FileContent,
     in_hole: &StringInHole,
-    places: &Places,
+    (places, found): (&Places, &[f64]),
     conditions: &Conditions,
     design: &Design,
 ) -> Result<Option<LateralSettings>, SweepFileError> {
@@ -81,9 +89,23 @@ pub fn resolve(
         bending,
         support,
         walls,
+        clearances: clearances(content, in_hole).into(),
+        finding: finding::resolve(source, content, in_hole, found)?,
         impulses,
         eccentric_masses,
     }))
+}
+
+/// The clearance along the string as `[wall]` says it, as corners.
+fn clearances(content: &FileContent, in_hole: &StringInHole) -> Vec<(f64, f64)> {
+    let wall = content.wall.unwrap_or_default();
+    match wall.clearance_mm {
+        Some(clearance) => [0.0, in_hole.string.length()]
+            .map(|depth| (depth, 1e-3 * clearance))
+            .to_vec(),
+        None if content.clearance_is_of_hole() => in_hole.clearances(),
+        None => Vec::new(),
+    }
 }
 
 /// Refuses an axis of the wall at a site that the file has not.

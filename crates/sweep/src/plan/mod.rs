@@ -9,6 +9,7 @@ mod compare;
 mod conditions;
 mod contacts;
 mod data;
+mod finding;
 #[cfg(test)]
 mod guide;
 mod hole;
@@ -34,6 +35,7 @@ pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
 pub use conditions::{Conditions, to_rpm};
 pub use data::Data;
+pub use finding::Finding;
 pub use impulses::{ImpulseAmount, ImpulseSettings, LARGEST_IMPULSE};
 pub use lateral::LateralSettings;
 pub use map::{MapMark, MapSettings};

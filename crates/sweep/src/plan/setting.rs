@@ -17,6 +17,7 @@ use super::lateral::{self, LateralSettings};
 use super::string_friction::{self, StringFriction};
 use super::{axial_force, hole, sites, string, top_drive};
 use crate::design::Design;
+use crate::quantities::Axis;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
 
 /// The samples of a raised cosine have its area from two on.
@@ -47,6 +48,8 @@ pub struct Setting {
     pub hanging: Option<Hanging>,
     /// Lateral motion, where it is modelled.
     pub lateral: Option<LateralSettings>,
+    /// What axes or a command line change of the string in the file.
+    pub changed: Vec<(Axis, f64)>,
 }
 
 impl Setting {
@@ -78,7 +81,8 @@ impl Setting {
         }
     }
 
-    /// The setting that a file describes.
+    /// The setting that a file describes, with sites that were `found`, by their distances from
+    /// the bit (m).
     ///
     /// # Errors
     /// Where a key of it is refused.
@@ -88,6 +92,7 @@ impl Setting {
         data: &Data,
         conditions: &Conditions,
         design: &Design,
+        found: &[f64],
     ) -> Result<Self, SweepFileError> {
         let string = string::resolve(source, content)?;
         let (string, mud, hole) = hole::resolve(source, content, string)?;
@@ -113,8 +118,15 @@ impl Setting {
             sections: &content.string.sections,
             hole: &hole,
         };
-        let places = sites::resolve(source, content, &in_hole)?;
-        let lateral = lateral::resolve(source, content, &in_hole, &places, conditions, design)?;
+        let places = sites::resolve(source, content, &in_hole, found)?;
+        let lateral = lateral::resolve(
+            source,
+            content,
+            &in_hole,
+            (&places, found),
+            conditions,
+            design,
+        )?;
         let sites = places.sites;
         let (string, hanging) = axial_force::resolve(
             source,
@@ -142,6 +154,7 @@ impl Setting {
             friction,
             hanging,
             lateral,
+            changed: Vec::new(),
         };
         // For an accuracy another frequency is chosen.
         if content.accuracy.is_none() {

@@ -23,8 +23,8 @@ pub struct Places {
     same_place: f64,
 }
 
-/// The sites of the file, the bit where there is no wall, and candidates where the file asks for
-/// them.
+/// The sites of the file, the bit where there is no wall, candidates where the file asks for
+/// them, and those that were `found`, by their distances from the bit (m).
 ///
 /// # Errors
 /// Where one is not on the string, there are none to touch the wall, or too many.
@@ -32,12 +32,14 @@ pub fn resolve(
     source: &Source,
     content: &FileContent,
     in_hole: &StringInHole,
+    found: &[f64],
 ) -> Result<Places, SweepFileError> {
     let string = in_hole.string;
     let mut places = given(source, content, string)?;
     let same_place = string.same_place();
     let near = same_place.max(CANDIDATES_TO);
-    for candidate in candidates(source, content, in_hole)? {
+    let candidates = candidates(source, content, in_hole)?;
+    for candidate in candidates.into_iter().chain(found.iter().copied()) {
         let is_given = |(given, _): &(f64, _)| (given - candidate).abs() <= near;
         // Candidates are further apart than that.
         if !places.iter().any(is_given) {
@@ -109,8 +111,8 @@ fn candidates(
     ] {
         if let Some(value) = value {
             source.within(key, value, 1e-3, LONGEST_STRING, "m")?;
-            let message = "says where candidate sites are: needs `sites = \"all\"`";
-            source.refuse_if(wall.sites != SitesName::All, key, message)?;
+            let message = "says where sites may be: needs `sites = \"all\"` or `\"auto\"`";
+            source.refuse_if(wall.sites == SitesName::Given, key, message)?;
         }
     }
     if wall.sites != SitesName::All {

@@ -109,7 +109,7 @@ impl Sweep {
             (AutoOr::Auto, Some(recording)) => AutoOr::Given(recording.end()),
             (time, _) => time,
         };
-        let setting = Setting::resolve(&source, &content, &data, &conditions, &design)?;
+        let setting = Setting::resolve(&source, &content, &data, &conditions, &design, &[])?;
         if let (Some(table), Some(friction)) = (&mut content.string_friction, &setting.friction) {
             // However it was found.
             table.pieces = friction.pieces();
@@ -223,14 +223,39 @@ impl Sweep {
         &self,
         values: impl Iterator<Item = (Axis, f64)>,
     ) -> Result<Cow<'_, Setting>, SweepFileError> {
-        let mut changing = values
-            .filter(|(axis, _)| self.changes_string(*axis))
-            .peekable();
-        if changing.peek().is_none() {
+        let changing = values.filter(|(axis, _)| self.changes_string(*axis));
+        let changed: Vec<(Axis, f64)> = changing.collect();
+        if changed.is_empty() {
             return Ok(Cow::Borrowed(&self.setting));
         }
+        self.changed_setting(changed, &[]).map(Cow::Owned)
+    }
+
+    /// A setting with sites that were `found`, by their distances from the bit (m), in place of
+    /// those that it was found with.
+    ///
+    /// # Errors
+    /// Where no wall can be at one of them.
+    pub fn setting_with_sites(
+        &self,
+        setting: &Setting,
+        found: &[f64],
+    ) -> Result<Setting, SweepFileError> {
+        let resolved = self.changed_setting(setting.changed.clone(), found)?;
+        Ok(Setting {
+            sampling_by_rule: setting.sampling_by_rule,
+            ..resolved.sampled_at(setting.sampling_frequency)
+        })
+    }
+
+    /// The setting with quantities of the string changed, and with sites that were `found`.
+    fn changed_setting(
+        &self,
+        changed: Vec<(Axis, f64)>,
+        found: &[f64],
+    ) -> Result<Setting, SweepFileError> {
         let (mut content, mut conditions) = (self.content.clone(), self.conditions.clone());
-        for (axis, value) in changing {
+        for &(axis, value) in &changed {
             if let Axis::String(of_string) = axis {
                 let changed = content.set(of_string, value);
                 self.source.checked(&axis.name(), changed)?;
@@ -239,8 +264,9 @@ impl Sweep {
             }
         }
         content.take_along(&self.content.sites);
-        let (source, data) = (&self.source, &self.data);
-        Setting::resolve(source, &content, data, &conditions, &self.design).map(Cow::Owned)
+        let (source, data, design) = (&self.source, &self.data, &self.design);
+        let setting = Setting::resolve(source, &content, data, &conditions, design, found)?;
+        Ok(Setting { changed, ..setting })
     }
 
     /// The setting of a case with the given values along the design's axes, sampled

@@ -62,7 +62,7 @@ pub fn panels(title: &str, panels: &[Panel]) -> Result<Picture> {
     let strokes = strokes(panels, &names);
     let keys = strokes.iter().map(|&stroke| Key::Line(stroke));
     let has_wall = panels.iter().any(|panel| !panel.walls.is_empty());
-    let wall = has_wall.then_some((Key::Line(WALL), "clearance, known at the rings"));
+    let wall = has_wall.then_some((Key::Line(WALL), "clearance, sites as rings"));
     let legend = Legend::new(keys.zip(names.iter().copied()).chain(wall))?;
     let top = title.bottom();
     let stacked = panels.len() as f64 * PANEL_HEIGHT;
@@ -294,7 +294,7 @@ mod tests {
         assert_text_inside(&picture);
         // The third place is beyond the right end.
         assert_eq!(picture.svg.matches("<circle").count(), 2);
-        assert!(picture.svg.contains("clearance, known at"));
+        assert!(picture.svg.contains("clearance, sites as"));
     }
 
     #[test]

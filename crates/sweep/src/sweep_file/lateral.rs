@@ -61,6 +61,12 @@ pub struct WallTable {
     /// How far up from the bit there are candidate sites, m; left out, to the surface.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sites_to_m: Option<f64>,
+    /// Where sites are found: how far the string may go beyond the wall between them, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sites_tolerance_mm: Option<f64>,
+    /// Where sites are found: how often a case is run again at most.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sites_rounds: Option<usize>,
 }
 
 /// What decides the clearance, where the file does not give it.
@@ -80,6 +86,8 @@ pub enum SitesName {
     Given,
     /// At every candidate besides.
     All,
+    /// Where a case is found to go through its wall, besides.
+    Auto,
 }
 
 impl WallTable {

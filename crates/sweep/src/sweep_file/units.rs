@@ -5,7 +5,7 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 27] = [
+const KEYS: [&str; 28] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
@@ -16,6 +16,7 @@ const KEYS: [&str; 27] = [
     "distance_from_bit_m",
     "sites_every_m",
     "sites_to_m",
+    "sites_tolerance_mm",
     "offset_m",
     "bit_radius_m",
     "wear_flat_mm",

@@ -5,6 +5,7 @@
 
 mod choice;
 mod film;
+mod found;
 mod systems;
 mod writing;
 
@@ -22,6 +23,7 @@ use crate::memory::{Limit, Purpose, admit};
 use crate::plan::Sweep;
 use crate::sweep_file::SweepFileError;
 use choice::{Choice, ChosenCase, common_setting};
+use found::{at_found_sites, find_sites};
 use systems::simulate_all;
 use writing::Written;
 
@@ -47,7 +49,20 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
     film::refuse_idle(&sweep, &cases, &arguments.film)?;
     let shapes = arguments.film.frames_asked();
     admit_histories(&sweep, &cases, shapes, &work.memory.limit())?;
+    let (sweep, cases, rows_found) = match find_sites(&sweep, arguments, &cases, terminal)? {
+        None => (sweep, cases, None),
+        Some(rows) if rows.iter().any(|row| row.outcome.is_err()) => {
+            return Ok(tell_of_failures(&sweep, &rows, terminal));
+        }
+        Some(rows) => {
+            let (sweep, cases) = at_found_sites(sweep, cases, &rows)?;
+            admit_histories(&sweep, &cases, shapes, &work.memory.limit())?;
+            (sweep, cases, Some(rows))
+        }
+    };
     let (rows, simulations) = simulate_all(&sweep, arguments, &cases, terminal)?;
+    // Those of a run, which say in how many rounds sites were found.
+    let rows = rows_found.unwrap_or(rows);
     let cases: Vec<Case> = cases.into_iter().map(|chosen| chosen.case).collect();
     if !simulations.is_empty() {
         let folder = results_folder(arguments.out.as_ref(), &sweep);

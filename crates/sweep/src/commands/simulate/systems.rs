@@ -24,19 +24,18 @@ pub fn simulate_all(
     cases: &[ChosenCase],
     terminal: Terminal,
 ) -> Result<(Vec<Record>, Vec<Simulation>)> {
-    let options = RunOptions {
-        full: arguments.full,
-        // Where all cases share a string, a run refuses the method before any row:
-        // what it would do can be looked at here.
-        allow_unstable: arguments.allow_unstable || !sweep.design.varies_string(),
-    };
+    let options = run_options(sweep, arguments);
     // By the time (s) they are built for.
     let mut built: Vec<(f64, Vec<Result<FollowedMethod, Failure>>)> = Vec::new();
     let (mut rows, mut simulations) = (Vec::new(), Vec::new());
     for ChosenCase { case, longest } in cases {
         if !built.iter().any(|(time, _)| time == longest) {
             let systems = build(&arguments.file, sweep, options, *longest, terminal)?;
-            built.push((*longest, systems));
+            let followed = systems.into_iter().map(|system| match system {
+                Ok(system) => FollowedMethod::new(sweep, system, *longest).map(Ok),
+                Err(reason) => Ok(Err(reason)),
+            });
+            built.push((*longest, followed.collect::<Result<_>>()?));
         }
         let systems = built.iter().filter(|(time, _)| time == longest);
         for (method, system) in systems.flat_map(|(_, systems)| systems).enumerate() {
@@ -58,14 +57,27 @@ pub fn simulate_all(
     Ok((rows, simulations))
 }
 
+/// How a run steps these cases.
+pub fn run_options(sweep: &Sweep, arguments: &SimulateArguments) -> RunOptions {
+    RunOptions {
+        full: arguments.full,
+        // Where all cases share a string, a run refuses the method before any row:
+        // what it would do can be looked at here.
+        allow_unstable: arguments.allow_unstable || !sweep.design.varies_string(),
+    }
+}
+
 /// The linear systems of the chosen string for a time (s), or why a method has none.
-fn build(
+///
+/// # Errors
+/// Where all cases share the string, and a method cannot treat it.
+pub fn build(
     file: &Path,
     sweep: &Sweep,
     options: RunOptions,
     longest: f64,
     terminal: Terminal,
-) -> Result<Vec<Result<FollowedMethod, Failure>>> {
+) -> Result<Vec<Result<MethodSystem, Failure>>> {
     let setting = sweep.setting.for_labels();
     let systems: Vec<Result<MethodSystem>> = if sweep.design.varies_string() {
         MethodSystem::build_each(sweep, &setting, longest)
@@ -77,9 +89,9 @@ fn build(
     if options.allow_unstable {
         warn_of_unstable(systems.iter().flatten(), terminal);
     }
-    let followed = systems.into_iter().map(|system| match system {
-        Ok(case) => FollowedMethod::new(sweep, case, longest).map(Ok),
-        Err(error) => Ok(Err(Failure::new(format_args!("{error:#}")))),
-    });
-    followed.collect()
+    let failed = |error| Failure::new(format_args!("{error:#}"));
+    Ok(systems
+        .into_iter()
+        .map(|system| system.map_err(failed))
+        .collect())
 }

@@ -11,7 +11,7 @@ use super::draw::Draw;
 use super::finder::{Finder, longest};
 use super::problem::{Motion, Problem};
 use super::{of_each, stick_slip, whirl};
-use crate::engine::{MethodSystem, Record, RunOptions, certified};
+use crate::engine::{self, MethodSystem, Record, RunOptions, certified};
 use crate::plan::Sweep;
 use crate::studies::accuracy::is_inside;
 use crate::studies::trial;
@@ -103,7 +103,7 @@ fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
         let conditions = sweep.conditions.with(problem.motion.axis(), value);
         let case = trial::case(&sweep, &sweep.setting, &conditions)?;
         let answer = |(place, system): (usize, &MethodSystem)| {
-            system.answer(&case, place, RunOptions::default(), &sweep)
+            engine::answer(system, &case, place, RunOptions::default(), &sweep)
         };
         let records: Vec<Record> = systems.iter().enumerate().map(answer).collect();
         // Of a case without an answer there is no label.

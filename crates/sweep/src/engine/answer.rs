@@ -1,0 +1,32 @@
+//! What a run answers to a case by a method.
+
+use sim::Trajectory;
+
+use super::case::Case;
+use super::finding::find_sites;
+use super::record::Record;
+use super::run_options::RunOptions;
+use super::systems::MethodSystem;
+use crate::plan::Sweep;
+
+/// What a run with these options comes to of a case; `method` is the place of the system's in
+/// the sweep's list. A case that panics is one without an answer, and not the end of the sweep.
+pub fn answer(
+    system: &MethodSystem,
+    case: &Case,
+    method: usize,
+    options: RunOptions,
+    sweep: &Sweep,
+) -> Record {
+    let lateral = system.setting.lateral.as_ref();
+    if let Some(finding) = lateral.and_then(|lateral| lateral.finding.as_ref()) {
+        return find_sites(system, finding, case, method, options, sweep);
+    }
+    // What is measured of a motion, or held against a recording, is followed to the end.
+    let mut motion = sweep.keeps_motion().then(Trajectory::default);
+    let mut record = system.follow(case, method, options, sweep, motion.as_mut());
+    if record.outcome.is_ok() {
+        record.finer = system.finer_verdict(case, options.stopping(case.index));
+    }
+    record
+}
