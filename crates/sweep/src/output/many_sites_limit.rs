@@ -40,7 +40,7 @@ pub fn many_sites_limit(
         decay_rate: bending_decay_rate(string, &lateral.bending),
     };
     let [slowest, fastest] = range_rpm;
-    let whirls = whirling.least_friction(fastest / to_rpm(1.0));
+    let whirls = whirling.least_friction(range_rpm.map(|speed| speed / to_rpm(1.0)));
     let places = sites.distances_from_bit();
     let mut points: Vec<WhirlPoint> = Vec::new();
     let mut last: Option<&SitesWhirl> = None;
