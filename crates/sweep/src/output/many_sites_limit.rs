@@ -9,15 +9,16 @@ use sim::{SitesWhirl, WhirlingSites};
 use super::whirl_limit::{WhirlMotion, WhirlPoint};
 use crate::plan::{LateralSettings, Setting, to_rpm};
 
-/// With more sites it takes minutes, as the cube of their number.
-const MOST_SITES: usize = 64;
+/// With more sites it would take longer than the ten seconds that these take over threefold surface
+/// speeds, as the cube of their number.
+pub const MOST_SITES: usize = 300;
 
 /// A site that does a smaller part of the work than this is not named.
 const LEAST_SHARE: f64 = 0.05;
 
 /// The limit between two surface speeds (rpm), which may be the same: a staircase that falls.
-/// Without points where there is but one site or more than 64, or where any whirl needs more friction than any
-/// wall has.
+/// Without points where there is but one site or more than [`MOST_SITES`], or where any whirl needs
+/// more friction than any wall has.
 ///
 /// # Errors
 /// Where a site is not on the string.
