@@ -39,10 +39,8 @@ fn run(axes: &str) -> (Workplace, Option<Vec<[f64; 2]>>) {
 /// little above it are.
 #[test]
 fn simulated_cases_touch_above_the_line_and_not_below() {
-    let (place, points) = run(
-        "surface_speed_rpm = { from = 10, to = 70, count = 9 }\n\
-         eccentric_mass_0_offset_m = { from = 0.02, to = 0.2, count = 6 }\n",
-    );
+    let (place, points) = run("surface_speed_rpm = { from = 10, to = 70, count = 9 }\n\
+         eccentric_mass_0_offset_m = { from = 0.02, to = 0.2, count = 6 }\n");
     let points = points.unwrap();
     assert!(points.is_sorted_by(|one, next| one[0] < next[0] && one[1] > next[1]));
     let line = |offset: f64| {
@@ -90,7 +88,11 @@ fn it_is_told_whatever_the_friction_and_only_where_it_is_one() {
     let map = std::fs::read_to_string(place.path("results/map.svg")).unwrap();
     assert!(map.contains("eccentric mass brings") && map.contains("rolling whirl"));
     let answer = place.sweep(&["inspect", "small.toml", "--out", "look"]);
-    let told = answer.output.split_whitespace().collect::<Vec<_>>().join(" ");
+    let told = answer
+        .output
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
     assert!(
         told.contains("brings the string to its wall from 22.59 rpm on"),
         "{told}"

@@ -6,6 +6,7 @@ use proptest::prelude::*;
 
 use super::pencil::Pencil;
 use super::*;
+use crate::excitation::EccentricMass;
 
 /// Masses in a row, each held by a spring and a damper of its own and joined to the
 /// next; the wall touches the first.
@@ -709,4 +710,80 @@ fn one_site_together_with_none_whirls_with_what_it_needs() {
         }
     });
     assert!(near.get() > 40, "{near:?}");
+}
+
+/// What is found of forward whirl in contact balances: the forces of the walls and of the mass bring
+/// about the displacements by the stiffness of the masses, and obey their laws; and one site alone
+/// is as it is by itself.
+#[test]
+fn forward_whirl_against_several_walls_balances_every_force() {
+    let stiffness = prop_oneof![
+        Just(f64::INFINITY),
+        (6.0..10.0f64).prop_map(|it| 10f64.powf(it))
+    ];
+    let parts = prop::collection::vec(0.2..1.5f64, 5);
+    let [touching, found, several] = [0; 3].map(Cell::new);
+    let add = |count: &Cell<usize>, one: bool| count.set(count.get() + usize::from(one));
+    let strategy = (some_masses(), 1.0..60.0f64, stiffness, parts, 0.0..1.0f64);
+    proptest!(ProptestConfig::with_cases(300), |(
+        (masses, speed, stiffness, parts, friction) in strategy,
+    )| {
+        let count = masses.masses.len();
+        let mass = EccentricMass { site: 0, mass: 0.1 * masses.masses[0], offset: 0.1 };
+        // In parts of where its force would take them.
+        let force = mass.mass * mass.offset * speed * speed;
+        let clearances: Vec<f64> = std::iter::zip(masses.receptance(count, speed), parts)
+            .take(count)
+            .map(|(receptance, part)| part * receptance.norm() * force)
+            .collect();
+        let wall = |clearance: &f64| Wall { clearance: *clearance, friction, ..wall(stiffness) };
+        let string = EccentricString {
+            walls: clearances.iter().map(wall).collect(),
+            mass,
+            receptance: |rate| masses.receptance(count, rate),
+            decay_rate: masses.decay_rate,
+        };
+        let free = string.free_radii(speed);
+        let is_clear = |radii: &Vec<f64>| radii.iter().zip(&clearances).all(|(r, c)| r < c);
+        let whirl = string.in_contact(speed);
+        if free.as_ref().is_some_and(is_clear) {
+            prop_assert_eq!(whirl, None);
+            return Ok(());
+        }
+        add(&touching, true);
+        let Some(whirl) = whirl else {
+            return Ok(());
+        };
+        add(&found, true);
+        let displacements: Vec<Complex64> = std::iter::zip(&whirl.radii, &whirl.phases)
+            .map(|(radius, phase)| Complex64::from_polar(*radius, *phase))
+            .collect();
+        let of_mass = string.mass.mass * speed * speed * (0.1 + whirl.radii[0]);
+        for (site, row) in masses.stiffnesses(speed).iter().enumerate() {
+            let needed: Complex64 = row.iter().zip(&displacements).map(|(k, r)| k * r).sum();
+            let (force, phase) = (whirl.normal_forces[site], whirl.phases[site]);
+            let by_wall = -force * Complex64::new(1.0, friction) * Complex64::cis(phase);
+            let by_mass = if site == 0 { of_mass } else { 0.0 };
+            prop_assert!((needed - by_wall - by_mass).norm() < 1e-6 * of_mass, "{:?}", whirl);
+            let excess = whirl.radii[site] - clearances[site];
+            let depth = (force / stiffness).powf(2.0 / 3.0);
+            let rounding = 1e-7 * clearances[site];
+            prop_assert!(force >= 0.0 && excess < depth + rounding);
+            prop_assert!(force == 0.0 || excess > depth - rounding);
+        }
+        let in_contact: Vec<usize> =
+            (0..count).filter(|site| whirl.normal_forces[*site] > 0.0).collect();
+        add(&several, in_contact.len() > 1);
+        if let [site] = in_contact[..] {
+            let alone = string.in_contact_at(site, speed).expect("it touches");
+            let force = whirl.normal_forces[site];
+            prop_assert!(alone.normal_force <= force * (1.0 + 1e-6));
+        }
+    });
+    let [touching, found, several] = [touching, found, several].map(Cell::into_inner);
+    println!("{touching} touch, {found} found, {several} at several sites");
+    assert!(
+        10 * found > 9 * touching && several > 20,
+        "{touching} {found} {several}"
+    );
 }
