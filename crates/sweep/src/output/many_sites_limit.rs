@@ -32,14 +32,7 @@ pub fn many_sites_limit(
         return Ok(Vec::new());
     }
     let network = BendingNetwork::new(string, lateral.bending, lateral.support, sites)?;
-    let whirling = WhirlingSites {
-        // Friction plays no part.
-        walls: (lateral.walls.iter())
-            .map(|wall| wall.with_friction(0.0))
-            .collect(),
-        receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
-        decay_rate: bending_decay_rate(string, &lateral.bending),
-    };
+    let whirling = whirling_sites(setting, lateral, &network);
     let [slowest, fastest] = range_rpm;
     let whirls = whirling.least_friction(range_rpm.map(|speed| speed / to_rpm(1.0)));
     let places = sites.distances_from_bit();
@@ -66,6 +59,22 @@ pub fn many_sites_limit(
         points.push(point(last, fastest, places));
     }
     Ok(points)
+}
+
+/// The sites of a string, by the receptance of its waves.
+pub(super) fn whirling_sites<'a>(
+    setting: &Setting,
+    lateral: &LateralSettings,
+    network: &'a BendingNetwork,
+) -> WhirlingSites<impl Fn(f64) -> Vec<Complex64> + Sync + 'a> {
+    WhirlingSites {
+        // Friction plays no part.
+        walls: (lateral.walls.iter())
+            .map(|wall| wall.with_friction(0.0))
+            .collect(),
+        receptance: |rate: f64| network.at_rate(rate).entries().to_vec(),
+        decay_rate: bending_decay_rate(&setting.string, &lateral.bending),
+    }
 }
 
 /// The least at a surface speed (rpm), with sites at these distances from the bit (m).

@@ -16,6 +16,7 @@ mod many_sites_limit;
 mod motion;
 mod record_rows;
 mod results;
+mod sliding_together;
 mod tables;
 mod tally;
 mod trace_summary;
