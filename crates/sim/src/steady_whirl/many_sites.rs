@@ -44,6 +44,10 @@ const TOLERANCE: f64 = 0.008;
 /// … and none is told that is not greater by this part than the last.
 const STEP: f64 = 0.002;
 
+/// Rates that differ by a smaller part do not differ in what they need, but by rounding: over that
+/// distance, where damping is as light as is looked at, it changes by a thousandth.
+const NEAREST: f64 = 1e-9;
+
 /// Any wall has this friction: less is not looked for.
 const LITTLE_FRICTION: f64 = 0.02;
 
@@ -146,15 +150,18 @@ impl<H: Fn(f64) -> Vec<Complex64>> Search<'_, H> {
     }
 
     /// Whether it is certain that no rate between two points presses harder than what is found, but
-    /// for the tolerance, or what is found is enough. As what is found presses as hard as the
-    /// points, that is so of any two that are close.
+    /// for the tolerance, or what is found is enough. As what is found presses as hard as the first
+    /// of them, that is so of any two that are close.
     fn is_settled(&self, [low, high]: [&Point; 2]) -> bool {
+        if self.most * LITTLE_FRICTION >= 1.0 || high.rate - low.rate < NEAREST * high.rate {
+            return true;
+        }
         let variation = Variation {
             decay_rate: self.sites.decay_rate,
         };
         let excess = variation.least_harmonic([low, high].map(|point| (point.rate, point.excess)));
         let least = arccot(self.most_of_any(high.rate)) + excess;
-        least >= arccot((1.0 + TOLERANCE) * self.most) || self.most * LITTLE_FRICTION >= 1.0
+        least >= arccot((1.0 + TOLERANCE) * self.most)
     }
 
     /// The hardest between two points, if it is harder than what is found. Mostly it is among the

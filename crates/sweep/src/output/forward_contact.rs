@@ -73,25 +73,19 @@ impl ForwardContact {
             Some(position) => values_between(range_of_axis(sweep, position)),
             None => vec![mass.offset],
         };
-        let masses = values.iter().map(|&value| EccentricMass {
-            mass: if is_mass { value } else { mass.mass },
-            offset: if is_mass { mass.offset } else { value },
-            ..mass
+        let masses = values.into_iter().map(|value| {
+            let mass = EccentricMass {
+                mass: if is_mass { value } else { mass.mass },
+                offset: if is_mass { mass.offset } else { value },
+                ..mass
+            };
+            (value, mass)
         });
-        let touches = touches(sweep, lateral, masses, fastest_rpm)?;
-        Ok(touches.map(|touches| Self {
+        let points = touches(sweep, lateral, masses, fastest_rpm)?;
+        Ok(points.map(|points| Self {
             along,
             fastest_rpm,
-            points: (values.iter().zip(touches))
-                .filter_map(|(&value, touch)| {
-                    let (surface_speed_rpm, site_from_bit_m) = touch?;
-                    Some(ForwardTouch {
-                        value,
-                        surface_speed_rpm,
-                        site_from_bit_m,
-                    })
-                })
-                .collect(),
+            points,
         }))
     }
 
@@ -166,18 +160,19 @@ fn values_between([from, to]: [f64; 2]) -> Vec<f64> {
     (0..=STEPS).map(step).collect()
 }
 
-/// The surface speed (rpm) and the distance from the bit (m) of the first touch of each mass; none
+/// The first touches of masses up to a surface speed, each with what the design varies of it; none
 /// where the string is not damped enough to tell.
 fn touches(
     sweep: &Sweep,
     lateral: &LateralSettings,
-    masses: impl Iterator<Item = EccentricMass>,
+    masses: impl Iterator<Item = (f64, EccentricMass)>,
     fastest_rpm: f64,
-) -> Result<Option<Vec<Option<(f64, f64)>>>> {
+) -> Result<Option<Vec<ForwardTouch>>> {
     let (string, sites) = (&sweep.setting.string, &sweep.setting.sites);
     let network = BendingNetwork::new(string, lateral.bending, lateral.support, sites)?;
     let fastest = fastest_rpm / to_rpm(1.0);
-    let first = |mass: EccentricMass| {
+    let mut touches = Vec::new();
+    for (value, mass) in masses {
         let eccentric = EccentricString {
             // Friction plays no part before there is contact.
             walls: (lateral.walls.iter())
@@ -187,11 +182,14 @@ fn touches(
             receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
             decay_rate: bending_decay_rate(string, &lateral.bending),
         };
-        let touch = eccentric.first_touch([SLOWEST * fastest, fastest]).ok()?;
-        Some(touch.map(|touch| {
-            let place = sites.distances_from_bit()[touch.site];
-            (to_rpm(touch.surface_speed), place)
-        }))
-    };
-    Ok(masses.map(first).collect())
+        let Ok(touch) = eccentric.first_touch([SLOWEST * fastest, fastest]) else {
+            return Ok(None);
+        };
+        touches.extend(touch.map(|touch| ForwardTouch {
+            value,
+            surface_speed_rpm: to_rpm(touch.surface_speed),
+            site_from_bit_m: sites.distances_from_bit()[touch.site],
+        }));
+    }
+    Ok(Some(touches))
 }

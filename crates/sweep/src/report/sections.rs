@@ -326,7 +326,7 @@ fn limits(all: &[Results]) -> Vec<Block> {
     let forward = |results: &Results| {
         let contact = results.manifest.forward_contact.as_ref()?;
         let words = contact.words(results.manifest.sweep.units);
-        Some(note(all, results, &format!("Forward whirl: {words}.")))
+        Some(note(all, results, format!("Forward whirl: {words}.")))
     };
     let blocks = all.iter().map(of_folder);
     blocks.chain(all.iter().filter_map(forward)).collect()
