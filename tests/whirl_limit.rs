@@ -70,6 +70,9 @@ surface_speed_rpm = { values = [60, 180] }
 friction = { values = [0.5, 1] }
 "#;
 
+/// Rows of `boundary.csv` that are not of one site alone.
+const OF_SEVERAL: [&str; 2] = ["any_sites", "sliding_together"];
+
 /// A row of `boundary.csv`.
 #[derive(Debug, Clone)]
 struct Row {
@@ -102,7 +105,7 @@ fn table(place: &Workplace, name: &str) -> Vec<BTreeMap<String, String>> {
 /// What there is of each site alone.
 fn limit(place: &Workplace) -> Vec<Row> {
     let mut rows = table(place, "boundary.csv");
-    rows.retain(|row| row["motion"] != "any_sites");
+    rows.retain(|row| !OF_SEVERAL.contains(&row["motion"].as_str()));
     let rows = rows.into_iter().map(|row| {
         assert_eq!(row["sites_from_bit_m"], row["site_from_bit_m"]);
         let number = |name: &str| row[name].parse::<f64>().unwrap();
@@ -236,6 +239,46 @@ fn any_sites_need_no_more_than_one() {
         let fastest = number(row, "surface_speed_rpm") * TAU / 60.0 * RADIUS / SITES[0].1;
         assert!(rate <= fastest * (1.0 + 1e-9), "{row:?}");
     }
+}
+
+/// Whirl that slides exists with no less friction than any needs, and with less from speed to
+/// speed; none is told where friction falls with the speed of sliding.
+#[test]
+fn sites_that_slide_together_whirl_with_no_less_than_any_need() {
+    let place = run(SWEEP);
+    let rows = table(&place, "boundary.csv");
+    let number = |row: &BTreeMap<String, String>, name: &str| row[name].parse::<f64>().unwrap();
+    let of = |motion: &'static str| rows.iter().filter(move |row| row["motion"] == motion);
+    let sliding: Vec<_> = of("sliding_together").collect();
+    assert_eq!(number(sliding[0], "surface_speed_rpm"), 60.0);
+    let last = sliding[sliding.len() - 1];
+    assert_eq!(number(last, "surface_speed_rpm"), 180.0);
+    for pair in sliding.windows(2) {
+        for (name, sign) in [("surface_speed_rpm", 1.0), ("friction", -1.0)] {
+            let [before, after] = [0, 1].map(|it| sign * number(pair[it], name));
+            assert!(before <= after, "{pair:?}");
+        }
+    }
+    for row in &sliding {
+        let speed = number(row, "surface_speed_rpm");
+        let needed = of("any_sites")
+            .filter(|step| number(step, "surface_speed_rpm") <= speed)
+            .map(|step| number(step, "friction"))
+            .fold(f64::INFINITY, f64::min);
+        assert!(
+            number(row, "friction") > needed / 1.0101,
+            "{row:?} {needed}"
+        );
+    }
+    let falling = with(
+        SWEEP,
+        "clearance_mm = 5\n",
+        "clearance_mm = 5\nfriction_dynamic_ratio = 0.5\n",
+    );
+    let place = run(&falling);
+    let rows = table(&place, "boundary.csv");
+    assert!(rows.iter().all(|row| row["motion"] != "sliding_together"));
+    assert!(rows.iter().any(|row| row["motion"] == "any_sites"));
 }
 
 /// Every whirl at one speed: as many as a dense scan finds, at the same radii, with

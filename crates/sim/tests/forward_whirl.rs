@@ -9,7 +9,7 @@ use linear::{
 use problems::academic::{self, BENDING};
 use problems::oracles::assert_close;
 use problems::wells::{Draw, Well};
-use sim::steady_whirl::{EccentricString, Touch};
+use sim::steady_whirl::{EccentricString, ForwardContacts, Touch};
 use sim::{
     EccentricMass, Lateral, LateralMeasures, LateralRegime, Scene, SceneError, Simulator, Stopping,
     Timing, Wall,
@@ -137,13 +137,13 @@ fn network<'a>(string: &'a Drillstring, bending: Bending, sites: &Sites) -> Bend
     BendingNetwork::new(string, bending, SurfaceSupport::Free, sites).unwrap()
 }
 
-/// The academic string with walls at places, by the balance of forces and by simulation, where
-/// it whirls in contact at the last of them.
+/// The academic string with walls at places, in contact by the balance of forces and by
+/// simulation, where it whirls.
 fn academic_whirl(
     places: &[f64],
     walls: Vec<Wall>,
     mass: EccentricMass,
-) -> (Vec<f64>, f64, LateralMeasures) {
+) -> (ForwardContacts, LateralMeasures) {
     const SPEED: f64 = TAU;
     let string = academic::string();
     let sites = Sites::new(&string, places).unwrap();
@@ -154,7 +154,7 @@ fn academic_whirl(
         receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
         decay_rate: estimates::bending_decay_rate(&string, &BENDING),
     };
-    let found = eccentric.in_contact_at(places.len() - 1, SPEED).unwrap();
+    let found = eccentric.in_contact(SPEED).unwrap();
     let request = academic::lateral_request(&string, places, 20.0);
     let responses = responses(&string, &Method::Quadrature, &request).unwrap();
     let scene = Scene {
@@ -172,14 +172,15 @@ fn academic_whirl(
     };
     let simulator = Simulator::new(&responses).unwrap();
     let outcome = simulator.simulate(&scene, Stopping::Full, None).unwrap();
-    (found.radii, found.normal_force, outcome.lateral.unwrap())
+    (found, outcome.lateral.unwrap())
 }
 
 /// Fig. 15: 3.5 kN at 15.23 mm.
 #[test]
 fn the_string_of_the_paper_goes_round_along_its_wall() {
     let mass = mass(0, 1000.0, 0.1);
-    let (radii, force, simulated) = academic_whirl(&[0.0], vec![wall(0.015)], mass);
+    let (found, simulated) = academic_whirl(&[0.0], vec![wall(0.015)], mass);
+    let (radii, force) = (found.radii, found.normal_forces[0]);
     assert_close(radii[0], 0.01523, 0.001);
     assert_close(force, 3500.0, 0.01);
     assert_eq!(simulated.regime, LateralRegime::ForwardWhirl);
@@ -191,8 +192,27 @@ fn the_string_of_the_paper_goes_round_along_its_wall() {
 #[test]
 fn a_mass_elsewhere_takes_the_bit_round() {
     let walls = vec![wall(1.0), wall(0.015)];
-    let (radii, force, simulated) = academic_whirl(&[50.0, 0.0], walls, mass(0, 1000.0, 0.4));
+    let (found, simulated) = academic_whirl(&[50.0, 0.0], walls, mass(0, 1000.0, 0.4));
+    assert_eq!(found.normal_forces[0], 0.0);
     assert_eq!(simulated.regime, LateralRegime::ForwardWhirl);
-    assert_close(simulated.mean_radius, radii[1], 0.01);
-    assert_close(simulated.mean_normal_force, force, 0.02);
+    assert_close(simulated.mean_radius, found.radii[1], 0.01);
+    assert_close(simulated.mean_normal_force, found.normal_forces[1], 0.02);
+}
+
+/// Three sites, of which several touch.
+#[test]
+fn a_mass_presses_the_string_against_several_walls() {
+    for (clearances, mass, touching) in [
+        ([0.0025, 0.01, 0.012], mass(1, 1000.0, 0.3), vec![0, 1, 2]),
+        ([0.0018, 0.01, 0.012], mass(2, 1000.0, 0.3), vec![0, 2]),
+    ] {
+        let walls = clearances.map(wall).to_vec();
+        let (found, simulated) = academic_whirl(&[60.0, 30.0, 0.0], walls, mass);
+        let in_contact = (0..3).filter(|site| found.normal_forces[*site] > 0.0);
+        assert_eq!(in_contact.collect::<Vec<_>>(), touching);
+        assert_eq!(simulated.regime, LateralRegime::ForwardWhirl);
+        let site = simulated.site;
+        assert_close(simulated.mean_radius, found.radii[site], 0.01);
+        assert_close(simulated.mean_normal_force, found.normal_forces[site], 0.02);
+    }
 }

@@ -12,20 +12,11 @@ use faer::linalg::solvers::Solve;
 use linear::Complex64;
 
 use super::MOST_FRICTION;
+use super::newton::root;
 use crate::laws::wall::Wall;
-
-/// Steps of Newton's method, and how often one is halved.
-const STEPS: usize = 40;
-const HALVINGS: usize = 12;
-
-/// By how much an unknown is changed to see what that changes.
-const DIFFERENCE: f64 = 1e-6;
 
 /// At first a wall pushes with this part at least of the force of its size.
 const LEAST_FORCE: f64 = 0.01;
-
-/// Forces balance to this part of their size.
-const BALANCED: f64 = 1e-10;
 
 /// Limits are kept to this part of them.
 const ROUNDING: f64 = 1e-8;
@@ -155,9 +146,9 @@ impl<'a> Contacts<'a> {
 
     /// What the walls leave of the forces that the string needs, in parts of their sizes: along
     /// the radius and along the path of each site.
-    fn left(&self, state: &mut State) -> Vec<f64> {
-        state.touching = self.touching(state);
-        let needed = self.needed(state).into_iter().enumerate();
+    fn left(&self, mut state: State) -> Vec<f64> {
+        state.touching = self.touching(&state);
+        let needed = self.needed(&state).into_iter().enumerate();
         needed
             .flat_map(|(index, needed)| {
                 let normal_force = state.touching[index].normal_force;
@@ -173,43 +164,16 @@ impl<'a> Contacts<'a> {
             rate: self.here.rate,
             ..start
         };
-        let mut left = self.left(&mut state);
-        for _ in 0..STEPS {
-            if size(&left) < BALANCED {
-                return self.is_whirl(&state).then_some(state);
-            }
-            let right = Mat::from_fn(left.len(), 1, |row, _| -left[row]);
-            let step = self.slopes(&state).partial_piv_lu().solve(right);
-            (state, left) = (0..HALVINGS).find_map(|halving| {
-                let mut next = state.clone();
-                for (row, unknown) in unknowns(&mut next).enumerate() {
-                    *unknown += step[(row, 0)] * 0.5_f64.powi(halving as i32);
-                }
-                let next_left = self.left(&mut next);
-                (size(&next_left) < size(&left)).then_some((next, next_left))
-            })?;
-        }
-        None
-    }
-
-    /// How what is left changes with the unknowns, by central differences.
-    fn slopes(&self, state: &State) -> Mat<f64> {
-        let count = 2 * self.set.len();
-        let left = |column: usize, by: f64| {
-            let mut moved = state.clone();
-            unknowns(&mut moved)
-                .skip(column)
-                .take(1)
-                .for_each(|it| *it += by);
-            self.left(&mut moved)
+        let place = unknowns(&mut state).map(|unknown| *unknown).collect();
+        let at = |place: &[f64]| {
+            let mut state = state.clone();
+            (unknowns(&mut state).zip(place)).for_each(|(unknown, value)| *unknown = *value);
+            state
         };
-        let ends: Vec<[Vec<f64>; 2]> = (0..count)
-            .map(|column| [-DIFFERENCE, DIFFERENCE].map(|by| left(column, by)))
-            .collect();
-        Mat::from_fn(count, count, |row, column| {
-            let [before, after] = &ends[column];
-            (after[row] - before[row]) / (2.0 * DIFFERENCE)
-        })
+        let found = root(place, |place| self.left(at(place)))?;
+        let mut state = at(&found);
+        state.touching = self.touching(&state);
+        self.is_whirl(&state).then_some(state)
     }
 
     /// Whether what balances is a whirl: all of the set press, and slide no faster than they would
@@ -241,9 +205,4 @@ impl<'a> Contacts<'a> {
 fn unknowns(state: &mut State) -> impl Iterator<Item = &mut f64> {
     let phases = state.phases.iter_mut().skip(1);
     phases.chain(&mut state.roots).chain([&mut state.friction])
-}
-
-/// Their root of the sum of squares; no number where one is none.
-fn size(left: &[f64]) -> f64 {
-    left.iter().map(|part| part * part).sum::<f64>().sqrt()
 }

@@ -143,7 +143,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
         })
     }
 
-    fn sample(&self, rate: f64) -> Sample {
+    pub(super) fn sample(&self, rate: f64) -> Sample {
         Sample {
             rate,
             sites: self.walls.len(),
@@ -152,7 +152,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
     }
 
     /// Of the mass at an arm (m), N.
-    fn mass_force(&self, here: &Sample, arm: f64) -> f64 {
+    pub(super) fn mass_force(&self, here: &Sample, arm: f64) -> f64 {
         self.mass.mass * here.rate * here.rate * arm
     }
 
@@ -213,7 +213,12 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
     }
 
     /// What the mass must bring to bear for a normal force, and what the wall does.
-    fn forces(&self, here: &Sample, site: usize, normal_force: f64) -> (Complex64, Complex64) {
+    pub(super) fn forces(
+        &self,
+        here: &Sample,
+        site: usize,
+        normal_force: f64,
+    ) -> (Complex64, Complex64) {
         let wall = &self.walls[site];
         let radius = wall.clearance + (normal_force / wall.stiffness).powf(2.0 / 3.0);
         let friction = wall.friction_at(here.rate * (wall.radius + radius));
@@ -232,14 +237,14 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
 }
 
 /// The receptance at a rate.
-struct Sample {
-    rate: f64,
+pub(super) struct Sample {
+    pub rate: f64,
     sites: usize,
     receptance: Vec<Complex64>,
 }
 
 impl Sample {
-    fn between(&self, one: usize, other: usize) -> Complex64 {
+    pub fn between(&self, one: usize, other: usize) -> Complex64 {
         self.receptance[one * self.sites + other]
     }
 }

@@ -13,29 +13,40 @@
 //! radii, phases and the law of the wall play no part, nor that a wall cannot pull where another
 //! pushes: it is a lower bound, and what whirls may need more.
 //!
-//! Two properties of λ make the search over the rates certain.
+//! What makes the search over the rates certain, and short, is that for any r the function r*K(s)r
+//! of the Laplace variable s maps the quarter plane Re s > −σ, Im s > 0 into the upper half plane,
+//! just as the stiffness of one site does ([`super::variation`]), x now being the shape with the
+//! displacements r. So ψ = π − arg r*Kr is harmonic there, and positive. It is arccot of what is
+//! pressed over what is lost, and the least ψ is arccot λ.
 //!
-//! - For any r the function r*K(s)r of the Laplace variable s maps the quarter plane Re s > −σ,
-//!   Im s > 0 into the upper half plane, just as the stiffness of one site does
-//!   ([`super::variation`]), x now being the shape with the displacements r. So
-//!   asinh(−Re r*Kr / Im r*Kr) varies no faster than the hyperbolic distance of the rates, and
-//!   neither does the greatest for any r, asinh λ.
-//! - λ ≤ ω/2σ: of what x*(S + iωC − ω²M)x is, −Re ≤ ω² x*Mx, and Im = ω x*Cx ≥ 2σω x*Mx. That
-//!   is all that a string needs which its wall carries everywhere: friction against its damping.
+//! More is known. With x*Cx = 2σ x*Mx + c and c ≥ 0, and x*Sx ≥ 0 as long as the string does not
+//! buckle,
+//!
+//! x*(s²M + sC + S)x = (s² + 2σs) x*Mx + sc + x*Sx,
+//!
+//! of which no term has a greater argument than s² + 2σs. So ψ exceeds π − arg(s² + 2σs), which is
+//! arccot(ω/2σ) at s = iω, by a function that is harmonic and not negative either. In other words
+//! λ ≤ ω/2σ, which is all that a string needs which its wall carries everywhere, friction against
+//! its damping; and where sites come near that, little can happen between two rates. The **excess**
+//! at two rates bounds that between them ([`Variation::least_harmonic`]).
 
 use linear::Complex64;
 
-use super::pencil::{Hardest, hardest};
+use super::pencil::Pencil;
 use super::variation::Variation;
 use super::{LEAST_DECAY, MOST_FRICTION};
 use crate::laws::wall::Wall;
 
 /// Between the rates that are looked at no λ is greater than the greatest found by more than
 /// this part of it …
-const TOLERANCE: f64 = 0.005;
+const TOLERANCE: f64 = 0.008;
 
 /// … and none is told that is not greater by this part than the last.
-const STEP: f64 = 0.005;
+const STEP: f64 = 0.002;
+
+/// Rates that differ by a smaller part do not differ in what they need, but by rounding: over that
+/// distance, where damping is as light as is looked at, it changes by a thousandth.
+const NEAREST: f64 = 1e-9;
 
 /// Any wall has this friction: less is not looked for.
 const LITTLE_FRICTION: f64 = 0.02;
@@ -68,17 +79,17 @@ pub struct SitesWhirl {
 }
 
 impl<H: Fn(f64) -> Vec<Complex64>> WhirlingSites<H> {
-    /// The least friction of steady whirl over all surface speeds up to one (rad/s), each from its
-    /// own speed to that of the next. No whirl needs less than 1 % less, and none at speeds below
-    /// the first less than 1 % less than [`MOST_FRICTION`]. Once it is less than 0.02, which any
-    /// wall has, lesser ones are not looked for. Empty without damping, as
-    /// [`super::WhirlingSite`] has it.
-    pub fn least_friction(&self, fastest_surface_speed: f64) -> Vec<SitesWhirl> {
+    /// The least friction of steady whirl over a range of surface speeds (rad/s), which may be one:
+    /// first that up to the slowest of them, then each less from its own speed to that of the next.
+    /// No whirl needs less than 1 % less, and none at speeds below the first less than 1 % less than
+    /// [`MOST_FRICTION`]. Once it is less than 0.02, which any wall has, lesser ones are not looked
+    /// for. Empty without damping, as [`super::WhirlingSite`] has it.
+    pub fn least_friction(&self, surface_speeds: [f64; 2]) -> Vec<SitesWhirl> {
         let ratios = self.walls.iter().map(|wall| wall.radius / wall.clearance);
         let ratio = ratios.fold(0.0, f64::max);
-        let fastest = fastest_surface_speed * ratio;
         // At slower rates damping alone needs more.
         let slowest = 2.0 * self.decay_rate / MOST_FRICTION;
+        let [middle, fastest] = surface_speeds.map(|speed| (speed * ratio).max(slowest));
         if self.decay_rate <= LEAST_DECAY * fastest || slowest >= fastest {
             return Vec::new();
         }
@@ -88,9 +99,14 @@ impl<H: Fn(f64) -> Vec<Complex64>> WhirlingSites<H> {
             most: MOST_FRICTION.recip(),
             found: Vec::new(),
         };
-        let ends = [slowest, fastest].map(|rate| search.point(rate));
-        search.add(&ends[0]);
-        search.between([&ends[0], &ends[1]]);
+        let [low, middle] = [slowest, middle].map(|rate| search.point(rate));
+        search.keep(&low);
+        search.keep(&middle);
+        search.of_slower([&low, &middle]);
+        if middle.rate < fastest {
+            let high = search.point(fastest);
+            search.of_faster([&middle, &high]);
+        }
         search.found
     }
 }
@@ -98,9 +114,11 @@ impl<H: Fn(f64) -> Vec<Complex64>> WhirlingSites<H> {
 /// The hardest that is pressed at a rate.
 struct Point {
     rate: f64,
-    /// asinh λ.
-    pressing: f64,
-    hardest: Hardest,
+    pencil: Pencil,
+    /// λ.
+    ratio: f64,
+    /// arccot λ − arccot(ω/2σ).
+    excess: f64,
 }
 
 struct Search<'a, H> {
@@ -115,45 +133,86 @@ struct Search<'a, H> {
 impl<H: Fn(f64) -> Vec<Complex64>> Search<'_, H> {
     fn point(&self, rate: f64) -> Point {
         let receptance = (self.sites.receptance)(rate);
-        let hardest = hardest(&receptance, 0.5 * rate / self.sites.decay_rate);
+        let most = self.most_of_any(rate);
+        let pencil = Pencil::new(&receptance, most);
+        let ratio = pencil.ratio();
         Point {
             rate,
-            pressing: hardest.ratio.asinh(),
-            hardest,
+            excess: arccot(ratio) - arccot(most),
+            pencil,
+            ratio,
         }
     }
 
-    /// Points come from the slowest rate to the fastest.
-    fn add(&mut self, point: &Point) {
-        let ratio = point.hardest.ratio;
-        self.most = self.most.max(ratio);
-        let told = (self.found.last()).map_or(MOST_FRICTION, |whirl| whirl.least_friction);
-        if ratio * told > 1.0 + STEP {
-            self.found.push(SitesWhirl {
-                surface_speed: point.rate / self.ratio,
-                rate: point.rate,
-                least_friction: ratio.recip(),
-                shares: point.hardest.shares.clone(),
-            });
-        }
+    /// ω/2σ.
+    fn most_of_any(&self, rate: f64) -> f64 {
+        0.5 * rate / self.sites.decay_rate
     }
 
-    /// Adds what lies above the first of two points, up to the second, unless it is certain
-    /// that it presses no harder than what is found, but for the tolerance.
-    fn between(&mut self, [low, high]: [&Point; 2]) {
+    /// Whether it is certain that no rate between two points presses harder than what is found, but
+    /// for the tolerance, or what is found is enough. As what is found presses as hard as the first
+    /// of them, that is so of any two that are close.
+    fn is_settled(&self, [low, high]: [&Point; 2]) -> bool {
+        if self.most * LITTLE_FRICTION >= 1.0 || high.rate - low.rate < NEAREST * high.rate {
+            return true;
+        }
         let variation = Variation {
             decay_rate: self.sites.decay_rate,
         };
-        let places = [low, high].map(|point| (point.rate, point.pressing));
-        let [_, greatest] = variation.pressing_range(places);
-        let enough = ((1.0 + TOLERANCE) * self.most).asinh();
-        if greatest <= enough || self.most * LITTLE_FRICTION >= 1.0 {
+        let excess = variation.least_harmonic([low, high].map(|point| (point.rate, point.excess)));
+        let least = arccot(self.most_of_any(high.rate)) + excess;
+        least >= arccot((1.0 + TOLERANCE) * self.most)
+    }
+
+    /// The hardest between two points, if it is harder than what is found. Mostly it is among the
+    /// fastest.
+    fn of_slower(&mut self, [low, high]: [&Point; 2]) {
+        if self.is_settled([low, high]) {
+            return;
+        }
+        let middle = self.point(0.5 * (low.rate + high.rate));
+        self.keep(&middle);
+        self.of_slower([&middle, high]);
+        self.of_slower([low, &middle]);
+    }
+
+    /// Instead of what is found, if it is harder.
+    fn keep(&mut self, point: &Point) {
+        if point.ratio > self.most {
+            self.most = point.ratio;
+            self.found = vec![self.whirl(point)];
+        }
+    }
+
+    /// Adds what lies above the first of two points, up to the second, one harder than the other.
+    fn of_faster(&mut self, [low, high]: [&Point; 2]) {
+        if self.is_settled([low, high]) {
             return self.add(high);
         }
-        // As what is found presses as hard as the first, that is so of any two points that are
-        // close.
         let middle = self.point(0.5 * (low.rate + high.rate));
-        self.between([low, &middle]);
-        self.between([&middle, high]);
+        self.of_faster([low, &middle]);
+        self.of_faster([&middle, high]);
     }
+
+    /// After what is found, if it is harder by a step.
+    fn add(&mut self, point: &Point) {
+        self.most = self.most.max(point.ratio);
+        let told = (self.found.last()).map_or(MOST_FRICTION, |whirl| whirl.least_friction);
+        if point.ratio * told > 1.0 + STEP {
+            self.found.push(self.whirl(point));
+        }
+    }
+
+    fn whirl(&self, point: &Point) -> SitesWhirl {
+        SitesWhirl {
+            surface_speed: point.rate / self.ratio,
+            rate: point.rate,
+            least_friction: point.ratio.recip(),
+            shares: point.pencil.shares(),
+        }
+    }
+}
+
+fn arccot(value: f64) -> f64 {
+    1.0_f64.atan2(value)
 }

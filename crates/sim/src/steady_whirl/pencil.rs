@@ -14,6 +14,7 @@
 //! and with P + (2Λ + 1)ε and Q + ε in place of P and Q the ratio is never too small, as long as
 //! neither is off by more than ε.
 
+use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use linear::Complex64;
 
@@ -22,66 +23,119 @@ use linear::Complex64;
 /// up to half of this when the strings are cut at other places too.
 const ROUNDING: f64 = 3e-11;
 
-/// Forces that press hardest for what they lose.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Hardest {
-    /// By how much more they press than lose; negative where none press.
-    pub ratio: f64,
-    /// What each site does of the pressing, which adds up to one.
-    pub shares: Vec<f64>,
+/// Forces that press less than the hardest by this part are as good as they are …
+const NEAR: f64 = 1e-6;
+
+/// … and so many steps of inverse iteration lead to some.
+const STEPS: usize = 3;
+
+/// The pencil of a receptance.
+#[derive(Debug, Clone)]
+pub(super) struct Pencil {
+    pressing: Mat<f64>,
+    losing: Mat<f64>,
+    /// ε.
+    off: f64,
+    /// Λ.
+    most: f64,
+    /// The greatest ratio; none where it is not found.
+    greatest: Option<f64>,
 }
 
-/// The hardest by a receptance (row by row, m/N) that presses no more than `most` times what it
-/// loses; as hard as that, at all sites alike, where a receptance is no number.
-pub(super) fn hardest(receptance: &[Complex64], most: f64) -> Hardest {
-    forces(receptance, most).unwrap_or_else(|| {
-        let sites = receptance.len().isqrt();
-        Hardest {
-            ratio: most,
-            shares: vec![1.0 / sites as f64; sites],
-        }
-    })
-}
-
-/// None where a matrix is not finite, or its eigenvalues are not found.
-fn forces(receptance: &[Complex64], most: f64) -> Option<Hardest> {
-    let size = receptance.len().isqrt();
-    let entry = |row: usize, column: usize| receptance[row * size + column];
-    let unit = |site: usize| entry(site, site).norm().sqrt().recip();
-    let scaled = |part: fn(Complex64) -> f64| {
-        Mat::from_fn(size, size, |row, column| {
-            -part(entry(row, column)) * unit(row) * unit(column)
-        })
-    };
-    let (pressing, losing) = (scaled(|it| it.re), scaled(|it| it.im));
-    let off = ROUNDING * pressing.norm_l2().hypot(losing.norm_l2());
-    if !off.is_finite() {
-        return None;
+impl Pencil {
+    /// That of a receptance (row by row, m/N) by which forces press no more than `most` times what
+    /// they lose.
+    pub fn new(receptance: &[Complex64], most: f64) -> Self {
+        let size = receptance.len().isqrt();
+        let entry = |row: usize, column: usize| receptance[row * size + column];
+        let unit = |site: usize| entry(site, site).norm().sqrt().recip();
+        let scaled = |part: fn(Complex64) -> f64| {
+            Mat::from_fn(size, size, |row, column| {
+                -part(entry(row, column)) * unit(row) * unit(column)
+            })
+        };
+        let (pressing, losing) = (scaled(|it| it.re), scaled(|it| it.im));
+        let off = ROUNDING * pressing.norm_l2().hypot(losing.norm_l2());
+        let mut pencil = Self {
+            pressing,
+            losing,
+            off,
+            most,
+            greatest: None,
+        };
+        pencil.greatest = pencil.greatest();
+        pencil
     }
-    let losses = losing.self_adjoint_eigen(Side::Lower).ok()?;
-    // Forces that lose one each.
-    let basis = Mat::from_fn(size, size, |row, column| {
-        let loss = losses.S()[column].max(0.0) + off;
-        losses.U()[(row, column)] / loss.sqrt()
-    });
-    let more = (2.0 * most + 1.0) * off;
-    let raised = Mat::from_fn(size, size, |row, column| {
-        let diagonal = if row == column { more } else { 0.0 };
-        pressing[(row, column)] + diagonal
-    });
-    let pressings = (basis.transpose() * raised * &basis)
-        .self_adjoint_eigen(Side::Lower)
-        .ok()?;
-    // They rise.
-    let greatest = size - 1;
-    let forces = &basis * pressings.U().col(greatest);
-    let displacements = &pressing * &forces;
-    let works: Vec<f64> = (0..size)
-        .map(|site| forces[site] * displacements[site])
-        .collect();
-    let whole: f64 = works.iter().sum();
-    Some(Hardest {
-        ratio: pressings.S()[greatest].min(most),
-        shares: works.into_iter().map(|work| work / whole).collect(),
+
+    /// By how much more the hardest forces press than lose; negative where none press. As much
+    /// as any could where that is not found, because a receptance is no number.
+    pub fn ratio(&self) -> f64 {
+        (self.greatest).map_or(self.most, |greatest| greatest.min(self.most))
+    }
+
+    /// What each site does of the pressing of forces that press as hard, which adds up to one;
+    /// all alike where these are not found.
+    pub fn shares(&self) -> Vec<f64> {
+        let size = self.losing.nrows();
+        let alike = Mat::from_fn(size, 1, |_, _| 1.0);
+        let works = self.forces().map_or(alike, |forces| {
+            let displacements = &self.pressing * &forces;
+            Mat::from_fn(size, 1, |site, _| {
+                forces[(site, 0)] * displacements[(site, 0)]
+            })
+        });
+        let works: Vec<f64> = works.col(0).iter().copied().collect();
+        let whole: f64 = works.iter().sum();
+        works.into_iter().map(|work| work / whole).collect()
+    }
+
+    /// Forces at the sites that press as hard as any, with each site in its unit; none where they are
+    /// not found. By inverse iteration, from forces that are not symmetric.
+    pub fn forces(&self) -> Option<Mat<f64>> {
+        let ratio = self.greatest? * (1.0 + NEAR);
+        let losing = self.raised_losing();
+        let gap = faer::Scale(ratio) * &losing - self.raised_pressing();
+        let gap = gap.partial_piv_lu();
+        let size = losing.nrows();
+        let start = Mat::from_fn(size, 1, |site, _| (size + site) as f64);
+        let forces = (0..STEPS).fold(start, |forces, _| {
+            let next = gap.solve(&losing * forces);
+            faer::Scale(next.norm_l2().recip()) * next
+        });
+        forces.norm_l2().is_finite().then_some(forces)
+    }
+
+    /// P + (2Λ + 1)ε.
+    fn raised_pressing(&self) -> Mat<f64> {
+        raised(&self.pressing, (2.0 * self.most + 1.0) * self.off)
+    }
+
+    /// Q + ε.
+    fn raised_losing(&self) -> Mat<f64> {
+        raised(&self.losing, self.off)
+    }
+
+    /// The greatest eigenvalue; none where a matrix is not finite, losses are not positive, or the
+    /// eigenvalues are not found.
+    fn greatest(&self) -> Option<f64> {
+        if !self.off.is_finite() {
+            return None;
+        }
+        // With Q = LLᵀ those of L⁻¹PL⁻ᵀ.
+        let losses = self.raised_losing().llt(Side::Lower).ok()?;
+        let mut reduced = self.raised_pressing();
+        losses.L().solve_lower_triangular_in_place(&mut reduced);
+        let mut reduced = reduced.transpose().to_owned();
+        losses.L().solve_lower_triangular_in_place(&mut reduced);
+        // They rise.
+        let ratios = reduced.self_adjoint_eigenvalues(Side::Lower).ok()?;
+        ratios.last().copied()
+    }
+}
+
+/// A matrix with more on its diagonal.
+fn raised(matrix: &Mat<f64>, by: f64) -> Mat<f64> {
+    Mat::from_fn(matrix.nrows(), matrix.ncols(), |row, column| {
+        matrix[(row, column)] + if row == column { by } else { 0.0 }
     })
 }

@@ -15,6 +15,9 @@
 /// Rounding hides a smaller part of a stiffness than this.
 const LEAST_LOSS: f64 = 1e-9;
 
+/// A positive harmonic function is bent by this part of itself at most, along the rates.
+const MOST_BENDING: f64 = 1.125;
+
 /// The dynamic stiffness at a rate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sample {
@@ -50,6 +53,38 @@ impl Variation {
         let (width, sum) = ((one - other).abs(), one + other);
         let moved = width * (2.0 * self.decay_rate).hypot(sum);
         2.0 * (moved / (4.0 * self.decay_rate * (one * other).sqrt())).asinh()
+    }
+
+    /// The least that a positive harmonic function on the quarter plane, or the least of several,
+    /// can be between two rates, each with its value there.
+    ///
+    /// Such a function is a sum of Poisson kernels P. Along a path of unit speed and of the curvature
+    /// κ, in the hyperbolic metric, P″ = (1 − 2 sin²β − κ sin β) P at the angle β to a kernel's
+    /// gradient, which is no more than (1 + κ²/8) P. The path of the rates has
+    /// κ = (1 + σ²/ω²)^(−3/2) < 1. So the function is no less than what solves y″ = 9/8 y with the
+    /// same ends; and as y depends on each end by a positive factor, neither is the least of
+    /// several.
+    pub fn least_harmonic(&self, [a, b]: [(f64, f64); 2]) -> f64 {
+        let length = MOST_BENDING.sqrt() * self.length(a.0, b.0);
+        let [a, b] = [a.1, b.1];
+        if a.max(b) >= a.min(b) * length.cosh() {
+            return a.min(b);
+        }
+        // y falls from both ends.
+        let [even, odd] = [
+            0.5 * (a + b) / (0.5 * length).cosh(),
+            0.5 * (a - b) / (0.5 * length).sinh(),
+        ];
+        ((even - odd) * (even + odd)).sqrt()
+    }
+
+    /// How long the path of the rates is from one to the other.
+    fn length(&self, one: f64, other: f64) -> f64 {
+        let place = |rate: f64| {
+            let ratio = rate / self.decay_rate;
+            ratio.hypot(1.0) - ratio.recip().asinh()
+        };
+        (place(one) - place(other)).abs()
     }
 
     /// The least and the greatest that [`Sample::pressing`] can be between two rates, each with

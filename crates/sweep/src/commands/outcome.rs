@@ -106,6 +106,9 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     if let Some(trace) = &manifest.trace {
         text += &traced(trace);
     }
+    if let Some(contact) = &manifest.forward_contact {
+        text += &wrapped(&contact.words(manifest.sweep.units), 2, 4);
+    }
     if manifest.tally.failed > 0 {
         let failed = manifest.tally.failed;
         let rows = counted(rows, "row");

@@ -3,7 +3,9 @@
 use super::terminal::Terminal;
 use crate::cli::MemoryArguments;
 use crate::engine::{Log, MethodSystem};
+use crate::output::MOST_SITES;
 use crate::plan::Sweep;
+use crate::quantities::Axis;
 use crate::words::counted;
 
 /// Warns of an amount of memory that the cluster allots and cannot mean.
@@ -20,6 +22,19 @@ pub fn warn_of_string(sweep: &Sweep, terminal: Terminal) {
     }
     for doubt in (sweep.sheet.iter()).flat_map(|sheet| sheet.doubts(sweep.content.units)) {
         terminal.complain(&format!("warning: {doubt}"));
+    }
+}
+
+/// Says which limit of whirl is not looked for.
+pub fn warn_of_limits(sweep: &Sweep, terminal: Terminal) {
+    let sites = sweep.setting.sites.len();
+    let has_limit =
+        sweep.setting.lateral.is_some() && sweep.design.axes().contains(&Axis::FRICTION);
+    if has_limit && sites > MOST_SITES {
+        terminal.complain(&format!(
+            "note: what friction whirl of any sites together needs is not looked for: there are {sites} \
+             sites, more than {MOST_SITES}"
+        ));
     }
 }
 

@@ -12,7 +12,7 @@ use super::traced::TracedMap;
 use super::words;
 use super::{measures, misfits};
 use crate::limits::TracedLimits;
-use crate::output::{Curve, Manifest, Motion, ResultTables};
+use crate::output::{Curve, ForwardContact, Manifest, Motion, ResultTables};
 use crate::plan::MapMark;
 use crate::plot::{self, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
 use crate::quantities::Axis;
@@ -40,7 +40,7 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
         extent: Extent::of(&labels, axes, others, units)?,
         labels,
         traced,
-        curves: tables.boundary()?.curves(&manifest.axes),
+        curves: curves(tables)?,
     };
     let (marks, left_out) = map.marks(&settings.marks);
     let motions = map.extent.motions.iter();
@@ -63,6 +63,15 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
     };
     show_in(&mut sheet, axes.map(|axis| axis.unit(units)));
     map_sheet(&sheet).map(Some)
+}
+
+/// The limits of a folder: those of `boundary.csv`, and that of forward motion.
+fn curves(tables: &ResultTables) -> Result<Vec<Curve>> {
+    let manifest = &tables.manifest;
+    let mut curves = tables.boundary()?.curves(&manifest.axes);
+    let forward = manifest.forward_contact.as_ref();
+    curves.extend(forward.and_then(ForwardContact::curve));
+    Ok(curves)
 }
 
 /// What a map is made from.

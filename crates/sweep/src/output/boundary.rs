@@ -11,10 +11,11 @@ use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use serde::Deserialize;
 
 use super::many_sites_limit::many_sites_limit;
+use super::sliding_together::sliding_together;
 use super::whirl_limit::{WhirlPoint, whirl_limit};
 use crate::engine::MethodSystem;
 use crate::plan::{Bit, LateralSettings, Sweep, TorqueError, to_rpm};
-use crate::quantities::Axis;
+use crate::quantities::{Axis, WallQuantity};
 use crate::text_file::unreadable;
 
 /// Points of the line between the ends of an axis.
@@ -96,12 +97,13 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
     }
 }
 
-fn position(sweep: &Sweep, is_wanted: impl Fn(Axis) -> bool) -> Option<usize> {
+/// The place of an axis among those of the design.
+pub(super) fn position(sweep: &Sweep, is_wanted: impl Fn(Axis) -> bool) -> Option<usize> {
     sweep.design.axes().iter().position(|&axis| is_wanted(axis))
 }
 
 /// The least and the greatest value of an axis.
-fn range_of_axis(sweep: &Sweep, position: usize) -> [f64; 2] {
+pub(super) fn range_of_axis(sweep: &Sweep, position: usize) -> [f64; 2] {
     let values = (0..sweep.design.cases()).map(|case| sweep.design.values(case)[position]);
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], value| {
         [from.min(value), to.max(value)]
@@ -202,7 +204,26 @@ fn whirl_points(
         return Ok(Vec::new());
     };
     let mut points = whirl_limit(&sweep.setting, lateral, range)?;
+    if lateral.finding.is_some() {
+        // Each case touches at others too.
+        return Ok(points);
+    }
     points.extend(many_sites_limit(&sweep.setting, lateral, range)?);
+    // What slides has less friction than the axis says where that falls.
+    let falls = |axis| {
+        use WallQuantity::DynamicRatio as Ratio;
+        matches!(
+            axis,
+            Axis::Wall(Ratio)
+                | Axis::WallAtSite {
+                    quantity: Ratio,
+                    ..
+                }
+        )
+    };
+    if position(sweep, falls).is_none() {
+        points.extend(sliding_together(&sweep.setting, lateral, range)?);
+    }
     Ok(points)
 }
 
@@ -289,7 +310,8 @@ mod tests {
              normal_force_kn,branch,motion,least,sites_from_bit_m\n\
              60,1.5,0,16,9,34,0,rolling,true,0\n\
              60,1.2,0,16,9,34,,rolling_or_sliding,true,0\n\
-             60,0.2,50,,8,,,any_sites,true,0;50\n",
+             60,0.2,50,,8,,,any_sites,true,0;50\n\
+             60,0.4,50,,6,,,sliding_together,true,0;50\n",
         );
         let Boundary::Whirl(points) = &boundary else {
             panic!("{boundary:?}");

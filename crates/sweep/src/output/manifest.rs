@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::certainty::CertifiedBy;
+use super::forward_contact::ForwardContact;
 use super::tally::Tally;
 use super::trace_summary::TraceSummary;
 use crate::design::{Design, TraceDesign};
@@ -66,6 +67,10 @@ pub struct Manifest {
     /// What certifies its labels, where it does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certified_by: Option<CertifiedBy>,
+    /// From which surface speed on an eccentric mass brings the string to its wall, where that is
+    /// known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub forward_contact: Option<ForwardContact>,
     /// What came out.
     #[serde(flatten)]
     pub tally: Tally,
@@ -154,6 +159,7 @@ impl Manifest {
             options,
             methods: systems.iter().map(MethodRecord::of).collect(),
             certified_by: CertifiedBy::of(sweep),
+            forward_contact: ForwardContact::of(sweep)?,
             tally: Tally::default(),
             files: BTreeMap::new(),
             trace: None,

@@ -9,15 +9,16 @@ use sim::{SitesWhirl, WhirlingSites};
 use super::whirl_limit::{WhirlMotion, WhirlPoint};
 use crate::plan::{LateralSettings, Setting, to_rpm};
 
-/// With more sites it takes minutes, as the cube of their number.
-const MOST_SITES: usize = 64;
+/// With more sites it would take longer than the ten seconds that these take over threefold surface
+/// speeds, as the cube of their number.
+pub const MOST_SITES: usize = 300;
 
 /// A site that does a smaller part of the work than this is not named.
 const LEAST_SHARE: f64 = 0.05;
 
 /// The limit between two surface speeds (rpm), which may be the same: a staircase that falls.
-/// Without points where there is but one site or more than 64, where sites are found, or where any
-/// whirl needs more friction than any wall has.
+/// Without points where there is but one site or more than [`MOST_SITES`], or where any whirl needs
+/// more friction than any wall has.
 ///
 /// # Errors
 /// Where a site is not on the string.
@@ -27,22 +28,13 @@ pub fn many_sites_limit(
     range_rpm: [f64; 2],
 ) -> Result<Vec<WhirlPoint>, DrillstringError> {
     let Setting { string, sites, .. } = setting;
-    // Each case has others where they are found.
-    let are_found = lateral.finding.is_some();
-    if are_found || !(2..=MOST_SITES).contains(&sites.len()) {
+    if !(2..=MOST_SITES).contains(&sites.len()) {
         return Ok(Vec::new());
     }
     let network = BendingNetwork::new(string, lateral.bending, lateral.support, sites)?;
-    let whirling = WhirlingSites {
-        // Friction plays no part.
-        walls: (lateral.walls.iter())
-            .map(|wall| wall.with_friction(0.0))
-            .collect(),
-        receptance: |rate: f64| -> Vec<Complex64> { network.at_rate(rate).entries().to_vec() },
-        decay_rate: bending_decay_rate(string, &lateral.bending),
-    };
+    let whirling = whirling_sites(setting, lateral, &network);
     let [slowest, fastest] = range_rpm;
-    let whirls = whirling.least_friction(fastest / to_rpm(1.0));
+    let whirls = whirling.least_friction(range_rpm.map(|speed| speed / to_rpm(1.0)));
     let places = sites.distances_from_bit();
     let mut points: Vec<WhirlPoint> = Vec::new();
     let mut last: Option<&SitesWhirl> = None;
@@ -67,6 +59,22 @@ pub fn many_sites_limit(
         points.push(point(last, fastest, places));
     }
     Ok(points)
+}
+
+/// The sites of a string, by the receptance of its waves.
+pub(super) fn whirling_sites<'a>(
+    setting: &Setting,
+    lateral: &LateralSettings,
+    network: &'a BendingNetwork,
+) -> WhirlingSites<impl Fn(f64) -> Vec<Complex64> + Sync + 'a> {
+    WhirlingSites {
+        // Friction plays no part.
+        walls: (lateral.walls.iter())
+            .map(|wall| wall.with_friction(0.0))
+            .collect(),
+        receptance: |rate: f64| network.at_rate(rate).entries().to_vec(),
+        decay_rate: bending_decay_rate(&setting.string, &lateral.bending),
+    }
 }
 
 /// The least at a surface speed (rpm), with sites at these distances from the bit (m).

@@ -27,6 +27,8 @@ pub enum WhirlMotion {
     RollingOrSliding,
     /// Of any sites, alone or together, it rolls or slides.
     AnySites,
+    /// Of sites that slide, alone or together: there is whirl with this friction.
+    SlidingTogether,
 }
 
 impl WhirlMotion {
@@ -36,6 +38,7 @@ impl WhirlMotion {
             WhirlMotion::Rolling => "rolling",
             WhirlMotion::RollingOrSliding => "rolling_or_sliding",
             WhirlMotion::AnySites => "any_sites",
+            WhirlMotion::SlidingTogether => "sliding_together",
         }
     }
 }

@@ -323,7 +323,13 @@ fn limits(all: &[Results]) -> Vec<Block> {
         table.rows.extend(limits.checks.iter().map(limit_row));
         Block::Table(table)
     };
-    all.iter().map(of_folder).collect()
+    let forward = |results: &Results| {
+        let contact = results.manifest.forward_contact.as_ref()?;
+        let words = contact.words(results.manifest.sweep.units);
+        Some(note(all, results, format!("Forward whirl: {words}.")))
+    };
+    let blocks = all.iter().map(of_folder);
+    blocks.chain(all.iter().filter_map(forward)).collect()
 }
 
 fn limit_row(check: &LimitCheck) -> Vec<String> {

@@ -1,5 +1,6 @@
 //! The linear system of a sweep in words and numbers.
 
+use anyhow::Result;
 use linear::estimates::{
     largest_undershoot, torsional_decay_rate, torsional_stiffness, torsional_travel_time,
     torsional_wave_left,
@@ -7,6 +8,7 @@ use linear::estimates::{
 
 use crate::design::Design;
 use crate::engine::{MethodSystem, Survey, is_unstable};
+use crate::output::ForwardContact;
 use crate::plan::{Choice, POUND_PER_FOOT, Sweep};
 use crate::quantities::{FORCE, IMPULSE, INCH, LENGTH, TORQUE, Unit, Units};
 use crate::sweep_file::{AutoOr, per_cent};
@@ -220,6 +222,16 @@ fn method_lines(system: &MethodSystem, units: Units) -> String {
         }
     }
     text
+}
+
+/// From which surface speed on an eccentric mass brings the string to its wall, where that is known.
+///
+/// # Errors
+/// Where a site is not on the string.
+pub fn describe_forward_contact(sweep: &Sweep) -> Result<String> {
+    let words = ForwardContact::of(sweep)?.map(|contact| contact.words(sweep.content.units));
+    let text = |words: String| format!("\neccentric mass\n{}", wrapped(&words, 2, 2));
+    Ok(words.map_or_else(String::new, text))
 }
 
 /// What is left out of the scene.

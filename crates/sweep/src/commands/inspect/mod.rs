@@ -19,14 +19,15 @@ use super::prepare::{build_systems, read_sweep, survey_cases};
 use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::{warn_of_overshoot, warn_of_string};
+use super::warnings::{warn_of_limits, warn_of_overshoot, warn_of_string};
 use crate::cli::InspectArguments;
 use crate::engine::{add_finer, compare_fronts};
 use crate::memory::{Demand, Purpose, admit};
 use axial_force::describe_axial_force;
 use clearances::describe_clearances;
 use description::{
-    describe_left_out, describe_methods, describe_string, describe_well, describe_work,
+    describe_forward_contact, describe_left_out, describe_methods, describe_string, describe_well,
+    describe_work,
 };
 use modes::show_modes;
 use responses::response_picture;
@@ -39,6 +40,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     // With other methods than a run may have, what it costs is that of one without certificates.
     let sweep = sweep.clone().for_run().unwrap_or(sweep);
     warn_of_string(&sweep, terminal);
+    warn_of_limits(&sweep, terminal);
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     let survey = survey_cases(&arguments.file, &sweep)?;
     // Those that a run builds.
@@ -71,6 +73,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         describe_well(&sweep),
         describe_clearances(&sweep),
         describe_axial_force(&sweep)?,
+        describe_forward_contact(&sweep)?,
         (drive.as_ref()).map_or_else(String::new, |drive| drive.words(sweep.content.units)),
         modes,
         describe_methods(&systems, sweep.content.units),

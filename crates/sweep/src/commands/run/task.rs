@@ -10,7 +10,7 @@ use crate::commands::prepare::{read_sweep, survey_cases};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 
-use crate::commands::warnings::warn_of_string;
+use crate::commands::warnings::{warn_of_limits, warn_of_string};
 use crate::design::Design;
 use crate::engine::{Header, Log, Shard, Survey};
 use crate::output::{Manifest, fingerprint};
@@ -51,6 +51,7 @@ impl<'a> Task<'a> {
         }
         if !quiet {
             warn_of_string(&sweep, terminal);
+            warn_of_limits(&sweep, terminal);
         }
         let shard = arguments.shard.unwrap_or(Shard::WHOLE);
         if matches!(sweep.design, Design::Trace(_)) && !shard.is_whole() {
