@@ -4,6 +4,7 @@
 pub mod analyse;
 pub mod check;
 mod choosing;
+pub mod contacts;
 mod cost;
 mod csv_table;
 mod drawing;
