@@ -9,6 +9,7 @@ mod cost;
 mod csv_table;
 mod drawing;
 mod folder;
+mod idle_axis;
 pub mod inspect;
 pub mod merge;
 pub mod new;

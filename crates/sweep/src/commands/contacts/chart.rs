@@ -49,7 +49,11 @@ fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
         });
         let point = (row.contacts as f64, friction.unwrap_or(f64::NAN));
         // Rows of one number of contacts have the same bounds.
-        if series[place].points.last().is_none_or(|last| last.0 != point.0) {
+        if series[place]
+            .points
+            .last()
+            .is_none_or(|last| last.0 != point.0)
+        {
             series[place].points.push(point);
         }
     };

@@ -46,7 +46,14 @@ pub fn contacts(arguments: &ContactsArguments, terminal: Terminal) -> Result<Sta
     let lowest = arguments.from_m;
     save_picture(&arguments.out, "contacts_limit", &chart(&rows, lowest)?)?;
     if !arguments.quiet {
-        say(&summary(&rows, lowest))?;
+        let place = format!(
+            "\ncontacts.csv, contacts_limit.svg and contacts_limit.png are in {}\n",
+            arguments.out.display()
+        );
+        say(&(summary(&rows, lowest) + &place))?;
+    }
+    if rows.iter().any(|row| row.limit.is_err()) {
+        return Ok(Status::SomeFailed);
     }
     Ok(Status::Complete)
 }

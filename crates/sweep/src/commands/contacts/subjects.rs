@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::{Result, bail};
 
 use crate::cli::ContactsArguments;
+use crate::commands::idle_axis::refuse_idle_axis;
 use crate::commands::prepare::unique;
 use crate::commands::status::UsageError;
 use crate::plan::Sweep;
@@ -55,10 +56,16 @@ fn subject(
         if let Some(refusal) = refusal {
             bail!(UsageError(format!("--set {}: {refusal}", axis.name())));
         }
+        refuse_idle_axis(&sweep, axis)?;
     }
     let first_impulse = sweep.content.impulses.first();
     let first_impulse = first_impulse.map(|impulse| impulse.distance_from_bit_m);
-    let usual = || [Some(range.from), first_impulse].into_iter().flatten().collect();
+    let usual = || {
+        [Some(range.from), first_impulse]
+            .into_iter()
+            .flatten()
+            .collect()
+    };
     let knocked_at: Vec<f64> = arguments.knock_at.clone().unwrap_or_else(usual);
     let set = arguments.set.iter().copied();
     let subject = Subject {

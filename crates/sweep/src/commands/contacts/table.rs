@@ -13,7 +13,9 @@ pub fn columns(row: &Row) -> [(&'static str, String); 22] {
     let whirl = lasts.map(|(_, whirl)| whirl);
     let count = |value: Option<usize>| number(value.map(|value| value as f64));
     let (kind, knocked_at, ratio, per_metre) = match row.blow {
-        Blow::Knock { from_bit, ratio, .. } => ("knock", Some(from_bit), Some(ratio), None),
+        Blow::Knock {
+            from_bit, ratio, ..
+        } => ("knock", Some(from_bit), Some(ratio), None),
         Blow::Along { per_metre, .. } => ("along", None, None, Some(per_metre)),
     };
     [
@@ -27,7 +29,10 @@ pub fn columns(row: &Row) -> [(&'static str, String); 22] {
         ("knock_ratio", number(ratio)),
         ("impulse_n_s_m", number(per_metre)),
         ("impulse_n_s", row.blow.amount().to_string()),
-        ("friction_whirls", number(lasts.map(|(friction, _)| friction))),
+        (
+            "friction_whirls",
+            number(lasts.map(|(friction, _)| friction)),
+        ),
         (
             "friction_does_not",
             number(limit.and_then(|limit| limit.does_not)),
@@ -50,17 +55,24 @@ pub fn columns(row: &Row) -> [(&'static str, String); 22] {
         ("bound_any_sites", number(row.bounds.any_sites)),
         ("bound_one_site", number(row.bounds.one_site)),
         ("bound_carried", row.bounds.carried.to_string()),
-        ("note", row.limit.as_ref().err().cloned().unwrap_or_default()),
+        (
+            "note",
+            row.limit.as_ref().err().cloned().unwrap_or_default(),
+        ),
     ]
 }
 
 /// What a blow is called, whatever the string.
 pub fn blow_name(blow: &Blow, lowest: f64) -> String {
     match blow {
-        Blow::Knock { from_bit, ratio, .. } if *from_bit == lowest => {
+        Blow::Knock {
+            from_bit, ratio, ..
+        } if *from_bit == lowest => {
             format!("{ratio} I₀ at lowest contact")
         }
-        Blow::Knock { from_bit, ratio, .. } => format!("{ratio} I₀ at {from_bit} m"),
+        Blow::Knock {
+            from_bit, ratio, ..
+        } => format!("{ratio} I₀ at {from_bit} m"),
         Blow::Along { per_metre, .. } => format!("{per_metre} N s/m all along"),
     }
 }

@@ -64,6 +64,9 @@ mod tests {
 
     #[test]
     fn other_places_are_added_once() {
-        assert_eq!(with_others(&[5.0, 55.0], &[55.0004, 7.0, 7.0]), [5.0, 55.0, 7.0]);
+        assert_eq!(
+            with_others(&[5.0, 55.0], &[55.0004, 7.0, 7.0]),
+            [5.0, 55.0, 7.0]
+        );
     }
 }

@@ -114,6 +114,9 @@ mod tests {
     #[test]
     fn a_friction_without_an_answer_leaves_none() {
         let scanned = scan().map(|it| (it, (it > 1.0).then_some(()))).collect();
-        assert_eq!(Least::<()>::find(scanned, |_| Err("no answer")), Err("no answer"));
+        assert_eq!(
+            Least::<()>::find(scanned, |_| Err("no answer")),
+            Err("no answer")
+        );
     }
 }

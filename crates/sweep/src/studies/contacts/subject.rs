@@ -66,7 +66,7 @@ pub enum SubjectError {
         /// Its length, m.
         length: f64,
     },
-    /// There is nothing to compare.
+    /// It is no number of contacts that can be simulated.
     #[error("{count} contacts: at least one is needed, and {most} at most")]
     Count {
         /// How many were asked for.
@@ -74,7 +74,7 @@ pub enum SubjectError {
         /// How many there may be.
         most: usize,
     },
-    /// Contacts would be one another's.
+    /// Contacts would be nearer than they can be.
     #[error("{count} contacts within {length} m are nearer than {LEAST_SPACING} m")]
     TooNear {
         /// How many were asked for.
@@ -238,7 +238,10 @@ impl Subject {
             knocks.extend(self.knocks.iter().map(knock));
         }
         let range = self.range;
-        let along = self.blows.iter().map(|&per_metre| Blow::Along { per_metre, range });
+        let along = self
+            .blows
+            .iter()
+            .map(|&per_metre| Blow::Along { per_metre, range });
         Ok([knocks, along.collect()])
     }
 

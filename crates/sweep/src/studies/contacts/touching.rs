@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use linear::Method;
 use rayon::prelude::*;
 use sim::{LateralRegime, SimulationError, Stopping, Trajectory};
@@ -28,7 +28,7 @@ pub struct Whirl {
     pub turns_per_s: f64,
     /// Which contact that is, m from the bit.
     pub from_bit: f64,
-    /// How much of its friction's steps it rolls.
+    /// The part of its contact in which it rolls.
     pub rolling_fraction: f64,
 }
 
@@ -114,9 +114,13 @@ impl<'a> Touching<'a> {
     }
 
     /// The least friction at which whirl lasts after each blow, all of them at once; `tick` is
-    /// told of every simulation. A blow has no answer where one of its cases has none.
+    /// told of every simulation. A blow has no answer where one of its cases has none, or the method
+    /// chatters where a site sticks.
     pub fn limits(&self, blows: &[Blow], tick: &(dyn Fn() + Sync)) -> Vec<Result<Least<Whirl>>> {
         let seen = |blow: &Blow, friction: f64| -> Result<Option<Whirl>> {
+            if let Some(instability) = self.system.instability() {
+                bail!("{instability}");
+            }
             let whirl = self.whirl(&self.case(blow, friction)?)?;
             tick();
             Ok(whirl)
