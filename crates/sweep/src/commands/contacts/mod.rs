@@ -14,11 +14,11 @@ use super::progress::Progress;
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::warn_of_memory;
+use super::warnings::{warn_of_memory, warn_of_string};
 use crate::cli::ContactsArguments;
 use crate::memory::Size;
 use crate::output::write_atomically;
-use crate::studies::contacts::{Subject, memory, simulations, study};
+use crate::studies::contacts::{Row, Subject, memory, simulations, study};
 use chart::chart;
 use subjects::subjects;
 use table::{columns, summary};
@@ -29,6 +29,10 @@ pub fn contacts(arguments: &ContactsArguments, terminal: Terminal) -> Result<Sta
     warn_of_memory(&arguments.work.memory, terminal);
     let subjects = subjects(arguments)?;
     for subject in &subjects {
+        // What is shipped is known to be as it is.
+        if arguments.file.is_some() {
+            warn_of_string(&subject.sweep, terminal);
+        }
         admit(subject, arguments)?;
     }
     make_folder(&arguments.out)?;
@@ -38,7 +42,7 @@ pub fn contacts(arguments: &ContactsArguments, terminal: Terminal) -> Result<Sta
         .map(|subject| study(subject, &|| progress.tick()))
         .collect();
     progress.finish();
-    let rows = studied?.concat();
+    let rows: Vec<Row> = studied?.into_iter().flatten().collect();
     write_atomically(
         &arguments.out.join("contacts.csv"),
         &csv_table(rows.iter().map(columns))?,

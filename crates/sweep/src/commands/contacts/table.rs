@@ -7,11 +7,9 @@ use crate::words::short;
 
 /// The columns of the table: their names, and what a row has there.
 pub fn columns(row: &Row) -> [(&'static str, String); 22] {
-    let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
     let limit = row.limit.as_ref().ok();
     let lasts = limit.and_then(|limit| limit.lasts);
     let whirl = lasts.map(|(_, whirl)| whirl);
-    let count = |value: Option<usize>| number(value.map(|value| value as f64));
     let (kind, knocked_at, ratio, per_metre) = match row.blow {
         Blow::Knock {
             from_bit, ratio, ..
@@ -25,41 +23,46 @@ pub fn columns(row: &Row) -> [(&'static str, String); 22] {
         ("contacts", row.contacts.to_string()),
         ("spacing_m", row.spacing.to_string()),
         ("blow", kind.to_owned()),
-        ("knocked_at_m", number(knocked_at)),
-        ("knock_ratio", number(ratio)),
-        ("impulse_n_s_m", number(per_metre)),
+        ("knocked_at_m", known(knocked_at)),
+        ("knock_ratio", known(ratio)),
+        ("impulse_n_s_m", known(per_metre)),
         ("impulse_n_s", row.blow.amount().to_string()),
         (
             "friction_whirls",
-            number(lasts.map(|(friction, _)| friction)),
+            known(lasts.map(|(friction, _)| friction)),
         ),
         (
             "friction_does_not",
-            number(limit.and_then(|limit| limit.does_not)),
+            known(limit.and_then(|limit| limit.does_not)),
         ),
-        ("scanned_above", count(limit.map(|limit| limit.above))),
+        ("scanned_above", known(limit.map(|limit| limit.above))),
         (
             "scanned_above_without_whirl",
-            count(limit.map(|limit| limit.above_without)),
+            known(limit.map(|limit| limit.above_without)),
         ),
         (
             "precession_turns_per_s",
-            number(whirl.map(|whirl| whirl.turns_per_s)),
+            known(whirl.map(|whirl| whirl.turns_per_s)),
         ),
-        ("site_from_bit_m", number(whirl.map(|whirl| whirl.from_bit))),
+        ("site_from_bit_m", known(whirl.map(|whirl| whirl.from_bit))),
         (
             "rolling_fraction",
-            number(whirl.map(|whirl| whirl.rolling_fraction)),
+            known(whirl.map(|whirl| whirl.rolling_fraction)),
         ),
-        ("share_touching", number(row.share_touching)),
-        ("bound_any_sites", number(row.bounds.any_sites)),
-        ("bound_one_site", number(row.bounds.one_site)),
+        ("share_touching", known(row.share_touching)),
+        ("bound_any_sites", known(row.bounds.any_sites)),
+        ("bound_one_site", known(row.bounds.one_site)),
         ("bound_carried", row.bounds.carried.to_string()),
         (
             "note",
             row.limit.as_ref().err().cloned().unwrap_or_default(),
         ),
     ]
+}
+
+/// A field that may be empty.
+fn known<T: ToString>(value: Option<T>) -> String {
+    value.map_or_else(String::new, |value| value.to_string())
 }
 
 /// What a blow is called, whatever the string.
@@ -100,8 +103,8 @@ pub fn summary(rows: &[Row], lowest: f64) -> String {
             },
         };
         let place = counts.binary_search(&row.contacts).unwrap_or(0);
-        let known = lines.iter().position(|(known, _)| *known == name);
-        let line = known.unwrap_or_else(|| {
+        let line = lines.iter().position(|(other, _)| *other == name);
+        let line = line.unwrap_or_else(|| {
             lines.push((name, vec![String::new(); counts.len()]));
             lines.len() - 1
         });

@@ -50,6 +50,11 @@ impl Blow {
         }
     }
 
+    /// Where a blow along a range hits, m from the bit.
+    pub fn places_along(range: &Range) -> Vec<f64> {
+        range.even(PLACES)
+    }
+
     /// Where it hits (m from the bit), and with what (N s).
     pub fn impulses(&self) -> Vec<(f64, f64)> {
         match self {
@@ -58,7 +63,7 @@ impl Blow {
             } => vec![(*from_bit, *amount)],
             Blow::Along { range, .. } => {
                 let part = self.amount() / PLACES as f64;
-                let places = range.even(PLACES).into_iter();
+                let places = Self::places_along(range).into_iter();
                 places.map(|place| (place, part)).collect()
             }
         }

@@ -24,10 +24,11 @@ use anyhow::Result;
 use linear::Method;
 
 use bounds::bounds;
+use places::with_others;
 use touching::Touching;
 
 /// What was found of some contacts, a blow and a method.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Row {
     /// Name of the string.
     pub string: String,
@@ -61,14 +62,14 @@ pub fn simulations(subject: &Subject) -> usize {
 /// # Errors
 /// Where a method cannot treat it.
 pub fn study(subject: &Subject, tick: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
-    let groups = subject.blows()?;
+    let (hit_places, blows) = (subject.hit_places(), subject.blows()?);
     let mut rows = Vec::new();
     for &count in &subject.counts {
         let bounds = bounds(subject, count)?;
         for &method in &subject.sweep.methods {
-            // Those along the range have sites of their own, which cost time.
-            for blows in groups.iter().filter(|blows| !blows.is_empty()) {
-                let touching = Touching::build(subject, count, blows, method)?;
+            // Knocks do without the sites of blows along the range, which cost time.
+            for (hit, blows) in hit_places.iter().zip(&blows) {
+                let touching = Touching::build(subject, count, hit, method)?;
                 let limits = touching.limits(blows, tick);
                 for (blow, limit) in blows.iter().zip(limits) {
                     let lasts = limit.as_ref().ok().and_then(|limit| limit.lasts);
@@ -99,9 +100,10 @@ pub fn memory(subject: &Subject, threads: usize) -> Result<f64> {
     let Some(&most) = subject.counts.iter().max() else {
         return Ok(0.0);
     };
+    let contacts = subject.range.even(most);
     let mut bytes: f64 = 0.0;
-    for blows in subject.blows()? {
-        let places = Touching::places(subject, most, &blows);
+    for hit in subject.hit_places() {
+        let places = with_others(&contacts, &hit);
         for &method in &subject.sweep.methods {
             bytes = bytes.max(subject.memory(&places, method, threads)?);
         }

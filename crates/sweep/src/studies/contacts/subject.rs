@@ -226,7 +226,12 @@ impl Subject {
         (self.values.iter()).fold(conditions, |all, (axis, value)| all.with(*axis, *value))
     }
 
-    /// All that it is hit with: knocks, by their places, then blows along the range.
+    /// Where it is hit, m from the bit: by knocks, and by blows along the range.
+    pub fn hit_places(&self) -> [Vec<f64>; 2] {
+        [self.knocked_at.clone(), Blow::places_along(&self.range)]
+    }
+
+    /// All that it is hit with: knocks, by their places, and blows along the range.
     ///
     /// # Errors
     /// Where there is no I₀ to measure knocks by.

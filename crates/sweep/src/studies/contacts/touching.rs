@@ -41,25 +41,14 @@ pub struct Touching<'a> {
 }
 
 impl<'a> Touching<'a> {
-    /// Sites of so many contacts and of the places where any of the blows hits, m from the bit.
-    pub fn places(subject: &Subject, count: usize, blows: &[Blow]) -> Vec<f64> {
-        let hit = blows.iter().flat_map(Blow::impulses);
-        let hit: Vec<f64> = hit.map(|(place, _)| place).collect();
-        with_others(&subject.range.even(count), &hit)
-    }
-
-    /// Builds a string with so many contacts, that any of these blows may hit, by a method.
+    /// Builds a string with so many contacts, that may be hit at these places (m from the bit), by
+    /// a method.
     ///
     /// # Errors
     /// Where the method cannot treat it.
-    pub fn build(
-        subject: &'a Subject,
-        count: usize,
-        blows: &[Blow],
-        method: Method,
-    ) -> Result<Self> {
+    pub fn build(subject: &'a Subject, count: usize, hit: &[f64], method: Method) -> Result<Self> {
         let contacts = subject.range.even(count);
-        let setting = subject.touching_at(&Self::places(subject, count, blows))?;
+        let setting = subject.touching_at(&with_others(&contacts, hit))?;
         let distances = setting.sites.distances_from_bit().iter();
         let is_contact = distances.map(|place| index_of(&contacts, *place).is_some());
         let is_contact = is_contact.collect();
