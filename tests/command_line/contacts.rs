@@ -146,6 +146,59 @@ fn a_run_has_the_labels_that_the_study_brackets() {
     assert_eq!(labels.concat(), ["transient_contact", "backward_whirl"]);
 }
 
+/// The study of which docs/contacts.md tells.
+const OF_THE_GUIDE: &str = include_str!(concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../results/reference/contacts.csv"
+));
+
+#[test]
+fn limits_of_the_guide_are_above_the_bound_and_have_converged() {
+    let table = table(OF_THE_GUIDE);
+    let limits = columns(
+        &table,
+        [
+            "friction_does_not",
+            "friction_whirls",
+            "bound_any_sites",
+            "bound_carried",
+        ],
+    );
+    assert_eq!(limits.len(), 84);
+    for [does_not, whirls, any_sites, carried] in &limits {
+        assert!(number(does_not) < number(whirls));
+        // The search for it leaves 1 %.
+        let least = if any_sites.is_empty() {
+            carried
+        } else {
+            any_sites
+        };
+        assert!(number(carried) < 1.01 * number(least), "{carried} {least}");
+        assert!(number(least) < number(whirls), "{least} {whirls}");
+    }
+    let along = columns(
+        &table,
+        [
+            "blow",
+            "string",
+            "impulse_n_s_m",
+            "contacts",
+            "friction_whirls",
+        ],
+    );
+    let of = |contacts: &str| -> Vec<f64> {
+        let rows = along
+            .iter()
+            .filter(|row| row[0] == "along" && row[3] == contacts);
+        rows.map(|row| number(&row[4])).collect()
+    };
+    let (some, more) = (of("32"), of("64"));
+    assert_eq!(some.len(), 4);
+    for (some, more) in some.iter().zip(&more) {
+        assert!((more / some - 1.0).abs() < 0.13, "{some} {more}");
+    }
+}
+
 #[test]
 fn what_cannot_be_asked_of_a_string_is_refused() {
     let place = workplace();
