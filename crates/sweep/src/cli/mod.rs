@@ -121,9 +121,10 @@ pub enum Command {
     /// Chart how much friction whirl needs at 1, 2, 4, … 64 contacts
     #[command(after_help = "Examples:\n  sweep contacts\n  \
         sweep contacts --counts 1,4,16 --methods finite-element,quadrature\n  \
-        sweep contacts sweeps/well_12in_contacts.toml --to-m 110 --blows 150\n\n\
-        The file gives string, wall and surface speed (those of its first case), but for\n\
-        sites, friction and impulses. The whole study takes about ten minutes on two cores.")]
+        sweep contacts sweeps/contacts.toml --counts 32 --set clearance_mm=30\n\n\
+        A file gives string, wall, surface speed and methods, and what its first case says\n\
+        of them; sites and impulses are the study's own, and friction is what it looks\n\
+        for. The whole study takes up to ten minutes on two cores.")]
     Contacts(ContactsArguments),
     /// Write a page about a results folder, or several side by side
     #[command(after_help = "Examples:\n  sweep report results/fig09\n  \

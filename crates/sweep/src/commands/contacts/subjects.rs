@@ -41,11 +41,6 @@ fn subject(
     file: Option<&Path>,
     arguments: &ContactsArguments,
 ) -> Result<Subject> {
-    let length = sweep.setting.string.length();
-    let range = Range {
-        from: arguments.from_m,
-        to: arguments.to_m.unwrap_or(Subject::usual_end(length)),
-    };
     for &(axis, value) in &arguments.set {
         let refusal = match axis {
             Axis::WallAtSite { .. } => Some("the study has sites of its own".to_owned()),
@@ -58,6 +53,13 @@ fn subject(
         }
         refuse_idle_axis(&sweep, axis)?;
     }
+    let set = arguments.set.iter().copied();
+    let values: Vec<(Axis, f64)> = Subject::first_values(&sweep).chain(set).collect();
+    let to = (arguments.to_m).map_or_else(|| Subject::usual_end(&sweep, &values), Ok)?;
+    let range = Range {
+        from: arguments.from_m,
+        to,
+    };
     let first_impulse = sweep.content.impulses.first();
     let first_impulse = first_impulse.map(|impulse| impulse.distance_from_bit_m);
     let usual = || {
@@ -67,10 +69,9 @@ fn subject(
             .collect()
     };
     let knocked_at: Vec<f64> = arguments.knock_at.clone().unwrap_or_else(usual);
-    let set = arguments.set.iter().copied();
     let subject = Subject {
         name,
-        values: Subject::first_values(&sweep).chain(set).collect(),
+        values,
         sweep,
         range,
         counts: unique(&arguments.counts),

@@ -109,9 +109,14 @@ pub enum SubjectError {
 }
 
 impl Subject {
-    /// Where contacts go on a string of this length (m) without being told.
-    pub fn usual_end(length: f64) -> f64 {
-        length.min(USUAL_END)
+    /// Where the range of contacts ends (m from the bit) without being told, on a sweep's string
+    /// with these values.
+    ///
+    /// # Errors
+    /// Where they make no string.
+    pub fn usual_end(sweep: &Sweep, values: &[(Axis, f64)]) -> Result<f64, SweepFileError> {
+        let setting = sweep.setting_with(values.iter().copied())?;
+        Ok(setting.string.length().min(USUAL_END))
     }
 
     /// What of its file's first case the study takes: sites are its own, and so are their walls.
@@ -128,7 +133,8 @@ impl Subject {
     /// What it is.
     pub fn check(&self) -> Result<()> {
         let Range { from, to } = self.range;
-        let length = self.sweep.setting.string.length();
+        let values = self.values.iter().copied();
+        let length = self.sweep.setting_with(values)?.string.length();
         if !(0.0 <= from && from < to && to <= length) {
             return Err(SubjectError::OffString { from, to, length }.into());
         }
