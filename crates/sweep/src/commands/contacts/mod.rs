@@ -14,7 +14,6 @@ use super::progress::Progress;
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::{warn_of_memory, warn_of_string};
 use crate::cli::ContactsArguments;
 use crate::memory::Size;
 use crate::output::write_atomically;
@@ -26,13 +25,8 @@ use table::{columns, summary};
 /// Studies the strings and writes table and chart.
 pub fn contacts(arguments: &ContactsArguments, terminal: Terminal) -> Result<Status> {
     use_threads(arguments.work.jobs, terminal)?;
-    warn_of_memory(&arguments.work.memory, terminal);
-    let subjects = subjects(arguments)?;
+    let subjects = subjects(arguments, terminal)?;
     for subject in &subjects {
-        // What is shipped is known to be as it is.
-        if arguments.file.is_some() {
-            warn_of_string(&subject.sweep, terminal);
-        }
         admit(subject, arguments)?;
     }
     make_folder(&arguments.out)?;

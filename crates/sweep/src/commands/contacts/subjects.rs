@@ -6,13 +6,14 @@ use anyhow::{Result, bail};
 
 use crate::cli::ContactsArguments;
 use crate::commands::idle_axis::refuse_idle_axis;
-use crate::commands::prepare::unique;
+use crate::commands::prepare::{read_sweep, unique};
 use crate::commands::status::UsageError;
+use crate::commands::terminal::Terminal;
+use crate::commands::warnings::{warn_of_memory, warn_of_string};
 use crate::plan::Sweep;
 use crate::quantities::Axis;
 use crate::studies::contacts::{Range, Subject, SubjectError};
 use crate::studies::scenes::shipped_by;
-use crate::text_file::read_text;
 
 /// The strings of the study without a file, by their names.
 const SHIPPED: [(&str, &str); 2] = [("paper", "contacts.toml"), ("field", "contacts_12in.toml")];
@@ -21,13 +22,16 @@ const SHIPPED: [(&str, &str); 2] = [("paper", "contacts.toml"), ("field", "conta
 ///
 /// # Errors
 /// Where the file makes no sense, or what is asked cannot be asked of its string.
-pub fn subjects(arguments: &ContactsArguments) -> Result<Vec<Subject>> {
-    let methods = unique(&arguments.work.methods);
+pub fn subjects(arguments: &ContactsArguments, terminal: Terminal) -> Result<Vec<Subject>> {
+    let (work, quiet) = (&arguments.work, arguments.quiet);
     if let Some(file) = &arguments.file {
-        let sweep = Sweep::read_from(file, &methods, &read_text)?;
+        let sweep = read_sweep(file, work, false, quiet, terminal)?;
+        warn_of_string(&sweep, terminal);
         let name = sweep.name.clone();
         return Ok(vec![subject(name, sweep, Some(file), arguments)?]);
     }
+    warn_of_memory(&work.memory, terminal);
+    let methods = unique(&work.methods);
     let shipped = SHIPPED.into_iter().map(|(name, file)| {
         let sweep = shipped_by(file, &methods)?;
         subject(name.to_owned(), sweep, None, arguments)
