@@ -122,9 +122,9 @@ pub enum Command {
     #[command(after_help = "Examples:\n  sweep contacts\n  \
         sweep contacts --counts 1,4,16 --methods finite-element,quadrature\n  \
         sweep contacts sweeps/contacts.toml --counts 32 --set clearance_mm=30\n\n\
-        A file gives string, wall, surface speed and methods, and what its first case says\n\
-        of them; sites and impulses are the study's own, and friction is what it looks\n\
-        for. The whole study takes up to ten minutes on two cores.")]
+        A file gives string, wall, surface speed and methods, with what its first case\n\
+        says of them; sites and impulses are the study's own, and friction is what it\n\
+        looks for. The whole study takes up to ten minutes on two cores.")]
     Contacts(ContactsArguments),
     /// Write a page about a results folder, or several side by side
     #[command(after_help = "Examples:\n  sweep report results/fig09\n  \

@@ -62,7 +62,8 @@ fn admit(subject: &Subject, arguments: &ContactsArguments) -> Result<()> {
     let limit = arguments.work.memory.limit();
     if bytes > limit.bytes {
         bail!(UsageError(format!(
-            "--counts: so many contacts would take {} of memory by these methods; limit: {limit}",
+            "--counts: so many contacts for so many samples would take {} of memory by these \
+             methods; limit: {limit}",
             Size(bytes)
         )));
     }
