@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Renews the pictures of the guide, docs/images, from the sweep files that are shipped:
 # two or three minutes on two cores. What the commands say, the numbers that the guide
-# quotes, goes to standard output. Two pictures take minutes and are copied by hand:
-# tradeoff.png from `sweep tradeoff`, stability.png from `sweep stability`.
+# quotes, goes to standard output. Three pictures take minutes and are copied by hand:
+# tradeoff.png from `sweep tradeoff`, stability.png from `sweep stability`, contacts_limit.png
+# from `sweep contacts`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$(mktemp -d)

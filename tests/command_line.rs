@@ -3,6 +3,8 @@
 
 #[path = "command_line/check.rs"]
 mod check;
+#[path = "command_line/contacts.rs"]
+mod contacts;
 #[path = "command_line/designs.rs"]
 mod designs;
 #[path = "command_line/film.rs"]

@@ -25,6 +25,7 @@ fn every_command_shows_an_example() {
         "summary",
         "tradeoff",
         "stability",
+        "contacts",
     ] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         let help = succeeds(&place, &[command, "--help"]).output;

@@ -51,6 +51,7 @@ fn every_command_is_stopped_by_a_signal() {
         &["run", "asks.toml", "--dry-run"],
         &["tradeoff"],
         &["stability"],
+        &["contacts"],
     ];
     for (name, code) in [("INT", 130), ("TERM", 143)] {
         let children = commands.map(|arguments| start(&place, arguments));

@@ -78,6 +78,7 @@ fn main() -> ExitCode {
         Command::Merge { folders, out } => commands::merge::merge(&folders, &out, terminal),
         Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments, terminal),
         Command::Promises(arguments) => commands::promises::promises(&arguments, terminal),
+        Command::Contacts(arguments) => commands::contacts::contacts(&arguments, terminal),
         Command::Stability(arguments) => commands::stability::stability(&arguments, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
         Command::Summary { folder } => commands::report::summary(&folder, terminal),

@@ -21,7 +21,7 @@ use crate::studies::tradeoff::{LADDER, Measure};
 use crate::sweep_file::MethodName;
 use values::{
     parse_axes, parse_measure, parse_order, parse_part, parse_picture, parse_regime, parse_setting,
-    parse_width,
+    parse_strength, parse_width,
 };
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
@@ -118,6 +118,14 @@ pub enum Command {
         sweep promises --strings 4 --motion whirl --out /tmp/promises\n\n\
         The whole study takes hours on two cores; a string, about a minute.")]
     Promises(PromisesArguments),
+    /// Chart how much friction whirl needs at 1, 2, 4, … 64 contacts
+    #[command(after_help = "Examples:\n  sweep contacts\n  \
+        sweep contacts --counts 1,4,16 --methods finite-element,quadrature\n  \
+        sweep contacts sweeps/contacts.toml --counts 32 --set clearance_mm=30\n\n\
+        A file gives string, wall, surface speed and methods, with what its first case\n\
+        says of them; sites and impulses are the study's own, and friction is what it\n\
+        looks for. The whole study takes up to ten minutes on two cores.")]
+    Contacts(ContactsArguments),
     /// Write a page about a results folder, or several side by side
     #[command(after_help = "Examples:\n  sweep report results/fig09\n  \
         sweep report results/fig14 results/fig17 --out whirl.html\n\n\
@@ -414,6 +422,48 @@ pub struct PromisesArguments {
     pub jobs: Option<usize>,
     #[command(flatten)]
     pub memory: MemoryArguments,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Arguments of `contacts`.
+#[derive(Debug, Args)]
+pub struct ContactsArguments {
+    /// The sweep file [default: the paper's string, and that of a 12¼-inch well]
+    pub file: Option<PathBuf>,
+    /// Numbers of contacts
+    #[arg(long, value_name = "N", value_delimiter = ',', default_values_t = [1, 2, 4, 8, 16, 32, 64])]
+    pub counts: Vec<usize>,
+    /// Distance of the lowest contact from the bit, m
+    #[arg(long, value_name = "M", default_value_t = 0.0)]
+    pub from_m: f64,
+    /// Where the range of the contacts ends [default: 200 m from the bit, or the surface]
+    #[arg(long, value_name = "M")]
+    pub to_m: Option<f64>,
+    /// Where to knock, m from the bit [default: the lowest contact, the file's first impulse]
+    #[arg(long, value_name = "M", value_delimiter = ',')]
+    pub knock_at: Option<Vec<f64>>,
+    /// How hard, in multiples of I₀ at that place; the amounts are rounded to two digits
+    #[arg(long, value_name = "RATIOS", value_delimiter = ',', default_value = "3,10", value_parser = parse_strength)]
+    pub knocks: Vec<f64>,
+    /// How hard to hit the string all along its contacts, N s per metre
+    #[arg(long, value_name = "AMOUNTS", value_delimiter = ',', default_value = "150,500", value_parser = parse_strength)]
+    pub blows: Vec<f64>,
+    /// Set a quantity, e.g. clearance_mm=10; may be repeated
+    #[arg(long, value_name = "AXIS=VALUE", value_parser = parse_setting)]
+    pub set: Vec<(Axis, f64)>,
+    /// Time simulated, s [default: that of the file]
+    #[arg(long, value_name = "TIME")]
+    pub time_s: Option<f64>,
+    /// Sampling frequency [default: that of the file]
+    #[arg(long, value_name = "HZ")]
+    pub sampling_hz: Option<f64>,
+    /// Results folder
+    #[arg(long, default_value = "results/contacts")]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub work: WorkArguments,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,

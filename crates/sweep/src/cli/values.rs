@@ -108,6 +108,16 @@ pub fn parse_order(text: &str) -> Result<f64, String> {
     order.ok_or_else(|| format!("`{text}` is not a multiple from 0.01 to 1000"))
 }
 
+/// How hard a string is hit.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn parse_strength(text: &str) -> Result<f64, String> {
+    let is_strength = |strength: &f64| (1e-3..=1e6).contains(strength);
+    let strength = text.trim().parse().ok().filter(is_strength);
+    strength.ok_or_else(|| format!("`{text}` is not a number from 0.001 to 1000000"))
+}
+
 fn parse_axis(name: &str) -> Result<Axis, String> {
     let name = name.trim();
     Axis::from_name(name).ok_or_else(|| match nearest(name, &Axis::NAMES) {

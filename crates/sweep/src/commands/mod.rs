@@ -4,10 +4,12 @@
 pub mod analyse;
 pub mod check;
 mod choosing;
+pub mod contacts;
 mod cost;
 mod csv_table;
 mod drawing;
 mod folder;
+mod idle_axis;
 pub mod inspect;
 pub mod merge;
 pub mod new;

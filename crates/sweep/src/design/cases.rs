@@ -30,6 +30,11 @@ pub enum Design {
 }
 
 impl Design {
+    /// The one case that the file says.
+    pub fn one_case() -> Self {
+        Design::Grid(Grid::default())
+    }
+
     /// Checks and reads what `[design]` says; the weight on bit may push the string, so that
     /// each has its own.
     ///
@@ -43,7 +48,7 @@ impl Design {
         text_of: TextOf,
     ) -> Result<Self, SweepFileError> {
         let Some(table) = table else {
-            return Ok(Design::Grid(Grid::default()));
+            return Ok(Self::one_case());
         };
         refuse_foreign_keys(source, table)?;
         let design = match table.kind {

@@ -35,11 +35,13 @@ pub use integrity::{Damage, OF_TRACE, PICTURES, TABLES};
 pub use label_rows::{LabelColumns, LabelRow, label_rows, misfit_columns, read_labels};
 pub use labels::LabelTable;
 pub use manifest::{Manifest, MethodRecord, differences, fingerprint};
-pub use many_sites_limit::MOST_SITES;
+pub use many_sites_limit::{MOST_SITES, many_sites_limit};
 pub use motion::{Labels, Motion, is_sustained};
 pub use record_rows::record_of;
 pub use results::TableWriter;
 pub use tables::ResultTables;
 pub use tally::Tally;
 pub use trace_summary::{LimitSummary, TraceSummary};
-pub use whirl_limit::{rolling_bound, rolling_envelope, rolling_whirls, whirl_from};
+pub use whirl_limit::{
+    WhirlMotion, rolling_bound, rolling_envelope, rolling_whirls, whirl_from, whirl_limit,
+};

@@ -18,8 +18,8 @@ use super::texts;
 use crate::design::Design;
 use crate::quantities::Axis;
 use crate::sweep_file::{
-    AutoOr, FileContent, MethodName, SheetNotes, Source, SweepFileError, TextOf, TraceName,
-    put_sections,
+    AutoOr, FileContent, MethodName, SheetNotes, SiteTable, SitesName, Source, SweepFileError,
+    TextOf, TraceName, put_sections,
 };
 use crate::text_file::read_text;
 
@@ -254,8 +254,16 @@ impl Sweep {
         changed: Vec<(Axis, f64)>,
         found: &[f64],
     ) -> Result<Setting, SweepFileError> {
+        let (content, conditions) = self.changed(&changed)?;
+        let (source, data, design) = (&self.source, &self.data, &self.design);
+        let setting = Setting::resolve(source, &content, data, &conditions, design, found)?;
+        Ok(Setting { changed, ..setting })
+    }
+
+    /// What the file says, with some quantities that change the string given.
+    fn changed(&self, values: &[(Axis, f64)]) -> Result<(FileContent, Conditions), SweepFileError> {
         let (mut content, mut conditions) = (self.content.clone(), self.conditions.clone());
-        for &(axis, value) in &changed {
+        for &(axis, value) in values {
             if let Axis::String(of_string) = axis {
                 let changed = content.set(of_string, value);
                 self.source.checked(&axis.name(), changed)?;
@@ -264,9 +272,34 @@ impl Sweep {
             }
         }
         content.take_along(&self.content.sites);
-        let (source, data, design) = (&self.source, &self.data, &self.design);
-        let setting = Setting::resolve(source, &content, data, &conditions, design, found)?;
-        Ok(Setting { changed, ..setting })
+        Ok((content, conditions))
+    }
+
+    /// The setting with some quantities given, of a string that nothing disturbs and that has its
+    /// sites at these distances from the bit (m), whatever sites the file has: the wall at each is
+    /// that of all sites.
+    ///
+    /// # Errors
+    /// As [`Sweep::setting_at`], and where a place is not on the string, or has no wall.
+    pub fn setting_touching_at(
+        &self,
+        distances_from_bit: &[f64],
+        values: &[(Axis, f64)],
+    ) -> Result<Setting, SweepFileError> {
+        // Friction is part of every case.
+        let values = [values, &[(Axis::FRICTION, 0.0)]].concat();
+        let (mut content, conditions) = self.changed(&values)?;
+        content.impulses.clear();
+        content.eccentric_masses.clear();
+        let sites = distances_from_bit.iter().copied();
+        content.sites = sites.map(SiteTable::at).collect();
+        if let Some(wall) = &mut content.wall {
+            wall.sites = SitesName::Given;
+            (wall.sites_every_m, wall.sites_to_m) = (None, None);
+            (wall.sites_tolerance_mm, wall.sites_rounds) = (None, None);
+        }
+        let one = Design::one_case();
+        Setting::resolve(&self.source, &content, &self.data, &conditions, &one, &[])
     }
 
     /// The setting of a case with the given values along the design's axes, sampled

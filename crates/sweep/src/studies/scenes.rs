@@ -5,7 +5,7 @@ use std::io::{Error, ErrorKind};
 use std::path::Path;
 
 use crate::plan::Sweep;
-use crate::sweep_file::SweepFileError;
+use crate::sweep_file::{MethodName, SweepFileError};
 
 /// Fig. 12 with a second site.
 const TWO_SITES: &str = r#"base = "fig12.toml"
@@ -29,6 +29,10 @@ fn text_of(path: &Path) -> Option<&'static str> {
         "fig08b.toml" => include_str!("../../../../sweeps/fig08b.toml"),
         "fig10.toml" => include_str!("../../../../sweeps/fig10.toml"),
         "fig12.toml" => include_str!("../../../../sweeps/fig12.toml"),
+        "fig16a.toml" => include_str!("../../../../sweeps/fig16a.toml"),
+        "contacts.toml" => include_str!("../../../../sweeps/contacts.toml"),
+        "contacts_12in.toml" => include_str!("../../../../sweeps/contacts_12in.toml"),
+        "bha_12in_lower.csv" => include_str!("../../../../sweeps/bha_12in_lower.csv"),
         _ => return None,
     })
 }
@@ -38,7 +42,15 @@ fn text_of(path: &Path) -> Option<&'static str> {
 /// # Errors
 /// Where it is not among those built in.
 pub fn shipped(name: &str) -> Result<Sweep, SweepFileError> {
-    Sweep::read_from(Path::new(name), &[], &|path, _| {
+    shipped_by(name, &[])
+}
+
+/// The same with these methods, if there are any, in place of the file's.
+///
+/// # Errors
+/// As [`shipped`].
+pub fn shipped_by(name: &str, methods: &[MethodName]) -> Result<Sweep, SweepFileError> {
+    Sweep::read_from(Path::new(name), methods, &|path, _| {
         let text = text_of(path).map(str::to_owned);
         text.ok_or_else(|| Error::from(ErrorKind::NotFound))
     })

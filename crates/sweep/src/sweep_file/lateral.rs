@@ -163,6 +163,18 @@ pub struct SiteTable {
 }
 
 impl SiteTable {
+    /// A place (m from the bit) whose wall is that of all sites.
+    pub fn at(distance_from_bit_m: f64) -> Self {
+        Self {
+            distance_from_bit_m,
+            clearance_mm: None,
+            stiffness_gn_m15: None,
+            friction: None,
+            friction_dynamic_ratio: None,
+            friction_stribeck_m_s: None,
+        }
+    }
+
     /// What it says of the wall here.
     pub fn value(&self, quantity: WallQuantity) -> Option<f64> {
         match quantity {

@@ -31,7 +31,9 @@ pub use design::{
 };
 pub use error::SweepFileError;
 pub use file::FileContent;
-pub use lateral::{BendingTable, EccentricMassTable, ImpulseTable, SitesName, SupportName};
+pub use lateral::{
+    BendingTable, EccentricMassTable, ImpulseTable, SiteTable, SitesName, SupportName,
+};
 pub use map::MarkTable;
 pub use methods::MethodName;
 pub use number_or::{Accuracy, AutoOr, per_cent};

@@ -5,11 +5,12 @@ use std::path::Path;
 use anyhow::{Result, bail};
 
 use crate::cli::SimulateArguments;
+use crate::commands::idle_axis::refuse_idle_axis;
 use crate::commands::prepare::unique;
 use crate::commands::status::UsageError;
 use crate::engine::{Case, longest_beside};
-use crate::plan::{Conditions, ImpulseSettings, Setting, Sweep};
-use crate::quantities::{Axis, StringAxis};
+use crate::plan::{Conditions, Setting, Sweep};
+use crate::quantities::Axis;
 use crate::sweep_file::SweepFileError;
 
 /// A case, and for how long its linear systems are built, s.
@@ -59,7 +60,7 @@ impl Choice {
         for &(axis, value) in &arguments.set {
             axis.check(value)
                 .map_err(|reason| UsageError(format!("--set {}: {reason}", axis.name())))?;
-            refuse_idle(sweep, axis)?;
+            refuse_idle_axis(sweep, axis)?;
             conditions = conditions.with(axis, value);
             if let Some(place) = axes.iter().position(|own| *own == axis) {
                 values[place] = value;
@@ -98,37 +99,6 @@ impl Choice {
             case,
         })
     }
-}
-
-/// Refuses to set what nothing in the sweep depends on.
-fn refuse_idle(sweep: &Sweep, axis: Axis) -> Result<()> {
-    let lateral = sweep.setting.lateral.as_ref();
-    let mut impulses = lateral.iter().flat_map(|lateral| &lateral.impulses);
-    let has_ratio = impulses.any(ImpulseSettings::is_relative);
-    let why = match axis {
-        Axis::WeightOnBitKn | Axis::TorqueDynamicNm if sweep.bit.is_none() => {
-            "the bit is free in this sweep"
-        }
-        Axis::Wall(_)
-        | Axis::WallAtSite { .. }
-        | Axis::String(StringAxis::BendingDamping | StringAxis::Compression)
-            if lateral.is_none() =>
-        {
-            "there is no wall in this sweep"
-        }
-        Axis::WallAtSite { site, .. } if site >= sweep.content.sites.len() => {
-            "the file has no such site; they are counted from 0"
-        }
-        Axis::TorqueStaticRatio | Axis::TorqueDecay if sweep.bit.is_none() => {
-            "the bit is free in this sweep"
-        }
-        Axis::Rock(_) if sweep.conditions.value(axis).is_none() => {
-            "the rock of this sweep has no such constant"
-        }
-        Axis::ImpulseRatio if !has_ratio => "no impulse of this sweep is in multiples of I₀",
-        _ => return Ok(()),
-    };
-    bail!(UsageError(format!("--set {}: {why}", axis.name())))
 }
 
 /// The string of all chosen cases, which are drawn in one picture, or why they have

@@ -1,0 +1,82 @@
+//! Limits and bounds over the number of contacts, a panel for each string.
+
+use anyhow::Result;
+
+use super::table::blow_name;
+use crate::commands::prepare::unique;
+use crate::plot::{Axis, Panel, Picture, Series, panels};
+use crate::studies::contacts::{Bounds, Row};
+
+/// A bound by its name.
+type Bound = (&'static str, fn(&Bounds) -> Option<f64>);
+
+const BOUNDS: [Bound; 3] = [
+    ("bound: one contact alone", |bounds| bounds.one_site),
+    ("bound: any contacts", |bounds| bounds.any_sites),
+    ("bound: carried everywhere", |bounds| Some(bounds.carried)),
+];
+
+/// Draws the limits that were found: by several methods, those of each.
+///
+/// # Errors
+/// Where they cannot be drawn.
+pub fn chart(rows: &[Row], lowest: f64) -> Result<Picture> {
+    let names: Vec<&str> = rows.iter().map(|row| row.string.as_str()).collect();
+    let methods: Vec<&str> = rows.iter().map(|row| row.method.name()).collect();
+    let several = unique(&methods).len() > 1;
+    let panels_of: Vec<Panel> = (unique(&names).into_iter())
+        .map(|name| {
+            let of_string = rows.iter().filter(|row| row.string == name);
+            panel(name, &of_string.collect::<Vec<_>>(), lowest, several)
+        })
+        .collect();
+    panels(
+        "Friction from which backward whirl lasts, over the number of contacts",
+        &panels_of,
+    )
+}
+
+fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
+    let mut series: Vec<Series> = Vec::new();
+    let mut add = |name: String, row: &Row, friction: Option<f64>| {
+        let known = series.iter().position(|series| series.name == name);
+        let place = known.unwrap_or_else(|| {
+            series.push(Series {
+                name,
+                points: Vec::new(),
+            });
+            series.len() - 1
+        });
+        let point = (row.contacts as f64, friction.unwrap_or(f64::NAN));
+        // Rows of one number of contacts have the same bounds.
+        if series[place]
+            .points
+            .last()
+            .is_none_or(|last| last.0 != point.0)
+        {
+            series[place].points.push(point);
+        }
+    };
+    for row in rows {
+        let mut name = blow_name(&row.blow, lowest);
+        if several {
+            name += &format!(", {}", row.method.name());
+        }
+        let lasts = row.limit.as_ref().ok().and_then(|limit| limit.lasts);
+        add(name, row, lasts.map(|(friction, _)| friction));
+    }
+    for (name, bound) in BOUNDS {
+        for row in rows {
+            add(name.to_owned(), row, bound(&row.bounds));
+        }
+    }
+    Panel {
+        axes: [
+            Axis::logarithmic("Contacts"),
+            Axis::logarithmic(format!("Friction μ₀, {string}")),
+        ],
+        series,
+        references: Vec::new(),
+        walls: Vec::new(),
+    }
+}
