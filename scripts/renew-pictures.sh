@@ -32,6 +32,8 @@ for figure in fig07a fig07b fig08a fig08b fig11 fig16a; do
 done
 "$sweep" simulate sweeps/fig16b.toml --film --film-to 2.5 --out "$folder/fig16b"
 keep fig16b history contacts film
+"$sweep" simulate sweeps/fig16b_found.toml --out "$folder/fig16b_found"
+keep fig16b_found contacts
 for figure in fig10 fig12 fig15; do
     "$sweep" simulate "sweeps/$figure.toml" --out "$folder/$figure"
     keep "$figure" history orbit

@@ -18,8 +18,8 @@ use super::stepped::{MOST_BY_TAPS, stepped_by};
 use super::systems::MethodSystem;
 use crate::plan::{Finding, Setting, Sweep};
 
-/// Sites are told to a millimetre.
-const TOLD_TO: f64 = 1e-3;
+/// Sites are told to a millimetre, in so many parts of a metre.
+const TOLD_TO: f64 = 1e3;
 
 /// Sites nearer to each other than this, m, are one.
 const LEAST_APART: f64 = 0.2;
@@ -134,7 +134,7 @@ fn next_system(
 
 /// A distance as it is told.
 fn to_told(distance: f64) -> f64 {
-    (distance / TOLD_TO).round() * TOLD_TO
+    (distance * TOLD_TO).round() / TOLD_TO
 }
 
 /// How many sites a case has at most, those of the file among them.
@@ -187,7 +187,7 @@ fn bulges(
 fn site_near(bulge: &Beyond, finding: &Finding, clearances: &Clearances) -> f64 {
     let length = clearances.length();
     let even = ((length - bulge.depth) / finding.every).round() * finding.every;
-    let last = (finding.to.min(length - TOLD_TO) / finding.every).floor() * finding.every;
+    let last = (finding.to.min(length - LEAST_APART) / finding.every).floor() * finding.every;
     let even = to_told(even.min(last));
     let is_as_narrow = |clearance: f64| clearance <= bulge.clearance + SAME_CLEARANCE;
     if clearances.at(length - even).is_some_and(is_as_narrow) {
