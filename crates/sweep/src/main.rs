@@ -1,13 +1,10 @@
 //! `sweep`: parameter sweeps of drillstring dynamics.
 //!
 //! ```text
-//! my-sweep.toml ──> sweep_file  its keys, with those of its bases, and where each stands
-//!                   plan     all of it in SI, or refused with its line
+//! my-sweep.toml ──> crate `campaign`  its keys, its cases, and the answer to each
 //!                    │
-//!                  design    the cases: a grid, random points, a list
+//!                   log      each kept as done
 //!                    │
-//!                  engine    linear systems built once ───────────────> crate `linear`
-//!                    │       cases over all cores, each kept as done ─> crate `sim`
 //!                  output    labels.csv, boundary.csv, manifest.json, failures.csv
 //!                    │
 //!                map, plot  map.svg, map.png; `report` tells what is in the folder,
@@ -15,14 +12,12 @@
 //!                           where no limit is near
 //! ```
 //!
-//! There is no equation here: the string is the business of `linear`, its
-//! motion that of `sim`. `quantities` is the table of what a design may vary. `studies`
-//! hold methods against one another, and choose one where a sweep asks for an accuracy;
-//! `histories` follows single cases to their end. `files` writes whole files or none, in
-//! folders that are locked meanwhile.
+//! There is no equation here: the string is the business of `linear`, its motion that of
+//! `sim`. `studies` hold methods against one another, and choose one where a sweep asks for
+//! an accuracy; `histories` shows single cases to their end. `files` writes whole files or
+//! none, in folders that are locked meanwhile.
 //! `commands` has one file or folder for each thing a user can ask, calls all of the rest,
-//! and is called by nothing; `cli` are their arguments, `words` are for people. To see it
-//! at work:
+//! and is called by nothing; `cli` are their arguments. To see it at work:
 //!
 //! ```sh
 //! sweep new my-sweep.toml        # a commented sweep file
@@ -34,28 +29,18 @@ mod allotted;
 mod analysis;
 mod cli;
 mod commands;
-mod design;
-mod engine;
 mod files;
-mod hand_table;
 mod histories;
 mod limits;
+mod log;
 mod map;
 mod memory;
 mod output;
-mod plan;
 mod plot;
-mod printable;
 mod program;
-mod quantities;
-mod random;
 mod report;
 mod studies;
-mod sweep_file;
-mod text_file;
-mod trace;
 mod window;
-mod words;
 
 use std::process::ExitCode;
 

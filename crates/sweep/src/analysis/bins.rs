@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use anyhow::Result;
 
 use crate::output::{ResultTables, read_cases};
-use crate::quantities::Axis;
-use crate::sweep_file::{DistributionName, FileContent, Spacing};
+use campaign::quantities::Axis;
+use campaign::sweep_file::{DistributionName, FileContent, Spacing};
 
 /// Values of an axis up to this number have a range each.
 const MOST_VALUES: usize = 24;

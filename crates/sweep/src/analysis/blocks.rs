@@ -4,9 +4,9 @@ use anyhow::Result;
 use sim::Label;
 
 use super::indices::{Block, Blocks};
-use crate::design::{Member, cases_of_block};
 use crate::output::{CaseRows, LabelRow, Motion, ResultTables, read_measured_cases};
-use crate::quantities::Measure;
+use campaign::design::{Member, cases_of_block};
+use campaign::quantities::Measure;
 
 /// How severe a case's motion is.
 const SEVERITIES: [Measure; 2] = [Measure::StickSlipSeverity, Measure::ContactFraction];

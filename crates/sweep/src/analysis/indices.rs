@@ -8,7 +8,7 @@
 //! Bootstrap*, 1993, Sections 13.3 and 23.2).
 
 use super::interval::{Interval, wilson};
-use crate::random::Stream;
+use campaign::random::Stream;
 
 /// Batches at most; once there are more, two neighbours become one.
 const MOST_BATCHES: usize = 1024;
@@ -272,8 +272,8 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
-    use crate::design::{Design, Member, cases_of_block};
-    use crate::sweep_file::PointsName;
+    use campaign::design::{Design, Member, cases_of_block};
+    use campaign::sweep_file::PointsName;
 
     /// A function with what its indices are known to be.
     struct Known {
@@ -357,7 +357,7 @@ mod tests {
 
     /// The blocks of a design whose cases are answered by a function.
     fn blocks(known: &Known, points: PointsName, seed: u64, count: usize) -> Blocks {
-        let design = Design::even_blocks(points, seed, &known.ends, count);
+        let design = Design::even_blocks(points, seed, &known.ends, count).unwrap();
         let axes = known.ends.len();
         let size = cases_of_block(axes);
         let mut blocks = Blocks::none(axes);

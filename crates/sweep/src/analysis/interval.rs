@@ -59,7 +59,7 @@ pub fn cases_for(fraction: f64, width: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Stream;
+    use campaign::random::Stream;
 
     /// By R. G. Newcombe, *Statistics in Medicine* 17, 1998, 857–872, Table I.
     #[test]

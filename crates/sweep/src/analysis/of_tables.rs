@@ -5,10 +5,10 @@ use anyhow::Result;
 use super::bins::Bins;
 use super::blocks::{MethodBlocks, blocks_of};
 use super::counts::Counts;
-use crate::design::{Member, cases_of_block};
 use crate::output::{Manifest, ResultTables};
-use crate::quantities::Axis;
-use crate::sweep_file::DesignKind;
+use campaign::design::{Member, cases_of_block};
+use campaign::quantities::Axis;
+use campaign::sweep_file::DesignKind;
 
 /// The counts over each set of axes, of so many ranges of an axis that has more than a few values.
 /// Tables are parts of one sweep.

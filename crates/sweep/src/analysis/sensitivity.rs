@@ -5,7 +5,7 @@
 use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, Normal};
 
 use super::interval::Interval;
-use crate::random::Stream;
+use campaign::random::Stream;
 
 /// A binomial distribution of a larger variance is a normal one to a hundredth of its deviation,
 /// and of many cases its own function is less exact.

@@ -12,13 +12,13 @@ use clap_complete::Shell;
 use sim::Label;
 
 use crate::allotted::PassedOver;
-use crate::engine::{RunOptions, Shard};
 use crate::memory::{Limit, Size};
-use crate::quantities::Axis;
 use crate::studies::promises::Motion;
 use crate::studies::stability::Family;
 use crate::studies::tradeoff::{LADDER, Measure};
-use crate::sweep_file::MethodName;
+use campaign::engine::{RunOptions, Shard};
+use campaign::quantities::Axis;
+use campaign::sweep_file::MethodName;
 use values::{
     parse_axes, parse_measure, parse_order, parse_part, parse_picture, parse_regime, parse_setting,
     parse_strength, parse_width,

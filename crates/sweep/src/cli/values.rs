@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use sim::Label;
 
 use crate::output;
-use crate::quantities::Axis;
 use crate::studies::tradeoff::Measure;
-use crate::sweep_file::nearest;
+use campaign::quantities::Axis;
+use campaign::sweep_file::nearest;
 
 /// A measure of the chart of accuracy against speed.
 ///

@@ -15,9 +15,9 @@ use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, Display, moving};
 use super::stop;
 use super::terminal::Terminal;
 use crate::memory::Limit;
-use crate::plan::{Candidate, Sweep};
 use crate::studies::accuracy::{self, Attempt, Expected, Told};
-use crate::words::short;
+use campaign::plan::{Candidate, Sweep};
+use campaign::words::short;
 
 /// An attempt that is expected to take longer than this, s, is told before it is made.
 const LONG: f64 = 5.0;

@@ -9,11 +9,11 @@ use anyhow::Result;
 use rayon::prelude::*;
 use sim::Scene;
 
-use crate::design::Design;
-use crate::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey, add_finer, answer};
 use crate::memory::{Estimate, Limit, Size};
-use crate::plan::{Setting, Sweep};
-use crate::words::counted;
+use campaign::design::Design;
+use campaign::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey, add_finer, answer};
+use campaign::plan::{Setting, Sweep};
+use campaign::words::counted;
 
 /// The probe builds and steps for no longer than this.
 const PROBE: Duration = Duration::from_secs(10);

@@ -3,8 +3,8 @@
 use anyhow::{Result, bail};
 
 use super::status::UsageError;
-use crate::plan::{ImpulseSettings, Sweep};
-use crate::quantities::{Axis, StringAxis};
+use campaign::plan::{ImpulseSettings, Sweep};
+use campaign::quantities::{Axis, StringAxis};
 
 /// Refuses to set what nothing in the sweep depends on.
 ///

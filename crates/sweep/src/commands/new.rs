@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 use super::status::{Status, UsageError};
 use super::terminal::say;
 use crate::output::write_atomically;
-use crate::words::shell_word;
+use campaign::words::shell_word;
 
 /// The file, which runs as it is. A test switches on each of its settings.
 const TEMPLATE: &str = include_str!("new.toml");

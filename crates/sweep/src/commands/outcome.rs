@@ -7,7 +7,7 @@ use anyhow::Result;
 
 use super::status::Status;
 use crate::output::{Manifest, Motion, Tally, TraceSummary};
-use crate::words::{counted, short, together, wrapped};
+use campaign::words::{counted, short, together, wrapped};
 
 /// How a run that has these results ends.
 pub fn status_of(manifest: &Manifest) -> Status {

@@ -9,10 +9,10 @@ use super::status::UsageError;
 use super::terminal::Terminal;
 use super::warnings::warn_of_memory;
 use crate::cli::WorkArguments;
-use crate::engine::{MethodSystem, Survey, survey};
-use crate::plan::{Setting, Sweep};
-use crate::sweep_file::SweepFileError;
-use crate::text_file::read_text;
+use campaign::engine::{MethodSystem, Survey, survey};
+use campaign::plan::{Setting, Sweep};
+use campaign::sweep_file::SweepFileError;
+use campaign::text_file::read_text;
 
 /// Reads a sweep file and puts the methods asked for in place of its own; or chooses
 /// one, where it asks for an accuracy, telling what it tries unless `quiet`.

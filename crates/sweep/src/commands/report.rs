@@ -12,7 +12,7 @@ use super::terminal::{Terminal, say};
 use crate::cli::ReportArguments;
 use crate::files::{folder_of, write_atomically};
 use crate::report::{Results, compare, is_page, page, sections, text};
-use crate::text_file::unreadable;
+use campaign::text_file::unreadable;
 
 /// Says in the terminal what a folder holds.
 pub fn summary(folder: &Path, terminal: Terminal) -> Result<Status> {

@@ -6,7 +6,7 @@ use linear::{BuildError, ResponseError};
 use sim::SimulationError;
 use thiserror::Error;
 
-use crate::sweep_file::SweepFileError;
+use campaign::sweep_file::SweepFileError;
 
 /// How the program ended; the numbers are its exit codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use serde_json::json;
 
 use crate::cli::{Command, LogFormat};
-use crate::printable::{printable, printable_json};
+use campaign::printable::{printable, printable_json};
 
 /// Prints lines to standard output. A reader who has seen enough
 /// (`sweep inspect FILE | head -1`) is no error, and no reason to panic.

@@ -2,11 +2,12 @@
 
 use super::terminal::Terminal;
 use crate::cli::MemoryArguments;
-use crate::engine::{Log, MethodSystem};
+use crate::log::Log;
 use crate::output::MOST_SITES;
-use crate::plan::Sweep;
-use crate::quantities::Axis;
-use crate::words::counted;
+use campaign::engine::MethodSystem;
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
+use campaign::words::counted;
 
 /// Warns of an amount of memory that the cluster allots and cannot mean.
 pub fn warn_of_memory(memory: &MemoryArguments, terminal: Terminal) {

@@ -4,11 +4,11 @@ use anyhow::Result;
 use sim::Trajectory;
 use sim::laws::contact::Touch;
 
-use super::simulation::Simulation;
-use crate::plan::Sweep;
 use crate::plot::{Axis, BandChart, BandPanel, Bar, COLUMNS, Picture, band_chart};
-use crate::quantities::{FORCE, LENGTH, Unit};
-use crate::words::short;
+use campaign::engine::Simulation;
+use campaign::plan::Sweep;
+use campaign::quantities::{FORCE, LENGTH, Unit};
+use campaign::words::short;
 
 /// A panel for each case and method; in it a band for each site, from the surface down.
 ///
@@ -83,7 +83,7 @@ fn bars(motion: &Trajectory, frequency: f64, steps: usize, force: &Unit) -> Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantities::Units;
+    use campaign::quantities::Units;
 
     #[test]
     fn a_bin_has_its_largest_force_and_what_takes_most_of_its_contact() {

@@ -5,12 +5,12 @@ use linear::elements::reconstruction::Reconstruction;
 use sim::laws::contact::Touch;
 
 use super::marks::CLEARANCE_SHOWN;
-use super::simulation::Simulation;
-use crate::engine::{Case, Clearances};
-use crate::plan::Sweep;
 use crate::plot::{Axis, Film, FilmFrame, FilmSite, Picture, film};
-use crate::quantities::{LENGTH, WIDTH};
-use crate::words::decimals;
+use campaign::engine::Simulation;
+use campaign::engine::{Case, Clearances};
+use campaign::plan::Sweep;
+use campaign::quantities::{LENGTH, WIDTH};
+use campaign::words::decimals;
 
 /// The string is shown from where its peak displacement is this part of the largest.
 const SHOWN_FROM: f64 = 0.05;

@@ -7,11 +7,11 @@ use anyhow::Result;
 use linear::elements::reconstruction::Reconstruction;
 use sim::{Ended, Outcome};
 
-use super::simulation::Simulation;
-use crate::engine::{Beyond, Case, Clearances};
-use crate::plan::{Sweep, to_rpm};
-use crate::quantities::{FORCE, LENGTH, TORQUE, Units, WIDTH};
-use crate::words::{counted, decimals, short, site_title, together, wrapped};
+use campaign::engine::Simulation;
+use campaign::engine::{Beyond, Case, Clearances};
+use campaign::plan::{Sweep, to_rpm};
+use campaign::quantities::{FORCE, LENGTH, TORQUE, Units, WIDTH};
+use campaign::words::{counted, decimals, short, site_title, together, wrapped};
 
 /// Every case with what a run answers to it by each method, what came out later where that
 /// differs, and how far the whole string goes beyond the wall; then the files that were written

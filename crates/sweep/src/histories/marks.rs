@@ -1,9 +1,9 @@
 //! What pictures of motion have in common: levels, and whether the wall is shown.
 
-use crate::engine::{Case, Clearances};
-use crate::plan::Sweep;
 use crate::plot::{Across, Reference};
-use crate::quantities::Unit;
+use campaign::engine::{Case, Clearances};
+use campaign::plan::Sweep;
+use campaign::quantities::Unit;
 
 /// The clearance is drawn where motion reaches this part of it.
 pub const CLEARANCE_SHOWN: f64 = 0.2;

@@ -3,21 +3,18 @@
 
 mod contact_map;
 mod film;
-mod follow;
+mod known;
 mod lines;
 mod marks;
 mod orbits;
 mod over_time;
-mod simulation;
 mod tables;
 mod whole_string;
 
 pub use contact_map::contact_picture;
 pub use film::film_picture;
-pub use follow::FollowedMethod;
 pub use lines::case_lines;
 pub use orbits::orbit_picture;
 pub use over_time::history_picture;
-pub use simulation::Simulation;
 pub use tables::{case_csv, contacts_csv, history_csv};
 pub use whole_string::{string_picture, whole_strings};

@@ -3,12 +3,12 @@
 use anyhow::Result;
 
 use super::marks::shown_clearances;
-use super::simulation::Simulation;
-use crate::engine::Case;
-use crate::plan::Sweep;
 use crate::plot::{Axis, Orbit, Picture, Series, orbits};
-use crate::quantities::WIDTH;
-use crate::words::site_title;
+use campaign::engine::Case;
+use campaign::engine::Simulation;
+use campaign::plan::Sweep;
+use campaign::quantities::WIDTH;
+use campaign::words::site_title;
 
 /// The path of every site's centre, with the circle of its clearance in each case where it comes
 /// near that.

@@ -4,14 +4,15 @@ use anyhow::Result;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
+use super::known::{has_surface_speed, has_surface_torque, has_torque};
 use super::marks::{each_once, level, shown_clearances};
-use super::simulation::{Simulation, has_surface_speed, has_surface_torque, has_torque};
-use crate::engine::Case;
-use crate::plan::{Sweep, to_rpm};
 use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
-use crate::quantities::{TORQUE, Unit, Units, WIDTH};
-use crate::sweep_file::TraceName;
-use crate::words::site_title;
+use campaign::engine::Case;
+use campaign::engine::Simulation;
+use campaign::plan::{Sweep, to_rpm};
+use campaign::quantities::{TORQUE, Unit, Units, WIDTH};
+use campaign::sweep_file::TraceName;
+use campaign::words::site_title;
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
 /// speed and the torque on the bit; the torque that turns the surface where it is followed. As in the paper, the difference between the

@@ -5,10 +5,11 @@ use std::ops::Range;
 use anyhow::Result;
 use sim::laws::contact::Touch;
 
-use super::simulation::{Simulation, has_surface_speed, has_surface_torque, has_torque};
-use crate::engine::Record;
+use super::known::{has_surface_speed, has_surface_torque, has_torque};
 use crate::output::{Certainty, LabelTable};
-use crate::plan::{Sweep, to_rpm};
+use campaign::engine::Record;
+use campaign::engine::Simulation;
+use campaign::plan::{Sweep, to_rpm};
 
 fn site_name(distance: f64) -> String {
     if distance == 0.0 {

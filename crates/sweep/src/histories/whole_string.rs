@@ -4,11 +4,11 @@ use anyhow::Result;
 use linear::elements::reconstruction::{Reconstruction, WholeString};
 
 use super::marks::{CLEARANCE_SHOWN, each_clearance};
-use super::simulation::Simulation;
-use crate::engine::{Case, Clearances};
-use crate::plan::{LateralSettings, Sweep};
 use crate::plot::{Axis, Panel, Picture, Series, Wall, panels};
-use crate::quantities::{LENGTH, Unit, WIDTH};
+use campaign::engine::Simulation;
+use campaign::engine::{Case, Clearances};
+use campaign::plan::{LateralSettings, Sweep};
+use campaign::quantities::{LENGTH, Unit, WIDTH};
 
 /// The part of the string above the uppermost site, in that below it, that is shown around the
 /// sites; and the part of the string that they are within, where they are shown apart.

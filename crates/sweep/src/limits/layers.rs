@@ -1,7 +1,7 @@
 //! The layers of what is known of a trace: a motion by a method each.
 
 use crate::output::{Labels, Motion};
-use crate::trace::{Class, Known, Lattice};
+use campaign::trace::{Class, Known, Lattice};
 
 /// Nothing is known yet of a trace by so many methods.
 pub fn nothing_known(lattice: Lattice, methods: usize) -> Known {

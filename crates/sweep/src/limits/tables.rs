@@ -8,10 +8,10 @@ use anyhow::{Context, Result};
 
 use super::layers::{layer, note_labels, nothing_known};
 use crate::analysis::wilson;
-use crate::design::TraceDesign;
 use crate::files::write_with_checksum;
 use crate::output::{LimitSummary, Manifest, Motion, TraceSummary, read_cases};
-use crate::trace::{Band, Class, Line, Next, Tile, Traced, contours, next};
+use campaign::design::TraceDesign;
+use campaign::trace::{Band, Class, Line, Next, Tile, Traced, contours, next};
 
 /// What a traced design has found.
 pub struct TracedLimits<'a> {

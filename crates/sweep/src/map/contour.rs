@@ -1,6 +1,6 @@
 //! Lines along which a field has a level, of its values at the points of a lattice.
 
-use crate::trace::{Line, join, pieces};
+use campaign::trace::{Line, join, pieces};
 
 /// Lines on which the field has a level, by places in units of the lattice: through the squares
 /// whose four corners all have a value, linear along their sides. Values are column by column; a

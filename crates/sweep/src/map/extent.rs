@@ -8,7 +8,7 @@ use std::path::Path;
 use anyhow::Result;
 
 use crate::output::{Motion, read_cases};
-use crate::quantities::{Axis, Units};
+use campaign::quantities::{Axis, Units};
 
 /// Distinct values along an axis are kept up to this number.
 const MOST_DISTINCT: usize = 2000;

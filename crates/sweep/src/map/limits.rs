@@ -6,7 +6,7 @@ use super::mesh::around;
 use super::words::{ends, quantity};
 use crate::output::{Curve, Motion};
 use crate::plot::{Band, Series, is_within};
-use crate::quantities::{Axis, Units};
+use campaign::quantities::{Axis, Units};
 
 /// The limit on a map.
 #[derive(Default)]

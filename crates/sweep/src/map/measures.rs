@@ -9,7 +9,7 @@ use super::mesh::Mesh;
 use super::scale::Classes;
 use crate::output::{Manifest, Motion, label_rows};
 use crate::plot::{Ground, MapGroup, MapPanel, Series};
-use crate::quantities::{Measure, Needs};
+use campaign::quantities::{Measure, Needs};
 
 /// Cells to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [130, 100];

@@ -8,7 +8,7 @@ use super::extent::Extent;
 use super::mesh::Mesh;
 use crate::output::{misfit_columns, read_cases};
 use crate::plot::{Ground, MapGroup, MapPanel, Part};
-use crate::words::short;
+use campaign::words::short;
 
 /// Cells to the right and upwards at most, and where cases lie anywhere.
 const MOST_CELLS: [usize; 2] = [60, 45];

@@ -13,9 +13,9 @@ use super::words;
 use super::{measures, misfits};
 use crate::limits::TracedLimits;
 use crate::output::{Curve, ForwardContact, Manifest, Motion, ResultTables};
-use crate::plan::MapMark;
 use crate::plot::{self, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
-use crate::quantities::Axis;
+use campaign::plan::MapMark;
+use campaign::quantities::Axis;
 
 /// Draws the map of a results folder's tables; none where its design has no two axes.
 ///

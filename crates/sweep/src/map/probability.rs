@@ -9,14 +9,14 @@ use super::mesh::Mesh;
 use super::shown::show_in;
 use crate::analysis::{Bins, Counts, Interval, wilson};
 use crate::output::Motion;
-use crate::plan::{MapMark, MapSettings};
 use crate::plot::{
     self, Ground, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series, map_sheet,
     panels,
 };
-use crate::quantities::Units;
-use crate::sweep_file::Spacing;
-use crate::words::counted;
+use campaign::plan::{MapMark, MapSettings};
+use campaign::quantities::Units;
+use campaign::sweep_file::Spacing;
+use campaign::words::counted;
 
 /// Cells whose 95 % interval is wider have too few cases: of half and half, those of fewer than 21.
 const WIDEST_INTERVAL: f64 = 0.4;

@@ -1,7 +1,7 @@
 //! A sheet of maps in the units that people read.
 
 use crate::plot::MapSheet;
-use crate::quantities::Unit;
+use campaign::quantities::Unit;
 
 /// Puts every place on a sheet in these units of its axes.
 pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
@@ -28,7 +28,7 @@ mod tests {
     use super::*;
     use crate::plot::{Axis, Band, Ground, MapCell, MapGroup, MapPanel, MapPoint, Mark};
     use crate::plot::{Series, Symbol};
-    use crate::quantities::{FORCE, Units};
+    use campaign::quantities::{FORCE, Units};
 
     /// 4.4482216152605 kN are one klbf.
     #[test]

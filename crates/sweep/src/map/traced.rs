@@ -10,7 +10,7 @@ use super::symbol::symbol_of_counts;
 use crate::limits::TracedLimits;
 use crate::output::Motion;
 use crate::plot::{Ground, MapCell, Part, Symbol};
-use crate::trace::{Band, Class, Tile};
+use campaign::trace::{Band, Class, Tile};
 
 /// Cells of a map to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [400, 400];

@@ -10,9 +10,9 @@ use super::words;
 use crate::plot::{
     self, Band, Ground, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety, Series, map_sheet,
 };
-use crate::quantities::Units;
 use crate::window::{AXES, Best, Chart, Drawn, Limit, Region, Room, Standing};
-use crate::words::short;
+use campaign::quantities::Units;
+use campaign::words::short;
 
 /// Safe regions that are a smaller part of the map have no name.
 const LEAST_SHARE: f64 = 0.005;

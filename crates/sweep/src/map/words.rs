@@ -2,9 +2,9 @@
 
 use super::content::Content;
 use crate::output::{Manifest, Motion, TraceSummary};
-use crate::plan::MapMark;
 use crate::plot::{Ground, Part, Symbol};
-use crate::quantities::{Axis, Units};
+use campaign::plan::MapMark;
+use campaign::quantities::{Axis, Units};
 
 /// Digits of a value that is one of a few, and exact but for rounding.
 const EXACT: usize = 10;

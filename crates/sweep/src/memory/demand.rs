@@ -7,9 +7,9 @@ use linear::method::FiniteElement;
 use rayon::current_num_threads;
 
 use super::Limit;
-use crate::design::Design;
-use crate::engine::{StringMemory, Survey, setting_of};
-use crate::plan::{Setting, Sweep};
+use campaign::design::Design;
+use campaign::engine::{StringMemory, Survey, setting_of};
+use campaign::plan::{Setting, Sweep};
 
 /// Bytes of a mebibyte.
 const MIB: f64 = 1024.0 * 1024.0;

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 
 use super::labels::{LabelTable, shows_found, shows_string_torque, shows_surface, shows_torque};
 use super::manifest::Manifest;
-use crate::design::Design;
-use crate::engine::{MethodSystem, RunOptions, Shard, pairs_of};
-use crate::plan::Sweep;
+use campaign::design::Design;
+use campaign::engine::{MethodSystem, RunOptions, Shard, pairs_of};
+use campaign::plan::Sweep;
 
 /// A run that is not finished.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

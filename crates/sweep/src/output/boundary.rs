@@ -13,10 +13,10 @@ use serde::Deserialize;
 use super::many_sites_limit::many_sites_limit;
 use super::sliding_together::sliding_together;
 use super::whirl_limit::{WhirlPoint, whirl_limit};
-use crate::engine::MethodSystem;
-use crate::plan::{Bit, LateralSettings, Sweep, TorqueError, to_rpm};
-use crate::quantities::{Axis, WallQuantity};
-use crate::text_file::unreadable;
+use campaign::engine::MethodSystem;
+use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError, to_rpm};
+use campaign::quantities::{Axis, WallQuantity};
+use campaign::text_file::unreadable;
 
 /// Points of the line between the ends of an axis.
 const POINTS: usize = 200;

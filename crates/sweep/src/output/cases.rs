@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use super::label_rows::{LabelRow, label_rows};
 use super::motion::Motion;
-use crate::quantities::{Axis, Measure};
+use campaign::quantities::{Axis, Measure};
 
 /// The rows of one case.
 #[derive(Debug, Clone, PartialEq)]

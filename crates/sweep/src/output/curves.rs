@@ -4,7 +4,7 @@
 use super::boundary::{Boundary, StickSlipPoint};
 use super::motion::Motion;
 use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
-use crate::quantities::Axis;
+use campaign::quantities::Axis;
 
 /// What the curves of whirl are. Several sites together may whirl below those of one.
 const ROLLING: &str = "steady rolling whirl at one site";

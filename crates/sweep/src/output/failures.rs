@@ -5,7 +5,7 @@ use anyhow::Result;
 
 use super::about::About;
 use super::manifest::Manifest;
-use crate::words::shell_word;
+use campaign::words::shell_word;
 
 /// The first line of `failures.csv`.
 pub const FAILURES_HEADER: &str = "case,method,reason,repeat_with";

@@ -15,9 +15,9 @@ use sim::steady_whirl::EccentricString;
 use super::boundary::{position, range_of_axis};
 use super::curves::Curve;
 use super::motion::Motion;
-use crate::plan::{LateralSettings, Sweep, to_rpm};
-use crate::quantities::{Axis, LENGTH, StringAxis, Units, WallQuantity};
-use crate::words::short;
+use campaign::plan::{LateralSettings, Sweep, to_rpm};
+use campaign::quantities::{Axis, LENGTH, StringAxis, Units, WallQuantity};
+use campaign::words::short;
 
 /// Values along an axis, between its ends.
 const STEPS: usize = 40;

@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 
 use super::manifest::Manifest;
 use crate::files::{Checksum, is_absent};
-use crate::text_file::unreadable;
+use campaign::text_file::unreadable;
 
 /// The tables of a results folder.
 pub const TABLES: [&str; 3] = ["labels.csv", "failures.csv", "boundary.csv"];

@@ -8,10 +8,10 @@ use sim::{Label, LateralRegime, TorsionRegime};
 use super::certainty::Certainty;
 use super::labels::FAILED;
 use super::motion::Labels;
-use crate::hand_table::{HandTable, Mistake, NumberError, number};
-use crate::quantities::{Axis, Measure};
-use crate::sweep_file::nearest;
-use crate::text_file::{LARGEST_TABLE, read_text, unreadable};
+use campaign::hand_table::{HandTable, Mistake, NumberError, number};
+use campaign::quantities::{Axis, Measure};
+use campaign::sweep_file::nearest;
+use campaign::text_file::{LARGEST_TABLE, read_text, unreadable};
 
 /// What is read back of a row: enough to draw it or to run it again.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,9 +6,9 @@ use sim::{Label, LateralMeasures, TorsionMeasures, TorsionRegime};
 
 use super::certainty::Certainty;
 use super::motion::Labels;
-use crate::engine::{Record, Verdict, certified};
-use crate::plan::{Sweep, to_rpm};
-use crate::quantities::Axis;
+use campaign::engine::{Record, Verdict, certified};
+use campaign::plan::{Sweep, to_rpm};
+use campaign::quantities::Axis;
 
 /// Columns that follow the axes.
 const RESULT_COLUMNS: [&str; 23] = [

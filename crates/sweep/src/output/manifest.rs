@@ -12,13 +12,13 @@ use super::certainty::CertifiedBy;
 use super::forward_contact::ForwardContact;
 use super::tally::Tally;
 use super::trace_summary::TraceSummary;
-use crate::design::{Design, TraceDesign};
-use crate::engine::{MethodSystem, RunOptions, Shard};
 use crate::files::{Checksum, hexadecimal, refuse_irregular, write_atomically};
-use crate::plan::{Choice, Data, MapSettings, Sweep};
-use crate::quantities::Axis;
-use crate::sweep_file::{DesignKind, FileContent};
-use crate::text_file::unreadable;
+use campaign::design::{Design, TraceDesign};
+use campaign::engine::{MethodSystem, RunOptions, Shard};
+use campaign::plan::{Choice, Data, MapSettings, Sweep};
+use campaign::quantities::Axis;
+use campaign::sweep_file::{DesignKind, FileContent};
+use campaign::text_file::unreadable;
 
 /// What was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

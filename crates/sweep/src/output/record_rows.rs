@@ -10,8 +10,8 @@ use sim::{
 
 use super::certainty::Certainty;
 use super::labels::{LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
-use crate::engine::{Failure, Found, LateralVerdict, Record, Verdict};
-use crate::plan::{Sweep, to_rpm};
+use campaign::engine::{Failure, Found, LateralVerdict, Record, Verdict};
+use campaign::plan::{Sweep, to_rpm};
 
 /// The record that a row of a sweep's table was written from; `reason` says why a case
 /// has no answer by a method. None where it is not a row as the sweep writes it.

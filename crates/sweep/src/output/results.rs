@@ -12,8 +12,8 @@ use super::failures::{FAILURES_HEADER, failures_row, repeat_command};
 use super::labels::LabelTable;
 use super::motion::Labels;
 use super::tally::Tally;
-use crate::engine::Record;
 use crate::files::{AtomicFile, Checksum};
+use campaign::engine::Record;
 
 /// Rows that all threads together format at once.
 const ROWS_AT_ONCE: usize = 1 << 12;

@@ -15,7 +15,7 @@ use super::boundary::{Boundary, read_boundary};
 use super::manifest::Manifest;
 use super::results::TableWriter;
 use super::tally::Tally;
-use crate::engine::{LogView, read_about};
+use crate::log::{LogView, read_about};
 
 /// A results folder, ready to be shown.
 pub struct ResultTables {

@@ -4,7 +4,7 @@ use anyhow::{Result, anyhow, ensure};
 use plotters::style::{FontDesc, FontStyle, IntoFont, register_font};
 use std::sync::LazyLock;
 
-use crate::printable::is_noncharacter;
+use campaign::printable::is_noncharacter;
 
 /// The embedded font: Latin-1, Greek, sub- and superscripts of DejaVu Sans.
 pub(super) static FONT: &[u8] = include_bytes!("fonts/DejaVuSans.ttf");

@@ -4,9 +4,9 @@ use super::deciding;
 use super::document::{Block, Section, Table};
 use crate::analysis::{Bins, Counts, Interval, MethodBlocks, cases_for, wilson};
 use crate::output::Manifest;
-use crate::quantities::Units;
-use crate::sweep_file::DesignKind;
-use crate::words::{counted, short};
+use campaign::quantities::Units;
+use campaign::sweep_file::DesignKind;
+use campaign::words::{counted, short};
 
 /// The sections about counts: the first in all, then over each axis, then those asked for, which
 /// are shown instead of the others; and of the axes, from blocks of cases if they are such.

@@ -3,8 +3,8 @@
 use crate::map::{Cells, Extent, meanings};
 use crate::output::Motion;
 use crate::plot::{Ground, Symbol};
-use crate::quantities::Axis;
-use crate::words::short;
+use campaign::quantities::Axis;
+use campaign::words::short;
 
 /// The map with its axes and what the characters mean.
 pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Axis; 2]) -> String {

@@ -5,8 +5,8 @@ use thiserror::Error;
 
 use super::results::Results;
 use crate::output::{CaseRows, read_cases};
-use crate::quantities::Unit;
-use crate::words::short;
+use campaign::quantities::Unit;
+use campaign::words::short;
 
 /// Differing labels that are kept to be listed.
 const MOST_LISTED: usize = 30;

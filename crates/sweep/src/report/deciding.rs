@@ -4,7 +4,7 @@
 use super::document::{Block, Table};
 use crate::analysis::{Counts, DRAWN, Indices, LEAST_BLOCKS, MethodBlocks, Untold, sensitivity};
 use crate::output::Manifest;
-use crate::words::counted;
+use campaign::words::counted;
 
 /// From counts over each axis.
 pub fn of_cases(manifest: &Manifest, of_axes: &[Counts]) -> Vec<Block> {

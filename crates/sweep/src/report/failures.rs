@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use crate::text_file::unreadable;
+use campaign::text_file::unreadable;
 
 /// Failures that are kept to be listed.
 const MOST_LISTED: usize = 50;

@@ -1,7 +1,7 @@
 //! HTML elements. Every text is escaped when it is put in, and only then.
 
 use super::document::Table;
-use crate::printable::steers;
+use campaign::printable::steers;
 
 /// A text as it stands in HTML, between tags or in a quoted attribute.
 pub fn escaped(text: &str) -> String {

@@ -5,7 +5,7 @@ use sim::LateralRegime;
 use crate::output::{
     Boundary, CaseRows, Envelope, LabelRow, Motion, StickSlipPoint, rolling_envelope,
 };
-use crate::quantities::Axis;
+use campaign::quantities::Axis;
 
 /// How one method's labels lie about its limit. A case's place is its value in
 /// multiples of the limit: the surface speed for stick-slip, which Eq. 74 allows

@@ -10,7 +10,7 @@ use base64::engine::general_purpose::STANDARD;
 use super::document::{Block, Map, Section};
 use super::html::{element, escaped, table};
 use crate::files::is_absent;
-use crate::text_file::unreadable;
+use campaign::text_file::unreadable;
 
 /// The mark of a page that this program made.
 const MADE_BY: &str = "<footer><p>Made by ";

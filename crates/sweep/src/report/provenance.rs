@@ -3,10 +3,10 @@
 
 use super::document::{Block, NOTHING, Table, row_of, table_of};
 use super::results::Results;
-use crate::engine::is_unstable;
 use crate::output::MethodRecord;
-use crate::quantities::{IMPULSE, Unit};
-use crate::words::short;
+use campaign::engine::is_unstable;
+use campaign::quantities::{IMPULSE, Unit};
+use campaign::words::short;
 
 /// How long it took.
 pub fn time(all: &[Results]) -> Vec<Block> {

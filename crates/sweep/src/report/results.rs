@@ -12,7 +12,7 @@ use super::limit::Limits;
 use crate::analysis::{Counts, MethodBlocks, blocks, count_cases};
 use crate::map::{Cells, Extent, symbol_of};
 use crate::output::{CaseRows, Manifest, Motion, ResultTables, read_cases};
-use crate::quantities::Axis;
+use campaign::quantities::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
 const CHARACTERS: [usize; 2] = [64, 25];

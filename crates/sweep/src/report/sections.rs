@@ -9,7 +9,7 @@ use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
 use crate::output::{Manifest, Motion};
-use crate::words::{counted, short};
+use campaign::words::{counted, short};
 
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.

@@ -1,7 +1,7 @@
 //! Sections for a terminal, a pipe or a file.
 
 use super::document::{Block, Section, Table};
-use crate::words::{WIDTH, wrapped};
+use campaign::words::{WIDTH, wrapped};
 
 /// Space between columns.
 const GAP: usize = 2;

@@ -4,8 +4,8 @@
 use std::io::{Error, ErrorKind};
 use std::path::Path;
 
-use crate::plan::Sweep;
-use crate::sweep_file::{MethodName, SweepFileError};
+use campaign::plan::Sweep;
+use campaign::sweep_file::{MethodName, SweepFileError};
 
 /// Fig. 12 with a second site.
 const TWO_SITES: &str = r#"base = "fig12.toml"

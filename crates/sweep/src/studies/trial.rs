@@ -4,8 +4,8 @@
 use anyhow::Result;
 use sim::{Outcome, Stopping};
 
-use crate::engine::{Case, CaseError, MethodSystem};
-use crate::plan::{Conditions, Setting, Sweep};
+use campaign::engine::{Case, CaseError, MethodSystem};
+use campaign::plan::{Conditions, Setting, Sweep};
 
 /// The case of a sweep under given conditions, whose string is that of `setting`.
 ///

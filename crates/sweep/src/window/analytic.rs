@@ -61,7 +61,7 @@ pub fn near_resonances(all: &[Resonance], [_, [low, high]]: [[f64; 2]; 2]) -> St
 mod tests {
     use super::*;
     use crate::output::Motion;
-    use crate::quantities::Axis;
+    use campaign::quantities::Axis;
 
     fn curve(ends: [[f64; 2]; 2]) -> Curve {
         Curve {

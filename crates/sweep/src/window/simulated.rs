@@ -6,9 +6,9 @@ use super::standing::Standing;
 use crate::analysis::{Bins, Counts, count_cases, wilson};
 use crate::limits::TracedLimits;
 use crate::output::{Manifest, Motion, ResultTables, read_cases};
-use crate::quantities::Axis;
-use crate::sweep_file::DesignKind;
-use crate::trace::Class;
+use campaign::quantities::Axis;
+use campaign::sweep_file::DesignKind;
+use campaign::trace::Class;
 
 /// The axes of a chart.
 pub const AXES: [Axis; 2] = [Axis::WeightOnBitKn, Axis::SurfaceSpeedRpm];
@@ -290,7 +290,7 @@ impl Points {
 mod tests {
     use super::*;
     use crate::analysis::Group;
-    use crate::sweep_file::Spacing;
+    use campaign::sweep_file::Spacing;
     use sim::{Label, TorsionRegime};
 
     #[test]

@@ -13,8 +13,8 @@ use crate::analysis::{blocks, count_cases, size_of_blocks};
 use crate::cli::AnalyseArguments;
 use crate::files::write_atomically;
 use crate::output::ResultTables;
-use crate::quantities::Axis;
 use crate::report::{analysed_sections, text};
+use campaign::quantities::Axis;
 use picture::{draw, refuse_absent, refuse_several};
 use table::{counts_csv, indices_csv};
 

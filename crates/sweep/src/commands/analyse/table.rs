@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use crate::analysis::{Counts, MethodBlocks, wilson};
-use crate::quantities::Axis;
+use campaign::quantities::Axis;
 
 /// The table; axes that a row is not counted over are empty.
 pub fn counts_csv(all: &[Counts]) -> String {

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use sim::Label;
 
-use crate::engine::{MethodSystem, Record};
 use crate::output::{LabelRow, Labels, Motion, rolling_bound};
-use crate::plan::Sweep;
-use crate::quantities::Axis;
+use campaign::engine::{MethodSystem, Record};
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
 
 /// Rows by the reference's numbers of cases and by method.
 pub type Found = BTreeMap<(usize, &'static str), Record>;

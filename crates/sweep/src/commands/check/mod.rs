@@ -16,12 +16,12 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::{warn_of_memory, warn_of_unstable};
 use crate::cli::CheckArguments;
-use crate::design::{Design, List};
-use crate::engine::{MethodSystem, Record, RunOptions, Shard, Work};
 use crate::memory::{Purpose, admit};
-use crate::plan::Sweep;
-use crate::quantities::Axis;
-use crate::words::counted;
+use campaign::design::{Design, List};
+use campaign::engine::{MethodSystem, Record, RunOptions, Shard, Work};
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
+use campaign::words::counted;
 use comparison::{Found, compare};
 use reference::{cases_of, read_reference};
 

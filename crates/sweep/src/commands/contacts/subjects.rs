@@ -10,10 +10,10 @@ use crate::commands::prepare::{read_sweep, unique};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::{warn_of_memory, warn_of_string};
-use crate::plan::Sweep;
-use crate::quantities::Axis;
 use crate::studies::contacts::{Range, Subject, SubjectError};
 use crate::studies::scenes::shipped_by;
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
 
 /// The strings of the study without a file, by their names.
 const SHIPPED: [(&str, &str); 2] = [("paper", "contacts.toml"), ("field", "contacts_12in.toml")];

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::studies::contacts::{Blow, Row};
-use crate::words::short;
+use campaign::words::short;
 
 /// The columns of the table: their names, and what a row has there.
 pub fn columns(row: &Row) -> [(&'static str, String); 22] {

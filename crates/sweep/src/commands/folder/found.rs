@@ -10,10 +10,10 @@ use super::names::{LOG, MANIFEST};
 use super::ours::Ours;
 use super::raise::with_our_number;
 use crate::commands::status::UsageError;
-use crate::design::Design;
-use crate::engine::{Header, LogError, Place};
+use crate::log::{Header, LogError, Place};
 use crate::output::{Manifest, differences};
-use crate::plan::Sweep;
+use campaign::design::Design;
+use campaign::plan::Sweep;
 
 /// Differences shown of two sweeps.
 const MOST_DIFFERENCES: usize = 8;

@@ -9,10 +9,10 @@ use anyhow::{Context, Result, bail};
 
 use super::names::{LOG, MANIFEST, REPORT};
 use crate::commands::status::UsageError;
-use crate::engine::{Header, Place, log_place};
+use crate::log::{Header, Place, log_place};
 use crate::output::{Manifest, OF_TRACE, PICTURES, TABLES};
 use crate::report::is_page;
-use crate::text_file::unreadable;
+use campaign::text_file::unreadable;
 
 /// What tells of an earlier run in a folder.
 pub struct Ours {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 
-use crate::plan::Sweep;
+use campaign::plan::Sweep;
 
 /// The folder for a sweep's results.
 pub fn results_folder(out: Option<&PathBuf>, sweep: &Sweep) -> PathBuf {

@@ -11,11 +11,11 @@ use super::names::LOG;
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_broken_lines;
-use crate::engine::{Header, Log, record_line};
 use crate::files::AtomicFile;
+use crate::log::{Header, Log, record_line};
 use crate::output::{LabelTable, Manifest, record_of};
-use crate::plan::Sweep;
-use crate::text_file::unreadable;
+use campaign::plan::Sweep;
+use campaign::text_file::unreadable;
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
 /// ours; any other is returned as it is.

@@ -3,8 +3,8 @@
 use linear::BuildError;
 
 use super::description::row;
-use crate::plan::Sweep;
-use crate::quantities::{FORCE, LENGTH};
+use campaign::plan::Sweep;
+use campaign::quantities::{FORCE, LENGTH};
 
 /// The axial force along the string, where it is modelled.
 ///

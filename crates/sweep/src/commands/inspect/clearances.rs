@@ -1,9 +1,9 @@
 //! The clearances that the hole leaves, in words and numbers.
 
 use super::description::row;
-use crate::plan::{Sweep, WallSettings};
-use crate::quantities::{INCH, LENGTH};
-use crate::words::counted;
+use campaign::plan::{Sweep, WallSettings};
+use campaign::quantities::{INCH, LENGTH};
+use campaign::words::counted;
 
 /// Of more sites only so many, those next to the bit, have a line of their own.
 const MOST_LINES: usize = 20;

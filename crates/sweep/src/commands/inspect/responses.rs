@@ -6,11 +6,11 @@ use anyhow::Result;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 
-use crate::engine::MethodSystem;
-use crate::plan::{LateralSettings, Sweep};
 use crate::plot::{Axis, Panel, Picture, Series, panels};
-use crate::quantities::{FORCE, IMPULSE, LENGTH, TORQUE, Unit};
-use crate::words::site_title;
+use campaign::engine::MethodSystem;
+use campaign::plan::{LateralSettings, Sweep};
+use campaign::quantities::{FORCE, IMPULSE, LENGTH, TORQUE, Unit};
+use campaign::words::site_title;
 
 /// Points of the frequency response drawn.
 const FREQUENCIES: usize = 4000;

@@ -10,8 +10,8 @@ use linear::{Drillstring, TopDrive};
 
 use super::description::row;
 use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
-use crate::quantities::{INERTIA, INTEGRAL_GAIN, PROPORTIONAL_GAIN, Units};
-use crate::words::short;
+use campaign::quantities::{INERTIA, INTEGRAL_GAIN, PROPORTIONAL_GAIN, Units};
+use campaign::words::short;
 
 /// Modes that are shown.
 const MODES: usize = 5;

@@ -13,8 +13,9 @@ use super::folder::{LOG, MANIFEST, Ours, hold, make_folder, remove_page};
 use super::outcome::{status_of, summary};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
-use crate::engine::{Header, Place, Shard};
+use crate::log::{Header, Place};
 use crate::output::Manifest;
+use campaign::engine::Shard;
 use parts::{Part, read_parts, refuse_damaged_parts};
 use tables::join_tables;
 

@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use crate::commands::folder::{LOG, MANIFEST, header_of, in_words, tell_if_unverified};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
-use crate::engine::{Header, read_header};
+use crate::log::{Header, read_header};
 use crate::output::{Manifest, TABLES, differences};
 
 /// A finished shard.

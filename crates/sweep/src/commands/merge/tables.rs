@@ -10,7 +10,7 @@ use anyhow::{Context, Result, anyhow, bail};
 use super::parts::Part;
 use crate::files::{AtomicFile, SealedFile};
 use crate::output::{FAILURES_HEADER, LabelColumns, Tally};
-use crate::text_file::unreadable;
+use campaign::text_file::unreadable;
 
 /// Joins the tables of shards, for a folder: by name, on the disk, without their names
 /// yet; and what is in them.

@@ -1,7 +1,7 @@
 //! Labels that were put to the test as a table, and in a few lines.
 
 use crate::studies::promises::{Motion, Tested};
-use crate::words::{counted, wrapped};
+use campaign::words::{counted, wrapped};
 
 /// The columns of the table: their names, and what a case has there.
 pub fn columns(tested: &Tested) -> [(&'static str, String); 10] {

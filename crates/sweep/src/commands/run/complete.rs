@@ -12,12 +12,12 @@ use crate::commands::folder::{
 use crate::commands::outcome::{status_of, summary};
 use crate::commands::status::{Status, UsageError};
 use crate::commands::terminal::say;
-use crate::design::Design;
 use crate::files::write_with_checksum;
 use crate::limits::write_traced;
 use crate::output::{
     Damage, FAILURES_HEADER, Manifest, OF_TRACE, PICTURES, boundary, boundary_csv,
 };
+use campaign::design::Design;
 
 /// Shows the results again, in order.
 ///

@@ -6,10 +6,11 @@ use super::complete::damage;
 use super::task::Task;
 use crate::commands::cost::{cost_lines, probe};
 use crate::commands::folder::{Found, LOG, in_words};
-use crate::design::{Design, TraceDesign};
-use crate::engine::{FINER, LogView, pairs_of};
+use crate::log::LogView;
 use crate::memory::{Purpose, admit};
-use crate::words::{counted, short, together, wrapped};
+use campaign::design::{Design, TraceDesign};
+use campaign::engine::{FINER, pairs_of};
+use campaign::words::{counted, short, together, wrapped};
 
 /// What would run in a folder where so much was `found`. A probe of what it costs ends
 /// sooner where it `stops`.

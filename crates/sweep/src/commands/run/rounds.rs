@@ -3,11 +3,11 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use crate::design::TraceDesign;
-use crate::engine::Record;
 use crate::limits::{note_labels, nothing_known};
 use crate::output::Labels;
-use crate::trace::{Known, Next, next};
+use campaign::design::TraceDesign;
+use campaign::engine::Record;
+use campaign::trace::{Known, Next, next};
 
 /// What is known of a trace.
 pub struct Rounds {

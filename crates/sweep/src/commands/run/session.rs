@@ -17,12 +17,13 @@ use crate::commands::status::Status;
 use crate::commands::stop;
 use crate::commands::terminal::say;
 use crate::commands::warnings::{warn_of_broken_lines, warn_of_overshoot, warn_of_unstable};
-use crate::design::{Design, TraceDesign};
-use crate::engine::{Log, Record, Work};
 use crate::files::write_with_checksum;
 use crate::limits::write_traced;
+use crate::log::Log;
 use crate::output::{About, Manifest, TableWriter, boundary_csv};
-use crate::words::counted;
+use campaign::design::{Design, TraceDesign};
+use campaign::engine::{Record, Work};
+use campaign::words::counted;
 
 /// A run under way.
 pub struct Session<'a> {

@@ -11,10 +11,11 @@ use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 
 use crate::commands::warnings::{warn_of_limits, warn_of_string};
-use crate::design::Design;
-use crate::engine::{Header, Log, Shard, Survey};
+use crate::log::{Header, Log};
 use crate::output::{Manifest, fingerprint};
-use crate::plan::Sweep;
+use campaign::design::Design;
+use campaign::engine::{Shard, Survey};
+use campaign::plan::Sweep;
 
 /// A run, as far as it is known before anything is built.
 pub struct Task<'a> {

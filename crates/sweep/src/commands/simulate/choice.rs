@@ -8,10 +8,10 @@ use crate::cli::SimulateArguments;
 use crate::commands::idle_axis::refuse_idle_axis;
 use crate::commands::prepare::unique;
 use crate::commands::status::UsageError;
-use crate::engine::{Case, longest_beside};
-use crate::plan::{Conditions, Setting, Sweep};
-use crate::quantities::Axis;
-use crate::sweep_file::SweepFileError;
+use campaign::engine::{Case, longest_beside};
+use campaign::plan::{Conditions, Setting, Sweep};
+use campaign::quantities::Axis;
+use campaign::sweep_file::SweepFileError;
 
 /// A case, and for how long its linear systems are built, s.
 pub struct ChosenCase {

@@ -7,8 +7,8 @@ use sim::laws::contact::Touch;
 use super::choice::ChosenCase;
 use crate::cli::FilmArguments;
 use crate::commands::status::UsageError;
-use crate::plan::Sweep;
-use crate::words::{counted, short};
+use campaign::plan::Sweep;
+use campaign::words::{counted, short};
 
 /// Refuses, before anything is simulated, a film of what does not bend or of no time.
 ///

@@ -7,8 +7,8 @@ use super::systems::{build, run_options};
 use crate::cli::SimulateArguments;
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
-use crate::engine::{Record, answer};
-use crate::plan::Sweep;
+use campaign::engine::{Record, answer};
+use campaign::plan::Sweep;
 
 /// The row of every case and method of a sweep whose sites are found; none of another.
 ///

@@ -9,9 +9,9 @@ use crate::cli::SimulateArguments;
 use crate::commands::prepare::build_systems;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_unstable;
-use crate::engine::{Failure, MethodSystem, Record, RunOptions};
-use crate::histories::{FollowedMethod, Simulation};
-use crate::plan::Sweep;
+use campaign::engine::{Failure, MethodSystem, Record, RunOptions};
+use campaign::engine::{FollowedMethod, Simulation};
+use campaign::plan::Sweep;
 
 /// The row of every case and method, as a run has it, and the motion of each that has
 /// an answer.

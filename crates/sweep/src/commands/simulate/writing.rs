@@ -9,13 +9,13 @@ use super::film::chosen_steps;
 use crate::cli::FilmArguments;
 use crate::commands::drawing::save_picture;
 use crate::commands::folder::make_folder;
-use crate::engine::{Case, Record};
 use crate::histories::{
-    Simulation, case_csv, case_lines, contact_picture, contacts_csv, film_picture, history_csv,
+    case_csv, case_lines, contact_picture, contacts_csv, film_picture, history_csv,
     history_picture, orbit_picture, string_picture, whole_strings,
 };
 use crate::output::write_atomically;
-use crate::plan::Sweep;
+use campaign::engine::{Case, Record, Simulation};
+use campaign::plan::Sweep;
 
 /// Simulated cases, and where their files are written.
 pub struct Written<'a> {

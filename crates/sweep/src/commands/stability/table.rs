@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::studies::stability::{Cell, Entry, Family, Findings, explanation};
-use crate::words::wrapped;
+use campaign::words::wrapped;
 
 fn symptoms(entry: &Entry) -> String {
     let names: Vec<&str> = (entry.findings.symptoms().iter())

@@ -6,7 +6,7 @@ use super::table::measures;
 use crate::studies::tradeoff::{
     CASE_SECONDS, CASES, Cheapest, PaperRatio, PaperSteps, Row, cheapest, orders,
 };
-use crate::words::wrapped;
+use campaign::words::wrapped;
 
 /// Accuracies that the printed table answers for.
 const ACCURACIES: [f64; 3] = [0.1, 0.01, 0.001];

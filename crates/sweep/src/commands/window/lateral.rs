@@ -8,10 +8,10 @@ use linear::natural_frequencies::held_lateral_frequencies_below;
 use crate::cli::WindowArguments;
 use crate::commands::status::UsageError;
 use crate::output::whirl_from;
-use crate::plan::{LateralSettings, Sweep, WallSettings};
-use crate::quantities::{Axis, LENGTH, WallQuantity};
 use crate::window::{Drawn, Resonance, Source, above_speed, near_resonances};
-use crate::words::short;
+use campaign::plan::{LateralSettings, Sweep, WallSettings};
+use campaign::quantities::{Axis, LENGTH, WallQuantity};
+use campaign::words::short;
 
 /// The limits within ranges of weight on bit (kN) and surface speed (rpm); none where the string
 /// does not bend.

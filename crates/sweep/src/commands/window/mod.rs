@@ -19,9 +19,9 @@ use crate::cli::WindowArguments;
 use crate::files::write_atomically;
 use crate::map::{WindowSheet, window_picture};
 use crate::output::{ResultTables, differences};
-use crate::plan::Sweep;
-use crate::text_file::read_text;
 use crate::window::{AXES, Chart};
+use campaign::plan::Sweep;
+use campaign::text_file::read_text;
 
 /// Draws the window, and says what came out.
 pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status> {

@@ -7,11 +7,11 @@ use anyhow::{Context, Result, bail};
 use crate::cli::WindowArguments;
 use crate::commands::status::UsageError;
 use crate::output::{Boundary, Curve, Manifest, Motion, ResultTables, exact_stick_slip_limit};
-use crate::plan::Sweep;
-use crate::quantities::Axis;
-use crate::sweep_file::DesignKind;
 use crate::window::{AXES, Drawn, Simulated, Source, below_curves, simulated};
-use crate::words::{counted, short};
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
+use campaign::sweep_file::DesignKind;
+use campaign::words::{counted, short};
 
 /// What all folders span, and the limits that each holds.
 ///

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::map::WindowSheet;
-use crate::words::wrapped;
+use campaign::words::wrapped;
 
 /// The limits, the safe regions and the best point, and where the files are.
 pub fn describe(sheet: &WindowSheet, folder: &Path) -> String {

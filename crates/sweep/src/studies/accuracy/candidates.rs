@@ -3,8 +3,8 @@
 use linear::Method;
 use linear::method::{FiniteElement, Transform};
 
-use crate::plan::Candidate;
 use crate::studies::methods::Parameters;
+use campaign::plan::Candidate;
 
 /// The lowest sampling frequency tried, about, Hz.
 const LOWEST: f64 = 20.0;

@@ -9,7 +9,7 @@ use super::candidates::{candidate, frequencies, off_beat};
 use super::reference::{METHOD, Reference, References};
 use super::search::Search;
 use super::strings::Steps;
-use crate::plan::Choice;
+use campaign::plan::Choice;
 
 /// Another family is heard where its linear responses are within this part of what a
 /// reference may be uncertain by: limits are off by more than the responses they hang on.

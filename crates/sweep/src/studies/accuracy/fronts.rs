@@ -8,7 +8,7 @@ use super::candidates::frequencies;
 use super::reference::{Reference, References};
 use super::search::Search;
 use super::strings::Steps;
-use crate::plan::Choice;
+use campaign::plan::Choice;
 
 /// Pieces of the lattice in a step of a first look.
 const FIRST_PIECES: f64 = 16.0;

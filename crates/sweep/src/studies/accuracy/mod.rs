@@ -33,9 +33,9 @@ use linear::Method;
 use sim::Stopping;
 
 use crate::memory::Limit;
-use crate::plan::{Choice, Sweep};
-use crate::sweep_file::{Accuracy, SweepFileError};
 pub use answer::is_inside;
+use campaign::plan::{Choice, Sweep};
+use campaign::sweep_file::{Accuracy, SweepFileError};
 use probes::Probes;
 use reference::References;
 pub use reference::{Attempt, Expected, Told};

@@ -7,11 +7,11 @@ use sim::Stopping;
 
 use super::answer::{Answer, is_inside, measures, regimes};
 use super::strings::{Strings, Systems};
-use crate::engine::MethodSystem;
 use crate::memory::Limit;
-use crate::plan::{Conditions, Sweep};
 use crate::studies::limit::{bisected, geometric};
 use crate::studies::trial;
+use campaign::engine::MethodSystem;
+use campaign::plan::{Conditions, Sweep};
 
 /// Cases compared, evenly spread over the design.
 const MOST_PROBES: usize = 8;

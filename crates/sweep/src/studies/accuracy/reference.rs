@@ -13,8 +13,8 @@ use super::candidates::candidate;
 use super::forecast::{Forecast, ON_LATTICE};
 use super::probes::Probes;
 use super::strings::{Steps, Systems};
-use crate::plan::Candidate;
-use crate::words::short;
+use campaign::plan::Candidate;
+use campaign::words::short;
 
 /// The reference's uncertainty is at most this part of the accuracy; it counts in full.
 const PART: f64 = 0.5;

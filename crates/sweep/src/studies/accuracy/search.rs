@@ -8,9 +8,9 @@ use super::answer::{Answer, Difference, largest_difference};
 use super::candidates::{candidate, methods};
 use super::reference::{METHOD, Reference, References};
 use super::strings::{Steps, Systems};
-use crate::plan::{Candidate, Choice, Tried};
-use crate::sweep_file::per_cent;
-use crate::words::short;
+use campaign::plan::{Candidate, Choice, Tried};
+use campaign::sweep_file::per_cent;
+use campaign::words::short;
 
 /// A search for the cheapest candidate.
 pub struct Search<'a> {

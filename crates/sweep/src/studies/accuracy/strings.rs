@@ -13,9 +13,9 @@ use linear::{ImpulseTrains, Method};
 use rayon::prelude::*;
 
 use super::answer::Difference;
-use crate::engine::{MethodSystem, StringMemory};
 use crate::memory::{Limit, Size};
-use crate::plan::{LateralSettings, Setting, Sweep};
+use campaign::engine::{MethodSystem, StringMemory};
+use campaign::plan::{LateralSettings, Setting, Sweep};
 
 /// Duration of the impulse in bending where the scene has none, s.
 const DURATION: f64 = 0.02;

@@ -6,11 +6,11 @@ use thiserror::Error;
 
 use super::blow::Blow;
 use super::places::Range;
-use crate::engine::{Case, MethodSystem, StringMemory};
-use crate::plan::{Conditions, ImpulseAmount, ImpulseSettings, LateralSettings, Setting, Sweep};
-use crate::quantities::Axis;
 use crate::studies::trial;
-use crate::sweep_file::SweepFileError;
+use campaign::engine::{Case, MethodSystem, StringMemory};
+use campaign::plan::{Conditions, ImpulseAmount, ImpulseSettings, LateralSettings, Setting, Sweep};
+use campaign::quantities::Axis;
+use campaign::sweep_file::SweepFileError;
 
 /// A blow lasts as long as those of the paper, s.
 const BLOW_DURATION: f64 = 0.02;

@@ -11,7 +11,7 @@ use super::blow::Blow;
 use super::places::{index_of, with_others};
 use super::search::{Least, scan};
 use super::subject::{Subject, blow_start, impulse};
-use crate::engine::{Case, MethodSystem};
+use campaign::engine::{Case, MethodSystem};
 
 /// Clearance of a place that is hit but is no contact, m: no string comes so far.
 const OUT_OF_REACH: f64 = 1e6;

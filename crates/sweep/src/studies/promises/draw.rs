@@ -2,8 +2,8 @@
 
 use linear::{Section, Tube};
 
-use crate::random::Stream;
-use crate::sweep_file::Spacing;
+use campaign::random::Stream;
+use campaign::sweep_file::Spacing;
 
 /// Kinds of strings.
 #[derive(Debug, Clone, Copy)]

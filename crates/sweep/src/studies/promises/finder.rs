@@ -4,12 +4,12 @@ use anyhow::Result;
 use sim::Stopping;
 
 use super::problem::Problem;
-use crate::engine::MethodSystem;
-use crate::plan::Sweep;
-use crate::quantities::Axis;
 use crate::studies::accuracy::is_inside;
 use crate::studies::limit::{bisected, geometric};
 use crate::studies::trial;
+use campaign::engine::MethodSystem;
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
 
 /// A limit is looked for within this factor of a place,
 pub const WITHIN: f64 = 1.6;

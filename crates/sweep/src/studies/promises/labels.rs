@@ -11,10 +11,10 @@ use super::draw::Draw;
 use super::finder::{Finder, longest};
 use super::problem::{Motion, Problem};
 use super::{of_each, stick_slip, whirl};
-use crate::engine::{self, MethodSystem, Record, RunOptions, certified};
-use crate::plan::Sweep;
 use crate::studies::accuracy::is_inside;
 use crate::studies::trial;
+use campaign::engine::{self, MethodSystem, Record, RunOptions, certified};
+use campaign::plan::Sweep;
 
 /// Cases of a string: each at most so far from its limit, as a natural logarithm.
 const NEAR: [f64; 6] = [0.02, 0.05, 0.05, 0.15, 0.15, 0.3];

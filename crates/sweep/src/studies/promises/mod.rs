@@ -17,8 +17,8 @@ pub use labels::{Tested, test_labels};
 pub use problem::{Motion, Problem};
 
 use crate::memory::Limit;
-use crate::plan::Sweep;
 use crate::studies::accuracy::choose;
+use campaign::plan::Sweep;
 use finder::{Finder, Truth};
 
 /// Accuracies asked for on every string, parts of one.

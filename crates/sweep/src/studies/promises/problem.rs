@@ -10,8 +10,8 @@ use linear::estimates::{stick_slip_speed_limit, torsional_wave_left};
 use linear::{Drillstring, Material};
 
 use super::draw::{Draw, SHAPES, sections};
-use crate::plan::{Sweep, to_rpm};
-use crate::quantities::Axis;
+use campaign::plan::{Sweep, to_rpm};
+use campaign::quantities::Axis;
 
 /// Which limit is looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

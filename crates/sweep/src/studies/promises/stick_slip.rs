@@ -9,8 +9,8 @@ use sim::{BitTorque, torsion_timing};
 use super::finder::Truth;
 use super::problem::{Problem, TORQUE};
 use super::waveguide::{Friction, Waveguide};
-use crate::plan::Sweep;
 use crate::studies::limit::{bisected, geometric};
+use campaign::plan::Sweep;
 
 /// Places of damping on the coarser of two waveguides, and pieces, at least: the bit's speed
 /// after a front falls in steps of them. More where joints are to be pieces.

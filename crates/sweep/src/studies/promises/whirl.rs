@@ -9,8 +9,8 @@ use linear::{ChannelRequest, Method, Request, Responses};
 
 use super::finder::{Finder, HALVED, Truth, longest};
 use super::problem::Problem;
-use crate::engine::MethodSystem;
-use crate::plan::Sweep;
+use campaign::engine::MethodSystem;
+use campaign::plan::Sweep;
 
 /// Sampling frequencies, Hz, each twice the one before.
 pub const FREQUENCIES: [f64; 2] = [5120.0, 10_240.0];

@@ -10,8 +10,8 @@ use linear::{Drillstring, Method, Section};
 
 use super::families::{Approach, Cell};
 use super::verdict::Findings;
-use crate::engine::MethodSystem;
 use crate::studies::scenes::shipped;
+use campaign::engine::MethodSystem;
 
 /// When the displacement after an impulse is looked at, s.
 const LOOKED_AT: f64 = 9.0;

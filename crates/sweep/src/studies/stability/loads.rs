@@ -5,7 +5,7 @@ use anyhow::{Context, Result};
 use sim::oscillator::worst_load_gain;
 
 use super::verdict::Findings;
-use crate::engine::MethodSystem;
+use campaign::engine::MethodSystem;
 
 /// The margins of a system, and what its worst loads gain.
 ///

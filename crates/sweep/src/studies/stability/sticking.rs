@@ -8,10 +8,10 @@ use sim::{Stopping, diagnosis};
 use super::families::Cell;
 use super::loads;
 use super::verdict::Findings;
-use crate::engine::MethodSystem;
-use crate::plan::{Setting, Sweep};
 use crate::studies::scenes::shipped;
 use crate::studies::trial::outcome;
+use campaign::engine::MethodSystem;
+use campaign::plan::{Setting, Sweep};
 
 /// The bit is held for this time, s, as long as Fig. 8(b) is simulated: every
 /// wave of the paper's string has died away by half of it.

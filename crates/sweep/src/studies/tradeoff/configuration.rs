@@ -4,7 +4,7 @@ use linear::Method;
 use linear::method::FiniteElement;
 
 use crate::studies::methods::{Parameters, hilbert};
-use crate::words::counted;
+use campaign::words::counted;
 
 /// Transforms behind the digital filter, s. The paper's filters last 10 s, from
 /// transforms of 20.

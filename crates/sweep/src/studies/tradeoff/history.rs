@@ -9,8 +9,8 @@ use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 use linear::{Complex64, RaisedCosine};
 
-use crate::engine::MethodSystem;
-use crate::plan::Setting;
+use campaign::engine::MethodSystem;
+use campaign::plan::Setting;
 
 /// The exact history is computed from frequencies up to half of this at least, Hz.
 const BAND: f64 = 10_240.0;

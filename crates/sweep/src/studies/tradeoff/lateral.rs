@@ -12,14 +12,14 @@ use super::history::{History, Input};
 use super::measure::Measure;
 use super::part::Part;
 use super::row::Reference;
-use crate::engine::MethodSystem;
 use crate::output::rolling_whirls;
-use crate::plan::Sweep;
-use crate::quantities::Axis;
 use crate::studies::limit::limit_between;
 use crate::studies::scenes::shipped;
 use crate::studies::trial;
-use crate::sweep_file::AutoOr;
+use campaign::engine::MethodSystem;
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
+use campaign::sweep_file::AutoOr;
 
 /// Where the limit of whirl is looked for, coefficient of friction.
 const LIMIT_BRACKET: [f64; 2] = [0.8, 3.0];

@@ -11,9 +11,9 @@ use super::configuration::{Configuration, Scheme};
 use super::history::History;
 use super::measure::Measure;
 use super::row::{Reference, Row, extrapolated};
-use crate::engine::{Case, MethodSystem};
-use crate::plan::Sweep;
 use crate::studies::trial;
+use campaign::engine::{Case, MethodSystem};
+use campaign::plan::Sweep;
 
 /// A timing is the best of this many.
 const REPEATS: usize = 5;

@@ -13,14 +13,14 @@ use super::history::{History, Input};
 use super::measure::Measure;
 use super::part::Part;
 use super::row::Reference;
-use crate::engine::MethodSystem;
-use crate::plan::{Conditions, Setting, Sweep};
-use crate::quantities::Axis;
 use crate::studies::limit::limit_between;
 use crate::studies::methods::hilbert;
 use crate::studies::scenes::shipped;
 use crate::studies::trial;
-use crate::sweep_file::AutoOr;
+use campaign::engine::MethodSystem;
+use campaign::plan::{Conditions, Setting, Sweep};
+use campaign::quantities::Axis;
+use campaign::sweep_file::AutoOr;
 
 /// A step is looked at through a window of this length, s.
 const STEP_WINDOW: RaisedCosine = RaisedCosine { duration: 0.1 };

@@ -16,8 +16,8 @@ use super::part::Part;
 use super::row::{Reference, extrapolated};
 use super::torsion;
 use super::tube_waves::UniformTube;
-use crate::engine::MethodSystem;
 use crate::studies::scenes::shipped;
+use campaign::engine::MethodSystem;
 
 /// By finer steps nothing changes any more, Hz; finite elements would take minutes.
 const HIGHEST: f64 = 2560.0;

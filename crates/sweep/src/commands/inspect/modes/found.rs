@@ -9,7 +9,7 @@ use linear::{BuildError, Channel};
 
 use super::speeds::Excitation;
 use crate::commands::status::UsageError;
-use crate::plan::Sweep;
+use campaign::plan::Sweep;
 
 /// More of them are not listed: they are too dense to tell apart.
 const MOST: usize = 500;

@@ -13,7 +13,7 @@ use anyhow::Result;
 
 use crate::commands::drawing::save_picture;
 use crate::output::write_atomically;
-use crate::plan::Sweep;
+use campaign::plan::Sweep;
 use found::find;
 use pictures::{campbell_picture, shape_picture};
 use speeds::Excitation;

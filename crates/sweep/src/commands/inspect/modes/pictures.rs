@@ -5,8 +5,8 @@ use anyhow::Result;
 use super::found::Modes;
 use super::speeds::{Excitation, frequency};
 use crate::plot::{Axis, CampbellPanel, Multiple, Picture, Series, campbell, multiples};
-use crate::quantities::{LENGTH, Units};
-use crate::words::short;
+use campaign::quantities::{LENGTH, Units};
+use campaign::words::short;
 
 /// How much higher than the lowest mode the diagram of one whose modes all are above the
 /// excitation is.

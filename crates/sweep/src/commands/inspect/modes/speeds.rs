@@ -1,8 +1,8 @@
 //! What shakes the string: multiples of its surface speed.
 
 use crate::commands::status::UsageError;
-use crate::plan::Sweep;
-use crate::quantities::Axis;
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
 
 /// Surface speeds of rotary drilling, rpm, where the sweep has no axis of them.
 const USUAL: [f64; 2] = [0.0, 200.0];

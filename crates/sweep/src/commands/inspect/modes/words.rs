@@ -4,8 +4,8 @@ use linear::{Channel, SurfaceSupport};
 
 use super::found::Modes;
 use super::speeds::Excitation;
-use crate::plan::Sweep;
-use crate::words::{short, wrapped};
+use campaign::plan::Sweep;
+use campaign::words::{short, wrapped};
 
 /// So many of the lowest modes of each kind, and what is critical.
 pub fn describe(sweep: &Sweep, found: &[Modes], excitation: &Excitation, count: usize) -> String {

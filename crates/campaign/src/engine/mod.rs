@@ -6,15 +6,16 @@ mod case;
 mod case_error;
 mod clearances;
 mod finding;
+mod follow;
 mod front;
 #[cfg(test)]
 mod fuzz;
 mod instability;
-mod log;
 mod memory;
 mod record;
 mod run_options;
 mod shard;
+mod simulation;
 mod stepped;
 mod survey;
 mod systems;
@@ -24,14 +25,13 @@ pub use answer::answer;
 pub use case::Case;
 pub use case_error::CaseError;
 pub use clearances::{Beyond, Clearances};
+pub use follow::FollowedMethod;
 pub use instability::is_unstable;
-pub use log::{
-    Header, Log, LogError, LogView, Place, log_place, read_about, read_header, record_line,
-};
 pub use memory::StringMemory;
 pub use record::{Failure, Found, Record, certified};
 pub use run_options::RunOptions;
 pub use shard::Shard;
+pub use simulation::Simulation;
 pub use survey::{Survey, longest_beside, setting_of, survey};
 pub use systems::{MethodSystem, add_finer, compare_fronts};
 pub use verdict::{Certified, FINER, LateralVerdict, Verdict};

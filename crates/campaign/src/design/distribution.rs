@@ -65,7 +65,6 @@ impl Distribution {
     }
 
     /// Evenly between two ends, or so in the logarithm.
-    #[cfg(test)]
     pub fn uniform(from: f64, to: f64, spacing: Spacing) -> Self {
         let shape = Shape::Uniform(spacing);
         Self { from, to, shape }

@@ -1,24 +1,6 @@
-//! A case followed by one method to the end of its time.
+//! What is known of all of several cases.
 
-use sim::{Outcome, Trajectory};
-
-/// One method's answer to one case.
-pub struct Simulation {
-    /// Number of the case.
-    pub case: usize,
-    /// Name of the method.
-    pub method: &'static str,
-    /// What it is called in pictures.
-    pub name: String,
-    /// Its time history.
-    pub trajectory: Trajectory,
-    /// What a run answers.
-    pub answer: Outcome,
-    /// The site that decides the lateral label of that, m from the bit.
-    pub site_from_bit_m: Option<f64>,
-    /// What came out, followed to the end of the time.
-    pub followed: Outcome,
-}
+use campaign::engine::Simulation;
 
 /// Whether there is a torque at the bit.
 pub fn has_torque(simulations: &[Simulation]) -> bool {

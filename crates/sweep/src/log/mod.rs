@@ -33,8 +33,8 @@ use about::about_line;
 use content::Counts;
 use error::file_error;
 
-use crate::engine::Record;
 use crate::files::{refuse_irregular, write_atomically};
+use campaign::engine::Record;
 
 /// What is written reaches the disk at least this often. Less than this is lost
 /// when the power goes; nothing when only the program goes.

@@ -4,15 +4,12 @@ use super::axes::MOST_CASES;
 use super::grid::Grid;
 use super::list::List;
 use super::monte_carlo::MonteCarlo;
-#[cfg(test)]
 use super::points::Points;
 use super::random_axes::RandomAxes;
 use super::sensitivity::Sensitivity;
 use super::trace::TraceDesign;
 use crate::quantities::Axis;
-#[cfg(test)]
-use crate::sweep_file::PointsName;
-use crate::sweep_file::{DesignKind, DesignTable, Source, SweepFileError, TextOf};
+use crate::sweep_file::{DesignKind, DesignTable, PointsName, Source, SweepFileError, TextOf};
 
 /// Cases over named axes, numbered from 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -225,16 +222,22 @@ impl Design {
     }
 }
 
-#[cfg(test)]
 impl Design {
-    /// Blocks that tell axes apart, each even between its ends.
-    pub fn even_blocks(points: PointsName, seed: u64, ends: &[[f64; 2]], blocks: usize) -> Self {
+    /// Blocks that tell axes apart, each even between its ends, whatever the axes are of: for
+    /// tests against functions of known indices. `None` for more axes than there are points.
+    #[doc(hidden)]
+    pub fn even_blocks(
+        points: PointsName,
+        seed: u64,
+        ends: &[[f64; 2]],
+        blocks: usize,
+    ) -> Option<Self> {
         let axes = vec![Axis::SurfaceSpeedRpm; ends.len()];
-        Design::Sensitivity(Sensitivity {
+        Some(Design::Sensitivity(Sensitivity {
             random: RandomAxes::uniform(axes, ends),
-            points: Points::new(points, seed, 2 * ends.len()).expect("as many coordinates"),
+            points: Points::new(points, seed, 2 * ends.len())?,
             blocks,
-        })
+        }))
     }
 }
 

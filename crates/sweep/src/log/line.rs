@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 
-use crate::engine::Record;
+use campaign::engine::Record;
 
 /// A line longer than this is none of ours, bytes.
 pub(super) const LONGEST_LINE: u64 = 1 << 26;

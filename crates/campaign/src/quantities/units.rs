@@ -29,7 +29,6 @@ pub struct Unit {
 
 impl Units {
     /// Whether they are those of the tables.
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
     pub fn are_si(&self) -> bool {
         *self == Self::Si
     }

@@ -3,8 +3,12 @@
 use anyhow::{Context, Result};
 use sim::{Outcome, Stopping, Trajectory};
 
+use super::answer::answer;
+use super::case::Case;
+use super::record::Record;
+use super::run_options::RunOptions;
 use super::simulation::Simulation;
-use crate::engine::{Case, MethodSystem, Record, RunOptions, answer};
+use super::systems::MethodSystem;
 use crate::plan::Sweep;
 use crate::words::short;
 

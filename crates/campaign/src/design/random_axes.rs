@@ -3,7 +3,7 @@
 use super::axes::{count_string_axes, in_order};
 use super::distribution::Distribution;
 use crate::quantities::Axis;
-use crate::sweep_file::{DesignTable, Source, SweepFileError};
+use crate::sweep_file::{DesignTable, Source, Spacing, SweepFileError};
 
 /// Axes with their distributions.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,9 +37,7 @@ impl RandomAxes {
     }
 
     /// Axes of no string that are even between two ends each.
-    #[cfg(test)]
     pub fn uniform(axes: Vec<Axis>, ends: &[[f64; 2]]) -> Self {
-        use crate::sweep_file::Spacing;
         let uniform = |&[from, to]: &[f64; 2]| Distribution::uniform(from, to, Spacing::Linear);
         Self {
             axes,

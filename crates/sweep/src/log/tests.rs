@@ -8,7 +8,7 @@ use std::cell::Cell;
 use std::path::PathBuf;
 
 use super::*;
-use crate::engine::{Failure, Shard};
+use campaign::engine::{Failure, Shard};
 
 const CASES: usize = 40;
 const METHODS: usize = 2;

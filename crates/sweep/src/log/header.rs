@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::error::{FORMAT, LogError, file_error};
 use super::line::{LONGEST_LINE, checked, parse_line};
-use crate::engine::Shard;
 use crate::files::open_if_there;
+use campaign::engine::Shard;
 
 /// First word of a header.
 const HEADER: &str = "sweep-log";

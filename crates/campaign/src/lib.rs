@@ -1,0 +1,31 @@
+//! A sweep file, the cases of its design, and how each of them is answered.
+//!
+//! ```text
+//! my-sweep.toml ──> sweep_file  its keys, with those of its bases, and where each stands
+//!                   plan     all of it in SI, or refused with its line
+//!                    │
+//!                  design    the cases: a grid, random points, a list
+//!                    │
+//!                  engine    linear systems built once ───────────────> crate `linear`
+//!                            cases over all cores, each handed on ────> crate `sim`
+//! ```
+//!
+//! There is no equation here: the string is the business of `linear`, its motion that of
+//! `sim`. Nor is there a command, a results folder or a picture: those are the shells around
+//! this crate, `sweep` for the command line among them. `quantities` is the table of what a
+//! design may vary, `trace` follows limits over two axes, `words` are for people.
+//!
+//! It is the inside of one program in several crates: items follow what the shells need, and
+//! promise nothing to others. The libraries are `linear` and `sim`.
+
+pub mod design;
+pub mod engine;
+pub mod hand_table;
+pub mod plan;
+pub mod printable;
+pub mod quantities;
+pub mod random;
+pub mod sweep_file;
+pub mod text_file;
+pub mod trace;
+pub mod words;
