@@ -7,20 +7,24 @@
 //!                  design    the cases: a grid, random points, a list
 //!                    │
 //!                  engine    linear systems built once ───────────────> crate `linear`
-//!                            cases over all cores, each handed on ────> crate `sim`
+//!                    │       cases over all cores, each handed on ────> crate `sim`
+//!                  labels    what is told of each
 //! ```
 //!
 //! There is no equation here: the string is the business of `linear`, its motion that of
 //! `sim`. Nor is there a command, a results folder or a picture: those are the shells around
 //! this crate, `sweep` for the command line among them. `quantities` is the table of what a
-//! design may vary, `trace` follows limits over two axes, `words` are for people.
+//! design may vary, `memory` refuses what would take too much of it, `trace` follows limits over two axes, `words` are for people.
 //!
 //! It is the inside of one program in several crates: items follow what the shells need, and
 //! promise nothing to others. The libraries are `linear` and `sim`.
 
+pub mod allotted;
 pub mod design;
 pub mod engine;
 pub mod hand_table;
+pub mod labels;
+pub mod memory;
 pub mod plan;
 pub mod printable;
 pub mod quantities;

@@ -25,7 +25,6 @@
 //! sweep help                     # everything else
 //! ```
 
-mod allotted;
 mod analysis;
 mod cli;
 mod commands;
@@ -34,7 +33,6 @@ mod histories;
 mod limits;
 mod log;
 mod map;
-mod memory;
 mod output;
 mod plot;
 mod program;

@@ -4,12 +4,14 @@
 mod answer;
 mod case;
 mod case_error;
+mod choice;
 mod clearances;
 mod finding;
 mod follow;
 mod front;
 #[cfg(test)]
 mod fuzz;
+mod idle_axis;
 mod instability;
 mod memory;
 mod record;
@@ -24,8 +26,10 @@ mod verdict;
 pub use answer::answer;
 pub use case::Case;
 pub use case_error::CaseError;
+pub use choice::{Choice, ChoiceError, ChosenCase, common_setting};
 pub use clearances::{Beyond, Clearances};
 pub use follow::FollowedMethod;
+pub use idle_axis::why_idle;
 pub use instability::is_unstable;
 pub use memory::StringMemory;
 pub use record::{Failure, Found, Record, certified};

@@ -11,12 +11,12 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sim::Label;
 
-use crate::allotted::PassedOver;
-use crate::memory::{Limit, Size};
 use crate::studies::promises::Motion;
 use crate::studies::stability::Family;
 use crate::studies::tradeoff::{LADDER, Measure};
+use campaign::allotted::PassedOver;
 use campaign::engine::{RunOptions, Shard};
+use campaign::memory::{Limit, Size};
 use campaign::quantities::Axis;
 use campaign::sweep_file::MethodName;
 use values::{

@@ -14,8 +14,8 @@ use super::cost::in_words;
 use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, Display, moving};
 use super::stop;
 use super::terminal::Terminal;
-use crate::memory::Limit;
 use crate::studies::accuracy::{self, Attempt, Expected, Told};
+use campaign::memory::Limit;
 use campaign::plan::{Candidate, Sweep};
 use campaign::words::short;
 

@@ -9,9 +9,9 @@ use anyhow::Result;
 use rayon::prelude::*;
 use sim::Scene;
 
-use crate::memory::{Estimate, Limit, Size};
 use campaign::design::Design;
 use campaign::engine::{Case, MethodSystem, RunOptions, StringMemory, Survey, add_finer, answer};
+use campaign::memory::{Estimate, Limit, Size};
 use campaign::plan::{Setting, Sweep};
 use campaign::words::counted;
 

@@ -9,7 +9,6 @@ mod cost;
 mod csv_table;
 mod drawing;
 mod folder;
-mod idle_axis;
 pub mod inspect;
 pub mod merge;
 pub mod new;

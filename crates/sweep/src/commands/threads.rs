@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use super::status::UsageError;
 use super::terminal::Terminal;
-use crate::allotted::allotted;
+use campaign::allotted::allotted;
 
 /// More threads than this for each core only cost memory, and the machine its
 /// answer to anybody else.

@@ -6,10 +6,10 @@ use std::path::Path;
 use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
-use super::labels::{LabelTable, shows_found, shows_string_torque, shows_surface, shows_torque};
 use super::manifest::Manifest;
 use campaign::design::Design;
 use campaign::engine::{MethodSystem, RunOptions, Shard, pairs_of};
+use campaign::labels::{LabelTable, shows_found, shows_string_torque, shows_surface, shows_torque};
 use campaign::plan::Sweep;
 
 /// A run that is not finished.

@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::Result;
 
 use super::label_rows::{LabelRow, label_rows};
-use super::motion::Motion;
+use campaign::labels::Motion;
 use campaign::quantities::{Axis, Measure};
 
 /// The rows of one case.

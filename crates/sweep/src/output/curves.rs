@@ -2,8 +2,8 @@
 //! a map shows of them.
 
 use super::boundary::{Boundary, StickSlipPoint};
-use super::motion::Motion;
 use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
+use campaign::labels::Motion;
 use campaign::quantities::Axis;
 
 /// What the curves of whirl are. Several sites together may whirl below those of one.

@@ -14,7 +14,7 @@ use sim::steady_whirl::EccentricString;
 
 use super::boundary::{position, range_of_axis};
 use super::curves::Curve;
-use super::motion::Motion;
+use campaign::labels::Motion;
 use campaign::plan::{LateralSettings, Sweep, to_rpm};
 use campaign::quantities::{Axis, LENGTH, StringAxis, Units, WallQuantity};
 use campaign::words::short;

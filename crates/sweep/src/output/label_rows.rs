@@ -5,10 +5,10 @@ use std::path::Path;
 use anyhow::{Context, Result, anyhow};
 use sim::{Label, LateralRegime, TorsionRegime};
 
-use super::certainty::Certainty;
-use super::labels::FAILED;
-use super::motion::Labels;
 use campaign::hand_table::{HandTable, Mistake, NumberError, number};
+use campaign::labels::Certainty;
+use campaign::labels::FAILED;
+use campaign::labels::Labels;
 use campaign::quantities::{Axis, Measure};
 use campaign::sweep_file::nearest;
 use campaign::text_file::{LARGEST_TABLE, read_text, unreadable};

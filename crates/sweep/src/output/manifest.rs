@@ -8,13 +8,13 @@ use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::certainty::CertifiedBy;
 use super::forward_contact::ForwardContact;
 use super::tally::Tally;
 use super::trace_summary::TraceSummary;
 use crate::files::{Checksum, hexadecimal, refuse_irregular, write_atomically};
 use campaign::design::{Design, TraceDesign};
 use campaign::engine::{MethodSystem, RunOptions, Shard};
+use campaign::labels::CertifiedBy;
 use campaign::plan::{Choice, Data, MapSettings, Sweep};
 use campaign::quantities::Axis;
 use campaign::sweep_file::{DesignKind, FileContent};

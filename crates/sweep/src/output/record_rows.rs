@@ -8,9 +8,9 @@ use sim::{
     TorsionMeasures, TorsionRegime,
 };
 
-use super::certainty::Certainty;
-use super::labels::{LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
 use campaign::engine::{Failure, Found, LateralVerdict, Record, Verdict};
+use campaign::labels::Certainty;
+use campaign::labels::{LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
 use campaign::plan::{Sweep, to_rpm};
 
 /// The record that a row of a sweep's table was written from; `reason` says why a case

@@ -7,13 +7,13 @@ use anyhow::Result;
 use rayon::prelude::*;
 
 use super::about::About;
-use super::certainty::Certainty;
 use super::failures::{FAILURES_HEADER, failures_row, repeat_command};
-use super::labels::LabelTable;
-use super::motion::Labels;
 use super::tally::Tally;
 use crate::files::{AtomicFile, Checksum};
 use campaign::engine::Record;
+use campaign::labels::Certainty;
+use campaign::labels::LabelTable;
+use campaign::labels::Labels;
 
 /// Rows that all threads together format at once.
 const ROWS_AT_ONCE: usize = 1 << 12;

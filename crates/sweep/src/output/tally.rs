@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 use sim::Label;
 
-use super::certainty::Certainty;
-use super::motion::{Labels, Motion};
+use campaign::labels::Certainty;
+use campaign::labels::{Labels, Motion};
 
 /// What came out, counted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

@@ -5,13 +5,13 @@ use std::path::Path;
 use anyhow::{Result, bail};
 
 use crate::cli::ContactsArguments;
-use crate::commands::idle_axis::refuse_idle_axis;
 use crate::commands::prepare::{read_sweep, unique};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::{warn_of_memory, warn_of_string};
 use crate::studies::contacts::{Range, Subject, SubjectError};
 use crate::studies::scenes::shipped_by;
+use campaign::engine::why_idle;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 
@@ -52,10 +52,10 @@ fn subject(
             Axis::FRICTION => Some("the study looks for it".to_owned()),
             _ => axis.check(value).err().map(|reason| reason.to_string()),
         };
+        let refusal = refusal.or_else(|| why_idle(&sweep, axis).map(str::to_owned));
         if let Some(refusal) = refusal {
             bail!(UsageError(format!("--set {}: {refusal}", axis.name())));
         }
-        refuse_idle_axis(&sweep, axis)?;
     }
     let set = arguments.set.iter().copied();
     let values: Vec<(Axis, f64)> = Subject::first_values(&sweep).chain(set).collect();

@@ -21,9 +21,9 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::{warn_of_limits, warn_of_overshoot, warn_of_string};
 use crate::cli::InspectArguments;
-use crate::memory::{Demand, Purpose, admit};
 use axial_force::describe_axial_force;
 use campaign::engine::{add_finer, compare_fronts};
+use campaign::memory::{Demand, Purpose, admit};
 use clearances::describe_clearances;
 use description::{
     describe_forward_contact, describe_left_out, describe_methods, describe_string, describe_well,

@@ -7,9 +7,9 @@ use super::task::Task;
 use crate::commands::cost::{cost_lines, probe};
 use crate::commands::folder::{Found, LOG, in_words};
 use crate::log::LogView;
-use crate::memory::{Purpose, admit};
 use campaign::design::{Design, TraceDesign};
 use campaign::engine::{FINER, pairs_of};
+use campaign::memory::{Purpose, admit};
 use campaign::words::{counted, short, together, wrapped};
 
 /// What would run in a folder where so much was `found`. A probe of what it costs ends

@@ -6,9 +6,9 @@ use linear::Method;
 use super::task::Task;
 use crate::commands::prepare::build_systems;
 use crate::commands::status::UsageError;
-use crate::memory::{Estimate, Purpose, admit};
 use crate::output::{Boundary, boundary};
 use campaign::engine::{MethodSystem, add_finer, compare_fronts};
+use campaign::memory::{Estimate, Purpose, admit};
 
 /// What is built before the first case.
 pub struct Systems {

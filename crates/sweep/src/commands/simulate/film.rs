@@ -4,9 +4,9 @@ use anyhow::{Result, bail};
 use sim::Trajectory;
 use sim::laws::contact::Touch;
 
-use super::choice::ChosenCase;
 use crate::cli::FilmArguments;
 use crate::commands::status::UsageError;
+use campaign::engine::ChosenCase;
 use campaign::plan::Sweep;
 use campaign::words::{counted, short};
 

@@ -2,11 +2,11 @@
 
 use anyhow::{Result, bail};
 
-use super::choice::ChosenCase;
 use super::systems::{build, run_options};
 use crate::cli::SimulateArguments;
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
+use campaign::engine::ChosenCase;
 use campaign::engine::{Record, answer};
 use campaign::plan::Sweep;
 

@@ -3,26 +3,27 @@
 //! linear systems, built for as long, and the same row; its history is followed to the
 //! end of its time.
 
-mod choice;
 mod film;
 mod found;
 mod systems;
 mod writing;
 
+use std::path::Path;
+
 use anyhow::Result;
 
 use super::folder::results_folder;
-use super::prepare::read_sweep;
-use super::status::Status;
+use super::prepare::{read_sweep, unique};
+use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_string;
 use crate::cli::SimulateArguments;
-use crate::memory::{Limit, Purpose, admit};
 use campaign::engine::{Case, Failure, Record, Survey};
+use campaign::engine::{Choice, ChoiceError, ChosenCase, common_setting};
+use campaign::memory::{Limit, Purpose, admit};
 use campaign::plan::Sweep;
 use campaign::sweep_file::SweepFileError;
-use choice::{Choice, ChosenCase, common_setting};
 use found::{at_found_sites, find_sites};
 use systems::simulate_all;
 use writing::Written;
@@ -35,8 +36,12 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
     use_threads(work.jobs, terminal)?;
     let sweep = read_sweep(file, work, *full, false, terminal)?;
     warn_of_string(&sweep, terminal);
-    let choices = Choice::all(&sweep, arguments)?;
-    let sweep = match common_setting(&sweep, &choices)? {
+    let asked_for = |error| in_words(error, file);
+    let choices = (unique(&arguments.case).into_iter())
+        .map(|index| Choice::new(&sweep, index, &arguments.set))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(asked_for)?;
+    let sweep = match common_setting(&sweep, &choices).map_err(asked_for)? {
         Ok(setting) => Sweep { setting, ..sweep },
         Err(reason) => {
             let rows = failed_rows(&sweep, &choices, &reason);
@@ -44,8 +49,9 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
         }
     };
     let cases = (choices.into_iter())
-        .map(|choice| choice.case(&sweep, file))
-        .collect::<Result<Vec<_>>>()?;
+        .map(|choice| choice.case(&sweep))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(asked_for)?;
     film::refuse_idle(&sweep, &cases, &arguments.film)?;
     let shapes = arguments.film.frames_asked();
     admit_histories(&sweep, &cases, shapes, &work.memory.limit())?;
@@ -76,6 +82,21 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
         say(&written.write(&arguments.film)?)?;
     }
     Ok(tell_of_failures(&sweep, &rows, terminal))
+}
+
+/// Why cases cannot be chosen as they are asked for, in the words of the command line.
+fn in_words(error: ChoiceError, file: &Path) -> anyhow::Error {
+    let message = match error {
+        ChoiceError::File(error) => return error.into(),
+        ChoiceError::NoCase { index, last } => {
+            format!("--case {index}: {} has cases 0 to {last}", file.display())
+        }
+        ChoiceError::Set { .. } => format!("--set {error}"),
+        ChoiceError::DifferentStrings => format!("--case: {error}"),
+        ChoiceError::Beside(reason) => format!("{}: {reason}", file.display()),
+        ChoiceError::WeightWithoutRock | ChoiceError::Case(_) => error.to_string(),
+    };
+    UsageError(message).into()
 }
 
 /// Refuses what would take more memory than is allowed.

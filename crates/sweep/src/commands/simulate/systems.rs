@@ -4,11 +4,11 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use super::choice::ChosenCase;
 use crate::cli::SimulateArguments;
 use crate::commands::prepare::build_systems;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_unstable;
+use campaign::engine::ChosenCase;
 use campaign::engine::{Failure, MethodSystem, Record, RunOptions};
 use campaign::engine::{FollowedMethod, Simulation};
 use campaign::plan::Sweep;

@@ -32,8 +32,8 @@ mod strings;
 use linear::Method;
 use sim::Stopping;
 
-use crate::memory::Limit;
 pub use answer::is_inside;
+use campaign::memory::Limit;
 use campaign::plan::{Choice, Sweep};
 use campaign::sweep_file::{Accuracy, SweepFileError};
 use probes::Probes;

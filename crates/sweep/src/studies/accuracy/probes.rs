@@ -7,10 +7,10 @@ use sim::Stopping;
 
 use super::answer::{Answer, is_inside, measures, regimes};
 use super::strings::{Strings, Systems};
-use crate::memory::Limit;
 use crate::studies::limit::{bisected, geometric};
 use crate::studies::trial;
 use campaign::engine::MethodSystem;
+use campaign::memory::Limit;
 use campaign::plan::{Conditions, Sweep};
 
 /// Cases compared, evenly spread over the design.
@@ -355,7 +355,7 @@ mod tests {
 
     use super::super::strings::Steps;
     use super::*;
-    use crate::memory::Size;
+    use campaign::memory::Size;
 
     const SWEEP: &str = "
 accuracy = \"2 %\"

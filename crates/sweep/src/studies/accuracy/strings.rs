@@ -13,8 +13,8 @@ use linear::{ImpulseTrains, Method};
 use rayon::prelude::*;
 
 use super::answer::Difference;
-use crate::memory::{Limit, Size};
 use campaign::engine::{MethodSystem, StringMemory};
+use campaign::memory::{Limit, Size};
 use campaign::plan::{LateralSettings, Setting, Sweep};
 
 /// Duration of the impulse in bending where the scene has none, s.

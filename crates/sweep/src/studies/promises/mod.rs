@@ -16,8 +16,8 @@ use rayon::prelude::*;
 pub use labels::{Tested, test_labels};
 pub use problem::{Motion, Problem};
 
-use crate::memory::Limit;
 use crate::studies::accuracy::choose;
+use campaign::memory::Limit;
 use campaign::plan::Sweep;
 use finder::{Finder, Truth};
 

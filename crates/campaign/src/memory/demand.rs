@@ -7,9 +7,9 @@ use linear::method::FiniteElement;
 use rayon::current_num_threads;
 
 use super::Limit;
-use campaign::design::Design;
-use campaign::engine::{StringMemory, Survey, setting_of};
-use campaign::plan::{Setting, Sweep};
+use crate::design::Design;
+use crate::engine::{StringMemory, Survey, setting_of};
+use crate::plan::{Setting, Sweep};
 
 /// Bytes of a mebibyte.
 const MIB: f64 = 1024.0 * 1024.0;
@@ -50,7 +50,12 @@ pub enum Purpose {
     Labels,
     /// To step so many cases for their histories, which are all kept and drawn; of the first
     /// one so many shapes of the whole string.
-    Histories { cases: usize, shapes: usize },
+    Histories {
+        /// How many.
+        cases: usize,
+        /// How many shapes.
+        shapes: usize,
+    },
     /// To be looked at.
     Look,
 }
@@ -58,8 +63,11 @@ pub enum Purpose {
 /// What a command builds.
 #[derive(Debug, Clone)]
 pub struct Demand<'a> {
+    /// The sweep.
     pub sweep: &'a Sweep,
+    /// What for.
     pub purpose: Purpose,
+    /// By which methods.
     pub methods: Vec<Method>,
     /// The string as the file says it and, where axes change the string, that of its
     /// cases which takes most.

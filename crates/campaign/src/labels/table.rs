@@ -6,9 +6,9 @@ use sim::{Label, LateralMeasures, TorsionMeasures, TorsionRegime};
 
 use super::certainty::Certainty;
 use super::motion::Labels;
-use campaign::engine::{Record, Verdict, certified};
-use campaign::plan::{Sweep, to_rpm};
-use campaign::quantities::Axis;
+use crate::engine::{Record, Verdict, certified};
+use crate::plan::{Sweep, to_rpm};
+use crate::quantities::Axis;
 
 /// Columns that follow the axes.
 const RESULT_COLUMNS: [&str; 23] = [
@@ -64,13 +64,15 @@ const CERTIFICATE_COLUMNS: [&str; 7] = [
 /// them, and of how often it was run again for them.
 const FOUND_COLUMNS: [&str; 2] = ["found_sites_from_bit_m", "found_rounds"];
 
-/// The status of a case with an answer, and of one without.
+/// The status of a case with an answer.
 const DONE: &str = "ok";
-pub(super) const FAILED: &str = "failed";
+/// That of one without.
+pub const FAILED: &str = "failed";
 
-/// How many of the columns are measures of torsion, and of lateral motion.
-pub(super) const TORSION_COLUMNS: usize = 7;
-pub(super) const LATERAL_COLUMNS: usize = 9;
+/// How many of the columns are measures of torsion.
+pub const TORSION_COLUMNS: usize = 7;
+/// How many are those of lateral motion.
+pub const LATERAL_COLUMNS: usize = 9;
 
 /// What the rows of a `labels.csv` have in common.
 pub struct LabelTable<'a> {
@@ -202,23 +204,23 @@ impl<'a> LabelTable<'a> {
 }
 
 /// Whether T_d has a column in the table of a sweep.
-pub(super) fn shows_torque(sweep: &Sweep) -> bool {
+pub fn shows_torque(sweep: &Sweep) -> bool {
     sweep.bit.is_some() && !sweep.design.axes().contains(&Axis::TorqueDynamicNm)
 }
 
 /// Whether what turns the surface has columns in the table of a sweep.
-pub(super) fn shows_surface(sweep: &Sweep) -> bool {
+pub fn shows_surface(sweep: &Sweep) -> bool {
     sweep.content.surface_torque || sweep.setting.friction.is_some()
 }
 
 /// Whether the sites of a sweep are found case by case.
-pub(super) fn shows_found(sweep: &Sweep) -> bool {
+pub fn shows_found(sweep: &Sweep) -> bool {
     let lateral = sweep.setting.lateral.as_ref();
     lateral.is_some_and(|lateral| lateral.finding.is_some())
 }
 
 /// Whether the torque along the string is followed in a sweep.
-pub(super) fn shows_string_torque(sweep: &Sweep) -> bool {
+pub fn shows_string_torque(sweep: &Sweep) -> bool {
     let friction = sweep.setting.friction.as_ref();
     friction.is_some_and(|friction| friction.follows_torque)
 }
@@ -279,16 +281,16 @@ impl Row {
 }
 
 /// A metre in mm.
-pub(super) fn to_mm(length: f64) -> f64 {
+pub fn to_mm(length: f64) -> f64 {
     1e3 * length
 }
 
 /// A newton in kN.
-pub(super) fn to_kn(force: f64) -> f64 {
+pub fn to_kn(force: f64) -> f64 {
     1e-3 * force
 }
 
 /// A radian per second in turns per second.
-pub(super) fn to_turns(rate: f64) -> f64 {
+pub fn to_turns(rate: f64) -> f64 {
     rate / std::f64::consts::TAU
 }

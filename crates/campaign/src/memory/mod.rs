@@ -11,8 +11,8 @@ mod limit;
 
 use anyhow::Result;
 
-use campaign::engine::Survey;
-use campaign::plan::{Setting, Sweep};
+use crate::engine::Survey;
+use crate::plan::{Setting, Sweep};
 pub use demand::{Demand, Estimate, Purpose};
 pub use limit::{Limit, Size};
 

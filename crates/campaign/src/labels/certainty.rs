@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::motion::{Labels, Motion};
-use campaign::engine::{Certified, FINER};
-use campaign::plan::Sweep;
+use crate::engine::{Certified, FINER};
+use crate::plan::Sweep;
 
 /// What certifies the labels of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -7,11 +7,11 @@ use linear::{Drillstring, Method, Section, Sites};
 
 use super::demand::{Cost, Demand};
 use super::{Limit, Size};
-use campaign::design::Design;
-use campaign::engine::Survey;
-use campaign::plan::{Setting, Sweep};
-use campaign::quantities::Axis;
-use campaign::sweep_file::{AutoOr, SitesName};
+use crate::design::Design;
+use crate::engine::Survey;
+use crate::plan::{Setting, Sweep};
+use crate::quantities::Axis;
+use crate::sweep_file::{AutoOr, SitesName};
 
 /// A usual time simulated, s.
 const TIME: f64 = 10.0;
