@@ -48,6 +48,27 @@ fn every_link_leads_somewhere() {
     }
 }
 
+/// The set of pages has no page that nothing leads to.
+#[test]
+fn every_page_is_in_the_summary_and_in_the_index() {
+    let docs = root().join("docs");
+    let listed = |list: &str| std::fs::read_to_string(docs.join(list)).unwrap();
+    for (list, text) in [
+        ("SUMMARY.md", listed("SUMMARY.md")),
+        ("README.md", listed("README.md")),
+    ] {
+        let links = between(&text, "](", ")");
+        for (page, _) in pages() {
+            let name = page.file_name().unwrap().to_str().unwrap();
+            let is_list = ["README.md", "SUMMARY.md"].contains(&name);
+            assert!(
+                is_list || links.contains(&name),
+                "{name} is not in docs/{list}"
+            );
+        }
+    }
+}
+
 /// How a heading is linked to.
 fn anchor(heading: &str) -> String {
     let words = heading.trim_start_matches('#').trim().to_lowercase();
