@@ -9,6 +9,7 @@ mod marks;
 mod orbits;
 mod over_time;
 mod simulation;
+mod string_tables;
 mod tables;
 mod whole_string;
 
@@ -19,5 +20,6 @@ pub use lines::case_lines;
 pub use orbits::orbit_picture;
 pub use over_time::history_picture;
 pub use simulation::Simulation;
+pub use string_tables::{film_csv, string_csv};
 pub use tables::{case_csv, contacts_csv, history_csv};
 pub use whole_string::{string_picture, whole_strings};

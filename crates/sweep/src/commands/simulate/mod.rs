@@ -11,6 +11,7 @@ mod writing;
 
 use anyhow::Result;
 
+use super::drawing::Drawing;
 use super::folder::results_folder;
 use super::prepare::read_sweep;
 use super::status::Status;
@@ -32,6 +33,7 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
     let SimulateArguments {
         file, work, full, ..
     } = arguments;
+    let drawing = Drawing::of(&arguments.picture)?.over(&arguments.ranges);
     use_threads(work.jobs, terminal)?;
     let sweep = read_sweep(file, work, *full, false, terminal)?;
     warn_of_string(&sweep, terminal);
@@ -72,6 +74,7 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
             rows: &rows,
             simulations: &simulations,
             folder: &folder,
+            drawing: &drawing,
         };
         say(&written.write(&arguments.film)?)?;
     }
