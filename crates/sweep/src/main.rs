@@ -57,7 +57,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => commands::check::check(&arguments, terminal),
         Command::Simulate(arguments) => commands::simulate::simulate(&arguments, terminal),
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments, terminal),
-        Command::Plot { folder } => commands::plot::plot(&folder, terminal),
+        Command::Plot(arguments) => commands::plot::plot(&arguments, terminal),
         Command::Merge { folders, out } => commands::merge::merge(&folders, &out, terminal),
         Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments, terminal),
         Command::Promises(arguments) => commands::promises::promises(&arguments, terminal),

@@ -2,7 +2,7 @@
 
 mod values;
 
-pub use values::{AxesOfCells, PictureFile};
+pub use values::{AxesOfCells, AxisRange, Length, PictureFile};
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -20,8 +20,8 @@ use campaign::memory::{Limit, Size};
 use campaign::quantities::Axis;
 use campaign::sweep_file::MethodName;
 use values::{
-    parse_axes, parse_measure, parse_order, parse_part, parse_picture, parse_regime, parse_setting,
-    parse_strength, parse_width,
+    parse_axes, parse_length, parse_measure, parse_order, parse_part, parse_picture, parse_range,
+    parse_regime, parse_setting, parse_strength, parse_width,
 };
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
@@ -77,7 +77,8 @@ pub enum Command {
         sweep simulate sweeps/fig16b.toml --film --film-to 2.5\n  \
         sweep simulate sweeps/fig09.toml --case 17\n  \
         sweep simulate sweeps/fig13.toml --case 0,1\n  \
-        sweep simulate sweeps/fig09.toml --set weight_on_bit_kn=60\n\n\
+        sweep simulate sweeps/fig09.toml --set weight_on_bit_kn=60\n  \
+        sweep simulate sweeps/fig12.toml --width 90mm --format pdf --x-range 0..5\n\n\
         A case of the sweep is the case that `run` runs: case.csv has its rows of\n\
         labels.csv. Exit code 3 where it has no answer, as in failures.csv.")]
     Simulate(SimulateArguments),
@@ -86,11 +87,11 @@ pub enum Command {
         sweep inspect sweeps/well_12in.toml --modes --orders 1,3,6")]
     Inspect(InspectArguments),
     /// Draw the regime map of a results folder again
-    #[command(after_help = "Example:\n  sweep plot results/fig09")]
-    Plot {
-        /// A results folder, of an unfinished run too
-        folder: PathBuf,
-    },
+    #[command(after_help = "Examples:\n  sweep plot results/fig09\n  \
+        sweep plot results/fig09 --width 90mm --format pdf --title none\n  \
+        sweep plot results/fig09 --x-range 0..60 --y-range 0..0.3\n\n\
+        A picture with --width is laid out for it, with text of --font-size.")]
+    Plot(PlotArguments),
     /// Join the shards of a sweep into one results folder
     #[command(
         after_help = "Example:\n  sweep merge results/fig14/shard-* --out results/fig14\n\n\
@@ -260,6 +261,88 @@ impl MemoryArguments {
     }
 }
 
+/// How pictures look.
+#[derive(Debug, Args)]
+pub struct PictureArguments {
+    /// Width of pictures on paper, e.g. 90mm, 9cm, 3.5in, 255pt [default: as for a screen]
+    #[arg(long, value_name = "LENGTH", value_parser = parse_length)]
+    pub width: Option<Length>,
+    /// With --width: the size of numbers and legends, e.g. 8pt
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        default_value = "8pt",
+        requires = "width",
+        value_parser = parse_length
+    )]
+    pub font_size: Length,
+    /// Formats of pictures, separated by commas
+    #[arg(
+        long,
+        value_name = "FORMATS",
+        value_delimiter = ',',
+        default_value = "svg,png"
+    )]
+    pub format: Vec<PictureFormat>,
+    /// Title of pictures in the place of their own; `none` for no title
+    #[arg(long, value_name = "TEXT")]
+    pub title: Option<String>,
+}
+
+/// Which part of a picture is shown.
+#[derive(Debug, Args)]
+pub struct RangeArguments {
+    /// Ends of the horizontal axis, in its unit, e.g. 0..60; of a history, of time
+    #[arg(
+        long,
+        value_name = "FROM..TO",
+        allow_hyphen_values = true,
+        value_parser = parse_range
+    )]
+    pub x_range: Option<AxisRange>,
+    /// Ends of the vertical axis, in its unit; of a history, of its first quantity
+    #[arg(
+        long,
+        value_name = "FROM..TO",
+        allow_hyphen_values = true,
+        value_parser = parse_range
+    )]
+    pub y_range: Option<AxisRange>,
+}
+
+/// A format of pictures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PictureFormat {
+    /// In vectors, for a page
+    Svg,
+    /// In pixels, twice as many as on a screen; with --width, 600 to the inch
+    Png,
+    /// In vectors, for paper
+    Pdf,
+}
+
+impl PictureFormat {
+    /// The ending of its files.
+    pub fn ending(self) -> &'static str {
+        match self {
+            PictureFormat::Svg => "svg",
+            PictureFormat::Png => "png",
+            PictureFormat::Pdf => "pdf",
+        }
+    }
+}
+
+/// Arguments of `plot`.
+#[derive(Debug, Args)]
+pub struct PlotArguments {
+    /// A results folder, of an unfinished run too
+    pub folder: PathBuf,
+    #[command(flatten)]
+    pub picture: PictureArguments,
+    #[command(flatten)]
+    pub ranges: RangeArguments,
+}
+
 /// Arguments of `check`.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
@@ -287,6 +370,10 @@ pub struct SimulateArguments {
     pub set: Vec<(Axis, f64)>,
     #[command(flatten)]
     pub film: FilmArguments,
+    #[command(flatten)]
+    pub picture: PictureArguments,
+    #[command(flatten)]
+    pub ranges: RangeArguments,
     /// Folder for the files [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
     pub out: Option<PathBuf>,
@@ -358,6 +445,8 @@ pub struct InspectArguments {
         value_parser = parse_order
     )]
     pub orders: Vec<f64>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
     #[command(flatten)]
     pub work: WorkArguments,
 }

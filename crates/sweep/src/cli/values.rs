@@ -53,6 +53,62 @@ pub fn parse_picture(text: &str) -> Result<PictureFile, String> {
     }
 }
 
+/// A length on paper, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Length(f64);
+
+/// The mm of each unit of lengths on paper.
+const UNITS: [(&str, f64); 4] = [("mm", 1.0), ("cm", 10.0), ("in", 25.4), ("pt", 25.4 / 72.0)];
+
+impl Length {
+    /// In mm.
+    pub fn mm(self) -> f64 {
+        self.0
+    }
+
+    /// In points.
+    pub fn points(self) -> f64 {
+        self.0 * 72.0 / 25.4
+    }
+}
+
+/// A length on paper, with its unit.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn parse_length(text: &str) -> Result<Length, String> {
+    let text = text.trim();
+    let of_unit = |(unit, mm): (&str, f64)| {
+        let number: f64 = text.strip_suffix(unit)?.trim().parse().ok()?;
+        (number > 0.0 && number.is_finite()).then_some(Length(mm * number))
+    };
+    let length = UNITS.into_iter().find_map(of_unit);
+    length.ok_or_else(|| format!("`{text}` is not a length in mm, cm, in or pt, such as 90mm"))
+}
+
+/// Both ends of an axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisRange(pub [f64; 2]);
+
+/// Both ends of an axis, the lower one first.
+///
+/// # Errors
+/// What is wrong with them.
+pub fn parse_range(text: &str) -> Result<AxisRange, String> {
+    let ends = text.split_once("..").and_then(|(low, high)| {
+        let end = |text: &str| {
+            text.trim()
+                .parse()
+                .ok()
+                .filter(|end: &f64| end.abs() < 1e12)
+        };
+        Some([end(low)?, end(high)?])
+    });
+    let is_range = |[low, high]: &[f64; 2]| high - low > 1e-9 * low.abs().max(high.abs());
+    let range = ends.filter(is_range).map(AxisRange);
+    range.ok_or_else(|| format!("`{text}` is not a range such as 0..60, the lower end first"))
+}
+
 /// A label of either motion.
 ///
 /// # Errors
@@ -138,4 +194,38 @@ pub fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
         .parse()
         .map_err(|_| format!("`{value}` is not a number"))?;
     Ok((axis, number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_length_is_the_same_in_every_unit() {
+        for text in ["90mm", "9 cm", " 255.11811023622047pt"] {
+            let length = parse_length(text).expect("a length").mm();
+            assert!((length - 90.0).abs() < 1e-9, "{text}: {length}");
+        }
+        assert_eq!(parse_length("1in"), Ok(Length(25.4)));
+        for text in ["90", "mm", "-9mm", "0mm", "9px", "infmm", "1e999mm", ""] {
+            assert!(parse_length(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_range_goes_upwards() {
+        assert_eq!(parse_range("-5 .. 0.5"), Ok(AxisRange([-5.0, 0.5])));
+        for text in [
+            "5..5",
+            "6..5",
+            "..5",
+            "5",
+            "0..inf",
+            "nan..1",
+            "1e11..1e11",
+            "a..b",
+        ] {
+            assert!(parse_range(text).is_err(), "{text}");
+        }
+    }
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-use super::drawing::draw_map;
+use super::drawing::{Drawing, draw_map};
 use super::folder::{REPORT, hold, tables_of};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
@@ -48,7 +48,7 @@ fn read(folder: &Path, terminal: Terminal) -> Result<Results> {
     let tables = tables_of(folder, terminal)?;
     let is_drawn = tables.manifest.shard().is_whole() && tables.manifest.tally.rows > 0;
     if tables.so_far.is_some() && is_drawn {
-        draw_map(&tables, &tables.folder)?;
+        draw_map(&tables, &tables.folder, &Drawing::default())?;
     }
     Results::read(folder, tables)
 }

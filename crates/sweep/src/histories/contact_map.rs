@@ -4,7 +4,7 @@ use anyhow::Result;
 use sim::Trajectory;
 use sim::laws::contact::Touch;
 
-use crate::plot::{Axis, BandChart, BandPanel, Bar, COLUMNS, Picture, band_chart};
+use crate::plot::{Axis, BandChart, BandPanel, Bar, COLUMNS, Look, Picture, band_chart};
 use campaign::engine::Simulation;
 use campaign::plan::Sweep;
 use campaign::quantities::{FORCE, LENGTH, Unit};
@@ -14,7 +14,7 @@ use campaign::words::short;
 ///
 /// # Errors
 /// Where it cannot be drawn.
-pub fn contact_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Picture> {
+pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -> Result<Picture> {
     let units = sweep.content.units;
     let [length, force] = [&LENGTH, &FORCE].map(|twin| units.of(twin));
     let frequency = sweep.setting.sampling_frequency;
@@ -32,7 +32,7 @@ pub fn contact_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Pict
         _ => ((100.0 * length.number(distance)).round() / 100.0).to_string(),
     });
     let bin = short(1e3 * steps_a_bin as f64 / frequency);
-    band_chart(&BandChart {
+    let chart = BandChart {
         title: format!("{}: contact with the wall", sweep.title),
         axes: [
             "Time t (s)".to_owned(),
@@ -50,7 +50,8 @@ pub fn contact_picture(sweep: &Sweep, simulations: &[Simulation]) -> Result<Pict
             ),
         ],
         panels: panels.collect(),
-    })
+    };
+    band_chart(look, &chart)
 }
 
 /// The bars of each site, each of so many steps: with the largest normal force, and full where

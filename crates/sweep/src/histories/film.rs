@@ -5,9 +5,8 @@ use linear::elements::reconstruction::Reconstruction;
 use sim::laws::contact::Touch;
 
 use super::marks::CLEARANCE_SHOWN;
-use crate::plot::{Axis, Film, FilmFrame, FilmSite, Picture, film};
-use campaign::engine::Simulation;
-use campaign::engine::{Case, Clearances};
+use crate::plot::{Axis, Film, FilmFrame, FilmSite, Look, Picture, film};
+use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::Sweep;
 use campaign::quantities::{LENGTH, WIDTH};
 use campaign::words::decimals;
@@ -24,6 +23,7 @@ const MOST_DECIMALS: f64 = 5.0;
 /// # Errors
 /// Where it cannot be drawn.
 pub fn film_picture(
+    look: &Look,
     sweep: &Sweep,
     cases: &[Case],
     simulation: &Simulation,
@@ -70,7 +70,7 @@ pub fn film_picture(
         let from = length.text(highest, 0);
         format!("Higher than {from} above the bit the string moves less than 5 % of the most.")
     });
-    film(&Film {
+    let shown = Film {
         title: format!(
             "{}: the string in its hole, {}",
             sweep.title, simulation.name
@@ -90,7 +90,8 @@ pub fn film_picture(
             .collect(),
         notes: cut.into_iter().collect(),
         frames: frames.collect(),
-    })
+    };
+    film(look, &shown)
 }
 
 /// The uppermost node that is shown.

@@ -1,7 +1,7 @@
 //! What pictures of motion have in common: levels, and whether the wall is shown.
 
-use crate::plot::{Across, Reference};
-use campaign::engine::{Case, Clearances};
+use crate::plot::{Across, Ink, Reference};
+use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::Sweep;
 use campaign::quantities::Unit;
 
@@ -45,6 +45,32 @@ pub fn each_once(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values.sort_by(f64::total_cmp);
     values.dedup();
     values
+}
+
+/// What a simulation is drawn in: of one case, the colour of its method; of several, a colour for
+/// each case and dashes for each method.
+pub fn ink(of: &Simulation, all: &[Simulation]) -> Ink {
+    let cases = each(all.iter().map(|simulation| simulation.case));
+    let methods = each(all.iter().map(|simulation| simulation.method));
+    match &cases[..] {
+        [] | [_] => Ink::of_method(of.method),
+        _ => Ink::of_case(place(of.case, &cases), place(of.method, &methods)),
+    }
+}
+
+/// Values in order of appearance, each once.
+fn each<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
+    let mut found = Vec::new();
+    for value in values {
+        if !found.contains(&value) {
+            found.push(value);
+        }
+    }
+    found
+}
+
+fn place<T: PartialEq>(value: T, among: &[T]) -> usize {
+    among.iter().position(|other| *other == value).unwrap_or(0)
 }
 
 /// A level line.

@@ -8,6 +8,7 @@ mod lines;
 mod marks;
 mod orbits;
 mod over_time;
+mod string_tables;
 mod tables;
 mod whole_string;
 
@@ -16,5 +17,6 @@ pub use film::film_picture;
 pub use lines::case_lines;
 pub use orbits::orbit_picture;
 pub use over_time::history_picture;
+pub use string_tables::{film_csv, string_csv};
 pub use tables::{case_csv, contacts_csv, history_csv};
 pub use whole_string::{string_picture, whole_strings};

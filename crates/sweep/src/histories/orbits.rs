@@ -2,26 +2,34 @@
 
 use anyhow::Result;
 
-use super::marks::shown_clearances;
-use crate::plot::{Axis, Orbit, Picture, Series, orbits};
-use campaign::engine::Case;
-use campaign::engine::Simulation;
+use super::marks::{ink, shown_clearances};
+use crate::plot::{Axis, Look, Orbit, Picture, Series, orbits};
+use campaign::engine::{Case, Simulation};
 use campaign::plan::Sweep;
 use campaign::quantities::WIDTH;
 use campaign::words::site_title;
+
+/// A lateral label is of so many seconds, the last ones: they are marked.
+const LAST: f64 = 2.0;
 
 /// The path of every site's centre, with the circle of its clearance in each case where it comes
 /// near that.
 ///
 /// # Errors
 /// Where it cannot be drawn.
-pub fn orbit_picture(sweep: &Sweep, cases: &[Case], simulations: &[Simulation]) -> Result<Picture> {
+pub fn orbit_picture(
+    look: &Look,
+    sweep: &Sweep,
+    cases: &[Case],
+    simulations: &[Simulation],
+) -> Result<Picture> {
     let units = sweep.content.units;
     let width = units.of(&WIDTH);
     let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
     let of_sites = distances.map(|(site, &distance)| {
         let of_site = |simulation: &Simulation| Series {
             name: simulation.name.clone(),
+            ink: ink(simulation, simulations),
             points: simulation.trajectory.positions[site]
                 .iter()
                 .map(|[x, y]| (width.number(1e3 * x), width.number(1e3 * y)))
@@ -37,7 +45,17 @@ pub fn orbit_picture(sweep: &Sweep, cases: &[Case], simulations: &[Simulation]) 
             axes: [format!("x at {site} ({unit})"), format!("y ({unit})")].map(Axis::linear),
             series,
             circles,
+            last: simulations
+                .iter()
+                .map(|it| last_steps(&it.trajectory.times))
+                .collect(),
         }
     });
-    orbits(&sweep.title, &of_sites.collect::<Vec<_>>())
+    orbits(look, &sweep.title, &of_sites.collect::<Vec<_>>())
+}
+
+/// How many steps the last seconds take.
+fn last_steps(times: &[f64]) -> usize {
+    let end = times.last().copied().unwrap_or(0.0);
+    times.len() - times.partition_point(|time| *time < end - LAST)
 }

@@ -5,10 +5,9 @@ use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
 use super::known::{has_surface_speed, has_surface_torque, has_torque};
-use super::marks::{each_once, level, shown_clearances};
-use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
-use campaign::engine::Case;
-use campaign::engine::Simulation;
+use super::marks::{each_once, ink, level, shown_clearances};
+use crate::plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
+use campaign::engine::{Case, Simulation};
 use campaign::plan::{Sweep, to_rpm};
 use campaign::quantities::{TORQUE, Unit, Units, WIDTH};
 use campaign::sweep_file::TraceName;
@@ -21,6 +20,7 @@ use campaign::words::site_title;
 /// # Errors
 /// Where it cannot be drawn.
 pub fn history_picture(
+    look: &Look,
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
@@ -34,7 +34,7 @@ pub fn history_picture(
         Some(_) => histories.radii(),
         None => histories.speeds_and_torque(),
     };
-    panels(&sweep.title, &list)
+    panels(look, &sweep.title, &list)
 }
 
 /// What is drawn over time.
@@ -60,6 +60,7 @@ impl Histories<'_> {
             series,
             references,
             walls: Vec::new(),
+            is_difference: false,
         }
     }
 
@@ -69,6 +70,7 @@ impl Histories<'_> {
             let motion = &simulation.trajectory;
             Series {
                 name: simulation.name.clone(),
+                ink: ink(simulation, self.simulations),
                 points: (motion.times.iter().enumerate())
                     .map(|(index, &time)| (time, values(motion, index)))
                     .collect(),
@@ -82,15 +84,16 @@ impl Histories<'_> {
         let ([_], [first, second, ..]) = (self.cases, &panel?.series[..]) else {
             return None;
         };
-        let series = Series {
-            name: format!("{} − {}", first.name, second.name),
-            points: (first.points.iter().enumerate())
-                .filter_map(|(step, &(time, value))| {
-                    Some((time, value - value_at(&second.points, step, time)?))
-                })
-                .collect(),
-        };
-        Some(self.panel(label, vec![series], Vec::new()))
+        let name = format!("{} − {}", first.name, second.name);
+        let points = (first.points.iter().enumerate())
+            .filter_map(|(step, &(time, value))| {
+                Some((time, value - value_at(&second.points, step, time)?))
+            })
+            .collect();
+        Some(Panel {
+            is_difference: true,
+            ..self.panel(label, vec![Series::new(name, points)], Vec::new())
+        })
     }
 
     fn radii(&self) -> Vec<Panel> {
@@ -197,7 +200,7 @@ impl Histories<'_> {
             let samples = recorded.times().iter().zip(recorded.values());
             let shown = samples.take_while(|(time, _)| **time <= end);
             let points = shown.map(|(time, value)| (*time, factor * value)).collect();
-            list.push(Series { name, points });
+            list.push(Series::new(name, points));
         }
         list
     }

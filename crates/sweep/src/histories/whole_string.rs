@@ -3,10 +3,9 @@
 use anyhow::Result;
 use linear::elements::reconstruction::{Reconstruction, WholeString};
 
-use super::marks::{CLEARANCE_SHOWN, each_clearance};
-use crate::plot::{Axis, Panel, Picture, Series, Wall, panels};
-use campaign::engine::Simulation;
-use campaign::engine::{Case, Clearances};
+use super::marks::{CLEARANCE_SHOWN, each_clearance, ink};
+use crate::plot::{Axis, Look, Panel, Picture, Series, Wall, panels};
+use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::{LateralSettings, Sweep};
 use campaign::quantities::{LENGTH, Unit, WIDTH};
 
@@ -52,6 +51,7 @@ pub fn whole_strings(
 /// # Errors
 /// Where it cannot be drawn.
 pub fn string_picture(
+    look: &Look,
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
@@ -74,6 +74,7 @@ pub fn string_picture(
         series: (simulations.iter().zip(wholes))
             .map(|(simulation, whole)| Series {
                 name: simulation.name.clone(),
+                ink: ink(simulation, simulations),
                 points: shown(&whole.depths, &whole.peaks, from, [&length, &width]),
             })
             .collect(),
@@ -81,6 +82,7 @@ pub fn string_picture(
         walls: (all.iter().filter(near))
             .map(|clearances| wall(clearances, from, [&length, &width]))
             .collect(),
+        is_difference: false,
     };
     let mut list = vec![panel("Depth ξ", 0.0)];
     let whole_length = sweep.setting.string.length();
@@ -89,7 +91,7 @@ pub fn string_picture(
         let from = whole_length - (1.0 + SHOWN_ABOVE) * reach;
         list.push(panel("Depth ξ around the sites", from));
     }
-    panels(&format!("{}: the whole string", sweep.title), &list)
+    panels(look, &format!("{}: the whole string", sweep.title), &list)
 }
 
 /// Depths from one on and values there, m, in units of lengths and of widths.

@@ -5,7 +5,7 @@ use super::extent::Extent;
 use super::mesh::around;
 use super::words::{ends, quantity};
 use crate::output::{Curve, Motion};
-use crate::plot::{Band, Series, is_within};
+use crate::plot::{Band, Ink, Series, is_within};
 use campaign::quantities::{Axis, Units};
 
 /// The limit on a map.
@@ -87,6 +87,7 @@ impl Limits {
                 .map(|piece| places(&with_length(piece, range)));
             self.lines.push(Series {
                 name: curve.name.clone(),
+                ink: ink(curve),
                 points: lines.collect::<Vec<_>>().join(&(f64::NAN, f64::NAN)),
             });
             return None;
@@ -126,6 +127,7 @@ impl Limits {
                 });
                 self.lines.push(Series {
                     name: curve.name.clone(),
+                    ink: ink(curve),
                     points: points.to_vec(),
                 });
             } else {
@@ -155,6 +157,12 @@ impl Limits {
         let margin = quantity(axis, margin, extent.units);
         Some(unseen(curve, &limit, side(on_map, end, range), &margin))
     }
+}
+
+/// A limit by a method has its colour.
+fn ink(curve: &Curve) -> Ink {
+    let method = curve.method.as_deref();
+    method.map_or_else(Ink::default, Ink::of_method)
 }
 
 /// A curve that never reaches what is held: `shown` is the quantity on the map.
@@ -247,6 +255,7 @@ mod tests {
     fn whirl(pieces: &[&[[f64; 2]]]) -> Curve {
         Curve {
             name: "bound".to_owned(),
+            method: None,
             motion: Motion::Lateral,
             along: Axis::SurfaceSpeedRpm,
             limited: Axis::FRICTION,
@@ -331,6 +340,7 @@ mod tests {
     fn a_limit_out_of_view_is_told_in_units_of_the_field() {
         let curve = Curve {
             name: "Eq. 74".to_owned(),
+            method: None,
             motion: Motion::Torsion,
             along: Axis::WeightOnBitKn,
             limited: Axis::SurfaceSpeedRpm,

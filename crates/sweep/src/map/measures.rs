@@ -8,7 +8,7 @@ use super::extent::Extent;
 use super::mesh::Mesh;
 use super::scale::Classes;
 use crate::output::{Manifest, Motion, label_rows};
-use crate::plot::{Ground, MapGroup, MapPanel, Series};
+use crate::plot::{Ground, Ink, MapGroup, MapPanel, Series};
 use campaign::quantities::{Measure, Needs};
 
 /// Cells to the right and upwards at most.
@@ -72,6 +72,7 @@ pub fn group(
         }),
         lines: vec![Series {
             name: name.clone(),
+            ink: Ink::default(),
             points: mesh.outlines(|cell| field.is_sustained(cell)),
         }],
         ..MapPanel::default()

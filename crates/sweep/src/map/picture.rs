@@ -13,15 +13,15 @@ use super::words;
 use super::{measures, misfits};
 use crate::limits::TracedLimits;
 use crate::output::{Curve, ForwardContact, Manifest, Motion, ResultTables};
-use crate::plot::{self, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
+use crate::plot::{self, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
 use campaign::plan::MapMark;
 use campaign::quantities::Axis;
 
-/// Draws the map of a results folder's tables; none where its design has no two axes.
+/// Draws the map of a results folder's tables, as it is asked to look; none where its design has no two axes.
 ///
 /// # Errors
 /// Where a file cannot be read.
-pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
+pub fn picture(tables: &ResultTables, look: &Look) -> Result<Option<Picture>> {
     let manifest = &tables.manifest;
     let Some(settings) = &manifest.map else {
         return Ok(None);
@@ -62,7 +62,7 @@ pub fn picture(tables: &ResultTables) -> Result<Option<Picture>> {
             .collect::<Result<_>>()?,
     };
     show_in(&mut sheet, axes.map(|axis| axis.unit(units)));
-    map_sheet(&sheet).map(Some)
+    map_sheet(look, &sheet).map(Some)
 }
 
 /// The limits of a folder: those of `boundary.csv`, and that of forward motion.

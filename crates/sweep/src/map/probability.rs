@@ -10,8 +10,8 @@ use super::shown::show_in;
 use crate::analysis::{Bins, Counts, Interval, wilson};
 use crate::output::Motion;
 use crate::plot::{
-    self, Ground, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series, map_sheet,
-    panels,
+    self, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series,
+    map_sheet, panels,
 };
 use campaign::plan::{MapMark, MapSettings};
 use campaign::quantities::Units;
@@ -46,7 +46,7 @@ pub fn probability_picture(of: &Probabilities) -> Result<Picture> {
     match &of.counts.bins[..] {
         [x, y] => of.sheet([x, y]),
         [x] => of.curves(x),
-        _ => panels(&of.title, &[]),
+        _ => panels(&Look::default(), &of.title, &[]),
     }
 }
 
@@ -101,7 +101,7 @@ impl Probabilities<'_> {
             groups: groups.collect(),
         };
         show_in(&mut sheet, bins.map(|bins| bins.axis.unit(self.units)));
-        map_sheet(&sheet)
+        map_sheet(&Look::default(), &sheet)
     }
 
     /// The marks of the sweep's map that are within the ranges of the same two axes.
@@ -158,6 +158,7 @@ impl Probabilities<'_> {
             lines: (lines.iter().enumerate())
                 .map(|(level, points)| Series {
                     name: name(level),
+                    ink: Ink::default(),
                     points: points.clone(),
                 })
                 .collect(),
@@ -199,11 +200,11 @@ impl Probabilities<'_> {
                 let told = counts.iter().enumerate();
                 let told = told.filter_map(|(cell, &[with, of])| Some((cell, wilson(with, of)?)));
                 let told: Vec<_> = told.collect();
-                let curve = |name: &str, end: fn(&Interval) -> f64| Series {
-                    name: name.to_owned(),
-                    points: (told.iter())
-                        .map(|(cell, interval)| (place(*cell), 100.0 * end(interval)))
-                        .collect(),
+                let curve = |name: &str, end: fn(&Interval) -> f64| {
+                    let of_cell = |(cell, interval): &(usize, Interval)| {
+                        (place(*cell), 100.0 * end(interval))
+                    };
+                    Series::new(name, told.iter().map(of_cell).collect())
                 };
                 let label = format!("{} by {method} (%)", self.regime(motion));
                 all.push(Panel {
@@ -215,10 +216,11 @@ impl Probabilities<'_> {
                     ],
                     references: Vec::new(),
                     walls: Vec::new(),
+                    is_difference: false,
                 });
             }
         }
-        panels(&self.title, &all)
+        panels(&Look::default(), &self.title, &all)
     }
 }
 

@@ -27,7 +27,7 @@ pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
 mod tests {
     use super::*;
     use crate::plot::{Axis, Band, Ground, MapCell, MapGroup, MapPanel, MapPoint, Mark};
-    use crate::plot::{Series, Symbol};
+    use crate::plot::{Ink, Series, Symbol};
     use campaign::quantities::{FORCE, Units};
 
     /// 4.4482216152605 kN are one klbf.
@@ -45,6 +45,7 @@ mod tests {
             }],
             lines: vec![Series {
                 name: name(),
+                ink: Ink::default(),
                 points: vec![at],
             }],
             bands: vec![Band { name: name(), ends }],

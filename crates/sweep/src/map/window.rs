@@ -8,7 +8,8 @@ use super::mesh::Mesh;
 use super::shown::show_in;
 use super::words;
 use crate::plot::{
-    self, Band, Ground, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety, Series, map_sheet,
+    self, Band, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety, Series,
+    map_sheet,
 };
 use crate::window::{AXES, Best, Chart, Drawn, Limit, Region, Room, Standing};
 use campaign::quantities::Units;
@@ -82,7 +83,7 @@ pub fn window_picture(of: &WindowSheet) -> Result<Picture> {
         }],
     };
     show_in(&mut sheet, AXES.map(|axis| axis.unit(of.units)));
-    map_sheet(&sheet)
+    map_sheet(&Look::default(), &sheet)
 }
 
 fn ground(standing: Standing) -> Ground {
@@ -132,6 +133,7 @@ fn line(chart: &Chart, limit: &Limit) -> Option<Series> {
     let points: Vec<_> = points.collect();
     (!points.is_empty()).then(|| Series {
         name: limit.name.clone(),
+        ink: Ink::default(),
         points,
     })
 }

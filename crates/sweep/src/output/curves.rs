@@ -24,6 +24,8 @@ const SAME: f64 = 1e-6;
 pub struct Curve {
     /// Its name in a legend.
     pub name: String,
+    /// The method whose limit it is, where methods differ in it.
+    pub method: Option<String>,
     /// The motion that is limited.
     pub motion: Motion,
     /// The quantity that the limit depends on.
@@ -58,7 +60,8 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
     let methods = points.chunk_by(|one, next| one.method == next.method);
     methods
         .map(|points| Curve {
-            name: format!("Eq. 74, {}", points[0].method),
+            name: format!("stick-slip limit (Eq. 74), {}", points[0].method),
+            method: Some(points[0].method.clone()),
             motion: Motion::Torsion,
             along,
             limited: Axis::SurfaceSpeedRpm,
@@ -100,6 +103,7 @@ fn whirl_curves(points: &[WhirlPoint]) -> Vec<Curve> {
     .filter(|(_, pieces, _)| pieces.iter().any(|piece| !piece.is_empty()))
     .map(|(name, pieces, is_least)| Curve {
         name,
+        method: None,
         motion: Motion::Lateral,
         along: Axis::SurfaceSpeedRpm,
         limited: Axis::FRICTION,
@@ -179,6 +183,7 @@ mod tests {
     fn curve(pieces: &[&[[f64; 2]]]) -> Curve {
         Curve {
             name: "a".to_owned(),
+            method: None,
             motion: Motion::Lateral,
             along: Axis::SurfaceSpeedRpm,
             limited: Axis::FRICTION,

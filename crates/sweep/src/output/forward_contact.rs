@@ -98,6 +98,7 @@ impl ForwardContact {
             .collect();
         (!piece.is_empty()).then(|| Curve {
             name: "speed from which the eccentric mass brings the string to its wall".to_owned(),
+            method: None,
             motion: Motion::Lateral,
             along: self.along,
             limited: Axis::SurfaceSpeedRpm,

@@ -14,6 +14,9 @@ pub const TABLES: [&str; 3] = ["labels.csv", "failures.csv", "boundary.csv"];
 /// Its map.
 pub const PICTURES: [&str; 2] = ["map.svg", "map.png"];
 
+/// Its map for paper, which `plot` draws where it is asked for.
+pub const PAPER_MAP: &str = "map.pdf";
+
 /// What follows from the labels of a traced design.
 pub const OF_TRACE: [&str; 2] = ["limits.csv", "bands.csv"];
 

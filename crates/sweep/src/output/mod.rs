@@ -28,7 +28,7 @@ pub use curves::Curve;
 pub use envelope::Envelope;
 pub use failures::FAILURES_HEADER;
 pub use forward_contact::ForwardContact;
-pub use integrity::{Damage, OF_TRACE, PICTURES, TABLES};
+pub use integrity::{Damage, OF_TRACE, PAPER_MAP, PICTURES, TABLES};
 pub use label_rows::{LabelColumns, LabelRow, label_rows, misfit_columns, read_labels};
 pub use manifest::{Manifest, MethodRecord, differences, fingerprint};
 pub use many_sites_limit::{MOST_SITES, many_sites_limit};

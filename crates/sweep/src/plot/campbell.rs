@@ -5,11 +5,12 @@ use super::canvas::{Canvas, Stroke, Title, draw_titled};
 use super::colours::GREY;
 use super::frame::{Frame, align_left};
 use super::geometry::Rect;
-use super::legend::{Key, Legend, Series, distinct, place_of};
-use super::panels::series_stroke;
+use super::inks::{Ink, distinct_inks, markers, place_among, strokes};
+use super::legend::{Key, Legend, Series};
+use super::look::{Look, is_narrow};
 use super::picture::Picture;
 use super::scale::{Axis, Scale, visible};
-use super::symbols::draw_marker;
+use super::symbols::{Marker, draw_marker};
 use super::text::{Block, LABEL_SIZE, SMALL_SIZE};
 use anyhow::Result;
 use plotters::style::text_anchor::HPos;
@@ -40,13 +41,19 @@ pub struct CampbellPanel {
 
 /// Draws panels one below another, with one title and one legend, in which all natural
 /// frequencies have a name.
-pub fn campbell(title: &str, natural: &str, panels: &[CampbellPanel]) -> Result<Picture> {
-    let orders = panels.iter().flat_map(|panel| &panel.orders);
-    let names = distinct(orders.map(|order| &order.name));
-    let lines = (names.iter().enumerate())
-        .map(|(index, name)| (Key::Line(order_stroke(index)), (*name).to_owned()));
-    let marks = (names.iter().enumerate())
-        .map(|(index, name)| (Key::Marker(index), format!("critical, {name}")));
+pub fn campbell(
+    look: &Look,
+    title: &str,
+    natural: &str,
+    panels: &[CampbellPanel],
+) -> Result<Picture> {
+    let inks = distinct_inks(panels.iter().flat_map(|panel| &panel.orders));
+    let strokes: Vec<Stroke> = strokes(&inks).into_iter().map(of_order).collect();
+    let lines = (inks.iter().zip(&strokes))
+        .map(|((name, _), stroke)| (Key::Line(*stroke), (*name).to_owned()));
+    let markers = markers(&inks);
+    let marks = (inks.iter().zip(&markers))
+        .map(|((name, _), marker)| (Key::Marker(*marker), format!("critical, {name}")));
     let entries: Vec<_> = std::iter::once((Key::Line(NATURAL), natural.to_owned()))
         .chain(lines)
         .chain(marks)
@@ -54,24 +61,38 @@ pub fn campbell(title: &str, natural: &str, panels: &[CampbellPanel]) -> Result<
     let texts: Vec<String> = entries.iter().map(|(_, text)| text.clone()).collect();
     let keys = entries.into_iter().map(|(key, _)| key);
     let legend = Legend::new(keys.zip(texts.iter().map(String::as_str)))?;
-    let title = Title::new(title, WIDTH, MARGIN)?;
+    let title = Title::new(look, title, WIDTH, MARGIN)?;
     let top = title.bottom();
-    let height = top + (panels.len() as f64 * PANEL_HEIGHT).max(legend.height()) + MARGIN;
-    let legend_left = WIDTH - MARGIN - legend.width();
-    let frames = frames(panels, top, legend_left - NUMBERS)?;
+    let stacked = panels.len() as f64 * PANEL_HEIGHT;
+    let (legend, place, right, height) = if is_narrow(title.width) {
+        let legend = legend.in_rows(title.width - 2.0 * MARGIN);
+        let height = top + stacked + legend.height();
+        (
+            legend,
+            (MARGIN, top + stacked),
+            title.width - NUMBERS,
+            height,
+        )
+    } else {
+        let left = title.width - MARGIN - legend.width();
+        let height = top + stacked.max(legend.height());
+        (legend, (left, top), left - NUMBERS, height)
+    };
+    let height = height + MARGIN;
+    let frames = frames(panels, top, right)?;
     draw_titled(&title, height, |canvas| {
         for (panel, frame) in panels.iter().zip(&frames) {
-            draw_panel(canvas, panel, frame, &names)?;
+            draw_panel(canvas, panel, frame, (&inks, &strokes, &markers))?;
         }
-        legend.draw(canvas, legend_left, top)
+        legend.draw(canvas, place.0, place.1)
     })
 }
 
 /// Dashes and colours of multiples.
-fn order_stroke(index: usize) -> Stroke {
+fn of_order(stroke: Stroke) -> Stroke {
     Stroke {
         width: 1.8,
-        ..series_stroke(index)
+        ..stroke
     }
 }
 
@@ -107,7 +128,7 @@ fn draw_panel(
     canvas: &mut Canvas,
     panel: &CampbellPanel,
     frame: &Frame,
-    names: &[&str],
+    (inks, strokes, markers): (&[(&str, Ink)], &[Stroke], &[Marker]),
 ) -> Result<()> {
     frame.draw(canvas)?;
     let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width())?;
@@ -115,15 +136,15 @@ fn draw_panel(
     canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
     draw_natural(canvas, panel, frame)?;
     for order in &panel.orders {
-        let stroke = order_stroke(place_of(&order.name, names));
+        let stroke = strokes[place_among(&order.name, inks)];
         for piece in frame.curve(&order.points) {
             canvas.line(&piece, stroke)?;
         }
     }
     for order in &panel.crossings {
-        let kind = place_of(&order.name, names);
+        let marker = markers[place_among(&order.name, inks)];
         for pixel in order.points.iter().filter_map(|&point| frame.pixel(point)) {
-            draw_marker(canvas, kind, pixel, MARKER_RADIUS)?;
+            draw_marker(canvas, marker, pixel, MARKER_RADIUS)?;
         }
     }
     Ok(())
@@ -154,12 +175,7 @@ mod tests {
 
     #[test]
     fn lines_are_numbered_only_where_there_is_room() {
-        let series = |points| {
-            vec![Series {
-                name: "1×".to_owned(),
-                points,
-            }]
-        };
+        let series = |points| vec![Series::new("1×", points)];
         let panel = |natural: Vec<f64>| CampbellPanel {
             title: "Torsion".to_owned(),
             axes: ["Surface speed Ω (rpm)", "Frequency f (Hz)"].map(Axis::linear),
@@ -169,7 +185,8 @@ mod tests {
         };
         let dense = (1..=200).map(|index| 0.01 * f64::from(index)).collect();
         let panels = [panel(vec![0.4, 1.2]), panel(dense)];
-        let picture = campbell("A string", "natural frequency", &panels).expect("drawn");
+        let picture =
+            campbell(&Look::default(), "A string", "natural frequency", &panels).expect("drawn");
         assert_text_inside(&picture);
         assert_eq!(picture.svg.matches("<circle").count(), 2 + 200 + 1);
         let numbers = picture.svg.matches("<text").count();

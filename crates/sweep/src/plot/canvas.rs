@@ -1,6 +1,7 @@
 //! The drawing surface: shapes and text in picture pixels, written as SVG.
 
 use super::geometry::{Pixel, Rect};
+use super::look::{Look, Paper};
 use super::outlines::{INDEX_DEPTH, INDEX_SIZE, Line};
 use super::picture::Picture;
 use super::text::{self, Block, TITLE_SIZE};
@@ -61,24 +62,31 @@ pub(super) struct Canvas<'a> {
 /// both.
 pub(super) struct Title {
     text: Block,
-    width: f64,
+    /// Width of the picture.
+    pub width: f64,
     margin: f64,
+    paper: Option<Paper>,
 }
 
 impl Title {
-    /// Breaks the text to fit a picture of this width.
-    pub fn new(text: &str, width: f64, margin: f64) -> Result<Title> {
-        let text = Block::new(text, TITLE_SIZE, width - 2.0 * margin)?;
+    /// Breaks the text, or that which is asked for, to fit a picture whose own width is this.
+    pub fn new(look: &Look, text: &str, own_width: f64, margin: f64) -> Result<Title> {
+        let text = look.title.as_deref().unwrap_or(text);
+        let width = look.width(own_width);
         Ok(Title {
-            text,
+            text: Block::new(text, TITLE_SIZE, width - 2.0 * margin)?,
             width,
             margin,
+            paper: look.paper,
         })
     }
 
     /// Where the picture below it begins.
     pub fn bottom(&self) -> f64 {
-        2.0 * self.margin + self.text.height()
+        match self.text.height() {
+            0.0 => self.margin,
+            height => 2.0 * self.margin + height,
+        }
     }
 }
 
@@ -103,8 +111,9 @@ pub(super) fn draw_titled(
         canvas.area.present()?;
         (canvas.dashes, canvas.text)
     };
-    let svg = add_dashes(&with_pixel_size(&svg, size)?, &dashes);
-    Picture::new(&with_subscripts(&svg), &with_outlines(&svg, &text)?)
+    let svg = add_dashes(&with_size(&svg, size, title.paper)?, &dashes);
+    let outlines = with_outlines(&svg, &text)?;
+    Picture::new(&with_subscripts(&svg), outlines, title.paper)
 }
 
 impl Canvas<'_> {
@@ -199,15 +208,21 @@ fn in_units((x, y): Pixel) -> (i32, i32) {
     (units(x), units(y))
 }
 
-/// Replaces the document's opening tag, whose size is in user units, by one
-/// whose size is in pixels. Round joins keep sharp peaks from growing spikes.
-fn with_pixel_size(svg: &str, (width, height): (u32, u32)) -> Result<String> {
+/// Replaces the document's opening tag, whose size is in user units, by one whose size is in
+/// pixels, or on paper in mm. Round joins keep sharp peaks from growing spikes.
+fn with_size(svg: &str, (width, height): (u32, u32), paper: Option<Paper>) -> Result<String> {
     let (_, body) = svg.split_once('>').context("the plot has no content")?;
+    let [shown_width, shown_height] = [width, height].map(|length| {
+        let pixels = f64::from(length) / UNITS;
+        match paper {
+            None => format!("{pixels}"),
+            Some(paper) => format!("{:.2}mm", pixels * paper.pixel_mm()),
+        }
+    });
     Ok(format!(
-        "<svg width=\"{}\" height=\"{}\" viewBox=\"0 0 {width} {height}\" \
+        "<svg width=\"{shown_width}\" height=\"{shown_height}\" \
+         viewBox=\"0 0 {width} {height}\" \
          xmlns=\"http://www.w3.org/2000/svg\" stroke-linejoin=\"round\">{body}",
-        f64::from(width) / UNITS,
-        f64::from(height) / UNITS,
     ))
 }
 
@@ -301,7 +316,7 @@ pub(super) mod tests {
         (width, height): (f64, f64),
         draw: impl FnOnce(&mut Canvas) -> Result<()>,
     ) -> Picture {
-        let title = Title::new("", width, 0.0).expect("laid out");
+        let title = Title::new(&Look::default(), "", width, 0.0).expect("laid out");
         draw_titled(&title, height, draw).expect("drawn")
     }
 

@@ -4,6 +4,7 @@
 use super::canvas::{Canvas, Stroke, Title, draw_titled};
 use super::colours::{BLUE, PALE, SAND, SKY, VERMILION};
 use super::geometry::{Pixel, Rect};
+use super::look::Look;
 use super::picture::Picture;
 use super::symbols::draw_cross;
 use super::text::{self, Block, SMALL_SIZE};
@@ -11,10 +12,8 @@ use anyhow::Result;
 use plotters::style::text_anchor::HPos;
 use plotters::style::{BLACK, RGBColor};
 
-const WIDTH: f64 = 1500.0;
+const WIDTH: f64 = 860.0;
 const MARGIN: f64 = 16.0;
-/// Distance between the two columns of panels.
-const GUTTER: f64 = 30.0;
 const CELL_HEIGHT: f64 = 24.0;
 /// Columns are no wider, however few there are.
 const WIDEST_CELL: f64 = 80.0;
@@ -22,7 +21,7 @@ const WIDEST_CELL: f64 = 80.0;
 const GAP: f64 = 6.0;
 const PANEL_GAP: f64 = 20.0;
 /// Size of the numbers in cells and of the labels beside them.
-const CELL_TEXT: f64 = 10.0;
+const CELL_TEXT: f64 = 11.0;
 const LABEL_TEXT: f64 = 12.5;
 const RADIUS: f64 = 4.0;
 /// The frame of a cell that is not as predicted.
@@ -68,37 +67,28 @@ pub struct CellPanel {
 }
 
 /// Draws panels with one title and one legend, which tells what the `number` in cells is.
-/// They fill the left column first, then the right one.
+/// They stand one below another, readable in a page of the guide.
 pub fn cell_chart(title: &str, number: &str, panels: &[CellPanel]) -> Result<Picture> {
-    let title = Title::new(title, WIDTH, MARGIN)?;
-    let column_width = (WIDTH - 2.0 * MARGIN - GUTTER) / 2.0;
-    let (places, bottom) = places(panels, title.bottom());
+    let title = Title::new(&Look::default(), title, WIDTH, MARGIN)?;
+    let (tops, bottom) = tops(panels, title.bottom());
     let height = bottom + LEGEND_HEIGHT + MARGIN;
     draw_titled(&title, height, |canvas| {
-        for (panel, (column, top)) in panels.iter().zip(&places) {
-            let left = MARGIN + *column as f64 * (column_width + GUTTER);
-            draw_panel(canvas, panel, left, *top, column_width)?;
+        for (panel, top) in panels.iter().zip(&tops) {
+            draw_panel(canvas, panel, MARGIN, *top, WIDTH - 2.0 * MARGIN)?;
         }
         draw_legend(canvas, number, bottom)
     })
 }
 
-/// Column and top of each panel, and the bottom of all.
-fn places(panels: &[CellPanel], top: f64) -> (Vec<(usize, f64)>, f64) {
-    let heights: Vec<f64> = panels
-        .iter()
-        .map(|panel| panel_height(panel) + PANEL_GAP)
-        .collect();
-    let half = 0.5 * heights.iter().sum::<f64>();
-    let (mut places, mut before, mut bottoms) = (Vec::new(), 0.0, [top; 2]);
-    for height in heights {
-        // A panel stands on the side where its middle would be.
-        let column = usize::from(before + 0.5 * height > half);
-        places.push((column, bottoms[column]));
-        bottoms[column] += height;
-        before += height;
-    }
-    (places, bottoms[0].max(bottoms[1]))
+/// The top of each panel, and the bottom of all.
+fn tops(panels: &[CellPanel], top: f64) -> (Vec<f64>, f64) {
+    let mut bottom = top;
+    let tops = panels.iter().map(|panel| {
+        let top = bottom;
+        bottom += panel_height(panel) + PANEL_GAP;
+        top
+    });
+    (tops.collect(), bottom)
 }
 
 fn line(size: f64) -> f64 {
@@ -194,7 +184,7 @@ fn draw_seen(canvas: &mut Canvas, seen: Seen, centre: Pixel) -> Result<()> {
 }
 
 /// Two rows of keys.
-const LEGEND_HEIGHT: f64 = 2.0 * LEGEND_ROW;
+const LEGEND_HEIGHT: f64 = 3.0 * LEGEND_ROW;
 const LEGEND_ROW: f64 = 26.0;
 const KEY_WIDTH: f64 = 26.0;
 const KEY_GAP: f64 = 28.0;
@@ -209,20 +199,19 @@ enum Key {
 
 fn draw_legend(canvas: &mut Canvas, number: &str, top: f64) -> Result<()> {
     let tuned = "fails under a load tuned to the margin";
-    let grounds = [
+    let grounds = vec![
         (Key::Ground(SKY), "predicted: stable"),
         (Key::Ground(SAND), "predicted: unstable"),
         (Key::Ground(PALE), "the margin says nothing of it"),
-        (Key::Nothing, number),
     ];
-    let symbols = [
+    let symbols = vec![
         (Key::Seen(Seen::Sound), "nothing wrong was seen"),
         (Key::Seen(Seen::Failed), "failed in an ordinary scene"),
-        (Key::Seen(Seen::Provoked), tuned),
         (Key::Frame, "framed: not as predicted"),
     ];
-    for (keys, row) in [(grounds, 0.5), (symbols, 1.5)] {
-        let row = top + row * LEGEND_ROW;
+    let others = vec![(Key::Seen(Seen::Provoked), tuned), (Key::Nothing, number)];
+    for (index, keys) in [grounds, symbols, others].into_iter().enumerate() {
+        let row = top + (index as f64 + 0.5) * LEGEND_ROW;
         let mut left = MARGIN;
         for (key, words) in keys {
             let centre = (left + 0.5 * KEY_WIDTH, row);
@@ -278,10 +267,9 @@ mod tests {
     }
 
     #[test]
-    fn panels_share_the_height() {
-        let (places, _) = places(&panels(None, Seen::Sound), 0.0);
-        let columns: Vec<usize> = places.into_iter().map(|(column, _)| column).collect();
-        assert_eq!(columns, [0, 0, 1]);
+    fn panels_stand_one_below_another() {
+        let (tops, bottom) = tops(&panels(None, Seen::Sound), 0.0);
+        assert!(tops[0] == 0.0 && tops.is_sorted() && tops[2] < bottom);
         assert!(cell_chart("", "", &[]).is_ok());
     }
 }

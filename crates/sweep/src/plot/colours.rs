@@ -6,6 +6,11 @@ use plotters::style::RGBColor;
 
 pub(super) const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xB2);
 pub(super) const ORANGE: RGBColor = RGBColor(0xE6, 0x9F, 0x00);
+pub(super) const GREEN: RGBColor = RGBColor(0x00, 0x9E, 0x73);
+pub(super) const PURPLE: RGBColor = RGBColor(0xCC, 0x79, 0xA7);
+pub(super) const SKY_BLUE: RGBColor = RGBColor(0x56, 0xB4, 0xE9);
+pub(super) const RED: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
+pub(super) const DARK_GREY: RGBColor = RGBColor(0x66, 0x66, 0x66);
 pub(super) const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
 /// Darker than that of Okabe and Ito, for thin lines on a tinted ground.
 pub(super) const VERMILION: RGBColor = RGBColor(0xB0, 0x3A, 0x00);
@@ -14,10 +19,10 @@ pub(super) const VERMILION: RGBColor = RGBColor(0xB0, 0x3A, 0x00);
 pub(super) const COLOURS: [RGBColor; 7] = [
     BLUE,
     ORANGE,
-    RGBColor(0x00, 0x9E, 0x73),
-    RGBColor(0xD5, 0x5E, 0x00),
-    RGBColor(0xCC, 0x79, 0xA7),
-    RGBColor(0x56, 0xB4, 0xE9),
+    GREEN,
+    RED,
+    PURPLE,
+    SKY_BLUE,
     RGBColor(0x00, 0x00, 0x00),
 ];
 

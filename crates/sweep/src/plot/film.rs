@@ -6,6 +6,7 @@ use super::colours::{BLUE, CLEARANCE, ORANGE_GROUND, SKY};
 use super::frame::Frame;
 use super::geometry::{Pixel, Rect, thin};
 use super::legend::{Key, Legend};
+use super::look::Look;
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
 use super::symbols::draw_site;
@@ -15,7 +16,9 @@ use plotters::style::text_anchor::HPos;
 
 const WIDTH: f64 = 1180.0;
 const FRAME_HEIGHT: f64 = 350.0;
+/// Frames of a row, and the least width of one.
 const COLUMNS: usize = 6;
+const LEAST_WIDTH: f64 = 140.0;
 const MARGIN: f64 = 14.0;
 /// Distance between frames, and between those beside each other, whose numbers reach beyond
 /// them.
@@ -77,13 +80,14 @@ pub struct FilmSite {
 }
 
 /// Draws a film.
-pub fn film(film: &Film) -> Result<Picture> {
-    let title = Title::new(&film.title, WIDTH, MARGIN)?;
-    let legend = legend(film)?.in_rows(WIDTH - 2.0 * MARGIN);
+pub fn film(look: &Look, film: &Film) -> Result<Picture> {
+    let title = Title::new(look, &film.title, WIDTH, MARGIN)?;
+    let legend = legend(film)?.in_rows(title.width - 2.0 * MARGIN);
+    let columns = columns(title.width);
     let top = title.bottom();
-    let rows = film.frames.len().div_ceil(COLUMNS);
+    let rows = film.frames.len().div_ceil(columns);
     let legend_top = top + rows as f64 * FRAME_HEIGHT;
-    let frames = frames(film, top)?;
+    let frames = frames(film, top, (title.width, columns))?;
     draw_titled(&title, legend_top + legend.height() + MARGIN, |canvas| {
         for (shown, frame) in film.frames.iter().zip(&frames) {
             draw_frame(canvas, film, shown, frame)?;
@@ -110,8 +114,13 @@ fn legend(film: &Film) -> Result<Legend> {
     Legend::new(string.into_iter().chain(wall).chain(notes))
 }
 
+/// Frames beside each other.
+fn columns(width: f64) -> usize {
+    ((width / LEAST_WIDTH) as usize).clamp(1, COLUMNS)
+}
+
 /// The frames in rows; the vertical axis has its title at the first of each row.
-fn frames(film: &Film, top: f64) -> Result<Vec<Frame>> {
+fn frames(film: &Film, top: f64, (full, columns): (f64, usize)) -> Result<Vec<Frame>> {
     let shapes = film.frames.iter().flat_map(|frame| &frame.shape);
     let radii = shapes.map(|[x, y]| x.hypot(*y));
     let reach = (radii.chain(film.wall.iter().map(|(distance, _)| *distance)))
@@ -122,7 +131,7 @@ fn frames(film: &Film, top: f64) -> Result<Vec<Frame>> {
         Scale::new(false, film.places.iter().copied()),
     ];
     let at = |index: usize, left: f64, width: f64| {
-        let top = top + (index / COLUMNS) as f64 * FRAME_HEIGHT;
+        let top = top + (index / columns) as f64 * FRAME_HEIGHT;
         Rect {
             left,
             top: top + LABEL_SIZE + 0.5 * GAP,
@@ -130,13 +139,13 @@ fn frames(film: &Film, top: f64) -> Result<Vec<Frame>> {
             bottom: top + FRAME_HEIGHT - GAP,
         }
     };
-    let all = WIDTH - 2.0 * MARGIN;
+    let all = full - 2.0 * MARGIN;
     // The room that titles and numbers of the vertical axis take at the first of each row.
     let room = Frame::new(at(0, 0.0, all), &film.axes, scales)?.area.left;
-    let width = (all - room + COLUMN_GAP) / COLUMNS as f64;
+    let width = (all - room + COLUMN_GAP) / columns as f64;
     let of_index = |index: usize| {
-        let left = MARGIN + room + (index % COLUMNS) as f64 * width;
-        let mut frame = match index % COLUMNS {
+        let left = MARGIN + room + (index % columns) as f64 * width;
+        let mut frame = match index % columns {
             0 => Frame::new(
                 at(index, MARGIN, room + width - COLUMN_GAP),
                 &film.axes,
@@ -251,7 +260,7 @@ mod tests {
     /// in that which does not; the same once in the legend.
     #[test]
     fn every_frame_has_its_sites_and_those_that_touch_are_filled() {
-        let picture = film(&of_sites(2, true)).expect("drawn");
+        let picture = film(&Look::default(), &of_sites(2, true)).expect("drawn");
         assert_text_inside(&picture);
         assert_eq!(picture.svg.matches("<circle").count(), 8 * 3 + 3);
         assert!(picture.svg.contains("t = 7.25 s"));
@@ -261,7 +270,7 @@ mod tests {
     #[test]
     fn a_wall_that_is_far_away_is_not_drawn() {
         let dashed = |wall| {
-            let picture = film(&of_sites(3, wall)).expect("drawn");
+            let picture = film(&Look::default(), &of_sites(3, wall)).expect("drawn");
             picture.svg.matches("dasharray").count()
         };
         assert_eq!(dashed(true), 8 * 3 + 2);
@@ -270,10 +279,10 @@ mod tests {
 
     #[test]
     fn a_fine_mesh_makes_no_large_file() {
-        let picture = film(&of_sites(100, true)).expect("drawn");
+        let picture = film(&Look::default(), &of_sites(100, true)).expect("drawn");
         // Of which the font is 60 kB.
         assert!(picture.svg.len() < 1_000_000, "{}", picture.svg.len());
-        let again = film(&of_sites(100, true)).expect("drawn");
-        assert!(picture.svg == again.svg && picture.png == again.png);
+        let again = film(&Look::default(), &of_sites(100, true)).expect("drawn");
+        assert!(picture.svg == again.svg && picture.png().ok() == again.png().ok());
     }
 }

@@ -108,6 +108,11 @@ impl Frame {
         Some((self.pixel_x(x)?, self.pixel_y(y)?))
     }
 
+    /// The pixel of a data point inside the plotting area.
+    pub fn pixel_inside(&self, point: (f64, f64)) -> Option<Pixel> {
+        self.pixel(point).filter(|pixel| self.area.holds(*pixel))
+    }
+
     /// The horizontal place of a value, as [`Frame::pixel`] gives it.
     pub fn pixel_x(&self, value: f64) -> Option<f64> {
         Some(self.along_x(self.scales[0].fraction(value)?))

@@ -54,6 +54,21 @@ impl Rect {
         [first, second, third, fourth, first]
     }
 
+    /// The part of it within another.
+    pub fn within(&self, other: Rect) -> Option<Rect> {
+        self.overlaps(&other).then(|| Rect {
+            left: self.left.max(other.left),
+            top: self.top.max(other.top),
+            right: self.right.min(other.right),
+            bottom: self.bottom.min(other.bottom),
+        })
+    }
+
+    /// Whether a place is within it, or on its edge.
+    pub fn holds(&self, (x, y): Pixel) -> bool {
+        (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
+    }
+
     pub fn overlaps(&self, other: &Rect) -> bool {
         self.left < other.right
             && other.left < self.right

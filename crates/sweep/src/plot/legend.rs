@@ -4,7 +4,8 @@ use super::canvas::{Canvas, Stroke};
 use super::geometry::Rect;
 use super::grounds::{Ground, draw_ground};
 use super::hatching::draw_hatching;
-use super::symbols::{Symbol, draw_marker, draw_rim, draw_site, draw_symbol};
+use super::inks::Ink;
+use super::symbols::{Marker, Symbol, draw_marker, draw_rim, draw_site, draw_symbol};
 use super::text::{Block, SMALL_SIZE};
 use anyhow::Result;
 use plotters::style::text_anchor::HPos;
@@ -30,8 +31,8 @@ pub(super) enum Key {
     /// A text alone.
     Nothing,
     Line(Stroke),
-    /// The marker of the kind with this index.
-    Marker(usize),
+    /// The marker of a kind of points.
+    Marker(Marker),
     /// The rim around what is pointed out.
     Rim,
     /// A bar of a colour, which fills this part of the height of its band.
@@ -107,8 +108,26 @@ impl Legend {
 pub struct Series {
     /// Name in the legend; what has the same name looks the same.
     pub name: String,
+    /// How it looks.
+    pub ink: Ink,
     /// Its points; a curve has a gap where one cannot be shown.
     pub points: Vec<(f64, f64)>,
+}
+
+impl Series {
+    /// A series that looks as its place among the others says.
+    pub fn new(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            name: name.into(),
+            ink: Ink::default(),
+            points,
+        }
+    }
+
+    /// The same in an ink.
+    pub fn inked(self, ink: Ink) -> Self {
+        Self { ink, ..self }
+    }
 }
 
 /// Distinct names, in order of appearance: what has the same name looks the same.
@@ -120,12 +139,6 @@ pub(super) fn distinct<'a>(names: impl Iterator<Item = &'a String>) -> Vec<&'a s
         }
     }
     found
-}
-
-/// The place of a name among those of [`distinct`].
-pub(super) fn place_of(name: &str, names: &[&str]) -> usize {
-    let place = names.iter().position(|&other| other == name);
-    place.unwrap_or(0)
 }
 
 /// Where an entry's text begins.

@@ -4,6 +4,7 @@ use super::canvas::{Stroke, Title, draw_titled};
 use super::colours::{BLUE, REFERENCE};
 use super::frame::{Frame, align_left};
 use super::geometry::Rect;
+use super::look::Look;
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
 use super::text::{Block, LABEL_SIZE};
@@ -13,6 +14,8 @@ use plotters::style::text_anchor::HPos;
 const WIDTH: f64 = 1180.0;
 const PANEL_HEIGHT: f64 = 190.0;
 const COLUMNS: usize = 3;
+/// The least width of one.
+const LEAST_WIDTH: f64 = 220.0;
 const MARGIN: f64 = 14.0;
 /// Distance between panels.
 const GAP: f64 = 16.0;
@@ -29,11 +32,17 @@ pub struct Multiple {
 
 /// Draws panels with the same axes in a grid, row by row, each with a line where the vertical
 /// axis is zero.
-pub fn multiples(title: &str, axes: &[Axis; 2], panels: &[Multiple]) -> Result<Picture> {
-    let title = Title::new(title, WIDTH, MARGIN)?;
+pub fn multiples(
+    look: &Look,
+    title: &str,
+    axes: &[Axis; 2],
+    panels: &[Multiple],
+) -> Result<Picture> {
+    let title = Title::new(look, title, WIDTH, MARGIN)?;
+    let columns = ((title.width / LEAST_WIDTH) as usize).clamp(1, COLUMNS);
     let top = title.bottom();
-    let rows = panels.len().div_ceil(COLUMNS);
-    let frames = frames(axes, panels, top)?;
+    let rows = panels.len().div_ceil(columns);
+    let frames = frames(axes, panels, top, (title.width, columns))?;
     draw_titled(
         &title,
         top + rows as f64 * PANEL_HEIGHT + MARGIN,
@@ -56,17 +65,22 @@ pub fn multiples(title: &str, axes: &[Axis; 2], panels: &[Multiple]) -> Result<P
     )
 }
 
-fn frames(axes: &[Axis; 2], panels: &[Multiple], top: f64) -> Result<Vec<Frame>> {
+fn frames(
+    axes: &[Axis; 2],
+    panels: &[Multiple],
+    top: f64,
+    (full, columns): (f64, usize),
+) -> Result<Vec<Frame>> {
     let points = || panels.iter().flat_map(|panel| &panel.points);
     let scales = [
         Scale::new(axes[0].logarithmic, points().map(|point| point.0)),
         Scale::new(axes[1].logarithmic, points().map(|point| point.1)),
     ];
-    let width = (WIDTH - 2.0 * MARGIN) / COLUMNS as f64;
+    let width = (full - 2.0 * MARGIN) / columns as f64;
     let mut frames = Vec::with_capacity(panels.len());
     for index in 0..panels.len() {
-        let left = MARGIN + (index % COLUMNS) as f64 * width;
-        let top = top + (index / COLUMNS) as f64 * PANEL_HEIGHT;
+        let left = MARGIN + (index % columns) as f64 * width;
+        let top = top + (index / columns) as f64 * PANEL_HEIGHT;
         let outer = Rect {
             left,
             top: top + LABEL_SIZE + GAP / 2.0,
@@ -75,7 +89,7 @@ fn frames(axes: &[Axis; 2], panels: &[Multiple], top: f64) -> Result<Vec<Frame>>
         };
         frames.push(Frame::new(outer, axes, scales)?);
     }
-    align_left(&mut frames, COLUMNS);
+    align_left(&mut frames, columns);
     Ok(frames)
 }
 
@@ -92,7 +106,7 @@ mod tests {
         };
         let panels: Vec<Multiple> = (0..5).map(panel).collect();
         let axes = ["Depth (m)", "Amplitude"].map(Axis::linear);
-        let picture = multiples("Mode shapes", &axes, &panels).expect("drawn");
+        let picture = multiples(&Look::default(), "Mode shapes", &axes, &panels).expect("drawn");
         assert_text_inside(&picture);
         assert_eq!(picture.svg.matches("#0072B2").count(), 5);
         assert_eq!(picture.svg.matches("#555555").count(), 5);

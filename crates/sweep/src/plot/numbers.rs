@@ -8,6 +8,21 @@ pub(super) fn nice_step(raw: f64) -> (i32, i32) {
     digit.map_or((1, exponent + 1), |digit| (digit, exponent))
 }
 
+/// A number that is not negative in two digits.
+pub(super) fn in_two(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = value.log10().floor() as i32;
+    if (-4..4).contains(&exponent) {
+        let rounded: f64 = format!("{value:.1e}").parse().unwrap_or(value);
+        rounded.to_string()
+    } else {
+        let mantissa = value / 10f64.powi(exponent);
+        format!("{mantissa:.1}×10{}", superscript(exponent))
+    }
+}
+
 /// `digit`·10^`exponent`, rounded once where the power of ten is exact.
 pub(super) fn power(digit: i32, exponent: i32) -> f64 {
     if exponent < 0 {
@@ -71,6 +86,12 @@ mod tests {
         assert_eq!(nice_step(0.11), (2, -1));
         assert_eq!(nice_step(30.0), (5, 1));
         assert_eq!(nice_step(60.0), (1, 2));
+    }
+
+    #[test]
+    fn two_digits_are_enough_for_a_difference() {
+        let found = [0.0, 0.012_34, 3.96, 7.0, 4.2e-9].map(in_two);
+        assert_eq!(found, ["0", "0.012", "4", "7", "4.2×10⁻⁹"]);
     }
 
     #[test]

@@ -1,27 +1,35 @@
 //! Stacked panels of curves, such as time histories.
 
 use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
-use super::colours::{CLEARANCE, COLOURS};
+use super::colours::CLEARANCE;
 use super::frame::{Frame, align_left};
 use super::geometry::{Rect, thin};
-use super::legend::{Key, Legend, Series, distinct, place_of};
+use super::inks::{Ink, distinct_inks, place_among, strokes};
+use super::legend::{Key, Legend, Series};
+use super::look::{Look, is_narrow};
+use super::numbers::in_two;
+use super::overlaid::{Overlaid, overlaid};
 use super::picture::Picture;
 use super::references::{Across, Reference, draw_references, places};
 use super::scale::{Axis, Scale, visible};
 use anyhow::Result;
 
 const WIDTH: f64 = 900.0;
-const PANEL_HEIGHT: f64 = 230.0;
+/// Height of a panel, as a part of the width of a narrow picture, and what it is between.
+const PANEL_HEIGHTS: [f64; 2] = [170.0, 230.0];
+const HEIGHT_PART: f64 = 0.46;
+/// The part of it that a panel of differences has.
+const SMALL_PART: f64 = 0.7;
 const MARGIN: f64 = 14.0;
 /// Distance between panels.
 const PANEL_GAP: f64 = 12.0;
 /// Distance between the plotting areas and the legend.
 const LEGEND_GAP: f64 = 22.0;
+/// Room for the half of a number below the right end of a narrow picture.
+const LABEL_ROOM: f64 = 14.0;
 /// Longer series are thinned.
 const MOST_POINTS: usize = 4000;
 
-const FIRST_WIDTH: f64 = 2.4;
-const LATER_WIDTH: f64 = 1.8;
 const ALONE_WIDTH: f64 = 1.2;
 /// Room for a name above the highest reference line, as a part of the range.
 const NAME_ROOM: f64 = 0.13;
@@ -36,6 +44,8 @@ pub struct Panel {
     pub references: Vec<Reference>,
     /// What curves may not pass; the vertical axis is long enough to show it.
     pub walls: Vec<Wall>,
+    /// Whether it shows how the curves of another one differ: it is lower then.
+    pub is_difference: bool,
 }
 
 /// A dashed line, with rings at the places where it is known.
@@ -54,39 +64,114 @@ const WALL: Stroke = Stroke {
 const KNOWN: Stroke = Stroke::solid(CLEARANCE, 1.2);
 const KNOWN_RADIUS: f64 = 3.5;
 
-/// Draws stacked panels of the same width, top to bottom, with one title and one legend.
-pub fn panels(title: &str, panels: &[Panel]) -> Result<Picture> {
-    let series = panels.iter().flat_map(|panel| &panel.series);
-    let names = distinct(series.map(|series| &series.name));
-    let title = Title::new(title, WIDTH, MARGIN)?;
-    let strokes = strokes(panels, &names);
-    let keys = strokes.iter().map(|&stroke| Key::Line(stroke));
-    let has_wall = panels.iter().any(|panel| !panel.walls.is_empty());
-    let wall = has_wall.then_some((Key::Line(WALL), "clearance, sites as rings"));
-    let legend = Legend::new(keys.zip(names.iter().copied()).chain(wall))?;
+/// Draws stacked panels of the same width, top to bottom, with one title and one legend. Ends of
+/// the horizontal axis are those of every panel with the first one's; ends of the vertical axis
+/// those of every panel in the first one's unit, unless it shows differences.
+pub fn panels(look: &Look, title: &str, panels: &[Panel]) -> Result<Picture> {
+    let inks = distinct_inks(panels.iter().flat_map(|panel| &panel.series));
+    let title = Title::new(look, title, WIDTH, MARGIN)?;
+    let strokes = panel_strokes(panels, &inks);
     let top = title.bottom();
-    let stacked = panels.len() as f64 * PANEL_HEIGHT;
-    let height = top + stacked.max(legend.height() + MARGIN);
-    let legend_left = WIDTH - MARGIN - legend.width();
-    let frames = frames(panels, top, legend_left - LEGEND_GAP)?;
+    let is_narrow = is_narrow(title.width);
+    // Which curves are drawn once follows from the frames, and how wide these are from the legend.
+    let full = legend(panels, &inks, &strokes, &vec![Vec::new(); panels.len()])?;
+    let right = if is_narrow {
+        title.width - MARGIN - LABEL_ROOM
+    } else {
+        title.width - MARGIN - full.width() - LEGEND_GAP
+    };
+    let (frames, bottom) = frames(look, panels, top, [title.width, right])?;
+    let overlays: Vec<_> = (panels.iter().zip(&frames))
+        .map(|(panel, frame)| overlaid(frame, &panel.series))
+        .collect();
+    let legend = legend(panels, &inks, &strokes, &overlays)?;
+    let (legend, place, height) = if is_narrow {
+        let legend = legend.in_rows(title.width - 2.0 * MARGIN);
+        let height = bottom + legend.height() + MARGIN;
+        (legend, (MARGIN, bottom), height)
+    } else {
+        let height = bottom.max(top + legend.height() + MARGIN);
+        (legend, (right + LEGEND_GAP, top), height)
+    };
     draw_titled(&title, height, |canvas| {
-        for (panel, frame) in panels.iter().zip(&frames) {
-            draw_panel(canvas, panel, frame, (&names, &strokes))?;
+        for ((panel, frame), overlays) in panels.iter().zip(&frames).zip(&overlays) {
+            draw_panel(canvas, panel, frame, (&inks, &strokes, overlays))?;
         }
-        legend.draw(canvas, legend_left, top)
+        legend.draw(canvas, place.0, place.1)
     })
+}
+
+/// A key for each curve; of one that is drawn in no panel, as it looks like another in each,
+/// how far it is from that.
+fn legend(
+    panels: &[Panel],
+    inks: &[(&str, Ink)],
+    strokes: &[Stroke],
+    overlays: &[Vec<Option<Overlaid>>],
+) -> Result<Legend> {
+    let mut entries: Vec<(Key, String)> = Vec::new();
+    let mut told = Vec::new();
+    for ((name, _), stroke) in inks.iter().zip(strokes) {
+        match nowhere_drawn(name, panels, overlays) {
+            None => entries.push((Key::Line(*stroke), (*name).to_owned())),
+            Some(words) => told.push((Key::Nothing, words)),
+        }
+    }
+    let has_wall = panels.iter().any(|panel| !panel.walls.is_empty());
+    let wall = has_wall.then(|| (Key::Line(WALL), "clearance, sites as rings".to_owned()));
+    entries.extend(wall.into_iter().chain(told));
+    let texts: Vec<String> = entries.iter().map(|(_, text)| text.clone()).collect();
+    let keys = entries.into_iter().map(|(key, _)| key);
+    Legend::new(keys.zip(texts.iter().map(String::as_str)))
+}
+
+/// What is said of a curve that looks like another wherever it is; none where it is drawn.
+fn nowhere_drawn(
+    name: &str,
+    panels: &[Panel],
+    overlays: &[Vec<Option<Overlaid>>],
+) -> Option<String> {
+    let mut like: Option<&str> = None;
+    let mut within: Vec<(&str, f64)> = Vec::new();
+    for (panel, overlays) in panels.iter().zip(overlays) {
+        let own = panel.series.iter().position(|series| series.name == name);
+        let Some(own) = own else { continue };
+        let overlay = overlays.get(own).copied().flatten()?;
+        let other = panel.series[overlay.like].name.as_str();
+        if like.is_some_and(|like| like != other) {
+            return None;
+        }
+        like = Some(other);
+        let unit = panel.axes[1].unit();
+        match within.iter_mut().find(|(known, _)| *known == unit) {
+            Some((_, difference)) => *difference = difference.max(overlay.difference),
+            None => within.push((unit, overlay.difference)),
+        }
+    }
+    let within: Vec<String> = (within.iter())
+        .map(|(unit, difference)| {
+            format!("{} {unit}", in_two(*difference))
+                .trim_end()
+                .to_owned()
+        })
+        .collect();
+    Some(format!(
+        "{name}: drawn as {}, within {}",
+        like?,
+        within.join(", ")
+    ))
 }
 
 /// The looks of all series. One that is always alone needs no dashes, which would
 /// hide a curve that swings fast.
-fn strokes(panels: &[Panel], names: &[&str]) -> Vec<Stroke> {
+fn panel_strokes(panels: &[Panel], inks: &[(&str, Ink)]) -> Vec<Stroke> {
     let shares = |name: &str| {
         let mut shared = panels.iter().filter(|panel| panel.series.len() > 1);
         shared.any(|panel| panel.series.iter().any(|series| series.name == name))
     };
-    let strokes = names.iter().enumerate().map(|(index, name)| {
-        let stroke = series_stroke(index);
-        if index == 0 || shares(name) {
+    let strokes = strokes(inks).into_iter().enumerate();
+    let strokes = strokes.map(|(index, stroke)| {
+        if index == 0 || shares(inks[index].0) {
             stroke
         } else {
             Stroke::solid(stroke.colour, ALONE_WIDTH)
@@ -95,50 +180,51 @@ fn strokes(panels: &[Panel], names: &[&str]) -> Vec<Stroke> {
     strokes.collect()
 }
 
-/// The look of the series with the name of this index. Only the first is
-/// solid: where series coincide, it shows between the dashes of the others.
-pub(super) fn series_stroke(index: usize) -> Stroke {
-    let dash = match index {
-        0 => DASHES[0],
-        later => DASHES[1 + (later - 1) % (DASHES.len() - 1)],
-    };
-    Stroke {
-        colour: COLOURS[index % COLOURS.len()],
-        width: if index == 0 { FIRST_WIDTH } else { LATER_WIDTH },
-        dash,
-    }
-}
-
-/// The frames of all panels, one below another, their sides aligned.
-fn frames(panels: &[Panel], top: f64, right: f64) -> Result<Vec<Frame>> {
+/// The frames of all panels, one below another, their sides aligned, and where the last ends.
+fn frames(
+    look: &Look,
+    panels: &[Panel],
+    top: f64,
+    [width, right]: [f64; 2],
+) -> Result<(Vec<Frame>, f64)> {
+    let [low, high] = PANEL_HEIGHTS;
+    let full = (HEIGHT_PART * width).clamp(low, high);
     let mut frames = Vec::new();
-    for (index, panel) in panels.iter().enumerate() {
-        let top = top + index as f64 * PANEL_HEIGHT;
+    let mut top = top;
+    for panel in panels {
+        let height = if panel.is_difference {
+            SMALL_PART * full
+        } else {
+            full
+        };
         let outer = Rect {
             left: MARGIN,
             top,
             right,
-            bottom: top + PANEL_HEIGHT - PANEL_GAP,
+            bottom: top + height - PANEL_GAP,
         };
-        let scales = [x_scale(panel, panels), y_scale(panel)];
+        let scales = [x_scale(look, panel, panels), y_scale(look, panel, panels)];
         frames.push(Frame::new(outer, &panel.axes, scales)?);
+        top += height;
     }
     align_left(&mut frames, 1);
-    Ok(frames)
+    Ok((frames, top))
 }
 
 /// The scale of a horizontal axis, the same for all panels that share it.
-fn x_scale(panel: &Panel, all: &[Panel]) -> Scale {
+fn x_scale(look: &Look, panel: &Panel, all: &[Panel]) -> Scale {
     let [axis, _] = &panel.axes;
     let sharing = all.iter().filter(|other| other.axes[0] == *axis);
     let values = sharing.flat_map(|other| {
         let shown = shown_points(other).map(|(x, _)| x);
         shown.chain(places(&other.references, Across::X))
     });
-    Scale::new(axis.logarithmic, values)
+    let is_first = all.first().is_some_and(|first| first.axes[0] == *axis);
+    let ends = look.ranges[0].filter(|_| is_first);
+    Scale::with_ends(ends, axis.logarithmic, values)
 }
 
-fn y_scale(panel: &Panel) -> Scale {
+fn y_scale(look: &Look, panel: &Panel, all: &[Panel]) -> Scale {
     let [_, axis] = &panel.axes;
     let lines = || places(&panel.references, Across::Y);
     let shown = shown_points(panel).map(|(_, y)| y);
@@ -151,7 +237,9 @@ fn y_scale(panel: &Panel) -> Scale {
         let room = NAME_ROOM * (high - low);
         values.extend(lines().map(|line| line + room));
     }
-    Scale::new(axis.logarithmic, values.into_iter())
+    let is_first = (all.first()).is_some_and(|first| first.axes[1].unit() == axis.unit());
+    let ends = look.ranges[1].filter(|_| is_first && !panel.is_difference);
+    Scale::with_ends(ends, axis.logarithmic, values.into_iter())
 }
 
 fn shown_points(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
@@ -163,12 +251,14 @@ fn draw_panel(
     canvas: &mut Canvas,
     panel: &Panel,
     frame: &Frame,
-    (names, strokes): (&[&str], &[Stroke]),
+    (inks, strokes, overlays): (&[(&str, Ink)], &[Stroke], &[Option<Overlaid>]),
 ) -> Result<()> {
     frame.draw(canvas)?;
-    for series in &panel.series {
-        let stroke = strokes[place_of(&series.name, names)];
-        draw_series(canvas, frame, series, stroke)?;
+    for (series, overlay) in panel.series.iter().zip(overlays) {
+        if overlay.is_none() {
+            let stroke = strokes[place_among(&series.name, inks)];
+            draw_series(canvas, frame, series, stroke)?;
+        }
     }
     for wall in &panel.walls {
         draw_wall(canvas, frame, wall)?;
@@ -193,14 +283,19 @@ fn draw_wall(canvas: &mut Canvas, frame: &Frame, wall: &Wall) -> Result<()> {
     Ok(())
 }
 
+/// Within the frame, whose axes may be asked for.
 fn draw_series(canvas: &mut Canvas, frame: &Frame, series: &Series, stroke: Stroke) -> Result<()> {
     for piece in frame.curve(&series.points) {
         if let [point] = piece[..] {
-            canvas.disc(point, stroke.width, stroke.colour)?;
-        } else if series.points.len() > MOST_POINTS {
-            canvas.line(&thin(&piece), stroke)?;
-        } else {
-            canvas.line(&piece, stroke)?;
+            if frame.area.holds(point) {
+                canvas.disc(point, stroke.width, stroke.colour)?;
+            }
+            continue;
+        }
+        let thinned = series.points.len() > MOST_POINTS;
+        let piece = if thinned { thin(&piece) } else { piece };
+        for part in frame.area.clip(&piece) {
+            canvas.line(&part, stroke)?;
         }
     }
     Ok(())
@@ -219,6 +314,7 @@ mod tests {
             axes,
             series: vec![Series {
                 name: name.to_string(),
+                ink: Ink::default(),
                 points,
             }],
             references: [(Across::Y, 2.0, "set point"), (Across::X, 9.0, "onset")]
@@ -229,11 +325,12 @@ mod tests {
                 })
                 .into(),
             walls: Vec::new(),
+            is_difference: false,
         }
     }
 
     fn draw(panels: Vec<Panel>) -> Picture {
-        super::panels("Time histories", &panels).expect("drawn")
+        super::panels(&Look::default(), "Time histories", &panels).expect("drawn")
     }
 
     #[test]
@@ -287,7 +384,9 @@ mod tests {
         let known = line[1..].to_vec();
         panel.walls = vec![Wall { line, known }];
         assert_eq!(
-            y_scale(&panel).fraction(12.0).map(|at| at <= 1.0),
+            y_scale(&Look::default(), &panel, &[])
+                .fraction(12.0)
+                .map(|at| at <= 1.0),
             Some(true)
         );
         let picture = draw(vec![panel]);
@@ -315,6 +414,6 @@ mod tests {
     fn the_same_data_give_the_same_bytes() {
         let picture = || draw(vec![panel("a", vec![(0.0, 1.0), (1.0, 2.0)], false)]);
         let (first, second) = (picture(), picture());
-        assert!(first.svg == second.svg && first.png == second.png);
+        assert!(first.svg == second.svg && first.png().ok() == second.png().ok());
     }
 }

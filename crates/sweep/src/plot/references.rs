@@ -62,17 +62,19 @@ pub(super) fn draw_references(
         let [width, height] = [name.width, name.height()].map(|size| size / 2.0 + NAME_GAP);
         let (ends, centres): (_, Vec<Pixel>) = match line.across {
             Across::X => {
-                let Some(x) = frame.pixel_x(line.at) else {
-                    continue;
-                };
+                let seen = frame
+                    .pixel_x(line.at)
+                    .filter(|x| (left..=right).contains(x));
+                let Some(x) = seen else { continue };
                 let along = spread(top + height, bottom - height);
                 let beside = along.flat_map(|y| [(x + width, y), (x - width, y)]);
                 ([(x, top), (x, bottom)], beside.collect())
             }
             Across::Y => {
-                let Some(y) = frame.pixel_y(line.at) else {
-                    continue;
-                };
+                let seen = frame
+                    .pixel_y(line.at)
+                    .filter(|y| (top..=bottom).contains(y));
+                let Some(y) = seen else { continue };
                 let along = spread(right - width, left + width);
                 let beside = along.flat_map(|x| [(x, y - height), (x, y + height)]);
                 ([(left, y), (right, y)], beside.collect())

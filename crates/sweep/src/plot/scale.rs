@@ -23,6 +23,14 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// The unit in which its title ends, if it does.
+    pub(super) fn unit(&self) -> &str {
+        let in_brackets = self.label.strip_suffix(')');
+        in_brackets
+            .and_then(|label| label.rsplit_once('('))
+            .map_or("", |(_, unit)| unit)
+    }
+
     /// An axis with a linear scale.
     pub fn linear(label: impl Into<String>) -> Self {
         Self {
@@ -70,6 +78,24 @@ impl Scale {
             low,
             high,
             logarithmic,
+        }
+    }
+
+    /// The scale from the one end of an axis to the other where these are given, else that on which
+    /// all `values` have a place.
+    pub fn with_ends(
+        ends: Option<[f64; 2]>,
+        logarithmic: bool,
+        values: impl Iterator<Item = f64>,
+    ) -> Scale {
+        let ends = ends.map(|ends| ends.map(|end| transform(end, logarithmic)));
+        match ends {
+            Some([Some(low), Some(high)]) => Scale {
+                low,
+                high,
+                logarithmic,
+            },
+            _ => Scale::new(logarithmic, values),
         }
     }
 

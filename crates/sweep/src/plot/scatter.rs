@@ -3,17 +3,19 @@
 use super::canvas::{Canvas, Stroke, Title, draw_titled};
 use super::frame::{Frame, align_left};
 use super::geometry::{Pixel, Rect};
-use super::legend::{Key, Legend, Series, distinct, place_of};
+use super::inks::{Ink, distinct_inks, markers, place_among};
+use super::legend::{Key, Legend, Series};
+use super::look::Look;
 use super::picture::Picture;
 use super::references::REFERENCE;
 use super::scale::{Axis, Scale, visible};
-use super::symbols::{draw_marker, draw_rim};
+use super::symbols::{Marker, draw_marker, draw_rim};
 use super::text::{Block, LABEL_SIZE};
 use anyhow::Result;
 use plotters::style::BLACK;
 use plotters::style::text_anchor::HPos;
 
-const WIDTH: f64 = 1180.0;
+const WIDTH: f64 = 860.0;
 const PANEL_HEIGHT: f64 = 270.0;
 const COLUMNS: usize = 3;
 const MARGIN: f64 = 14.0;
@@ -47,11 +49,11 @@ pub fn scatter_grid(
     [front, floor, rim]: [&str; 3],
     panels: &[ScatterPanel],
 ) -> Result<Picture> {
-    let kinds = panels.iter().flat_map(|panel| &panel.kinds);
-    let names = distinct(kinds.map(|kind| &kind.name));
-    let title = Title::new(title, WIDTH, MARGIN)?;
-    let entries = (names.iter().enumerate())
-        .map(|(index, name)| (Key::Marker(index), *name))
+    let inks = distinct_inks(panels.iter().flat_map(|panel| &panel.kinds));
+    let markers = markers(&inks);
+    let title = Title::new(&Look::default(), title, WIDTH, MARGIN)?;
+    let entries = (inks.iter().zip(&markers))
+        .map(|((name, _), marker)| (Key::Marker(*marker), *name))
         .chain([
             (Key::Line(FRONT), front),
             (Key::Line(REFERENCE), floor),
@@ -65,7 +67,7 @@ pub fn scatter_grid(
     let frames = frames(panels, top)?;
     draw_titled(&title, height, |canvas| {
         for (panel, frame) in panels.iter().zip(&frames) {
-            draw_panel(canvas, panel, frame, &names)?;
+            draw_panel(canvas, panel, frame, (&inks, &markers))?;
         }
         legend.draw(canvas, MARGIN, legend_top)
     })
@@ -104,7 +106,7 @@ fn draw_panel(
     canvas: &mut Canvas,
     panel: &ScatterPanel,
     frame: &Frame,
-    names: &[&str],
+    (inks, markers): (&[(&str, Ink)], &[Marker]),
 ) -> Result<()> {
     frame.draw(canvas)?;
     let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width())?;
@@ -115,9 +117,9 @@ fn draw_panel(
     let above = frame.area.top - GAP / 2.0 - 2.0;
     canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
     for kind in &panel.kinds {
-        let index = place_of(&kind.name, names);
+        let marker = markers[place_among(&kind.name, inks)];
         for pixel in kind.points.iter().filter_map(|&point| frame.pixel(point)) {
-            draw_marker(canvas, index, pixel, MARKER_RADIUS)?;
+            draw_marker(canvas, marker, pixel, MARKER_RADIUS)?;
         }
     }
     canvas.line(&steps(frame, &panel.front), FRONT)?;
@@ -153,7 +155,7 @@ mod tests {
             title: "Normal force of whirl, Fig. 12".to_string(),
             axes: ["Time for 1000 cases of 10 s (s)", "Relative error"].map(Axis::logarithmic),
             kinds: vec![Series {
-                name: "finite-element, γ = 0.52".to_string(),
+                name: "finite-element, ink: Ink::default(), γ = 0.52".to_string(),
                 points: points.clone(),
             }],
             front: points,

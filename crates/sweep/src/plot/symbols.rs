@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use super::canvas::{Canvas, Stroke};
-use super::colours::{BLUE, COLOURS, GREY, ORANGE};
+use super::colours::{BLUE, GREY, ORANGE};
 use super::geometry::{Pixel, Rect};
 use anyhow::Result;
-use plotters::style::{BLACK, WHITE};
+use plotters::style::{BLACK, RGBColor, WHITE};
 
 /// Distance of a mark's corners from its centre.
 pub(super) const MARK_RADIUS: f64 = 7.0;
@@ -69,9 +69,20 @@ pub(super) fn draw_symbol(
     }
 }
 
-/// Draws the marker of a kind of points: kinds differ in shape and in colour.
-pub(super) fn draw_marker(canvas: &mut Canvas, kind: usize, (x, y): Pixel, r: f64) -> Result<()> {
-    let colour = COLOURS[kind % COLOURS.len()];
+/// The marker of a kind of points: kinds differ in shape and in colour.
+#[derive(Clone, Copy)]
+pub(super) struct Marker {
+    pub kind: usize,
+    pub colour: RGBColor,
+}
+
+/// Draws a marker.
+pub(super) fn draw_marker(
+    canvas: &mut Canvas,
+    Marker { kind, colour }: Marker,
+    (x, y): Pixel,
+    r: f64,
+) -> Result<()> {
     let far = 1.3 * r;
     match kind % 6 {
         0 => canvas.disc((x, y), r, colour),

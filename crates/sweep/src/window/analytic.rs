@@ -66,6 +66,7 @@ mod tests {
     fn curve(ends: [[f64; 2]; 2]) -> Curve {
         Curve {
             name: "Eq. 74".to_owned(),
+            method: None,
             motion: Motion::Torsion,
             along: Axis::WeightOnBitKn,
             limited: Axis::SurfaceSpeedRpm,

@@ -53,9 +53,9 @@ pub fn draw(
         map: manifest.map.as_ref(),
     })?;
     let (path, bytes) = match file {
-        PictureFile::Svg(path) => (path, picture.svg.as_bytes()),
-        PictureFile::Png(path) => (path, &picture.png[..]),
+        PictureFile::Svg(path) => (path, picture.svg.into_bytes()),
+        PictureFile::Png(path) => (path, picture.png()?),
     };
-    write_atomically(path, bytes)?;
+    write_atomically(path, &bytes)?;
     say(&format!("{}\n", path.display()))
 }

@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use super::table::blow_name;
 use crate::commands::prepare::unique;
-use crate::plot::{Axis, Panel, Picture, Series, panels};
+use crate::plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
 use crate::studies::contacts::{Bounds, Row};
 
 /// A bound by its name.
@@ -31,6 +31,7 @@ pub fn chart(rows: &[Row], lowest: f64) -> Result<Picture> {
         })
         .collect();
     panels(
+        &Look::default(),
         "Friction from which backward whirl lasts, over the number of contacts",
         &panels_of,
     )
@@ -38,13 +39,10 @@ pub fn chart(rows: &[Row], lowest: f64) -> Result<Picture> {
 
 fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
     let mut series: Vec<Series> = Vec::new();
-    let mut add = |name: String, row: &Row, friction: Option<f64>| {
+    let mut add = |name: String, ink: Ink, row: &Row, friction: Option<f64>| {
         let known = series.iter().position(|series| series.name == name);
         let place = known.unwrap_or_else(|| {
-            series.push(Series {
-                name,
-                points: Vec::new(),
-            });
+            series.push(Series::new(name, Vec::new()).inked(ink));
             series.len() - 1
         });
         let point = (row.contacts as f64, friction.unwrap_or(f64::NAN));
@@ -59,15 +57,18 @@ fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
     };
     for row in rows {
         let mut name = blow_name(&row.blow, lowest);
+        let mut ink = Ink::default();
         if several {
-            name += &format!(", {}", row.method.name());
+            let method = row.method.name();
+            name += &format!(", {method}");
+            ink = Ink::of_method(method);
         }
         let lasts = row.limit.as_ref().ok().and_then(|limit| limit.lasts);
-        add(name, row, lasts.map(|(friction, _)| friction));
+        add(name, ink, row, lasts.map(|(friction, _)| friction));
     }
-    for (name, bound) in BOUNDS {
+    for (dash, (name, bound)) in BOUNDS.into_iter().enumerate() {
         for row in rows {
-            add(name.to_owned(), row, bound(&row.bounds));
+            add(name.to_owned(), Ink::grey(dash), row, bound(&row.bounds));
         }
     }
     Panel {
@@ -78,5 +79,6 @@ fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
         series,
         references: Vec::new(),
         walls: Vec::new(),
+        is_difference: false,
     }
 }

@@ -10,7 +10,7 @@ use anyhow::{Context, Result, bail};
 use super::names::{LOG, MANIFEST, REPORT};
 use crate::commands::status::UsageError;
 use crate::log::{Header, Place, log_place};
-use crate::output::{Manifest, OF_TRACE, PICTURES, TABLES};
+use crate::output::{Manifest, OF_TRACE, PAPER_MAP, PICTURES, TABLES};
 use crate::report::is_page;
 use campaign::text_file::unreadable;
 
@@ -62,7 +62,7 @@ impl Ours {
     pub fn remove_results(&self, folder: &Path) -> Result<()> {
         // A run that was killed while it finished has left some of its tables.
         let may_be_half = matches!(self.log, Place::Log(_) | Place::OtherFormat(_));
-        let derived = PICTURES.into_iter().chain(OF_TRACE);
+        let derived = PICTURES.into_iter().chain([PAPER_MAP]).chain(OF_TRACE);
         let all = [MANIFEST].into_iter().chain(TABLES).chain(derived);
         for name in all {
             let is_table = name == MANIFEST || TABLES.contains(&name);

@@ -13,7 +13,7 @@ use std::time::Instant;
 use anyhow::Result;
 
 use super::cost::{cost_lines, of_built};
-use super::drawing::save_picture;
+use super::drawing::{Drawing, panels_csv};
 use super::folder::{make_folder, results_folder};
 use super::prepare::{build_systems, read_sweep, survey_cases};
 use super::status::Status;
@@ -21,6 +21,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::{warn_of_limits, warn_of_overshoot, warn_of_string};
 use crate::cli::InspectArguments;
+use crate::output::write_atomically;
 use axial_force::describe_axial_force;
 use campaign::engine::{add_finer, compare_fronts};
 use campaign::memory::{Demand, Purpose, admit};
@@ -30,11 +31,12 @@ use description::{
     describe_work,
 };
 use modes::show_modes;
-use responses::response_picture;
+use responses::{response_panels, response_picture};
 use top_drive::DriveView;
 
 /// Shows the linear system.
 pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Status> {
+    let drawing = Drawing::of(&arguments.picture)?;
     use_threads(arguments.work.jobs, terminal)?;
     let sweep = read_sweep(&arguments.file, &arguments.work, false, false, terminal)?;
     // With other methods than a run may have, what it costs is that of one without certificates.
@@ -57,15 +59,32 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     let time = of_built(&sweep, &survey, &systems, built);
     let cost = cost_lines(&memory, &limit, &time);
     make_folder(&folder)?;
-    save_picture(&folder, "inspect", &response_picture(&sweep, &systems)?)?;
+    let look = &drawing.look;
+    let responses = response_panels(&sweep, &systems)?;
+    drawing.save(
+        &folder,
+        "inspect",
+        &response_picture(look, &sweep, &responses)?,
+    )?;
+    write_atomically(&folder.join("inspect.csv"), &panels_csv(&responses)?)?;
     let drive = DriveView::of(&sweep.setting.string)?;
-    let mut pictures = format!("\npicture: {}\n", folder.join("inspect.png").display());
+    let mut pictures = format!(
+        "\npicture: {}\n",
+        folder.join(drawing.shown("inspect")).display()
+    );
     if let Some(drive) = &drive {
-        save_picture(&folder, "top_drive", &drive.picture(&sweep.title)?)?;
-        pictures += &format!("picture: {}\n", folder.join("top_drive.png").display());
+        let panels = drive.panels();
+        drawing.save(
+            &folder,
+            "top_drive",
+            &drive.picture(look, &sweep.title, &panels)?,
+        )?;
+        write_atomically(&folder.join("top_drive.csv"), &panels_csv(&panels)?)?;
+        let shown = folder.join(drawing.shown("top_drive"));
+        pictures += &format!("picture: {}\n", shown.display());
     }
     let modes = match arguments.modes {
-        Some(count) => show_modes(&sweep, count.into(), &arguments.orders, &folder)?,
+        Some(count) => show_modes(&sweep, count.into(), &arguments.orders, &folder, &drawing)?,
         None => String::new(),
     };
     say(&[

@@ -6,7 +6,7 @@ use anyhow::Result;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 
-use crate::plot::{Axis, Panel, Picture, Series, panels};
+use crate::plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
 use campaign::engine::MethodSystem;
 use campaign::plan::{LateralSettings, Sweep};
 use campaign::quantities::{FORCE, IMPULSE, LENGTH, TORQUE, Unit};
@@ -21,13 +21,17 @@ type Curve = Vec<(f64, f64)>;
 /// The exact responses, and those of each method.
 ///
 /// # Errors
-/// Where the string has no exact response.
-pub fn response_picture(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Picture> {
+/// Where they cannot be drawn.
+pub fn response_picture(look: &Look, sweep: &Sweep, responses: &[Panel]) -> Result<Picture> {
     let title = format!("{}: linear responses", sweep.title);
-    panels(&title, &response_panels(sweep, systems)?)
+    panels(look, &title, responses)
 }
 
-fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>> {
+/// What it shows.
+///
+/// # Errors
+/// Where the string has no exact response.
+pub fn response_panels(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Vec<Panel>> {
     let mut list = vec![
         frequency_panel(sweep)?,
         time_panel("t", "Bit speed / surface speed", systems, &|system| {
@@ -75,6 +79,7 @@ fn time_panel(
     let of_method = |system: &MethodSystem| {
         Some(Series {
             name: system.method.name().to_owned(),
+            ink: Ink::of_method(system.method.name()),
             points: points(system)?,
         })
     };
@@ -83,6 +88,7 @@ fn time_panel(
         series: systems.iter().filter_map(of_method).collect(),
         references: Vec::new(),
         walls: Vec::new(),
+        is_difference: false,
     }
 }
 
@@ -125,10 +131,12 @@ fn exact_panel(label: &str, sweep: &Sweep, response: &dyn Fn(f64) -> f64) -> Pan
         axes: [Axis::linear("Frequency f (Hz)"), Axis::logarithmic(label)],
         series: vec![Series {
             name: "exact".to_owned(),
+            ink: Ink::of_method("exact"),
             points: points.collect(),
         }],
         references: Vec::new(),
         walls: Vec::new(),
+        is_difference: false,
     }
 }
 

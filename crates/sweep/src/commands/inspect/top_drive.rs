@@ -9,7 +9,7 @@ use linear::modes::{TorsionalMode, torsional_modes};
 use linear::{Drillstring, TopDrive};
 
 use super::description::row;
-use crate::plot::{Across, Axis, Panel, Picture, Reference, Series, panels};
+use crate::plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 use campaign::quantities::{INERTIA, INTEGRAL_GAIN, PROPORTIONAL_GAIN, Units};
 use campaign::words::short;
 
@@ -121,9 +121,14 @@ impl<'a> DriveView<'a> {
     ///
     /// # Errors
     /// Where it cannot be drawn.
-    pub fn picture(&self, title: &str) -> Result<Picture> {
+    pub fn picture(&self, look: &Look, title: &str, shown: &[Panel]) -> Result<Picture> {
         let title = format!("{title}: what comes back from the top drive");
-        panels(&title, &[self.reflection_panel(), self.damping_panel()])
+        panels(look, &title, shown)
+    }
+
+    /// What the picture shows.
+    pub fn panels(&self) -> [Panel; 2] {
+        [self.reflection_panel(), self.damping_panel()]
     }
 
     fn reflection_panel(&self) -> Panel {
@@ -137,25 +142,22 @@ impl<'a> DriveView<'a> {
         };
         Panel {
             axes: [FREQUENCY, "|reflection|"].map(Axis::linear),
-            series: vec![Series {
-                name: "reflection".to_owned(),
-                points: (1..=POINTS).map(point).collect(),
-            }],
+            series: vec![Series::new("reflection", (1..=POINTS).map(point).collect())],
             references: vec![Reference {
                 across: Across::X,
                 at: self.first.frequency / TAU,
                 name: "first mode".to_owned(),
             }],
             walls: Vec::new(),
+            is_difference: false,
         }
     }
 
     fn damping_panel(&self) -> Panel {
-        let series = |name: &str, modes: &[TorsionalMode]| Series {
-            name: name.to_owned(),
-            points: (modes.iter())
-                .map(|mode| (mode.frequency(), 100.0 * mode.damping_ratio()))
-                .collect(),
+        let series = |name: &str, modes: &[TorsionalMode]| {
+            let points = modes.iter();
+            let points = points.map(|mode| (mode.frequency(), 100.0 * mode.damping_ratio()));
+            Series::new(name, points.collect())
         };
         Panel {
             axes: [FREQUENCY, "Damping of modes (%)"].map(Axis::linear),
@@ -165,6 +167,7 @@ impl<'a> DriveView<'a> {
             ],
             references: Vec::new(),
             walls: Vec::new(),
+            is_difference: false,
         }
     }
 }

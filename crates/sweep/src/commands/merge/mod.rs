@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 
-use super::drawing::draw_and_note;
+use super::drawing::{Drawing, draw_and_note};
 use super::folder::{LOG, MANIFEST, Ours, hold, make_folder, remove_page};
 use super::outcome::{status_of, summary};
 use super::status::{Status, UsageError};
@@ -40,7 +40,7 @@ pub fn merge(folders: &[PathBuf], out: &Path, terminal: Terminal) -> Result<Stat
     let _lock = hold(out, "labels.csv", terminal)?;
     refuse_unrelated(out, &parts)?;
     let mut manifest = join(&parts, out)?;
-    let drawn = draw_and_note(out, &mut manifest)?;
+    let drawn = draw_and_note(out, &mut manifest, &Drawing::default())?;
     say(&summary(&manifest, out, drawn)?)?;
     Ok(status_of(&manifest))
 }

@@ -5,7 +5,7 @@ use anyhow::{Result, bail};
 
 use super::systems::build_admitted;
 use super::task::Task;
-use crate::commands::drawing::draw_and_note;
+use crate::commands::drawing::{Drawing, draw_and_note};
 use crate::commands::folder::{
     Found, MANIFEST, hold, in_words, remove_page, tell_if_unverified, tidy,
 };
@@ -106,7 +106,7 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
         remove_page(folder)?;
     }
     if draws && manifest.draws() {
-        draw_and_note(folder, &mut manifest)?;
+        draw_and_note(folder, &mut manifest, &Drawing::default())?;
     }
     Ok(*manifest)
 }

@@ -9,7 +9,7 @@ use anyhow::{Context, Result, anyhow, bail};
 use super::rounds::Rounds;
 use super::systems::Systems;
 use super::task::Task;
-use crate::commands::drawing::draw_and_note;
+use crate::commands::drawing::{Drawing, draw_and_note};
 use crate::commands::folder::{LOG, remove_page};
 use crate::commands::outcome::{status_of, summary};
 use crate::commands::progress::Progress;
@@ -202,7 +202,8 @@ impl<'a> Session<'a> {
         let mut manifest = self.write_tables()?;
         manifest.write(folder)?;
         remove_page(folder)?;
-        let drawn = self.task.header.shard.is_whole() && draw_and_note(folder, &mut manifest)?;
+        let drawn = self.task.header.shard.is_whole()
+            && draw_and_note(folder, &mut manifest, &Drawing::default())?;
         let path = folder.join(LOG);
         std::fs::remove_file(&path)
             .with_context(|| format!("{} cannot be removed", path.display()))?;

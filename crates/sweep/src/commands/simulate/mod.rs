@@ -12,6 +12,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
+use super::drawing::Drawing;
 use super::folder::results_folder;
 use super::prepare::{read_sweep, unique};
 use super::status::{Status, UsageError};
@@ -33,6 +34,7 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
     let SimulateArguments {
         file, work, full, ..
     } = arguments;
+    let drawing = Drawing::of(&arguments.picture)?.over(&arguments.ranges);
     use_threads(work.jobs, terminal)?;
     let sweep = read_sweep(file, work, *full, false, terminal)?;
     warn_of_string(&sweep, terminal);
@@ -78,6 +80,7 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
             rows: &rows,
             simulations: &simulations,
             folder: &folder,
+            drawing: &drawing,
         };
         say(&written.write(&arguments.film)?)?;
     }

@@ -7,13 +7,14 @@ use linear::elements::reconstruction::Reconstruction;
 
 use super::film::chosen_steps;
 use crate::cli::FilmArguments;
-use crate::commands::drawing::save_picture;
+use crate::commands::drawing::Drawing;
 use crate::commands::folder::make_folder;
 use crate::histories::{
-    case_csv, case_lines, contact_picture, contacts_csv, film_picture, history_csv,
-    history_picture, orbit_picture, string_picture, whole_strings,
+    case_csv, case_lines, contact_picture, contacts_csv, film_csv, film_picture, history_csv,
+    history_picture, orbit_picture, string_csv, string_picture, whole_strings,
 };
 use crate::output::write_atomically;
+use crate::plot::Picture;
 use campaign::engine::{Case, Record, Simulation};
 use campaign::plan::Sweep;
 
@@ -29,6 +30,8 @@ pub struct Written<'a> {
     pub simulations: &'a [Simulation],
     /// Where the files go.
     pub folder: &'a Path,
+    /// How pictures look, and in which formats.
+    pub drawing: &'a Drawing,
 }
 
 impl Written<'_> {
@@ -52,46 +55,70 @@ impl Written<'_> {
         make_folder(self.folder)?;
         self.table("history.csv", &history_csv(sweep, simulations)?)?;
         self.table("case.csv", case_csv(sweep, self.rows).as_bytes())?;
-        let history = history_picture(sweep, cases, simulations)?;
-        save_picture(self.folder, "history", &history)?;
+        let look = &self.drawing.look;
+        let history = history_picture(look, sweep, cases, simulations)?;
+        self.picture("history", &history)?;
         if lateral.is_some() {
             self.lateral(&wholes)?;
         }
-        let mut files = "history.svg, history.png, history.csv and case.csv".to_owned();
-        if lateral.is_some() {
-            let film = match &steps[..] {
-                [] => String::new(),
-                _ => format!(", film (of {})", simulations[0].name),
-            };
-            files = format!(
-                "history, orbit, string, contacts{film} as svg and png, history.csv, contacts.csv \
-                 and case.csv"
-            );
-        }
         if !steps.is_empty() {
-            let film = film_picture(sweep, cases, &simulations[0], &wholes[0], &steps)?;
-            save_picture(self.folder, "film", &film)?;
+            let look = look.with_own_ranges();
+            let film = film_picture(&look, sweep, cases, &simulations[0], &wholes[0], &steps)?;
+            self.picture("film", &film)?;
+            self.table("film.csv", &film_csv(&simulations[0], &wholes[0], &steps)?)?;
         }
+        let files = self.files(lateral.is_some(), !steps.is_empty());
         case_lines(sweep, cases, simulations, &wholes, (&files, self.folder))
+    }
+
+    /// The files that were written, in words.
+    fn files(&self, is_lateral: bool, has_film: bool) -> String {
+        if !is_lateral {
+            let pictures = self.drawing.files("history").join(", ");
+            return format!("{pictures}, history.csv and case.csv");
+        }
+        let film = match has_film {
+            false => String::new(),
+            true => format!(", film (of {})", self.simulations[0].name),
+        };
+        let film_table = if has_film { "film.csv, " } else { "" };
+        format!(
+            "history, orbit, string, contacts{film} as {}, history.csv, string.csv, contacts.csv, \
+             {film_table}case.csv",
+            self.drawing.words()
+        )
     }
 
     fn table(&self, name: &str, content: &[u8]) -> Result<()> {
         write_atomically(&self.folder.join(name), content)
     }
 
-    /// What there is of motion between walls alone.
+    fn picture(&self, name: &str, picture: &Picture) -> Result<()> {
+        self.drawing.save(self.folder, name, picture)
+    }
+
+    /// What there is of motion between walls alone. Ranges of axes are those of histories: contacts
+    /// share their time.
     fn lateral(&self, wholes: &[Reconstruction]) -> Result<()> {
         let &Self {
             sweep,
             cases,
             simulations,
-            folder,
             ..
         } = self;
+        let over_time = self.drawing.look.with_own_heights();
+        let look = self.drawing.look.with_own_ranges();
         self.table("contacts.csv", &contacts_csv(sweep, simulations)?)?;
-        save_picture(folder, "contacts", &contact_picture(sweep, simulations)?)?;
-        save_picture(folder, "orbit", &orbit_picture(sweep, cases, simulations)?)?;
-        let string = string_picture(sweep, cases, simulations, wholes)?;
-        save_picture(folder, "string", &string)
+        self.picture(
+            "contacts",
+            &contact_picture(&over_time, sweep, simulations)?,
+        )?;
+        self.picture("orbit", &orbit_picture(&look, sweep, cases, simulations)?)?;
+        self.table(
+            "string.csv",
+            &string_csv(sweep, cases, simulations, wholes)?,
+        )?;
+        let string = string_picture(&look, sweep, cases, simulations, wholes)?;
+        self.picture("string", &string)
     }
 }

@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use super::table::measures;
 use crate::commands::prepare::unique;
-use crate::plot::{Axis, Picture, ScatterPanel, Series, scatter_grid};
+use crate::plot::{Axis, Ink, Picture, ScatterPanel, Series, scatter_grid};
 use crate::studies::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
 
 /// Smaller errors are drawn here: they are rounding.
@@ -18,8 +18,11 @@ pub fn chart(rows: &[Row]) -> Result<Picture> {
     let panels = (measures(rows).into_iter())
         .enumerate()
         .map(|(index, measure)| panel(rows, measure, index % 3 == 0));
+    let title = format!(
+        "Accuracy against speed: what {CASES} cases of {CASE_SECONDS} s cost, and how far off each is"
+    );
     scatter_grid(
-        "Accuracy against speed: what each configuration costs, and how far off it is",
+        &title,
         [
             "nothing is both cheaper and better",
             "the reference is no surer than this",
@@ -36,6 +39,7 @@ fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
     let families = unique(&known().map(family).collect::<Vec<_>>());
     let kinds = families.into_iter().map(|name| Series {
         name: name.to_owned(),
+        ink: Ink::of_method(name),
         points: (known().filter(|row| family(row) == name))
             .filter_map(point)
             .collect(),
@@ -44,7 +48,7 @@ fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
     ScatterPanel {
         title: measure.title().to_owned(),
         axes: [
-            Axis::logarithmic(format!("Time for {CASES} cases of {CASE_SECONDS} s (s)")),
+            Axis::logarithmic(format!("Time of {CASES} cases (s)")),
             Axis::logarithmic(if is_first { "Relative error" } else { "" }),
         ],
         kinds: kinds.collect(),

@@ -124,10 +124,9 @@ fn of_curves(
     if curves.is_empty() {
         return Ok(None);
     }
-    let names = curves
-        .iter()
-        .map(|curve| curve.name.trim_start_matches("Eq. 74, "));
-    let names: Vec<&str> = names.collect();
+    let names: Vec<&str> = (curves.iter())
+        .filter_map(|curve| curve.method.as_deref())
+        .collect();
     let told = match &names[..] {
         [name] => format!("by {name}"),
         names => format!("margin: between {}", names.join(", ")),

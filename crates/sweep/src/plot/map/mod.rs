@@ -8,7 +8,8 @@ mod tests;
 
 use super::geometry::Rect;
 use super::grounds::Ground;
-use super::legend::{Series, distinct};
+use super::inks::Ink;
+use super::legend::Series;
 use super::scale::Axis;
 use super::symbols::Symbol;
 
@@ -112,9 +113,14 @@ pub fn is_within(points: &[(f64, f64)], [[left, right], [top, bottom]]: [[f64; 2
 }
 
 impl MapGroup {
-    /// The distinct names of all lines.
-    fn line_names(&self) -> Vec<&str> {
-        let lines = self.panels.iter().flat_map(|panel| &panel.lines);
-        distinct(lines.map(|line| &line.name))
+    /// The distinct names of all lines, and what they are drawn in.
+    fn lines(&self) -> Vec<(&str, Ink)> {
+        let mut found: Vec<(&str, Ink)> = Vec::new();
+        for line in self.panels.iter().flat_map(|panel| &panel.lines) {
+            if !found.iter().any(|(name, _)| *name == line.name) {
+                found.push((&line.name, line.ink));
+            }
+        }
+        found
     }
 }

@@ -6,7 +6,7 @@ use crate::plot::frame::Frame;
 use crate::plot::geometry::{Pixel, Rect};
 use crate::plot::grounds::{Ground, draw_ground};
 use crate::plot::hatching::{RIM, draw_hatching};
-use crate::plot::legend::place_of;
+use crate::plot::inks::{Ink, place_among};
 use crate::plot::names::Names;
 use crate::plot::scale::{Scale, visible};
 use crate::plot::symbols::{HALO, MARK_RADIUS, draw_symbol, draw_triangle};
@@ -17,19 +17,20 @@ use plotters::style::{BLACK, WHITE};
 /// dashes and dots still show on top of the thin solid line.
 const LINE_WIDTHS: [f64; 6] = [1.2, 2.2, 3.4, 1.8, 2.6, 2.2];
 
-/// The look of the line with this index.
-pub(super) fn line_stroke(index: usize) -> Stroke {
+/// The look of the line with this index: black, unless its ink has a colour.
+pub(super) fn line_stroke(index: usize, ink: Ink) -> Stroke {
     let pattern = index % DASHES.len();
     Stroke {
-        colour: BLACK,
+        colour: ink.colour().unwrap_or(BLACK),
         width: LINE_WIDTHS[pattern],
         dash: DASHES[pattern],
     }
 }
 
 /// The scales that show all points, cells and marks of a sheet, or its lines where
-/// there are no points; the same for all maps, which are there to be compared.
-pub(super) fn scales(sheet: &MapSheet) -> [Scale; 2] {
+/// there are no points, unless their ranges are given; the same for all maps, which are there to
+/// be compared.
+pub(super) fn scales(sheet: &MapSheet, ranges: [Option<[f64; 2]>; 2]) -> [Scale; 2] {
     let panels = || sheet.groups.iter().flat_map(|group| &group.panels);
     let points = panels().flat_map(|panel| &panel.points);
     let mut places: Vec<_> = points.map(|point| point.at).collect();
@@ -43,8 +44,8 @@ pub(super) fn scales(sheet: &MapSheet) -> [Scale; 2] {
     let (x, y): (Vec<_>, Vec<_>) = visible(&sheet.axes, places.into_iter()).unzip();
     let [x_axis, y_axis] = &sheet.axes;
     [
-        Scale::new(x_axis.logarithmic, x.into_iter()),
-        Scale::new(y_axis.logarithmic, y.into_iter()),
+        Scale::with_ends(ranges[0], x_axis.logarithmic, x.into_iter()),
+        Scale::with_ends(ranges[1], y_axis.logarithmic, y.into_iter()),
     ]
 }
 
@@ -58,7 +59,7 @@ pub(super) fn draw_panel(
 ) -> Result<()> {
     frame.draw(canvas)?;
     for cell in &panel.cells {
-        if let Some(area) = area(frame, cell.ends) {
+        if let Some(area) = area(frame, cell.ends).and_then(|area| area.within(frame.area)) {
             // Ends on whole pixels leave no seam between neighbours.
             let area = Rect {
                 left: area.left.round(),
@@ -76,11 +77,11 @@ pub(super) fn draw_panel(
     }
     let radius = symbol_radius(frame.area, panel.points.len());
     for point in &panel.points {
-        if let Some(centre) = frame.pixel(point.at) {
+        if let Some(centre) = frame.pixel_inside(point.at) {
             draw_symbol(canvas, point.symbol, centre, radius)?;
         }
     }
-    draw_lines(canvas, frame, &group.line_names(), panel)?;
+    draw_lines(canvas, frame, &group.lines(), panel)?;
     draw_marks(canvas, frame, marks, panel)
 }
 
@@ -103,11 +104,17 @@ fn symbol_radius(area: Rect, count: usize) -> f64 {
 }
 
 /// On grounds that may be dark, a white rim sets the lines off.
-fn draw_lines(canvas: &mut Canvas, frame: &Frame, names: &[&str], panel: &MapPanel) -> Result<()> {
+fn draw_lines(
+    canvas: &mut Canvas,
+    frame: &Frame,
+    lines: &[(&str, Ink)],
+    panel: &MapPanel,
+) -> Result<()> {
     let mut grounds = panel.cells.iter().map(|cell| cell.ground);
     let may_be_dark = grounds.any(|ground| matches!(ground, Ground::Part(_) | Ground::Safety(_)));
     for line in &panel.lines {
-        let stroke = line_stroke(place_of(&line.name, names));
+        let place = place_among(&line.name, lines);
+        let stroke = line_stroke(place, line.ink);
         for piece in frame.curve(&line.points) {
             for part in frame.area.clip(&piece) {
                 if may_be_dark {
@@ -122,7 +129,7 @@ fn draw_lines(canvas: &mut Canvas, frame: &Frame, names: &[&str], panel: &MapPan
 
 fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPanel) -> Result<()> {
     let places = marks.iter();
-    let places = places.filter_map(|mark| Some((mark, frame.pixel(mark.at)?)));
+    let places = places.filter_map(|mark| Some((mark, frame.pixel_inside(mark.at)?)));
     let places: Vec<_> = places.collect();
     for &(_, centre) in &places {
         draw_triangle(canvas, centre)?;
@@ -132,7 +139,7 @@ fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPan
     let taken = centres.map(|centre| Rect::centred(centre, size, size));
     let mut names = Names::new(frame.area, taken.collect(), drawn_lines(frame, panel));
     for name in &panel.names {
-        if let Some(centre) = frame.pixel(name.at) {
+        if let Some(centre) = frame.pixel_inside(name.at) {
             let text = names.block(&name.name)?;
             names.write(canvas, &text, &[centre])?;
         }

@@ -1,5 +1,5 @@
 //! Where the maps of a sheet and their legends stand: one map alone has its legend at
-//! its side; of two motions the maps stand side by side, of several values of a
+//! its side, or below where the picture is narrow; of two motions the maps stand side by side, of several values of a
 //! further parameter in rows, each with the legend below.
 
 use super::panel::{draw_panel, line_stroke, scales};
@@ -9,6 +9,7 @@ use crate::plot::frame::Frame;
 use crate::plot::geometry::Rect;
 use crate::plot::grounds::Ground;
 use crate::plot::legend::{Key, Legend, distinct};
+use crate::plot::look::{Look, is_narrow};
 use crate::plot::picture::Picture;
 use crate::plot::scale::Scale;
 use crate::plot::text::{Block, LABEL_SIZE, SMALL_SIZE, TITLE_SIZE};
@@ -33,15 +34,20 @@ const TEXT_GAP: f64 = 5.0;
 const LABEL_ROOM: f64 = 14.0;
 /// Height of a map, by how many stand in a row.
 const HEIGHTS: [f64; 3] = [430.0, 430.0, 320.0];
+/// The same at most, as a part of its width, and the least width of one that has others beside it.
+const HIGHEST: f64 = 0.85;
+const LEAST_WIDTH: f64 = 300.0;
 
 /// Draws a sheet.
 ///
 /// The axes span the cells, the points and the marks; a sheet without points spans
 /// its lines and marks, an empty one 0 to 1.
-pub fn map_sheet(sheet: &MapSheet) -> Result<Picture> {
+pub fn map_sheet(look: &Look, sheet: &MapSheet) -> Result<Picture> {
     match &sheet.groups[..] {
-        [group] if group.panels.len() == 1 => alone(sheet, group),
-        groups => arranged(sheet, groups),
+        [group] if group.panels.len() == 1 && !is_narrow(look.width(WIDTH_ALONE)) => {
+            alone(look, sheet, group)
+        }
+        groups => arranged(look, sheet, groups),
     }
 }
 
@@ -56,35 +62,35 @@ fn keys(group: &MapGroup) -> Vec<(Key, &str)> {
     let mut keys: Vec<(Key, &str)> = keys
         .map(|(ground, text)| (key(ground), text.as_str()))
         .collect();
-    let lines = group.line_names().into_iter().enumerate();
-    keys.extend(lines.map(|(index, name)| (Key::Line(line_stroke(index)), name)));
+    let lines = group.lines().into_iter().enumerate();
+    keys.extend(lines.map(|(index, (name, ink))| (Key::Line(line_stroke(index, ink)), name)));
     let bands = group.panels.iter().flat_map(|panel| &panel.bands);
     let bands = distinct(bands.map(|band| &band.name));
     keys.extend(bands.into_iter().map(|name| (Key::Hatching, name)));
     keys
 }
 
-fn alone(sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
-    let title = Title::new(&sheet.title, WIDTH_ALONE, MARGIN)?;
+fn alone(look: &Look, sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
+    let title = Title::new(look, &sheet.title, WIDTH_ALONE, MARGIN)?;
     let text = |text| (Key::Nothing, text);
     let scale = group.scale.iter().map(String::as_str).map(text);
     let notes = group.notes.iter().map(String::as_str).map(text);
     let legend = Legend::new(scale.chain(keys(group)).chain(notes))?;
     let top = title.bottom();
     let below = (group.below.iter())
-        .map(|text| Block::new(text, SMALL_SIZE, WIDTH_ALONE - 2.0 * MARGIN))
+        .map(|text| Block::new(text, SMALL_SIZE, title.width - 2.0 * MARGIN))
         .collect::<Result<Vec<_>>>()?;
     let bottom = (HEIGHT_ALONE - MARGIN).max(top + legend.height());
     let texts: f64 = below.iter().map(|text| text.height() + TEXT_GAP).sum();
     let height = bottom + texts + MARGIN;
-    let legend_left = WIDTH_ALONE - MARGIN - legend.width();
+    let legend_left = title.width - MARGIN - legend.width();
     let outer = Rect {
         left: MARGIN,
         top,
         right: legend_left - LEGEND_GAP,
         bottom,
     };
-    let frame = Frame::new(outer, &sheet.axes, scales(sheet))?;
+    let frame = Frame::new(outer, &sheet.axes, scales(sheet, look.ranges))?;
     draw_titled(&title, height, |canvas| {
         for panel in &group.panels {
             draw_panel(canvas, &frame, &sheet.marks, group, panel)?;
@@ -95,13 +101,17 @@ fn alone(sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
     })
 }
 
-fn arranged(sheet: &MapSheet, groups: &[MapGroup]) -> Result<Picture> {
-    let title = Title::new(&sheet.title, WIDTH, MARGIN)?;
+fn arranged(look: &Look, sheet: &MapSheet, groups: &[MapGroup]) -> Result<Picture> {
+    let title = Title::new(look, &sheet.title, WIDTH, MARGIN)?;
     let all_alone = groups.iter().all(|group| group.panels.len() == 1);
-    let columns = if all_alone { groups.len().max(1) } else { 1 };
+    let columns = if all_alone && !is_narrow(title.width) {
+        groups.len().max(1)
+    } else {
+        1
+    };
     let gaps = (columns - 1) as f64 * GAP;
-    let width = (WIDTH - 2.0 * MARGIN - gaps) / columns as f64;
-    let scales = scales(sheet);
+    let width = (title.width - 2.0 * MARGIN - gaps) / columns as f64;
+    let scales = scales(sheet, look.ranges);
     let (mut blocks, mut bottom) = (Vec::new(), title.bottom());
     let (mut left, mut top) = (MARGIN, bottom);
     for group in groups {
@@ -134,7 +144,8 @@ fn group_block<'a>(
     let small = |text: &String| Block::new(text, SMALL_SIZE, width);
     let notes: Vec<Block> = group.notes.iter().map(small).collect::<Result<_>>()?;
     let scale = group.scale.as_ref().map(small).transpose()?;
-    let texts = scale.iter().chain(&notes);
+    let below: Vec<Block> = group.below.iter().map(small).collect::<Result<_>>()?;
+    let texts = scale.iter().chain(&notes).chain(&below);
     let texts: f64 = texts.map(|text| text.height() + TEXT_GAP).sum();
     let bottom = texts_top + legend.height() + texts + 0.5 * GAP;
     let draw = move |canvas: &mut Canvas| {
@@ -150,7 +161,8 @@ fn group_block<'a>(
         }
         let row = write(canvas, scale.as_slice(), left, texts_top)?;
         legend.draw(canvas, left, row)?;
-        write(canvas, &notes, left, row + legend.height())?;
+        let row = write(canvas, &notes, left, row + legend.height())?;
+        write(canvas, &below, left, row)?;
         Ok(())
     };
     Ok((bottom, draw))
@@ -178,6 +190,7 @@ fn frames(
         2 | 4 => 2,
         _ => 3,
     };
+    let columns = columns.min(((width / LEAST_WIDTH) as usize).max(1));
     let map_width = (width - (columns - 1) as f64 * GAP) / columns as f64;
     let mut frames = Vec::with_capacity(group.panels.len());
     let mut row_top = top;
@@ -186,7 +199,7 @@ fn frames(
             .map(|panel| Block::new(&panel.title, LABEL_SIZE, map_width))
             .collect::<Result<_>>()?;
         let title_height = titles.iter().map(Block::height).fold(0.0, f64::max);
-        let bottom = row_top + title_height + HEIGHTS[columns - 1];
+        let bottom = row_top + title_height + HEIGHTS[columns - 1].min(HIGHEST * map_width);
         for (column, title) in titles.into_iter().enumerate() {
             let left = left + column as f64 * (map_width + GAP);
             let outer = Rect {

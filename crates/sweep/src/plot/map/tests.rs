@@ -1,7 +1,7 @@
 use super::*;
-use crate::plot::Part;
 use crate::plot::canvas::tests::assert_text_inside;
 use crate::plot::scale::Scale;
+use crate::plot::{Ink, Look, Part};
 
 fn group(panels: Vec<MapPanel>) -> MapGroup {
     let texts = ["all", "none", "some"].map(String::from);
@@ -53,12 +53,12 @@ fn only_panel(sheet: &mut MapSheet) -> &mut MapPanel {
 }
 
 fn scale(sheet: &MapSheet) -> Scale {
-    panel::scales(sheet)[0]
+    panel::scales(sheet, [None; 2])[0]
 }
 
 /// Circles in the map without the one in the legend.
 fn circles(map: &MapSheet) -> usize {
-    let picture = map_sheet(map).expect("drawn");
+    let picture = map_sheet(&Look::default(), map).expect("drawn");
     picture.svg.matches("<circle").count() - 1
 }
 
@@ -84,7 +84,7 @@ fn maps_without_range_are_drawn() {
         &[(f64::INFINITY, 1.0)],
     ] {
         for logarithmic in [false, true] {
-            let picture = map_sheet(&map(places, logarithmic)).expect("drawn");
+            let picture = map_sheet(&Look::default(), &map(places, logarithmic)).expect("drawn");
             assert_text_inside(&picture);
         }
     }
@@ -96,6 +96,7 @@ fn lines_do_not_widen_the_axes() {
     let before = scale(&map).fraction(1.0);
     only_panel(&mut map).lines.push(Series {
         name: "far".to_string(),
+        ink: Ink::default(),
         points: vec![(-1e6, 0.5), (1e6, 0.5)],
     });
     assert_eq!(scale(&map).fraction(1.0), before);
@@ -112,7 +113,7 @@ fn cells_fill_the_map_and_its_legend() {
             ground: Ground::Symbol(symbol),
         })
         .collect();
-    let picture = map_sheet(&map).expect("drawn");
+    let picture = map_sheet(&Look::default(), &map).expect("drawn");
     // Both cells, and a key for each of the three symbols.
     assert_eq!(picture.svg.matches("<polygon").count(), 5);
     assert_text_inside(&picture);
@@ -126,6 +127,7 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
         panel.title.clone_from(&long);
         panel.lines.extend((0..30).map(|index| Series {
             name: format!("{index} {long}"),
+            ink: Ink::default(),
             points: Vec::new(),
         }));
         panel.bands.push(Band {
@@ -159,7 +161,7 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
 #[test]
 fn long_texts_and_many_lines_stay_inside_however_many_maps_there_are() {
     for (panels, groups) in [(1, 1), (1, 2), (4, 1), (6, 2)] {
-        assert_text_inside(&map_sheet(&crowded(panels, groups)).expect("drawn"));
+        assert_text_inside(&map_sheet(&Look::default(), &crowded(panels, groups)).expect("drawn"));
     }
 }
 
@@ -178,6 +180,7 @@ fn maps_of_a_sheet_share_their_axes() {
 fn lines_of_a_name_look_alike_in_every_map_and_have_one_key() {
     let line = |name: &str| Series {
         name: name.to_string(),
+        ink: Ink::default(),
         points: vec![(0.0, 0.5), (1.0, 0.5)],
     };
     let with = |lines: &[&str]| MapPanel {
@@ -185,7 +188,7 @@ fn lines_of_a_name_look_alike_in_every_map_and_have_one_key() {
         ..panel(&[(0.0, 0.0), (1.0, 1.0)])
     };
     let panels = vec![with(&["one", "other"]), with(&["other"])];
-    let picture = map_sheet(&sheet(vec![group(panels)], false)).expect("drawn");
+    let picture = map_sheet(&Look::default(), &sheet(vec![group(panels)], false)).expect("drawn");
     assert_eq!(picture.svg.matches(">\nother\n").count(), 1);
     // The dashed line in both maps and its key.
     assert_eq!(picture.svg.matches("dasharray").count(), 3);
@@ -200,7 +203,7 @@ fn a_range_is_cut_off_at_the_edge_of_the_map() {
     };
     only_panel(&mut map).bands.push(hatched([0.2, 0.4]));
     let strokes = |map: &MapSheet| {
-        let picture = map_sheet(map).expect("drawn");
+        let picture = map_sheet(&Look::default(), map).expect("drawn");
         picture.svg.matches("<polyline").count()
     };
     let inside = strokes(&map);

@@ -11,7 +11,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use crate::commands::drawing::save_picture;
+use crate::commands::drawing::Drawing;
 use crate::output::write_atomically;
 use campaign::plan::Sweep;
 use found::find;
@@ -23,7 +23,13 @@ use speeds::Excitation;
 ///
 /// # Errors
 /// Where that takes too long, or the files cannot be written.
-pub fn show_modes(sweep: &Sweep, count: usize, orders: &[f64], folder: &Path) -> Result<String> {
+pub fn show_modes(
+    sweep: &Sweep,
+    count: usize,
+    orders: &[f64],
+    folder: &Path,
+    drawing: &Drawing,
+) -> Result<String> {
     let excitation = Excitation::of(sweep, orders)?;
     let found = find(sweep, count, &excitation)?;
     for (name, table) in [
@@ -36,17 +42,15 @@ pub fn show_modes(sweep: &Sweep, count: usize, orders: &[f64], folder: &Path) ->
     ] {
         write_atomically(&folder.join(name), &table)?;
     }
-    let campbell = campbell_picture(&sweep.title, &found, &excitation)?;
-    save_picture(folder, "campbell", &campbell)?;
-    let units = sweep.content.units;
-    save_picture(
-        folder,
-        "mode_shapes",
-        &shape_picture(&sweep.title, &found, units)?,
-    )?;
+    let (look, units) = (&drawing.look, sweep.content.units);
+    let campbell = campbell_picture(look, &sweep.title, &found, &excitation)?;
+    drawing.save(folder, "campbell", &campbell)?;
+    let shapes = shape_picture(look, &sweep.title, &found, units)?;
+    drawing.save(folder, "mode_shapes", &shapes)?;
     let mut text = words::describe(sweep, &found, &excitation, count);
-    for name in ["campbell.png", "mode_shapes.png"] {
-        text += &format!("  picture: {}\n", folder.join(name).display());
+    for name in ["campbell", "mode_shapes"] {
+        let shown = folder.join(drawing.shown(name));
+        text += &format!("  picture: {}\n", shown.display());
     }
     Ok(text)
 }

@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use super::found::Modes;
 use super::speeds::{Excitation, frequency};
-use crate::plot::{Axis, CampbellPanel, Multiple, Picture, Series, campbell, multiples};
+use crate::plot::{Axis, CampbellPanel, Look, Multiple, Picture, Series, campbell, multiples};
 use campaign::quantities::{LENGTH, Units};
 use campaign::words::short;
 
@@ -16,20 +16,22 @@ const ROOM: f64 = 1.1;
 ///
 /// # Errors
 /// Where it cannot be drawn.
-pub fn campbell_picture(title: &str, found: &[Modes], excitation: &Excitation) -> Result<Picture> {
+pub fn campbell_picture(
+    look: &Look,
+    title: &str,
+    found: &[Modes],
+    excitation: &Excitation,
+) -> Result<Picture> {
     let panels: Vec<_> = (found.iter().map(|modes| panel(modes, excitation))).collect();
     let title = format!("{title}: critical speeds (Campbell diagram)");
-    campbell(&title, "natural frequency, with its number", &panels)
+    campbell(look, &title, "natural frequency, with its number", &panels)
 }
 
 fn panel(modes: &Modes, excitation: &Excitation) -> CampbellPanel {
     let lowest = modes.frequencies.first().copied().unwrap_or(0.0);
     let highest = excitation.highest().max(ROOM * lowest);
     let shown = modes.frequencies.iter().copied();
-    let series = |order: f64, points: Vec<(f64, f64)>| Series {
-        name: format!("{order}×"),
-        points,
-    };
+    let series = |order: f64, points: Vec<(f64, f64)>| Series::new(format!("{order}×"), points);
     let line = |&order: &f64| {
         let ends = excitation
             .speeds
@@ -56,7 +58,7 @@ fn panel(modes: &Modes, excitation: &Excitation) -> CampbellPanel {
 ///
 /// # Errors
 /// Where they cannot be drawn.
-pub fn shape_picture(title: &str, found: &[Modes], units: Units) -> Result<Picture> {
+pub fn shape_picture(look: &Look, title: &str, found: &[Modes], units: Units) -> Result<Picture> {
     let length = units.of(&LENGTH);
     let panels = found.iter().flat_map(|modes| {
         let titled = titled(modes);
@@ -72,7 +74,7 @@ pub fn shape_picture(title: &str, found: &[Modes], units: Units) -> Result<Pictu
     let depth = format!("Depth ({})", length.name);
     let axes = [&depth, "Amplitude / greatest"].map(Axis::linear);
     let panels: Vec<_> = panels.collect();
-    multiples(&format!("{title}: mode shapes"), &axes, &panels)
+    multiples(look, &format!("{title}: mode shapes"), &axes, &panels)
 }
 
 fn titled(modes: &Modes) -> String {
