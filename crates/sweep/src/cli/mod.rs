@@ -1,7 +1,9 @@
 //! The command line.
 
+mod check;
 mod values;
 
+pub use check::{CheckArguments, CheckFormat};
 pub use values::{AxesOfCells, PictureFile};
 
 use std::num::NonZeroUsize;
@@ -68,7 +70,9 @@ pub enum Command {
     Run(RunArguments),
     /// Rerun the cases of a reference label file and compare the labels
     #[command(
-        after_help = "Example:\n  sweep check sweeps/fig09.toml results/reference/fig09.csv\n\n\
+        after_help = "Examples:\n  sweep check sweeps/fig09.toml results/reference/fig09.csv\n  \
+        sweep check sweeps/fig09.toml results/reference/fig09.csv \\\n    \
+        --format junit --output check.xml\n\n\
         Exit code 5 where a label differs; each that does is printed."
     )]
     Check(CheckArguments),
@@ -258,20 +262,6 @@ impl MemoryArguments {
     pub fn passed_over(&self) -> Option<PassedOver> {
         Limit::passed_over(self.memory)
     }
-}
-
-/// Arguments of `check`.
-#[derive(Debug, Args)]
-pub struct CheckArguments {
-    /// The sweep file that gives the setting
-    pub file: PathBuf,
-    /// Reference labels: columns case, method, the axes, torsion
-    pub reference: PathBuf,
-    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
-    #[arg(long)]
-    pub jobs: Option<usize>,
-    #[command(flatten)]
-    pub memory: MemoryArguments,
 }
 
 /// Arguments of `simulate`.

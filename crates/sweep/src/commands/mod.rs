@@ -11,6 +11,7 @@ mod drawing;
 mod folder;
 mod idle_axis;
 pub mod inspect;
+mod margin;
 pub mod merge;
 pub mod new;
 mod outcome;

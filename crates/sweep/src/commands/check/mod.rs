@@ -1,7 +1,9 @@
 //! `sweep check`: the regression of regime labels.
 
 mod comparison;
+mod junit;
 mod reference;
+mod told;
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -9,6 +11,7 @@ use std::sync::Mutex;
 use anyhow::Result;
 
 use super::choosing::choose;
+use super::margin::margin_of;
 use super::prepare::{build_systems, survey_cases};
 use super::progress::Progress;
 use super::status::Status;
@@ -18,12 +21,13 @@ use super::warnings::{warn_of_memory, warn_of_unstable};
 use crate::cli::CheckArguments;
 use crate::design::{Design, List};
 use crate::engine::{MethodSystem, Record, RunOptions, Shard, Work};
+use crate::files::write_atomically;
 use crate::memory::{Purpose, admit};
 use crate::plan::Sweep;
 use crate::quantities::Axis;
-use crate::words::counted;
 use comparison::{Found, compare};
 use reference::{cases_of, read_reference};
+use told::Told;
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
@@ -52,18 +56,25 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
     warn_of_unstable(&systems, terminal);
     let found = run_all(&sweep, &systems, &numbers, memory.strings_at_once, terminal)?;
-    let (labels, different) = compare(&sweep, &systems, &reference, &found);
-    say(&format!(
-        "{}{}: {} of {} as expected\n",
-        different.concat(),
-        arguments.reference.display(),
-        labels - different.len(),
-        counted(labels, "label")
-    ))?;
-    Ok(if different.is_empty() {
-        Status::Complete
-    } else {
+    let compared = compare(&sweep, &systems, &reference, &found);
+    let told = Told {
+        reference: &arguments.reference,
+        margin: margin_of(&arguments.reference)?,
+        compared: &compared,
+    };
+    let text = told.in_format(arguments.told.format)?;
+    match &arguments.told.output {
+        Some(file) => {
+            write_atomically(file, text.as_bytes())?;
+            say(&told.for_people())?;
+        }
+        None => say(&text)?,
+    }
+    let differs = told.different().next().is_some();
+    Ok(if differs {
         Status::LabelsDiffer
+    } else {
+        Status::Complete
     })
 }
 
