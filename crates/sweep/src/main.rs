@@ -72,6 +72,7 @@ fn main() -> ExitCode {
         Command::New { file, force } => commands::new::new(&file, force),
         Command::Run(arguments) => commands::run::run(&arguments, terminal),
         Command::Check(arguments) => commands::check::check(&arguments, terminal),
+        Command::Reference(arguments) => commands::reference::reference(&arguments, terminal),
         Command::Simulate(arguments) => commands::simulate::simulate(&arguments, terminal),
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments, terminal),
         Command::Plot { folder } => commands::plot::plot(&folder, terminal),

@@ -1,9 +1,11 @@
 //! The command line.
 
 mod check;
+mod reference;
 mod values;
 
 pub use check::{CheckArguments, CheckFormat};
+pub use reference::ReferenceArguments;
 pub use values::{AxesOfCells, PictureFile};
 
 use std::num::NonZeroUsize;
@@ -76,6 +78,14 @@ pub enum Command {
         Exit code 5 where a label differs; each that does is printed."
     )]
     Check(CheckArguments),
+    /// Make a reference of the cases whose labels are far from changing
+    #[command(
+        after_help = "Examples:\n  sweep reference results/fig09 --margin 4% --out fig09.csv\n  \
+        sweep check sweeps/fig09.toml fig09.csv\n\n\
+        Each case is simulated again with each axis changed by the margin, up and down. It\n\
+        is kept if no label of it changes by any method. The file states the margin."
+    )]
+    Reference(ReferenceArguments),
     /// Run a case in full: motion and contact, as CSV and as pictures
     #[command(after_help = "Examples:\n  sweep simulate sweeps/fig08b.toml\n  \
         sweep simulate sweeps/fig16b.toml --film --film-to 2.5\n  \
@@ -87,7 +97,8 @@ pub enum Command {
     Simulate(SimulateArguments),
     /// Show the linear system: stiffness, times, taps, stability, cost
     #[command(after_help = "Examples:\n  sweep inspect sweeps/fig09.toml\n  \
-        sweep inspect sweeps/well_12in.toml --modes --orders 1,3,6")]
+        sweep inspect sweeps/well_12in.toml --modes --orders 1,3,6\n  \
+        sweep inspect sweeps/fig10.toml --csv --out /tmp/fig10")]
     Inspect(InspectArguments),
     /// Draw the regime map of a results folder again
     #[command(after_help = "Example:\n  sweep plot results/fig09")]
@@ -325,7 +336,7 @@ impl FilmArguments {
 pub struct InspectArguments {
     /// The sweep file
     pub file: PathBuf,
-    /// Folder for the pictures [default: results/NAME, by the name of the sweep file]
+    /// Folder for pictures and tables [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
     pub out: Option<PathBuf>,
     /// Show natural frequencies, critical speeds and shapes of the N lowest modes [default N: 6]
@@ -348,6 +359,9 @@ pub struct InspectArguments {
         value_parser = parse_order
     )]
     pub orders: Vec<f64>,
+    /// Write taps, frequency responses and modes as CSV into the folder
+    #[arg(long)]
+    pub csv: bool,
     #[command(flatten)]
     pub work: WorkArguments,
 }

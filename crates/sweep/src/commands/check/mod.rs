@@ -11,20 +11,16 @@ use std::sync::Mutex;
 use anyhow::Result;
 
 use super::choosing::choose;
+use super::listed::Listed;
 use super::margin::margin_of;
-use super::prepare::{build_systems, survey_cases};
-use super::progress::Progress;
 use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::{warn_of_memory, warn_of_unstable};
+use super::warnings::warn_of_memory;
 use crate::cli::CheckArguments;
-use crate::design::{Design, List};
-use crate::engine::{MethodSystem, Record, RunOptions, Shard, Work};
+use crate::engine::Record;
 use crate::files::write_atomically;
-use crate::memory::{Purpose, admit};
 use crate::plan::Sweep;
-use crate::quantities::Axis;
 use comparison::{Found, compare};
 use reference::{cases_of, read_reference};
 use told::Told;
@@ -39,24 +35,16 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     let (reference, methods) = read_reference(&arguments.reference, &arguments.file, &sweep)?;
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
     let numbers: Vec<usize> = cases.keys().copied().collect();
-    let axes = sweep.design.axes().to_vec();
-    let weight_pushes = sweep.changes_string(Axis::WeightOnBitKn);
-    let sweep = Sweep {
-        methods,
-        design: Design::List(List::new(
-            axes,
-            cases.into_values().collect(),
-            weight_pushes,
-        )),
-        ..sweep
-    };
-    let survey = survey_cases(&arguments.reference, &sweep)?;
-    let setting = sweep.setting.for_labels();
-    let memory = admit(&sweep, &setting, &survey, Purpose::Labels, &limit)?;
-    let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
-    warn_of_unstable(&systems, terminal);
-    let found = run_all(&sweep, &systems, &numbers, memory.strings_at_once, terminal)?;
-    let compared = compare(&sweep, &systems, &reference, &found);
+    let sweep = Sweep { methods, ..sweep };
+    let listed = Listed::new(
+        sweep,
+        cases.into_values().collect(),
+        &arguments.reference,
+        &limit,
+        terminal,
+    )?;
+    let found = run_all(&listed, &numbers, terminal)?;
+    let compared = compare(&listed.sweep, &listed.systems, &reference, &found);
     let told = Told {
         reference: &arguments.reference,
         margin: margin_of(&arguments.reference)?,
@@ -79,35 +67,15 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
 }
 
 /// The rows of all cases, by the reference's numbers and by method.
-fn run_all(
-    sweep: &Sweep,
-    systems: &[MethodSystem],
-    numbers: &[usize],
-    strings_at_once: usize,
-    terminal: Terminal,
-) -> Result<Found> {
+fn run_all(listed: &Listed, numbers: &[usize], terminal: Terminal) -> Result<Found> {
     let found = Mutex::new(BTreeMap::new());
-    let progress = Progress::new(numbers.len() * systems.len(), 0, false, terminal);
-    let work = Work {
-        sweep,
-        shard: Shard::WHOLE,
-        options: RunOptions {
-            full: false,
-            allow_unstable: true,
-        },
-        strings_at_once,
-        is_open: &|_, _| true,
-        stops: &|| false,
-    };
     let keep = |record: Record| {
         if let Ok(mut found) = found.lock() {
-            let method = sweep.methods[record.method].name();
+            let method = listed.sweep.methods[record.method].name();
             found.insert((numbers[record.case], method), record);
         }
-        progress.tick();
         Ok(())
     };
-    work.run(systems, &keep)?;
-    progress.finish();
+    listed.run(&|_, _| true, &keep, terminal)?;
     Ok(found.into_inner().unwrap_or_default())
 }

@@ -14,7 +14,7 @@ use anyhow::Result;
 use crate::commands::drawing::save_picture;
 use crate::output::write_atomically;
 use crate::plan::Sweep;
-use found::find;
+use found::{Modes, find};
 use pictures::{campbell_picture, shape_picture};
 use speeds::Excitation;
 
@@ -26,16 +26,7 @@ use speeds::Excitation;
 pub fn show_modes(sweep: &Sweep, count: usize, orders: &[f64], folder: &Path) -> Result<String> {
     let excitation = Excitation::of(sweep, orders)?;
     let found = find(sweep, count, &excitation)?;
-    for (name, table) in [
-        ("modes.csv", tables::modes(&found)?),
-        (
-            "critical_speeds.csv",
-            tables::critical_speeds(&found, &excitation)?,
-        ),
-        ("mode_shapes.csv", tables::shapes(&found)?),
-    ] {
-        write_atomically(&folder.join(name), &table)?;
-    }
+    write_found(&found, &excitation, folder)?;
     let campbell = campbell_picture(&sweep.title, &found, &excitation)?;
     save_picture(folder, "campbell", &campbell)?;
     let units = sweep.content.units;
@@ -49,4 +40,27 @@ pub fn show_modes(sweep: &Sweep, count: usize, orders: &[f64], folder: &Path) ->
         text += &format!("  picture: {}\n", folder.join(name).display());
     }
     Ok(text)
+}
+
+/// Finds the modes and writes their tables.
+///
+/// # Errors
+/// As [`show_modes`].
+pub fn write_modes(sweep: &Sweep, count: usize, orders: &[f64], folder: &Path) -> Result<()> {
+    let excitation = Excitation::of(sweep, orders)?;
+    write_found(&find(sweep, count, &excitation)?, &excitation, folder)
+}
+
+fn write_found(found: &[Modes], excitation: &Excitation, folder: &Path) -> Result<()> {
+    for (name, table) in [
+        ("modes.csv", tables::modes(found)?),
+        (
+            "critical_speeds.csv",
+            tables::critical_speeds(found, excitation)?,
+        ),
+        ("mode_shapes.csv", tables::shapes(found)?),
+    ] {
+        write_atomically(&folder.join(name), &table)?;
+    }
+    Ok(())
 }
