@@ -8,10 +8,11 @@ use serde::Deserialize;
 use spdx::{Expression, ParseMode};
 
 /// Licences that ask for little more than to be named. Each is needed.
-const ALLOWED: [&str; 6] = [
+const ALLOWED: [&str; 7] = [
     "Apache-2.0",
     "BSD-2-Clause",
     "BSD-3-Clause",
+    "CC0-1.0",
     "MIT",
     "Unicode-3.0",
     "Zlib",
@@ -59,7 +60,8 @@ fn licences() -> BTreeMap<String, String> {
 fn tree(arguments: &[&str]) -> Result<String, String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| env!("CARGO").to_owned());
     let output = Command::new(cargo)
-        .args(["tree", "--locked", "--workspace", "--edges", "no-dev"])
+        .args(["tree", "--locked", "--workspace", "--all-features"])
+        .args(["--edges", "no-dev"])
         .args(["--prefix", "none", "--format", "{p}|{l}"])
         .args(arguments)
         .current_dir(env!("CARGO_MANIFEST_DIR"))

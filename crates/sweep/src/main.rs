@@ -83,6 +83,7 @@ fn main() -> ExitCode {
         Command::Stability(arguments) => commands::stability::stability(&arguments, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
         Command::Summary { folder } => commands::report::summary(&folder, terminal),
+        Command::Export(arguments) => commands::export::export(&arguments, terminal),
         Command::Analyse(arguments) => commands::analyse::analyse(&arguments, terminal),
         Command::Window(arguments) => commands::window::window(&arguments, terminal),
         Command::Completions { shell } => commands::shell::completions(shell),

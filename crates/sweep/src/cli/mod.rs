@@ -1,10 +1,12 @@
 //! The command line.
 
 mod check;
+mod export;
 mod reference;
 mod values;
 
 pub use check::{CheckArguments, CheckFormat};
+pub use export::{ExportArguments, ExportFormat};
 pub use reference::ReferenceArguments;
 pub use values::{AxesOfCells, PictureFile};
 
@@ -152,6 +154,13 @@ pub enum Command {
         /// A results folder, of an unfinished run too
         folder: PathBuf,
     },
+    /// Write the labels of a results folder in another format
+    #[command(
+        after_help = "Example:\n  sweep export results/fig09 --format parquet\n\n\
+        Needs a program that is built with it:\n  \
+        cargo install --locked --path crates/sweep --features parquet"
+    )]
+    Export(ExportArguments),
     /// Say how often each regime occurs, how surely, and what decides
     #[command(after_help = "Examples:\n  sweep analyse results/well\n  \
         sweep analyse results/well --by weight_on_bit_kn,surface_speed_rpm --width 0.02\n  \
