@@ -36,11 +36,21 @@ mkdir -p "$dist"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 folder=$work/$name
-mkdir -p "$folder"/{bin,completions,man/man1}
+mkdir -p "$folder"/{bin,completions,man/man1,scripts}
 cp "$sweep" "$folder/bin/"
 cp README.md CHANGELOG.md LICENSE-* "$folder/"
-cp docs/without-rust.md "$folder/INSTALL.md"
-cp -R sweeps "$folder/"
+cp crates/sweep/src/plot/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
+cp -R docs sweeps "$folder/"
+cp scripts/slurm.sh "$folder/scripts/"
+# What the program is built from asks to be named with its licence.
+cargo tree --locked -p sweep --edges normal --target "$target" --prefix none --format '{p}' |
+    sed -n 's/ (\*)$//; s/^\([^ ]*\) v\([^ ]*\)$/\1-\2/p' | LC_ALL=C sort -u |
+    while read -r package; do
+        mkdir -p "$folder/licences/$package"
+        find "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*/"$package" -maxdepth 1 -type f \
+            \( -iname 'licen[cs]e*' -o -iname 'copying*' -o -iname 'unlicense*' -o -iname 'notice*' \) \
+            -exec cp {} "$folder/licences/$package/" \;
+    done
 "$sweep" completions bash >"$folder/completions/sweep.bash"
 "$sweep" completions zsh >"$folder/completions/_sweep"
 "$sweep" completions fish >"$folder/completions/sweep.fish"

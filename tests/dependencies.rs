@@ -19,10 +19,13 @@ const ALLOWED: [&str; 7] = [
 ];
 
 /// Old versions beside the newest of the same package, and who holds on to them.
-const ACCEPTED: [(&str, &str, &str); 4] = [
+const ACCEPTED: [(&str, &str, &str); 7] = [
     ("equator", "0.2", "nano-gemm, below faer"),
     ("equator-macro", "0.2", "equator 0.2"),
+    ("getrandom", "0.2", "const-random, below parquet"),
+    ("getrandom", "0.3", "ahash, below parquet"),
     ("miniz_oxide", "0.8", "png, below resvg"),
+    ("r-efi", "5", "getrandom 0.3"),
     ("syn", "2", "equator-macro 0.2 and others; only to build"),
 ];
 
