@@ -3,6 +3,8 @@
 
 #[path = "command_line/check.rs"]
 mod check;
+#[path = "command_line/check_formats.rs"]
+mod check_formats;
 #[path = "command_line/contacts.rs"]
 mod contacts;
 #[path = "command_line/designs.rs"]
@@ -19,9 +21,13 @@ mod modes;
 mod new;
 #[path = "command_line/promises.rs"]
 mod promises;
+#[path = "command_line/reference.rs"]
+mod reference;
 #[path = "support/refusals.rs"]
 #[allow(dead_code, reason = "its tables of mistakes are for bad_input")]
 mod refusals;
+#[path = "command_line/responses.rs"]
+mod responses;
 #[path = "command_line/run.rs"]
 mod run;
 #[path = "command_line/same_case.rs"]

@@ -8,20 +8,24 @@ use serde::Deserialize;
 use spdx::{Expression, ParseMode};
 
 /// Licences that ask for little more than to be named. Each is needed.
-const ALLOWED: [&str; 6] = [
+const ALLOWED: [&str; 7] = [
     "Apache-2.0",
     "BSD-2-Clause",
     "BSD-3-Clause",
+    "CC0-1.0",
     "MIT",
     "Unicode-3.0",
     "Zlib",
 ];
 
 /// Old versions beside the newest of the same package, and who holds on to them.
-const ACCEPTED: [(&str, &str, &str); 4] = [
+const ACCEPTED: [(&str, &str, &str); 7] = [
     ("equator", "0.2", "nano-gemm, below faer"),
     ("equator-macro", "0.2", "equator 0.2"),
+    ("getrandom", "0.2", "const-random, below parquet"),
+    ("getrandom", "0.3", "ahash, below parquet"),
     ("miniz_oxide", "0.8", "png, below resvg"),
+    ("r-efi", "5", "getrandom 0.3"),
     ("syn", "2", "equator-macro 0.2 and others; only to build"),
 ];
 
@@ -59,7 +63,8 @@ fn licences() -> BTreeMap<String, String> {
 fn tree(arguments: &[&str]) -> Result<String, String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| env!("CARGO").to_owned());
     let output = Command::new(cargo)
-        .args(["tree", "--locked", "--workspace", "--edges", "no-dev"])
+        .args(["tree", "--locked", "--workspace", "--all-features"])
+        .args(["--edges", "no-dev"])
         .args(["--prefix", "none", "--format", "{p}|{l}"])
         .args(arguments)
         .current_dir(env!("CARGO_MANIFEST_DIR"))

@@ -104,6 +104,11 @@ impl Source {
         self.merged.table.contains_key(key)
     }
 
+    /// The sweep file itself.
+    pub fn file(&self) -> &Path {
+        &self.files[0]
+    }
+
     /// The folder of the file that gives `key`, where files it names are.
     pub fn folder_of(&self, key: &str) -> &Path {
         let file = self.merged.find(key).map_or(0, |(place, _)| place.file);

@@ -1,7 +1,13 @@
 //! The command line.
 
+mod check;
+mod export;
+mod reference;
 mod values;
 
+pub use check::{CheckArguments, CheckFormat};
+pub use export::{ExportArguments, ExportFormat};
+pub use reference::ReferenceArguments;
 pub use values::{AxesOfCells, AxisRange, Length, PictureFile};
 
 use std::num::NonZeroUsize;
@@ -68,10 +74,20 @@ pub enum Command {
     Run(RunArguments),
     /// Rerun the cases of a reference label file and compare the labels
     #[command(
-        after_help = "Example:\n  sweep check sweeps/fig09.toml results/reference/fig09.csv\n\n\
+        after_help = "Examples:\n  sweep check sweeps/fig09.toml results/reference/fig09.csv\n  \
+        sweep check sweeps/fig09.toml results/reference/fig09.csv \\\n    \
+        --format junit --output check.xml\n\n\
         Exit code 5 where a label differs; each that does is printed."
     )]
     Check(CheckArguments),
+    /// Make a reference of the cases whose labels are far from changing
+    #[command(
+        after_help = "Examples:\n  sweep reference results/fig09 --margin 4% --out fig09.csv\n  \
+        sweep check sweeps/fig09.toml fig09.csv\n\n\
+        Each case is simulated again with each axis changed by the margin, up and down. It\n\
+        is kept if no label of it changes by any method. The file states the margin."
+    )]
+    Reference(ReferenceArguments),
     /// Run a case in full: motion and contact, as CSV and as pictures
     #[command(after_help = "Examples:\n  sweep simulate sweeps/fig08b.toml\n  \
         sweep simulate sweeps/fig16b.toml --film --film-to 2.5\n  \
@@ -84,7 +100,8 @@ pub enum Command {
     Simulate(SimulateArguments),
     /// Show the linear system: stiffness, times, taps, stability, cost
     #[command(after_help = "Examples:\n  sweep inspect sweeps/fig09.toml\n  \
-        sweep inspect sweeps/well_12in.toml --modes --orders 1,3,6")]
+        sweep inspect sweeps/well_12in.toml --modes --orders 1,3,6\n  \
+        sweep inspect sweeps/fig10.toml --csv --out /tmp/fig10")]
     Inspect(InspectArguments),
     /// Draw the regime map of a results folder again
     #[command(after_help = "Examples:\n  sweep plot results/fig09\n  \
@@ -138,6 +155,13 @@ pub enum Command {
         /// A results folder, of an unfinished run too
         folder: PathBuf,
     },
+    /// Write the labels of a results folder in another format
+    #[command(
+        after_help = "Example:\n  sweep export results/fig09 --format parquet\n\n\
+        Needs a program that is built with it:\n  \
+        cargo install --locked --path crates/sweep --features parquet"
+    )]
+    Export(ExportArguments),
     /// Say how often each regime occurs, how surely, and what decides
     #[command(after_help = "Examples:\n  sweep analyse results/well\n  \
         sweep analyse results/well --by weight_on_bit_kn,surface_speed_rpm --width 0.02\n  \
@@ -343,20 +367,6 @@ pub struct PlotArguments {
     pub ranges: RangeArguments,
 }
 
-/// Arguments of `check`.
-#[derive(Debug, Args)]
-pub struct CheckArguments {
-    /// The sweep file that gives the setting
-    pub file: PathBuf,
-    /// Reference labels: columns case, method, the axes, torsion
-    pub reference: PathBuf,
-    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
-    #[arg(long)]
-    pub jobs: Option<usize>,
-    #[command(flatten)]
-    pub memory: MemoryArguments,
-}
-
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
 pub struct SimulateArguments {
@@ -422,7 +432,7 @@ impl FilmArguments {
 pub struct InspectArguments {
     /// The sweep file
     pub file: PathBuf,
-    /// Folder for the pictures [default: results/NAME, by the name of the sweep file]
+    /// Folder for pictures and tables [default: results/NAME, by the name of the sweep file]
     #[arg(long)]
     pub out: Option<PathBuf>,
     /// Show natural frequencies, critical speeds and shapes of the N lowest modes [default N: 6]
@@ -445,6 +455,9 @@ pub struct InspectArguments {
         value_parser = parse_order
     )]
     pub orders: Vec<f64>,
+    /// Write taps, frequency responses and modes as CSV into the folder
+    #[arg(long)]
+    pub csv: bool,
     #[command(flatten)]
     pub picture: PictureArguments,
     #[command(flatten)]

@@ -30,6 +30,20 @@ pub fn parse_part(text: &str) -> Result<f64, String> {
     part.ok_or_else(|| format!("`{text}` is not a part from 0 to 0.5"))
 }
 
+/// A part of a value, up to a half, which may be told in per cent.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn parse_margin(text: &str) -> Result<f64, String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok();
+    let part = match text.trim().strip_suffix('%') {
+        Some(per_cent) => number(per_cent).map(|it| 0.01 * it),
+        None => number(text),
+    };
+    let part = part.filter(|part| (1e-6..=0.5).contains(part));
+    part.ok_or_else(|| format!("`{text}` is not a part such as 5% or 0.05, up to 50%"))
+}
+
 /// A file that a picture is written to, in the format of its ending.
 #[derive(Debug, Clone)]
 pub enum PictureFile {
@@ -174,7 +188,11 @@ pub fn parse_strength(text: &str) -> Result<f64, String> {
     strength.ok_or_else(|| format!("`{text}` is not a number from 0.001 to 1000000"))
 }
 
-fn parse_axis(name: &str) -> Result<Axis, String> {
+/// An axis by its name.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn parse_axis(name: &str) -> Result<Axis, String> {
     let name = name.trim();
     Axis::from_name(name).ok_or_else(|| match nearest(name, &Axis::NAMES) {
         Some(known) => format!("unknown axis `{name}`; did you mean `{known}`?"),

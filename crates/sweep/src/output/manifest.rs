@@ -2,7 +2,7 @@
 //! what came out.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
@@ -27,6 +27,9 @@ pub struct Manifest {
     pub name: String,
     /// One line about it.
     pub title: String,
+    /// The sweep file, as the command names it; not told by version 0.1.0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sweep_file: Option<PathBuf>,
     /// The program, with its version and commit.
     pub program: String,
     /// Version of the program.
@@ -142,6 +145,7 @@ impl Manifest {
         Ok(Self {
             name: sweep.name.clone(),
             title: sweep.title.clone(),
+            sweep_file: Some(sweep.source.file().to_owned()),
             program: crate::program::PROGRAM.to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             platform: format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),

@@ -13,31 +13,52 @@ use campaign::quantities::Axis;
 /// Rows by the reference's numbers of cases and by method.
 pub type Found = BTreeMap<(usize, &'static str), Record>;
 
-/// Compares every label of the reference with the one that was found: how many there
-/// are, and a line about each that differs.
+/// A label of the reference beside the one that was found.
+pub struct Compared {
+    /// Line of the reference.
+    pub line: usize,
+    /// Number of its case.
+    pub case: usize,
+    /// Name of the method.
+    pub method: String,
+    /// What the label is about.
+    pub motion: Motion,
+    /// The axes of the case with their values, in words.
+    pub values: String,
+    /// What was expected and what was found, in words, where they differ.
+    pub difference: Option<String>,
+}
+
+/// Compares every label of the reference with the one that was found.
 pub fn compare(
     sweep: &Sweep,
     systems: &[MethodSystem],
     reference: &[LabelRow],
     found: &Found,
-) -> (usize, Vec<String>) {
-    let mut labels = 0;
-    let mut different = Vec::new();
+) -> Vec<Compared> {
+    let mut compared = Vec::new();
     for expected in reference {
         let Some(record) = found.get(&(expected.case, expected.method.as_str())) else {
             continue;
         };
         // A label that the reference leaves out is not checked.
         for expected_label in expected.labels.each() {
-            let label = label(record, Motion::of(expected_label));
-            labels += 1;
-            if label != expected_label.name() {
-                let line = difference(sweep, systems, expected, expected_label, record, &label);
-                different.push(line);
-            }
+            let motion = Motion::of(expected_label);
+            let label = label(record, motion);
+            let differs = label != expected_label.name();
+            let difference =
+                || difference(sweep, systems, expected, expected_label, record, &label);
+            compared.push(Compared {
+                line: expected.line,
+                case: expected.case,
+                method: expected.method.clone(),
+                motion,
+                values: values(sweep, expected),
+                difference: differs.then(difference),
+            });
         }
     }
-    (labels, different)
+    compared
 }
 
 fn label(record: &Record, motion: Motion) -> String {
@@ -50,7 +71,15 @@ fn label(record: &Record, motion: Motion) -> String {
     }
 }
 
-/// A line about a label that differs.
+fn values(sweep: &Sweep, expected: &LabelRow) -> String {
+    let values: Vec<String> = (sweep.design.axes().iter())
+        .zip(&expected.values)
+        .map(|(axis, value)| format!("{} = {value}", axis.name()))
+        .collect();
+    values.join(", ")
+}
+
+/// What is said of a label that differs.
 fn difference(
     sweep: &Sweep,
     systems: &[MethodSystem],
@@ -59,23 +88,16 @@ fn difference(
     record: &Record,
     label: &str,
 ) -> String {
-    let values: Vec<String> = (sweep.design.axes().iter())
-        .zip(&expected.values)
-        .map(|(axis, value)| format!("{} = {value}", axis.name()))
-        .collect();
     // Each string has a limit of its own, and none but that of the file is at hand.
     let distance = match Motion::of(expected_label) {
         _ if sweep.design.varies_string() => None,
         Motion::Torsion => distance_in_torsion(sweep, systems, expected, record),
         Motion::Lateral => distance_of_whirl(sweep, expected),
     };
-    let distance = distance.unwrap_or_default();
     format!(
-        "case {} by {}: {}: expected {}, found {label}{distance}\n",
-        expected.case,
-        expected.method,
-        values.join(", "),
+        "expected {}, found {label}{}",
         expected_label.name(),
+        distance.unwrap_or_default()
     )
 }
 

@@ -1,7 +1,9 @@
 //! `sweep check`: the regression of regime labels.
 
 mod comparison;
+mod junit;
 mod reference;
+mod told;
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -9,21 +11,19 @@ use std::sync::Mutex;
 use anyhow::Result;
 
 use super::choosing::choose;
-use super::prepare::{build_systems, survey_cases};
-use super::progress::Progress;
+use super::listed::Listed;
+use super::margin::margin_of;
 use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::{warn_of_memory, warn_of_unstable};
+use super::warnings::warn_of_memory;
 use crate::cli::CheckArguments;
-use campaign::design::{Design, List};
-use campaign::engine::{MethodSystem, Record, RunOptions, Shard, Work};
-use campaign::memory::{Purpose, admit};
+use crate::files::write_atomically;
+use campaign::engine::Record;
 use campaign::plan::Sweep;
-use campaign::quantities::Axis;
-use campaign::words::counted;
 use comparison::{Found, compare};
 use reference::{cases_of, read_reference};
+use told::Told;
 
 /// Reruns the cases of a reference file and compares their labels.
 pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
@@ -35,68 +35,47 @@ pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     let (reference, methods) = read_reference(&arguments.reference, &arguments.file, &sweep)?;
     let cases = cases_of(&sweep, &reference, &arguments.reference)?;
     let numbers: Vec<usize> = cases.keys().copied().collect();
-    let axes = sweep.design.axes().to_vec();
-    let weight_pushes = sweep.changes_string(Axis::WeightOnBitKn);
-    let sweep = Sweep {
-        methods,
-        design: Design::List(List::new(
-            axes,
-            cases.into_values().collect(),
-            weight_pushes,
-        )),
-        ..sweep
+    let sweep = Sweep { methods, ..sweep };
+    let listed = Listed::new(
+        sweep,
+        cases.into_values().collect(),
+        &arguments.reference,
+        &limit,
+        terminal,
+    )?;
+    let found = run_all(&listed, &numbers, terminal)?;
+    let compared = compare(&listed.sweep, &listed.systems, &reference, &found);
+    let told = Told {
+        reference: &arguments.reference,
+        margin: margin_of(&arguments.reference)?,
+        compared: &compared,
     };
-    let survey = survey_cases(&arguments.reference, &sweep)?;
-    let setting = sweep.setting.for_labels();
-    let memory = admit(&sweep, &setting, &survey, Purpose::Labels, &limit)?;
-    let systems = build_systems(&arguments.file, &sweep, &setting, survey.longest)?;
-    warn_of_unstable(&systems, terminal);
-    let found = run_all(&sweep, &systems, &numbers, memory.strings_at_once, terminal)?;
-    let (labels, different) = compare(&sweep, &systems, &reference, &found);
-    say(&format!(
-        "{}{}: {} of {} as expected\n",
-        different.concat(),
-        arguments.reference.display(),
-        labels - different.len(),
-        counted(labels, "label")
-    ))?;
-    Ok(if different.is_empty() {
-        Status::Complete
-    } else {
+    let text = told.in_format(arguments.told.format)?;
+    match &arguments.told.output {
+        Some(file) => {
+            write_atomically(file, text.as_bytes())?;
+            say(&told.for_people())?;
+        }
+        None => say(&text)?,
+    }
+    let differs = told.different().next().is_some();
+    Ok(if differs {
         Status::LabelsDiffer
+    } else {
+        Status::Complete
     })
 }
 
 /// The rows of all cases, by the reference's numbers and by method.
-fn run_all(
-    sweep: &Sweep,
-    systems: &[MethodSystem],
-    numbers: &[usize],
-    strings_at_once: usize,
-    terminal: Terminal,
-) -> Result<Found> {
+fn run_all(listed: &Listed, numbers: &[usize], terminal: Terminal) -> Result<Found> {
     let found = Mutex::new(BTreeMap::new());
-    let progress = Progress::new(numbers.len() * systems.len(), 0, false, terminal);
-    let work = Work {
-        sweep,
-        shard: Shard::WHOLE,
-        options: RunOptions {
-            full: false,
-            allow_unstable: true,
-        },
-        strings_at_once,
-        is_open: &|_, _| true,
-        stops: &|| false,
-    };
     let keep = |record: Record| {
         if let Ok(mut found) = found.lock() {
-            let method = sweep.methods[record.method].name();
+            let method = listed.sweep.methods[record.method].name();
             found.insert((numbers[record.case], method), record);
         }
-        progress.tick();
         Ok(())
     };
-    work.run(systems, &keep)?;
-    progress.finish();
+    listed.run(&|_, _| true, &keep, terminal)?;
     Ok(found.into_inner().unwrap_or_default())
 }

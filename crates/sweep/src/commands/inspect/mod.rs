@@ -6,6 +6,7 @@ mod clearances;
 mod description;
 mod modes;
 mod responses;
+mod tables;
 mod top_drive;
 
 use std::time::Instant;
@@ -30,9 +31,13 @@ use description::{
     describe_forward_contact, describe_left_out, describe_methods, describe_string, describe_well,
     describe_work,
 };
-use modes::show_modes;
+use modes::{show_modes, write_modes};
 use responses::{response_panels, response_picture};
+use tables::write_tables;
 use top_drive::DriveView;
+
+/// Modes whose shapes are in the tables, where it is not said of how many.
+const MODES_IN_TABLES: usize = 6;
 
 /// Shows the linear system.
 pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Status> {
@@ -85,8 +90,16 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     }
     let modes = match arguments.modes {
         Some(count) => show_modes(&sweep, count.into(), &arguments.orders, &folder, &drawing)?,
+        None if arguments.csv => {
+            write_modes(&sweep, MODES_IN_TABLES, &arguments.orders, &folder)?;
+            String::new()
+        }
         None => String::new(),
     };
+    if arguments.csv {
+        write_tables(&sweep, &systems, &folder)?;
+        pictures += &format!("tables: {}\n", folder.join("*.csv").display());
+    }
     say(&[
         describe_string(&sweep),
         describe_well(&sweep),

@@ -14,7 +14,7 @@ use anyhow::Result;
 use crate::commands::drawing::Drawing;
 use crate::output::write_atomically;
 use campaign::plan::Sweep;
-use found::find;
+use found::{Modes, find};
 use pictures::{campbell_picture, shape_picture};
 use speeds::Excitation;
 
@@ -32,16 +32,7 @@ pub fn show_modes(
 ) -> Result<String> {
     let excitation = Excitation::of(sweep, orders)?;
     let found = find(sweep, count, &excitation)?;
-    for (name, table) in [
-        ("modes.csv", tables::modes(&found)?),
-        (
-            "critical_speeds.csv",
-            tables::critical_speeds(&found, &excitation)?,
-        ),
-        ("mode_shapes.csv", tables::shapes(&found)?),
-    ] {
-        write_atomically(&folder.join(name), &table)?;
-    }
+    write_found(&found, &excitation, folder)?;
     let (look, units) = (&drawing.look, sweep.content.units);
     let campbell = campbell_picture(look, &sweep.title, &found, &excitation)?;
     drawing.save(folder, "campbell", &campbell)?;
@@ -53,4 +44,27 @@ pub fn show_modes(
         text += &format!("  picture: {}\n", shown.display());
     }
     Ok(text)
+}
+
+/// Finds the modes and writes their tables.
+///
+/// # Errors
+/// As [`show_modes`].
+pub fn write_modes(sweep: &Sweep, count: usize, orders: &[f64], folder: &Path) -> Result<()> {
+    let excitation = Excitation::of(sweep, orders)?;
+    write_found(&find(sweep, count, &excitation)?, &excitation, folder)
+}
+
+fn write_found(found: &[Modes], excitation: &Excitation, folder: &Path) -> Result<()> {
+    for (name, table) in [
+        ("modes.csv", tables::modes(found)?),
+        (
+            "critical_speeds.csv",
+            tables::critical_speeds(found, excitation)?,
+        ),
+        ("mode_shapes.csv", tables::shapes(found)?),
+    ] {
+        write_atomically(&folder.join(name), &table)?;
+    }
+    Ok(())
 }

@@ -1,0 +1,90 @@
+//! What a check says: lines for people, annotations for GitHub, JUnit XML for everything else
+//! that shows tests.
+
+use std::path::Path;
+
+use anyhow::Result;
+
+use super::comparison::Compared;
+use super::junit::junit;
+use crate::cli::CheckFormat;
+use campaign::words::counted;
+
+/// The labels of a reference, compared.
+pub struct Told<'a> {
+    /// The reference file, as the command names it.
+    pub reference: &'a Path,
+    /// How far its cases are from where their labels change, where it says so.
+    pub margin: Option<String>,
+    /// Every label that it has.
+    pub compared: &'a [Compared],
+}
+
+impl Told<'_> {
+    /// In a format.
+    ///
+    /// # Errors
+    /// Where memory does not take it.
+    pub fn in_format(&self, format: CheckFormat) -> Result<String> {
+        Ok(match format {
+            CheckFormat::Human => self.for_people(),
+            CheckFormat::Github => self.annotations() + &self.count(),
+            CheckFormat::Junit => junit(self)?,
+        })
+    }
+
+    /// A line for each label that differs, and how many do not.
+    pub fn for_people(&self) -> String {
+        let lines = self.different().map(|(label, difference)| {
+            let Compared { case, method, .. } = label;
+            format!("case {case} by {method}: {}: {difference}\n", label.values)
+        });
+        lines.collect::<String>() + &self.count()
+    }
+
+    /// Each label that differs, with what is said of it.
+    pub fn different(&self) -> impl Iterator<Item = (&Compared, &str)> {
+        let labels = self.compared.iter();
+        labels.filter_map(|label| Some((label, label.difference.as_deref()?)))
+    }
+
+    fn count(&self) -> String {
+        let margin = self.margin.as_ref().map_or_else(String::new, |margin| {
+            format!("; its cases keep {margin} from where a label changes")
+        });
+        format!(
+            "{}: {} of {} as expected{margin}\n",
+            self.reference.display(),
+            self.compared.len() - self.different().count(),
+            counted(self.compared.len(), "label")
+        )
+    }
+
+    /// An error at its line of the reference for each label that differs, in GitHub's commands
+    /// of a workflow.
+    fn annotations(&self) -> String {
+        let file = property(&self.reference.display().to_string());
+        let commands = self.different().map(|(label, difference)| {
+            let Compared { case, method, .. } = label;
+            let title = property(&format!("{} label differs", label.motion.adjective()));
+            let message = format!("case {case} by {method}: {}: {difference}", label.values);
+            let message = data(&message);
+            format!(
+                "::error file={file},line={},title={title}::{message}\n",
+                label.line
+            )
+        });
+        commands.collect()
+    }
+}
+
+/// What follows `::` in a command of a workflow: a line, whatever is in it.
+fn data(text: &str) -> String {
+    let text = text.replace('%', "%25");
+    text.replace('\r', "%0D").replace('\n', "%0A")
+}
+
+/// The value of a property of such a command.
+fn property(text: &str) -> String {
+    data(text).replace(':', "%3A").replace(',', "%2C")
+}

@@ -1,0 +1,54 @@
+//! Cases beside others: each axis changed alone, up and down.
+
+use crate::output::CaseRows;
+use campaign::engine::Case;
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
+
+/// Cases beside others.
+pub struct Beside {
+    /// The place of the case that each is beside.
+    pub of: Vec<usize>,
+    /// The values of each along all axes.
+    pub values: Vec<Vec<f64>>,
+}
+
+/// The cases of a sweep with each of some axes changed by a part of its value; a value of zero by
+/// that part of the greatest of its axis. What an axis cannot be, or makes no case, is left out.
+pub fn beside(sweep: &Sweep, cases: &[CaseRows], axes: &[Axis], margin: f64) -> Beside {
+    let places = (sweep.design.axes().iter().enumerate())
+        .filter(|(_, axis)| axes.contains(axis))
+        .map(|(place, _)| (place, greatest(cases, place)));
+    let places: Vec<(usize, f64)> = places.collect();
+    let (mut of, mut values) = (Vec::new(), Vec::new());
+    for (index, case) in cases.iter().enumerate() {
+        for &(place, greatest) in &places {
+            let value = case.values[place];
+            let step = margin * if value == 0.0 { greatest } else { value };
+            for changed in [value - step, value + step] {
+                let mut moved = case.values.clone();
+                moved[place] = changed;
+                if step != 0.0 && makes_a_case(sweep, &moved) {
+                    of.push(index);
+                    values.push(moved);
+                }
+            }
+        }
+    }
+    Beside { of, values }
+}
+
+fn greatest(cases: &[CaseRows], place: usize) -> f64 {
+    let values = cases.iter().map(|case| case.values[place].abs());
+    values.fold(0.0, f64::max)
+}
+
+fn makes_a_case(sweep: &Sweep, values: &[f64]) -> bool {
+    let mut along = sweep.design.axes().iter().zip(values);
+    let Ok(setting) = sweep.setting_at(values) else {
+        return false;
+    };
+    let conditions = sweep.conditions_at(values);
+    along.all(|(axis, value)| axis.check(*value).is_ok())
+        && Case::under(sweep, &setting, 0, values.to_vec(), &conditions).is_ok()
+}

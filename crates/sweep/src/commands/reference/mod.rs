@@ -1,0 +1,184 @@
+//! `sweep reference`: of a results folder the cases whose labels are far from changing, as a
+//! reference for `check`.
+
+mod beside;
+mod table;
+
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use anyhow::{Context, Result, bail};
+
+use super::choosing::choose;
+use super::folder::tables_of;
+use super::listed::Listed;
+use super::status::{Status, UsageError};
+use super::terminal::{Terminal, say};
+use super::threads::use_threads;
+use super::warnings::warn_of_memory;
+use crate::cli::ReferenceArguments;
+use crate::files::write_atomically;
+use crate::output::{CaseRows, Labels, Manifest, differences, fingerprint, read_cases};
+use beside::{Beside, beside};
+use campaign::engine::Record;
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
+use campaign::sweep_file::per_cent;
+use campaign::text_file::read_text;
+use campaign::words::counted;
+use table::reference_table;
+
+/// Makes a reference.
+pub fn reference(arguments: &ReferenceArguments, terminal: Terminal) -> Result<Status> {
+    use_threads(arguments.jobs, terminal)?;
+    warn_of_memory(&arguments.memory, terminal);
+    let tables = tables_of(&arguments.folder, terminal)?;
+    let manifest = &tables.manifest;
+    let sweep = sweep_of(manifest, arguments, terminal)?;
+    let axes = axes_changed(&sweep, &arguments.along, &arguments.folder)?;
+    let labels = tables.folder.join("labels.csv");
+    let cases = read_cases(&labels, &manifest.axes)?.collect::<Result<Vec<_>>>()?;
+    let of = cases.len();
+    let cases: Vec<CaseRows> = cases.into_iter().filter(is_answered).collect();
+    let moved = beside(&sweep, &cases, &axes, arguments.margin);
+    let kept = keeping_their_labels(sweep, cases, moved, arguments, terminal)?;
+    let names: Vec<String> = axes.iter().map(|axis| axis.name()).collect();
+    let margin = format!("{} % in {}", per_cent(arguments.margin), names.join(", "));
+    let dropped = counted(of - kept.len(), "other");
+    if kept.is_empty() {
+        bail!(UsageError(format!(
+            "{}: no case keeps its labels within {margin}: try a smaller --margin",
+            arguments.folder.display()
+        )));
+    }
+    let default = || arguments.folder.join("reference.csv");
+    let out = arguments.out.clone().unwrap_or_else(default);
+    let counts = format!(
+        "{} of {} kept, {dropped} dropped",
+        kept.len(),
+        counted(of, "case")
+    );
+    let table = reference_table(manifest, &kept, &margin, &counts)?;
+    write_atomically(&out, &table)?;
+    say(&format!(
+        "{counts}: a label changes within {margin}, or there is none\n{}\n",
+        out.display()
+    ))?;
+    Ok(Status::Complete)
+}
+
+/// The sweep that a folder has results of.
+///
+/// # Errors
+/// Where its file is not there, or says something else by now.
+fn sweep_of(
+    manifest: &Manifest,
+    arguments: &ReferenceArguments,
+    terminal: Terminal,
+) -> Result<Sweep> {
+    let folder = arguments.folder.display();
+    let Some(file) = arguments.sweep.as_ref().or(manifest.sweep_file.as_ref()) else {
+        bail!(UsageError(format!(
+            "{folder}: its manifest.json does not name the sweep file: give --sweep FILE"
+        )));
+    };
+    if !file.is_file() {
+        bail!(UsageError(format!(
+            "{folder}: its sweep file is not at {}: give --sweep FILE",
+            file.display()
+        )));
+    }
+    let sweep = read_as_run(manifest, file, arguments, terminal)?;
+    let (before, now) = (
+        manifest.fingerprint()?,
+        fingerprint(&sweep, manifest.options)?,
+    );
+    if let Some(difference) = differences(&before, &now).first() {
+        bail!(UsageError(format!(
+            "{folder} holds results of another sweep than {} has now: {difference}",
+            file.display()
+        )));
+    }
+    Ok(sweep)
+}
+
+fn read_as_run(
+    manifest: &Manifest,
+    file: &Path,
+    arguments: &ReferenceArguments,
+    terminal: Terminal,
+) -> Result<Sweep> {
+    if manifest.accuracy.is_none() {
+        // With the methods of the command, if it named any.
+        return Ok(Sweep::read_from(file, &manifest.sweep.methods, &read_text)?);
+    }
+    let limit = arguments.memory.limit();
+    choose(
+        Sweep::read(file)?,
+        manifest.options.full,
+        &limit,
+        false,
+        terminal,
+    )
+}
+
+/// The axes that are changed: of those asked for, or of all, the ones that are no counts.
+fn axes_changed(sweep: &Sweep, along: &[Axis], folder: &Path) -> Result<Vec<Axis>> {
+    let axes = sweep.design.axes();
+    if let Some(stranger) = along.iter().find(|axis| !axes.contains(axis)) {
+        bail!(UsageError(format!(
+            "{}: its cases do not differ in {}",
+            folder.display(),
+            stranger.name()
+        )));
+    }
+    let is_wanted = |axis: &&Axis| along.is_empty() || along.contains(axis);
+    let wanted = axes.iter().filter(is_wanted).copied();
+    let changed: Vec<Axis> = wanted.filter(|axis| !axis.is_counted()).collect();
+    if changed.is_empty() {
+        bail!(UsageError(format!(
+            "{}: no axis of it can be changed by a part of its value",
+            folder.display()
+        )));
+    }
+    Ok(changed)
+}
+
+fn is_answered(case: &CaseRows) -> bool {
+    case.rows.iter().all(|row| row.labels.is_answer())
+}
+
+/// The cases that have the same labels by every method as those beside them.
+fn keeping_their_labels(
+    sweep: Sweep,
+    cases: Vec<CaseRows>,
+    moved: Beside,
+    arguments: &ReferenceArguments,
+    terminal: Terminal,
+) -> Result<Vec<CaseRows>> {
+    let Beside { of, values } = moved;
+    if values.is_empty() {
+        return Ok(Vec::new());
+    }
+    let limit = arguments.memory.limit();
+    let listed = Listed::new(sweep, values, &arguments.folder, &limit, terminal)?;
+    let changes: Vec<AtomicBool> = cases.iter().map(|_| AtomicBool::new(false)).collect();
+    // Of a case that is dropped already nothing more has to be known.
+    let is_open = |place: usize, _| !changes[of[place]].load(Ordering::Relaxed);
+    let keep = |record: Record| {
+        let case = of[record.case];
+        let method = listed.sweep.methods[record.method].name();
+        let row = cases[case].rows.iter().find(|row| row.method == method);
+        let row =
+            row.with_context(|| format!("case {} has no row of {method}", cases[case].case))?;
+        let found = record.outcome.as_ref().map(Labels::of);
+        if !found.is_ok_and(|found| found == row.labels) {
+            changes[case].store(true, Ordering::Relaxed);
+        }
+        Ok(())
+    };
+    listed.run(&is_open, &keep, terminal)?;
+    let stays = changes.iter().map(|change| !change.load(Ordering::Relaxed));
+    let kept = cases.iter().zip(stays).filter(|(_, stays)| *stays);
+    Ok(kept.map(|(case, _)| case.clone()).collect())
+}
