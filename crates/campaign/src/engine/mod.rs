@@ -30,7 +30,7 @@ pub use choice::{Choice, ChoiceError, ChosenCase, common_setting};
 pub use clearances::{Beyond, Clearances};
 pub use follow::FollowedMethod;
 pub use idle_axis::why_idle;
-pub use instability::is_unstable;
+pub use instability::{Instability, is_unstable};
 pub use memory::StringMemory;
 pub use record::{Failure, Found, Record, certified};
 pub use run_options::RunOptions;

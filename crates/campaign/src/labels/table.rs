@@ -1,68 +1,73 @@
 //! `labels.csv` as it is written: one row per case and method, tidy.
 
-use std::fmt::{Display, Write};
-
 use sim::{Label, LateralMeasures, TorsionMeasures, TorsionRegime};
 
 use super::certainty::Certainty;
+use super::field::{Field, Kind};
 use super::motion::Labels;
 use crate::engine::{Record, Verdict, certified};
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
 
 /// Columns that follow the axes.
-const RESULT_COLUMNS: [&str; 23] = [
-    "torsion",
-    "lateral",
-    "first_slip_s",
-    "period_s",
-    "slip_time_s",
-    "sticks",
-    "bit_speed_peak_rpm",
-    "bit_speed_closing_rpm",
-    "stick_slip_severity",
-    "stick_slip_margin_rpm",
-    "site_from_bit_m",
-    "first_contact_s",
-    "peak_radius_mm",
-    "mean_radius_mm",
-    "contact_fraction",
-    "rolling_fraction",
-    "precession_turns_per_s",
-    "normal_force_mean_kn",
-    "ambiguous_steps",
-    "predicted",
-    "simulated_s",
-    "ended",
-    "status",
+const RESULT_COLUMNS: [(&str, Kind); 23] = [
+    ("torsion", Kind::Text),
+    ("lateral", Kind::Text),
+    ("first_slip_s", Kind::Number),
+    ("period_s", Kind::Number),
+    ("slip_time_s", Kind::Number),
+    ("sticks", Kind::Count),
+    ("bit_speed_peak_rpm", Kind::Number),
+    ("bit_speed_closing_rpm", Kind::Number),
+    ("stick_slip_severity", Kind::Number),
+    ("stick_slip_margin_rpm", Kind::Number),
+    ("site_from_bit_m", Kind::Number),
+    ("first_contact_s", Kind::Number),
+    ("peak_radius_mm", Kind::Number),
+    ("mean_radius_mm", Kind::Number),
+    ("contact_fraction", Kind::Number),
+    ("rolling_fraction", Kind::Number),
+    ("precession_turns_per_s", Kind::Number),
+    ("normal_force_mean_kn", Kind::Number),
+    ("ambiguous_steps", Kind::Count),
+    ("predicted", Kind::Text),
+    ("simulated_s", Kind::Number),
+    ("ended", Kind::Text),
+    ("status", Kind::Text),
 ];
 
 /// Columns of what turns the surface, where that is followed.
-const SURFACE_COLUMNS: [&str; 4] = [
-    "surface_torque_peak_nm",
-    "surface_torque_least_nm",
-    "surface_torque_mean_nm",
-    "surface_torque_greatest_nm",
+const SURFACE_COLUMNS: [(&str, Kind); 4] = [
+    ("surface_torque_peak_nm", Kind::Number),
+    ("surface_torque_least_nm", Kind::Number),
+    ("surface_torque_mean_nm", Kind::Number),
+    ("surface_torque_greatest_nm", Kind::Number),
 ];
 
 /// Columns of the greatest torque along the string, where that is followed.
-const STRING_COLUMNS: [&str; 2] = ["string_torque_peak_nm", "string_torque_peak_from_bit_m"];
+const STRING_COLUMNS: [(&str, Kind); 2] = [
+    ("string_torque_peak_nm", Kind::Number),
+    ("string_torque_peak_from_bit_m", Kind::Number),
+];
 
 /// Columns of what is certain, where labels are certified: what the method says by shorter
 /// steps, as far as it matters to that, and whether the labels of the row are certain.
-const CERTIFICATE_COLUMNS: [&str; 7] = [
-    "finer_torsion",
-    "finer_lateral",
-    "finer_stick_slip_margin_rpm",
-    "finer_contact_fraction",
-    "finer_precession_turns_per_s",
-    "torsion_certified",
-    "lateral_certified",
+const CERTIFICATE_COLUMNS: [(&str, Kind); 7] = [
+    ("finer_torsion", Kind::Text),
+    ("finer_lateral", Kind::Text),
+    ("finer_stick_slip_margin_rpm", Kind::Number),
+    ("finer_contact_fraction", Kind::Number),
+    ("finer_precession_turns_per_s", Kind::Number),
+    ("torsion_certified", Kind::Flag),
+    ("lateral_certified", Kind::Flag),
 ];
 
 /// Columns of the sites that a case was found to have besides those of the file, with `;` between
 /// them, and of how often it was run again for them.
-const FOUND_COLUMNS: [&str; 2] = ["found_sites_from_bit_m", "found_rounds"];
+const FOUND_COLUMNS: [(&str, Kind); 2] = [
+    ("found_sites_from_bit_m", Kind::Text),
+    ("found_rounds", Kind::Count),
+];
 
 /// The status of a case with an answer.
 const DONE: &str = "ok";
@@ -111,26 +116,33 @@ impl<'a> LabelTable<'a> {
         }
     }
 
+    /// The columns, each with what it holds.
+    pub fn columns(&self) -> Vec<(String, Kind)> {
+        let number = |axis: Axis| (axis.name(), Kind::Number);
+        let mut columns = vec![
+            ("case".to_owned(), Kind::Count),
+            ("method".to_owned(), Kind::Text),
+        ];
+        columns.extend(self.axes.iter().copied().map(number));
+        columns.extend(self.shows_torque.then(|| number(Axis::TorqueDynamicNm)));
+        let mut add = |known: &[(&str, Kind)], is_shown: bool| {
+            let shown = known.iter().filter(|_| is_shown);
+            columns.extend(shown.map(|&(name, kind)| (name.to_owned(), kind)));
+        };
+        add(&RESULT_COLUMNS, true);
+        add(&SURFACE_COLUMNS, self.shows_surface);
+        add(&STRING_COLUMNS, self.shows_string_torque);
+        let misfits = self.misfits.iter().map(|&column| (column, Kind::Number));
+        add(&misfits.collect::<Vec<_>>(), true);
+        add(&CERTIFICATE_COLUMNS, self.certifying.is_some());
+        add(&FOUND_COLUMNS, self.shows_found);
+        columns
+    }
+
     /// The first line.
     pub fn header(&self) -> String {
-        let mut header = vec!["case".to_owned(), "method".to_owned()];
-        header.extend(self.axes.iter().map(|axis| axis.name()));
-        header.extend(self.shows_torque.then(|| Axis::TorqueDynamicNm.name()));
-        header.extend(RESULT_COLUMNS.map(str::to_owned));
-        if self.shows_surface {
-            header.extend(SURFACE_COLUMNS.map(str::to_owned));
-        }
-        if self.shows_string_torque {
-            header.extend(STRING_COLUMNS.map(str::to_owned));
-        }
-        header.extend(self.misfits.iter().map(|&column| column.to_owned()));
-        if self.certifying.is_some() {
-            header.extend(CERTIFICATE_COLUMNS.map(str::to_owned));
-        }
-        if self.shows_found {
-            header.extend(FOUND_COLUMNS.map(str::to_owned));
-        }
-        header.join(",")
+        let names: Vec<String> = self.columns().into_iter().map(|(name, _)| name).collect();
+        names.join(",")
     }
 
     /// What is certain of each of some records, in which those of a case follow one another.
@@ -154,9 +166,17 @@ impl<'a> LabelTable<'a> {
 
     /// A row. No field of it needs quotes: they are names and numbers.
     pub fn row(&self, record: &Record, certainty: Certainty) -> String {
-        let mut row = Row(record.case.to_string());
+        let fields = self.fields(record, certainty);
+        let texts: Vec<String> = fields.iter().map(Field::to_string).collect();
+        texts.join(",")
+    }
+
+    /// The fields of a row, one for each column.
+    pub fn fields(&self, record: &Record, certainty: Certainty) -> Vec<Field<'a>> {
+        let mut row = Row(Vec::new());
+        row.add(record.case);
         row.add(self.methods[record.method]);
-        record.values.iter().for_each(|value| row.add(value));
+        record.values.iter().for_each(|&value| row.add(value));
         if self.shows_torque {
             row.add_optional(record.torque_dynamic_nm);
         }
@@ -226,24 +246,24 @@ pub fn shows_string_torque(sweep: &Sweep) -> bool {
 }
 
 /// A row being written.
-struct Row(String);
+struct Row<'a>(Vec<Field<'a>>);
 
-impl Row {
-    fn add(&mut self, field: impl Display) {
-        // A string takes all that is written into it.
-        let _ = write!(self.0, ",{field}");
+impl<'a> Row<'a> {
+    fn add(&mut self, field: impl Into<Field<'a>>) {
+        self.0.push(field.into());
     }
 
-    fn add_optional(&mut self, field: Option<impl Display>) {
-        match field {
-            Some(field) => self.add(field),
-            None => self.add(""),
-        }
+    fn add_optional(&mut self, field: Option<impl Into<Field<'a>>>) {
+        self.0.push(field.map_or(Field::Nothing, Into::into));
+    }
+
+    fn add_nothing(&mut self, fields: usize) {
+        self.0.extend(std::iter::repeat_n(Field::Nothing, fields));
     }
 
     fn add_torsion(&mut self, torsion: Option<&TorsionMeasures>) {
         let Some(torsion) = torsion else {
-            return self.0.extend([','; TORSION_COLUMNS]);
+            return self.add_nothing(TORSION_COLUMNS);
         };
         self.add_optional(torsion.first_slip);
         self.add_optional(torsion.period);
@@ -256,7 +276,7 @@ impl Row {
 
     fn add_lateral(&mut self, lateral: Option<&LateralMeasures>, site_from_bit_m: Option<f64>) {
         let Some(lateral) = lateral else {
-            return self.0.extend([','; LATERAL_COLUMNS]);
+            return self.add_nothing(LATERAL_COLUMNS);
         };
         self.add_optional(site_from_bit_m);
         self.add_optional(lateral.first_contact);

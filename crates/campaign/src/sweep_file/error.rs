@@ -1,7 +1,7 @@
 //! What is wrong with a sweep file, and where.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::printable::steers;
 
@@ -15,6 +15,21 @@ pub struct SweepFileError {
 }
 
 impl SweepFileError {
+    /// The file.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// The line of it, from 1, where it is about one.
+    pub fn line(&self) -> Option<usize> {
+        self.line
+    }
+
+    /// The key as it is written there, where it is about one.
+    pub fn key(&self) -> Option<&str> {
+        self.key.as_deref()
+    }
+
     /// What is wrong, without the place.
     pub fn message(&self) -> &str {
         &self.message

@@ -42,4 +42,4 @@ pub use string::{SectionTable, TubeTable};
 pub use time_series::{read_series, read_survey};
 pub use top_drive::{ControllerName, TopDriveTable};
 pub use well::{HoleTable, PressedByName};
-pub use wording::nearest;
+pub use wording::{UnknownAxis, axis_named, nearest};

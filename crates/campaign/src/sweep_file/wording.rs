@@ -1,6 +1,9 @@
 //! What the reader of keys says of a mistake, in the user's words.
 
 use serde::de::DeserializeOwned;
+use thiserror::Error;
+
+use crate::quantities::Axis;
 
 /// The key and the sentence of an error that Serde tells of a path: what was meant by an
 /// unknown key or choice, what is missing, what was expected. A key of the file itself
@@ -47,6 +50,28 @@ pub fn in_words(path: &str, message: &str, file_keys: &[String]) -> (String, Str
         _ => join(path, unknown),
     };
     (key, format!("{what} `{unknown}`; {hint}"))
+}
+
+/// A name that is that of no axis, with what may have been meant.
+#[derive(Debug, Error)]
+#[error("unknown axis `{name}`; {hint}")]
+pub struct UnknownAxis {
+    name: String,
+    hint: String,
+}
+
+/// The axis of a name that a person gave.
+///
+/// # Errors
+/// Where there is none.
+pub fn axis_named(name: &str) -> Result<Axis, UnknownAxis> {
+    Axis::from_name(name).ok_or_else(|| UnknownAxis {
+        name: name.to_owned(),
+        hint: match nearest(name, &Axis::NAMES) {
+            Some(known) => format!("did you mean `{known}`?"),
+            None => format!("known: {}", Axis::NAMES.join(", ")),
+        },
+    })
 }
 
 /// What was meant by a word that is none of the choices: one without its unit, or

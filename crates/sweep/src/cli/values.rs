@@ -7,7 +7,7 @@ use sim::Label;
 use crate::output;
 use crate::studies::tradeoff::Measure;
 use campaign::quantities::Axis;
-use campaign::sweep_file::nearest;
+use campaign::sweep_file::axis_named;
 
 /// A measure of the chart of accuracy against speed.
 ///
@@ -193,11 +193,7 @@ pub fn parse_strength(text: &str) -> Result<f64, String> {
 /// # Errors
 /// What is wrong with it.
 pub fn parse_axis(name: &str) -> Result<Axis, String> {
-    let name = name.trim();
-    Axis::from_name(name).ok_or_else(|| match nearest(name, &Axis::NAMES) {
-        Some(known) => format!("unknown axis `{name}`; did you mean `{known}`?"),
-        None => format!("unknown axis `{name}`; known: {}", Axis::NAMES.join(", ")),
-    })
+    axis_named(name.trim()).map_err(|error| error.to_string())
 }
 
 /// An axis with its value.

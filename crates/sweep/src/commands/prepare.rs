@@ -62,12 +62,15 @@ pub fn build_systems(
     setting: &Setting,
     longest_time: f64,
 ) -> Result<Vec<MethodSystem>> {
-    MethodSystem::build_all(sweep, setting, longest_time).map_err(|error| {
-        // An error in the file names its place already.
-        if error.is::<SweepFileError>() {
-            error
-        } else {
-            error.context(file.display().to_string())
-        }
-    })
+    MethodSystem::build_all(sweep, setting, longest_time).map_err(|error| naming_file(file, error))
+}
+
+/// An error of a sweep file's systems, which names the file.
+pub fn naming_file(file: &Path, error: anyhow::Error) -> anyhow::Error {
+    // An error in the file names its place already.
+    if error.is::<SweepFileError>() {
+        error
+    } else {
+        error.context(file.display().to_string())
+    }
 }

@@ -6,11 +6,11 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use super::layers::{layer, note_labels, nothing_known};
 use crate::analysis::wilson;
 use crate::files::write_with_checksum;
 use crate::output::{LimitSummary, Manifest, Motion, TraceSummary, read_cases};
 use campaign::design::TraceDesign;
+use campaign::rounds::{layer, note_labels, nothing_known};
 use campaign::trace::{Band, Class, Line, Next, Tile, Traced, contours, next};
 
 /// What a traced design has found.

@@ -112,7 +112,7 @@ fn put_in_order(task: &Task) -> Result<Manifest> {
 }
 
 fn boundary_again(task: &Task) -> Result<Vec<u8>> {
-    let (_, systems) = build_admitted(task)?;
+    let systems = build_admitted(task)?;
     let limit = boundary(&task.sweep, &systems).map_err(|error| UsageError(error.to_string()))?;
     Ok(boundary_csv(&limit).into_bytes())
 }

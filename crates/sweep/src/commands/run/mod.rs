@@ -3,7 +3,6 @@
 
 mod complete;
 mod plan;
-mod rounds;
 mod session;
 mod systems;
 mod task;

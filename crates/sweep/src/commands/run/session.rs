@@ -6,7 +6,6 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow, bail};
 
-use super::rounds::Rounds;
 use super::systems::Systems;
 use super::task::Task;
 use crate::commands::drawing::{Drawing, draw_and_note};
@@ -23,6 +22,7 @@ use crate::log::Log;
 use crate::output::{About, Manifest, TableWriter, boundary_csv};
 use campaign::design::{Design, TraceDesign};
 use campaign::engine::{Record, Work};
+use campaign::rounds::Rounds;
 use campaign::words::counted;
 
 /// A run under way.

@@ -3,11 +3,10 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use crate::limits::{note_labels, nothing_known};
-use crate::output::Labels;
-use campaign::design::TraceDesign;
-use campaign::engine::Record;
-use campaign::trace::{Known, Next, next};
+use crate::design::TraceDesign;
+use crate::engine::Record;
+use crate::labels::{Labels, Motion};
+use crate::trace::{Class, Known, Lattice, Next, next};
 
 /// What is known of a trace.
 pub struct Rounds {
@@ -41,5 +40,27 @@ impl Rounds {
             Next::Wanted(cases) => Some(cases),
             Next::Done(_) => None,
         }
+    }
+}
+
+/// Nothing is known yet of a trace by so many methods.
+pub fn nothing_known(lattice: Lattice, methods: usize) -> Known {
+    Known::nothing(lattice, methods * Motion::ALL.len())
+}
+
+/// The layer of a motion by a method.
+pub fn layer(method: usize, motion: Motion) -> usize {
+    method * Motion::ALL.len() + motion as usize
+}
+
+/// Notes what a case is by a method.
+pub fn note_labels(known: &mut Known, case: usize, method: usize, labels: Labels) {
+    for motion in Motion::ALL {
+        let class = match labels.is_sustained(motion) {
+            Some(true) => Class::With,
+            Some(false) => Class::Without,
+            None => Class::Untold,
+        };
+        known.set(layer(method, motion), case, class);
     }
 }

@@ -1,0 +1,74 @@
+//! What a field of `labels.csv` holds.
+
+use std::borrow::Cow;
+use std::fmt;
+
+/// What a column holds, where a row has anything there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Names.
+    Text,
+    /// Numbers.
+    Number,
+    /// Numbers of things, counted from 0.
+    Count,
+    /// `true` or `false`.
+    Flag,
+}
+
+/// A field of a row; written, that is its text in the table.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Field<'a> {
+    /// Empty.
+    Nothing,
+    /// A name, or several.
+    Text(Cow<'a, str>),
+    /// A number, in the unit that the column names.
+    Number(f64),
+    /// A number of things.
+    Count(usize),
+    /// Whether something is so.
+    Flag(bool),
+}
+
+impl fmt::Display for Field<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Field::Nothing => Ok(()),
+            Field::Text(text) => f.write_str(text),
+            Field::Number(number) => write!(f, "{number}"),
+            Field::Count(count) => write!(f, "{count}"),
+            Field::Flag(flag) => write!(f, "{flag}"),
+        }
+    }
+}
+
+impl<'a> From<&'a str> for Field<'a> {
+    fn from(text: &'a str) -> Self {
+        Field::Text(text.into())
+    }
+}
+
+impl From<String> for Field<'_> {
+    fn from(text: String) -> Self {
+        Field::Text(text.into())
+    }
+}
+
+impl From<f64> for Field<'_> {
+    fn from(number: f64) -> Self {
+        Field::Number(number)
+    }
+}
+
+impl From<usize> for Field<'_> {
+    fn from(count: usize) -> Self {
+        Field::Count(count)
+    }
+}
+
+impl From<bool> for Field<'_> {
+    fn from(flag: bool) -> Self {
+        Field::Flag(flag)
+    }
+}

@@ -1,0 +1,87 @@
+//! Errors as exceptions, in the words of the command.
+
+use std::fmt::Display;
+
+use campaign::sweep_file::SweepFileError as FileError;
+use pyo3::create_exception;
+use pyo3::exceptions::{PyException, PyUserWarning};
+use pyo3::prelude::*;
+
+create_exception!(
+    drillstring,
+    DrillstringError,
+    PyException,
+    "Something that cannot be, or has no answer."
+);
+
+create_exception!(
+    drillstring,
+    SweepFileError,
+    DrillstringError,
+    "A sweep file that is refused; `file`, `line` and `key` say where, `message` why."
+);
+
+create_exception!(
+    drillstring,
+    DrillstringWarning,
+    PyUserWarning,
+    "What is worth knowing though nothing is wrong with it."
+);
+
+/// An error in its own words.
+pub fn refused(error: impl Display) -> PyErr {
+    DrillstringError::new_err(error.to_string())
+}
+
+/// Tells where a sweep file is wrong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lines {
+    /// As they stand in the file.
+    Told,
+    /// There are none: the sweep was made from a table in memory.
+    Untold,
+}
+
+impl Lines {
+    /// An error of a sweep file.
+    pub fn file_error(self, py: Python<'_>, error: &FileError) -> PyErr {
+        let file = error.file().display().to_string();
+        let line = error.line().filter(|_| self == Lines::Told);
+        let words = match self {
+            Lines::Told => error.to_string(),
+            Lines::Untold => {
+                let key = error
+                    .key()
+                    .map_or_else(String::new, |key| format!(": `{key}`"));
+                format!("{file}{key}: {}", error.message())
+            }
+        };
+        let exception = SweepFileError::new_err(words);
+        let value = exception.value(py);
+        let set = || {
+            value.setattr("file", &file)?;
+            value.setattr("line", line)?;
+            value.setattr("key", error.key())?;
+            value.setattr("message", error.message())
+        };
+        set().err().unwrap_or(exception)
+    }
+
+    /// Any error, which may be one of the sweep file.
+    pub fn any_error(self, py: Python<'_>, error: &anyhow::Error) -> PyErr {
+        match error.downcast_ref::<FileError>() {
+            Some(error) => self.file_error(py, error),
+            None => refused(format_args!("{error:#}")),
+        }
+    }
+}
+
+/// Warns of something.
+///
+/// # Errors
+/// Where warnings are errors.
+pub fn warn(py: Python<'_>, words: impl Display) -> PyResult<()> {
+    let message = std::ffi::CString::new(words.to_string().replace('\0', " "));
+    let category = py.get_type::<DrillstringWarning>();
+    PyErr::warn(py, &category, &message.unwrap_or_default(), 1)
+}

@@ -1,0 +1,226 @@
+//! `Sweep.run`: every case by every method, as `sweep run` has them.
+
+use std::num::NonZero;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread::available_parallelism;
+
+use anyhow::{Result, bail};
+use campaign::design::Design;
+use campaign::engine::{Record, RunOptions, Shard, Survey, Work, pairs_of};
+use campaign::labels::LabelTable;
+use campaign::memory::{Limit, Size};
+use campaign::plan::Sweep as Plan;
+use campaign::rounds::Rounds;
+use campaign::run::{RunError, RunSystems};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::ThreadPool;
+
+use crate::errors::{refused, warn};
+use crate::read::ReadSweep;
+use crate::table::{Column, columns};
+use crate::wait::{wait_for, watch};
+
+/// More threads than this for each core only cost memory.
+const MOST_PER_CORE: usize = 8;
+
+/// What a row takes beside its values, bytes: its record, and its fields in the table.
+const ROW: usize = size_of::<Record>() + 32 * size_of::<f64>();
+
+/// How far a run is, for whoever looks at it.
+#[derive(Default)]
+struct Progress {
+    done: AtomicUsize,
+    /// How many are wanted; of a trace, so far.
+    wanted: AtomicUsize,
+    /// Whether to begin no further case.
+    stops: AtomicBool,
+}
+
+impl Progress {
+    fn told(&self) -> (usize, usize) {
+        let [done, wanted] = [&self.done, &self.wanted].map(|it| it.load(Ordering::Relaxed));
+        (done, wanted)
+    }
+}
+
+/// A run under way.
+struct Running {
+    plan: Arc<Plan>,
+    systems: RunSystems,
+    options: RunOptions,
+    progress: Arc<Progress>,
+}
+
+/// Runs every case by every method, and gives the columns of `labels.csv` by name.
+///
+/// # Errors
+/// Where the run does not begin, or is stopped.
+pub fn run<'py>(
+    py: Python<'py>,
+    sweep: &ReadSweep,
+    threads: Option<usize>,
+    progress: Option<Bound<'py, PyAny>>,
+    options: RunOptions,
+    limit: Limit,
+) -> PyResult<Bound<'py, PyDict>> {
+    let pool = Arc::new(pool_of(threads)?);
+    let plan = Plan::clone(&sweep.plan).for_run();
+    let plan = Arc::new(plan.map_err(|error| sweep.lines.file_error(py, &error))?);
+    if plan.certifying.is_some() && options.allow_unstable {
+        return Err(refused(
+            "--allow-unstable: methods that chatter certify nothing; leave it out, or \
+             `certify` in the sweep file",
+        ));
+    }
+    let survey = sweep.look(py)?;
+    let systems = {
+        let (plan, pool) = (Arc::clone(&plan), Arc::clone(&pool));
+        let build = move || pool.install(|| build(&plan, &survey, options, &limit));
+        wait_for(py, build)?.map_err(|error| not_begun(py, sweep, error))?
+    };
+    for instability in systems
+        .methods
+        .iter()
+        .filter_map(|system| system.instability())
+    {
+        warn(py, instability)?;
+    }
+    for overshoot in systems
+        .methods
+        .iter()
+        .filter_map(|system| system.overshoot())
+    {
+        warn(py, overshoot.words(plan.content.units))?;
+    }
+    let shared = Arc::new(Progress::default());
+    let running = Running {
+        plan: Arc::clone(&plan),
+        systems,
+        options,
+        progress: Arc::clone(&shared),
+    };
+    let look = || match &progress {
+        Some(progress) => progress.call1(shared.told()).map(drop),
+        None => Ok(()),
+    };
+    let made = watch(py, move || pool.install(|| running.table()), &look);
+    // Whoever asked for it does not wait any more.
+    shared.stops.store(true, Ordering::Relaxed);
+    let table = made?.map_err(|error| sweep.lines.any_error(py, &error))?;
+    let by_name = PyDict::new(py);
+    for (name, column) in table {
+        by_name.set_item(name, column.array(py)?)?;
+    }
+    Ok(by_name)
+}
+
+/// What a run builds before its first case, where that and its table are within the limit.
+fn build(
+    plan: &Plan,
+    survey: &Survey,
+    options: RunOptions,
+    limit: &Limit,
+) -> Result<RunSystems, RunError> {
+    let rows = plan.design.likely_cases() * plan.methods.len();
+    let table = (rows * (ROW + plan.design.axes().len() * 2 * size_of::<f64>())) as f64;
+    if table > limit.bytes {
+        let message = format!(
+            "the table of {rows} rows would take {} of memory, more than {limit}; the command \
+             `sweep run` writes it to a file",
+            Size(table)
+        );
+        return Err(RunError::Memory(plan.source.error_of_file(message).into()));
+    }
+    let mut left = *limit;
+    left.bytes -= table;
+    RunSystems::build(plan, survey, options, &left)
+}
+
+impl Running {
+    /// The columns of all rows, in the order of cases and methods.
+    fn table(&self) -> Result<Vec<(String, Column)>> {
+        let mut records = match &self.plan.design {
+            Design::Trace(design) => {
+                let rounds = Rounds::new(design, self.plan.methods.len());
+                self.traced(&rounds)?
+            }
+            _ => {
+                let all = pairs_of(&self.plan, Shard::WHOLE);
+                self.progress.wanted.store(all, Ordering::Relaxed);
+                self.run(&|_| true)?
+            }
+        };
+        records.sort_unstable_by_key(|record| (record.case, record.method));
+        Ok(columns(&LabelTable::of(&self.plan), &records))
+    }
+
+    /// The records of all cases that a trace wants, round by round.
+    fn traced(&self, rounds: &Rounds) -> Result<Vec<Record>> {
+        let mut all = Vec::new();
+        let mut is_done = vec![false; self.plan.design.cases()];
+        while let Some(mut wanted) = rounds.wanted() {
+            wanted.retain(|case| !std::mem::replace(&mut is_done[*case], true));
+            let more = wanted.len() * self.plan.methods.len();
+            self.progress.wanted.fetch_add(more, Ordering::Relaxed);
+            let records = self.run(&|case| wanted.binary_search(&case).is_ok())?;
+            records.iter().for_each(|record| rounds.note(record));
+            all.extend(records);
+        }
+        Ok(all)
+    }
+
+    /// The records of some cases, in the order in which they were done.
+    fn run(&self, is_wanted: &(dyn Fn(usize) -> bool + Sync)) -> Result<Vec<Record>> {
+        let kept = Mutex::new(Vec::new());
+        let progress = &self.progress;
+        let work = Work {
+            sweep: &self.plan,
+            shard: Shard::WHOLE,
+            options: self.options,
+            strings_at_once: self.systems.memory.strings_at_once,
+            is_open: &|case, _| is_wanted(case),
+            stops: &|| progress.stops.load(Ordering::Relaxed),
+        };
+        work.run(&self.systems.methods, &|record| {
+            // Pushed in one step.
+            kept.lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .push(record);
+            progress.done.fetch_add(1, Ordering::Relaxed);
+            Ok(())
+        })?;
+        if progress.stops.load(Ordering::Relaxed) {
+            bail!("stopped");
+        }
+        Ok(kept.into_inner().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+/// Why a run does not begin.
+fn not_begun(py: Python<'_>, sweep: &ReadSweep, error: RunError) -> PyErr {
+    match error {
+        RunError::Memory(error) | RunError::Systems(error) => sweep.lines.any_error(py, &error),
+        RunError::Unstable(error) => {
+            let key = format!("methods[{}]", error.place);
+            let error = sweep.plan.source.error(&key, error.to_string());
+            sweep.lines.file_error(py, &error)
+        }
+    }
+}
+
+/// As many threads as asked for, or as there are cores.
+fn pool_of(threads: Option<usize>) -> PyResult<ThreadPool> {
+    let cores = available_parallelism().map_or(1, NonZero::get);
+    let most = MOST_PER_CORE * cores;
+    let count = threads.unwrap_or(cores);
+    if !(1..=most).contains(&count) {
+        return Err(refused(format_args!(
+            "threads {count}: from 1 to {most} on this machine"
+        )));
+    }
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+    pool.map_err(refused)
+}

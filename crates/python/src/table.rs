@@ -1,0 +1,124 @@
+//! Rows of `labels.csv` as columns in memory.
+
+use std::collections::HashMap;
+
+use campaign::engine::Record;
+use campaign::labels::{Certainty, Field, Kind, LabelTable};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyNone, PyString};
+
+use crate::arrays::vector;
+
+/// A column; what a row does not have is none, or not a number.
+pub enum Column {
+    /// Names.
+    Text(Vec<Option<String>>),
+    /// Numbers.
+    Number(Vec<f64>),
+    /// Numbers of things.
+    Count(Vec<Option<usize>>),
+    /// Whether something is so.
+    Flag(Vec<Option<bool>>),
+}
+
+/// The columns of rows in their order.
+pub fn columns(table: &LabelTable, records: &[Record]) -> Vec<(String, Column)> {
+    let mut columns: Vec<(String, Column)> = (table.columns().into_iter())
+        .map(|(name, kind)| (name, Column::with_capacity(kind, records.len())))
+        .collect();
+    for (record, certainty) in records.iter().zip(table.certainties(records)) {
+        let fields = table.fields(record, certainty);
+        for ((_, column), field) in columns.iter_mut().zip(fields) {
+            column.push(field);
+        }
+    }
+    columns
+}
+
+impl Column {
+    fn with_capacity(kind: Kind, rows: usize) -> Self {
+        match kind {
+            Kind::Text => Column::Text(Vec::with_capacity(rows)),
+            Kind::Number => Column::Number(Vec::with_capacity(rows)),
+            Kind::Count => Column::Count(Vec::with_capacity(rows)),
+            Kind::Flag => Column::Flag(Vec::with_capacity(rows)),
+        }
+    }
+
+    fn push(&mut self, field: Field) {
+        match (self, field) {
+            (Column::Text(column), Field::Text(text)) => column.push(Some(text.into_owned())),
+            (Column::Text(column), _) => column.push(None),
+            (Column::Number(column), Field::Number(number)) => column.push(number),
+            (Column::Number(column), _) => column.push(f64::NAN),
+            (Column::Count(column), Field::Count(count)) => column.push(Some(count)),
+            (Column::Count(column), _) => column.push(None),
+            (Column::Flag(column), Field::Flag(flag)) => column.push(Some(flag)),
+            (Column::Flag(column), _) => column.push(None),
+        }
+    }
+
+    /// As an array of NumPy: of objects where rows lack a word or a flag, of floating-point
+    /// numbers where they lack a count.
+    ///
+    /// # Errors
+    /// Where memory does not take it.
+    pub fn array(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+        let objects = |objects: Vec<Py<PyAny>>| PyArray1::from_vec(py, objects).into_any();
+        Ok(match self {
+            Column::Number(numbers) => vector(py, numbers).into_any(),
+            Column::Count(counts) => match whole(&counts) {
+                Some(counts) => {
+                    let counts = counts.into_iter().map(|count| count as i64);
+                    vector(py, counts.collect()).into_any()
+                }
+                None => {
+                    let number = |count: Option<usize>| count.map_or(f64::NAN, |it| it as f64);
+                    vector(py, counts.into_iter().map(number).collect()).into_any()
+                }
+            },
+            Column::Flag(flags) => match whole(&flags) {
+                Some(flags) => vector(py, flags).into_any(),
+                None => {
+                    let flag = |flag: Option<bool>| flag.into_pyobject(py).map(Bound::unbind);
+                    objects(flags.into_iter().map(flag).collect::<Result<_, _>>()?)
+                }
+            },
+            Column::Text(texts) => {
+                // There are few words.
+                let mut known: HashMap<String, Py<PyAny>> = HashMap::new();
+                let word = |text: Option<String>| match text {
+                    None => PyNone::get(py).to_owned().into_any().unbind(),
+                    Some(text) => (known.entry(text))
+                        .or_insert_with_key(|text| PyString::new(py, text).into_any().unbind())
+                        .clone_ref(py),
+                };
+                objects(texts.into_iter().map(word).collect())
+            }
+        })
+    }
+}
+
+/// The values where none is missing.
+fn whole<T: Copy>(values: &[Option<T>]) -> Option<Vec<T>> {
+    values.iter().copied().collect()
+}
+
+/// Puts the row of a record into a dictionary by column.
+///
+/// # Errors
+/// Where memory does not take it.
+pub fn put_row(table: &LabelTable, record: &Record, row: &Bound<'_, PyDict>) -> PyResult<()> {
+    let fields = table.fields(record, Certainty::default());
+    for ((name, _), field) in table.columns().into_iter().zip(fields) {
+        match field {
+            Field::Nothing => row.set_item(name, row.py().None())?,
+            Field::Text(text) => row.set_item(name, text)?,
+            Field::Number(number) => row.set_item(name, number)?,
+            Field::Count(count) => row.set_item(name, count)?,
+            Field::Flag(flag) => row.set_item(name, flag)?,
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,57 @@
+//! Work in threads of Rust, while the thread that asked for it looks for Ctrl-C.
+
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+use pyo3::prelude::*;
+
+use crate::errors::refused;
+
+/// Time between two looks at signals and progress.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
+
+/// Does some work with the interpreter free for others, and looks at what it has done so far
+/// ten times a second. Where that or a signal raises, what the work comes to is dropped: its
+/// thread ends when it does.
+///
+/// # Errors
+/// What a look or a signal raises.
+pub fn watch<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+    look: &dyn Fn() -> PyResult<()>,
+) -> PyResult<T> {
+    let (done, result) = channel();
+    thread::Builder::new()
+        .name("drillstring".to_owned())
+        .spawn(move || done.send(work()))?;
+    // A channel's end is not to be shared, but moves to and fro.
+    let mut result = result;
+    loop {
+        let received;
+        (received, result) = py.detach(move || (result.recv_timeout(BETWEEN_LOOKS), result));
+        match received {
+            Ok(made) => {
+                look()?;
+                return Ok(made);
+            }
+            Err(RecvTimeoutError::Disconnected) => return Err(refused("the work panicked")),
+            Err(RecvTimeoutError::Timeout) => {
+                py.check_signals()?;
+                look()?;
+            }
+        }
+    }
+}
+
+/// The same of work that nobody looks at.
+///
+/// # Errors
+/// What a signal raises.
+pub fn wait_for<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    watch(py, work, &|| Ok(()))
+}
