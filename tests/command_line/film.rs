@@ -37,6 +37,7 @@ fn contacts_are_those_of_the_history() {
         "history.svg",
         "orbit.png",
         "orbit.svg",
+        "string.csv",
         "string.png",
         "string.svg",
     ];
@@ -75,6 +76,32 @@ fn contacts_are_those_of_the_history() {
         );
     }
     assert!(contacts.len() > 2, "{contacts:?}");
+}
+
+/// By finite elements the string passes through its simulated sites.
+#[test]
+fn the_table_of_the_string_has_the_peaks_of_the_history_and_the_clearance() {
+    let place = whirl();
+    succeeds(&place, &["simulate", "small.toml", "--out", "case"]);
+    let number = |text: &String| text.parse::<f64>().unwrap();
+    let history = table(&text(&place, "case/history.csv"));
+    let history = columns(&history, ["method", "bit_x_mm", "bit_y_mm"]);
+    let string = table(&text(&place, "case/string.csv"));
+    let wanted = ["method", "depth_m", "peak_radius_mm", "clearance_mm"];
+    let string = columns(&string, wanted);
+    let own = |method: &String| method == "finite-element";
+    let radii = history.iter().filter(|row| own(&row[0]));
+    let peak = radii
+        .map(|[_, x, y]| number(x).hypot(number(y)))
+        .fold(0.0, f64::max);
+    let nodes: Vec<_> = string.iter().filter(|row| own(&row[0])).collect();
+    let [_, _, at_bit, clearance] = nodes.last().unwrap();
+    assert!(
+        (number(at_bit) / peak - 1.0).abs() < 1e-6,
+        "{at_bit} {peak}"
+    );
+    assert_eq!(number(clearance), 15.0);
+    assert!(nodes.is_sorted_by(|one, next| number(&one[1]) < number(&next[1])));
 }
 
 #[test]

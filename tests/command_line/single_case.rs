@@ -127,7 +127,7 @@ fn inspect_shows_the_linear_system() {
     assert!(answer.output.contains(&shown), "no {shown:?} in {answer:?}");
     assert_eq!(
         names_in(&place, "linear"),
-        names(["inspect.png", "inspect.svg"])
+        names(["inspect.csv", "inspect.png", "inspect.svg"])
     );
     is_png(&place, "linear/inspect.png");
 }

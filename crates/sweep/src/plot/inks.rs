@@ -1,8 +1,7 @@
-//! Which colour and dash each curve has. A method has one colour in every picture.
+//! Curves, and which colour and dash each has. A method has one colour in every picture.
 
 use super::canvas::{DASHES, Stroke};
 use super::colours::{BLUE, COLOURS, DARK_GREY, GREEN, ORANGE, PURPLE, RED, SKY_BLUE};
-use super::legend::Series;
 use super::symbols::Marker;
 use plotters::style::{BLACK, RGBColor};
 
@@ -62,6 +61,32 @@ impl Ink {
     /// The colour, if it is given.
     pub(super) fn colour(self) -> Option<RGBColor> {
         self.colour
+    }
+}
+
+/// A named curve, or points of one kind.
+pub struct Series {
+    /// Name in the legend; what has the same name looks the same.
+    pub name: String,
+    /// How it looks.
+    pub ink: Ink,
+    /// Its points; a curve has a gap where one cannot be shown.
+    pub points: Vec<(f64, f64)>,
+}
+
+impl Series {
+    /// A series that looks as its place among the others says.
+    pub fn new(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            name: name.into(),
+            ink: Ink::default(),
+            points,
+        }
+    }
+
+    /// The same in an ink.
+    pub fn inked(self, ink: Ink) -> Self {
+        Self { ink, ..self }
     }
 }
 

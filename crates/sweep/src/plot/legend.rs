@@ -4,7 +4,6 @@ use super::canvas::{Canvas, Stroke};
 use super::geometry::Rect;
 use super::grounds::{Ground, draw_ground};
 use super::hatching::draw_hatching;
-use super::inks::Ink;
 use super::symbols::{Marker, Symbol, draw_marker, draw_rim, draw_site, draw_symbol};
 use super::text::{Block, SMALL_SIZE};
 use anyhow::Result;
@@ -101,32 +100,6 @@ impl Legend {
             top += tallest(row);
         }
         Ok(())
-    }
-}
-
-/// A named curve, or points of one kind.
-pub struct Series {
-    /// Name in the legend; what has the same name looks the same.
-    pub name: String,
-    /// How it looks.
-    pub ink: Ink,
-    /// Its points; a curve has a gap where one cannot be shown.
-    pub points: Vec<(f64, f64)>,
-}
-
-impl Series {
-    /// A series that looks as its place among the others says.
-    pub fn new(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self {
-            name: name.into(),
-            ink: Ink::default(),
-            points,
-        }
-    }
-
-    /// The same in an ink.
-    pub fn inked(self, ink: Ink) -> Self {
-        Self { ink, ..self }
     }
 }
 

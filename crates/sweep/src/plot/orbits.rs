@@ -5,8 +5,8 @@ use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
 use super::colours::CLEARANCE;
 use super::frame::Frame;
 use super::geometry::{Pixel, Rect};
-use super::inks::{Ink, distinct_inks, place_among, strokes};
-use super::legend::{Key, Legend, Series};
+use super::inks::{Ink, Series, distinct_inks, place_among, strokes};
+use super::legend::{Key, Legend};
 use super::look::Look;
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
@@ -130,20 +130,24 @@ fn draw_orbit(
             canvas.line(&piece, CIRCLE)?;
         }
     }
-    for (index, series) in orbit.series.iter().enumerate() {
+    let curves = orbit.series.iter().enumerate().map(|(index, series)| {
         let stroke = on_orbit(strokes[place_among(&series.name, inks)]);
         let last = orbit.last.get(index).copied().unwrap_or(0);
-        let begins = series.points.len().saturating_sub(last);
-        let faint = match last {
-            0 => stroke,
-            _ => Stroke {
-                colour: faint(stroke.colour),
-                ..stroke
-            },
+        (series, stroke, series.points.len().saturating_sub(last))
+    });
+    for (series, stroke, begins) in curves.clone() {
+        let is_marked = begins < series.points.len();
+        let colour = if is_marked {
+            faint(stroke.colour)
+        } else {
+            stroke.colour
         };
-        for piece in frame.curve(&series.points[..series.points.len().min(begins + 1)]) {
-            canvas.line(&piece, faint)?;
+        let before = series.points.len().min(begins + 1);
+        for piece in frame.curve(&series.points[..before]) {
+            canvas.line(&piece, Stroke { colour, ..stroke })?;
         }
+    }
+    for (series, stroke, begins) in curves {
         let end = frame.curve(&series.points[begins..]);
         for piece in &end {
             canvas.line(

@@ -3,8 +3,8 @@
 use super::canvas::{Canvas, Stroke, Title, draw_titled};
 use super::frame::{Frame, align_left};
 use super::geometry::{Pixel, Rect};
-use super::inks::{Ink, distinct_inks, markers, place_among};
-use super::legend::{Key, Legend, Series};
+use super::inks::{Ink, Series, distinct_inks, markers, place_among};
+use super::legend::{Key, Legend};
 use super::look::Look;
 use super::picture::Picture;
 use super::references::REFERENCE;

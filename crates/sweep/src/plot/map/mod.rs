@@ -8,8 +8,7 @@ mod tests;
 
 use super::geometry::Rect;
 use super::grounds::Ground;
-use super::inks::Ink;
-use super::legend::Series;
+use super::inks::{Ink, Series};
 use super::scale::Axis;
 use super::symbols::Symbol;
 
