@@ -44,6 +44,7 @@
 //! | the same stepped, for many sites | [`stepped`] |
 //! | Section 5.2.2: the band-limited impulse | [`pulse`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
+//! | transforms, for whoever convolves with the taps | [`fft`] |
 //! | memory, before it is taken | [`cost`] |
 //! | how far responses are from the exact ones | [`deviation`] |
 //! | the string in pieces, for torques at many places | [`cascade`] |
@@ -90,6 +91,7 @@ pub mod drillstring;
 pub mod elements;
 mod error;
 pub mod estimates;
+pub mod fft;
 pub mod filters;
 pub mod method;
 pub mod modes;

@@ -21,9 +21,10 @@ use std::sync::Arc;
 
 use faer::{Mat, Side};
 use num_complex::Complex64;
-use realfft::{RealFftPlanner, RealToComplex};
+use realfft::RealToComplex;
 
 use crate::error::{BuildError, ResponseError};
+use crate::fft;
 
 /// Below this margin a response is counted as unstable in sticking. Rounding
 /// and the cut tail of a response stay well within it.
@@ -244,7 +245,7 @@ impl Spectrometer {
             half_difference.powu(DIFFERENCES).inv()
         };
         Self {
-            forward: RealFftPlanner::<f64>::new().plan_fft_forward(length),
+            forward: fft::forward(length),
             ending,
             undone: match ending {
                 Ending::Cut => (length / 4..=length / 2).map(undone).collect(),

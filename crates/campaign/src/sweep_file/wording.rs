@@ -95,10 +95,11 @@ pub fn nearest<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
 /// The keys that a table may have, as its reader names them when it finds another.
 pub fn keys_of<T: DeserializeOwned>() -> Vec<String> {
     let unknown = toml::Table::from_iter([("?".to_owned(), toml::Value::Boolean(true))]);
-    let Err(error) = unknown.try_into::<T>() else {
+    // As keys are read, so that no table is compiled twice.
+    let Err(error) = serde_path_to_error::deserialize::<_, T>(unknown) else {
         return Vec::new();
     };
-    let quoted = error.message().split('`').skip(1).step_by(2);
+    let quoted = error.inner().message().split('`').skip(1).step_by(2);
     quoted.skip(1).map(str::to_owned).collect()
 }
 

@@ -12,10 +12,10 @@ pub mod radau;
 
 use num_complex::Complex64;
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
 
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
+use crate::fft;
 
 /// Evaluates every channel at `variable(0)`, …, `variable(count − 1)`, several of them
 /// at a time; gives one spectrum a channel, each made when it is asked for.
@@ -65,7 +65,7 @@ pub(crate) fn inverse_transform(half_spectrum: &mut [Complex64], length: usize) 
         first.im = 0.0;
         last.im = 0.0;
     }
-    let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(length);
+    let transform = fft::inverse(length);
     let mut sequence = transform.make_output_vec();
     transform
         .process(half_spectrum, &mut sequence)

@@ -9,7 +9,8 @@
 
 use num_complex::Complex64;
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
+
+use crate::fft;
 
 /// σT: what is folded back is damped to 1e-10.
 const DAMPING: f64 = 23.0;
@@ -73,7 +74,7 @@ pub fn time_responses(
             sums
         })
         .collect();
-    let plan = RealFftPlanner::<f64>::new().plan_fft_inverse(kept);
+    let plan = fft::inverse(kept);
     let mut samples = plan.make_output_vec();
     let of_function = |function: usize| {
         // Those below zero are the conjugates.

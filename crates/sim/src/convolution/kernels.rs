@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use linear::ResponseError;
+use linear::{ResponseError, fft};
 use pulp::Arch;
 use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use realfft::{ComplexToReal, RealToComplex};
 
 use super::partition::{FIRST_BLOCK, LANES, partitions};
 
@@ -49,9 +49,8 @@ impl Level {
     }
 
     fn new(taps: &[&[f64]], block: usize, partitions: usize) -> Self {
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(2 * block);
-        let inverse = planner.plan_fft_inverse(2 * block);
+        let forward = fft::forward(2 * block);
+        let inverse = fft::inverse(2 * block);
         let mut level = Self {
             block,
             partitions,

@@ -4,8 +4,9 @@
 
 use std::sync::Arc;
 
+use linear::fft;
 use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use realfft::{ComplexToReal, RealToComplex};
 
 /// The response of a bit to its own torque, ready for one convolution with as much
 /// of the past as it remembers.
@@ -32,9 +33,8 @@ impl LookAhead {
         let memory = taps.len();
         // What wraps round the transform falls into the past.
         let length = 2 * memory;
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(length);
-        let inverse = planner.plan_fft_inverse(length);
+        let forward = fft::forward(length);
+        let inverse = fft::inverse(length);
         let mut signal = forward.make_input_vec();
         let mut spectrum = forward.make_output_vec();
         for (value, tap) in signal.iter_mut().zip(taps) {
