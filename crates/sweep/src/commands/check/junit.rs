@@ -1,23 +1,24 @@
 //! A check as JUnit XML: a test for each label of the reference.
 
 use std::borrow::Cow;
+use std::path::Path;
 
 use anyhow::Result;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
 
 use super::comparison::Compared;
-use super::told::Told;
 use campaign::printable::{is_noncharacter, printable};
 
-/// The document.
+/// The document about the labels of a reference.
 ///
 /// # Errors
 /// Where memory does not take it.
-pub fn junit(told: &Told) -> Result<String> {
-    let reference = told.reference.display().to_string();
-    let labels = told.compared.len().to_string();
-    let different = told.different().count().to_string();
+pub fn junit(reference: &Path, compared: &[Compared]) -> Result<String> {
+    let reference = reference.display().to_string();
+    let labels = compared.len().to_string();
+    let different = compared.iter().filter(|label| label.difference.is_some());
+    let different = different.count().to_string();
     let counts = [
         ("tests", &*labels),
         ("failures", &different),
@@ -35,7 +36,7 @@ pub fn junit(told: &Told) -> Result<String> {
         "testsuite",
         &[&[("name", &*reference)], &counts[..]].concat(),
     )?;
-    for label in told.compared {
+    for label in compared {
         write_test(&mut writer, &reference, label)?;
     }
     end(&mut writer, "testsuite")?;

@@ -29,7 +29,7 @@ impl Told<'_> {
         Ok(match format {
             CheckFormat::Human => self.for_people(),
             CheckFormat::Github => self.annotations() + &self.count(),
-            CheckFormat::Junit => junit(self)?,
+            CheckFormat::Junit => junit(self.reference, self.compared)?,
         })
     }
 

@@ -44,7 +44,6 @@ pub fn reference(arguments: &ReferenceArguments, terminal: Terminal) -> Result<S
     let kept = keeping_their_labels(sweep, cases, moved, arguments, terminal)?;
     let names: Vec<String> = axes.iter().map(|axis| axis.name()).collect();
     let margin = format!("{} % in {}", per_cent(arguments.margin), names.join(", "));
-    let dropped = counted(of - kept.len(), "other");
     if kept.is_empty() {
         bail!(UsageError(format!(
             "{}: no case keeps its labels within {margin}: try a smaller --margin",
@@ -54,14 +53,15 @@ pub fn reference(arguments: &ReferenceArguments, terminal: Terminal) -> Result<S
     let default = || arguments.folder.join("reference.csv");
     let out = arguments.out.clone().unwrap_or_else(default);
     let counts = format!(
-        "{} of {} kept, {dropped} dropped",
+        "{} of {} kept, {} dropped",
         kept.len(),
-        counted(of, "case")
+        counted(of, "case"),
+        of - kept.len()
     );
     let table = reference_table(manifest, &kept, &margin, &counts)?;
     write_atomically(&out, &table)?;
     say(&format!(
-        "{counts}: a label changes within {margin}, or there is none\n{}\n",
+        "{counts}: no label of those kept changes within {margin}\n{}\n",
         out.display()
     ))?;
     Ok(Status::Complete)
