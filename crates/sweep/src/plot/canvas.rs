@@ -324,7 +324,7 @@ pub(super) mod tests {
     fn the_png_has_twice_the_size_of_the_svg() {
         let picture = draw_on((90.0, 62.0), |_| Ok(()));
         assert!(picture.svg.starts_with("<svg width=\"90\" height=\"62\""));
-        let pixels = Pixmap::decode_png(&picture.png).expect("valid PNG");
+        let pixels = Pixmap::decode_png(&picture.png().expect("rasterised")).expect("valid PNG");
         assert_eq!((pixels.width(), pixels.height()), (180, 124));
     }
 

@@ -154,10 +154,7 @@ mod tests {
         ScatterPanel {
             title: "Normal force of whirl, Fig. 12".to_string(),
             axes: ["Time for 1000 cases of 10 s (s)", "Relative error"].map(Axis::logarithmic),
-            kinds: vec![Series {
-                name: "finite-element, ink: Ink::default(), γ = 0.52".to_string(),
-                points: points.clone(),
-            }],
+            kinds: vec![Series::new("finite-element, γ = 0.52", points.clone())],
             front: points,
             rims: vec![(1.0, 0.1)],
             floor: Some(1e-3),
