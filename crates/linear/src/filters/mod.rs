@@ -58,14 +58,19 @@ fn keep(mut taps: Vec<f64>, count: usize) -> Vec<f64> {
 }
 
 /// The real sequence of length `length` (even) whose discrete Fourier
-/// transform starts with `half_spectrum` (`length / 2 + 1` values).
-pub(crate) fn inverse_transform(half_spectrum: &mut [Complex64], length: usize) -> Vec<f64> {
+/// transform starts with `half_spectrum` (`length / 2 + 1` values). The planner is for all
+/// sequences of this length: their sines take nearly as long as a transform.
+pub(crate) fn inverse_transform(
+    planner: &mut RealFftPlanner<f64>,
+    half_spectrum: &mut [Complex64],
+    length: usize,
+) -> Vec<f64> {
     // A real sequence has real values at zero frequency and at Nyquist.
     if let [first, .., last] = half_spectrum {
         first.im = 0.0;
         last.im = 0.0;
     }
-    let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(length);
+    let transform = planner.plan_fft_inverse(length);
     let mut sequence = transform.make_output_vec();
     transform
         .process(half_spectrum, &mut sequence)
