@@ -131,6 +131,14 @@ impl Number for Lanes {
     }
 
     #[inline(always)]
+    fn real(value: f64) -> Self {
+        Self {
+            re: [value; COUNT],
+            im: [0.0; COUNT],
+        }
+    }
+
+    #[inline(always)]
     fn root(self) -> Self {
         map(self, |[a, b]| root(a, b).into())
     }

@@ -27,9 +27,7 @@ pub trait Number:
     fn towards(self, other: Self) -> Self;
 
     /// A real number.
-    fn real(value: f64) -> Self {
-        Self::of_lanes(|_| value.into())
-    }
+    fn real(value: f64) -> Self;
 
     /// A function of each.
     fn each(self, function: impl Fn(Complex64) -> Complex64) -> Self {
@@ -65,6 +63,10 @@ impl Number for Complex64 {
 
     fn of_lanes(mut number: impl FnMut(usize) -> Complex64) -> Self {
         number(0)
+    }
+
+    fn real(value: f64) -> Self {
+        value.into()
     }
 
     fn root(self) -> Self {

@@ -2,6 +2,8 @@
 //! to show that it fails (start of Section 2.4): between its samples the
 //! spectrum of these taps is not positive-real, and a sticking bit chatters.
 
+use realfft::RealFftPlanner;
+
 use super::{frequency_grid, inverse_transform, sample};
 use crate::assembly::lanes::Lanes;
 
@@ -14,7 +16,8 @@ pub fn taps(
     velocity_response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
     let grid = frequency_grid(transform_length, sampling_frequency);
+    let mut planner = RealFftPlanner::new();
     sample(channels, transform_length / 2 + 1, grid, velocity_response)
-        .map(|mut spectrum| inverse_transform(&mut spectrum, transform_length))
+        .map(|mut spectrum| inverse_transform(&mut planner, &mut spectrum, transform_length))
         .collect()
 }

@@ -12,10 +12,10 @@ pub mod radau;
 
 use num_complex::Complex64;
 use rayon::prelude::*;
+use realfft::RealFftPlanner;
 
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
-use crate::fft;
 
 /// Evaluates every channel at `variable(0)`, …, `variable(count − 1)`, several of them
 /// at a time; gives one spectrum a channel, each made when it is asked for.
@@ -58,14 +58,19 @@ fn keep(mut taps: Vec<f64>, count: usize) -> Vec<f64> {
 }
 
 /// The real sequence of length `length` (even) whose discrete Fourier
-/// transform starts with `half_spectrum` (`length / 2 + 1` values).
-pub(crate) fn inverse_transform(half_spectrum: &mut [Complex64], length: usize) -> Vec<f64> {
+/// transform starts with `half_spectrum` (`length / 2 + 1` values). The planner is for all
+/// sequences of this length: their sines take nearly as long as a transform.
+pub(crate) fn inverse_transform(
+    planner: &mut RealFftPlanner<f64>,
+    half_spectrum: &mut [Complex64],
+    length: usize,
+) -> Vec<f64> {
     // A real sequence has real values at zero frequency and at Nyquist.
     if let [first, .., last] = half_spectrum {
         first.im = 0.0;
         last.im = 0.0;
     }
-    let transform = fft::inverse(length);
+    let transform = planner.plan_fft_inverse(length);
     let mut sequence = transform.make_output_vec();
     transform
         .process(half_spectrum, &mut sequence)

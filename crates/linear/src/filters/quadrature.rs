@@ -7,6 +7,7 @@
 //! positive-real exactly, and since δ(1) = 0 the static limits are exact.
 
 use num_complex::Complex64;
+use realfft::RealFftPlanner;
 
 use super::{inverse_transform, keep, sample};
 use crate::assembly::lanes::Lanes;
@@ -20,40 +21,70 @@ pub(crate) const SAMPLES_PER_TAP: usize = 4;
 /// folded back onto tap n. Between this and rounding, ρ is a compromise.
 const CIRCLE_DECAY: f64 = 1e-10;
 
-/// The points ζ at which generating functions are sampled.
+/// The points ζ at which generating functions are sampled, as products of a point from which to
+/// go on and of a turn from there: few sines are enough.
 pub(super) struct Circle {
     /// How many there are, all around.
     pub(super) samples: usize,
     radius: f64,
+    /// Every so many points one to go on from.
+    from: Vec<Complex64>,
+    /// The turns on, as many as there are points from one to the next.
+    turns: Vec<Complex64>,
 }
 
 /// The circle for so many taps.
 pub(super) fn circle(count: usize) -> Circle {
     let samples = SAMPLES_PER_TAP * count.max(2);
+    let radius = CIRCLE_DECAY.powf(1.0 / samples as f64);
+    let angle = |index: usize| -std::f64::consts::TAU / samples as f64 * index as f64;
+    let stride = samples.isqrt();
+    let starts = (0..samples).step_by(stride);
     Circle {
         samples,
-        radius: CIRCLE_DECAY.powf(1.0 / samples as f64),
+        radius,
+        from: starts
+            .map(|index| Complex64::from_polar(radius, angle(index)))
+            .collect(),
+        turns: (0..stride)
+            .map(|index| Complex64::cis(angle(index)))
+            .collect(),
     }
 }
 
 impl Circle {
     /// A point, in the order of the transform.
     pub(super) fn point(&self, index: usize) -> Complex64 {
-        let angle = -std::f64::consts::TAU / self.samples as f64;
-        Complex64::from_polar(self.radius, angle * index as f64)
+        let stride = self.turns.len();
+        self.from[index / stride] * self.turns[index % stride]
+    }
+
+    /// Undoes what the radius does to the coefficients of a series.
+    fn unwind(&self, coefficients: &mut [f64]) {
+        let stride = self.turns.len();
+        let power = |index: usize| self.radius.powf(-(index as f64));
+        let powers: Vec<f64> = (0..stride).map(power).collect();
+        for (chunk, coefficients) in coefficients.chunks_mut(stride).enumerate() {
+            let first = power(chunk * stride);
+            for (coefficient, power) in coefficients.iter_mut().zip(&powers) {
+                *coefficient *= first * power;
+            }
+        }
     }
 }
 
 /// The first `count` Taylor coefficients of what was sampled on a circle.
 pub(super) fn coefficients(
+    planner: &mut RealFftPlanner<f64>,
     mut spectrum: Vec<Complex64>,
     circle: &Circle,
     count: usize,
 ) -> Vec<f64> {
-    let mut taps = keep(inverse_transform(&mut spectrum, circle.samples), count);
-    for (index, tap) in taps.iter_mut().enumerate() {
-        *tap *= circle.radius.powf(-(index as f64));
-    }
+    let mut taps = keep(
+        inverse_transform(planner, &mut spectrum, circle.samples),
+        count,
+    );
+    circle.unwind(&mut taps);
     taps
 }
 
@@ -104,8 +135,9 @@ pub(crate) fn series(
 ) -> Vec<Vec<f64>> {
     let circle = circle(count);
     let on_circle = |index: usize| circle.point(index);
+    let mut planner = RealFftPlanner::new();
     sample(channels, circle.samples / 2 + 1, on_circle, generating)
-        .map(|spectrum| coefficients(spectrum, &circle, count))
+        .map(|spectrum| coefficients(&mut planner, spectrum, &circle, count))
         .collect()
 }
 

@@ -9,6 +9,7 @@
 //! stepper does not, and this filter serves to compare linear responses.
 
 use num_complex::Complex64;
+use realfft::RealFftPlanner;
 
 use super::quadrature::{circle, coefficients};
 use super::sample;
@@ -43,7 +44,8 @@ pub fn taps(
         channels.copy_from_slice(&[p + q * a, q * b, q * c, p + q * d]);
     };
     let spectra = sample(4, circle.samples / 2 + 1, on_circle, &between_stages);
-    let mut channels = spectra.map(|spectrum| coefficients(spectrum, &circle, count));
+    let mut planner = RealFftPlanner::new();
+    let mut channels = spectra.map(|spectrum| coefficients(&mut planner, spectrum, &circle, count));
     std::array::from_fn(|_| channels.next().unwrap_or_default())
 }
 

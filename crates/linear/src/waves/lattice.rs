@@ -238,13 +238,20 @@ impl Cutter<'_> {
         parts[longest].pieces = left / run.repeat;
         self.pieces += run.repeat * others + left;
         self.misfit += (self.pieces as f64 * self.step - self.place).abs();
-        if left % run.repeat > 0 {
+        let (mut cells, longer) = (run.repeat, left % run.repeat);
+        if longer > 0 {
             // Within, places are off by up to a piece, to either side.
             self.misfit += 0.5 * self.step;
         }
+        if let ([part], 0) = (&mut parts[..], longer) {
+            // Equal cells of one tube are one of a longer tube.
+            part.pieces = left;
+            part.damping *= cells as f64;
+            cells = 1;
+        }
         Run {
-            cells: run.repeat,
-            longer: left % run.repeat,
+            cells,
+            longer,
             parts,
             longest,
         }

@@ -23,6 +23,11 @@ impl Coupling<'_> {
         free: Free,
         mut solve: impl FnMut(usize, Unloaded) -> Result<Solved, E>,
     ) -> Result<bool, E> {
+        if self.pending.len() == 1 {
+            // There are no others to agree with.
+            self.solve_site(0, free, &mut solve)?;
+            return Ok(true);
+        }
         self.pending.fill(f64::INFINITY);
         for turn in 0..MOST_TURNS {
             let largest = self.normal_forces.iter().copied().fold(0.0, f64::max);

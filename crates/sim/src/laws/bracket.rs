@@ -13,6 +13,8 @@ const MOST_HALVINGS: usize = 64;
 pub(super) struct Trial {
     pub(super) ratio: f64,
     pub(super) normal_force: f64,
+    /// The ratio times the normal force, N; of what rolls it is known before both.
+    pub(super) friction: f64,
     pub(super) radius: f64,
     pub(super) direction: [f64; 2],
     pub(super) sliding_speed: f64,
@@ -82,6 +84,7 @@ mod tests {
         Trial {
             ratio,
             normal_force: 1.0,
+            friction: ratio,
             radius: 1.0,
             direction: [1.0, 0.0],
             sliding_speed,

@@ -5,22 +5,26 @@
 /// would be as small as the square of this.
 const CLOSE: f64 = 1e-8;
 
-/// Most steps. Three are usual; a sixth power, the steepest function of a contact,
+/// Most steps. One or two are usual; a sixth power, the steepest function of a contact,
 /// comes down by a factor of 10⁷ in so many.
 const MOST_STEPS: usize = 100;
 
 /// The root: a step from a guess on either side ends above it, and from there none
-/// overshoots, until rounding stops them. `above` gives a place to go on from in the stead of
-/// one too far above, or of none: a guess of zero has no slope. Whether what was found is the
-/// root is for the caller to see.
-#[inline]
+/// overshoots, until rounding stops them, or at once where the guess was that close. `above`
+/// gives a place to go on from in the stead of one too far above, or of none: a guess of zero has
+/// no slope. Whether what was found is the root is for the caller to see.
+#[inline(always)]
 pub(super) fn newton(
     guess: f64,
     above: impl Fn(f64) -> f64,
     mut value_and_slope: impl FnMut(f64) -> (f64, f64),
 ) -> f64 {
     let (value, slope) = value_and_slope(guess);
-    let mut root = above(guess - value / slope);
+    let first = guess - value / slope;
+    if (first - guess).abs() <= CLOSE * guess {
+        return first;
+    }
+    let mut root = above(first);
     for _ in 0..MOST_STEPS {
         let (value, slope) = value_and_slope(root);
         let next = root - value / slope;

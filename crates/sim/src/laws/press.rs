@@ -201,26 +201,31 @@ impl<'a> Press<'a> {
     /// Across e_r the load line leaves αF_N = −p_h·e_θ/h₀, so that the sliding
     /// speed R₀(θ̇_h + g₀R₀αF_N) − f_s p_prev·e_θ is linear in e_θ: it vanishes
     /// where w·e_θ = R₀θ̇_h ([`Press::weight`]).
-    #[inline]
+    #[inline(always)]
     fn rolling_directions(&self) -> Option<[[f64; 2]; 2]> {
         let [wx, wy] = self.weight;
-        let length = (wx * wx + wy * wy).sqrt();
-        let sine = self.wall.radius * self.approach.spin.free_speed / length;
-        // No length or no number: nothing rolls.
-        if sine.is_nan() || sine.abs() > 1.0 {
+        let (square, speed) = (
+            wx * wx + wy * wy,
+            self.wall.radius * self.approach.spin.free_speed,
+        );
+        // w·e_r. No length or no number: nothing rolls.
+        let along = (square - speed * speed).sqrt();
+        if square == 0.0 || along.is_nan() {
             return None;
         }
-        // e_θ at the angle of w plus a right angle minus asin, or plus it.
-        let cosine = (1.0 - sine * sine).sqrt();
-        let (along, across) = ([wx / length, wy / length], [wy / length, -wx / length]);
-        // e_r has the angle ψ_w − asin(sine).
-        let turned = |axis: usize, cosine: f64| along[axis] * cosine + across[axis] * sine;
-        Some([cosine, -cosine].map(|cosine| [turned(0, cosine), turned(1, cosine)]))
+        // e_r has the angle of w, less asin(speed/|w|) or less π − asin(speed/|w|).
+        let turned = |along: f64| {
+            [
+                (wx * along + wy * speed) / square,
+                (wy * along - wx * speed) / square,
+            ]
+        };
+        Some([along, -along].map(turned))
     }
 
     /// The contact that rolls at a direction e_r, if it presses and friction
     /// holds it.
-    #[inline]
+    #[inline(always)]
     fn rolling_along(&self, [cos, sin]: [f64; 2]) -> Option<Trial> {
         let [x, y] = self.approach.free_position;
         let gap = x * cos + y * sin - self.wall.clearance;
@@ -232,13 +237,15 @@ impl<'a> Press<'a> {
             return None;
         }
         let compliance = self.approach.compliance;
+        let friction = across / compliance;
         let (normal_force, depth) = if self.wall.stiffness == f64::INFINITY {
             (gap / compliance, 0.0)
         } else {
             // δ + h₀k_c δ^(3/2) = gap, in √δ.
             let steepness = compliance * self.wall.stiffness;
             let above = |guess| from_above(guess, gap, steepness);
-            let root = newton(self.last_root(), above, |root| {
+            let guess = continued(self.last_root(), gap, steepness);
+            let root = newton(guess, above, |root| {
                 let value = root * root * (1.0 + steepness * root) - gap;
                 let slope = root * (2.0 + 3.0 * steepness * root);
                 (value, slope)
@@ -246,8 +253,9 @@ impl<'a> Press<'a> {
             (self.wall.stiffness * root.powi(3), root * root)
         };
         Some(Trial {
-            ratio: across / compliance / normal_force,
+            ratio: friction / normal_force,
             normal_force,
+            friction,
             radius: self.wall.clearance + depth,
             direction: [cos, sin],
             sliding_speed: 0.0,
@@ -295,11 +303,12 @@ impl<'a> Press<'a> {
         let [px, py] = self.approach.previous_position;
         // e_θ = (−sin, cos), to which the new position is orthogonal.
         let drift = (px * sin - py * cos) * self.approach.sampling.rate_in_step();
-        let torque = self.wall.radius * ratio * normal_force;
-        let spin = self.approach.spin.under(torque);
+        let friction = ratio * normal_force;
+        let spin = self.approach.spin.under(self.wall.radius * friction);
         Trial {
             ratio,
             normal_force,
+            friction,
             radius,
             direction,
             sliding_speed: self.wall.radius * spin + drift,
@@ -341,7 +350,7 @@ impl<'a> Press<'a> {
         ambiguous: bool,
     ) -> Result<Contact, ContactError> {
         let [cos, sin] = trial.direction;
-        let friction = trial.ratio * trial.normal_force;
+        let friction = trial.friction;
         let contact = Contact {
             touch,
             position: [trial.radius * cos, trial.radius * sin],
@@ -371,6 +380,20 @@ impl<'a> Press<'a> {
             Err(obeyed.refusal())
         }
     }
+}
+
+/// About the root of s² + a s³ = gap, from that of another gap: what Taylor's series of the root
+/// in the gap has up to third powers. All that waits for the gap are a few products, where a step
+/// of Newton's method would wait for its division too. Where the series leads to no root, the
+/// last one.
+#[inline(always)]
+fn continued(last: f64, gap: f64, steepness: f64) -> f64 {
+    let per_slope = (last * (2.0 + 3.0 * steepness * last)).recip();
+    let second = (1.0 + 3.0 * steepness * last) * per_slope;
+    let third = 2.0 * second * second - steepness * per_slope;
+    let step = (gap - last * last * (1.0 + steepness * last)) * per_slope;
+    let root = last + step * (1.0 - step * (second - step * third));
+    if root > 0.0 { root } else { last }
 }
 
 /// A guess that is above the root of s² + a s³ = gap, or what is no less than that root where
