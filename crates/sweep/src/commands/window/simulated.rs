@@ -8,7 +8,7 @@ use crate::cli::WindowArguments;
 use crate::commands::status::UsageError;
 use crate::output::{Boundary, Curve, Manifest, Motion, ResultTables, exact_stick_slip_limit};
 use crate::plan::Sweep;
-use crate::quantities::Axis;
+use crate::quantities::{Axis, Units};
 use crate::sweep_file::DesignKind;
 use crate::window::{AXES, Drawn, Simulated, Source, below_curves, simulated};
 use crate::words::{counted, short};
@@ -105,7 +105,8 @@ fn told(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
 fn curves_of(boundary: &Boundary, axes: &[Axis]) -> Vec<Curve> {
     let is_over_weight =
         |curve: &Curve| curve.motion == Motion::Torsion && curve.along == Axis::WeightOnBitKn;
-    let curves = boundary.curves(axes).into_iter();
+    // Their names, which may have units, are not shown.
+    let curves = boundary.curves(axes, Units::default()).into_iter();
     curves.filter(is_over_weight).collect()
 }
 
