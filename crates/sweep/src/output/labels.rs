@@ -62,7 +62,7 @@ const CERTIFICATE_COLUMNS: [&str; 7] = [
 
 /// Columns of the sites that a case was found to have besides those of the file, with `;` between
 /// them, and of how often it was run again for them.
-const FOUND_COLUMNS: [&str; 2] = ["found_sites_from_bit_m", "found_rounds"];
+pub(super) const FOUND_COLUMNS: [&str; 2] = ["found_sites_from_bit_m", "found_rounds"];
 
 /// The status of a case with an answer, and of one without.
 const DONE: &str = "ok";

@@ -72,7 +72,10 @@ impl Written<'_> {
             let film = film_picture(sweep, cases, &simulations[0], &wholes[0], &steps)?;
             save_picture(self.folder, "film", &film)?;
         }
-        case_lines(sweep, cases, simulations, &wholes, (&files, self.folder))
+        // All cases have the same.
+        let found = self.rows.first().and_then(|row| row.found.as_ref());
+        let written = (files.as_str(), self.folder);
+        case_lines(sweep, found, cases, simulations, &wholes, written)
     }
 
     fn table(&self, name: &str, content: &[u8]) -> Result<()> {
