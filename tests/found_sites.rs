@@ -112,14 +112,14 @@ fn what_is_simulated_is_the_case_with_its_sites() {
     let answer = place.sweep(&simulate);
     assert_eq!(answer.code, 0, "{answer:?}");
     assert_eq!(rows(&place, "case/case.csv"), found[1..]);
-    let count = sites(&found[1]).len();
+    let (count, rounds) = (sites(&found[1]).len(), &found[1]["found_rounds"]);
     let words = answer
         .output
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");
     assert!(
-        words.starts_with(&format!("{count} sites found, ")),
+        words.starts_with(&format!("{count} sites found in {rounds} rounds, ")),
         "{words}"
     );
     // Both cases at once have not the same sites.
@@ -139,6 +139,44 @@ fn what_is_simulated_is_the_case_with_its_sites() {
         answer.errors.contains("one --case by one of --methods"),
         "{answer:?}"
     );
+}
+
+/// The run, its manifest and its report say how many sites were found, and in how many rounds; so
+/// do shards that are merged, which read it from their tables.
+#[test]
+fn what_was_found_is_told_of_the_whole_sweep() {
+    let place = Workplace::new();
+    place.write("found.toml", WHIRLING);
+    let manifest = |folder: &str| -> serde_json::Value {
+        let text = std::fs::read_to_string(place.path(&format!("{folder}/manifest.json")));
+        serde_json::from_str(&text.unwrap()).unwrap()
+    };
+    let done = |arguments: &[&str]| {
+        let answer = place.sweep(arguments);
+        assert_eq!(answer.code, 0, "{answer:?}");
+        let words: Vec<&str> = answer.output.split_whitespace().collect();
+        words.join(" ")
+    };
+    let told = done(&["run", "found.toml", "--out", "out"]);
+    let whirls = &rows(&place, "out/labels.csv")[1];
+    let (sites, rounds) = (sites(whirls).len(), &whirls["found_rounds"]);
+    let expected = format!(
+        "finite-element: sites were found in 1 of 2 cases, up to {sites} sites in up to {rounds} \
+         rounds"
+    );
+    assert!(told.contains(&expected), "{told}");
+    done(&["report", "out"]);
+    let report = std::fs::read_to_string(place.path("out/report.html")).unwrap();
+    assert!(report.contains(&expected));
+    let found = &manifest("out")["found_sites"]["finite-element"];
+    assert_eq!(found["most_sites"], sites);
+    assert_eq!(found["most_rounds"], rounds.parse::<usize>().unwrap());
+    for shard in ["0/2", "1/2"] {
+        let folder = format!("part{}", &shard[..1]);
+        done(&["run", "found.toml", "--out", &folder, "--shard", shard]);
+    }
+    assert!(done(&["merge", "part0", "part1", "--out", "merged"]).contains(&expected));
+    assert_eq!(&manifest("merged")["found_sites"]["finite-element"], found);
 }
 
 /// A run that was complete is read again, a failed case with what was found of it too.

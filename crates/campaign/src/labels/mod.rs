@@ -9,6 +9,6 @@ pub use certainty::{Certainty, CertifiedBy};
 pub use field::{Field, Kind};
 pub use motion::{Labels, Motion, is_sustained};
 pub use table::{
-    FAILED, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, shows_found, shows_string_torque,
-    shows_surface, shows_torque, to_kn, to_mm, to_turns,
+    FAILED, FOUND_COLUMNS, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, shows_found,
+    shows_string_torque, shows_surface, shows_torque, to_kn, to_mm, to_turns,
 };

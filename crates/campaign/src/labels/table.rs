@@ -64,7 +64,7 @@ const CERTIFICATE_COLUMNS: [(&str, Kind); 7] = [
 
 /// Columns of the sites that a case was found to have besides those of the file, with `;` between
 /// them, and of how often it was run again for them.
-const FOUND_COLUMNS: [(&str, Kind); 2] = [
+pub const FOUND_COLUMNS: [(&str, Kind); 2] = [
     ("found_sites_from_bit_m", Kind::Text),
     ("found_rounds", Kind::Count),
 ];

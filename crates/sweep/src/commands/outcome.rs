@@ -103,6 +103,9 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     }
     text += &label_counts(&manifest.tally);
     text += &certain(manifest);
+    for words in manifest.tally.found_words() {
+        text += &wrapped(&words, 2, 4);
+    }
     if let Some(trace) = &manifest.trace {
         text += &traced(trace);
     }

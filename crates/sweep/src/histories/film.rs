@@ -5,6 +5,7 @@ use linear::elements::reconstruction::Reconstruction;
 use sim::laws::contact::Touch;
 
 use super::marks::CLEARANCE_SHOWN;
+use super::whole_string::wall_line;
 use crate::plot::{Axis, Film, FilmFrame, FilmSite, Look, Picture, film};
 use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::Sweep;
@@ -62,10 +63,20 @@ pub fn film_picture(
     let case = cases.iter().find(|case| case.index == simulation.case);
     let clearances = case.and_then(|case| Clearances::of(&sweep.setting, case));
     let furthest = whole.peaks.iter().copied().fold(0.0, f64::max);
-    let wall = clearances.iter().flat_map(Clearances::sites);
-    let wall = wall.filter(|(depth, clearance)| {
-        *depth >= whole.depths[first] && furthest > CLEARANCE_SHOWN * clearance
-    });
+    let from = whole.depths[first];
+    let at_sites = clearances.iter().flat_map(Clearances::sites);
+    let at_sites: Vec<(f64, f64)> = at_sites
+        .filter(|(depth, clearance)| *depth >= from && furthest > CLEARANCE_SHOWN * clearance)
+        .copied()
+        .collect();
+    let is_near = !at_sites.is_empty();
+    let line = clearances.filter(|_| is_near);
+    let line = line.map_or_else(Vec::new, |clearances| wall_line(&clearances, from));
+    let drawn = |wall: &[(f64, f64)]| {
+        let points = wall.iter();
+        let point = |(depth, clearance): &(f64, f64)| (across(*clearance), above_bit(*depth));
+        points.map(point).collect::<Vec<_>>()
+    };
     let cut = (first > 0).then(|| {
         let from = length.text(highest, 0);
         format!("Higher than {from} above the bit the string moves less than 5 % of the most.")
@@ -85,9 +96,8 @@ pub fn film_picture(
             .copied()
             .map(above_bit)
             .collect(),
-        wall: wall
-            .map(|(depth, clearance)| (across(*clearance), above_bit(*depth)))
-            .collect(),
+        wall: drawn(&line),
+        wall_at_sites: drawn(&at_sites),
         notes: cut.into_iter().collect(),
         frames: frames.collect(),
     };

@@ -7,24 +7,24 @@ use anyhow::Result;
 use linear::elements::reconstruction::Reconstruction;
 use sim::{Ended, Outcome};
 
-use campaign::engine::Simulation;
-use campaign::engine::{Beyond, Case, Clearances};
+use campaign::engine::{Beyond, Case, Clearances, Found, Simulation};
 use campaign::plan::{Sweep, to_rpm};
 use campaign::quantities::{FORCE, LENGTH, TORQUE, Units, WIDTH};
 use campaign::words::{counted, decimals, short, site_title, together, wrapped};
 
-/// Every case with what a run answers to it by each method, what came out later where that
-/// differs, and how far the whole string goes beyond the wall; then the files that were written
-/// into a folder.
+/// The sites that were found, every case with what a run answers to it by each method, what came
+/// out later where that differs, and how far the whole string goes beyond the wall; then the files
+/// that were written into a folder.
 pub fn case_lines(
     sweep: &Sweep,
+    found: Option<&Found>,
     cases: &[Case],
     simulations: &[Simulation],
     wholes: &[Reconstruction],
     (files, folder): (&str, &Path),
 ) -> Result<String> {
     let mut text = String::new();
-    text += &found_line(sweep);
+    text += &found.map_or_else(String::new, |found| found_line(sweep, found));
     for case in cases {
         let rpm = to_rpm(case.scene.surface_speed);
         let unit = sweep.content.units.of(&TORQUE);
@@ -50,20 +50,17 @@ pub fn case_lines(
     Ok(text)
 }
 
-/// Which sites were found, where they were looked for.
-fn found_line(sweep: &Sweep) -> String {
-    let lateral = sweep.setting.lateral.as_ref();
-    let Some(finding) = lateral.and_then(|lateral| lateral.finding.as_ref()) else {
-        return String::new();
-    };
-    if finding.found.is_empty() {
+/// Which sites were found, and in how many rounds.
+fn found_line(sweep: &Sweep, Found { sites, rounds }: &Found) -> String {
+    if sites.is_empty() {
         return "no sites were found besides those of the file\n".to_owned();
     }
     let length = sweep.content.units.of(&LENGTH);
-    let places = finding.found.iter().map(|site| short(length.number(*site)));
+    let places = sites.iter().map(|site| short(length.number(*site)));
     let words = format!(
-        "{} found, {} {} from the bit",
-        counted(finding.found.len(), "site"),
+        "{} found in {}, {} {} from the bit",
+        counted(sites.len(), "site"),
+        counted(*rounds, "round"),
         places.collect::<Vec<_>>().join(", "),
         length.name
     );

@@ -113,20 +113,24 @@ fn wall(clearances: &Clearances, from: f64, units: [&Unit; 2]) -> Wall {
         let (depths, clearances): (Vec<f64>, Vec<f64>) = places.iter().copied().unzip();
         shown(&depths, &clearances, from, units)
     };
+    Wall {
+        line: points(&wall_line(clearances, from)),
+        known: points(clearances.sites()),
+    }
+}
+
+/// The wall from a depth (m) down to the bit, as it is drawn: corners by depth and clearance, m.
+pub fn wall_line(clearances: &Clearances, from: f64) -> Vec<(f64, f64)> {
     // The wall goes on to where the picture begins.
     let begins = clearances.at(from).map(|clearance| (from, clearance));
     let corners = clearances.line().into_iter();
     let line: Vec<(f64, f64)> = (begins.into_iter())
         .chain(corners.filter(|corner| corner.0 > from))
         .collect();
-    let line = if line.len() > MOST_CORNERS {
+    if line.len() > MOST_CORNERS {
         least_of_each_piece(&line)
     } else {
         line
-    };
-    Wall {
-        line: points(&line),
-        known: points(clearances.sites()),
     }
 }
 

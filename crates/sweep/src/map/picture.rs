@@ -12,7 +12,7 @@ use super::traced::TracedMap;
 use super::words;
 use super::{measures, misfits};
 use crate::limits::TracedLimits;
-use crate::output::{Curve, ForwardContact, Manifest, Motion, ResultTables};
+use crate::output::{Curve, Manifest, Motion, ResultTables};
 use crate::plot::{self, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
 use campaign::plan::MapMark;
 use campaign::quantities::Axis;
@@ -68,9 +68,10 @@ pub fn picture(tables: &ResultTables, look: &Look) -> Result<Option<Picture>> {
 /// The limits of a folder: those of `boundary.csv`, and that of forward motion.
 fn curves(tables: &ResultTables) -> Result<Vec<Curve>> {
     let manifest = &tables.manifest;
-    let mut curves = tables.boundary()?.curves(&manifest.axes);
+    let units = manifest.sweep.units;
+    let mut curves = tables.boundary()?.curves(&manifest.axes, units);
     let forward = manifest.forward_contact.as_ref();
-    curves.extend(forward.and_then(ForwardContact::curve));
+    curves.extend(forward.and_then(|forward| forward.curve(units)));
     Ok(curves)
 }
 

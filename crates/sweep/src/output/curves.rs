@@ -4,7 +4,8 @@
 use super::boundary::{Boundary, StickSlipPoint};
 use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
 use campaign::labels::Motion;
-use campaign::quantities::Axis;
+use campaign::quantities::{Axis, LENGTH, Units};
+use campaign::words::short;
 
 /// What the curves of whirl are. Several sites together may whirl below those of one.
 const ROLLING: &str = "steady rolling whirl at one site";
@@ -15,6 +16,9 @@ const OF_ANY_SITES: &str =
 
 /// More branches than this hide the cases of a map.
 const MOST_BRANCHES: usize = 6;
+
+/// More sites than these are told by their ends.
+const MOST_SITES: usize = 3;
 
 /// Frictions that differ by a smaller part of them are one line on a map.
 const SAME: f64 = 1e-6;
@@ -40,11 +44,12 @@ pub struct Curve {
 }
 
 impl Boundary {
-    /// The curves of the limit, for cases that differ along `axes`.
-    pub fn curves(&self, axes: &[Axis]) -> Vec<Curve> {
+    /// The curves of the limit, for cases that differ along `axes`; their names have the sites
+    /// that they are of in these units, where there are several.
+    pub fn curves(&self, axes: &[Axis], units: Units) -> Vec<Curve> {
         match self {
             Boundary::StickSlip(points) => stick_slip_curves(points, axes),
-            Boundary::Whirl(points) => whirl_curves(points),
+            Boundary::Whirl(points) => whirl_curves(points, units),
         }
     }
 }
@@ -77,7 +82,7 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
 
 /// Rolling whirl, a piece for each of its branches, any whirl at one site where that needs less
 /// friction, and what whirl of any sites needs.
-fn whirl_curves(points: &[WhirlPoint]) -> Vec<Curve> {
+fn whirl_curves(points: &[WhirlPoint], units: Units) -> Vec<Curve> {
     let of_motion = |motion| {
         let of_motion = branches(points).filter(|branch| branch[0].motion == motion);
         of_motion.collect::<Vec<_>>()
@@ -90,19 +95,32 @@ fn whirl_curves(points: &[WhirlPoint]) -> Vec<Curve> {
     let any = of_motion(WhirlMotion::RollingOrSliding);
     let needs_less = any.iter().copied().flatten().any(is_lower);
     let (rolling_name, rolling) = rolling_curve(&of_motion(WhirlMotion::Rolling));
+    let all = sites_of(points.iter());
+    let named = |name: String, motion: WhirlMotion| {
+        let sites = sites_of(points.iter().filter(|point| point.motion == motion));
+        match all.len() {
+            0 | 1 => name,
+            _ => format!("{name}, {}", places(&sites, units)),
+        }
+    };
     let any = any.into_iter().filter(|_| needs_less).map(piece).collect();
     // One line, whichever sites do most of the work.
     let together = of_motion(WhirlMotion::AnySites).concat();
     let together = [together].iter().map(|points| piece(points)).collect();
     [
-        (rolling_name, rolling, !needs_less),
-        (LEAST.to_owned(), any, true),
-        (OF_ANY_SITES.to_owned(), together, true),
+        (rolling_name, WhirlMotion::Rolling, rolling, !needs_less),
+        (LEAST.to_owned(), WhirlMotion::RollingOrSliding, any, true),
+        (
+            OF_ANY_SITES.to_owned(),
+            WhirlMotion::AnySites,
+            together,
+            true,
+        ),
     ]
     .into_iter()
-    .filter(|(_, pieces, _)| pieces.iter().any(|piece| !piece.is_empty()))
-    .map(|(name, pieces, is_least)| Curve {
-        name,
+    .filter(|(_, _, pieces, _)| pieces.iter().any(|piece| !piece.is_empty()))
+    .map(|(name, motion, pieces, is_least)| Curve {
+        name: named(name, motion),
         method: None,
         motion: Motion::Lateral,
         along: Axis::SurfaceSpeedRpm,
@@ -111,6 +129,37 @@ fn whirl_curves(points: &[WhirlPoint]) -> Vec<Curve> {
         is_least,
     })
     .collect()
+}
+
+/// The sites that points are of, m from the bit, each once.
+fn sites_of<'a>(points: impl Iterator<Item = &'a WhirlPoint>) -> Vec<f64> {
+    each_once(points.flat_map(|point| point.sites_from_bit_m.iter().copied()))
+}
+
+/// Sites in order, each once.
+pub(super) fn each_once(sites: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut sites: Vec<f64> = sites.collect();
+    sites.sort_by(f64::total_cmp);
+    sites.dedup();
+    sites
+}
+
+/// Where sites are (m from the bit), in words.
+pub(super) fn places(sites: &[f64], units: Units) -> String {
+    let unit = units.of(&LENGTH);
+    let number = |site: &f64| short(unit.number(*site));
+    let places = match sites {
+        [first, .., last] if sites.len() > MOST_SITES => {
+            format!(
+                "{} sites {} to {}",
+                sites.len(),
+                number(first),
+                number(last)
+            )
+        }
+        _ => sites.iter().map(number).collect::<Vec<_>>().join(", "),
+    };
+    format!("{places} {} from the bit", unit.name)
 }
 
 /// Name and pieces of rolling whirl. Of many branches, where they need the least.
@@ -235,13 +284,18 @@ mod tests {
             point(60.0, 1.6, Some(1)),
             point(60.0, 1.2, None),
         ];
-        let curves = Boundary::Whirl(points.clone()).curves(&[]);
+        let curves = Boundary::Whirl(points.clone()).curves(&[], Units::default());
         let pieces: Vec<_> = curves.iter().map(|curve| &curve.pieces[..]).collect();
         let rolling = [vec![[60.0, 1.5], [70.0, 1.4]], vec![[60.0, 1.6]]];
         assert_eq!(pieces, [&rolling[..], &[vec![[60.0, 1.2]]]]);
         assert!(!curves[0].is_least && curves[1].is_least);
         points[3].friction = 1.5;
-        assert_eq!(Boundary::Whirl(points.clone()).curves(&[]).len(), 1);
+        assert_eq!(
+            Boundary::Whirl(points.clone())
+                .curves(&[], Units::default())
+                .len(),
+            1
+        );
         // Of many branches, the stretches that need the least.
         let others = (2..10).map(|branch| WhirlPoint {
             least: false,
@@ -250,9 +304,12 @@ mod tests {
         points.truncate(3);
         points[2].least = false;
         points.extend(others);
-        let curves = Boundary::Whirl(points).curves(&[]);
+        let curves = Boundary::Whirl(points).curves(&[], Units::default());
         assert_eq!(curves[0].pieces, [[[60.0, 1.5], [70.0, 1.4]]]);
-        assert_eq!(Boundary::Whirl(Vec::new()).curves(&[]), []);
+        assert_eq!(
+            Boundary::Whirl(Vec::new()).curves(&[], Units::default()),
+            []
+        );
     }
 
     #[test]
@@ -260,13 +317,18 @@ mod tests {
         let any = [(60.0, 0.3, 0.0), (70.0, 0.3, 0.0), (70.0, 0.2, 50.0)];
         let any = any.map(|(speed, friction, site_from_bit_m)| WhirlPoint {
             site_from_bit_m,
+            sites_from_bit_m: vec![site_from_bit_m],
             motion: WhirlMotion::AnySites,
             ..point(speed, friction, None)
         });
         let mut points = vec![point(60.0, 1.5, Some(0)), point(60.0, 1.5, None)];
         points.extend(any);
-        let curves = Boundary::Whirl(points).curves(&[]);
+        let curves = Boundary::Whirl(points).curves(&[], Units::default());
         assert_eq!(curves.len(), 2);
+        assert!(
+            curves[1].name.ends_with("0, 50 m from the bit"),
+            "{curves:?}"
+        );
         assert_eq!(curves[1].pieces, [[[60.0, 0.3], [70.0, 0.3], [70.0, 0.2]]]);
         assert!(curves.iter().all(|curve| curve.is_least));
     }

@@ -13,7 +13,7 @@ use sim::EccentricMass;
 use sim::steady_whirl::EccentricString;
 
 use super::boundary::{position, range_of_axis};
-use super::curves::Curve;
+use super::curves::{Curve, each_once, places};
 use campaign::labels::Motion;
 use campaign::plan::{LateralSettings, Sweep, to_rpm};
 use campaign::quantities::{Axis, LENGTH, StringAxis, Units, WallQuantity};
@@ -90,14 +90,19 @@ impl ForwardContact {
         }))
     }
 
-    /// The curve of the speed over what the design varies; none without contact.
-    pub fn curve(&self) -> Option<Curve> {
+    /// The curve of the speed over what the design varies, its name with the sites that are brought
+    /// to their walls in these units; none without contact.
+    pub fn curve(&self, units: Units) -> Option<Curve> {
         let points = self.points.iter();
         let piece: Vec<_> = points
             .map(|point| [point.value, point.surface_speed_rpm])
             .collect();
+        let sites = each_once(self.points.iter().map(|point| point.site_from_bit_m));
         (!piece.is_empty()).then(|| Curve {
-            name: "speed from which the eccentric mass brings the string to its wall".to_owned(),
+            name: format!(
+                "speed from which the eccentric mass brings the string to its wall, first {}",
+                places(&sites, units)
+            ),
             method: None,
             motion: Motion::Lateral,
             along: self.along,

@@ -6,9 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use sim::{Label, LateralRegime, TorsionRegime};
 
 use campaign::hand_table::{HandTable, Mistake, NumberError, number};
-use campaign::labels::Certainty;
-use campaign::labels::FAILED;
-use campaign::labels::Labels;
+use campaign::labels::{Certainty, FAILED, FOUND_COLUMNS, Labels};
 use campaign::quantities::{Axis, Measure};
 use campaign::sweep_file::nearest;
 use campaign::text_file::{LARGEST_TABLE, read_text, unreadable};
@@ -34,6 +32,8 @@ pub struct LabelRow {
     pub measures: Vec<Option<f64>>,
     /// Which of the labels are certain, where that is told.
     pub certainty: Certainty,
+    /// How many sites were found and in how many rounds, where they were looked for.
+    pub found: Option<[usize; 2]>,
     /// Whether the case failed.
     pub failed: bool,
 }
@@ -55,6 +55,7 @@ impl LabelRow {
             misfits: Vec::new(),
             measures: Vec::new(),
             certainty: Certainty::default(),
+            found: None,
             failed: false,
         }
     }
@@ -75,8 +76,8 @@ pub fn misfit_columns(path: &Path) -> Result<Vec<String>> {
 }
 
 /// Where the columns are that are read back: `case`, `method`, the axes and measures asked
-/// for, `torsion` and, if they are there, `lateral`, `predicted`, misfits, certainties and
-/// `status`; others are passed over.
+/// for, `torsion` and, if they are there, `lateral`, `predicted`, misfits, certainties,
+/// found sites and `status`; others are passed over.
 pub struct LabelColumns {
     case: usize,
     method: usize,
@@ -87,6 +88,7 @@ pub struct LabelColumns {
     misfits: Vec<usize>,
     measures: Vec<usize>,
     certified: [Option<usize>; 2],
+    found: [Option<usize>; 2],
     status: Option<usize>,
 }
 
@@ -163,6 +165,7 @@ impl LabelColumns {
                 .map(|measure| column(measure.column()))
                 .collect::<Result<_, _>>()?,
             certified: [place("torsion_certified")?, place("lateral_certified")?],
+            found: [place(FOUND_COLUMNS[0].0)?, place(FOUND_COLUMNS[1].0)?],
             status: place("status")?,
         })
     }
@@ -209,6 +212,11 @@ impl LabelColumns {
             certainty: {
                 let [torsion, lateral] = self.certified.map(|column| optional(column).parse().ok());
                 Certainty { torsion, lateral }
+            },
+            found: {
+                let [sites, rounds] = self.found.map(optional);
+                let sites = sites.split(';').filter(|site| !site.is_empty()).count();
+                rounds.parse().ok().map(|rounds| [sites, rounds])
             },
             failed: optional(self.status) == FAILED,
         })

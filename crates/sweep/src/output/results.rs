@@ -83,6 +83,9 @@ impl<'a> TableWriter<'a> {
             predicted,
             certainty,
         );
+        if let Some(found) = &record.found {
+            (self.tally).add_found(method, [found.sites.len(), found.rounds]);
+        }
         Ok(())
     }
 

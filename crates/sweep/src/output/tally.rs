@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 use sim::Label;
 
-use campaign::labels::Certainty;
-use campaign::labels::{Labels, Motion};
+use campaign::labels::{Certainty, Labels, Motion};
+use campaign::words::counted;
 
 /// What came out, counted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -19,6 +19,9 @@ pub struct Tally {
     /// Those of them that are certain, where the run certifies labels.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub certified: BTreeMap<String, BTreeMap<Label, usize>>,
+    /// Sites that were found, per method, where they were looked for.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub found_sites: BTreeMap<String, FoundSites>,
     /// Rows without an answer.
     pub failed: usize,
     /// Settled rows that were followed to the end, and those of them whose label
@@ -28,7 +31,32 @@ pub struct Tally {
     pub settled_wrong: usize,
 }
 
+/// Sites that were found by a method.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct FoundSites {
+    /// Cases in which they were looked for.
+    pub cases: usize,
+    /// Those of them in which there were any besides those of the file.
+    pub cases_with_sites: usize,
+    /// The most of a case, those of the file not counted.
+    pub most_sites: usize,
+    /// How often a case was run again, at most.
+    pub most_rounds: usize,
+    /// How often cases were run again, all together.
+    pub rounds: usize,
+}
+
 impl Tally {
+    /// Counts how many sites a case was found to have by a method, and in how many rounds.
+    pub fn add_found(&mut self, method: &str, [sites, rounds]: [usize; 2]) {
+        let found = self.found_sites.entry(method.to_owned()).or_default();
+        found.cases += 1;
+        found.cases_with_sites += usize::from(sites > 0);
+        found.most_sites = found.most_sites.max(sites);
+        found.most_rounds = found.most_rounds.max(rounds);
+        found.rounds += rounds;
+    }
+
     /// Counts what a case is by a method: whether it failed, its labels, the label predicted
     /// when motion settled, and which labels are certain.
     pub fn add(
@@ -53,6 +81,22 @@ impl Tally {
                 *of_method.entry(label).or_default() += 1;
             }
         }
+    }
+
+    /// In how many cases sites were found, how many at most and in how many rounds, in a sentence
+    /// for each method; none where they were not looked for.
+    pub fn found_words(&self) -> impl Iterator<Item = String> {
+        self.found_sites.iter().map(|(method, found)| {
+            let cases = counted(found.cases, "case");
+            match found.cases_with_sites {
+                0 => format!("{method}: no sites were found besides those of the file, in {cases}"),
+                with => format!(
+                    "{method}: sites were found in {with} of {cases}, up to {} in up to {}",
+                    counted(found.most_sites, "site"),
+                    counted(found.most_rounds, "round"),
+                ),
+            }
+        })
     }
 
     /// The motions that have labels; that of torsion where no case has any.

@@ -50,9 +50,11 @@ pub struct Film {
     pub axes: [Axis; 2],
     /// Places along the string, on the vertical axis, in order.
     pub places: Vec<f64>,
-    /// The wall: its distance from the middle at sites, each with its place on the vertical axis;
-    /// those that the string is nowhere near are left out.
+    /// The wall along the string: its distance from the middle at corners, each with its place on
+    /// the vertical axis. What is farther out than string and sites is cut off.
     pub wall: Vec<(f64, f64)>,
+    /// The same at sites; those that the string is nowhere near are left out.
+    pub wall_at_sites: Vec<(f64, f64)>,
     /// What else is to be said, in the legend.
     pub notes: Vec<String>,
     /// The frames.
@@ -106,10 +108,11 @@ fn legend(film: &Film) -> Result<Legend> {
     ];
     let wall = [
         (Key::Line(WALL_AT_SITE), "wall at a site"),
-        (Key::Line(WALL), "between sites, straight"),
+        (Key::Line(WALL), "between sites"),
     ];
-    // Of a single site there is no wall between.
-    let wall = wall.into_iter().take(film.wall.len());
+    let is_near = [&film.wall_at_sites, &film.wall].map(|wall| !wall.is_empty());
+    let wall = wall.into_iter().zip(is_near);
+    let wall = wall.filter_map(|(entry, is_near)| is_near.then_some(entry));
     let notes = film.notes.iter().map(|note| (Key::Nothing, note.as_str()));
     Legend::new(string.into_iter().chain(wall).chain(notes))
 }
@@ -123,7 +126,7 @@ fn columns(width: f64) -> usize {
 fn frames(film: &Film, top: f64, (full, columns): (f64, usize)) -> Result<Vec<Frame>> {
     let shapes = film.frames.iter().flat_map(|frame| &frame.shape);
     let radii = shapes.map(|[x, y]| x.hypot(*y));
-    let reach = (radii.chain(film.wall.iter().map(|(distance, _)| *distance)))
+    let reach = (radii.chain(film.wall_at_sites.iter().map(|(distance, _)| *distance)))
         .filter(|radius| radius.is_finite())
         .fold(0.0, f64::max);
     let scales = [
@@ -175,7 +178,7 @@ fn draw_frame(canvas: &mut Canvas, film: &Film, shown: &FilmFrame, frame: &Frame
     let mut shaded = curve(&|[x, y]| x.hypot(*y));
     shaded.extend(curve(&|[x, y]| -x.hypot(*y)).iter().rev());
     canvas.polygon(&shaded, SKY)?;
-    draw_wall(canvas, &film.wall, frame)?;
+    draw_wall(canvas, film, frame)?;
     canvas.line(&curve(&|[x, _]| *x), X)?;
     canvas.line(&curve(&|[_, y]| *y), Y)?;
     let radius = RADIUS
@@ -189,18 +192,21 @@ fn draw_frame(canvas: &mut Canvas, film: &Film, shown: &FilmFrame, frame: &Frame
     Ok(())
 }
 
-fn draw_wall(canvas: &mut Canvas, wall: &[(f64, f64)], frame: &Frame) -> Result<()> {
+fn draw_wall(canvas: &mut Canvas, film: &Film, frame: &Frame) -> Result<()> {
     for side in [-1.0, 1.0] {
-        let points: Vec<_> = wall.iter().map(|(at, place)| (side * at, *place)).collect();
-        for piece in frame.curve(&points) {
-            if piece.len() > 1 {
-                canvas.line(&piece, WALL)?;
+        let on_side = |wall: &[(f64, f64)]| -> Vec<Vec<Pixel>> {
+            let points: Vec<_> = wall.iter().map(|(at, place)| (side * at, *place)).collect();
+            frame.curve(&points)
+        };
+        for piece in on_side(&film.wall) {
+            for part in frame.area.clip(&piece) {
+                canvas.line(&part, WALL)?;
             }
-            for (x, y) in piece {
-                let bar = [(x, y - REACH), (x, y + REACH)];
-                for part in frame.area.clip(&bar) {
-                    canvas.line(&part, WALL_AT_SITE)?;
-                }
+        }
+        for (x, y) in on_side(&film.wall_at_sites).concat() {
+            let bar = [(x, y - REACH), (x, y + REACH)];
+            for part in frame.area.clip(&bar) {
+                canvas.line(&part, WALL_AT_SITE)?;
             }
         }
     }
@@ -246,7 +252,12 @@ mod tests {
         Film {
             title: "Fig. 16: the string in its hole, quadrature".to_owned(),
             axes: ["x, y, r (mm)", "Above the bit (m)"].map(Axis::linear),
-            wall: (0..count)
+            wall: if wall {
+                vec![(15.0, 0.0), (15.0, 2500.0), (40.0, 2500.0), (40.0, 4999.0)]
+            } else {
+                Vec::new()
+            },
+            wall_at_sites: (0..count)
                 .filter(|_| wall)
                 .map(|site| (15.0, at(site)))
                 .collect(),

@@ -77,8 +77,11 @@ fn overview(all: &[Results]) -> Vec<Block> {
                 tally.settled_wrong
             ),
         };
+        let found: String = (tally.found_words())
+            .map(|words| format!(" {words}."))
+            .collect();
         Block::Text(format!(
-            "{}: {}. {} by {} ({}).{part}{so_far} {}. {failed}{settled}",
+            "{}: {}. {} by {} ({}).{part}{so_far} {}. {failed}{settled}{found}",
             results.name,
             manifest.title,
             cases_of(manifest),

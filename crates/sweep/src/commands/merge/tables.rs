@@ -98,6 +98,9 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
             row.predicted,
             row.certainty,
         );
+        if let Some(found) = row.found {
+            tally.add_found(&row.method, found);
+        }
         file.write(format!("{line}\n").as_bytes())?;
     }
     let expected: usize = parts.iter().map(|part| part.manifest.tally.rows).sum();

@@ -68,7 +68,10 @@ impl Written<'_> {
             self.table("film.csv", &film_csv(&simulations[0], &wholes[0], &steps)?)?;
         }
         let files = self.files(lateral.is_some(), !steps.is_empty());
-        case_lines(sweep, cases, simulations, &wholes, (&files, self.folder))
+        // All cases have the same.
+        let found = self.rows.first().and_then(|row| row.found.as_ref());
+        let written = (files.as_str(), self.folder);
+        case_lines(sweep, found, cases, simulations, &wholes, written)
     }
 
     /// The files that were written, in words.

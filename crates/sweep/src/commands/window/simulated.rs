@@ -10,6 +10,7 @@ use crate::output::{Boundary, Curve, Manifest, Motion, ResultTables, exact_stick
 use crate::window::{AXES, Drawn, Simulated, Source, below_curves, simulated};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use campaign::quantities::Units;
 use campaign::sweep_file::DesignKind;
 use campaign::words::{counted, short};
 
@@ -105,7 +106,8 @@ fn told(found: &Simulated, manifest: &Manifest, risk: f64) -> String {
 fn curves_of(boundary: &Boundary, axes: &[Axis]) -> Vec<Curve> {
     let is_over_weight =
         |curve: &Curve| curve.motion == Motion::Torsion && curve.along == Axis::WeightOnBitKn;
-    let curves = boundary.curves(axes).into_iter();
+    // Their names, which may have units, are not shown.
+    let curves = boundary.curves(axes, Units::default()).into_iter();
     curves.filter(is_over_weight).collect()
 }
 
