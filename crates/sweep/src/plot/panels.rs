@@ -18,8 +18,8 @@ const WIDTH: f64 = 900.0;
 /// Height of a panel, as a part of the width of a narrow picture, and what it is between.
 const PANEL_HEIGHTS: [f64; 2] = [170.0, 230.0];
 const HEIGHT_PART: f64 = 0.46;
-/// The part of it that a panel of differences has.
-const SMALL_PART: f64 = 0.7;
+/// The part of it that a panel of differences has, where the picture is wide.
+const SMALL_PART: f64 = 0.85;
 const MARGIN: f64 = 14.0;
 /// Distance between panels.
 const PANEL_GAP: f64 = 12.0;
@@ -192,7 +192,7 @@ fn frames(
     let mut frames = Vec::new();
     let mut top = top;
     for panel in panels {
-        let height = if panel.is_difference {
+        let height = if panel.is_difference && !is_narrow(width) {
             SMALL_PART * full
         } else {
             full
