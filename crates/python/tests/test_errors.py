@@ -11,7 +11,8 @@ import pytest
 import drillstring as ds
 
 LONG = {
-    "base": "sweeps/fig09.toml",
+    "base": "sweeps/academic.toml",
+    "bit": {"rock": "sandstone"},
     "methods": ["held"],
     "design": {
         "kind": "monte-carlo",
@@ -73,18 +74,17 @@ def test_a_string_that_cannot_be_is_refused():
 
 def test_a_method_that_chatters_is_refused_and_allowed_with_a_warning():
     sweep = ds.Sweep.from_dict(
-        {"base": "sweeps/fig09.toml", "methods": ["trapezoidal"], "design": ONE_CASE}
+        {
+            "base": "sweeps/academic.toml",
+            "bit": {"torque_dynamic_nm": 2000},
+            "surface_speed_rpm": 0.3,
+            "methods": ["trapezoidal"],
+        }
     )
     with pytest.raises(ds.SweepFileError, match="not positive-real"):
         sweep.run()
     with pytest.warns(ds.DrillstringWarning, match="not positive-real"):
         assert sweep.run(allow_unstable=True).rows == 1
-
-
-ONE_CASE = {
-    "kind": "grid",
-    "axes": {"surface_speed_rpm": [0.3], "weight_on_bit_kn": [50]},
-}
 
 
 def test_what_takes_too_much_memory_is_refused_before_it_is_taken():

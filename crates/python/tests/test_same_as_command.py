@@ -3,6 +3,7 @@ text that gives a number back exactly."""
 
 import csv
 import math
+import os
 
 import numpy as np
 import pytest
@@ -46,12 +47,13 @@ time_s = 4
 kind = "grid"
 
 [design.axes]
-friction = [0.1, 2.0]
-impulse_ratio = [0.5, 3]
+friction = { values = [0.1, 2.0] }
+impulse_ratio = { values = [0.5, 3] }
 """
 
 STRINGS = """
-base = "fig09.toml"
+base = "academic.toml"
+bit = { rock = "sandstone" }
 certify = true
 methods = ["quadrature", "held"]
 
@@ -67,7 +69,8 @@ weight_on_bit_kn = { from = 20, to = 80 }
 """
 
 TRACE = """
-base = "fig09.toml"
+base = "academic.toml"
+bit = { rock = "sandstone" }
 methods = ["held"]
 
 [design]
@@ -92,7 +95,7 @@ def test_a_sweep_from_a_text_is_that_of_a_file(command, tmp_path, text):
     sweep = ds.Sweep.from_toml(text, name="own")
     table = sweep.run(threads=2)
     file = tmp_path / "own.toml"
-    file.write_text(text.replace('base = "', f'base = "{tmp_path.cwd()}/'))
+    file.write_text(text.replace('base = "', f'base = "{os.getcwd()}/'))
     command("run", file, "--out", tmp_path / "out", "--quiet")
     assert_same_table(table, tmp_path / "out" / "labels.csv")
 

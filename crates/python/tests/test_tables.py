@@ -54,8 +54,9 @@ def test_a_sweep_is_pickled_and_copied(sweep, tmp_path, monkeypatch):
 
 
 def test_numbers_of_numpy_are_numbers_of_a_table():
-    table = {"base": "sweeps/fig09.toml", "surface_speed_rpm": np.float64(0.2)}
-    axes = {"weight_on_bit_kn": np.linspace(20, 80, 3)}
+    table = {"base": "sweeps/academic.toml", "surface_speed_rpm": np.float64(0.2)}
+    table["bit"] = {"rock": "sandstone"}
+    axes = {"weight_on_bit_kn": {"values": np.linspace(20, 80, 3)}}
     sweep = ds.Sweep.from_dict({**table, "design": {"kind": "grid", "axes": axes}})
     assert sweep.cases == 3
     assert sweep.values(1) == {"weight_on_bit_kn": 50}

@@ -115,7 +115,7 @@ class Sweep:
     @property
     def content(self) -> dict[str, Any]:
         """The file as it is written, its bases merged in."""
-        content: dict[str, Any] = json.loads(self._sweep._json())
+        content: dict[str, Any] = json.loads(self._sweep._json(), object_hook=_given)
         return content
 
     @property
@@ -186,6 +186,11 @@ class Sweep:
                 memory=memory,
             )
         )
+
+
+def _given(table: dict[str, Any]) -> dict[str, Any]:
+    # A sweep file has no way to say that a key is not given but to leave it out.
+    return {key: value for key, value in table.items() if value is not None}
 
 
 def _plain(value: Any) -> Any:
