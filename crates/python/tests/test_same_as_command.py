@@ -86,7 +86,7 @@ def test_fig_9_is_that_of_the_command(command, tmp_path):
     command("run", "sweeps/fig09.toml", "--out", tmp_path, "--quiet")
     table = ds.Sweep.read("sweeps/fig09.toml").run()
     assert_same_table(table, tmp_path / "labels.csv")
-    assert set(table["torsion"]) == {"stick-slip", "smooth"}
+    assert set(table["torsion"]) == {"stick_slip", "smooth"}
 
 
 @pytest.mark.parametrize("text", [WALL, STRINGS, TRACE], ids=["wall", "strings", "trace"])

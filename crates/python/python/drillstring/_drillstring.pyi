@@ -7,6 +7,19 @@ from numpy.typing import NDArray
 
 from ._parts import Bending, BitTorque, EccentricMass, Impulse, Material, Section, TopDrive, Wall
 
+__all__ = [
+    "Approach",
+    "Drillstring",
+    "DrillstringError",
+    "DrillstringWarning",
+    "Modes",
+    "Motion",
+    "Responses",
+    "Simulation",
+    "Sweep",
+    "SweepFileError",
+]
+
 class DrillstringError(Exception): ...
 
 class SweepFileError(DrillstringError):
