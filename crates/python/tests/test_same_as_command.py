@@ -55,7 +55,7 @@ STRINGS = """
 base = "academic.toml"
 bit = { rock = "sandstone" }
 certify = true
-methods = ["quadrature", "held"]
+methods = ["held", "finite-element"]
 
 [design]
 kind = "monte-carlo"
