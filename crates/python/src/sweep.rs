@@ -18,7 +18,7 @@ use crate::string::Drillstring;
 use crate::wait::wait_for;
 
 /// A sweep, ready to run.
-#[pyclass(frozen, module = "drillstring")]
+#[pyclass(frozen, module = "drillstring._drillstring")]
 pub struct Sweep(ReadSweep);
 
 #[pymethods]
@@ -81,14 +81,17 @@ impl Sweep {
         Self::of(py, path, methods, texts, lines)
     }
 
-    #[expect(clippy::type_complexity, reason = "what pickle asks for")]
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, (PathBuf, Vec<String>, Texts, bool))> {
-        let own = &slf.get().0;
-        let parts = (own.path.clone(), own.methods.clone(), own.texts.clone());
-        let make = slf.get_type().getattr("_from_texts")?;
-        Ok((make, (parts.0, parts.1, parts.2, own.lines == Lines::Told)))
+    /// What [`Sweep::_from_texts`] makes it of.
+    fn _parts(&self) -> (PathBuf, Vec<String>, Texts, bool) {
+        let ReadSweep {
+            path,
+            methods,
+            texts,
+            lines,
+            ..
+        } = &self.0;
+        let has_lines = *lines == Lines::Told;
+        (path.clone(), methods.clone(), texts.clone(), has_lines)
     }
 
     /// The file's name without its ending.

@@ -1,0 +1,52 @@
+"""Sweeps of an efficient model of drillstring dynamics, after T. Butlin and R. S. Langley (2015).
+
+Everything is in SI units but what a sweep file or a table names otherwise. Sites are numbered
+from the surface down, from 0; the bit, where it is one, is the last.
+"""
+
+from ._drillstring import (
+    Approach,
+    Drillstring,
+    DrillstringError,
+    DrillstringWarning,
+    Modes,
+    Motion,
+    Responses,
+    Simulation,
+    SweepFileError,
+)
+from ._parts import (
+    Bending,
+    BitTorque,
+    EccentricMass,
+    Impulse,
+    Material,
+    Section,
+    TopDrive,
+    Tube,
+    Wall,
+)
+from ._sweep import Sweep, Table
+
+__all__ = [
+    "Approach",
+    "Bending",
+    "BitTorque",
+    "Drillstring",
+    "DrillstringError",
+    "DrillstringWarning",
+    "EccentricMass",
+    "Impulse",
+    "Material",
+    "Modes",
+    "Motion",
+    "Responses",
+    "Section",
+    "Simulation",
+    "Sweep",
+    "SweepFileError",
+    "Table",
+    "TopDrive",
+    "Tube",
+    "Wall",
+]

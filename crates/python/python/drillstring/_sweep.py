@@ -1,0 +1,199 @@
+"""Sweeps, and the table of what a run answers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+from ._drillstring import Drillstring, Responses, Simulation
+from ._drillstring import Sweep as _Sweep
+
+__all__ = ["Sweep", "Table"]
+
+
+class Table(dict[str, "np.ndarray[Any, Any]"]):
+    """Columns by name, those of ``labels.csv`` in its order: an array each, a row for each case
+    and method.
+
+    ``pandas.DataFrame(table)`` and ``polars.DataFrame(table)`` take it as it is. Words that a row
+    lacks are ``None``, numbers not a number.
+    """
+
+    @property
+    def rows(self) -> int:
+        """Number of rows."""
+        return len(self["case"])
+
+    def __repr__(self) -> str:
+        return f"<Table of {self.rows} rows: {', '.join(self)}>"
+
+
+class Sweep:
+    """A sweep file, read and ready to run."""
+
+    __slots__ = ("_sweep",)
+    _sweep: _Sweep
+
+    def __init__(self) -> None:
+        raise TypeError("use Sweep.read, Sweep.from_toml or Sweep.from_dict")
+
+    @classmethod
+    def _of(cls, sweep: _Sweep) -> Sweep:
+        made = object.__new__(cls)
+        made._sweep = sweep
+        return made
+
+    @classmethod
+    def read(cls, path: str | PathLike[str], *, methods: Sequence[str] | None = None) -> Sweep:
+        """Read a sweep file, with these methods in place of its own."""
+        return cls._of(_Sweep.read(path, methods=methods))
+
+    @classmethod
+    def from_toml(
+        cls,
+        text: str,
+        *,
+        name: str = "sweep",
+        folder: str | PathLike[str] = "",
+        methods: Sequence[str] | None = None,
+    ) -> Sweep:
+        """The sweep of a text as in a sweep file; files that it names are in a folder."""
+        return cls._of(_Sweep.from_toml(text, name=name, folder=folder, methods=methods))
+
+    @classmethod
+    def from_dict(
+        cls,
+        table: Mapping[str, Any],
+        *,
+        name: str = "sweep",
+        folder: str | PathLike[str] = "",
+        methods: Sequence[str] | None = None,
+    ) -> Sweep:
+        """The sweep of a table as a sweep file has it, numbers and arrays of NumPy among them."""
+        text = json.dumps(table, default=_plain)
+        return cls._of(_Sweep._from_json(text, name, folder, methods))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Sweep._of_parts, self._sweep._parts()
+
+    @classmethod
+    def _of_parts(cls, *parts: Any) -> Sweep:
+        return cls._of(_Sweep._from_texts(*parts))
+
+    def __repr__(self) -> str:
+        return repr(self._sweep)
+
+    @property
+    def name(self) -> str:
+        """The file's name without its ending."""
+        return self._sweep.name
+
+    @property
+    def title(self) -> str:
+        """One line for pictures."""
+        return self._sweep.title
+
+    @property
+    def methods(self) -> list[str]:
+        """Names of the linear methods."""
+        return self._sweep.methods
+
+    @property
+    def axes(self) -> list[str]:
+        """Names of what the design varies, the columns of the table."""
+        return self._sweep.axes
+
+    @property
+    def cases(self) -> int:
+        """Number of cases; of a trace, of the grid that it chooses from."""
+        return self._sweep.cases
+
+    @property
+    def content(self) -> dict[str, Any]:
+        """The file as it is written, its bases merged in."""
+        content: dict[str, Any] = json.loads(self._sweep._json(), object_hook=_given)
+        return content
+
+    @property
+    def string(self) -> Drillstring:
+        """The string as the file says it."""
+        return self._sweep.string
+
+    @property
+    def sites(self) -> list[float]:
+        """Distances of the sites from the bit, m."""
+        return self._sweep.sites
+
+    @property
+    def sampling_frequency(self) -> float:
+        """Sampling frequency, Hz."""
+        return self._sweep.sampling_frequency
+
+    def values(self, case: int) -> dict[str, float]:
+        """The values of a case along the axes."""
+        return self._sweep.values(case)
+
+    def responses(self, method: str | None = None) -> Responses:
+        """The impulse responses by which a run steps the string as the file says it, by the first
+        method or one that is named."""
+        return self._sweep.responses(method)
+
+    def simulate(
+        self,
+        case: int = 0,
+        *,
+        set: Mapping[str, float] | None = None,
+        method: str | None = None,
+        full: bool = False,
+        allow_unstable: bool = False,
+        memory: str | None = None,
+    ) -> Simulation:
+        """Follow a case to the end of its time, as ``sweep simulate`` does, by the first method
+        or one that is named; ``set`` gives axes other values."""
+        return self._sweep.simulate(
+            case,
+            set=None if set is None else dict(set),
+            method=method,
+            full=full,
+            allow_unstable=allow_unstable,
+            memory=memory,
+        )
+
+    def run(
+        self,
+        *,
+        threads: int | None = None,
+        progress: Callable[[int, int], object] | None = None,
+        full: bool = False,
+        allow_unstable: bool = False,
+        memory: str | None = None,
+    ) -> Table:
+        """Run every case by every method, as ``sweep run`` does.
+
+        ``progress`` is told, ten times a second, how many simulations are done, and of how many.
+        Ctrl-C and what it raises end the run.
+        """
+        return Table(
+            self._sweep._run(
+                threads=threads,
+                progress=progress,
+                full=full,
+                allow_unstable=allow_unstable,
+                memory=memory,
+            )
+        )
+
+
+def _given(table: dict[str, Any]) -> dict[str, Any]:
+    # A sweep file has no way to say that a key is not given but to leave it out.
+    return {key: value for key, value in table.items() if value is not None}
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (np.generic, np.ndarray)):
+        return value.tolist()
+    raise TypeError(f"a sweep has no value such as {value!r}")

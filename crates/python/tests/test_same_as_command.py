@@ -1,0 +1,143 @@
+"""What the package answers is what the command writes, bit for bit: it writes the shortest
+text that gives a number back exactly."""
+
+import csv
+import math
+import os
+
+import numpy as np
+import pytest
+
+import drillstring as ds
+
+RPM = math.tau / 60
+
+
+def read(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def same(value, text):
+    """Whether a value is what a field of a table says."""
+    if text == "":
+        return value is None or (isinstance(value, float) and math.isnan(value))
+    if isinstance(value, (bool, np.bool_)):
+        return text == str(value).lower()
+    if isinstance(value, str):
+        return value == text
+    return float(value) == float(text)
+
+
+def assert_same_table(table, path):
+    rows = read(path)
+    assert list(table) == list(rows[0])
+    assert table.rows == len(rows)
+    for name, column in table.items():
+        for index, row in enumerate(rows):
+            assert same(column[index], row[name]), (name, index, column[index], row[name])
+
+
+WALL = """
+base = "fig12.toml"
+methods = ["quadrature", "held"]
+time_s = 4
+
+[design]
+kind = "grid"
+
+[design.axes]
+friction = { values = [0.1, 2.0] }
+impulse_ratio = { values = [0.5, 3] }
+"""
+
+STRINGS = """
+base = "academic.toml"
+bit = { rock = "sandstone" }
+certify = true
+methods = ["held", "finite-element"]
+
+[design]
+kind = "monte-carlo"
+cases = 6
+seed = 3
+
+[design.axes]
+torsional_damping_nms_rad_m = { from = 5, to = 20 }
+surface_speed_rpm = { from = 0.1, to = 0.4 }
+weight_on_bit_kn = { from = 20, to = 80 }
+"""
+
+TRACE = """
+base = "academic.toml"
+bit = { rock = "sandstone" }
+methods = ["held"]
+
+[design]
+kind = "trace"
+
+[design.axes]
+surface_speed_rpm = { from = 0.02, to = 0.6, count = 9 }
+weight_on_bit_kn = { from = 5, to = 100, count = 9 }
+"""
+
+
+def test_fig_9_is_that_of_the_command(command, tmp_path):
+    command("run", "sweeps/fig09.toml", "--out", tmp_path, "--quiet")
+    table = ds.Sweep.read("sweeps/fig09.toml").run()
+    assert_same_table(table, tmp_path / "labels.csv")
+    assert set(table["torsion"]) == {"stick_slip", "smooth"}
+
+
+@pytest.mark.parametrize("text", [WALL, STRINGS, TRACE], ids=["wall", "strings", "trace"])
+def test_a_sweep_from_a_text_is_that_of_a_file(command, tmp_path, text):
+    text = text.replace('base = "', 'base = "sweeps/')
+    sweep = ds.Sweep.from_toml(text, name="own")
+    table = sweep.run(threads=2)
+    file = tmp_path / "own.toml"
+    file.write_text(text.replace('base = "', f'base = "{os.getcwd()}/'))
+    command("run", file, "--out", tmp_path / "out", "--quiet")
+    assert_same_table(table, tmp_path / "out" / "labels.csv")
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_threads_do_not_change_a_table(threads):
+    sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["held"])
+    one, other = sweep.run(threads=threads), sweep.run(threads=2)
+    for name in one:
+        assert np.array_equal(one[name], other[name], equal_nan=one[name].dtype.kind == "f")
+
+
+@pytest.mark.parametrize("figure", ["fig08b", "fig12"])
+def test_a_history_is_that_of_the_command(command, tmp_path, figure):
+    command("simulate", f"sweeps/{figure}.toml", "--out", tmp_path)
+    sweep = ds.Sweep.read(f"sweeps/{figure}.toml")
+    history, cases = read(tmp_path / "history.csv"), read(tmp_path / "case.csv")
+    for method, case in zip(sweep.methods, cases, strict=True):
+        simulation = sweep.simulate(method=method)
+        assert all(same(simulation.row[name], text) for name, text in case.items())
+        motion = simulation.motion
+        rows = [row for row in history if row["method"] == method]
+        assert len(rows) == len(motion)
+        name = "bit" if figure == "fig08b" else next(
+            key for key in rows[0] if key.endswith("_speed_rpm")
+        ).removesuffix("_speed_rpm")
+        column = lambda key: np.array([float(row[key]) for row in rows])
+        assert np.array_equal(motion.time, column("time_s"))
+        assert np.array_equal(motion.speeds[0] / RPM, column(f"{name}_speed_rpm"))
+        if figure == "fig08b":
+            assert np.array_equal(-motion.bit_torque, column("torque_on_bit_nm"))
+        else:
+            assert np.array_equal(1e3 * motion.positions[0, :, 0], column(f"{name}_x_mm"))
+            assert np.array_equal(motion.wall_forces[0, :, 1], column(f"{name}_wall_force_y_n"))
+            assert motion.touches.any() and motion.rolls.any()
+
+
+def test_what_is_set_is_set_as_by_the_command(command, tmp_path):
+    arguments = ["--case", 3, "--set", "surface_speed_rpm=0.3", "--methods", "held"]
+    command("simulate", "sweeps/fig09.toml", *arguments, "--out", tmp_path)
+    sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["held"])
+    row = sweep.simulate(3, set={"surface_speed_rpm": 0.3}).row
+    (case,) = read(tmp_path / "case.csv")
+    assert list(row) == list(case)
+    assert all(same(row[name], text) for name, text in case.items())

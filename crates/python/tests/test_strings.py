@@ -1,0 +1,134 @@
+"""Responses, modes and laws of one's own, against what is known of them otherwise."""
+
+import math
+
+import numpy as np
+import pytest
+
+import drillstring as ds
+
+STEEL = ds.Material(shear_modulus=80e9, density=7850)
+UNIFORM = [ds.Section([ds.Tube(10, 0.05, 0.1)], repeat=50)]
+BENDING = ds.Bending(damping=2000)
+
+
+@pytest.fixture(scope="module")
+def string():
+    return ds.Drillstring(UNIFORM, material=STEEL, torsional_damping=1)
+
+
+def test_torsional_modes_are_those_of_a_uniform_rod(string):
+    # Held above and free below: odd quarters of a wave.
+    modes = string.torsional_modes(4, depths=101)
+    quarter = math.sqrt(80e9 / 7850) / (4 * 500)
+    assert np.allclose(modes.frequencies, quarter * np.array([1, 3, 5, 7]), rtol=1e-9)
+    wave = np.sin(math.pi / 2 * modes.depths / 500)
+    assert np.allclose(np.abs(modes.shapes[0]), wave, atol=1e-6)
+    assert (modes.damping_ratios > 0).all()
+    assert string.bending_modes(2, bending=BENDING).damping_ratios is None
+
+
+@pytest.mark.parametrize("method", ["held", "quadrature", "finite-element"])
+def test_taps_have_the_exact_frequency_response(string, method):
+    responses = string.responses(method, longest_time=60, sampling_frequency=2000)
+    frequency = 1.0
+    exact, from_torque = string.torsion_response([frequency])
+    assert exact.shape == (1, 1) and from_torque.shape == (1, 1, 1)
+    taps = responses.from_surface[0]
+    steps = np.arange(len(taps)) / 2000
+    found = (taps * np.exp(-2j * math.pi * frequency * steps)).sum()
+    # By `held` motion is the mean over a step.
+    assert abs(abs(found) - abs(exact[0, 0])) < 0.01 * abs(exact[0, 0])
+    assert responses.torsion_margin > -1e-3
+    assert responses.bending_margin is None
+
+
+def test_a_receptance_is_the_same_both_ways(string):
+    receptance = string.bending_response([0.5, 2.0], bending=BENDING, sites=[100.0, 0.0])
+    assert receptance.shape == (2, 2, 2)
+    assert np.allclose(receptance[:, 0, 1], receptance[:, 1, 0], rtol=1e-9)
+
+
+def coulomb(torque):
+    """Coulomb's friction as a function: what holds the bit, or as much against it."""
+
+    def law(time, free_speed, compliance):
+        return max(-torque, min(torque, -free_speed / compliance))
+
+    return law
+
+
+def test_a_law_of_python_is_the_built_in_one_where_they_are_the_same(string):
+    responses = string.responses(longest_time=10)
+    own = responses.simulate(2.0, 10, bit=coulomb(1000.0))
+    built_in = responses.simulate(2.0, 10, bit=ds.BitTorque(1000.0, 1000.0))
+    assert np.allclose(own.bit_speed, built_in.bit_speed, atol=1e-9)
+    assert own.bit_speed[-1] == pytest.approx(2.0, rel=0.05)
+    assert own.bit_torque.min() == -1000.0
+
+
+def test_a_motion_of_a_sweep_is_that_of_its_responses():
+    sweep = ds.Sweep.read("sweeps/fig08b.toml", methods=["quadrature"])
+    law = ds.BitTorque(4800.0, 4000.0)
+    speed = 0.1 * math.tau / 60
+    stepped = sweep.responses().simulate(speed, 40, bit=law)
+    assert np.allclose(stepped.bit_speed, sweep.simulate().motion.bit_speed, atol=1e-8)
+
+
+def test_what_a_law_raises_is_raised_as_it_is(string):
+    responses = string.responses(longest_time=10)
+
+    def law(time, free_speed, compliance):
+        if time > 1:
+            raise ZeroDivisionError("at last")
+        return 0.0
+
+    with pytest.raises(ZeroDivisionError, match="at last"):
+        responses.simulate(2.0, 10, bit=law)
+    with pytest.raises(TypeError):
+        responses.simulate(2.0, 10, bit=lambda *_: "much")
+    with pytest.raises(ds.DrillstringError, match="is not finite"):
+        responses.simulate(2.0, 10, bit=lambda *_: math.inf)
+
+
+class Rubber:
+    """A wall that is a linear spring with a damper, without friction."""
+
+    clearance, radius = 0.015, 0.1
+
+    def __init__(self, stiffness, damping):
+        self.stiffness, self.damping = stiffness, damping
+
+    def force(self, approach):
+        x, y = approach.free_position
+        distance = math.hypot(x, y)
+        if distance <= self.clearance:
+            return None
+        damping = self.damping * approach.rate
+        push = self.stiffness * (distance - self.clearance)
+        push += damping * (distance - math.hypot(*approach.previous_position))
+        force = max(0.0, push / (1 + approach.compliance * (self.stiffness + damping)))
+        return (-force * x / distance, -force * y / distance, 0.0)
+
+
+def test_a_wall_of_python_holds_the_string(string):
+    responses = string.responses("quadrature", longest_time=3, bending=BENDING)
+    impulse = ds.Impulse(amount=1000, start=1)
+    motion = responses.simulate(6.0, 3, walls=[Rubber(1e7, 1e4)], impulses=[impulse])
+    distance = np.hypot(motion.positions[0, :, 0], motion.positions[0, :, 1])
+    assert motion.touches.any()
+    assert 0.015 < distance.max() < 0.03
+    # Where it touches, the force is along the radius and pushes inwards.
+    pushed = motion.normal_forces[0] > 0
+    assert np.allclose(
+        np.hypot(*motion.wall_forces[0, pushed].T), motion.normal_forces[0, pushed]
+    )
+    without = responses.simulate(6.0, 3, walls=[ds.Wall(1.0, 0.0, 0.1)], impulses=[impulse])
+    free = np.hypot(without.positions[0, :, 0], without.positions[0, :, 1])
+    assert free.max() > 1.5 * distance.max()
+
+
+def test_an_impulse_without_a_wall_is_refused(string):
+    responses = string.responses(longest_time=3)
+    with pytest.raises(ds.DrillstringError, match="need walls"):
+        responses.simulate(6.0, 3, impulses=[ds.Impulse(amount=1000)])
