@@ -19,6 +19,7 @@ mod run_options;
 mod shard;
 mod simulation;
 mod stepped;
+mod stopwatch;
 mod survey;
 mod systems;
 mod verdict;
@@ -36,6 +37,7 @@ pub use record::{Failure, Found, Record, certified};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use simulation::Simulation;
+pub use stopwatch::Stopwatch;
 pub use survey::{Survey, longest_beside, setting_of, survey};
 pub use systems::{MethodSystem, add_finer, compare_fronts};
 pub use verdict::{Certified, FINER, LateralVerdict, Verdict};
@@ -44,7 +46,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use anyhow::Result;
-use rayon::prelude::*;
+use linear::parallel;
 
 use crate::design::Design;
 use crate::plan::Sweep;
@@ -109,12 +111,11 @@ impl Work<'_> {
         }
         let batch = self.strings_at_once;
         for first in (0..strings).step_by(batch) {
-            let systems: Vec<_> = (first..strings.min(first + batch))
-                .into_par_iter()
-                .filter(|&string| self.has_open_case(string))
-                .map(|string| (string, self.build(string)))
-                .collect();
-            let built: Vec<Built> = (systems.iter())
+            let systems = parallel::map(batch.min(strings - first), 1, |place| {
+                let string = first + place;
+                (self.has_open_case(string)).then(|| (string, self.build(string)))
+            });
+            let built: Vec<Built> = (systems.iter().flatten())
                 .map(|(string, systems)| Built {
                     string: *string,
                     systems: (0..self.sweep.methods.len())
@@ -167,7 +168,7 @@ impl Work<'_> {
         }
         let next = AtomicUsize::new(0);
         let failure = OnceLock::new();
-        rayon::broadcast(|_| {
+        parallel::on_each_thread(|| {
             while failure.get().is_none() && !(self.stops)() {
                 let index = next.fetch_add(1, Ordering::Relaxed);
                 if index >= total {
