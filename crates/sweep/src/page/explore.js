@@ -58,6 +58,8 @@ function show(answer, limit, method, isQuick) {
     line.insertCell().textContent = name;
     line.insertCell().textContent = number(value);
   }
+  byId("speed").toggleAttribute("hidden", !speed);
+  byId("torque").toggleAttribute("hidden", !torque);
   if (speed) plotHistory(byId("speed"), { title: "Speed of the bit", time, values: speed, unit: "Bit speed (rpm)" });
   if (torque) plotHistory(byId("torque"), { title: "Torque on the bit", time, values: torque.map((it) => it / 1e3), unit: "Torque (kN m)" });
   byId("orbit").toggleAttribute("hidden", positions.length === 0);

@@ -104,7 +104,7 @@ function plotOrbit(svg, { title, x, y, clearance }) {
   }
   const wall = clearance === undefined ? "" : `<ellipse class="plot-mark" cx="${px(0)}" cy="${py(0)}"
     rx="${px(clearance) - px(0)}" ry="${py(0) - py(clearance)}"/>`;
-  svg.innerHTML = `${inside}${wall}<path class="plot-line" d="${path}"/>`;
+  svg.innerHTML = `${inside}${wall}<path class="plot-line plot-orbit" d="${path}"/>`;
 }
 
 function plotMap(svg, { axes, line, here }) {
