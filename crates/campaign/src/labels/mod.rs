@@ -2,11 +2,13 @@
 
 mod certainty;
 mod field;
+mod history;
 mod motion;
 mod table;
 
 pub use certainty::{Certainty, CertifiedBy};
 pub use field::{Field, Kind};
+pub use history::{Column, history_columns};
 pub use motion::{Labels, Motion, is_sustained};
 pub use table::{
     FAILED, FOUND_COLUMNS, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, shows_found,

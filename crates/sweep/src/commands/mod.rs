@@ -8,6 +8,7 @@ pub mod contacts;
 mod cost;
 mod csv_table;
 mod drawing;
+pub mod explore;
 pub mod export;
 mod folder;
 pub mod inspect;
