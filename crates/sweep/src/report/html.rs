@@ -21,6 +21,16 @@ pub fn escaped(text: &str) -> String {
     html
 }
 
+/// An escaped text with the index of T_d, for which Unicode has no letter, below the line.
+pub fn with_index(html: &str) -> String {
+    html.replace("T_d", "T<sub>d</sub>")
+}
+
+/// A value as a script element of data holds it: nothing in it can end the element.
+pub fn json(value: &serde_json::Value) -> String {
+    value.to_string().replace('<', "\\u003c")
+}
+
 /// A text between the tags of an element.
 pub fn element(name: &str, text: &str) -> String {
     format!("<{name}>{}</{name}>\n", escaped(text))

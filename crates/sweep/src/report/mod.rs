@@ -2,7 +2,8 @@
 //!
 //! `results` reads a folder in one pass over its cases, so that memory does not grow
 //! with them; `comparison` compares two folders. `sections` makes words and tables of
-//! both, which a terminal (`text`) and a page (`page`) show alike. `analysed` and `deciding` are of
+//! both, which a terminal (`text`) and a page (`page`) show alike; of maps
+//! `live_map` makes a drawing that answers who points at it. `analysed` and `deciding` are of
 //! counts of random cases, as `sweep analyse` tells them.
 
 mod agreement;
@@ -14,6 +15,7 @@ mod document;
 mod failures;
 mod html;
 mod limit;
+mod live_map;
 mod page;
 mod provenance;
 mod results;

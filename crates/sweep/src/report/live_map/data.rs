@@ -1,0 +1,237 @@
+//! The cases of a map as a page holds them: once, by columns, numbers as they are in the table.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use csv::StringRecord;
+use serde_json::{Value, json};
+
+use crate::map::Drawing;
+use crate::output::{Manifest, Motion, ResultTables};
+use crate::plot::map_axes;
+use campaign::quantities::{Axis, Measure, Unit, Units};
+use campaign::text_file::unreadable;
+use campaign::words::shell_word;
+
+/// Simulations whose values a page holds at most.
+pub const MOST_ROWS: usize = 20_000;
+
+/// Of more simulations, measures are in so many digits: the page stays small.
+const MOST_EXACT: usize = 4000;
+const DIGITS: usize = 4;
+
+/// The cases of a drawing; none where they are too many.
+///
+/// # Errors
+/// Where a table cannot be read.
+pub fn data(tables: &ResultTables, drawing: &Drawing) -> Result<Option<Value>> {
+    let manifest = &tables.manifest;
+    if manifest.tally.rows > MOST_ROWS {
+        return Ok(None);
+    }
+    let is_exact = manifest.tally.rows <= MOST_EXACT;
+    let table = Table::read(&tables.folder.join("labels.csv"), manifest)?;
+    let units = manifest.sweep.units;
+    let axes = manifest.axes.iter();
+    let place = |axis: Axis| manifest.axes.iter().position(|other| *other == axis);
+    Ok(Some(json!({
+        "command_parts": command(manifest),
+        "axes": axes.map(|&axis| described(&axis.words(units), &axis.unit(units))).collect::<Value>(),
+        "places": drawing.axes.map(place),
+        "ends": map_axes(&drawing.sheet, 2).map(|axis| axis.ends),
+        "panels": panels(drawing, place),
+        "cases": table.cases,
+        "values": table.values,
+        "methods": manifest.method_names(),
+        "columns": (table.columns.iter())
+            .filter_map(|column| column.json(units, is_exact))
+            .collect::<Value>(),
+        "digits": (!is_exact).then_some(DIGITS),
+        "failures": failures(&tables.folder.join("failures.csv"))?,
+    })))
+}
+
+/// What simulates a case, before and after its number.
+fn command(manifest: &Manifest) -> [String; 2] {
+    let file = shell_word(&format!("{}.toml", manifest.name));
+    let options = manifest.options;
+    let after = [
+        (options.full, " --full"),
+        (options.allow_unstable, " --allow-unstable"),
+    ];
+    let after = after.map(|(given, option)| if given { option } else { "" });
+    [format!("sweep simulate {file} --case "), after.concat()]
+}
+
+/// A quantity: its words, its unit, and how much of the table's unit that is.
+fn described(words: &str, unit: &Unit) -> Value {
+    json!({ "words": words, "unit": unit.name, "size": 1.0 / unit.number(1.0) })
+}
+
+/// Of each map, in the order of the page, what its cases have along other axes and the motion
+/// that it is of; a map of all cases has neither.
+fn panels(drawing: &Drawing, place: impl Fn(Axis) -> Option<usize>) -> Value {
+    let groups = drawing.sheet.groups.iter().enumerate();
+    let panels = groups.flat_map(|(index, group)| {
+        let motion = drawing.motions.get(index).copied();
+        (0..group.panels.len()).map(move |panel| (motion, panel))
+    });
+    let panels = panels.map(|(motion, panel)| {
+        let combination = motion.and_then(|_| drawing.combinations.get(panel));
+        let values = combination.map_or(&[][..], Vec::as_slice);
+        let held = drawing.others.iter().zip(values);
+        let held = held.map(|(&axis, value)| json!([place(axis), value]));
+        let motion = motion.map(|motion| match motion {
+            Motion::Torsion => "torsion",
+            Motion::Lateral => "lateral",
+        });
+        json!({ "motion": motion, "held": held.collect::<Value>() })
+    });
+    panels.collect()
+}
+
+/// A `labels.csv` by columns.
+struct Table {
+    cases: Vec<usize>,
+    /// Along each axis, by case.
+    values: Vec<Vec<f64>>,
+    columns: Vec<Column>,
+}
+
+/// What follows the axes: a field for each method of each case.
+struct Column {
+    name: String,
+    fields: Vec<String>,
+}
+
+impl Table {
+    fn read(path: &Path, manifest: &Manifest) -> Result<Self> {
+        let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
+        let header = reader.headers().with_context(|| unreadable(path))?.clone();
+        let axes: Vec<String> = manifest.axes.iter().map(|axis| axis.name()).collect();
+        let place = |name: &str| header.iter().position(|other| other == name);
+        let known = |name: &str| axes.iter().any(|axis| axis == name) || name == "case";
+        let names = header
+            .iter()
+            .filter(|name| !known(name) && *name != "method");
+        let mut table = Self {
+            cases: Vec::new(),
+            values: vec![Vec::new(); axes.len()],
+            columns: (names)
+                .map(|name| Column {
+                    name: name.to_owned(),
+                    fields: Vec::new(),
+                })
+                .collect(),
+        };
+        let methods = manifest.method_names();
+        for record in reader.records() {
+            let record = record.with_context(|| unreadable(path))?;
+            let field = |name: &str| place(name).and_then(|place| record.get(place));
+            let case = number(field("case")).with_context(|| unreadable(path))?;
+            if table.cases.last() != Some(&case) {
+                table.cases.push(case);
+                for (values, axis) in table.values.iter_mut().zip(&axes) {
+                    values.push(number(field(axis)).with_context(|| unreadable(path))?);
+                }
+            }
+            let method = methods
+                .iter()
+                .position(|name| Some(*name) == field("method"));
+            let row = (table.cases.len() - 1) * methods.len() + method.unwrap_or(0);
+            table.add(&record, &header, row, table.cases.len() * methods.len());
+        }
+        Ok(table)
+    }
+
+    /// Puts a record in its row, among so many rows.
+    fn add(&mut self, record: &StringRecord, header: &StringRecord, row: usize, rows: usize) {
+        for column in &mut self.columns {
+            column.fields.resize(rows, String::new());
+            let place = header.iter().position(|name| name == column.name);
+            let field = place.and_then(|place| record.get(place));
+            column.fields[row] = field.unwrap_or_default().to_owned();
+        }
+    }
+}
+
+fn number<Number: std::str::FromStr>(field: Option<&str>) -> Result<Number>
+where
+    Number::Err: std::error::Error + Send + Sync + 'static,
+{
+    let field = field.unwrap_or_default();
+    (field.parse()).with_context(|| format!("`{field}` is not a number"))
+}
+
+impl Column {
+    /// What a page holds of it; none where it is empty.
+    fn json(&self, units: Units, is_exact: bool) -> Option<Value> {
+        let mut filled = self
+            .fields
+            .iter()
+            .filter(|field| !field.is_empty())
+            .peekable();
+        filled.peek()?;
+        let measure = Value::from(self.name.as_str());
+        let measure = serde_json::from_value::<Measure>(measure).ok();
+        let mut json = match measure {
+            Some(measure) => described(measure.words(), &measure.unit(units)),
+            None => {
+                let (name, unit) = units.named(&self.name);
+                described(&name, &unit)
+            }
+        };
+        json["name"] = self.name.as_str().into();
+        if filled.all(|field| finite(field).is_some()) {
+            let value = |field: &String| finite(field).map(|value| rounded(value, is_exact));
+            json["rows"] = self.fields.iter().map(value).collect();
+        } else {
+            // Each word once.
+            let mut words: Vec<&str> = Vec::new();
+            let mut rows = Vec::with_capacity(self.fields.len());
+            for field in &self.fields {
+                rows.push(if field.is_empty() {
+                    Value::Null
+                } else if let Some(place) = words.iter().position(|word| word == field) {
+                    place.into()
+                } else {
+                    words.push(field);
+                    (words.len() - 1).into()
+                });
+            }
+            json["texts"] = words.into();
+            json["rows"] = rows.into();
+        }
+        Some(json)
+    }
+}
+
+fn finite(field: &str) -> Option<f64> {
+    field.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+/// A whole number is written as one.
+fn rounded(value: f64, is_exact: bool) -> Value {
+    let value = if is_exact {
+        value
+    } else {
+        let text = format!("{value:.*e}", DIGITS - 1);
+        text.parse().unwrap_or(value)
+    };
+    if value == value.trunc() && value.abs() < 1e15 {
+        return (value as i64).into();
+    }
+    value.into()
+}
+
+/// Why cases have no answer: by the case, then by the method.
+fn failures(path: &Path) -> Result<BTreeMap<String, BTreeMap<String, String>>> {
+    let mut reader = csv::Reader::from_path(path).with_context(|| unreadable(path))?;
+    let mut failures: BTreeMap<String, BTreeMap<String, String>> = BTreeMap::new();
+    for failure in reader.deserialize() {
+        let [case, method, reason, _]: [String; 4] = failure.with_context(|| unreadable(path))?;
+        failures.entry(case).or_default().insert(method, reason);
+    }
+    Ok(failures)
+}
