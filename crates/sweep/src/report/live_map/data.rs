@@ -7,6 +7,7 @@ use anyhow::{Context, Result};
 use csv::StringRecord;
 use serde_json::{Value, json};
 
+use super::opening::opening;
 use crate::map::Drawing;
 use crate::output::{Manifest, Motion, ResultTables};
 use crate::plot::map_axes;
@@ -37,7 +38,9 @@ pub fn data(tables: &ResultTables, drawing: &Drawing) -> Result<Option<Value>> {
     let place = |axis: Axis| manifest.axes.iter().position(|other| *other == axis);
     Ok(Some(json!({
         "command_parts": command(manifest),
-        "axes": axes.map(|&axis| described(&axis.words(units), &axis.unit(units))).collect::<Value>(),
+        "axes": axes
+            .map(|&axis| described((&axis.name(), &axis.words(units)), &axis.unit(units)))
+            .collect::<Value>(),
         "places": drawing.axes.map(place),
         "ends": map_axes(&drawing.sheet, 2).map(|axis| axis.ends),
         "panels": panels(drawing, place),
@@ -48,6 +51,7 @@ pub fn data(tables: &ResultTables, drawing: &Drawing) -> Result<Option<Value>> {
             .filter_map(|column| column.json(units, is_exact))
             .collect::<Value>(),
         "digits": (!is_exact).then_some(DIGITS),
+        "opening": opening(manifest),
         "failures": failures(&tables.folder.join("failures.csv"))?,
     })))
 }
@@ -64,9 +68,9 @@ fn command(manifest: &Manifest) -> [String; 2] {
     [format!("sweep simulate {file} --case "), after.concat()]
 }
 
-/// A quantity: its words, its unit, and how much of the table's unit that is.
-fn described(words: &str, unit: &Unit) -> Value {
-    json!({ "words": words, "unit": unit.name, "size": 1.0 / unit.number(1.0) })
+/// A quantity: its column, its words, its unit, and how much of the column's unit that is.
+fn described((name, words): (&str, &str), unit: &Unit) -> Value {
+    json!({ "name": name, "words": words, "unit": unit.name, "size": 1.0 / unit.number(1.0) })
 }
 
 /// Of each map, in the order of the page, what its cases have along other axes and the motion
@@ -175,14 +179,15 @@ impl Column {
         filled.peek()?;
         let measure = Value::from(self.name.as_str());
         let measure = serde_json::from_value::<Measure>(measure).ok();
-        let mut json = match measure {
-            Some(measure) => described(measure.words(), &measure.unit(units)),
-            None => {
-                let (name, unit) = units.named(&self.name);
-                described(&name, &unit)
+        let axis = Axis::from_name(&self.name);
+        let mut json = match (measure, axis) {
+            (Some(measure), _) => described((&self.name, measure.words()), &measure.unit(units)),
+            (None, Some(axis)) => described((&self.name, &axis.words(units)), &axis.unit(units)),
+            (None, None) => {
+                let (words, unit) = units.named(&self.name);
+                described((&self.name, &words), &unit)
             }
         };
-        json["name"] = self.name.as_str().into();
         if filled.all(|field| finite(field).is_some()) {
             let value = |field: &String| finite(field).map(|value| rounded(value, is_exact));
             json["rows"] = self.fields.iter().map(value).collect();

@@ -122,14 +122,15 @@ class LiveMap {
     this.area = area;
     this.mark = make("span", { class: "here", hidden: "" });
     area.append(this.mark);
-    const isHere = (_, index) => panel.held.every(([axis, value]) => cases.values[axis][index] === value);
-    this.indices = cases.cases.map((_, index) => index).filter((index) => isHere(null, index));
+    const isHere = (index) => panel.held.every(([axis, value]) => cases.values[axis][index] === value);
+    this.indices = [...cases.cases.keys()].filter(isHere);
     const place = (end) => (index) => {
       const [low, high] = cases.ends[end];
       return (cases.along(cases.places[end], index) - low) / (high - low);
     };
     [this.x, this.y] = [0, 1].map((end) => this.indices.map(place(end)));
     this.at = null;
+    this.touched = null;
     area.classList.add("answers");
     area.tabIndex = 0;
     area.setAttribute("role", "application");
@@ -164,8 +165,7 @@ class LiveMap {
 
   /** Those at the same place. */
   together(at) {
-    const places = this.x.map((_, place) => place);
-    return places.filter((place) => this.x[place] === this.x[at] && this.y[place] === this.y[at]);
+    return [...this.x.keys()].filter((place) => this.x[place] === this.x[at] && this.y[place] === this.y[at]);
   }
 
   point(event) {
@@ -178,14 +178,15 @@ class LiveMap {
   click(event) {
     const at = this.nearest(event);
     if (at === null) return;
-    const isSeen = this.at === at && this.touched;
-    this.touched = true;
-    if (event.pointerType === "touch" && !isSeen) this.show(at, [event.clientX, event.clientY], "Tap again: all values");
-    else this.open(at);
+    if (event.pointerType !== "touch" || this.touched === at) {
+      this.open(at);
+    } else {
+      this.show(at, [event.clientX, event.clientY], "Tap again: all values");
+      this.touched = at;
+    }
   }
 
   show(at, place, hint = "Enter: all values") {
-    if (this.at !== at) this.touched = false;
     this.at = at;
     this.mark.style.left = `${100 * this.x[at]}%`;
     this.mark.style.top = `${100 * (1 - this.y[at])}%`;

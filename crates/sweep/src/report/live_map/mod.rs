@@ -2,11 +2,12 @@
 //! that do not shrink with it, and what its cases are, for who points at one.
 //!
 //! `panel` draws one map, `keys` its legend; `look` names what a style sheet colours. `data`
-//! has the cases and `engine` what a page needs to simulate one.
+//! has the cases and `opening` the sweep that they are of.
 
 mod data;
 mod keys;
 mod look;
+mod opening;
 mod panel;
 
 use anyhow::Result;

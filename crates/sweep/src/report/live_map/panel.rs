@@ -99,8 +99,15 @@ fn drawn(axes: &[MapAxis; 2], marks: &[Mark], panel: &MapPanel, names: &[&str]) 
         svg += &format!("<path class=\"range\" d=\"{area}\"></path>\n");
     }
     svg += &symbols(axes, panel);
-    for line in &panel.lines {
-        svg += &curve(axes, line, names);
+    let curves: Vec<String> = (panel.lines.iter()).map(|line| curve(axes, line)).collect();
+    // All rims below all lines: lines that coincide show one another between their dashes.
+    for path in &curves {
+        svg += &format!("<path class=\"rim\" d=\"{path}\"></path>\n");
+    }
+    for (line, path) in panel.lines.iter().zip(&curves) {
+        let name = names.iter().position(|name| *name == line.name);
+        let look = name.unwrap_or(0) % LINES;
+        svg += &format!("<path class=\"line l{look}\" d=\"{path}\"></path>\n");
     }
     for [x, y] in marks.iter().filter_map(|mark| place(axes, mark.at)) {
         svg += &format!(
@@ -164,8 +171,8 @@ fn symbols(axes: &[MapAxis; 2], panel: &MapPanel) -> String {
     kinds.concat()
 }
 
-/// A line, with a rim below it that sets it off from dark grounds.
-fn curve(axes: &[MapAxis; 2], line: &Series, names: &[&str]) -> String {
+/// The path of a line.
+fn curve(axes: &[MapAxis; 2], line: &Series) -> String {
     let mut path = String::new();
     let mut begins = true;
     for &point in &line.points {
@@ -178,9 +185,5 @@ fn curve(axes: &[MapAxis; 2], line: &Series, names: &[&str]) -> String {
         let _ = write!(path, "{command}{} {}", short(x), short(y));
         begins = false;
     }
-    let name = names.iter().position(|name| *name == line.name);
-    let look = name.unwrap_or(0) % LINES;
-    format!(
-        "<path class=\"rim\" d=\"{path}\"></path>\n<path class=\"line l{look}\" d=\"{path}\"></path>\n"
-    )
+    path
 }
