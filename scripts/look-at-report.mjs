@@ -2,14 +2,16 @@
 // Opens a report as its readers do, in headless Chromium: at a desk, in the dark, on
 // a phone and in print. Fails if the page asks for anything but itself, says
 // anything on the console, or is wider than the phone. Points at cases of its maps, by mouse,
-// keys and touch, and fails unless it tells what labels.csv of the results folder says. Look at
-// the pictures it leaves.
+// keys and touch, and fails unless it tells what labels.csv of the results folder says. With
+// SWEEP, the program, where the sweep files are, it runs the commands that the page gives for those
+// cases, and fails unless the page's own motion is that of history.csv to 1e-9. Look at the
+// pictures it leaves.
 //
 //     scripts/look-at-report.mjs results/fig09/report.html FOLDER [RESULTS …]
 //
 // Needs Node and Chromium (CHROMIUM, or `chromium` on the path), and no package.
 // Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 the page could not be looked at.
-import { spawn } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -40,7 +42,7 @@ process.on("uncaughtException", (error) => {
   chromium.kill();
   process.exit(1);
 });
-setTimeout(() => giveUp("Chromium does not answer"), 120_000).unref();
+setTimeout(() => giveUp("Chromium does not answer"), 300_000).unref();
 const [, , , toChromium, fromChromium] = chromium.stdio;
 
 // The DevTools protocol: JSON messages that end with a zero byte.
@@ -69,7 +71,7 @@ const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: t
 const page = (method, params) => send(method, params, sessionId);
 const address = pathToFileURL(resolve(report)).href;
 listeners.set("Network.requestWillBeSent", ({ request }) => {
-  if (request.url.split("#")[0] !== address && !request.url.startsWith("data:")) faults.push(`request for ${request.url}`);
+  if (request.url.split("#")[0] !== address && !/^(data|blob):/.test(request.url)) faults.push(`request for ${request.url}`);
 });
 listeners.set("Runtime.consoleAPICalled", ({ args }) => faults.push(`console: ${JSON.stringify(args)}`));
 listeners.set("Runtime.exceptionThrown", ({ exceptionDetails }) => faults.push(`exception: ${exceptionDetails.text}`));
@@ -151,6 +153,44 @@ const key = async (name) => {
 };
 const picture = async (name) => save(`${name}.png`, (await page("Page.captureScreenshot")).data);
 
+/** Whether the page has an engine. */
+const hasEngine = () => evaluate("document.getElementById('engine') !== null");
+
+/** Before a page runs: its last motion is kept. */
+const KEEP = "document.addEventListener('history', ({ detail }) => { globalThis.lastHistory = detail; });";
+
+/** Holds the motion of the open case, by the first method, against that of the command. */
+const compareHistory = async (what, command) => {
+  if (!(await hasEngine())) return;
+  const kept = await evaluate(`(async () => {
+    for (let wait = 0; wait < 600 && !globalThis.lastHistory; wait += 1) await new Promise((done) => setTimeout(done, 50));
+    const { method, columns } = globalThis.lastHistory ?? { columns: [] };
+    globalThis.lastHistory = null;
+    return { method, columns: Object.fromEntries([...columns].map(([name, values]) => [name, [...values]])) };
+  })()`);
+  fault(!kept.method, `${what}: no motion`);
+  if (!kept.method || !command || !process.env.SWEEP) return;
+  const out = mkdtempSync(join(tmpdir(), "history-"));
+  const words = command.split(" ").concat("--methods", kept.method, "--out", out);
+  execFileSync(process.env.SWEEP, words, { stdio: ["ignore", "ignore", "inherit"] });
+  const [header, ...lines] = readFileSync(join(out, "history.csv"), "utf8").trim().split("\n");
+  rmSync(out, { recursive: true });
+  const rows = lines.map((line) => line.split(","));
+  for (const [place, name] of header.split(",").entries()) {
+    if (name === "case" || name === "method") continue;
+    const expected = rows.map((row) => Number(row[place]));
+    const found = kept.columns[name] ?? [];
+    const largest = Math.max(1e-300, ...expected.map(Math.abs));
+    const off = Math.max(...expected.map((value, step) => Math.abs(value - found[step]) / largest));
+    const isSame = found.length === expected.length && off <= 1e-9;
+    fault(!isSame, `${what}: ${name} differs from history.csv by ${off} of its largest, ${found.length} steps for ${expected.length}`);
+    worst = Math.max(worst, off);
+    compared += expected.length;
+  }
+};
+let worst = 0;
+let compared = 0;
+
 /** Points at some cases of the first map of a figure, and opens them. */
 const pointAt = async (figure, cases, name) => {
   const all = [...cases.values()];
@@ -165,6 +205,8 @@ const pointAt = async (figure, cases, name) => {
     const opened = await told("dialog");
     compare(`${what}, opened`, opened, rows, 4);
     fault(!opened.text.includes(`--case ${rows[0].case}`), `${what}: no command`);
+    // By day alone: the program takes its time.
+    await compareHistory(what, name.startsWith("desk") && /sweep (simulate .*)/.exec(opened.text)?.[1]);
     if (place > 0 && place < all.length - 1) await picture(`${name}-case`);
     await key("Escape");
     fault((await told("dialog")).shown, `${what}: Escape does not close it`);
@@ -209,6 +251,7 @@ const touch = async (rows) => {
 
 const save = (name, data) => writeFileSync(join(folder, name), Buffer.from(data, "base64"));
 mkdirSync(folder, { recursive: true });
+await page("Page.addScriptToEvaluateOnNewDocument", { source: KEEP });
 for (const [name, width, height, scheme, scale] of [
   ["desk", 1280, 800, "light", 1],
   ["dark", 1280, 800, "dark", 1],
@@ -242,5 +285,6 @@ await send("Browser.close");
 await new Promise((done) => chromium.on("exit", done));
 rmSync(profile, { recursive: true, force: true });
 for (const fault of faults) console.error(fault);
+if (compared > 0) console.log(`${compared} numbers of motions are those of history.csv to ${worst} of the largest`);
 console.log(`${report}: ${faults.length} faults; its pictures are in ${folder}`);
 process.exit(faults.length > 0 ? 1 : 0);

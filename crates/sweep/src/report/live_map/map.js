@@ -245,9 +245,12 @@ const dialog = make("dialog", { "aria-labelledby": "case-title" });
 document.body.append(dialog);
 // A click beside it closes it, as Esc does.
 dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
+// What is still being simulated is not wanted any more.
+dialog.addEventListener("close", () => engine.isBusy && engine.stop());
 
 /** Opens a case: all its values, and the command that simulates it. */
 const openCase = (cases, index) => {
+  if (engine.isBusy) engine.stop();
   const close = make("button", { type: "button" }, "Close");
   close.addEventListener("click", () => dialog.close());
   const title = make("h2", { id: "case-title" }, `Case ${cases.cases[index]}`);
@@ -262,6 +265,7 @@ const openCase = (cases, index) => {
     scrolled(make("table", {}, make("tbody", {}, ...values))),
     ...cases.reasons(index),
     commandLine(cases.command(index)),
+    ...historyOf(cases, index),
     scrolled(cases.table(index, cases.columns)),
     ...digits,
   );
