@@ -6,8 +6,6 @@
 //! damped string in torsion is as long as its slowest motion lasts, which is bounded
 //! from below by the damping of its heaviest tube and by how torque seeps along it.
 
-use rayon::current_num_threads;
-
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
 use crate::cascade::{AT_LINK, AT_TOP, first_taps};
@@ -17,6 +15,7 @@ use crate::estimates::{torsional_inertia, torsional_settling_time};
 use crate::filters::held;
 use crate::filters::quadrature::SAMPLES_PER_TAP;
 use crate::method::{FiniteElement, Method};
+use crate::parallel::threads;
 use crate::passivity::REFINEMENT;
 use crate::responses::length::{MOST_TAPS, needed_taps, transformable};
 use crate::responses::trains::on_lattice;
@@ -127,9 +126,7 @@ pub fn cascade(
     let kept = REAL * responses * taps;
     let samples = COMPLEX * SAMPLES_PER_TAP as f64 * responses * taps;
     let memory = Memory {
-        peak: kept
-            + samples
-            + TRANSFORM * SAMPLES_PER_TAP as f64 * taps * current_num_threads() as f64,
+        peak: kept + samples + TRANSFORM * SAMPLES_PER_TAP as f64 * taps * threads() as f64,
         kept,
     };
     (taps, memory)
@@ -167,7 +164,7 @@ fn of_torsion(
 ) -> ChannelCost {
     let torques = torques as f64;
     let responses = request.sites.len() as f64 * (1.0 + torques);
-    let networks = current_num_threads() as f64 * network(request.sites.len(), 1);
+    let networks = threads() as f64 * network(request.sites.len(), 1);
     let until_decayed = torsion_length(string, method, request);
     let cost = |asked, taps, memory| ChannelCost {
         asked,
@@ -218,7 +215,7 @@ fn of_bending(method: &Method, request: &Request) -> ChannelCost {
     let sites = request.sites.len() as f64;
     let responses = sites * sites;
     let taps = needed_taps(request.longest_time, request.sampling_frequency);
-    let networks = current_num_threads() as f64 * network(request.sites.len(), 4);
+    let networks = threads() as f64 * network(request.sites.len(), 4);
     let kept = REAL * responses * taps;
     let (asked, memory) = match method {
         Method::Held => {

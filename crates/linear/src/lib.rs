@@ -51,6 +51,7 @@
 //! | buckling, by finite elements | [`bending_modes`] |
 //! | natural frequencies and mode shapes without damping | [`natural_frequencies`] |
 //! | torsional modes with damping and drive | [`modes`] |
+//! | all cores, or the only one of a browser's page | [`parallel`] |
 //! | Eqs. 59–61: what a simulation needs | [`mod@responses`], by [`Channel`] and [`Port`] |
 //!
 //! ```
@@ -94,6 +95,7 @@ pub mod filters;
 pub mod method;
 pub mod modes;
 pub mod natural_frequencies;
+pub mod parallel;
 pub mod passivity;
 pub mod pulse;
 pub mod responses;

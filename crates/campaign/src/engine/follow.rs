@@ -42,6 +42,11 @@ impl FollowedMethod {
         })
     }
 
+    /// What a run steps a case against.
+    pub fn system(&self) -> &MethodSystem {
+        &self.case
+    }
+
     /// The row that a run has of a case by a `method`, given by its place in the sweep's
     /// list, and the motion where there is an answer. Pictures name it by its method alone
     /// if the case is the only one.

@@ -13,12 +13,14 @@ mod front;
 mod fuzz;
 mod idle_axis;
 mod instability;
+mod limit;
 mod memory;
 mod record;
 mod run_options;
 mod shard;
 mod simulation;
 mod stepped;
+mod stopwatch;
 mod survey;
 mod systems;
 mod verdict;
@@ -31,11 +33,13 @@ pub use clearances::{Beyond, Clearances};
 pub use follow::FollowedMethod;
 pub use idle_axis::why_idle;
 pub use instability::is_unstable;
+pub use limit::{LimitPoint, stick_slip_limit};
 pub use memory::StringMemory;
 pub use record::{Failure, Found, Record, certified};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use simulation::Simulation;
+pub use stopwatch::Stopwatch;
 pub use survey::{Survey, longest_beside, setting_of, survey};
 pub use systems::{MethodSystem, add_finer, compare_fronts};
 pub use verdict::{Certified, FINER, LateralVerdict, Verdict};
@@ -44,7 +48,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use anyhow::Result;
-use rayon::prelude::*;
+use linear::parallel;
 
 use crate::design::Design;
 use crate::plan::Sweep;
@@ -109,12 +113,11 @@ impl Work<'_> {
         }
         let batch = self.strings_at_once;
         for first in (0..strings).step_by(batch) {
-            let systems: Vec<_> = (first..strings.min(first + batch))
-                .into_par_iter()
-                .filter(|&string| self.has_open_case(string))
-                .map(|string| (string, self.build(string)))
-                .collect();
-            let built: Vec<Built> = (systems.iter())
+            let systems = parallel::map(batch.min(strings - first), 1, |place| {
+                let string = first + place;
+                (self.has_open_case(string)).then(|| (string, self.build(string)))
+            });
+            let built: Vec<Built> = (systems.iter().flatten())
                 .map(|(string, systems)| Built {
                     string: *string,
                     systems: (0..self.sweep.methods.len())
@@ -167,7 +170,7 @@ impl Work<'_> {
         }
         let next = AtomicUsize::new(0);
         let failure = OnceLock::new();
-        rayon::broadcast(|_| {
+        parallel::on_each_thread(|| {
             while failure.get().is_none() && !(self.stops)() {
                 let index = next.fetch_add(1, Ordering::Relaxed);
                 if index >= total {

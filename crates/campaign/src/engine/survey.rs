@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use rayon::prelude::*;
+use linear::parallel;
 
 use super::case::Case;
 use super::case_error::CaseError;
@@ -155,9 +155,8 @@ fn sum_of(
     part: impl Fn(usize) -> Result<Survey, CaseError> + Sync + Send,
 ) -> Result<Survey, CaseError> {
     // Neighbours are joined, the earlier being the first.
-    (0..count)
-        .into_par_iter()
-        .with_min_len(CASES_AT_ONCE)
-        .map(part)
-        .reduce(|| Ok(Survey::default()), |one, other| Ok(one?.with(other?)))
+    let nothing = || Ok(Survey::default());
+    parallel::reduce(count, CASES_AT_ONCE, part, nothing, |one, other| {
+        Ok(one?.with(other?))
+    })
 }

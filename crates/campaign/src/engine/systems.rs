@@ -1,16 +1,14 @@
 //! The linear system of each method, built once for all cases.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
 use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use linear::{
-    Cascade, ChannelRequest, ChannelResponses, ImpulseTrains, Method, Request, Responses,
+    Cascade, ChannelRequest, ChannelResponses, ImpulseTrains, Method, Request, Responses, parallel,
     responses, responses_with,
 };
-use rayon::prelude::*;
 use sim::excitation::reach_of_impulse;
 use sim::{
     CascadeScene, CascadeSimulator, Outcome, Sampling, Scene, SimulationError, Simulator, Stopping,
@@ -24,6 +22,7 @@ use super::instability::{Instability, is_unstable};
 use super::record::{Failure, Record};
 use super::run_options::RunOptions;
 use super::stepped::{self, stepped_by};
+use super::stopwatch::Stopwatch;
 use super::verdict::{FINER, Verdict};
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
@@ -76,8 +75,9 @@ impl MethodSystem {
     /// As [`MethodSystem::build_all`], with an answer for each method: what one cannot
     /// treat, another may.
     pub fn build_each(sweep: &Sweep, setting: &Setting, longest_time: f64) -> Vec<Result<Self>> {
-        let build = |method: &Method| Self::build_for(sweep, setting, *method, longest_time);
-        sweep.methods.par_iter().map(build).collect()
+        parallel::map(sweep.methods.len(), 1, |place| {
+            Self::build_for(sweep, setting, sweep.methods[place], longest_time)
+        })
     }
 
     /// Builds the system of one method for the cases of a sweep.
@@ -143,7 +143,7 @@ impl MethodSystem {
         longest_time: f64,
         trains: Option<&ImpulseTrains>,
     ) -> Result<Self> {
-        let start = Instant::now();
+        let start = Stopwatch::start();
         if let Some((lateral, parameters)) = stepped_by(setting, &method) {
             let (responses, simulator) =
                 stepped::build(setting, lateral, &parameters, longest_time)?;
@@ -162,7 +162,7 @@ impl MethodSystem {
         let cascade = Cascade::new(string, &method, &friction.nodes, frequency, longest_time)?;
         let simulator = CascadeSimulator::new(&cascade, &setting.profile, setting.rotor_inertia)?;
         Ok(Self {
-            build_seconds: start.elapsed().as_secs_f64(),
+            build_seconds: start.seconds(),
             cascade: Some(simulator.following_torque(friction.follows_torque)),
             ..system
         })
@@ -172,7 +172,7 @@ impl MethodSystem {
     ///
     /// # Errors
     /// Where they are not those of a string.
-    pub fn of(setting: &Setting, responses: Responses, begun: Instant) -> Result<Self> {
+    pub fn of(setting: &Setting, responses: Responses, begun: Stopwatch) -> Result<Self> {
         let simulator = Simulator::started(&responses, &setting.profile)?;
         Self::with(setting, responses, simulator, begun)
     }
@@ -181,9 +181,9 @@ impl MethodSystem {
         setting: &Setting,
         responses: Responses,
         simulator: Simulator,
-        begun: Instant,
+        begun: Stopwatch,
     ) -> Result<Self> {
-        let build_seconds = begun.elapsed().as_secs_f64();
+        let build_seconds = begun.seconds();
         let reaches = reaches(setting, &responses);
         Ok(Self {
             method: responses.method,
@@ -472,10 +472,12 @@ pub fn add_finer(
     sweep: &Sweep,
     longest_time: f64,
 ) -> Result<Vec<MethodSystem>> {
-    let systems = systems.into_par_iter().enumerate();
-    systems
-        .map(|(place, system)| system.with_finer(sweep, place, longest_time))
-        .collect()
+    let placed = systems.into_iter().enumerate().collect();
+    parallel::each(placed, |(place, system): (usize, MethodSystem)| {
+        system.with_finer(sweep, place, longest_time)
+    })
+    .into_iter()
+    .collect()
 }
 
 /// Holds the fronts of systems of one string against the exact ones; where no torque cuts

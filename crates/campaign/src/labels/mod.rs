@@ -1,10 +1,12 @@
 //! What is told of a case by a method in a row of `labels.csv`.
 
 mod certainty;
+mod history;
 mod motion;
 mod table;
 
 pub use certainty::{Certainty, CertifiedBy};
+pub use history::{Column, history_columns};
 pub use motion::{Labels, Motion, is_sustained};
 pub use table::{
     FAILED, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, shows_found, shows_string_torque,

@@ -4,7 +4,7 @@ use anyhow::Result;
 use linear::Method;
 use linear::cost::{self, Memory};
 use linear::method::FiniteElement;
-use rayon::current_num_threads;
+use linear::parallel::threads;
 
 use super::Limit;
 use crate::design::Design;
@@ -149,7 +149,7 @@ impl<'a> Demand<'a> {
             Design::List(_) => LISTED * cases,
             _ => 0.0,
         };
-        PROGRAM + THREAD * current_num_threads() as f64 + picture + noted + listed
+        PROGRAM + THREAD * threads() as f64 + picture + noted + listed
     }
 
     /// What the largest picture of histories takes, one part for each that it shows.
@@ -181,7 +181,7 @@ impl<'a> Demand<'a> {
         let line = LINE + of_site * sites as f64;
         match self.purpose {
             Purpose::Labels => {
-                let at_once = self.simulations().min(current_num_threads() as f64);
+                let at_once = self.simulations().min(threads() as f64);
                 Memory::lasting(at_once * case)
             }
             Purpose::Histories { cases, shapes } => {
@@ -207,7 +207,7 @@ impl<'a> Demand<'a> {
 
     /// With as many strings at once as a limit allows.
     pub fn within(&self, limit: &Limit) -> Estimate {
-        let most = STRINGS_PER_THREAD * current_num_threads();
+        let most = STRINGS_PER_THREAD * threads();
         let fits = |count: &usize| self.cost(*count).bytes <= limit.bytes;
         let strings_at_once = (1..=most).rev().find(fits).unwrap_or(1);
         Estimate {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+#[cfg(feature = "workbooks")]
 use calamine::{Data, Reader, open_workbook_auto};
 
 use super::source::TextOf;
@@ -50,6 +51,12 @@ impl Cells {
         })
     }
 
+    #[cfg(not(feature = "workbooks"))]
+    fn of_workbook(_: &Path) -> Result<Self, String> {
+        Err(" is a workbook, which this build does not read: save it as CSV".to_owned())
+    }
+
+    #[cfg(feature = "workbooks")]
     fn of_workbook(path: &Path) -> Result<Self, String> {
         let unreadable = |reason: String| format!(" cannot be read: {reason}");
         let metadata = std::fs::metadata(path).map_err(|error| unreadable(error.to_string()))?;

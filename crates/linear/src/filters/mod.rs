@@ -11,11 +11,11 @@ pub(crate) mod quadrature;
 pub mod radau;
 
 use num_complex::Complex64;
-use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
+use crate::parallel;
 
 /// Evaluates every channel at `variable(0)`, …, `variable(count − 1)`, several of them
 /// at a time; gives one spectrum a channel, each made when it is asked for.
@@ -27,10 +27,11 @@ fn sample(
 ) -> impl Iterator<Item = Vec<Complex64>> {
     let mut rows = vec![Complex64::ZERO; count * channels];
     let no_values = || vec![Lanes::real(0.0); channels];
-    rows.par_chunks_mut(Lanes::LANES * channels)
-        .enumerate()
-        .with_min_len(64)
-        .for_each_init(no_values, |values, (chunk, rows)| {
+    parallel::chunks_mut(
+        &mut rows,
+        (Lanes::LANES * channels, 64),
+        no_values,
+        |values, (chunk, rows)| {
             let first = Lanes::LANES * chunk;
             // Beyond the end there is nothing to fill; the last one serves.
             let point = |lane: usize| variable((first + lane).min(count - 1));
@@ -40,7 +41,8 @@ fn sample(
                     *entry = value.lane(lane);
                 }
             }
-        });
+        },
+    );
     (0..channels).map(move |channel| {
         rows.iter()
             .skip(channel)

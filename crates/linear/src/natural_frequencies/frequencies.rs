@@ -1,12 +1,11 @@
 //! The frequencies themselves, by bisection on their count.
 
-use rayon::prelude::*;
-
 use super::bending::{self, Stretch};
 use super::torsion;
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::{BuildError, DrillstringError};
+use crate::parallel;
 use crate::sites::Sites;
 
 /// A frequency is known to this part of it; two that differ by less are equal.
@@ -152,7 +151,7 @@ impl NaturalFrequencies {
         let mut brackets = vec![Bracket { ends, below }];
         brackets.retain(Bracket::has_some);
         while brackets.iter().any(Bracket::is_wide) {
-            let halves = brackets.into_par_iter().map(|it| self.halved(it));
+            let halves = parallel::each(brackets, |it| self.halved(it)).into_iter();
             brackets = halves.collect::<Result<Vec<_>, _>>()?.concat();
         }
         let found = brackets.iter().flat_map(|bracket| {

@@ -16,11 +16,10 @@ pub use request::{ChannelRequest, Request};
 pub use torsion::surface_torque;
 pub use trains::ImpulseTrains;
 
-use rayon::prelude::*;
-
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
 use crate::method::Method;
+use crate::parallel;
 
 /// Builds the responses of a string by one method, its channels side by side.
 ///
@@ -56,7 +55,7 @@ fn responses_of(
     trains: Option<&ImpulseTrains>,
 ) -> Result<Responses, BuildError> {
     request.check(string)?;
-    let build = |channel: &ChannelRequest| match channel {
+    let build = |channel: usize| match &request.channels[channel] {
         ChannelRequest::Torsion { torques } => {
             torsion::responses(string, method, request, torques, trains)
         }
@@ -65,7 +64,7 @@ fn responses_of(
         }
     };
     let channels: Vec<Result<ChannelResponses, BuildError>> =
-        request.channels.par_iter().map(build).collect();
+        parallel::map(request.channels.len(), 1, build);
     Ok(Responses {
         string: string.id(),
         method: *method,

@@ -8,8 +8,9 @@
 //! smoothly, not a jump.
 
 use num_complex::Complex64;
-use rayon::prelude::*;
 use realfft::RealFftPlanner;
+
+use crate::parallel;
 
 /// σT: what is folded back is damped to 1e-10.
 const DAMPING: f64 = 23.0;
@@ -51,28 +52,25 @@ pub fn time_responses(
     let period = kept as f64 * step;
     let shift = DAMPING / period;
     // Of each frequency of the samples, what those above zero add up to that are one with it.
-    let folded: Vec<Vec<Complex64>> = (0..kept)
-        .into_par_iter()
-        .with_min_len(MIN_FREQUENCIES.div_ceil(oversampling))
-        .map(|remainder| {
-            let mut values = vec![Complex64::ZERO; functions];
-            let mut sums = values.clone();
-            for index in (remainder..=last).step_by(kept) {
-                let rate = std::f64::consts::TAU * index as f64 / period;
-                transforms(Complex64::new(shift, rate), &mut values);
-                // The two that are their own conjugates count once, and half from each side.
-                let part = if index == 0 || index == last {
-                    0.5
-                } else {
-                    1.0
-                };
-                for (sum, value) in sums.iter_mut().zip(&values) {
-                    *sum += part * value;
-                }
+    let at_once = MIN_FREQUENCIES.div_ceil(oversampling);
+    let folded: Vec<Vec<Complex64>> = parallel::map(kept, at_once, |remainder| {
+        let mut values = vec![Complex64::ZERO; functions];
+        let mut sums = values.clone();
+        for index in (remainder..=last).step_by(kept) {
+            let rate = std::f64::consts::TAU * index as f64 / period;
+            transforms(Complex64::new(shift, rate), &mut values);
+            // The two that are their own conjugates count once, and half from each side.
+            let part = if index == 0 || index == last {
+                0.5
+            } else {
+                1.0
+            };
+            for (sum, value) in sums.iter_mut().zip(&values) {
+                *sum += part * value;
             }
-            sums
-        })
-        .collect();
+        }
+        sums
+    });
     let plan = RealFftPlanner::<f64>::new().plan_fft_inverse(kept);
     let mut samples = plan.make_output_vec();
     let of_function = |function: usize| {

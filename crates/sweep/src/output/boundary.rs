@@ -7,14 +7,14 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use linear::DrillstringError;
 use linear::deviation::exact_undershoot;
-use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
+use linear::estimates::largest_undershoot;
 use serde::Deserialize;
 
 use super::many_sites_limit::many_sites_limit;
 use super::sliding_together::sliding_together;
 use super::whirl_limit::{WhirlPoint, whirl_limit};
-use campaign::engine::MethodSystem;
-use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError, to_rpm};
+use campaign::engine::{MethodSystem, stick_slip_limit};
+use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError};
 use campaign::quantities::{Axis, WallQuantity};
 use campaign::text_file::unreadable;
 
@@ -91,7 +91,7 @@ pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, Bou
     let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     match (&sweep.bit, position(sweep, is_torque)) {
         (Some(bit), Some(position)) => {
-            stick_slip_limit(sweep, systems, bit, position).map(Boundary::StickSlip)
+            limit_of_methods(sweep, systems, bit, position).map(Boundary::StickSlip)
         }
         _ => Ok(Boundary::StickSlip(Vec::new())),
     }
@@ -119,7 +119,7 @@ fn between([from, to]: [f64; 2]) -> impl Iterator<Item = f64> + use<> {
     (0..=POINTS).map(move |step| from + (to - from) * step as f64 / POINTS as f64)
 }
 
-fn stick_slip_limit(
+fn limit_of_methods(
     sweep: &Sweep,
     systems: &[MethodSystem],
     bit: &Bit,
@@ -145,25 +145,16 @@ fn stick_slip_points(
     (axis, values): (Axis, impl Iterator<Item = f64>),
     (method, undershoot): (&str, f64),
 ) -> Result<Vec<StickSlipPoint>, BoundaryError> {
-    let mut points = Vec::new();
-    for value in values {
-        let conditions = sweep.conditions.with(axis, value);
-        let torque = bit.torque_dynamic(&conditions);
-        let torque = torque.map_err(BoundaryError::Rock)?;
-        let Some(torque) = torque else {
-            continue;
-        };
-        let torques = conditions.torques(torque);
-        let limit =
-            stick_slip_speed_limit(undershoot, torques.torque_static, torques.torque_dynamic);
-        points.push(StickSlipPoint {
-            weight_on_bit_kn: conditions.weight_on_bit_kn,
-            torque_dynamic_nm: torque,
-            surface_speed_rpm: to_rpm(limit),
-            method: method.to_owned(),
-        });
-    }
-    Ok(points)
+    let conditions = &sweep.conditions;
+    let points = stick_slip_limit((bit, conditions), (axis, values), undershoot)
+        .map_err(BoundaryError::Rock)?;
+    let points = points.into_iter().map(|point| StickSlipPoint {
+        weight_on_bit_kn: point.weight_on_bit_kn,
+        torque_dynamic_nm: point.torque_dynamic_nm,
+        surface_speed_rpm: point.surface_speed_rpm,
+        method: method.to_owned(),
+    });
+    Ok(points.collect())
 }
 
 /// Eq. 74 between two weights on bit (kN) by the undershoot of the string as it is, whose fronts

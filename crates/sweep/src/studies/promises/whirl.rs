@@ -2,14 +2,12 @@
 //! front, and with fronts as they are in torsion, where quadrature would have them overshoot
 //! and the limit off by per cents, however short the steps.
 
-use std::time::Instant;
-
 use anyhow::{Context, Result};
 use linear::{ChannelRequest, Method, Request, Responses};
 
 use super::finder::{Finder, HALVED, Truth, longest};
 use super::problem::Problem;
-use campaign::engine::MethodSystem;
+use campaign::engine::{MethodSystem, Stopwatch};
 use campaign::plan::Sweep;
 
 /// Sampling frequencies, Hz, each twice the one before.
@@ -40,7 +38,7 @@ pub fn truth(problem: &Problem) -> Result<Truth> {
 
 /// Quadrature in bending, held torques in torsion.
 pub fn system(sweep: &Sweep, longest: f64) -> Result<MethodSystem> {
-    let (setting, begun) = (&sweep.setting, Instant::now());
+    let (setting, begun) = (&sweep.setting, Stopwatch::start());
     let bending = MethodSystem::build_for(sweep, setting, Method::Quadrature, longest)?.responses;
     let torques = (0..setting.sites.len()).collect();
     let request = Request {

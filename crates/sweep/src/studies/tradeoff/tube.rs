@@ -7,7 +7,6 @@
 //! more by steps next to them that divide the travel time.
 
 use std::collections::BTreeMap;
-use std::time::Instant;
 
 use anyhow::Result;
 
@@ -17,7 +16,7 @@ use super::row::{Reference, extrapolated};
 use super::torsion;
 use super::tube_waves::UniformTube;
 use crate::studies::scenes::shipped;
-use campaign::engine::MethodSystem;
+use campaign::engine::{MethodSystem, Stopwatch};
 
 /// By finer steps nothing changes any more, Hz; finite elements would take minutes.
 const HIGHEST: f64 = 2560.0;
@@ -83,7 +82,7 @@ fn limit(part: &Part, tube: &UniformTube) -> Result<Reference> {
 /// That limit by the stepper of all cases against the waves in closed form, in so many
 /// steps to the travel time.
 fn exact_limit(part: &Part, tube: &UniformTube, steps_to_bit: usize) -> Result<f64> {
-    let (setting, begun) = (&part.sweep.setting, Instant::now());
+    let (setting, begun) = (&part.sweep.setting, Stopwatch::start());
     let responses = tube.responses(&setting.string, steps_to_bit, part.longest);
     let setting = setting.sampled_at(responses.sampling_frequency);
     let system = MethodSystem::of(&setting, responses, begun)?;

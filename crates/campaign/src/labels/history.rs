@@ -1,0 +1,64 @@
+//! The motion of a case as named columns with units, a row a step.
+
+use linear::Sites;
+use sim::Trajectory;
+
+use super::table::to_mm;
+use crate::plan::to_rpm;
+
+/// One of them.
+pub struct Column {
+    /// Its name, with the unit.
+    pub name: String,
+    /// A number a step.
+    pub values: Vec<f64>,
+}
+
+/// The columns of a motion at these sites. The torque on bit is counted positive against the
+/// rotation, as drillers do.
+pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<Column> {
+    let names: Vec<String> = (sites.distances_from_bit().iter())
+        .map(|&distance| site_name(distance))
+        .collect();
+    let column = |name: String, values: &[f64], unit: fn(f64) -> f64| Column {
+        name,
+        values: values.iter().map(|&value| unit(value)).collect(),
+    };
+    let same = |value: f64| value;
+    let mut columns = vec![column("time_s".to_owned(), &motion.times, same)];
+    columns.extend(
+        (names.iter().zip(&motion.speeds))
+            .map(|(site, speeds)| column(format!("{site}_speed_rpm"), speeds, to_rpm)),
+    );
+    let driven: [(&str, &[f64], fn(f64) -> f64); 3] = [
+        ("torque_on_bit_nm", &motion.bit_torque, |torque| -torque),
+        ("motor_torque_nm", &motion.surface_torque, same),
+        ("surface_speed_rpm", &motion.surface_speed, to_rpm),
+    ];
+    let known = driven
+        .into_iter()
+        .filter(|(_, values, _)| !values.is_empty());
+    columns.extend(known.map(|(name, values, unit)| column(name.to_owned(), values, unit)));
+    let between_walls = motion.positions.iter().zip(&motion.wall_forces);
+    for (site, (positions, forces)) in names.iter().zip(between_walls) {
+        let of = |name: &str, vectors: &[[f64; 2]], axis: usize, unit: fn(f64) -> f64| Column {
+            name: format!("{site}_{name}"),
+            values: vectors.iter().map(|vector| unit(vector[axis])).collect(),
+        };
+        columns.extend([
+            of("x_mm", positions, 0, to_mm),
+            of("y_mm", positions, 1, to_mm),
+            of("wall_force_x_n", forces, 0, same),
+            of("wall_force_y_n", forces, 1, same),
+        ]);
+    }
+    columns
+}
+
+fn site_name(distance: f64) -> String {
+    if distance == 0.0 {
+        "bit".to_owned()
+    } else {
+        format!("{distance}m_above_bit")
+    }
+}

@@ -1,0 +1,55 @@
+//! Loops over all cores, whose answers are in the order of what they loop over, however many
+//! cores there are. Without the feature `parallel` there is one: a browser's page has no other.
+
+#[cfg(not(feature = "parallel"))]
+mod alone;
+#[cfg(feature = "parallel")]
+mod together;
+
+#[cfg(not(feature = "parallel"))]
+pub use alone::{chunks_mut, each, map, on_each_thread, reduce, threads};
+#[cfg(feature = "parallel")]
+pub use together::{chunks_mut, each, map, on_each_thread, reduce, threads};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_are_in_the_order_of_what_is_asked() {
+        let squares: Vec<usize> = (0..1000).map(|number| number * number).collect();
+        assert_eq!(map(1000, 7, |number| number * number), squares);
+        assert_eq!(
+            each((0..1000).collect(), |number: usize| number * number),
+            squares
+        );
+        let text = |number: usize| number.to_string();
+        let joined: String = (0..1000).map(text).collect();
+        assert_eq!(
+            reduce(1000, 7, text, String::new, |one, other| one + &other),
+            joined
+        );
+        let mut numbers = vec![0; 1001];
+        chunks_mut(
+            &mut numbers,
+            (2, 3),
+            || 0,
+            |_, (place, chunk)| chunk.fill(place),
+        );
+        assert!(
+            numbers
+                .iter()
+                .enumerate()
+                .all(|(index, place)| index / 2 == *place)
+        );
+    }
+
+    #[test]
+    fn every_thread_works_once() {
+        let count = std::sync::atomic::AtomicUsize::new(0);
+        on_each_thread(|| {
+            count.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        });
+        assert_eq!(count.into_inner(), threads());
+    }
+}

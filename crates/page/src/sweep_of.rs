@@ -1,0 +1,68 @@
+//! The sweep that a page opens, read from texts in memory.
+
+use std::collections::BTreeMap;
+use std::io::{Error, ErrorKind, Result as IoResult};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use campaign::plan::Sweep;
+use campaign::sweep_file::{FileContent, MethodName};
+
+use crate::request::Opening;
+
+/// Reads it, with the methods that are asked for besides its own.
+///
+/// # Errors
+/// Where it does not make sense, or a file that it names is not among the texts.
+pub fn sweep_of(opening: Opening) -> Result<Sweep> {
+    let Opening {
+        path,
+        sweep,
+        mut texts,
+        methods,
+    } = opening;
+    if let Some(content) = sweep {
+        texts.insert(path.clone(), text_of_resolved(*content)?);
+    }
+    let read =
+        |methods: &[MethodName]| Sweep::read_from(&path, methods, &|path, _| text_of(&texts, path));
+    let sweep = read(&[])?;
+    let mut all = sweep.content.methods.clone();
+    for method in methods {
+        if !all.contains(&method) {
+            all.push(method);
+        }
+    }
+    if all.len() == sweep.content.methods.len() {
+        return Ok(sweep);
+    }
+    Ok(read(&all)?)
+}
+
+/// A text by the path of its file, or by its name where one file alone has it: a results folder
+/// does not say where the files were that its sweep names.
+fn text_of(texts: &BTreeMap<PathBuf, String>, path: &Path) -> IoResult<String> {
+    let mut namesakes = (texts.iter()).filter(|(other, _)| other.file_name() == path.file_name());
+    let text = texts.get(path).or_else(|| {
+        let (_, text) = namesakes.next()?;
+        namesakes.next().is_none().then_some(text)
+    });
+    text.cloned()
+        .ok_or_else(|| Error::new(ErrorKind::NotFound, "the page does not hold it"))
+}
+
+/// What became of a sweep file, as a file: of keys that say the same in another way it has the
+/// one that came of the other.
+fn text_of_resolved(mut content: FileContent) -> Result<String> {
+    if content.accuracy.is_some() {
+        content.accuracy = None;
+        content.certify = false;
+    }
+    if !content.string.sections.is_empty() {
+        (content.string.file, content.string.order) = (None, None);
+    }
+    if let Some(friction) = &mut content.string_friction {
+        friction.tolerance = None;
+    }
+    toml::to_string(&content).context("the sweep cannot be written as TOML")
+}
