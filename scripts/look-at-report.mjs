@@ -163,10 +163,10 @@ const KEEP = "document.addEventListener('history', ({ detail }) => { globalThis.
 const compareHistory = async (what, command) => {
   if (!(await hasEngine())) return;
   const kept = await evaluate(`(async () => {
-    for (let wait = 0; wait < 600 && !globalThis.lastHistory; wait += 1) await new Promise((done) => setTimeout(done, 50));
-    const { method, columns } = globalThis.lastHistory ?? { columns: [] };
+    for (let wait = 0; wait < 200 && !globalThis.lastHistory; wait += 1) await new Promise((done) => setTimeout(done, 50));
+    const { method, columns } = globalThis.lastHistory ?? { columns: {} };
     globalThis.lastHistory = null;
-    return { method, columns: Object.fromEntries([...columns].map(([name, values]) => [name, [...values]])) };
+    return { method, columns: Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, [...values]])) };
   })()`);
   fault(!kept.method, `${what}: no motion`);
   if (!kept.method || !command || !process.env.SWEEP) return;
@@ -242,8 +242,8 @@ const touch = async (rows) => {
     await page("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
     const said = await told(expected);
     fault(!said.shown || !said.text.includes(`Case ${rows[0].case}`), `touch: ${expected} does not tell of the case`);
-    if (expected === "dialog") await picture("phone-case");
-    else await picture("phone-tip");
+    if (expected === "dialog") await compareHistory("phone", null);
+    await picture(expected === "dialog" ? "phone-case" : "phone-tip");
   }
   fault((await evaluate("document.documentElement.scrollWidth")) > 360, "phone: an open case makes the page wide");
   await key("Escape");

@@ -123,8 +123,8 @@ fn what_a_user_wrote_stays_text() {
     succeeds(&place, &["run", "small.toml", "--out", "a&b<i>"]);
     let page = report(&place, &["a&b<i>", "a&b<i>"]);
     assert_well_formed(&page);
-    // The cases of two folders, and the page's own script.
-    assert_eq!(page.matches("<script").count(), 3);
+    // The cases of two folders, the engine and the page's own script.
+    assert_eq!(page.matches("<script").count(), 4);
     assert!(!markup(&page).contains("alert('x')") && !page.contains("<i>"));
     assert!(page.contains("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; &amp; &quot;T_d&quot;"));
 }
@@ -138,7 +138,7 @@ fn data_of_a_page_cannot_end_their_element() {
     succeeds(&place, &["run", "small.toml", "--out", "results"]);
     let page = report(&place, &["results"]);
     assert_well_formed(&page);
-    assert_eq!(page.matches("</script>").count(), 2);
+    assert_eq!(page.matches("</script>").count(), 3);
     assert!(!page.contains("<b>"));
     let cases = cases_of(&page);
     let marks = &cases["opening"]["sweep"]["map"]["marks"];
@@ -225,7 +225,9 @@ fn only_the_script_of_the_page_may_run() {
     let policy = values(&markup(&page), "content")[0].to_owned();
     assert!(policy.starts_with("default-src 'none';"), "{policy}");
     assert!(
-        policy.contains(&format!("script-src 'sha256-{hash}'")),
+        policy.contains(&format!(
+            "script-src 'sha256-{hash}' 'wasm-unsafe-eval' blob:;"
+        )),
         "{policy}"
     );
     assert!(!policy.contains("script-src 'unsafe-inline'") && !policy.contains("http"));
@@ -266,7 +268,8 @@ fn a_failed_case_is_there_with_its_reason_and_its_command() {
 }
 
 /// In a real browser, where there is one: nothing asked for, nothing on the console,
-/// not wider than a phone.
+/// not wider than a phone; what is told of a case is what labels.csv says, and its motion,
+/// simulated in the page, is that of `sweep simulate` to 1e-9.
 #[test]
 fn a_browser_finds_no_fault() {
     let place = with_results();
@@ -281,6 +284,8 @@ fn a_browser_finds_no_fault() {
         .arg(page)
         .arg(pictures)
         .args([place.path("results"), place.path("results")])
+        .env("SWEEP", assert_cmd::cargo::cargo_bin!("sweep"))
+        .current_dir(place.path("."))
         .output();
     match looked {
         Err(error) => println!("skipped: node cannot be started ({error})"),

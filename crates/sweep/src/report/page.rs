@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 
 use super::document::{Block, Map, Section};
 use super::html::{element, escaped, json, table};
-use super::live_map::{DEFINITIONS, SCRIPT, STYLE as MAP_STYLE};
+use super::live_map::{DEFINITIONS, ENGINE, SCRIPT, STYLE as MAP_STYLE};
 use super::results::Results;
 use crate::files::is_absent;
 
@@ -53,16 +53,18 @@ pub fn page(title: &str, sections: &[Section], all: &[Results]) -> String {
     html + &format!("{MADE_BY}{program}.</p></footer>\n</body>\n</html>\n")
 }
 
-/// What a browser lets the page do: run its own script, and fetch nothing.
+/// What a browser lets the page do: run its own script, and the engine in a worker made of it;
+/// and fetch nothing.
 fn policy() -> String {
     let hash = STANDARD.encode(Sha256::digest(SCRIPT));
     format!(
         "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; \
-         style-src 'unsafe-inline'; script-src 'sha256-{hash}'"
+         style-src 'unsafe-inline'; script-src 'sha256-{hash}' \
+         'wasm-unsafe-eval' blob:; worker-src blob:"
     )
 }
 
-/// The cases of maps and the script that tells of them; nothing where there are none.
+/// The cases of maps, the engine, and the script that tells of them; nothing where there are none.
 fn scripts(all: &[Results]) -> String {
     let lives = all
         .iter()
@@ -78,7 +80,11 @@ fn scripts(all: &[Results]) -> String {
     if data.is_empty() {
         return data;
     }
-    format!("{data}<script type=\"module\">{SCRIPT}</script>\n")
+    let engine = STANDARD.encode(ENGINE);
+    format!(
+        "{data}<script type=\"application/octet-stream\" id=\"engine\">{engine}</script>\n\
+         <script type=\"module\">{SCRIPT}</script>\n"
+    )
 }
 
 /// The name of the element with the cases of a folder.

@@ -11,7 +11,7 @@ use super::opening::opening;
 use crate::map::Drawing;
 use crate::output::{Manifest, Motion, ResultTables};
 use crate::plot::map_axes;
-use campaign::quantities::{Axis, Measure, Unit, Units};
+use campaign::quantities::{Axis, Measure, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
 use campaign::words::shell_word;
 
@@ -50,8 +50,11 @@ pub fn data(tables: &ResultTables, drawing: &Drawing) -> Result<Option<Value>> {
         "columns": (table.columns.iter())
             .filter_map(|column| column.json(units, is_exact))
             .collect::<Value>(),
+        // Where numbers are rounded.
         "digits": (!is_exact).then_some(DIGITS),
         "opening": opening(manifest),
+        "full": manifest.options.full,
+        "shown": { "torque": shown(&units.of(&TORQUE)), "width": shown(&units.of(&WIDTH)) },
         "failures": failures(&tables.folder.join("failures.csv"))?,
     })))
 }
@@ -71,6 +74,11 @@ fn command(manifest: &Manifest) -> [String; 2] {
 /// A quantity: its column, its words, its unit, and how much of the column's unit that is.
 fn described((name, words): (&str, &str), unit: &Unit) -> Value {
     json!({ "name": name, "words": words, "unit": unit.name, "size": 1.0 / unit.number(1.0) })
+}
+
+/// A unit, and how much of the unit in SI it is.
+fn shown(unit: &Unit) -> Value {
+    json!({ "unit": unit.name, "size": 1.0 / unit.number(1.0) })
 }
 
 /// Of each map, in the order of the page, what its cases have along other axes and the motion

@@ -80,28 +80,67 @@ const thinned = (x, y, across, down) => {
   return points;
 };
 
-const engine = new Engine(document.getElementById("engine"));
+/** The engine of the page, with one sweep open at a time. */
+class PageEngine {
+  constructor(element) {
+    this.element = element;
+    this.stop();
+  }
+
+  /** Whether the page holds it, and this browser can run it. */
+  get isThere() {
+    return this.element !== null && typeof WebAssembly === "object" && typeof DecompressionStream === "function";
+  }
+
+  /** Ends what is under way: its answer never comes. */
+  stop() {
+    this.started?.then((engine) => engine.close());
+    this.started = null;
+    this.opening = null;
+    this.isBusy = false;
+  }
+
+  /** Simulates a case of a sweep: what the engine answers, with the sweep's description. */
+  async simulate(opening, asked) {
+    this.started ??= startEngine(this.element.textContent.trim());
+    const { started } = this;
+    this.isBusy = true;
+    try {
+      const engine = await started;
+      if (this.opening !== opening) {
+        this.description = await engine.open(opening);
+        this.opening = opening;
+      }
+      return { ...(await engine.simulate(asked)), description: this.description };
+    } finally {
+      // Another may have been started meanwhile.
+      if (this.started === started) this.isBusy = false;
+    }
+  }
+}
+
+const engine = new PageEngine(document.getElementById("engine"));
 
 /** How long the end of an orbit is that is set off, s. */
 const CLOSING = 2;
 
 /** The charts of a motion: bit speed, torque on bit and, with a wall, the orbit of the site that decides. */
-const charts = (cases, { row, columns, description }) => {
-  const time = columns.get("time_s");
+const charts = (cases, { row, time, speed, torque, positions, description }) => {
   const found = [];
-  const overTime = (name, title, { unit, size }) => {
-    const y = columns.get(name)?.map((value) => value / size);
-    if (!y) return;
+  const overTime = (values, title, { unit, size }) => {
+    if (!values) return;
+    const y = values.map((value) => value / size);
     const lines = [{ x: time, y, look: "curve" }];
     found.push(chart({ title, words: ["Time (s)", unit], ends: [[time[0], time.at(-1)], endsOf(y)], lines, shape: 3 }));
   };
-  overTime("bit_speed_rpm", "Bit speed", { unit: "rpm", size: 1 });
-  overTime("torque_on_bit_nm", "Torque on bit", cases.shown.torque);
+  overTime(speed, "Bit speed", { unit: "rpm", size: 1 });
+  overTime(torque, "Torque on bit", cases.shown.torque);
   const from = row.site_from_bit_m ?? 0;
   const site = from === 0 ? "bit" : `${from}m_above_bit`;
-  if (!columns.has(`${site}_x_mm`)) return found;
+  const orbit = positions.find((one) => one.site === site);
+  if (!orbit) return found;
   const { unit, size } = cases.shown.width;
-  const [x, y] = ["x", "y"].map((axis) => columns.get(`${site}_${axis}_mm`).map((value) => value / size));
+  const [x, y] = [orbit.x, orbit.y].map((values) => values.map((value) => value / size));
   const place = description.sites_from_bit_m.indexOf(from);
   const clearance = description.clearances_mm?.[place] / size;
   const reach = 1.08 * Math.max(clearance || 0, ...[x, y].map((values) => Math.max(...endsOf(values).map(Math.abs))));
@@ -135,17 +174,15 @@ const showHistory = async (cases, index, method, shown) => {
   cases.asked ??= openingOf(cases);
   const number = cases.opening.list ? index : cases.cases[index];
   const asked = { case: number, method: cases.methods[method], full: cases.full };
-  const begin = performance.now();
   try {
     const history = await engine.simulate(cases.asked, asked);
-    const took = (performance.now() - begin) / 1000;
     const label = (name) => history.row[name]?.replaceAll("_", " ");
     const labels = LABELS.map(label).filter((words) => words).join(", ");
-    status.textContent = `${cases.methods[method]}, simulated in this page in ${took.toFixed(2)} s: ${labels}`;
+    status.textContent = `${cases.methods[method]}, simulated in this page in ${Math.ceil(history.milliseconds)} ms: ${labels}`;
     shown.append(make("div", { class: "panels" }, ...charts(cases, history)));
     document.dispatchEvent(new CustomEvent("history", { detail: { case: number, method: asked.method, ...history } }));
   } catch (error) {
-    status.textContent = `Not simulated: ${error.message}`;
+    status.textContent = `Not simulated: ${error.message}.`;
   }
 };
 

@@ -23,8 +23,15 @@ pub use look::DEFINITIONS;
 /// The looks of maps.
 pub const STYLE: &str = include_str!("map.css");
 
-/// What makes maps answer.
-pub const SCRIPT: &str = include_str!("map.js");
+/// What makes maps answer: the engine's client, a case's motion, and the maps.
+pub const SCRIPT: &str = concat!(
+    include_str!("../../page/engine.js"),
+    include_str!("history.js"),
+    include_str!("map.js")
+);
+
+/// The engine, as `scripts/renew-page-engine.sh` makes it.
+pub const ENGINE: &[u8] = include_bytes!("../../page/engine.wasm.gz");
 
 /// Numbers along an axis: as many as a phone has room for.
 const MOST_TICKS: usize = 6;
