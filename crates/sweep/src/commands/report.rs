@@ -25,9 +25,10 @@ pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status>
     let mut all = (arguments.folders.iter())
         .map(|folder| read(folder, terminal))
         .collect::<Result<Vec<_>>>()?;
+    let folders = all.len();
     for results in &mut all {
         results.analyse()?;
-        results.draw()?;
+        results.draw(folders)?;
     }
     let comparisons = (all.iter().skip(1))
         .map(|other| compare(&all[0], other))

@@ -71,13 +71,13 @@ impl Results {
         Ok(())
     }
 
-    /// Draws the map for a page, where it is of a whole sweep.
+    /// Draws the map for a page of so many folders, where it is of a whole sweep.
     ///
     /// # Errors
     /// Where the tables cannot be read.
-    pub fn draw(&mut self) -> Result<()> {
+    pub fn draw(&mut self, folders: usize) -> Result<()> {
         if self.manifest.draws() && self.manifest.tally.rows > 0 {
-            self.live = live_map(&self.tables)?;
+            self.live = live_map(&self.tables, folders)?;
         }
         Ok(())
     }

@@ -15,28 +15,26 @@ use campaign::quantities::{Axis, Measure, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
 use campaign::words::shell_word;
 
-/// Simulations whose values a page holds at most.
-pub const MOST_ROWS: usize = 20_000;
+/// Of more simulations, no page has the values: they are not even read.
+const MOST_ROWS: usize = 40_000;
 
-/// Of more simulations, measures are in so many digits: the page stays small.
-const MOST_EXACT: usize = 4000;
-const DIGITS: usize = 4;
+/// Digits of measures, the first that there is room for: all, or so many.
+const DIGITS: [Option<usize>; 3] = [None, Some(4), Some(3)];
 
-/// The cases of a drawing; none where they are too many.
+/// The cases of a drawing, where they take no more than so many bytes.
 ///
 /// # Errors
 /// Where a table cannot be read.
-pub fn data(tables: &ResultTables, drawing: &Drawing) -> Result<Option<Value>> {
+pub fn data(tables: &ResultTables, drawing: &Drawing, room: usize) -> Result<Option<Value>> {
     let manifest = &tables.manifest;
     if manifest.tally.rows > MOST_ROWS {
         return Ok(None);
     }
-    let is_exact = manifest.tally.rows <= MOST_EXACT;
     let table = Table::read(&tables.folder.join("labels.csv"), manifest)?;
     let units = manifest.sweep.units;
     let axes = manifest.axes.iter();
     let place = |axis: Axis| manifest.axes.iter().position(|other| *other == axis);
-    Ok(Some(json!({
+    let mut data = json!({
         "command_parts": command(manifest),
         "axes": axes
             .map(|&axis| described((&axis.name(), &axis.words(units)), &axis.unit(units)))
@@ -47,16 +45,22 @@ pub fn data(tables: &ResultTables, drawing: &Drawing) -> Result<Option<Value>> {
         "cases": table.cases,
         "values": table.values,
         "methods": manifest.method_names(),
-        "columns": (table.columns.iter())
-            .filter_map(|column| column.json(units, is_exact))
-            .collect::<Value>(),
-        // Where numbers are rounded.
-        "digits": (!is_exact).then_some(DIGITS),
         "opening": opening(manifest),
         "full": manifest.options.full,
         "shown": { "torque": shown(&units.of(&TORQUE)), "width": shown(&units.of(&WIDTH)) },
         "failures": failures(&tables.folder.join("failures.csv"))?,
-    })))
+    });
+    for digits in DIGITS {
+        let columns = table.columns.iter();
+        data["columns"] = columns
+            .filter_map(|column| column.json(units, digits))
+            .collect();
+        data["digits"] = digits.into();
+        if data.to_string().len() <= room {
+            return Ok(Some(data));
+        }
+    }
+    Ok(None)
 }
 
 /// What simulates a case, before and after its number.
@@ -148,11 +152,12 @@ impl Table {
                     values.push(number(field(axis)).with_context(|| unreadable(path))?);
                 }
             }
-            let method = methods
-                .iter()
-                .position(|name| Some(*name) == field("method"));
-            let row = (table.cases.len() - 1) * methods.len() + method.unwrap_or(0);
-            table.add(&record, &header, row, table.cases.len() * methods.len());
+            let rows = table.cases.len() * methods.len();
+            let method = field("method");
+            if let Some(method) = methods.iter().position(|name| Some(*name) == method) {
+                let row = rows - methods.len() + method;
+                table.add(&record, &header, row, rows);
+            }
         }
         Ok(table)
     }
@@ -178,7 +183,7 @@ where
 
 impl Column {
     /// What a page holds of it; none where it is empty.
-    fn json(&self, units: Units, is_exact: bool) -> Option<Value> {
+    fn json(&self, units: Units, digits: Option<usize>) -> Option<Value> {
         let mut filled = self
             .fields
             .iter()
@@ -197,7 +202,7 @@ impl Column {
             }
         };
         if filled.all(|field| finite(field).is_some()) {
-            let value = |field: &String| finite(field).map(|value| rounded(value, is_exact));
+            let value = |field: &String| finite(field).map(|value| rounded(value, digits));
             json["rows"] = self.fields.iter().map(value).collect();
         } else {
             // Each word once.
@@ -224,14 +229,10 @@ fn finite(field: &str) -> Option<f64> {
     field.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// A whole number is written as one.
-fn rounded(value: f64, is_exact: bool) -> Value {
-    let value = if is_exact {
-        value
-    } else {
-        let text = format!("{value:.*e}", DIGITS - 1);
-        text.parse().unwrap_or(value)
-    };
+/// In so many digits, or in all; a whole number is written as one.
+fn rounded(value: f64, digits: Option<usize>) -> Value {
+    let in_digits = digits.and_then(|digits| format!("{value:.*e}", digits - 1).parse().ok());
+    let value: f64 = in_digits.unwrap_or(value);
     if value == value.trunc() && value.abs() < 1e15 {
         return (value as i64).into();
     }

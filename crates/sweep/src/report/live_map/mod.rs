@@ -44,22 +44,25 @@ pub struct LiveMap {
     pub data: Option<Value>,
 }
 
-/// Draws what a folder's map shows; none where its design has no two axes.
+/// Bytes that the cases of a page take at most: with the engine it stays below 3 MB.
+const MOST_BYTES: usize = 1_450_000;
+
+/// Draws what a folder's map shows, one of so many of the page; none where its design has no two
+/// axes.
 ///
 /// # Errors
 /// Where a table cannot be read.
-pub fn live_map(tables: &ResultTables) -> Result<Option<LiveMap>> {
+pub fn live_map(tables: &ResultTables, folders: usize) -> Result<Option<LiveMap>> {
     let Some(drawing) = drawing(tables)? else {
         return Ok(None);
     };
-    let data = data::data(tables, &drawing)?;
+    let data = data::data(tables, &drawing, MOST_BYTES / folders.max(1))?;
     let mut html = html(&drawing);
     if data.is_none() {
         let rows = tables.manifest.tally.rows;
         html += &format!(
-            "<p class=\"note\">{rows} simulations are more than the {} that this page has room \
-             for: it shows none of their values.</p>\n",
-            data::MOST_ROWS
+            "<p class=\"note\">{rows} simulations are more than this page has room for: it holds \
+             none of their values, and the map does not answer.</p>\n"
         );
     }
     Ok(Some(LiveMap { html, data }))
