@@ -294,6 +294,12 @@ for (const [name, width, height, scheme, scale] of [
   }
   if (tables.length > 0 && name === "desk") await goByKeys(tables[0]);
 }
+// A sheet of A4 as a picture too, by readers of the dark.
+await page("Emulation.setDeviceMetricsOverride", { width: 680, height: 960, deviceScaleFactor: 1, mobile: false });
+await page("Emulation.setEmulatedMedia", { media: "print", features: [{ name: "prefers-color-scheme", value: "dark" }] });
+await load();
+await picture("print");
+await page("Emulation.setEmulatedMedia", { media: "", features: [] });
 await page("Emulation.clearDeviceMetricsOverride");
 const { data } = await page("Page.printToPDF", { preferCSSPageSize: true, paperWidth: 8.27, paperHeight: 11.69 });
 save("print.pdf", data);
