@@ -12,6 +12,7 @@ mod character_map;
 mod comparison;
 mod deciding;
 mod document;
+mod escaping;
 mod failures;
 mod html;
 mod limit;

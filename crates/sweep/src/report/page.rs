@@ -9,7 +9,8 @@ use base64::engine::general_purpose::STANDARD;
 use sha2::{Digest, Sha256};
 
 use super::document::{Block, Map, Section};
-use super::html::{element, escaped, json, table};
+use super::escaping::{escaped, json};
+use super::html::{element, table};
 use super::live_map::{DEFINITIONS, ENGINE, SCRIPT, STYLE as MAP_STYLE};
 use super::results::Results;
 use crate::files::is_absent;

@@ -2,7 +2,7 @@
 
 use super::look::{LINES, class_of_ground, class_of_symbol, symbol_path};
 use crate::plot::{Ground, MapGroup, Symbol};
-use crate::report::html::{escaped, with_index};
+use crate::report::escaping::{escaped, with_index};
 
 /// The middle of a key, and the radius of its symbol.
 const MIDDLE: (f64, f64) = (20.0, 8.0);

@@ -13,7 +13,7 @@ mod panel;
 use anyhow::Result;
 use serde_json::Value;
 
-use super::html::{escaped, with_index};
+use super::escaping::{escaped, with_index};
 use crate::map::{Drawing, drawing};
 use crate::output::ResultTables;
 use crate::plot::{MapGroup, map_axes};

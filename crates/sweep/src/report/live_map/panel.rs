@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use super::look::{LINES, class_of_ground, class_of_symbol, short, symbol_path};
 use crate::plot::{MapAxis, MapCell, MapPanel, Mark, Series, Symbol};
-use crate::report::html::{escaped, with_index};
+use crate::report::escaping::{escaped, with_index};
 
 /// Size of the drawing in its own units.
 const SIZE: [f64; 2] = [600.0, 450.0];
