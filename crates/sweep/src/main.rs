@@ -28,6 +28,7 @@
 mod analysis;
 mod cli;
 mod commands;
+mod explore;
 mod files;
 mod histories;
 mod limits;
@@ -64,6 +65,7 @@ fn main() -> ExitCode {
         Command::Contacts(arguments) => commands::contacts::contacts(&arguments, terminal),
         Command::Stability(arguments) => commands::stability::stability(&arguments, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
+        Command::Explore(arguments) => commands::explore::explore(&arguments, terminal),
         Command::Summary { folder } => commands::report::summary(&folder, terminal),
         Command::Analyse(arguments) => commands::analyse::analyse(&arguments, terminal),
         Command::Window(arguments) => commands::window::window(&arguments, terminal),

@@ -14,13 +14,16 @@ pub struct Column {
     pub values: Vec<f64>,
 }
 
+/// A number in SI in the unit of its column.
+type InUnit = fn(f64) -> f64;
+
 /// The columns of a motion at these sites. The torque on bit is counted positive against the
 /// rotation, as drillers do.
 pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<Column> {
     let names: Vec<String> = (sites.distances_from_bit().iter())
         .map(|&distance| site_name(distance))
         .collect();
-    let column = |name: String, values: &[f64], unit: fn(f64) -> f64| Column {
+    let column = |name: String, values: &[f64], unit: InUnit| Column {
         name,
         values: values.iter().map(|&value| unit(value)).collect(),
     };
@@ -30,7 +33,7 @@ pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<Column> {
         (names.iter().zip(&motion.speeds))
             .map(|(site, speeds)| column(format!("{site}_speed_rpm"), speeds, to_rpm)),
     );
-    let driven: [(&str, &[f64], fn(f64) -> f64); 3] = [
+    let driven: [(&str, &[f64], InUnit); 3] = [
         ("torque_on_bit_nm", &motion.bit_torque, |torque| -torque),
         ("motor_torque_nm", &motion.surface_torque, same),
         ("surface_speed_rpm", &motion.surface_speed, to_rpm),
@@ -41,7 +44,7 @@ pub fn history_columns(sites: &Sites, motion: &Trajectory) -> Vec<Column> {
     columns.extend(known.map(|(name, values, unit)| column(name.to_owned(), values, unit)));
     let between_walls = motion.positions.iter().zip(&motion.wall_forces);
     for (site, (positions, forces)) in names.iter().zip(between_walls) {
-        let of = |name: &str, vectors: &[[f64; 2]], axis: usize, unit: fn(f64) -> f64| Column {
+        let of = |name: &str, vectors: &[[f64; 2]], axis: usize, unit: InUnit| Column {
             name: format!("{site}_{name}"),
             values: vectors.iter().map(|vector| unit(vector[axis])).collect(),
         };

@@ -131,6 +131,12 @@ pub enum Command {
         sweep report results/fig14 results/fig17 --out whirl.html\n\n\
         The page is one file, and needs neither network nor scripts.")]
     Report(ReportArguments),
+    /// Write a page to play with: a case simulated anew as its sliders move
+    #[command(after_help = "Examples:\n  sweep explore sweeps/fig09.toml\n  \
+        sweep explore sweeps/fig12.toml --out whirl.html\n\n\
+        The page is one file with the engine in it: it needs no network. The command that\n\
+        it shows repeats what is on it.")]
+    Explore(ExploreArguments),
     /// Say in the terminal what a results folder holds
     #[command(after_help = "Example:\n  sweep summary results/fig09")]
     Summary {
@@ -467,6 +473,21 @@ pub struct ContactsArguments {
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,
+}
+
+/// Arguments of `explore`.
+#[derive(Debug, Args)]
+pub struct ExploreArguments {
+    /// The sweep file
+    pub file: PathBuf,
+    /// The page
+    #[arg(long, default_value = "explore.html")]
+    pub out: PathBuf,
+    /// The case that it begins with, from 0
+    #[arg(long, default_value_t = 0)]
+    pub case: usize,
+    #[command(flatten)]
+    pub memory: MemoryArguments,
 }
 
 /// Arguments of `report`.

@@ -8,6 +8,7 @@ pub mod contacts;
 mod cost;
 mod csv_table;
 mod drawing;
+pub mod explore;
 mod folder;
 pub mod inspect;
 pub mod merge;

@@ -25,6 +25,8 @@ mod text;
 
 pub use analysed::analysed_sections;
 pub use comparison::compare;
+pub use document::Table;
+pub use html::{escaped, table};
 pub use page::{is_page, page};
 pub use results::Results;
 pub use sections::sections;

@@ -1,0 +1,97 @@
+//! `sweep explore`: a page to play with, in which a case is simulated anew as its sliders move.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
+
+use super::choosing::choose;
+use super::status::{Status, UsageError};
+use super::terminal::{Terminal, say};
+use super::threads::use_threads;
+use super::warnings::warn_of_memory;
+use crate::cli::ExploreArguments;
+use crate::explore::{Explored, controls, page};
+use crate::files::write_atomically;
+use crate::histories::history_picture;
+use campaign::engine::{
+    Choice, ChosenCase, FollowedMethod, MethodSystem, RunOptions, Survey, common_setting,
+};
+use campaign::memory::{Purpose, admit};
+use campaign::plan::Sweep;
+use campaign::text_file::read_text;
+
+/// Simulates a case and writes the page that begins with it.
+pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Status> {
+    let ExploreArguments { file, memory, .. } = arguments;
+    use_threads(None, terminal)?;
+    warn_of_memory(memory, terminal);
+    let limit = memory.limit();
+    let (sweep, texts) = read(file)?;
+    let sweep = choose(sweep, false, &limit, false, terminal)?;
+    let lateral = sweep.setting.lateral.as_ref();
+    if lateral.is_some_and(|lateral| lateral.finding.is_some()) {
+        bail!(UsageError(format!(
+            "{}: sites that are found case by case take too long to follow a slider: name the \
+             sites, or look at a case with `sweep simulate`",
+            file.display()
+        )));
+    }
+    let refused = |error| UsageError(format!("{}: {error}", file.display()));
+    let choice = Choice::new(&sweep, arguments.case, &[]).map_err(refused)?;
+    let setting = common_setting(&sweep, std::slice::from_ref(&choice)).map_err(refused)??;
+    let sweep = Sweep { setting, ..sweep };
+    let ChosenCase { case, longest } = choice.case(&sweep).map_err(refused)?;
+    let survey = Survey {
+        longest,
+        ..Survey::default()
+    };
+    let purpose = Purpose::Histories {
+        cases: 1,
+        shapes: 0,
+    };
+    admit(&sweep, &sweep.setting, &survey, purpose, &limit)?;
+
+    let options = RunOptions {
+        full: false,
+        allow_unstable: !sweep.design.varies_string(),
+    };
+    let setting = sweep.setting.for_labels();
+    let system = MethodSystem::build_for(&sweep, &setting, sweep.methods[0], longest)?;
+    let system = FollowedMethod::new(&sweep, system, longest)?;
+    let (row, simulation) = system.simulate(&sweep, &case, 0, options, true)?;
+    let Some(simulation) = simulation else {
+        let reason = row.outcome.err().context("there is no motion")?;
+        let (case, method) = (case.index, sweep.methods[0].name());
+        terminal.complain(&format!(
+            "error: case {case} by {method} has no answer: {reason}"
+        ));
+        return Ok(Status::SomeFailed);
+    };
+    let controls = controls(&sweep, &case);
+    let picture = history_picture(&sweep, &[case], &[simulation])?;
+    let html = page(&Explored {
+        file,
+        sweep: &sweep,
+        texts,
+        controls: &controls,
+        row: &row,
+        picture: &picture,
+    })?;
+    write_atomically(&arguments.out, html.as_bytes())?;
+    say(&format!("{}\n", arguments.out.display()))?;
+    Ok(Status::Complete)
+}
+
+/// A sweep, and every text that was read for it, by its path.
+fn read(file: &Path) -> Result<(Sweep, BTreeMap<String, String>)> {
+    let texts = RefCell::new(BTreeMap::new());
+    let sweep = Sweep::read_from(file, &[], &|path, most| {
+        let text = read_text(path, most)?;
+        let name = path.display().to_string();
+        texts.borrow_mut().insert(name, text.clone());
+        Ok(text)
+    })?;
+    Ok((sweep, texts.into_inner()))
+}

@@ -1,0 +1,108 @@
+//! What a page lets its reader change: what the design varies, and what else a case depends on.
+
+use campaign::engine::{Case, why_idle};
+use campaign::plan::Sweep;
+use campaign::quantities::{Axis, StringAxis};
+use campaign::sweep_file::ControllerName;
+use serde::Serialize;
+
+/// How far a slider goes from a value that no axis varies, in parts of it.
+const AROUND: [f64; 2] = [0.25, 4.0];
+
+/// A quantity with its value in the case, and the range of its slider.
+#[derive(Debug, Clone, Serialize)]
+pub struct Control {
+    /// Its name.
+    pub axis: Axis,
+    /// What it is, with the unit.
+    pub title: String,
+    /// Its value.
+    pub value: f64,
+    /// The least of the slider.
+    pub least: f64,
+    /// The greatest.
+    pub most: f64,
+}
+
+/// The controls of a case: first what the design varies.
+pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
+    let axes = sweep.design.axes();
+    let mut controls: Vec<Control> = (axes.iter().enumerate())
+        .map(|(place, &axis)| control(axis, case.values[place], range_of(sweep, place)))
+        .collect();
+    let has_torque = |axis: &Axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
+    let varies_torque = axes.iter().any(has_torque);
+    let others = [
+        Axis::SurfaceSpeedRpm,
+        Axis::WeightOnBitKn,
+        Axis::TorqueDynamicNm,
+        Axis::String(StringAxis::TorsionalDamping),
+        Axis::FRICTION,
+        Axis::ImpulseRatio,
+        Axis::String(StringAxis::ProportionalGain),
+        Axis::String(StringAxis::IntegralGain),
+        Axis::String(StringAxis::DriveInertia),
+    ];
+    for axis in others {
+        if axes.contains(&axis) || why_idle(sweep, axis).is_some() {
+            continue;
+        }
+        if varies_torque && has_torque(&axis) {
+            continue;
+        }
+        // What is zero says nothing of how far it may go.
+        let Some(value) = value_of(sweep, case, axis).filter(|value| *value != 0.0) else {
+            continue;
+        };
+        let [least, most] = AROUND.map(|part| part * value);
+        controls.push(control(axis, value, [least, most.min(axis.most())]));
+    }
+    controls
+}
+
+fn control(axis: Axis, value: f64, [least, most]: [f64; 2]) -> Control {
+    Control {
+        axis,
+        title: axis.title(Default::default()),
+        value,
+        least,
+        most,
+    }
+}
+
+/// From the least to the greatest value of an axis; where it has one value alone, around that.
+fn range_of(sweep: &Sweep, place: usize) -> [f64; 2] {
+    let values = (0..sweep.design.cases()).map(|case| sweep.design.values(case)[place]);
+    let [least, most] = values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    );
+    if least < most {
+        [least, most]
+    } else {
+        AROUND.map(|part| part * least)
+    }
+}
+
+/// What a case says of a quantity that no axis varies.
+fn value_of(sweep: &Sweep, case: &Case, axis: Axis) -> Option<f64> {
+    let content = &sweep.content;
+    let drive = content.top_drive.as_ref();
+    match axis {
+        Axis::FRICTION => {
+            let lateral = case.scene.lateral.as_ref()?;
+            Some(lateral.walls.first()?.friction)
+        }
+        Axis::ImpulseRatio => content.impulses.iter().find_map(|impulse| impulse.ratio),
+        Axis::String(StringAxis::TorsionalDamping) => {
+            Some(content.string.torsional_damping_nms_rad_m)
+        }
+        Axis::String(StringAxis::ProportionalGain) => drive?.proportional_gain_knms_rad,
+        Axis::String(StringAxis::IntegralGain) => drive?.integral_gain_knm_rad,
+        Axis::String(StringAxis::DriveInertia) => {
+            let drive = drive.filter(|drive| drive.controller != ControllerName::Prescribed);
+            Some(drive?.inertia_kg_m2)
+        }
+        _ => case.conditions.value(axis),
+    }
+}

@@ -1,0 +1,152 @@
+//! The page itself: one file, with everything in it.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::Result;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use campaign::engine::Record;
+use campaign::labels::{Certainty, LabelTable};
+use campaign::plan::Sweep;
+use campaign::quantities::Axis;
+use serde_json::json;
+
+use super::controls::Control;
+use crate::plot::Picture;
+use crate::report::{Table, escaped, table};
+
+const STYLE: [&str; 2] = [
+    include_str!("../report/page.css"),
+    include_str!("../page/explore.css"),
+];
+const SCRIPTS: [&str; 3] = [
+    include_str!("../page/engine.js"),
+    include_str!("../page/plot.js"),
+    include_str!("../page/explore.js"),
+];
+const ENGINE: &[u8] = include_bytes!("../page/engine.wasm.gz");
+
+/// Quickest to build where the string changes as a slider moves.
+const QUICK: &str = "quadrature";
+
+/// What a page is made of.
+pub struct Explored<'a> {
+    /// The sweep file.
+    pub file: &'a Path,
+    /// The sweep.
+    pub sweep: &'a Sweep,
+    /// Every text that was read for it.
+    pub texts: BTreeMap<String, String>,
+    /// What can be changed.
+    pub controls: &'a [Control],
+    /// The row of the case that the page begins with.
+    pub row: &'a Record,
+    /// Its motion, for readers without scripts.
+    pub picture: &'a Picture,
+}
+
+/// The page.
+///
+/// # Errors
+/// None that a sweep that was read could cause.
+pub fn page(explored: &Explored) -> Result<String> {
+    let title = escaped(&explored.sweep.title);
+    let style = STYLE.concat();
+    // Nothing in it ends the element that it stands in.
+    let data = data(explored)?.to_string().replace('<', "\\u003c");
+    let still = still(explored);
+    let engine = STANDARD.encode(ENGINE);
+    let scripts = SCRIPTS.concat();
+    let program = escaped(crate::program::PROGRAM);
+    Ok(format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n\
+         <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{style}</style>\n\
+         </head>\n<body>\n<header><h1>{title}</h1></header>\n<main>\n\
+         <p id=\"status\" role=\"status\"></p>\n{still}{LIVE}</main>\n\
+         <footer><p>Made by {program}.</p></footer>\n\
+         <script type=\"application/json\" id=\"data\">{data}</script>\n\
+         <script type=\"text/plain\" id=\"engine\">{engine}</script>\n\
+         <script>\n{scripts}</script>\n</body>\n</html>\n"
+    ))
+}
+
+/// What scripts bring to life.
+const LIVE: &str = r#"<div id="live" hidden>
+<p id="regime" aria-live="polite"></p>
+<div class="explore">
+<section aria-label="What can be changed"><div id="controls"></div>
+<p><button id="reset" type="button">As in the file</button></p>
+<svg id="map" role="application" tabindex="0" aria-label="Limit of stick-slip over torque and speed, with the place of this case: drag it, or move it by arrow keys"></svg></section>
+<section aria-label="Its motion"><svg id="speed" role="img" aria-label="Speed of the bit over time"></svg>
+<svg id="torque" role="img" aria-label="Torque on the bit over time"></svg>
+<svg id="orbit" role="img" aria-label="Orbit in the hole" hidden></svg></section>
+</div>
+<p><label for="command">The same in a terminal</label> <input id="command" readonly>
+<button id="copy" type="button">Copy as command</button></p>
+<div class="scroll" role="region" aria-label="Row of the case" tabindex="0"><table><caption><span>Row of the case, as in labels.csv</span></caption><tbody id="row"></tbody></table></div>
+</div>
+"#;
+
+/// What scripts work with.
+fn data(explored: &Explored) -> Result<serde_json::Value> {
+    let Explored {
+        sweep, controls, ..
+    } = explored;
+    let path = explored.file.display().to_string();
+    let own = sweep.methods.iter().map(|method| method.name());
+    let own: Vec<&str> = own.collect();
+    let methods = [QUICK].into_iter().filter(|quick| !own.contains(quick));
+    let mut opening = json!({
+        "path": path,
+        "texts": explored.texts,
+        "methods": methods.collect::<Vec<_>>(),
+    });
+    // What was chosen for an accuracy, or read from a workbook, is in no text.
+    if sweep.choice.is_some() || sweep.sheet.is_some() {
+        opening["sweep"] = serde_json::to_value(&sweep.content)?;
+    }
+    let case = explored.row.case;
+    let place = |wanted: &[Axis]| {
+        let control = controls
+            .iter()
+            .find(|control| wanted.contains(&control.axis));
+        control.map(|control| control.axis)
+    };
+    let torque = place(&[Axis::WeightOnBitKn, Axis::TorqueDynamicNm]);
+    let map = torque.zip(place(&[Axis::SurfaceSpeedRpm]));
+    let has_limit = sweep.setting.lateral.is_none() && sweep.setting.friction.is_none();
+    let map = map.filter(|_| has_limit);
+    Ok(json!({
+        "opening": opening,
+        "case": case,
+        "method": own[0],
+        "quick": QUICK,
+        "controls": controls,
+        "map": map.map(|(torque, speed)| json!({ "torque": torque, "speed": speed })),
+        "command": format!("sweep simulate {path} --case {case} --methods {}", own[0]),
+    }))
+}
+
+/// The case as it is in the file, for readers without scripts.
+fn still(explored: &Explored) -> String {
+    let labels = LabelTable::of(explored.sweep);
+    let row = labels.row(explored.row, Certainty::default());
+    let header = labels.header();
+    let mut numbers = Table::new("The case as it is in the file", ["column", "value"]);
+    let cells = header
+        .split(',')
+        .zip(row.split(','))
+        .filter(|(_, text)| !text.is_empty());
+    let cells = cells.map(|(name, text)| vec![name.to_owned(), text.to_owned()]);
+    numbers.rows = cells.collect();
+    let picture = STANDARD.encode(&explored.picture.png);
+    format!(
+        "<div id=\"still\">\n<noscript><p>Scripts are off here: this is the case as it is in the \
+         file, and nothing can be moved.</p></noscript>\n{}\
+         <img alt=\"Motion of the case\" src=\"data:image/png;base64,{picture}\">\n</div>\n",
+        table(&numbers)
+    )
+}

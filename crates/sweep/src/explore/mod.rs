@@ -1,0 +1,8 @@
+//! The page that `sweep explore` writes: a case that is simulated anew as its sliders move, by
+//! the engine in it.
+
+mod controls;
+mod document;
+
+pub use controls::controls;
+pub use document::{Explored, page};

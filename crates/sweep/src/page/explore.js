@@ -1,0 +1,172 @@
+"use strict";
+// The page of `sweep explore`: a case that is simulated anew as its sliders move.
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const byId = (id) => document.getElementById(id);
+const values = Object.fromEntries(data.controls.map(({ axis, value }) => [axis, value]));
+let engine;
+let wanted = null;
+let busy = false;
+let map = null;
+
+/** What differs from the case as the file has it. */
+const changes = () => Object.fromEntries(
+  data.controls.filter(({ axis, value }) => values[axis] !== value).map(({ axis }) => [axis, values[axis]]),
+);
+
+/** Asks for the case as it now is; of several wishes the last is met. */
+async function redraw(quick) {
+  wanted = { quick };
+  if (busy) return;
+  busy = true;
+  while (wanted) {
+    const { quick: isQuick } = wanted;
+    wanted = null;
+    const method = isQuick ? data.quick : data.method;
+    const request = { case: data.case, set: changes(), method, quick: isQuick };
+    try {
+      const answer = await engine.simulate(request);
+      const limit = data.map && await engine.limit({ of: request, axis: data.map.torque, values: along() });
+      show(answer, limit, method, isQuick);
+    } catch (error) {
+      byId("status").textContent = error.message;
+    }
+  }
+  busy = false;
+}
+
+const control = (axis) => data.controls.find((one) => one.axis === axis);
+
+/** Values of the axis of the torque along which the limit is drawn. */
+function along() {
+  const { least, most } = control(data.map.torque);
+  return Array.from({ length: 101 }, (_, at) => least + ((most - least) * at) / 100);
+}
+
+const number = (value) => (typeof value === "number" ? String(Number(value.toPrecision(4))) : String(value).replace(/_/g, " "));
+
+function show(answer, limit, method, isQuick) {
+  const { row, time, speed, torque, positions, milliseconds } = answer;
+  byId("status").textContent = isQuick && method !== data.method
+    ? `By ${method} while you drag; by ${data.method} when you let go. ${Math.round(milliseconds)} ms.`
+    : `By ${method}, as sweep simulate has it. ${Math.round(milliseconds)} ms.`;
+  byId("regime").textContent = number(row.torsion ?? row.lateral ?? "");
+  byId("row").innerHTML = "";
+  for (const [name, value] of Object.entries(row)) {
+    if (value === null || ["case", "method", "torsion", "lateral"].includes(name) || name in values) continue;
+    const line = byId("row").insertRow();
+    line.insertCell().textContent = name;
+    line.insertCell().textContent = number(value);
+  }
+  byId("speed").toggleAttribute("hidden", !speed);
+  byId("torque").toggleAttribute("hidden", !torque);
+  if (speed) plotHistory(byId("speed"), { title: "Speed of the bit", time, values: speed, unit: "Bit speed (rpm)" });
+  if (torque) plotHistory(byId("torque"), { title: "Torque on the bit", time, values: torque.map((it) => it / 1e3), unit: "Torque (kN m)" });
+  byId("orbit").toggleAttribute("hidden", positions.length === 0);
+  if (positions.length > 0) {
+    const last = positions.length - 1;
+    plotOrbit(byId("orbit"), { title: `Orbit, ${positions[last].site.replace(/_/g, " ")}`, ...positions[last], clearance: data.clearances?.[last] });
+  }
+  if (limit) {
+    const axes = [data.map.torque, data.map.speed].map(control);
+    const line = Array.from(limit.value, (value, at) => [value, limit.speed[at]]);
+    map = plotMap(byId("map"), { axes, line, here: axes.map(({ axis }) => values[axis]) });
+  }
+  const set = Object.entries(changes()).map(([axis, value]) => ` --set ${axis}=${value}`).join("");
+  byId("command").value = `${data.command}${set}`;
+  document.body.dataset.shown = JSON.stringify({ method, set: changes(), milliseconds });
+  window.shown = answer;
+}
+
+/** Takes a value over into both fields of its control. */
+function put(axis, value) {
+  values[axis] = value;
+  byId(`range-${axis}`).value = value;
+  byId(`number-${axis}`).value = value;
+}
+
+/** To as many digits as a slider tells apart. */
+const rounded = (axis, value) => {
+  const { least, most } = control(axis);
+  const digits = Math.max(0, 3 - Math.floor(Math.log10(most - least)));
+  return Number(value.toFixed(Math.min(digits, 12)));
+};
+
+function controls() {
+  for (const { axis, title, value, least, most } of data.controls) {
+    const field = document.createElement("fieldset");
+    field.innerHTML = `<label for="range-${axis}"></label>
+      <input type="range" id="range-${axis}" min="${least}" max="${most}" step="any">
+      <input type="number" id="number-${axis}" step="any">`;
+    field.querySelector("label").textContent = title;
+    byId("controls").append(field);
+    const [range, typed] = field.querySelectorAll("input");
+    typed.setAttribute("aria-label", title);
+    // Steps of the keyboard: a hundredth of the way.
+    range.step = (most - least) / 500;
+    const moved = (quick) => { values[axis] = rounded(axis, range.valueAsNumber); typed.value = values[axis]; redraw(quick); };
+    put(axis, value);
+    range.addEventListener("input", () => moved(true));
+    range.addEventListener("change", () => moved(false));
+    typed.addEventListener("change", () => {
+      if (!Number.isFinite(typed.valueAsNumber)) return;
+      values[axis] = typed.valueAsNumber;
+      range.value = values[axis];
+      redraw(false);
+    });
+  }
+}
+
+function mapControls() {
+  const svg = byId("map");
+  const axes = [data.map.torque, data.map.speed];
+  const go = (places, quick) => {
+    axes.forEach((axis, at) => put(axis, rounded(axis, places[at])));
+    redraw(quick);
+  };
+  svg.addEventListener("pointerdown", (event) => {
+    svg.setPointerCapture(event.pointerId);
+    if (map) go(map.place(event), true);
+  });
+  svg.addEventListener("pointermove", (event) => {
+    if (map && svg.hasPointerCapture(event.pointerId)) go(map.place(event), true);
+  });
+  svg.addEventListener("pointerup", () => redraw(false));
+  const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
+  svg.addEventListener("keydown", (event) => {
+    const step = steps[event.key];
+    if (!step) return;
+    event.preventDefault();
+    go(axes.map((axis, at) => {
+      const { least, most } = control(axis);
+      return Math.min(most, Math.max(least, values[axis] + (step[at] * (most - least)) / 100));
+    }), true);
+  });
+  svg.addEventListener("keyup", (event) => { if (steps[event.key]) redraw(false); });
+}
+
+byId("copy").addEventListener("click", async () => {
+  byId("command").select();
+  // From a file a browser may not let the clipboard be written to: the text is selected then.
+  await navigator.clipboard?.writeText(byId("command").value).catch(() => {});
+});
+byId("reset").addEventListener("click", () => {
+  data.controls.forEach(({ axis, value }) => put(axis, value));
+  redraw(false);
+});
+
+(async () => {
+  try {
+    engine = await startEngine(byId("engine").textContent.trim());
+    const sweep = await engine.open(data.opening);
+    data.clearances = sweep.clearances_mm;
+    controls();
+    if (data.map) mapControls();
+    else byId("map").remove();
+    byId("live").hidden = false;
+    byId("still").hidden = true;
+    await redraw(false);
+  } catch (error) {
+    byId("status").textContent = `The engine cannot be started here: ${error.message}`;
+  }
+})();

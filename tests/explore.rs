@@ -1,0 +1,100 @@
+//! `sweep explore`: its page is played with in headless Chromium, and the history that it shows
+//! at last held against `sweep simulate`. Without Chromium or Node that is skipped.
+
+#[allow(dead_code, reason = "it has more than is needed here")]
+mod support;
+
+use std::path::Path;
+use std::process::Command;
+
+use serde_json::Value;
+use support::{SMALL, Workplace};
+
+/// Most bytes of a page.
+const LARGEST: u64 = 3 << 20;
+
+/// Exit code of a look at a page where there is nothing to look with.
+const SKIPPED: i32 = 3;
+
+#[test]
+fn a_page_is_one_small_file_with_the_case_in_it() {
+    let place = Workplace::new();
+    std::fs::write(place.path("small.toml"), SMALL).unwrap();
+    let done = place.sweep(&["explore", "small.toml", "--case", "2"]);
+    assert_eq!(
+        (done.code, &*done.output),
+        (0, "explore.html\n"),
+        "{}",
+        done.errors
+    );
+    let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
+    assert!(html.len() as u64 <= LARGEST, "{} bytes", html.len());
+    assert!(html.contains("sweep simulate small.toml --case 2"));
+    // What is seen without scripts.
+    assert!(html.contains("<td>bit_speed_peak_rpm</td>"));
+    let refused = place.sweep(&["explore", "small.toml", "--case", "6"]);
+    assert_eq!(refused.code, 2, "{}", refused.errors);
+    assert!(
+        refused.errors.contains("case 6: there are cases 0 to 5"),
+        "{}",
+        refused.errors
+    );
+}
+
+#[test]
+fn what_a_page_shows_at_last_is_what_its_command_simulates() {
+    let place = Workplace::new();
+    std::fs::write(place.path("small.toml"), SMALL).unwrap();
+    let done = place.sweep(&["explore", "small.toml"]);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scripts/look-at-explore.mjs");
+    let looked = Command::new("node")
+        .arg(script)
+        .args([place.path("explore.html"), place.path("look")])
+        .output();
+    let Ok(looked) = looked else {
+        eprintln!("skipped: there is no Node to look at the page with");
+        return;
+    };
+    let errors = String::from_utf8_lossy(&looked.stderr);
+    if looked.status.code() == Some(SKIPPED) && errors.contains("cannot be started") {
+        eprintln!("{errors}");
+        return;
+    }
+    assert!(looked.status.success(), "{errors}");
+    println!("{}", String::from_utf8_lossy(&looked.stdout));
+
+    let shown = std::fs::read_to_string(place.path("look").join("history.json")).unwrap();
+    let shown: Value = serde_json::from_str(&shown).unwrap();
+    let command = shown["command"]
+        .as_str()
+        .unwrap()
+        .strip_prefix("sweep ")
+        .unwrap();
+    assert!(command.contains(" --set "), "{command}");
+    let arguments: Vec<&str> = command.split(' ').chain(["--out", "one"]).collect();
+    let done = place.sweep(&arguments);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let mut table = csv::Reader::from_path(place.path("one").join("history.csv")).unwrap();
+    let names = table.headers().unwrap().clone();
+    let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
+    let history = shown["history"].as_object().unwrap();
+    assert_eq!(history.len() + 2, names.len());
+    for (name, values) in history {
+        let place = names.iter().position(|other| other == name).unwrap();
+        let expected = rows.iter().map(|row| row[place].parse::<f64>().unwrap());
+        let size = expected
+            .clone()
+            .fold(0.0, |size: f64, value| size.max(value.abs()));
+        let found = values
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|value| value.as_f64().unwrap());
+        assert_eq!(found.len(), rows.len());
+        let off = found
+            .zip(expected)
+            .fold(0.0, |off: f64, (one, other)| off.max((one - other).abs()));
+        assert!(off <= 1e-9 * size, "{name} is off by {off} of {size}");
+    }
+}
