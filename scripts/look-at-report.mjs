@@ -1,21 +1,25 @@
 #!/usr/bin/env node
 // Opens a report as its readers do, in headless Chromium: at a desk, in the dark, on
 // a phone and in print. Fails if the page asks for anything but itself, says
-// anything on the console, or is wider than the phone. Look at the pictures it leaves.
+// anything on the console, or is wider than the phone. Points at cases of its maps, by mouse,
+// keys and touch, and fails unless it tells what labels.csv of the results folder says. With
+// SWEEP, the program, where the sweep files are, it runs the commands that the page gives for those
+// cases, and fails unless the page's own motion is that of history.csv to 1e-9. Look at the
+// pictures it leaves.
 //
-//     scripts/look-at-report.mjs results/fig09/report.html FOLDER
+//     scripts/look-at-report.mjs results/fig09/report.html FOLDER [RESULTS …]
 //
 // Needs Node and Chromium (CHROMIUM, or `chromium` on the path), and no package.
 // Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 the page could not be looked at.
-import { spawn } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { execFileSync, spawn } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-const [report, folder] = process.argv.slice(2);
+const [report, folder, ...results] = process.argv.slice(2);
 if (!report || !folder) {
-  console.error("usage: look-at-report.mjs REPORT FOLDER");
+  console.error("usage: look-at-report.mjs REPORT FOLDER [RESULTS ...]");
   process.exit(2);
 }
 const profile = mkdtempSync(join(tmpdir(), "look-"));
@@ -30,8 +34,15 @@ const giveUp = (why) => {
   process.exit(3);
 };
 chromium.on("error", (error) => giveUp(`Chromium cannot be started (${error.code})`));
-process.on("uncaughtException", (error) => giveUp(error.message));
-setTimeout(() => giveUp("Chromium does not answer"), 120_000).unref();
+// Before a page is there, Chromium is at fault; then the page is.
+let isThere = false;
+process.on("uncaughtException", (error) => {
+  if (!isThere) giveUp(error.message);
+  console.error(error);
+  chromium.kill();
+  process.exit(1);
+});
+setTimeout(() => giveUp("Chromium does not answer"), 300_000).unref();
 const [, , , toChromium, fromChromium] = chromium.stdio;
 
 // The DevTools protocol: JSON messages that end with a zero byte.
@@ -60,7 +71,7 @@ const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: t
 const page = (method, params) => send(method, params, sessionId);
 const address = pathToFileURL(resolve(report)).href;
 listeners.set("Network.requestWillBeSent", ({ request }) => {
-  if (request.url.split("#")[0] !== address && !request.url.startsWith("data:")) faults.push(`request for ${request.url}`);
+  if (request.url.split("#")[0] !== address && !/^(data|blob):/.test(request.url)) faults.push(`request for ${request.url}`);
 });
 listeners.set("Runtime.consoleAPICalled", ({ args }) => faults.push(`console: ${JSON.stringify(args)}`));
 listeners.set("Runtime.exceptionThrown", ({ exceptionDetails }) => faults.push(`exception: ${exceptionDetails.text}`));
@@ -71,14 +82,196 @@ const load = async () => {
   const loaded = new Promise((done) => listeners.set("Page.loadEventFired", done));
   await page("Page.navigate", { url: address });
   await loaded;
+  isThere = true;
 };
+/** What an expression comes to in the page. */
+const evaluate = async (expression) => {
+  const { result, exceptionDetails } = await page("Runtime.evaluate", { expression, returnByValue: true, awaitPromise: true });
+  if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+  return result.value;
+};
+const fault = (wrong, words) => wrong && faults.push(words);
+
+/** The rows of a labels.csv by case and method. */
+const read = (results) => {
+  const [header, ...lines] = readFileSync(join(results, "labels.csv"), "utf8").trim().split("\n");
+  const names = header.split(",");
+  const rows = lines.map((line) => Object.fromEntries(line.split(",").map((field, place) => [names[place], field])));
+  const cases = new Map();
+  for (const row of rows) cases.set(Number(row.case), [...(cases.get(Number(row.case)) ?? []), row]);
+  return cases;
+};
+
+/** What the page says of a case in an element: the numbers behind its words, and its texts. */
+const told = (selector) =>
+  evaluate(`(() => {
+    const element = document.querySelector(${JSON.stringify(selector)});
+    const numbers = [...element.querySelectorAll("[title]")].map((one) => Number(one.title));
+    const shown = element.matches("dialog") ? element.open : !element.hidden;
+    return { shown, text: element.innerText, numbers };
+  })()`);
+
+/** Where a case is in the window, from its values: on the first map of a figure. */
+const placeOf = (figure, rows) =>
+  evaluate(`(() => {
+    const figure = document.querySelectorAll("figure[data-cases]")[${figure}];
+    const { axes, places, ends } = JSON.parse(document.getElementById(figure.dataset.cases).textContent);
+    const area = figure.querySelector(".area");
+    area.scrollIntoView({ block: "center" });
+    const { left, top } = area.getBoundingClientRect();
+    const row = ${JSON.stringify(rows[0])};
+    const [x, y] = [0, 1].map((end) => {
+      const { name, size } = axes[places[end]];
+      return (row[name] / size - ends[end][0]) / (ends[end][1] - ends[end][0]);
+    });
+    return { x: left + area.clientLeft + x * area.clientWidth, y: top + area.clientTop + (1 - y) * area.clientHeight };
+  })()`);
+
+/** How near the numbers of the page are to those of labels.csv: of many cases, to four digits. */
+let tolerance = 1e-12;
+
+/** Every number that is told of a case is one of labels.csv, and so many of those are told. */
+const compare = (what, { shown, text, numbers }, rows, least) => {
+  const known = rows.flatMap((row) => Object.values(row).filter((field) => field !== "").map(Number));
+  const near = (value) => known.some((other) => Math.abs(other - value) <= tolerance * Math.abs(value));
+  fault(!shown, `${what}: nothing is shown`);
+  fault(!text.includes(`Case ${rows[0].case}`), `${what}: tells of another case: ${text}`);
+  fault(numbers.length < least, `${what}: ${numbers.length} numbers`);
+  for (const value of numbers) fault(!near(value), `${what}: ${value} is not in labels.csv`);
+  for (const { torsion, lateral } of rows) {
+    for (const label of [torsion, lateral]) fault(label && !text.includes(label.replaceAll("_", " ")), `${what}: no ${label}`);
+  }
+};
+
+const mouse = (type, { x, y }, more) => page("Input.dispatchMouseEvent", { type, x, y, ...more });
+const click = async (place) => {
+  const button = { button: "left", clickCount: 1 };
+  await mouse("mousePressed", place, button);
+  await mouse("mouseReleased", place, button);
+};
+const CODES = { Enter: 13, Escape: 27, ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDown: 40 };
+const key = async (name) => {
+  const windowsVirtualKeyCode = CODES[name];
+  for (const type of ["keyDown", "keyUp"]) await page("Input.dispatchKeyEvent", { type, key: name, code: name, windowsVirtualKeyCode });
+};
+const picture = async (name) => save(`${name}.png`, (await page("Page.captureScreenshot")).data);
+
+/** Whether the page has an engine. */
+const hasEngine = () => evaluate("document.getElementById('engine') !== null");
+
+/** Before a page runs: its last motion is kept. */
+const KEEP = "document.addEventListener('history', ({ detail }) => { globalThis.lastHistory = detail; });";
+
+/** Holds the motion of the open case, by the first method, against that of the command. */
+const compareHistory = async (what, command, cases) => {
+  if (!(await hasEngine())) return;
+  const kept = await evaluate(`(async () => {
+    for (let wait = 0; wait < 200 && !globalThis.lastHistory; wait += 1) await new Promise((done) => setTimeout(done, 50));
+    const { method, row, columns } = globalThis.lastHistory ?? { columns: {} };
+    globalThis.lastHistory = null;
+    return { method, row, columns: Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, [...values]])) };
+  })()`);
+  fault(!kept.method, `${what}: no motion`);
+  const known = cases.find(({ method }) => method === kept.method);
+  for (const motion of ["torsion", "lateral"]) {
+    const [found, expected] = [kept.row?.[motion] ?? "", known?.[motion] ?? ""];
+    fault(kept.method && found !== expected, `${what}: ${found} where labels.csv has ${expected}`);
+  }
+  if (!kept.method || !command || !process.env.SWEEP) return;
+  const out = mkdtempSync(join(tmpdir(), "history-"));
+  const words = command.split(" ").concat("--methods", kept.method, "--out", out);
+  execFileSync(process.env.SWEEP, words, { stdio: ["ignore", "ignore", "inherit"] });
+  const [header, ...lines] = readFileSync(join(out, "history.csv"), "utf8").trim().split("\n");
+  rmSync(out, { recursive: true });
+  const rows = lines.map((line) => line.split(","));
+  // Whirl magnifies rounding from blow to blow: there the motion is held up to the first contact.
+  const until = kept.row.first_contact_s ?? Infinity;
+  for (const [place, name] of header.split(",").entries()) {
+    if (name === "case" || name === "method") continue;
+    const expected = rows.map((row) => Number(row[place]));
+    const found = kept.columns[name] ?? [];
+    const largest = Math.max(1e-300, ...expected.map(Math.abs));
+    const off = expected.map((value, step) => Math.abs(value - found[step]) / largest);
+    const apart = off.findIndex((part) => !(part <= 1e-9));
+    const since = apart < 0 ? Infinity : kept.columns.time_s[apart];
+    fault(found.length !== expected.length, `${what}: ${name} has ${found.length} steps, history.csv ${expected.length}`);
+    fault(!(since > until) && apart >= 0, `${what}: ${name} is not that of history.csv from ${since} s on`);
+    parted = Math.min(parted, since - until);
+    worst = Math.max(worst, ...off.slice(0, apart < 0 ? undefined : apart));
+    compared += apart < 0 ? expected.length : apart;
+  }
+};
+/** Time from a first contact to where a motion is another one, s. */
+let parted = Infinity;
+let worst = 0;
+let compared = 0;
+
+/** Points at some cases of the first map of a figure, and opens them. */
+const pointAt = async (figure, cases, name) => {
+  const all = [...cases.values()];
+  for (const place of new Set([0, Math.floor(all.length / 2), all.length - 1])) {
+    const rows = all[place];
+    const what = `${name}, case ${rows[0].case}`;
+    const at = await placeOf(figure, rows);
+    await mouse("mouseMoved", at);
+    compare(`${what}, pointed at`, await told(".tip"), rows, 2);
+    if (place > 0 && place < all.length - 1) await picture(`${name}-tip`);
+    await click(at);
+    const opened = await told("dialog");
+    compare(`${what}, opened`, opened, rows, 4);
+    fault(!opened.text.includes(`--case ${rows[0].case}`), `${what}: no command`);
+    // By day alone: the program takes its time.
+    await compareHistory(what, name.startsWith("desk") && /sweep (simulate .*)/.exec(opened.text)?.[1], rows);
+    if (place > 0 && place < all.length - 1) await picture(`${name}-case`);
+    await key("Escape");
+    fault((await told("dialog")).shown, `${what}: Escape does not close it`);
+  }
+};
+
+/** Goes over the first map by keys: to a neighbour, into it and back. */
+const goByKeys = async (cases) => {
+  const area = "document.querySelector('.answers')";
+  const shown = async (selector) => Number(/Case (\d+)/.exec((await told(selector)).text)?.[1]);
+  await mouse("mouseMoved", { x: 0, y: 0 });
+  await evaluate(`${area}.blur()`);
+  await evaluate(`${area}.focus({ focusVisible: true })`);
+  const before = await shown(".tip");
+  let after = before;
+  for (const arrow of ["ArrowRight", "ArrowUp", "ArrowLeft", "ArrowDown"]) {
+    await key(arrow);
+    if (after === before) after = await shown(".tip");
+  }
+  fault(cases.size > 1 && !(after !== before), `arrow keys stay at case ${before}`);
+  const last = await shown(".tip");
+  await key("Enter");
+  fault((await shown("dialog")) !== last || !(await told("dialog")).shown, "Enter does not open the case");
+  await key("Escape");
+  fault((await evaluate(`document.activeElement === ${area}`)) !== true, "Escape does not go back to the map");
+};
+
+/** A finger: a first touch tells, a second opens. */
+const touch = async (rows) => {
+  const place = await placeOf(0, rows);
+  for (const expected of [".tip", "dialog"]) {
+    await page("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [place] });
+    await page("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+    const said = await told(expected);
+    fault(!said.shown || !said.text.includes(`Case ${rows[0].case}`), `touch: ${expected} does not tell of the case`);
+    if (expected === "dialog") await compareHistory("phone", null, rows);
+    await picture(expected === "dialog" ? "phone-case" : "phone-tip");
+  }
+  fault((await evaluate("document.documentElement.scrollWidth")) > 360, "phone: an open case makes the page wide");
+  await key("Escape");
+};
+
 const save = (name, data) => writeFileSync(join(folder, name), Buffer.from(data, "base64"));
 mkdirSync(folder, { recursive: true });
+await page("Page.addScriptToEvaluateOnNewDocument", { source: KEEP });
 for (const [name, width, height, scheme, scale] of [
   ["desk", 1280, 800, "light", 1],
   ["dark", 1280, 800, "dark", 1],
-  ["phone", 390, 844, "light", 2],
-  ["phone-dark", 390, 844, "dark", 2],
+  ["phone", 360, 780, "light", 2],
+  ["phone-dark", 360, 780, "dark", 2],
 ]) {
   await page("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: scale, mobile: width < 500 });
   await page("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: scheme }] });
@@ -87,7 +280,26 @@ for (const [name, width, height, scheme, scale] of [
   if (result.value > width) faults.push(`${name}: the page is ${result.value} px wide`);
   const { data } = await page("Page.captureScreenshot", { captureBeyondViewport: true });
   save(`${name}.png`, data);
+  const tables = results.map(read);
+  const isRounded = await evaluate(`[...document.querySelectorAll("script[id^=cases]")].some(({ text }) => JSON.parse(text).digits)`);
+  if (isRounded) tolerance = 6e-4;
+  const isPhone = width < 500;
+  if (tables.length > 0 && isPhone && scheme === "light") {
+    await page("Emulation.setTouchEmulationEnabled", { enabled: true });
+    await touch([...tables[0].values()].at(-1));
+    await page("Emulation.setTouchEmulationEnabled", { enabled: false });
+  }
+  for (const [figure, cases] of isPhone ? [] : tables.entries()) {
+    await pointAt(figure, cases, figure === 0 ? name : `${name}-${figure}`);
+  }
+  if (tables.length > 0 && name === "desk") await goByKeys(tables[0]);
 }
+// A sheet of A4 as a picture too, by readers of the dark.
+await page("Emulation.setDeviceMetricsOverride", { width: 680, height: 960, deviceScaleFactor: 1, mobile: false });
+await page("Emulation.setEmulatedMedia", { media: "print", features: [{ name: "prefers-color-scheme", value: "dark" }] });
+await load();
+await picture("print");
+await page("Emulation.setEmulatedMedia", { media: "", features: [] });
 await page("Emulation.clearDeviceMetricsOverride");
 const { data } = await page("Page.printToPDF", { preferCSSPageSize: true, paperWidth: 8.27, paperHeight: 11.69 });
 save("print.pdf", data);
@@ -96,5 +308,7 @@ await send("Browser.close");
 await new Promise((done) => chromium.on("exit", done));
 rmSync(profile, { recursive: true, force: true });
 for (const fault of faults) console.error(fault);
+if (compared > 0) console.log(`${compared} numbers of motions are those of history.csv to ${worst} of the largest`);
+if (parted < Infinity) console.log(`whirl is another motion ${parted} s after its first contact at the earliest`);
 console.log(`${report}: ${faults.length} faults; its pictures are in ${folder}`);
 process.exit(faults.length > 0 ? 1 : 0);

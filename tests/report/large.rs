@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::support::Workplace;
+use crate::support::{Workplace, with};
 use crate::{succeeds, text, with_results, write_table};
 
 /// The largest picture that is still easy to mail and to show.
@@ -79,4 +79,29 @@ fn a_map_of_many_cases_is_made_of_few_cells() {
     // No cell is left empty: two runs in each of 78 rows; keys and a mark.
     let polygons = text(&place, "results/map.svg").matches("<polygon").count();
     assert!((156..=170).contains(&polygons), "{polygons}");
+}
+
+/// 60 000 simulations: the map is there, and the page says that it does not answer.
+#[test]
+fn a_page_of_too_many_cases_holds_none_and_says_so() {
+    let place = with_cases(scattered(30_000).map(|place| (place, [SMOOTH; 2])));
+    let manifest = text(&place, "results/manifest.json");
+    let manifest = with(&manifest, "\"rows\": 12", "\"rows\": 60000");
+    place.write("results/manifest.json", manifest);
+    let page = crate::report(&place, &["results"]);
+    let said = "60000 simulations are more than this page has room for";
+    assert!(page.contains(said));
+    assert!(page.contains("class=\"area\"") && !page.contains("<script"));
+    assert!((page.len() as u64) < MEGABYTE);
+}
+
+#[test]
+fn a_page_of_many_cases_stays_below_three_megabytes() {
+    let place = with_cases(scattered(10_000).map(|place| (place, [SMOOTH, STICK_SLIP])));
+    let manifest = text(&place, "results/manifest.json");
+    let manifest = with(&manifest, "\"rows\": 12", "\"rows\": 20000");
+    place.write("results/manifest.json", manifest);
+    let page = crate::report(&place, &["results"]);
+    assert!(page.contains("id=\"cases-0\""));
+    assert!((page.len() as u64) < 3 * MEGABYTE, "{}", page.len());
 }

@@ -30,6 +30,11 @@ impl<T> Visitor<'_> for NumberOr<T> {
         Ok((self.of_number)(value))
     }
 
+    /// As JSON has whole numbers.
+    fn visit_u64<E>(self, value: u64) -> Result<T, E> {
+        Ok((self.of_number)(value as f64))
+    }
+
     fn visit_i64<E>(self, value: i64) -> Result<T, E> {
         Ok((self.of_number)(value as f64))
     }

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-use super::drawing::{Drawing, draw_map};
 use super::folder::{REPORT, hold, tables_of};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
@@ -26,11 +25,15 @@ pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status>
     let mut all = (arguments.folders.iter())
         .map(|folder| read(folder, terminal))
         .collect::<Result<Vec<_>>>()?;
-    all.iter_mut().try_for_each(Results::analyse)?;
+    let folders = all.len();
+    for results in &mut all {
+        results.analyse()?;
+        results.draw(folders)?;
+    }
     let comparisons = (all.iter().skip(1))
         .map(|other| compare(&all[0], other))
         .collect::<Result<Vec<_>>>()?;
-    let html = page(&title(&all), &sections(&all, &comparisons))?;
+    let html = page(&title(&all), &sections(&all, &comparisons), &all);
     let path = match (&arguments.out, &arguments.folders[..]) {
         (Some(path), _) => {
             write_atomically(path, html.as_bytes())?;
@@ -45,12 +48,7 @@ pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status>
 }
 
 fn read(folder: &Path, terminal: Terminal) -> Result<Results> {
-    let tables = tables_of(folder, terminal)?;
-    let is_drawn = tables.manifest.shard().is_whole() && tables.manifest.tally.rows > 0;
-    if tables.so_far.is_some() && is_drawn {
-        draw_map(&tables, &tables.folder, &Drawing::default())?;
-    }
-    Results::read(folder, tables)
+    Results::read(folder, tables_of(folder, terminal)?)
 }
 
 /// Writes a page under its usual name, where nothing else has it.

@@ -1,4 +1,4 @@
-//! The picture of a results folder: its maps with their legends and notes.
+//! What is drawn of a results folder: its maps with their legends and notes.
 
 use std::path::PathBuf;
 
@@ -22,6 +22,30 @@ use campaign::quantities::Axis;
 /// # Errors
 /// Where a file cannot be read.
 pub fn picture(tables: &ResultTables, look: &Look) -> Result<Option<Picture>> {
+    let drawing = drawing(tables)?;
+    let picture = drawing.map(|drawing| map_sheet(look, &drawing.sheet));
+    picture.transpose()
+}
+
+/// What is drawn of a results folder, and which cases each of its maps has.
+pub struct Drawing {
+    /// The maps: those of each motion, then others.
+    pub sheet: MapSheet,
+    /// What the horizontal and the vertical axis are.
+    pub axes: [Axis; 2],
+    /// The motions that have maps of their own, one for each of the `combinations`.
+    pub motions: Vec<Motion>,
+    /// Further axes.
+    pub others: Vec<Axis>,
+    /// The values of those that each map of a motion is of; of one that is of all, none.
+    pub combinations: Vec<Vec<f64>>,
+}
+
+/// What a map shows; none where the design has no two axes.
+///
+/// # Errors
+/// Where a file cannot be read.
+pub fn drawing(tables: &ResultTables) -> Result<Option<Drawing>> {
     let manifest = &tables.manifest;
     let Some(settings) = &manifest.map else {
         return Ok(None);
@@ -62,7 +86,15 @@ pub fn picture(tables: &ResultTables, look: &Look) -> Result<Option<Picture>> {
             .collect::<Result<_>>()?,
     };
     show_in(&mut sheet, axes.map(|axis| axis.unit(units)));
-    map_sheet(look, &sheet).map(Some)
+    let extent = map.extent;
+    Ok(Some(Drawing {
+        sheet,
+        axes,
+        combinations: (extent.combinations())
+            .map_or_else(|| vec![Vec::new()], <[Vec<f64>]>::to_vec),
+        motions: extent.motions,
+        others: extent.others,
+    }))
 }
 
 /// The limits of a folder: those of `boundary.csv`, and that of forward motion.

@@ -44,7 +44,10 @@ pub use film::{Film, FilmFrame, FilmSite, film};
 pub use grounds::{Ground, Part, Safety};
 pub use inks::{Ink, Series};
 pub use look::{Look, Paper};
-pub use map::{Band, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_sheet};
+pub use map::{
+    Band, MapAxis, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_axes,
+    map_sheet,
+};
 pub use multiples::{Multiple, multiples};
 pub use orbits::{Orbit, orbits};
 pub use panels::{Panel, Wall, panels};

@@ -99,6 +99,11 @@ impl Scale {
         }
     }
 
+    /// The ends of an axis that is not logarithmic.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.low, self.high]
+    }
+
     /// The place of a value, 0 and 1 being the ends of the axis; none if the
     /// scale cannot show it at all.
     pub fn fraction(&self, value: f64) -> Option<f64> {

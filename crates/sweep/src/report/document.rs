@@ -1,7 +1,5 @@
 //! The parts of a summary or a report: paragraphs, tables and maps, without any layout.
 
-use std::path::PathBuf;
-
 use super::results::Results;
 
 /// A heading, and what is below it.
@@ -38,8 +36,10 @@ pub struct Table {
 pub struct Map {
     /// What it shows.
     pub caption: String,
-    /// The picture, where it was drawn.
-    pub svg: Option<PathBuf>,
+    /// The same as a page draws it, where it does.
+    pub html: Option<String>,
+    /// The folder with its cases, where the page holds them.
+    pub cases: Option<usize>,
     /// The same in characters.
     pub characters: String,
 }

@@ -2,7 +2,8 @@
 //!
 //! `results` reads a folder in one pass over its cases, so that memory does not grow
 //! with them; `comparison` compares two folders. `sections` makes words and tables of
-//! both, which a terminal (`text`) and a page (`page`) show alike. `analysed` and `deciding` are of
+//! both, which a terminal (`text`) and a page (`page`) show alike; of maps
+//! `live_map` makes a drawing that answers who points at it. `analysed` and `deciding` are of
 //! counts of random cases, as `sweep analyse` tells them.
 
 mod agreement;
@@ -11,9 +12,11 @@ mod character_map;
 mod comparison;
 mod deciding;
 mod document;
+mod escaping;
 mod failures;
 mod html;
 mod limit;
+mod live_map;
 mod page;
 mod provenance;
 mod results;
@@ -23,7 +26,8 @@ mod text;
 pub use analysed::analysed_sections;
 pub use comparison::compare;
 pub use document::Table;
-pub use html::{escaped, table};
+pub use escaping::escaped;
+pub use html::table;
 pub use page::{is_page, page};
 pub use results::Results;
 pub use sections::sections;

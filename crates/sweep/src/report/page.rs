@@ -1,16 +1,19 @@
-//! Sections as one HTML page that needs nothing else: no script, no file, no
-//! network; light or dark as the reader's machine is, on a phone and in print.
+//! Sections as one HTML page that needs nothing else: no file, no network; light or dark as
+//! the reader's machine is, on a phone and in print. Its script only makes maps answer; no
+//! other can run in it.
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use sha2::{Digest, Sha256};
 
 use super::document::{Block, Map, Section};
-use super::html::{element, escaped, table};
+use super::escaping::{escaped, json};
+use super::html::{element, table};
+use super::live_map::{DEFINITIONS, ENGINE, SCRIPT, STYLE as MAP_STYLE};
+use super::results::Results;
 use crate::files::is_absent;
-use campaign::text_file::unreadable;
 
 /// The mark of a page that this program made.
 const MADE_BY: &str = "<footer><p>Made by ";
@@ -21,18 +24,18 @@ const FOOTER: usize = 400;
 /// The page's looks.
 const STYLE: &str = include_str!("page.css");
 
-/// The sections as a page.
-///
-/// # Errors
-/// Where a map cannot be read.
-pub fn page(title: &str, sections: &[Section]) -> Result<String> {
+/// The sections as a page, with the cases of the maps among them.
+pub fn page(title: &str, sections: &[Section], all: &[Results]) -> String {
     let mut html = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n\
          <link rel=\"icon\" href=\"data:,\">\n\
-         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <title>{title}</title>\n<style>\n{STYLE}{MAP_STYLE}</style>\n</head>\n<body>\n\
+         {DEFINITIONS}\
          <header><h1>{title}</h1></header>\n<nav aria-label=\"Sections\">\n<ul>\n",
+        policy(),
         title = escaped(title)
     );
     for (index, (title, _)) in sections.iter().enumerate() {
@@ -42,12 +45,52 @@ pub fn page(title: &str, sections: &[Section]) -> Result<String> {
     for (index, (title, content)) in sections.iter().enumerate() {
         html += &format!("<section id=\"s{index}\" aria-labelledby=\"h{index}\">\n");
         html += &format!("<h2 id=\"h{index}\">{}</h2>\n", escaped(title));
-        html += &blocks(content)?;
+        html += &blocks(content);
         html += "</section>\n";
     }
+    html += "</main>\n";
+    html += &scripts(all);
     let program = escaped(crate::program::PROGRAM);
-    html += &format!("</main>\n{MADE_BY}{program}.</p></footer>\n</body>\n</html>\n");
-    Ok(html)
+    html + &format!("{MADE_BY}{program}.</p></footer>\n</body>\n</html>\n")
+}
+
+/// What a browser lets the page do: run its own script, and the engine in a worker made of it;
+/// and fetch nothing.
+fn policy() -> String {
+    let hash = STANDARD.encode(Sha256::digest(SCRIPT));
+    format!(
+        "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; \
+         style-src 'unsafe-inline'; script-src 'sha256-{hash}' \
+         'wasm-unsafe-eval' blob:; worker-src blob:"
+    )
+}
+
+/// The cases of maps, the engine, and the script that tells of them; nothing where there are none.
+fn scripts(all: &[Results]) -> String {
+    let lives = all
+        .iter()
+        .map(|results| results.live.as_ref()?.data.as_ref());
+    let data = lives.enumerate().filter_map(|(place, data)| {
+        let id = cases_id(place);
+        let data = json(data?);
+        Some(format!(
+            "<script type=\"application/json\" id=\"{id}\">{data}</script>\n"
+        ))
+    });
+    let data: String = data.collect();
+    if data.is_empty() {
+        return data;
+    }
+    let engine = STANDARD.encode(ENGINE);
+    format!(
+        "{data}<script type=\"application/octet-stream\" id=\"engine\">{engine}</script>\n\
+         <script type=\"module\">{SCRIPT}</script>\n"
+    )
+}
+
+/// The name of the element with the cases of a folder.
+fn cases_id(place: usize) -> String {
+    format!("cases-{place}")
 }
 
 /// Whether a file is a page of this program, of any version.
@@ -65,12 +108,12 @@ pub fn is_page(path: &Path) -> std::io::Result<bool> {
 }
 
 /// Maps that follow each other stand side by side where there is room.
-fn blocks(blocks: &[Block]) -> Result<String> {
+fn blocks(blocks: &[Block]) -> String {
     let mut html = String::new();
     let mut maps = String::new();
     for block in blocks {
         if let Block::Map(map) = block {
-            maps += &figure(map)?;
+            maps += &figure(map);
             continue;
         }
         html += &side_by_side(&std::mem::take(&mut maps));
@@ -87,7 +130,7 @@ fn blocks(blocks: &[Block]) -> Result<String> {
             Block::Map(_) => {}
         }
     }
-    Ok(html + &side_by_side(&maps))
+    html + &side_by_side(&maps)
 }
 
 fn side_by_side(maps: &str) -> String {
@@ -97,21 +140,18 @@ fn side_by_side(maps: &str) -> String {
     format!("<div class=\"maps\">\n{maps}</div>\n")
 }
 
-/// The picture in the page itself. As an image it cannot clash with another one's
-/// names or with the page's colours. Who cannot see it reads the characters, which
-/// stand alone where there is no picture.
-fn figure(map: &Map) -> Result<String> {
+/// The map as the page draws it, and in characters, which stand alone where it draws none.
+fn figure(map: &Map) -> String {
     let caption = format!("<figcaption>{}</figcaption>\n", escaped(&map.caption));
     let characters = format!("<pre tabindex=\"0\">{}</pre>\n", escaped(&map.characters));
-    let Some(path) = &map.svg else {
-        return Ok(format!("<figure>\n{characters}{caption}</figure>\n"));
+    let Some(html) = &map.html else {
+        return format!("<figure>\n{characters}{caption}</figure>\n");
     };
-    let svg = std::fs::read(path).with_context(|| unreadable(path))?;
-    Ok(format!(
-        "<figure>\n<div class=\"scroll\" tabindex=\"0\"><img alt=\"Regime map: {}\" \
-         src=\"data:image/svg+xml;base64,{}\"></div>\n{caption}<details>\n<summary>The map in characters</summary>\n{characters}</details>\n\
-         </figure>\n",
-        escaped(&map.caption),
-        STANDARD.encode(svg),
-    ))
+    let cases = map.cases.map_or_else(String::new, |place| {
+        format!(" data-cases=\"{}\"", cases_id(place))
+    });
+    format!(
+        "<figure{cases}>\n{caption}{html}<details>\n<summary>The map in characters</summary>\n\
+         {characters}</details>\n</figure>\n"
+    )
 }

@@ -9,6 +9,7 @@ use super::agreement::Agreement;
 use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
+use super::live_map::{LiveMap, live_map};
 use crate::analysis::{Counts, MethodBlocks, blocks, count_cases};
 use crate::map::{Cells, Extent, symbol_of};
 use crate::output::{CaseRows, Manifest, Motion, ResultTables, read_cases};
@@ -38,6 +39,8 @@ pub struct Results {
     pub analysed: Option<Analysed>,
     /// The regimes in characters, where the design has two axes and a case is here.
     pub characters: Option<String>,
+    /// The map as a page draws it, where that was asked for.
+    pub live: Option<LiveMap>,
 }
 
 /// Counts of random cases.
@@ -65,6 +68,17 @@ impl Results {
             counts: count_cases(tables, &sets, RANGES)?,
             blocks: blocks(tables)?,
         });
+        Ok(())
+    }
+
+    /// Draws the map for a page of so many folders, where it is of a whole sweep.
+    ///
+    /// # Errors
+    /// Where the tables cannot be read.
+    pub fn draw(&mut self, folders: usize) -> Result<()> {
+        if self.manifest.draws() && self.manifest.tally.rows > 0 {
+            self.live = live_map(&self.tables, folders)?;
+        }
         Ok(())
     }
 
@@ -112,6 +126,7 @@ impl Results {
             characters: map
                 .filter(|map| map.extent.cases > 0)
                 .map(|map| map.characters()),
+            live: None,
             agreement,
             limits,
             failures,

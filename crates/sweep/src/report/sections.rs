@@ -98,7 +98,7 @@ fn overview(all: &[Results]) -> Vec<Block> {
 
 fn maps(all: &[Results]) -> Vec<Block> {
     let mut blocks = Vec::new();
-    for results in all {
+    for (place, results) in all.iter().enumerate() {
         let Some(characters) = &results.characters else {
             let text = if results.manifest.map.is_some() {
                 "No map: there is no case in this part."
@@ -108,21 +108,15 @@ fn maps(all: &[Results]) -> Vec<Block> {
             blocks.push(note(all, results, text));
             continue;
         };
-        let svg = results.tables.folder.join("map.svg");
-        let svg = svg.exists().then_some(svg);
-        if svg.is_none() {
-            let text = match results.manifest.shard {
-                Some(_) => "The picture is drawn when the shards are merged.".to_owned(),
-                None => format!(
-                    "map.svg is missing; `sweep plot {}` draws it.",
-                    results.name
-                ),
-            };
+        if results.manifest.shard.is_some() {
+            let text = "The picture is drawn when the shards are merged.";
             blocks.push(note(all, results, text));
         }
+        let live = results.live.as_ref();
         blocks.push(Block::Map(Map {
             caption: named(all, results, &results.manifest.title),
-            svg,
+            html: live.map(|live| live.html.clone()),
+            cases: live.filter(|live| live.data.is_some()).map(|_| place),
             characters: characters.clone(),
         }));
     }

@@ -5,6 +5,7 @@ mod panel;
 mod sheet;
 #[cfg(test)]
 mod tests;
+mod view;
 
 use super::geometry::Rect;
 use super::grounds::Ground;
@@ -13,6 +14,7 @@ use super::scale::Axis;
 use super::symbols::Symbol;
 
 pub use sheet::map_sheet;
+pub use view::{MapAxis, map_axes};
 
 /// A symbol at a place of a map.
 pub struct MapPoint {

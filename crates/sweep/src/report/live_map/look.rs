@@ -1,0 +1,67 @@
+//! What a style sheet colours, and the shapes of symbols.
+
+use crate::plot::{Ground, Part, Symbol};
+
+/// Dash patterns of lines in the style sheet, `l0` and on.
+pub const LINES: usize = 6;
+
+/// Patterns that maps fill areas with, once in a page.
+pub const DEFINITIONS: &str = "<svg class=\"patterns\" aria-hidden=\"true\"><defs>\
+    <pattern id=\"no-case\" width=\"8\" height=\"8\" patternUnits=\"userSpaceOnUse\">\
+    <path d=\"M-2 2l4 -4M0 8l8 -8M6 10l4 -4\"></path></pattern>\
+    <pattern id=\"range\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\">\
+    <path d=\"M-2 7l4 4M0 0l9 9M7 -2l4 4\"></path></pattern></defs></svg>\n";
+
+/// The class of a symbol.
+pub fn class_of_symbol(symbol: Symbol) -> &'static str {
+    match symbol {
+        Symbol::Circle => "circle",
+        Symbol::Cross => "cross",
+        Symbol::Square => "square",
+        Symbol::Disc => "disc",
+        Symbol::HeavyCross => "heavy",
+    }
+}
+
+/// The class of a ground.
+pub fn class_of_ground(ground: Ground) -> String {
+    match ground {
+        Ground::Symbol(symbol) => format!("g-{}", class_of_symbol(symbol)),
+        Ground::Part(part) => {
+            let place = Part::EVERY.iter().position(|other| *other == part);
+            format!("p{}", place.unwrap_or(0))
+        }
+        Ground::Safety(safety) => format!("s{}", safety as usize),
+        Ground::NoCase => "no-case".to_owned(),
+    }
+}
+
+/// A part of a path that draws a symbol of a radius around a place.
+pub fn symbol_path(symbol: Symbol, (x, y): (f64, f64), radius: f64) -> String {
+    let number = |value: f64| short(value);
+    let (r, across) = (number(radius), number(2.0 * radius));
+    match symbol {
+        Symbol::Circle | Symbol::Disc => format!(
+            "M{} {}a{r} {r} 0 1 0 {across} 0a{r} {r} 0 1 0 -{across} 0",
+            number(x - radius),
+            number(y)
+        ),
+        Symbol::Cross | Symbol::HeavyCross => {
+            let (left, top) = (number(x - 0.85 * radius), number(y - 0.85 * radius));
+            let arm = number(1.7 * radius);
+            format!("M{left} {top}l{arm} {arm}m-{arm} 0l{arm} -{arm}")
+        }
+        Symbol::Square => format!(
+            "M{} {}h{across}v{across}h-{across}z",
+            number(x - radius),
+            number(y - radius)
+        ),
+    }
+}
+
+/// A length of a drawing, to a tenth.
+pub fn short(value: f64) -> String {
+    let tenths = (10.0 * value).round() / 10.0;
+    // Without a sign before zero.
+    (tenths + 0.0).to_string()
+}
