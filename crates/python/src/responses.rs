@@ -37,6 +37,10 @@ impl Responses {
 }
 
 #[pymethods]
+#[expect(
+    clippy::wrong_self_convention,
+    reason = "arrays from something to something"
+)]
 impl Responses {
     /// Name of the method.
     #[getter]

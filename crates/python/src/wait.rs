@@ -22,14 +22,13 @@ pub fn watch<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
     look: &dyn Fn() -> PyResult<()>,
 ) -> PyResult<T> {
-    let (done, result) = channel();
+    let (done, mut result) = channel();
     thread::Builder::new()
         .name("drillstring".to_owned())
         .spawn(move || done.send(work()))?;
-    // A channel's end is not to be shared, but moves to and fro.
-    let mut result = result;
     loop {
         let received;
+        // A channel's end is not to be shared, but moves to and fro.
         (received, result) = py.detach(move || (result.recv_timeout(BETWEEN_LOOKS), result));
         match received {
             Ok(made) => {
