@@ -95,7 +95,12 @@ pub fn panels(look: &Look, title: &str, panels: &[Panel]) -> Result<Picture> {
     };
     draw_titled(&title, height, |canvas| {
         for ((panel, frame), overlays) in panels.iter().zip(&frames).zip(&overlays) {
-            draw_panel(canvas, panel, frame, (&inks, &strokes, overlays))?;
+            let curves = Curves {
+                inks: &inks,
+                strokes: &strokes,
+                overlays,
+            };
+            draw_panel(canvas, panel, frame, &curves)?;
         }
         legend.draw(canvas, place.0, place.1)
     })
@@ -247,16 +252,21 @@ fn shown_points(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
     visible(&panel.axes, points.copied())
 }
 
-fn draw_panel(
-    canvas: &mut Canvas,
-    panel: &Panel,
-    frame: &Frame,
-    (inks, strokes, overlays): (&[(&str, Ink)], &[Stroke], &[Option<Overlaid>]),
-) -> Result<()> {
+/// How the curves of a panel are drawn.
+struct Curves<'a> {
+    /// Every name in the legend.
+    inks: &'a [(&'a str, Ink)],
+    /// How each of them is drawn.
+    strokes: &'a [Stroke],
+    /// Which curves lie on another, and are not drawn again.
+    overlays: &'a [Option<Overlaid>],
+}
+
+fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, drawn: &Curves) -> Result<()> {
     frame.draw(canvas)?;
-    for (series, overlay) in panel.series.iter().zip(overlays) {
+    for (series, overlay) in panel.series.iter().zip(drawn.overlays) {
         if overlay.is_none() {
-            let stroke = strokes[place_among(&series.name, inks)];
+            let stroke = drawn.strokes[place_among(&series.name, drawn.inks)];
             draw_series(canvas, frame, series, stroke)?;
         }
     }
