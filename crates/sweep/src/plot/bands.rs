@@ -88,7 +88,7 @@ pub fn band_chart(look: &Look, chart: &BandChart) -> Result<Picture> {
     let height = panel_height(chart);
     let stacked = chart.panels.len() as f64 * height;
     let (legend, place, right, bottom) = if is_narrow(title.width) {
-        let legend = legend.in_rows(title.width - 2.0 * MARGIN);
+        let legend = legend.in_rows(title.width - 2.0 * MARGIN)?;
         let (right, below) = (title.width - MARGIN - LABEL_ROOM, top + stacked);
         let bottom = below + legend.height();
         (legend, (MARGIN, below), right, bottom)

@@ -65,7 +65,7 @@ pub fn campbell(
     let top = title.bottom();
     let stacked = panels.len() as f64 * PANEL_HEIGHT;
     let (legend, place, right, height) = if is_narrow(title.width) {
-        let legend = legend.in_rows(title.width - 2.0 * MARGIN);
+        let legend = legend.in_rows(title.width - 2.0 * MARGIN)?;
         let height = top + stacked + legend.height();
         (
             legend,

@@ -84,7 +84,7 @@ pub struct FilmSite {
 /// Draws a film.
 pub fn film(look: &Look, film: &Film) -> Result<Picture> {
     let title = Title::new(look, &film.title, WIDTH, MARGIN)?;
-    let legend = legend(film)?.in_rows(title.width - 2.0 * MARGIN);
+    let legend = legend(film)?.in_rows(title.width - 2.0 * MARGIN)?;
     let columns = columns(title.width);
     let top = title.bottom();
     let rows = film.frames.len().div_ceil(columns);

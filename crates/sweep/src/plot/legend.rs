@@ -15,12 +15,15 @@ const KEY_WIDTH: f64 = 42.0;
 const KEY_GAP: f64 = 8.0;
 const SYMBOL_RADIUS: f64 = 5.0;
 const CELL_HEIGHT: f64 = 17.0;
-/// Text wider than this is broken.
+/// Text wider than this is broken, in a legend at the side.
 const TEXT_WIDTH: f64 = 170.0;
+/// The least room for text in one of several columns.
+const LEAST_TEXT_WIDTH: f64 = 100.0;
 /// Free space after each entry.
 const ENTRY_GAP: f64 = 6.0;
 
 /// What stands before an entry's text.
+#[derive(Clone, Copy)]
 pub(super) enum Key {
     Symbol(Symbol),
     /// A ground, with the symbol it stands for where it has one.
@@ -65,14 +68,30 @@ impl Legend {
         })
     }
 
-    /// The same with as many entries beside each other as a width has room for.
-    pub fn in_rows(self, room: f64) -> Legend {
-        let column = self.width() + 2.0 * KEY_GAP;
-        Legend {
-            columns: ((room / column) as usize).clamp(1, self.entries.len().max(1)),
-            room,
-            ..self
+    /// The same in as many columns of a width as make it lowest, its texts broken for them.
+    pub fn in_rows(self, room: f64) -> Result<Legend> {
+        let least = KEY_WIDTH + LEAST_TEXT_WIDTH + 3.0 * KEY_GAP;
+        let most = ((room / least) as usize).clamp(1, self.entries.len().max(1));
+        let mut lowest = self.in_columns(1, room)?;
+        for columns in 2..=most {
+            let legend = self.in_columns(columns, room)?;
+            if legend.height() < lowest.height() {
+                lowest = legend;
+            }
         }
+        Ok(lowest)
+    }
+
+    fn in_columns(&self, columns: usize, room: f64) -> Result<Legend> {
+        let column = room / columns as f64 - 2.0 * KEY_GAP;
+        let entries = (self.entries.iter())
+            .map(|(key, text)| Ok((*key, text.broken_at(column - indent(key))?)))
+            .collect::<Result<_>>()?;
+        Ok(Legend {
+            entries,
+            columns,
+            room,
+        })
     }
 
     /// Width of the widest entry in pixels; zero for an empty legend.
@@ -175,6 +194,15 @@ mod tests {
         let long = legend(&["every one of the three methods finds stick-slip here"]);
         assert!(long.width() <= KEY_WIDTH + KEY_GAP + TEXT_WIDTH);
         assert!(long.height() > legend(&["all"]).height());
+    }
+
+    #[test]
+    fn texts_in_rows_are_broken_for_the_room_there_is() {
+        let texts = ["every one of the three methods finds stick-slip here", "all"];
+        let wide = legend(&texts).in_rows(900.0).expect("measured");
+        let narrow = legend(&texts).in_rows(200.0).expect("measured");
+        assert_eq!(wide.height(), legend(&["all"]).height());
+        assert!(narrow.width() <= 200.0 && narrow.height() > wide.height());
     }
 
     #[test]

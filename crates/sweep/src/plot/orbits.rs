@@ -74,7 +74,7 @@ pub fn orbits(look: &Look, title: &str, orbits: &[Orbit]) -> Result<Picture> {
     let (side, legend, place) = if title.width < beside {
         let side = ((title.width - 2.0 * MARGIN) / columns as f64).min(SIDE);
         let rows = orbits.len().div_ceil(columns) as f64;
-        let legend = legend.in_rows(title.width - 2.0 * MARGIN);
+        let legend = legend.in_rows(title.width - 2.0 * MARGIN)?;
         (side, legend, (MARGIN, top + rows * side + ROW_GAP))
     } else {
         let left = title.width - MARGIN - legend.width();

@@ -86,7 +86,7 @@ pub fn panels(look: &Look, title: &str, panels: &[Panel]) -> Result<Picture> {
         .collect();
     let legend = legend(panels, &inks, &strokes, &overlays)?;
     let (legend, place, height) = if is_narrow {
-        let legend = legend.in_rows(title.width - 2.0 * MARGIN);
+        let legend = legend.in_rows(title.width - 2.0 * MARGIN)?;
         let height = bottom + legend.height() + MARGIN;
         (legend, (MARGIN, bottom), height)
     } else {

@@ -59,7 +59,7 @@ pub fn scatter_grid(
             (Key::Line(REFERENCE), floor),
             (Key::Rim, rim),
         ]);
-    let legend = Legend::new(entries)?.in_rows(WIDTH - 2.0 * MARGIN);
+    let legend = Legend::new(entries)?.in_rows(WIDTH - 2.0 * MARGIN)?;
     let top = title.bottom();
     let rows = panels.len().div_ceil(COLUMNS);
     let legend_top = top + rows as f64 * PANEL_HEIGHT;

@@ -71,6 +71,11 @@ impl Block {
         })
     }
 
+    /// The same text broken anew.
+    pub fn broken_at(&self, max_width: f64) -> Result<Block> {
+        Block::new(&self.lines.join(" "), self.size, max_width)
+    }
+
     /// Distance between the centres of two lines.
     pub fn line_height(&self) -> f64 {
         self.size * LINE_HEIGHT
@@ -86,7 +91,7 @@ impl Block {
 fn wrap(text: &str, size: f64, max_width: f64) -> Result<Vec<String>> {
     let mut lines = Vec::new();
     let mut line = String::new();
-    for word in text.split_whitespace() {
+    for word in words(text) {
         let longer = format!("{line} {word}");
         let longer = longer.trim_start();
         if width(longer, size)? <= max_width {
@@ -96,12 +101,24 @@ fn wrap(text: &str, size: f64, max_width: f64) -> Result<Vec<String>> {
         if !line.is_empty() {
             lines.push(std::mem::take(&mut line));
         }
-        line = break_word(word, size, max_width, &mut lines)?;
+        line = break_word(&word, size, max_width, &mut lines)?;
     }
     if !line.is_empty() {
         lines.push(line);
     }
     Ok(lines)
+}
+
+/// The words of a text; the number of an equation stays with what it is of.
+fn words(text: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match words.last_mut() {
+            Some(before) if before.ends_with("Eq.") => *before += &format!(" {word}"),
+            _ => words.push(word.to_owned()),
+        }
+    }
+    words
 }
 
 /// Pushes the full lines of a word to `lines` and returns its last piece.

@@ -140,7 +140,7 @@ fn group_block<'a>(
     let heading = Block::new(&group.heading, TITLE_SIZE, width)?;
     let maps_top = top + heading.height() + 0.3 * GAP;
     let (frames, texts_top) = frames(sheet, scales, group, [left, maps_top, width])?;
-    let legend = Legend::new(keys(group))?.in_rows(width);
+    let legend = Legend::new(keys(group))?.in_rows(width)?;
     let small = |text: &String| Block::new(text, SMALL_SIZE, width);
     let notes: Vec<Block> = group.notes.iter().map(small).collect::<Result<_>>()?;
     let scale = group.scale.as_ref().map(small).transpose()?;
