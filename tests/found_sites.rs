@@ -278,7 +278,7 @@ fn scenes() -> impl Strategy<Value = String> {
 /// `STRINGS=20` for a hundred cases.
 #[test]
 fn labels_are_those_of_every_candidate() {
-    let strings = std::env::var("STRINGS").map_or(1, |count| count.parse().unwrap());
+    let strings = std::env::var("STRINGS").map_or(2, |count| count.parse().unwrap());
     let mut runner = TestRunner::deterministic();
     let (mut cases, mut others, mut failed, mut whirls, mut most) = (0, 0, 0, 0, 0);
     for _ in 0..strings {
@@ -310,6 +310,6 @@ fn labels_are_those_of_every_candidate() {
         whirls > 0 && most > 5,
         "a scene without contact shows nothing"
     );
-    // Between two regimes what touches by less than the tolerance may decide.
-    assert!(20 * others <= cases && 10 * failed <= cases);
+    // Between two regimes what touches by less than the tolerance may decide, and rounding.
+    assert!(10 * others <= cases && 10 * failed <= cases);
 }

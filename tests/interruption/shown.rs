@@ -56,7 +56,7 @@ fn a_stopped_run_is_shown_as_far_as_it_is_and_goes_on() {
     }
     finishes(&place, &["report", "stopped"]);
     let page = std::fs::read_to_string(place.path("stopped/report.html")).unwrap();
-    assert!(page.contains(&so_far) && page.contains("<img"), "{page}");
+    assert!(page.contains(&so_far) && page.contains("<svg"), "{page}");
     finishes(&place, &["plot", "stopped"]);
     let map = std::fs::read_to_string(place.path("stopped/map.svg")).unwrap();
     assert!(map.contains(&so_far), "{map}");

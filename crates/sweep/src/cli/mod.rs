@@ -149,7 +149,7 @@ pub enum Command {
         sweep report results/fig14 results/fig17 --out whirl.html\n\n\
         The page is one file, and needs neither network nor scripts.")]
     Report(ReportArguments),
-    /// Write a page to play with: a case simulated anew as its sliders move
+    /// Write a page whose sliders simulate a case anew as they move
     #[command(after_help = "Examples:\n  sweep explore sweeps/fig09.toml\n  \
         sweep explore sweeps/fig12.toml --out whirl.html\n\n\
         The page is one file with the engine in it: it needs no network. The command that\n\

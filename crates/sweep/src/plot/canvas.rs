@@ -293,7 +293,10 @@ pub(super) mod tests {
                 && ink.top() >= 0.0
                 && ink.right() <= width
                 && ink.bottom() <= height;
-            assert!(inside, "something leaves the picture: {ink:?}");
+            assert!(
+                inside,
+                "something leaves the picture of {width} by {height}: {ink:?}"
+            );
         }
     }
 

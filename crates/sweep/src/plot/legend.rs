@@ -198,8 +198,11 @@ mod tests {
 
     #[test]
     fn texts_in_rows_are_broken_for_the_room_there_is() {
-        let texts = ["every one of the three methods finds stick-slip here", "all"];
-        let wide = legend(&texts).in_rows(900.0).expect("measured");
+        let texts = [
+            "every one of the three methods finds stick-slip here",
+            "all",
+        ];
+        let wide = legend(&texts).in_rows(1300.0).expect("measured");
         let narrow = legend(&texts).in_rows(200.0).expect("measured");
         assert_eq!(wide.height(), legend(&["all"]).height());
         assert!(narrow.width() <= 200.0 && narrow.height() > wide.height());

@@ -35,7 +35,7 @@ const LABEL_ROOM: f64 = 14.0;
 /// Height of a map, by how many stand in a row.
 const HEIGHTS: [f64; 3] = [430.0, 430.0, 320.0];
 /// The same at most, as a part of its width, and the least width of one that has others beside it.
-const HIGHEST: f64 = 0.85;
+const HIGHEST: f64 = 0.87;
 const LEAST_WIDTH: f64 = 300.0;
 
 /// Draws a sheet.
