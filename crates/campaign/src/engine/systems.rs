@@ -340,7 +340,7 @@ impl MethodSystem {
         Some(system.driven_speeds(speed, &motion.bit_torque, steps))
     }
 
-    /// Makes the torque known that turns the surface, for [`MethodSystem::surface_torque`].
+    /// Makes the torque known that turns the surface, so that motions have it.
     ///
     /// # Errors
     /// Where the method does not treat the string.
