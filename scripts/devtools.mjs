@@ -5,19 +5,27 @@ import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-/** Chromium with one page; `skip(why)` is called where there is none. */
-export async function browse(skip) {
+/**
+ * Chromium with one page. Where there is none the program ends with exit code 3; once a page is
+ * there, what is thrown, or an answer that does not come within so many milliseconds, is the page's
+ * fault: exit code 1.
+ */
+export async function browse(patience) {
   const profile = mkdtempSync(join(tmpdir(), "look-"));
   const chromium = spawn(
     process.env.CHROMIUM ?? "chromium",
     ["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", `--user-data-dir=${profile}`],
     { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] },
   );
+  let isThere = false;
   const giveUp = (why) => {
+    console.error(isThere ? why : `skipped: ${why}`);
     chromium.kill();
-    skip(why);
+    process.exit(isThere ? 1 : 3);
   };
   chromium.on("error", (error) => giveUp(`Chromium cannot be started (${error.code})`));
+  process.on("uncaughtException", (error) => giveUp(error.stack));
+  setTimeout(() => giveUp("Chromium does not answer"), patience).unref();
   const [, , , toChromium, fromChromium] = chromium.stdio;
   const waiting = new Map();
   const listeners = new Map();
@@ -63,6 +71,7 @@ export async function browse(skip) {
       const loaded = new Promise((done) => listeners.set("Page.loadEventFired", done));
       await page("Page.navigate", { url });
       await loaded;
+      isThere = true;
     },
     /** The value of an expression of the page, which may be a promise. */
     async evaluate(expression) {

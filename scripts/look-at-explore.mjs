@@ -19,13 +19,7 @@ if (!file || !folder) {
   console.error("usage: look-at-explore.mjs PAGE FOLDER");
   process.exit(2);
 }
-const skip = (why) => {
-  console.error(`skipped: ${why}`);
-  process.exit(3);
-};
-process.on("uncaughtException", (error) => skip(error.message));
-setTimeout(() => skip("Chromium does not answer"), 180_000).unref();
-const { faults, page, load, evaluate, close } = await browse(skip);
+const { faults, page, load, evaluate, close } = await browse(180_000);
 mkdirSync(folder, { recursive: true });
 const address = pathToFileURL(resolve(file)).href;
 

@@ -11,85 +11,21 @@
 //
 // Needs Node and Chromium (CHROMIUM, or `chromium` on the path), and no package.
 // Exit codes: 0 no fault, 1 faults, 2 bad usage, 3 the page could not be looked at.
-import { execFileSync, spawn } from "node:child_process";
+import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
+import { browse } from "./devtools.mjs";
 
 const [report, folder, ...results] = process.argv.slice(2);
 if (!report || !folder) {
   console.error("usage: look-at-report.mjs REPORT FOLDER [RESULTS ...]");
   process.exit(2);
 }
-const profile = mkdtempSync(join(tmpdir(), "look-"));
-const chromium = spawn(
-  process.env.CHROMIUM ?? "chromium",
-  ["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", `--user-data-dir=${profile}`],
-  { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] },
-);
-const giveUp = (why) => {
-  console.error(`skipped: ${why}`);
-  chromium.kill();
-  process.exit(3);
-};
-chromium.on("error", (error) => giveUp(`Chromium cannot be started (${error.code})`));
-// Before a page is there, Chromium is at fault; then the page is.
-let isThere = false;
-process.on("uncaughtException", (error) => {
-  if (!isThere) giveUp(error.message);
-  console.error(error);
-  chromium.kill();
-  process.exit(1);
-});
-setTimeout(() => giveUp("Chromium does not answer"), 300_000).unref();
-const [, , , toChromium, fromChromium] = chromium.stdio;
-
-// The DevTools protocol: JSON messages that end with a zero byte.
-const waiting = new Map();
-const listeners = new Map();
-let number = 0;
-let buffered = "";
-fromChromium.on("data", (bytes) => {
-  const pieces = (buffered + bytes).split("\0");
-  buffered = pieces.pop();
-  for (const message of pieces.map((piece) => JSON.parse(piece))) {
-    if (message.id) waiting.get(message.id)(message);
-    else listeners.get(message.method)?.(message.params);
-  }
-});
-const send = (method, params = {}, sessionId) =>
-  new Promise((done, fail) => {
-    number += 1;
-    waiting.set(number, ({ error, result }) => (error ? fail(new Error(`${method}: ${error.message}`)) : done(result)));
-    toChromium.write(`${JSON.stringify({ id: number, method, params, sessionId })}\0`);
-  });
-
-const faults = [];
-const { targetId } = await send("Target.createTarget", { url: "about:blank" });
-const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: true });
-const page = (method, params) => send(method, params, sessionId);
+const { faults, page, load: open, evaluate, close } = await browse(300_000);
 const address = pathToFileURL(resolve(report)).href;
-listeners.set("Network.requestWillBeSent", ({ request }) => {
-  if (request.url.split("#")[0] !== address && !/^(data|blob):/.test(request.url)) faults.push(`request for ${request.url}`);
-});
-listeners.set("Runtime.consoleAPICalled", ({ args }) => faults.push(`console: ${JSON.stringify(args)}`));
-listeners.set("Runtime.exceptionThrown", ({ exceptionDetails }) => faults.push(`exception: ${exceptionDetails.text}`));
-listeners.set("Log.entryAdded", ({ entry }) => faults.push(`console: ${entry.text}`));
-for (const domain of ["Network", "Runtime", "Log", "Page"]) await page(`${domain}.enable`);
-
-const load = async () => {
-  const loaded = new Promise((done) => listeners.set("Page.loadEventFired", done));
-  await page("Page.navigate", { url: address });
-  await loaded;
-  isThere = true;
-};
-/** What an expression comes to in the page. */
-const evaluate = async (expression) => {
-  const { result, exceptionDetails } = await page("Runtime.evaluate", { expression, returnByValue: true, awaitPromise: true });
-  if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
-  return result.value;
-};
+const load = () => open(address);
 const fault = (wrong, words) => wrong && faults.push(words);
 
 /** The rows of a labels.csv by case and method. */
@@ -304,9 +240,7 @@ await page("Emulation.clearDeviceMetricsOverride");
 const { data } = await page("Page.printToPDF", { preferCSSPageSize: true, paperWidth: 8.27, paperHeight: 11.69 });
 save("print.pdf", data);
 
-await send("Browser.close");
-await new Promise((done) => chromium.on("exit", done));
-rmSync(profile, { recursive: true, force: true });
+await close();
 for (const fault of faults) console.error(fault);
 if (compared > 0) console.log(`${compared} numbers of motions are those of history.csv to ${worst} of the largest`);
 if (parted < Infinity) console.log(`whirl is another motion ${parted} s after its first contact at the earliest`);
