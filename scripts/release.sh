@@ -61,9 +61,9 @@ cargo tree --locked -p sweep --edges normal --target "$target" --prefix none --f
     done
 
 if [[ -x scripts/wheel.sh ]]; then
-    wheels=$work/wheels
-    scripts/wheel.sh "$wheels"
-    cp "$wheels"/*.whl "$folder/"
+    rm -f dist/drillstring-*.whl
+    scripts/wheel.sh
+    cp dist/drillstring-*.whl "$folder/"
 else
     echo "release.sh: there is no scripts/wheel.sh: the Python wheel is left out" >&2
 fi
