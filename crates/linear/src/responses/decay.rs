@@ -10,11 +10,15 @@ use crate::estimates::{
 };
 use crate::passivity::Ending;
 
-/// Taps after which a response sums, in magnitude, to less than this fraction
-/// of the whole are cut off: what they would add to a speed is as small.
-/// Rounding in the phase of thousands of radians along the string leaves a
-/// floor a few times lower.
+/// A response has decayed where what is left of it sums, in magnitude, to less than this
+/// fraction of the whole. Rounding in the phase of thousands of radians along the string
+/// leaves a floor a few times lower.
 const NEGLIGIBLE_TAIL: f64 = 1e-8;
+
+/// What is cut off then, unless rounding holds a response up: taps that sum to less than this
+/// fraction of the whole. A speed sees what is cut off thousands of times over, once for each
+/// sample of the load's past.
+const CUT_TAIL: f64 = 1e-10;
 
 /// What rounding leaves of a tap, at most, as a part of the sum of all: a response that has to
 /// be built longer than it should last may be held up by that alone.
@@ -127,23 +131,33 @@ fn left_at_end(responses: &[Vec<f64>]) -> f64 {
     parts.fold(0.0, f64::max)
 }
 
-/// Cuts all responses where the last of them has decayed. Returns whether they
+/// Cuts what is left of all responses where the last of them has decayed. Returns whether they
 /// have; `negligible` is the part of its sum that a tail may have.
 fn cut_decayed_tail(responses: &mut [Vec<f64>], negligible: f64) -> bool {
     let length = responses.iter().map(Vec::len).max().unwrap_or(0);
-    let end = responses
-        .iter()
-        .map(|taps| decayed_length(taps, negligible))
-        .max()
-        .unwrap_or(0);
+    let end = last_end(responses, negligible);
     let decayed = (end as f64) <= (1.0 - QUIET_PART) * length as f64;
     if decayed {
+        let is_held_up = negligible > NEGLIGIBLE_TAIL;
+        let end = if is_held_up {
+            end
+        } else {
+            last_end(responses, CUT_TAIL)
+        };
         for taps in responses {
             taps.truncate(end.max(1));
             taps.shrink_to_fit();
         }
     }
     decayed
+}
+
+/// The number of taps before the negligible tail of the response that lasts longest.
+fn last_end(responses: &[Vec<f64>], negligible: f64) -> usize {
+    let ends = responses
+        .iter()
+        .map(|taps| decayed_length(taps, negligible));
+    ends.max().unwrap_or(0)
 }
 
 /// The number of taps before the negligible tail.

@@ -79,7 +79,7 @@ fn taps_and_stepping_the_whole_state_give_the_same_motion() {
             assert!((tap - instant).abs() <= 1e-11 * driven);
         }
         let difference = super::oracles::relative_difference(&reduced, &full[site]);
-        // Beyond the cut tail, 1e-8 of a response, nothing may differ.
+        // Beyond the cut tail, 1e-10 of a response, nothing may differ.
         assert!(difference < 1e-9, "site {site}: {difference}");
     }
 }
