@@ -100,6 +100,25 @@ def test_a_sweep_from_a_text_is_that_of_a_file(command, tmp_path, text):
     assert_same_table(table, tmp_path / "out" / "labels.csv")
 
 
+def test_as_many_threads_run_as_slurm_allots(monkeypatch):
+    sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["held"])
+
+    def most_threads(allotted):
+        monkeypatch.setenv("SLURM_CPUS_PER_TASK", allotted)
+        seen = []
+        sweep.run(progress=lambda done, total: seen.append(len(os.listdir("/proc/self/task"))))
+        return max(seen)
+
+    assert most_threads("6") - most_threads("2") == 4
+
+
+def test_what_slurm_cannot_mean_is_warned_of_and_passed_over(monkeypatch):
+    monkeypatch.setenv("SLURM_CPUS_PER_TASK", "many")
+    sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["held"])
+    with pytest.warns(ds.DrillstringWarning, match='SLURM_CPUS_PER_TASK="many" is passed over'):
+        sweep.run()
+
+
 @pytest.mark.parametrize("threads", [1, 3])
 def test_threads_do_not_change_a_table(threads):
     sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["held"])
