@@ -4,6 +4,7 @@ text that gives a number back exactly."""
 import csv
 import math
 import os
+import time
 
 import numpy as np
 import pytest
@@ -101,15 +102,25 @@ def test_a_sweep_from_a_text_is_that_of_a_file(command, tmp_path, text):
 
 
 def test_as_many_threads_run_as_slurm_allots(monkeypatch):
-    sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["held"])
+    sweep = ds.Sweep.read("sweeps/fig17.toml", methods=["held"])
 
-    def most_threads(allotted):
+    class Seen(Exception):
+        pass
+
+    def threads_of_a_run(allotted):
         monkeypatch.setenv("SLURM_CPUS_PER_TASK", allotted)
-        seen = []
-        sweep.run(progress=lambda done, total: seen.append(len(os.listdir("/proc/self/task"))))
-        return max(seen)
 
-    assert most_threads("6") - most_threads("2") == 4
+        def look(done, total):
+            # Those of the run before have ended by then.
+            if done > 20:
+                raise Seen(len(os.listdir("/proc/self/task")))
+
+        with pytest.raises(Seen) as seen:
+            sweep.run(progress=look)
+        time.sleep(0.5)
+        return seen.value.args[0]
+
+    assert threads_of_a_run("6") - threads_of_a_run("2") == 4
 
 
 def test_what_slurm_cannot_mean_is_warned_of_and_passed_over(monkeypatch):
