@@ -7,8 +7,10 @@
 #
 # FOLDER  where the archive goes [default: dist]
 #
-# Needs a Rust toolchain and nothing else; without the standard library for musl, rustup,
-# which fetches it. docs/without-rust.md tells how the archive is used.
+# Needs a Rust toolchain for Linux on x86-64 and the C library to link with, libc.a: libc6-dev on
+# Debian, glibc-static on Fedora. What a release build has made is used again, and afterwards
+# target/release/sweep is the static program until the next build.
+# docs/without-rust.md tells how the archive is used, and what glibc asks of whoever passes it on.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,20 +19,18 @@ refuse() {
     exit 1
 }
 
-target=x86_64-unknown-linux-musl
+target=x86_64-unknown-linux-gnu
 dist=${1:-dist}
 version=$(cargo pkgid --locked -p sweep)
 version=${version##*[#@]}
 name=drillstring-sweep-$version-x86_64-linux
 
-if [[ ! -d $(rustc --print target-libdir --target "$target") ]]; then
-    command -v rustup >/dev/null ||
-        refuse "the standard library for $target is not here, and no rustup to fetch it"
-    rustup target add "$target" ||
-        refuse "rustup cannot fetch the standard library for $target: is there a network?"
-fi
-cargo rustc --release --locked -p sweep --bin sweep --target "$target" -- -C strip=symbols
-sweep=${CARGO_TARGET_DIR:-target}/$target/release/sweep
+[[ $(rustc --print host-tuple) == "$target" ]] || refuse "the program is built on $target only"
+[[ -f $(cc -print-file-name=libc.a) ]] ||
+    refuse "there is no libc.a to link with: it is in libc6-dev on Debian, glibc-static on Fedora"
+cargo rustc --release --locked -p sweep --bin sweep -- \
+    -C target-feature=+crt-static -C strip=symbols
+sweep=${CARGO_TARGET_DIR:-target}/release/sweep
 
 mkdir -p "$dist"
 work=$(mktemp -d)
@@ -51,6 +51,22 @@ cargo tree --locked -p sweep --edges normal --target "$target" --prefix none --f
             \( -iname 'licen[cs]e*' -o -iname 'copying*' -o -iname 'unlicense*' -o -iname 'notice*' \) \
             -exec cp {} "$folder/licences/$package/" \;
     done
+# glibc asks for more: see docs/without-rust.md.
+mkdir "$folder/licences/glibc"
+for file in /usr/share/doc/libc6-dev/copyright /usr/share/common-licenses/LGPL-2.1 \
+    /usr/share/licenses/glibc/{COPYING.LIB,LICENSES}; do
+    if [[ -f $file ]]; then
+        cp "$file" "$folder/licences/glibc/"
+    fi
+done
+[[ -n $(ls "$folder/licences/glibc") ]] || refuse "the licence of glibc is not found"
+cat >"$folder/licences/glibc/README" <<END
+bin/sweep uses the GNU C Library, which is covered by the GNU Lesser General Public License 2.1,
+and holds it: $(ldd --version | sed -n '1s/^ldd //p').
+Its sources are at https://ftp.gnu.org/gnu/glibc/ and with the distribution that is named.
+To link the program with another version, run scripts/release.sh in the sources of the program
+on a machine that has it. They are those of $("$sweep" --version).
+END
 "$sweep" completions bash >"$folder/completions/sweep.bash"
 "$sweep" completions zsh >"$folder/completions/_sweep"
 "$sweep" completions fish >"$folder/completions/sweep.fish"
@@ -60,12 +76,12 @@ cargo tree --locked -p sweep --edges normal --target "$target" --prefix none --f
         "$sweep" man "$command" >"$folder/man/man1/sweep-$command.1"
     done
 
-if [[ -x scripts/wheel.sh ]]; then
+if command -v python3 >/dev/null; then
     rm -f dist/drillstring-*.whl
     scripts/wheel.sh
     cp dist/drillstring-*.whl "$folder/"
 else
-    echo "release.sh: there is no scripts/wheel.sh: the Python wheel is left out" >&2
+    echo "release.sh: there is no Python: its wheel is left out" >&2
 fi
 
 # The same bytes of the same commit: names in order, no owner, the time of the commit.

@@ -1,7 +1,8 @@
-//! Everything the program is built from may be passed on under MIT or
+//! Everything the program and the Python package are built from may be passed on under MIT or
 //! Apache-2.0, and is built in one version.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 use std::process::Command;
 
 use serde::Deserialize;
@@ -17,6 +18,9 @@ const ALLOWED: [&str; 7] = [
     "Unicode-3.0",
     "Zlib",
 ];
+
+/// Beside these, what builds the Python package and is not in it: `target-lexicon`, below pyo3.
+const ALLOWED_TO_BUILD_PYTHON: &str = "Apache-2.0 WITH LLVM-exception";
 
 /// Old versions beside the newest of the same package, and who holds on to them.
 const ACCEPTED: [(&str, &str, &str); 7] = [
@@ -36,38 +40,42 @@ fn is_met(expression: &str, allowed: &[&str]) -> bool {
     terms.is_ok_and(|terms| terms.evaluate(|term| allowed.contains(&term.to_string().as_str())))
 }
 
-/// Every package with its version, and its licence: those that end up in the
-/// program and those that run to build it, on any platform. What only the tests
+/// Folders of the two workspaces, seen from the crate of this test.
+const WORKSPACE: &str = "../..";
+const PYTHON: &str = "../python";
+
+/// Every package of a workspace with its version, and its licence: those that end up in what is
+/// built and those that run to build it, on any platform. What only the tests
 /// need is not passed on. `cargo tree` leaves out what `cargo metadata` lists
 /// though no feature asks for it.
-fn licences() -> BTreeMap<String, String> {
+///
+/// # Errors
+/// What cargo says where it does not know, such as that there is no network.
+fn licences(workspace: &str) -> Result<BTreeMap<String, String>, String> {
     // The licences of other platforms' packages are in packages that a build here
     // does not download. Cargo does so now; without a network, this platform's
     // own must do.
-    let tree = tree(&["--target", "all"])
-        .or_else(|error| {
-            eprintln!("only the packages of this platform are looked at: {error}");
-            tree(&["--offline"])
-        })
-        .unwrap();
+    let tree = tree(workspace, &["--target", "all"]).or_else(|error| {
+        eprintln!("only the packages of this platform are looked at: {error}");
+        tree(workspace, &["--offline"])
+    })?;
     let lines = tree.lines().filter(|line| !line.is_empty());
-    lines
-        .map(|line| {
-            let (package, licence) = line.rsplit_once('|').unwrap();
-            let licence = licence.trim_end_matches(" (*)");
-            (package.to_owned(), licence.to_owned())
-        })
-        .collect()
+    let pairs = lines.map(|line| {
+        let (package, licence) = line.rsplit_once('|').unwrap();
+        let licence = licence.trim_end_matches(" (*)");
+        (package.to_owned(), licence.to_owned())
+    });
+    Ok(pairs.collect())
 }
 
-fn tree(arguments: &[&str]) -> Result<String, String> {
+fn tree(workspace: &str, arguments: &[&str]) -> Result<String, String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| env!("CARGO").to_owned());
     let output = Command::new(cargo)
         .args(["tree", "--locked", "--workspace", "--all-features"])
         .args(["--edges", "no-dev"])
         .args(["--prefix", "none", "--format", "{p}|{l}"])
         .args(arguments)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(workspace))
         .output()
         .map_err(|error| error.to_string())?;
     let text = |bytes| String::from_utf8_lossy(bytes).into_owned();
@@ -75,6 +83,17 @@ fn tree(arguments: &[&str]) -> Result<String, String> {
         true => Ok(text(&output.stdout)),
         false => Err(text(&output.stderr)),
     }
+}
+
+/// Packages whose licence is not met by those allowed.
+fn refused<'a>(
+    licences: &'a BTreeMap<String, String>,
+    allowed: &[&str],
+) -> Vec<(&'a String, &'a String)> {
+    let pairs = licences.iter();
+    pairs
+        .filter(|(_, licence)| !is_met(licence, allowed))
+        .collect()
 }
 
 #[derive(Deserialize)]
@@ -88,11 +107,20 @@ struct Package {
     version: String,
 }
 
+/// The packages of a workspace's lock file.
+fn locked(workspace: &str) -> Vec<Package> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(workspace);
+    packages(&std::fs::read_to_string(folder.join("Cargo.lock")).unwrap())
+}
+
+fn packages(lock: &str) -> Vec<Package> {
+    toml::from_str::<Lock>(lock).unwrap().package
+}
+
 /// Old versions in a lock file that are not accepted, and accepted ones that are
 /// not there. The file has all platforms' packages, those of the tests too. Cargo
 /// takes no two compatible versions, and lists the newest last.
-fn complaints(lock: &str, accepted: &[(&str, &str, &str)]) -> Vec<String> {
-    let packages = toml::from_str::<Lock>(lock).unwrap().package;
+fn complaints(packages: &[Package], accepted: &[(&str, &str, &str)]) -> Vec<String> {
     let pairs = packages.windows(2);
     let old: Vec<&Package> = pairs
         .filter(|pair| pair[0].name == pair[1].name)
@@ -110,18 +138,43 @@ fn complaints(lock: &str, accepted: &[(&str, &str, &str)]) -> Vec<String> {
     unexpected.chain(unneeded).collect()
 }
 
+/// Versions in a lock file that another lacks, of packages that it has.
+fn differing(packages: &[Package], from: &[Package]) -> Vec<String> {
+    let names: BTreeSet<&str> = from.iter().map(|package| package.name.as_str()).collect();
+    let lacks = |package: &Package| {
+        let is = |other: &Package| other.name == package.name && other.version == package.version;
+        names.contains(package.name.as_str()) && !from.iter().any(is)
+    };
+    (packages.iter().filter(|package| lacks(package)))
+        .map(|package| format!("{} {}", package.name, package.version))
+        .collect()
+}
+
 #[test]
 fn every_package_has_a_licence_that_goes_with_ours() {
-    let licences = licences();
-    let refused: Vec<_> = (licences.iter())
-        .filter(|(_, licence)| !is_met(licence, &ALLOWED))
-        .collect();
+    let licences = licences(WORKSPACE).unwrap();
+    let refused = refused(&licences, &ALLOWED);
     assert!(refused.is_empty(), "{refused:#?}");
+}
+
+/// Where there is a network, or the package was built: without, its own packages are not here.
+#[test]
+fn what_the_python_package_is_built_from_has_such_a_licence_too() {
+    let licences = match licences(PYTHON) {
+        Ok(licences) => licences,
+        Err(error) => return eprintln!("not looked at: {error}"),
+    };
+    assert!(licences.keys().any(|package| package.starts_with("pyo3 ")));
+    let other = refused(&licences, &ALLOWED);
+    assert!(!other.is_empty(), "{ALLOWED_TO_BUILD_PYTHON} is not needed");
+    for (package, licence) in other {
+        assert_eq!(licence, ALLOWED_TO_BUILD_PYTHON, "{package}");
+    }
 }
 
 #[test]
 fn every_allowed_licence_is_needed() {
-    let licences = licences();
+    let licences = licences(WORKSPACE).unwrap();
     for without in ALLOWED {
         let others: Vec<&str> = ALLOWED.into_iter().filter(|one| *one != without).collect();
         let needed = licences.values().any(|licence| !is_met(licence, &others));
@@ -131,8 +184,20 @@ fn every_allowed_licence_is_needed() {
 
 #[test]
 fn no_package_is_there_in_two_versions_without_a_reason() {
-    let lock = concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.lock");
-    let complaints = complaints(&std::fs::read_to_string(lock).unwrap(), &ACCEPTED);
+    let complaints = complaints(&locked(WORKSPACE), &ACCEPTED);
+    assert!(complaints.is_empty(), "{complaints:#?}");
+}
+
+/// Its numbers are those of the command to the last bit, and the build of the one serves the
+/// other.
+#[test]
+fn the_python_package_is_built_from_the_versions_of_the_workspace() {
+    let (python, workspace) = (locked(PYTHON), locked(WORKSPACE));
+    let differing = differing(&python, &workspace);
+    assert!(differing.is_empty(), "{differing:#?}");
+    let is_own = |package: &Package| workspace.iter().all(|other| other.name != package.name);
+    let own: Vec<Package> = python.into_iter().filter(is_own).collect();
+    let complaints = complaints(&own, &[]);
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 
@@ -172,9 +237,7 @@ fn a_licence_expression_is_met_by_what_is_allowed() {
 
 #[test]
 fn an_old_version_is_accepted_as_long_as_it_is_there() {
-    let lock: String = [("one", "0.2.9"), ("one", "0.20.1"), ("two", "1.0.0")]
-        .map(|(name, version)| format!("[[package]]\nname = \"{name}\"\nversion = \"{version}\"\n"))
-        .concat();
+    let lock = lock(&[("one", "0.2.9"), ("one", "0.20.1"), ("two", "1.0.0")]);
     assert!(complaints(&lock, &[("one", "0.2", "")]).is_empty());
     assert_eq!(
         complaints(&lock, &[]),
@@ -184,4 +247,19 @@ fn an_old_version_is_accepted_as_long_as_it_is_there() {
         complaints(&lock, &[("one", "0.2", ""), ("two", "1", "")]),
         ["two 1 need not be accepted any more"]
     );
+}
+
+#[test]
+fn a_version_that_the_other_lock_lacks_is_found() {
+    let workspace = lock(&[("one", "0.2.9"), ("one", "0.20.1"), ("two", "1.0.0")]);
+    let python = lock(&[("one", "0.20.1"), ("two", "1.0.1"), ("three", "2.0.0")]);
+    assert_eq!(differing(&python, &workspace), ["two 1.0.1"]);
+}
+
+/// The packages of a lock file with these names and versions.
+fn lock(pairs: &[(&str, &str)]) -> Vec<Package> {
+    let tables = pairs.iter().map(|(name, version)| {
+        format!("[[package]]\nname = \"{name}\"\nversion = \"{version}\"\n")
+    });
+    packages(&tables.collect::<String>())
 }

@@ -14,9 +14,9 @@
 //! There is no equation here: the string is the business of `linear`, its motion that of
 //! `sim`. Nor is there a command, a results folder or a picture: those are the shells around
 //! this crate, `sweep` for the command line among them. `quantities` is the table of what a
-//! design may vary, `memory` refuses what would take too much of it, `trace` follows limits over two
-//! axes and `rounds` says which cases that wants next, `run` is what a run builds before its first
-//! case, `words` are for people.
+//! design may vary, `memory` refuses what would take too much of it, `threads` are as many as a
+//! cluster allots, `trace` follows limits over two axes and `rounds` says which cases that wants
+//! next, `run` is what a run builds before its first case, `words` are for people.
 //!
 //! It is the inside of one program in several crates: items follow what the shells need, and
 //! promise nothing to others. The libraries are `linear` and `sim`.
@@ -35,5 +35,6 @@ pub mod rounds;
 pub mod run;
 pub mod sweep_file;
 pub mod text_file;
+pub mod threads;
 pub mod trace;
 pub mod words;

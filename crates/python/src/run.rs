@@ -1,10 +1,8 @@
 //! `Sweep.run`: every case by every method, as `sweep run` has them.
 
-use std::num::NonZero;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::thread::available_parallelism;
 
 use anyhow::{Result, bail};
 use campaign::design::Design;
@@ -14,6 +12,7 @@ use campaign::memory::{Limit, Size};
 use campaign::plan::Sweep as Plan;
 use campaign::rounds::Rounds;
 use campaign::run::{RunError, RunSystems};
+use campaign::threads::{allotted_threads, asked_threads};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::ThreadPool;
@@ -22,9 +21,6 @@ use crate::errors::{refused, warn};
 use crate::read::ReadSweep;
 use crate::table::{Column, columns};
 use crate::wait::{wait_for, watch};
-
-/// More threads than this for each core only cost memory.
-const MOST_PER_CORE: usize = 8;
 
 /// What a row takes beside its values, bytes: its record, and its fields in the table.
 const ROW: usize = size_of::<Record>() + 32 * size_of::<f64>();
@@ -66,7 +62,7 @@ pub fn run<'py>(
     options: RunOptions,
     limit: Limit,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let pool = Arc::new(pool_of(threads)?);
+    let pool = Arc::new(pool_of(py, threads)?);
     let plan = Plan::clone(&sweep.plan).for_run();
     let plan = Arc::new(plan.map_err(|error| sweep.lines.file_error(py, &error))?);
     if plan.certifying.is_some() && options.allow_unstable {
@@ -211,16 +207,19 @@ fn not_begun(py: Python<'_>, sweep: &ReadSweep, error: RunError) -> PyErr {
     }
 }
 
-/// As many threads as asked for, or as there are cores.
-fn pool_of(threads: Option<usize>) -> PyResult<ThreadPool> {
-    let cores = available_parallelism().map_or(1, NonZero::get);
-    let most = MOST_PER_CORE * cores;
-    let count = threads.unwrap_or(cores);
-    if !(1..=most).contains(&count) {
-        return Err(refused(format_args!(
-            "threads {count}: from 1 to {most} on this machine"
-        )));
-    }
+/// As many threads as asked for, or as the command would use.
+fn pool_of(py: Python<'_>, threads: Option<usize>) -> PyResult<ThreadPool> {
+    let count = match threads {
+        Some(threads) => asked_threads(threads)
+            .map_err(|reason| refused(format_args!("threads {threads}: {reason}")))?,
+        None => {
+            let (count, passed_over) = allotted_threads();
+            for doubt in passed_over {
+                warn(py, doubt)?;
+            }
+            count
+        }
+    };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
     pool.map_err(refused)
 }

@@ -4,6 +4,7 @@ text that gives a number back exactly."""
 import csv
 import math
 import os
+import time
 
 import numpy as np
 import pytest
@@ -98,6 +99,35 @@ def test_a_sweep_from_a_text_is_that_of_a_file(command, tmp_path, text):
     file.write_text(text.replace('base = "', f'base = "{os.getcwd()}/'))
     command("run", file, "--out", tmp_path / "out", "--quiet")
     assert_same_table(table, tmp_path / "out" / "labels.csv")
+
+
+def test_as_many_threads_run_as_slurm_allots(monkeypatch):
+    sweep = ds.Sweep.read("sweeps/fig17.toml", methods=["held"])
+
+    class Seen(Exception):
+        pass
+
+    def threads_of_a_run(allotted):
+        monkeypatch.setenv("SLURM_CPUS_PER_TASK", allotted)
+
+        def look(done, total):
+            # Those of the run before have ended by then.
+            if done > 20:
+                raise Seen(len(os.listdir("/proc/self/task")))
+
+        with pytest.raises(Seen) as seen:
+            sweep.run(progress=look)
+        time.sleep(0.5)
+        return seen.value.args[0]
+
+    assert threads_of_a_run("6") - threads_of_a_run("2") == 4
+
+
+def test_what_slurm_cannot_mean_is_warned_of_and_passed_over(monkeypatch):
+    monkeypatch.setenv("SLURM_CPUS_PER_TASK", "many")
+    sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["held"])
+    with pytest.warns(ds.DrillstringWarning, match='SLURM_CPUS_PER_TASK="many" is passed over'):
+        sweep.run()
 
 
 @pytest.mark.parametrize("threads", [1, 3])

@@ -138,7 +138,7 @@ impl Open {
         // Of a square, twice as much.
         let waves_as_long = part * change <= 2.0 * tolerance * restoring;
         let weight = change / self.length;
-        let column = (rigidity / weight.abs()).cbrt();
+        let column = libm::cbrt(rigidity / weight.abs());
         let pulled = tension.max(0.0) / weight.abs();
         let longer_waves =
             self.length.powi(2) <= (LONGER * tolerance).sqrt() * column * (column + pulled);

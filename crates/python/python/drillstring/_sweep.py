@@ -174,6 +174,7 @@ class Sweep:
     ) -> Table:
         """Run every case by every method, as ``sweep run`` does.
 
+        ``threads`` are as many as Slurm allots, or as there are cores, where none are given.
         ``progress`` is told, ten times a second, how many simulations are done, and of how many.
         Ctrl-C and what it raises end the run.
         """

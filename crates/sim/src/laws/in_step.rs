@@ -81,7 +81,7 @@ impl Wall {
             ];
             let force = self.mean_force(radius, ends.map(length));
             // The cube root takes less time than a power.
-            radius - (force / self.stiffness).cbrt().powi(2)
+            radius - libm::cbrt(force / self.stiffness).powi(2)
         };
         Ok((contact, next))
     }

@@ -409,7 +409,7 @@ fn from_above(guess: f64, gap: f64, steepness: f64) -> f64 {
     if steepness * soft < 1.0 {
         soft
     } else {
-        soft.min((gap / steepness).cbrt() * (1.0 + f64::EPSILON))
+        soft.min(libm::cbrt(gap / steepness) * (1.0 + f64::EPSILON))
     }
 }
 

@@ -112,7 +112,7 @@ impl<'a> Contacts<'a> {
             }
             let parts = needed.iter().zip(&self.sizes);
             start.roots = parts
-                .map(|(force, size)| (-force.re / size).max(LEAST_FORCE).cbrt())
+                .map(|(force, size)| libm::cbrt((-force.re / size).max(LEAST_FORCE)))
                 .collect();
             start
         })

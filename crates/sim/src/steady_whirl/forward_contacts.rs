@@ -57,7 +57,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> EccentricString<H> {
             force: force.norm() / balance.size,
             touching: vec![Touching {
                 site: first,
-                root: (alone.normal_force / balance.size).cbrt(),
+                root: libm::cbrt(alone.normal_force / balance.size),
                 phase: -force.arg(),
                 clearance: self.walls[first].clearance,
             }],
@@ -170,7 +170,7 @@ impl<H: Fn(f64) -> Vec<Complex64>> Balance<'_, H> {
         let mut state = state;
         state.touching.push(Touching {
             site,
-            root: LEAST_FORCE.cbrt(),
+            root: libm::cbrt(LEAST_FORCE),
             phase: displacement.arg(),
             clearance: from,
         });

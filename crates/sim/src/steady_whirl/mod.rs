@@ -129,7 +129,7 @@ fn radius(wall: &Wall, outward: f64) -> f64 {
         return wall.clearance;
     }
     // Above the root, from where Newton's method descends to it.
-    let mut root = depth + (depth * wall.clearance).cbrt();
+    let mut root = depth + libm::cbrt(depth * wall.clearance);
     loop {
         let value = root * root * (root - depth) - depth * wall.clearance;
         let next = root - value / (root * (3.0 * root - 2.0 * depth));
