@@ -20,6 +20,10 @@ const NEGLIGIBLE_TAIL: f64 = 1e-8;
 /// sample of the load's past.
 const CUT_TAIL: f64 = 1e-10;
 
+/// What decays exponentially takes a quarter longer until this. What goes on for longer than so
+/// many times is rounding, or seeps, and is cut here.
+const LONGER: f64 = 1.3;
+
 /// What rounding leaves of a tap, at most, as a part of the sum of all: a response that has to
 /// be built longer than it should last may be held up by that alone.
 const ROUNDING: f64 = 1e-12;
@@ -138,11 +142,11 @@ fn cut_decayed_tail(responses: &mut [Vec<f64>], negligible: f64) -> bool {
     let end = last_end(responses, negligible);
     let decayed = (end as f64) <= (1.0 - QUIET_PART) * length as f64;
     if decayed {
-        let is_held_up = negligible > NEGLIGIBLE_TAIL;
-        let end = if is_held_up {
+        let end = if negligible > NEGLIGIBLE_TAIL {
             end
         } else {
-            last_end(responses, CUT_TAIL)
+            let most = (LONGER * end as f64).ceil() as usize;
+            last_end(responses, CUT_TAIL).min(most)
         };
         for taps in responses {
             taps.truncate(end.max(1));
