@@ -43,8 +43,26 @@ fn a_page_is_one_small_file_with_the_case_in_it() {
 
 #[test]
 fn what_a_page_shows_at_last_is_what_its_command_simulates() {
+    held_to_its_command(SMALL);
+}
+
+/// Sliders are in other units then, and the command is not.
+#[test]
+fn so_it_is_in_field_units() {
+    let text = format!("units = \"field\"\n{SMALL}");
     let place = Workplace::new();
-    std::fs::write(place.path("small.toml"), SMALL).unwrap();
+    std::fs::write(place.path("small.toml"), &text).unwrap();
+    let done = place.sweep(&["explore", "small.toml"]);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
+    assert!(html.contains("Weight on bit W (klbf)") && html.contains("klbf ft"));
+    held_to_its_command(&text);
+}
+
+/// Plays with the page of a sweep, and simulates what it shows at last.
+fn held_to_its_command(text: &str) {
+    let place = Workplace::new();
+    std::fs::write(place.path("small.toml"), text).unwrap();
     let done = place.sweep(&["explore", "small.toml"]);
     assert_eq!(done.code, 0, "{}", done.errors);
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scripts/look-at-explore.mjs");

@@ -2,7 +2,7 @@
 
 use campaign::engine::{Case, why_idle};
 use campaign::plan::Sweep;
-use campaign::quantities::{Axis, StringAxis};
+use campaign::quantities::{Axis, StringAxis, Units};
 use campaign::sweep_file::ControllerName;
 use serde::Serialize;
 
@@ -14,9 +14,11 @@ const AROUND: [f64; 2] = [0.25, 4.0];
 pub struct Control {
     /// Its name.
     pub axis: Axis,
-    /// What it is, with the unit.
+    /// What it is, with the unit in which it is shown.
     pub title: String,
-    /// Its value.
+    /// How much of the unit of its name that is.
+    pub size: f64,
+    /// Its value, as it is shown.
     pub value: f64,
     /// The least of the slider.
     pub least: f64,
@@ -27,8 +29,9 @@ pub struct Control {
 /// The controls of a case: first what the design varies.
 pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
     let axes = sweep.design.axes();
+    let units = sweep.content.units;
     let mut controls: Vec<Control> = (axes.iter().enumerate())
-        .map(|(place, &axis)| control(axis, case.values[place], range_of(sweep, place)))
+        .map(|(place, &axis)| control(axis, units, case.values[place], range_of(sweep, place)))
         .collect();
     let has_torque = |axis: &Axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
     let varies_torque = axes.iter().any(has_torque);
@@ -55,16 +58,19 @@ pub fn controls(sweep: &Sweep, case: &Case) -> Vec<Control> {
             continue;
         };
         let [least, most] = AROUND.map(|part| part * value);
-        controls.push(control(axis, value, [least, most.min(axis.most())]));
+        controls.push(control(axis, units, value, [least, most.min(axis.most())]));
     }
     controls
 }
 
-fn control(axis: Axis, value: f64, [least, most]: [f64; 2]) -> Control {
+fn control(axis: Axis, units: Units, value: f64, range: [f64; 2]) -> Control {
+    let unit = axis.unit(units);
+    let [least, most] = range.map(|end| unit.number(end));
     Control {
         axis,
-        title: axis.title(Default::default()),
-        value,
+        title: axis.title(units),
+        size: 1.0 / unit.number(1.0),
+        value: unit.number(value),
         least,
         most,
     }

@@ -9,11 +9,11 @@ use base64::engine::general_purpose::STANDARD;
 use campaign::engine::Record;
 use campaign::labels::{Certainty, LabelTable};
 use campaign::plan::Sweep;
-use campaign::quantities::Axis;
+use campaign::quantities::{Axis, TORQUE, WIDTH};
 use serde_json::json;
 
 use super::controls::Control;
-use crate::report::{Table, escaped, table};
+use crate::report::{Table, escaped, shown, table};
 
 const STYLE: [&str; 2] = [
     include_str!("../report/page.css"),
@@ -118,12 +118,15 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
     let map = torque.zip(place(&[Axis::SurfaceSpeedRpm]));
     let has_limit = sweep.setting.lateral.is_none() && sweep.setting.friction.is_none();
     let map = map.filter(|_| has_limit);
+    let units = sweep.content.units;
     Ok(json!({
         "opening": opening,
         "case": case,
         "method": own[0],
         "quick": QUICK,
         "controls": controls,
+        "torque": shown(&units.of(&TORQUE).kilo()),
+        "width": shown(&units.of(&WIDTH)),
         "map": map.map(|(torque, speed)| json!({ "torque": torque, "speed": speed })),
         "command": format!("sweep simulate {path} --case {case} --methods {}", own[0]),
     }))

@@ -3,15 +3,22 @@
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const byId = (id) => document.getElementById(id);
+// As they are shown: in the units of the sweep file.
 const values = Object.fromEntries(data.controls.map(({ axis, value }) => [axis, value]));
 let engine;
 let wanted = null;
 let busy = false;
 let map = null;
 
+/** A value that is shown, in the unit of its axis' name: in as many digits as it was shown with. */
+const named = (axis, value) => {
+  const { size } = control(axis);
+  return size === 1 ? value : Number((value * size).toPrecision(12));
+};
+
 /** What differs from the case as the file has it. */
 const changes = () => Object.fromEntries(
-  data.controls.filter(({ axis, value }) => values[axis] !== value).map(({ axis }) => [axis, values[axis]]),
+  data.controls.filter(({ axis, value }) => values[axis] !== value).map(({ axis }) => [axis, named(axis, values[axis])]),
 );
 
 /** Asks for the case as it now is; of several wishes the last is met. */
@@ -39,8 +46,8 @@ const control = (axis) => data.controls.find((one) => one.axis === axis);
 
 /** Values of the axis of the torque along which the limit is drawn. */
 function along() {
-  const { least, most } = control(data.map.torque);
-  return Array.from({ length: 101 }, (_, at) => least + ((most - least) * at) / 100);
+  const { least, most, size } = control(data.map.torque);
+  return Array.from({ length: 101 }, (_, at) => (least + ((most - least) * at) / 100) * size);
 }
 
 const number = (value) => (typeof value === "number" ? String(Number(value.toPrecision(4))) : String(value).replace(/_/g, " "));
@@ -61,15 +68,23 @@ function show(answer, limit, method, isQuick) {
   byId("speed").toggleAttribute("hidden", !speed);
   byId("torque").toggleAttribute("hidden", !torque);
   if (speed) plotHistory(byId("speed"), { title: "Speed of the bit", time, values: speed, unit: "Bit speed (rpm)" });
-  if (torque) plotHistory(byId("torque"), { title: "Torque on the bit", time, values: torque.map((it) => it / 1e3), unit: "Torque (kN m)" });
+  if (torque) plotHistory(byId("torque"), { title: "Torque on the bit", time, values: torque.map((it) => it / 1e3 / data.torque.size), unit: `Torque (${data.torque.unit})` });
   byId("orbit").toggleAttribute("hidden", positions.length === 0);
   if (positions.length > 0) {
     const last = positions.length - 1;
-    plotOrbit(byId("orbit"), { title: `Orbit, ${positions[last].site.replace(/_/g, " ")}`, ...positions[last], clearance: data.clearances?.[last] });
+    const { site, x, y } = positions[last];
+    const across = (value) => value / data.width.size;
+    plotOrbit(byId("orbit"), {
+      title: `Orbit, ${site.replace(/_/g, " ")}`,
+      x: x.map(across),
+      y: y.map(across),
+      unit: data.width.unit,
+      clearance: data.clearances?.map(across)[last],
+    });
   }
   if (limit) {
     const axes = [data.map.torque, data.map.speed].map(control);
-    const line = Array.from(limit.value, (value, at) => [value, limit.speed[at]]);
+    const line = Array.from(limit.value, (value, at) => [value / axes[0].size, limit.speed[at] / axes[1].size]);
     map = plotMap(byId("map"), { axes, line, here: axes.map(({ axis }) => values[axis]) });
   }
   const set = Object.entries(changes()).map(([axis, value]) => ` --set ${axis}=${value}`).join("");
@@ -82,7 +97,7 @@ function show(answer, limit, method, isQuick) {
 function put(axis, value) {
   values[axis] = value;
   byId(`range-${axis}`).value = value;
-  byId(`number-${axis}`).value = value;
+  byId(`number-${axis}`).value = Number(value.toPrecision(6));
 }
 
 /** To as many digits as a slider tells apart. */

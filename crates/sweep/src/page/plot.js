@@ -3,7 +3,7 @@
 // --line and --accent.
 //
 //   plotHistory(svg, { title, time, values, unit, marks })   a quantity over time, s
-//   plotOrbit(svg, { title, x, y, clearance })               an orbit, mm, in its hole
+//   plotOrbit(svg, { title, x, y, unit, clearance })         an orbit in its hole
 //   plotMap(svg, { axes: [x, y], line, here })               a limit over two axes, and a dot
 //       axes: { title, least, most }; line: [[x, y], …]; here: [x, y]; gives { place(event) },
 //       the values under a pointer.
@@ -88,11 +88,11 @@ function plotHistory(svg, { title, time, values, unit, marks = [] }) {
     + `<path class="plot-line" d="${plotPath(time, values, px, py)}"/>`;
 }
 
-function plotOrbit(svg, { title, x, y, clearance }) {
+function plotOrbit(svg, { title, x, y, unit, clearance }) {
   let reach = clearance ?? 0;
   for (let step = 0; step < x.length; step += 1) reach = Math.max(reach, Math.hypot(x[step], y[step]));
   reach *= 1.05;
-  const side = (name) => ({ least: -reach, most: reach, title: `${name} (mm)` });
+  const side = (name) => ({ least: -reach, most: reach, title: `${name} (${unit})` });
   const size = { ...PLOT, width: 380, height: 372 };
   const { px, py, inside } = plotFrame(svg, title, [side("x"), side("y")], size);
   let path = "";

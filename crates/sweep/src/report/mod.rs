@@ -28,6 +28,7 @@ pub use comparison::compare;
 pub use document::Table;
 pub use escaping::escaped;
 pub use html::table;
+pub use live_map::shown;
 pub use page::{is_page, page};
 pub use results::Results;
 pub use sections::sections;

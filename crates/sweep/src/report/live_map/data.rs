@@ -7,11 +7,12 @@ use anyhow::{Context, Result};
 use csv::StringRecord;
 use serde_json::{Value, json};
 
+use super::column_words::column_words;
 use super::opening::opening;
 use crate::map::Drawing;
 use crate::output::{Manifest, Motion, ResultTables};
 use crate::plot::map_axes;
-use campaign::quantities::{Axis, Measure, TORQUE, Unit, Units, WIDTH};
+use campaign::quantities::{Axis, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
 use campaign::words::shell_word;
 
@@ -81,7 +82,7 @@ fn described((name, words): (&str, &str), unit: &Unit) -> Value {
 }
 
 /// A unit, and how much of the unit in SI it is.
-fn shown(unit: &Unit) -> Value {
+pub fn shown(unit: &Unit) -> Value {
     json!({ "unit": unit.name, "size": 1.0 / unit.number(1.0) })
 }
 
@@ -190,17 +191,8 @@ impl Column {
             .filter(|field| !field.is_empty())
             .peekable();
         filled.peek()?;
-        let measure = Value::from(self.name.as_str());
-        let measure = serde_json::from_value::<Measure>(measure).ok();
-        let axis = Axis::from_name(&self.name);
-        let mut json = match (measure, axis) {
-            (Some(measure), _) => described((&self.name, measure.words()), &measure.unit(units)),
-            (None, Some(axis)) => described((&self.name, &axis.words(units)), &axis.unit(units)),
-            (None, None) => {
-                let (words, unit) = units.named(&self.name);
-                described((&self.name, &words), &unit)
-            }
-        };
+        let (words, unit) = column_words(&self.name, units);
+        let mut json = described((&self.name, &words), &unit);
         if filled.all(|field| finite(field).is_some()) {
             let value = |field: &String| finite(field).map(|value| rounded(value, digits));
             json["rows"] = self.fields.iter().map(value).collect();

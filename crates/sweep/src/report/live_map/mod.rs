@@ -2,8 +2,10 @@
 //! that do not shrink with it, and what its cases are, for who points at one.
 //!
 //! `panel` draws one map, `keys` its legend; `look` names what a style sheet colours. `data`
-//! has the cases and `opening` the sweep that they are of.
+//! has the cases, `column_words` what their columns are called, and `opening` the sweep that
+//! they are of.
 
+mod column_words;
 mod data;
 mod keys;
 mod look;
@@ -18,6 +20,7 @@ use crate::map::{Drawing, drawing};
 use crate::output::ResultTables;
 use crate::plot::{MapGroup, map_axes};
 
+pub use data::shown;
 pub use look::DEFINITIONS;
 
 /// The looks of maps.
