@@ -59,6 +59,38 @@ fn so_it_is_in_field_units() {
     held_to_its_command(&text);
 }
 
+/// Between walls the lines of the map come with the page.
+#[test]
+fn the_limit_of_whirl_is_that_of_the_sweeps_map() {
+    let place = Workplace::new();
+    let base = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/fig12.toml");
+    let axes = "surface_speed_rpm = { from = 60, to = 120, count = 2 }\n\
+                friction = { from = 0.5, to = 2, count = 2 }";
+    let text = format!("base = '{base}'\n[design]\nkind = 'grid'\n[design.axes]\n{axes}\n");
+    std::fs::write(place.path("wall.toml"), text).unwrap();
+    let done = place.sweep(&["explore", "wall.toml"]);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
+    let data = html.split("id=\"data\">").nth(1).unwrap();
+    let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
+    assert_eq!(
+        data["map"]["axes"],
+        serde_json::json!(["surface_speed_rpm", "friction"])
+    );
+    let piece = data["map"]["lines"][0]["pieces"][0].as_array().unwrap();
+
+    let done = place.sweep(&["run", "wall.toml", "--out", "out"]);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let boundary = std::fs::read_to_string(place.path("out/boundary.csv")).unwrap();
+    for point in piece {
+        let friction = point[1].to_string();
+        assert!(
+            boundary.contains(&friction),
+            "{friction} is not in {boundary}"
+        );
+    }
+}
+
 /// Plays with the page of a sweep, and simulates what it shows at last.
 fn held_to_its_command(text: &str) {
     let place = Workplace::new();

@@ -12,7 +12,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::ExploreArguments;
-use crate::explore::{Explored, controls, page};
+use crate::explore::{Explored, controls, page, whirl_lines};
 use crate::files::write_atomically;
 use crate::histories::history_picture;
 use crate::plot::Look;
@@ -77,6 +77,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         sweep: &sweep,
         texts,
         controls: &controls,
+        whirl: whirl_lines(&sweep, &controls)?,
         row: &row,
         picture: &picture.png()?,
     })?;

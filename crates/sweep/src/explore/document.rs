@@ -13,6 +13,7 @@ use campaign::quantities::{Axis, TORQUE, WIDTH};
 use serde_json::json;
 
 use super::controls::Control;
+use super::whirl::{self, LimitLine};
 use crate::report::{Table, escaped, shown, table};
 
 const STYLE: [&str; 2] = [
@@ -39,6 +40,8 @@ pub struct Explored<'a> {
     pub texts: BTreeMap<String, String>,
     /// What can be changed.
     pub controls: &'a [Control],
+    /// The limits of whirl between walls.
+    pub whirl: Option<Vec<LimitLine>>,
     /// The row of the case that the page begins with.
     pub row: &'a Record,
     /// Its motion as a PNG file, for readers without scripts.
@@ -78,7 +81,8 @@ const LIVE: &str = r#"<div id="live" hidden>
 <div class="explore">
 <section aria-label="What can be changed"><div id="controls"></div>
 <p><button id="reset" type="button">As in the file</button></p>
-<svg id="map" role="application" tabindex="0" aria-label="Limit of stick-slip over torque and speed, with the place of this case: drag it, or move it by arrow keys"></svg></section>
+<svg id="map" role="application" tabindex="0" aria-label="The limit, with the place of this case: drag it, or move it by arrow keys"></svg>
+<p id="lines" class="note" hidden></p></section>
 <section aria-label="Its motion"><svg id="speed" role="img" aria-label="Speed of the bit over time"></svg>
 <svg id="torque" role="img" aria-label="Torque on the bit over time"></svg>
 <svg id="orbit" role="img" aria-label="Orbit in the hole" hidden></svg></section>
@@ -115,9 +119,14 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         control.map(|control| control.axis)
     };
     let torque = place(&[Axis::WeightOnBitKn, Axis::TorqueDynamicNm]);
-    let map = torque.zip(place(&[Axis::SurfaceSpeedRpm]));
+    let stick_slip = torque.zip(place(&[Axis::SurfaceSpeedRpm]));
     let has_limit = sweep.setting.lateral.is_none() && sweep.setting.friction.is_none();
-    let map = map.filter(|_| has_limit);
+    let stick_slip = stick_slip.filter(|_| has_limit);
+    // That of stick-slip is found in the page, for each string anew.
+    let map = match &explored.whirl {
+        Some(lines) => Some(json!({ "axes": whirl::AXES, "lines": lines })),
+        None => stick_slip.map(|(torque, speed)| json!({ "axes": [torque, speed] })),
+    };
     let units = sweep.content.units;
     Ok(json!({
         "opening": opening,
@@ -127,7 +136,7 @@ fn data(explored: &Explored) -> Result<serde_json::Value> {
         "controls": controls,
         "torque": shown(&units.of(&TORQUE).kilo()),
         "width": shown(&units.of(&WIDTH)),
-        "map": map.map(|(torque, speed)| json!({ "torque": torque, "speed": speed })),
+        "map": map,
         "command": format!("sweep simulate {path} --case {case} --methods {}", own[0]),
     }))
 }

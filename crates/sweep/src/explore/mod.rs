@@ -3,6 +3,8 @@
 
 mod controls;
 mod document;
+mod whirl;
 
 pub use controls::controls;
 pub use document::{Explored, page};
+pub use whirl::whirl_lines;

@@ -33,8 +33,7 @@ async function redraw(quick) {
     const request = { case: data.case, set: changes(), method, quick: isQuick };
     try {
       const answer = await engine.simulate(request);
-      const limit = data.map && await engine.limit({ of: request, axis: data.map.torque, values: along() });
-      show(answer, limit, method, isQuick);
+      show(answer, await limitLines(request), method, isQuick);
     } catch (error) {
       byId("status").textContent = error.message;
     }
@@ -44,15 +43,35 @@ async function redraw(quick) {
 
 const control = (axis) => data.controls.find((one) => one.axis === axis);
 
-/** Values of the axis of the torque along which the limit is drawn. */
-function along() {
-  const { least, most, size } = control(data.map.torque);
-  return Array.from({ length: 101 }, (_, at) => (least + ((most - least) * at) / 100) * size);
+/** The lines of the map, in the units of their axes' names: those that came with the page, or Eq. 74. */
+async function limitLines(request) {
+  if (!data.map || data.map.lines) return data.map?.lines;
+  const [torque] = data.map.axes;
+  const { least, most, size } = control(torque);
+  const values = Array.from({ length: 101 }, (_, at) => (least + ((most - least) * at) / 100) * size);
+  const limit = await engine.limit({ of: request, axis: torque, values });
+  return [{ pieces: [Array.from(limit.value, (value, at) => [value, limit.speed[at]])] }];
+}
+
+/** How the first lines of a map are drawn. */
+const LOOKS = ["solid", "dashed", "dotted"];
+
+function showMap(lines) {
+  const axes = data.map.axes.map(control);
+  // Friction from nothing on: limits may lie below what its slider has.
+  if (data.map.lines) axes[1] = { ...axes[1], least: 0 };
+  const shown = (point) => point.map((value, at) => value / axes[at].size);
+  const inUnits = lines.map(({ pieces }) => pieces.map((piece) => piece.map(shown)));
+  const title = data.map.lines ? "Limit of backward whirl" : "Limit of stick-slip (Eq. 74)";
+  map = plotMap(byId("map"), { title, axes, lines: inUnits, here: axes.map(({ axis }) => values[axis]) });
+  byId("lines").hidden = !data.map.lines;
+  const names = lines.map(({ name }, at) => `${LOOKS[at]}: ${name}`);
+  byId("lines").textContent = `Of the string as it is in the file; ${names.join("; ")}.`;
 }
 
 const number = (value) => (typeof value === "number" ? String(Number(value.toPrecision(4))) : String(value).replace(/_/g, " "));
 
-function show(answer, limit, method, isQuick) {
+function show(answer, lines, method, isQuick) {
   const { row, time, speed, torque, positions, milliseconds } = answer;
   byId("status").textContent = isQuick && method !== data.method
     ? `By ${method} while you drag; by ${data.method} when you let go. ${Math.round(milliseconds)} ms.`
@@ -82,11 +101,7 @@ function show(answer, limit, method, isQuick) {
       clearance: data.clearances?.map(across)[last],
     });
   }
-  if (limit) {
-    const axes = [data.map.torque, data.map.speed].map(control);
-    const line = Array.from(limit.value, (value, at) => [value / axes[0].size, limit.speed[at] / axes[1].size]);
-    map = plotMap(byId("map"), { axes, line, here: axes.map(({ axis }) => values[axis]) });
-  }
+  if (lines) showMap(lines);
   const set = Object.entries(changes()).map(([axis, value]) => ` --set ${axis}=${value}`).join("");
   byId("command").value = `${data.command}${set}`;
   document.body.dataset.shown = JSON.stringify({ method, set: changes(), milliseconds });
@@ -134,7 +149,7 @@ function controls() {
 
 function mapControls() {
   const svg = byId("map");
-  const axes = [data.map.torque, data.map.speed];
+  const { axes } = data.map;
   const go = (places, quick) => {
     axes.forEach((axis, at) => put(axis, rounded(axis, places[at])));
     redraw(quick);

@@ -4,9 +4,9 @@
 //
 //   plotHistory(svg, { title, time, values, unit, marks })   a quantity over time, s
 //   plotOrbit(svg, { title, x, y, unit, clearance })         an orbit in its hole
-//   plotMap(svg, { axes: [x, y], line, here })               a limit over two axes, and a dot
-//       axes: { title, least, most }; line: [[x, y], …]; here: [x, y]; gives { place(event) },
-//       the values under a pointer.
+//   plotMap(svg, { title, axes: [x, y], lines, here })       limits over two axes, and a dot
+//       axes: { title, least, most }; lines: each of pieces [[x, y], …]; here: [x, y]; gives
+//       { place(event) }, the values under a pointer.
 
 const PLOT = { width: 480, height: 260, left: 62, right: 14, top: 26, bottom: 42 };
 
@@ -107,11 +107,16 @@ function plotOrbit(svg, { title, x, y, unit, clearance }) {
   svg.innerHTML = `${inside}${wall}<path class="plot-line plot-orbit" d="${path}"/>`;
 }
 
-function plotMap(svg, { axes, line, here }) {
-  const { px, py, inside } = plotFrame(svg, "Limit of stick-slip (Eq. 74)", axes);
+function plotMap(svg, { title, axes, lines, here }) {
+  const { px, py, inside } = plotFrame(svg, title, axes);
   const within = ([x, y]) => x >= axes[0].least && x <= axes[0].most && y >= axes[1].least && y <= axes[1].most;
-  const path = line.filter(within).map(([x, y]) => `${px(x).toFixed(1)} ${py(y).toFixed(1)}`).join("L");
-  svg.innerHTML = `${inside}${path && `<path class="plot-line" d="M${path}"/>`}
+  const place = ([x, y]) => `${px(x).toFixed(1)} ${py(y).toFixed(1)}`;
+  const joined = (piece) => piece.filter(within).map(place).join("L");
+  const drawn = lines.map((pieces, at) => {
+    const path = pieces.map(joined).filter((points) => points).map((points) => `M${points}`).join("");
+    return path && `<path class="plot-line look-${at}" d="${path}"/>`;
+  });
+  svg.innerHTML = `${inside}${drawn.join("")}
     <circle class="plot-here" cx="${px(here[0])}" cy="${py(here[1])}" r="7"/>`;
   return {
     place(event) {
