@@ -110,10 +110,14 @@ function plotOrbit(svg, { title, x, y, unit, clearance }) {
 function plotMap(svg, { title, axes, lines, here }) {
   const { px, py, inside } = plotFrame(svg, title, axes);
   const within = ([x, y]) => x >= axes[0].least && x <= axes[0].most && y >= axes[1].least && y <= axes[1].most;
-  const place = ([x, y]) => `${px(x).toFixed(1)} ${py(y).toFixed(1)}`;
-  const joined = (piece) => piece.filter(within).map(place).join("L");
+  // What leaves the frame is not joined to where it comes back.
+  const joined = (piece) => piece.map((point, at) => {
+    if (!within(point)) return "";
+    const command = at > 0 && within(piece[at - 1]) ? "L" : "M";
+    return `${command}${px(point[0]).toFixed(1)} ${py(point[1]).toFixed(1)}`;
+  }).join("");
   const drawn = lines.map((pieces, at) => {
-    const path = pieces.map(joined).filter((points) => points).map((points) => `M${points}`).join("");
+    const path = pieces.map(joined).join("");
     return path && `<path class="plot-line look-${at}" d="${path}"/>`;
   });
   svg.innerHTML = `${inside}${drawn.join("")}
