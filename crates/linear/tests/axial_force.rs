@@ -82,7 +82,7 @@ fn under_more_weight_than_airys_it_buckles() {
         let tube = string.sections()[0].parts[0];
         let weight = string.material().density * tube.area() * GRAVITY;
         let rigidity = BENDING.youngs_modulus * tube.second_moment();
-        let critical = 1.018_793 * (rigidity * weight * weight).cbrt();
+        let critical = 1.018_793 * libm::cbrt(rigidity * weight * weight);
         for support in [SurfaceSupport::Pinned, SurfaceSupport::Clamped] {
             // By elements that are counted, and by waves: at rest the bit pushes back or not.
             let buckled = |part: f64| {

@@ -199,3 +199,59 @@ pub(crate) fn first_length(
     }
     Ok(transformable(taps.min(MOST_TAPS as f64) as usize))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Taps of a response that falls to a part 1e-16 of its first in `length`, with noise of so
+    /// much beside.
+    fn decaying(length: usize, noise: f64) -> Vec<f64> {
+        let fall = |index: usize| 1e-16_f64.powf(index as f64 / length as f64);
+        let sign = |index: usize| {
+            if index.is_multiple_of(2) {
+                noise
+            } else {
+                -noise
+            }
+        };
+        (0..length).map(|index| fall(index) + sign(index)).collect()
+    }
+
+    fn left_beyond(whole: &[f64], end: usize) -> f64 {
+        let sum = |taps: &[f64]| taps.iter().map(|tap| tap.abs()).sum::<f64>();
+        sum(&whole[end..]) / sum(whole)
+    }
+
+    #[test]
+    fn a_decayed_response_keeps_all_but_its_last_ten_thousand_millionth() {
+        let whole = decaying(4000, 0.0);
+        let mut taps = vec![whole.clone(), whole[..100].to_vec()];
+        assert!(cut_decayed_tail(&mut taps, NEGLIGIBLE_TAIL));
+        let end = taps[0].len();
+        assert!(left_beyond(&whole, end) <= CUT_TAIL);
+        // And no tap more.
+        assert!(left_beyond(&whole, end - 1) > CUT_TAIL);
+        // The shorter one is not lengthened.
+        assert_eq!(taps[1], whole[..100]);
+    }
+
+    #[test]
+    fn rounding_does_not_keep_a_decayed_response() {
+        // All of the noise is 4e-9 of the sum.
+        let whole = decaying(4000, 1e-10);
+        let mut taps = vec![whole.clone()];
+        assert!(cut_decayed_tail(&mut taps, NEGLIGIBLE_TAIL));
+        let decayed = decayed_length(&whole, NEGLIGIBLE_TAIL);
+        assert!(taps[0].len() <= (LONGER * decayed as f64) as usize + 1);
+        assert!(left_beyond(&whole, taps[0].len()) < NEGLIGIBLE_TAIL);
+    }
+
+    #[test]
+    fn what_still_goes_on_is_not_cut() {
+        let whole = decaying(4000, 0.0);
+        let mut taps = vec![whole[..2000].to_vec()];
+        assert!(!cut_decayed_tail(&mut taps, NEGLIGIBLE_TAIL));
+        assert_eq!(taps[0], whole[..2000]);
+    }
+}

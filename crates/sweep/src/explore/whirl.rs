@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::controls::Control;
 use crate::output::{Boundary, many_sites_limit, whirl_limit};
 
-/// A limit over surface speed.
+/// The limit of whirl over surface speed, one of three.
 #[derive(Debug, Clone, Serialize)]
 pub struct LimitLine {
     /// What it is.

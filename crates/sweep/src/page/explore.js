@@ -53,7 +53,7 @@ async function limitLines(request) {
   return [{ pieces: [Array.from(limit.value, (value, at) => [value, limit.speed[at]])] }];
 }
 
-/** How the first lines of a map are drawn. */
+/** How the lines of a map are drawn: those of whirl are three at most. */
 const LOOKS = ["solid", "dashed", "dotted"];
 
 function showMap(lines) {
@@ -64,8 +64,8 @@ function showMap(lines) {
   const inUnits = lines.map(({ pieces }) => pieces.map((piece) => piece.map(shown)));
   const title = data.map.lines ? "Limit of backward whirl" : "Limit of stick-slip (Eq. 74)";
   map = plotMap(byId("map"), { title, axes, lines: inUnits, here: axes.map(({ axis }) => values[axis]) });
-  byId("lines").hidden = !data.map.lines;
-  const names = lines.map(({ name }, at) => `${LOOKS[at]}: ${name}`);
+  const names = lines.filter(({ name }) => name).map(({ name }, at) => `${LOOKS[at]}: ${name}`);
+  byId("lines").hidden = names.length === 0;
   byId("lines").textContent = `Of the string as it is in the file; ${names.join("; ")}.`;
 }
 
@@ -132,7 +132,7 @@ function controls() {
     byId("controls").append(field);
     const [range, typed] = field.querySelectorAll("input");
     typed.setAttribute("aria-label", title);
-    // Steps of the keyboard: a hundredth of the way.
+    // Steps of the keyboard.
     range.step = (most - least) / 500;
     const moved = (quick) => { values[axis] = rounded(axis, range.valueAsNumber); typed.value = values[axis]; redraw(quick); };
     put(axis, value);

@@ -21,6 +21,8 @@ const COLUMNS: usize = 3;
 const MARGIN: f64 = 14.0;
 /// Distance between panels.
 const GAP: f64 = 16.0;
+/// Of one, with its numbers and titles.
+const PANEL_WIDTH: f64 = (WIDTH - 2.0 * MARGIN) / COLUMNS as f64 - GAP;
 const MARKER_RADIUS: f64 = 3.4;
 /// Radius of the rim around a point that is pointed out.
 const RIM_RADIUS: f64 = 7.5;
@@ -75,18 +77,17 @@ pub fn scatter_grid(
 
 /// The frames of all panels, the sides of each column aligned.
 fn frames(panels: &[ScatterPanel], top: f64) -> Result<Vec<Frame>> {
-    let width = (WIDTH - 2.0 * MARGIN) / COLUMNS as f64;
     let all = panels.iter().flat_map(shown_points).map(|(x, _)| x);
     let x = Scale::new(true, all);
     let mut frames = Vec::with_capacity(panels.len());
     for (index, panel) in panels.iter().enumerate() {
         let (row, column) = (index / COLUMNS, index % COLUMNS);
-        let left = MARGIN + column as f64 * width;
+        let left = MARGIN + column as f64 * (PANEL_WIDTH + GAP);
         let top = top + row as f64 * PANEL_HEIGHT;
         let outer = Rect {
             left,
             top: top + LABEL_SIZE + GAP / 2.0,
-            right: left + width - GAP,
+            right: left + PANEL_WIDTH,
             bottom: top + PANEL_HEIGHT - GAP,
         };
         let shown = shown_points(panel).map(|(_, y)| y);
@@ -109,13 +110,14 @@ fn draw_panel(
     (inks, markers): (&[(&str, Ink)], &[Marker]),
 ) -> Result<()> {
     frame.draw(canvas)?;
-    let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width())?;
+    let title = Block::new(&panel.title, LABEL_SIZE, PANEL_WIDTH)?;
     if let Some(y) = panel.floor.and_then(|floor| frame.pixel_y(floor)) {
         let Rect { left, right, .. } = frame.area;
         canvas.line(&[(left, y), (right, y)], REFERENCE)?;
     }
     let above = frame.area.top - GAP / 2.0 - 2.0;
-    canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
+    let middle = frame.area.right - PANEL_WIDTH / 2.0;
+    canvas.text(&title, middle, above, HPos::Center)?;
     for kind in &panel.kinds {
         let marker = markers[place_among(&kind.name, inks)];
         for pixel in kind.points.iter().filter_map(|&point| frame.pixel(point)) {
@@ -150,9 +152,11 @@ mod tests {
     use super::super::canvas::tests::assert_text_inside;
     use super::*;
 
+    const LONGEST_TITLE: &str = "Limit of stick-slip, uniform tube";
+
     fn panel(points: Vec<(f64, f64)>) -> ScatterPanel {
         ScatterPanel {
-            title: "Normal force of whirl, Fig. 12".to_string(),
+            title: LONGEST_TITLE.to_string(),
             axes: ["Time for 1000 cases of 10 s (s)", "Relative error"].map(Axis::logarithmic),
             kinds: vec![Series::new("finite-element, γ = 0.52", points.clone())],
             front: points,
@@ -171,6 +175,9 @@ mod tests {
         ];
         let panels = [(); 4].map(|()| panel(points.clone()));
         let picture = scatter_grid("Accuracy against speed", keys, &panels);
-        assert_text_inside(&picture.expect("drawn"));
+        let picture = picture.expect("drawn");
+        assert_text_inside(&picture);
+        // There is room for one line above a panel.
+        assert_eq!(picture.svg.matches(LONGEST_TITLE).count(), 4);
     }
 }
