@@ -24,7 +24,7 @@ use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
 use crate::error::BuildError;
 use crate::estimates::torsional_impedance;
-use crate::filters::quadrature::{Formula, series};
+use crate::filters::quadrature::{Formula, Sampling, series};
 use crate::method::Method;
 use crate::responses::length::{MOST_TAPS, needed_taps, too_many, transformable};
 use crate::sites::Sites;
@@ -329,7 +329,7 @@ impl Lengths {
                 return Err(too_many(length));
             }
             let count = transformable(length.ceil() as usize);
-            let mut taps = series(count, scales.len(), response);
+            let mut taps = series(count, scales.len(), Sampling::Close, response);
             let lengths: Vec<usize> = std::iter::zip(&taps, scales)
                 .map(|(taps, &scale)| decayed(taps, scale))
                 .collect();

@@ -13,7 +13,7 @@ use crate::drillstring::Drillstring;
 use crate::elements::mesh::most_elements;
 use crate::estimates::{torsional_inertia, torsional_settling_time};
 use crate::filters::held;
-use crate::filters::quadrature::SAMPLES_PER_TAP;
+use crate::filters::quadrature::Sampling;
 use crate::method::{FiniteElement, Method};
 use crate::parallel::threads;
 use crate::passivity::REFINEMENT;
@@ -124,9 +124,9 @@ pub fn cascade(
     };
     let responses = (AT_TOP + AT_LINK * nodes.len()) as f64;
     let kept = REAL * responses * taps;
-    let samples = COMPLEX * SAMPLES_PER_TAP as f64 * responses * taps;
+    let samples = COMPLEX * samples_of(Sampling::Close, responses * taps);
     let memory = Memory {
-        peak: kept + samples + TRANSFORM * SAMPLES_PER_TAP as f64 * taps * threads() as f64,
+        peak: kept + samples + TRANSFORM * samples_of(Sampling::Close, taps) * threads() as f64,
         kept,
     };
     (taps, memory)
@@ -165,49 +165,53 @@ fn of_torsion(
     let torques = torques as f64;
     let responses = request.sites.len() as f64 * (1.0 + torques);
     let networks = threads() as f64 * network(request.sites.len(), 1);
-    let until_decayed = torsion_length(string, method, request);
+    let (until_decayed, _) = torsion_length(string, method, request);
     let cost = |asked, taps, memory| ChannelCost {
         asked,
         taps,
         memory,
     };
-    let samples_of =
+    let transform_samples =
         |transform| torsion::transform_samples(string, transform, request.sampling_frequency);
     match method {
         Method::Held => {
-            let (impulses, taps) = held_length(string, method, request);
-            let samples = SAMPLES_PER_TAP as f64 * impulses;
+            let ((impulses, sampling), taps) = held_length(string, method, request);
+            let samples = samples_of(sampling, impulses);
             let memory = filter(responses, samples, impulses.max(taps), networks);
             cost(impulses, taps, memory)
         }
         Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
-            let samples = SAMPLES_PER_TAP as f64 * until_decayed;
+            let samples = samples_of(Sampling::Close, until_decayed);
             let memory = filter(responses, samples, until_decayed, networks);
             cost(until_decayed, until_decayed, memory)
         }
         Method::Hilbert(transform) => {
-            let samples = samples_of(transform);
+            let samples = transform_samples(transform);
             let taps = 0.5 * samples + 2.0;
             cost(samples, taps, filter(responses, samples, taps, networks))
         }
         Method::DirectIdft(transform) => {
-            let samples = samples_of(transform);
+            let samples = transform_samples(transform);
             let memory = filter(responses, samples, samples, networks);
             cost(samples, samples, memory)
         }
     }
 }
 
-/// Impulses on the lattice until they have decayed, and the taps that they become; none
-/// where there is no lattice, which building refuses.
-fn held_length(string: &Drillstring, method: &Method, request: &Request) -> (f64, f64) {
-    Lattice::new(string, &request.sites).map_or((0.0, 0.0), |lattice| {
+/// Samples on a circle for so many taps.
+fn samples_of(sampling: Sampling, taps: f64) -> f64 {
+    sampling.per_tap() as f64 * taps
+}
+
+/// Impulses on the lattice until they have decayed, how they are sampled, and the taps that they
+/// become; none where there is no lattice, which building refuses.
+fn held_length(string: &Drillstring, method: &Method, request: &Request) -> ((f64, Sampling), f64) {
+    let none = ((0.0, Sampling::Wide), 0.0);
+    Lattice::new(string, &request.sites).map_or(none, |lattice| {
         let on_lattice = on_lattice(request, &lattice);
         let impulses = torsion_length(string, method, &on_lattice);
-        (
-            impulses,
-            (impulses * lattice.step * request.sampling_frequency).ceil(),
-        )
+        let taps = impulses.0 * lattice.step * request.sampling_frequency;
+        (impulses, taps.ceil())
     })
 }
 
@@ -220,11 +224,11 @@ fn of_bending(method: &Method, request: &Request) -> ChannelCost {
     let (asked, memory) = match method {
         Method::Held => {
             let finer = held::SUBSTEPS as f64 * taps;
-            let samples = SAMPLES_PER_TAP as f64 * finer;
+            let samples = samples_of(held::SAMPLING, finer);
             (finer, filter(responses, samples, finer, networks))
         }
         Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
-            let samples = SAMPLES_PER_TAP as f64 * taps;
+            let samples = samples_of(Sampling::Close, taps);
             (taps, filter(responses, samples, taps, networks))
         }
         Method::Hilbert(transform) | Method::DirectIdft(transform) => {
@@ -341,23 +345,24 @@ fn filter(responses: f64, samples: f64, taps: f64, networks: f64) -> Memory {
     }
 }
 
-/// The length at which a response built longer and longer is left, at most.
-fn torsion_length(string: &Drillstring, method: &Method, request: &Request) -> f64 {
+/// The length at which a response built longer and longer is left, at most, and how it is
+/// sampled.
+fn torsion_length(string: &Drillstring, method: &Method, request: &Request) -> (f64, Sampling) {
     let Ok(lengths) = decay::Lengths::new(string, request) else {
-        return f64::INFINITY;
+        return (f64::INFINITY, Sampling::Close);
     };
     // The trapezoidal rule rings for ever at the highest frequency.
     if string.torsional_damping() == 0.0 || *method == Method::Trapezoidal {
-        return lengths.last();
+        return (lengths.last(), lengths.sampling);
     }
     let lasts = DECAYED * request.sampling_frequency / slowest_rate(string);
     let most = lengths.last().min(MOST_TAPS as f64);
-    lengths.doubled_to(lasts).min(most)
+    (lengths.doubled_to(lasts).min(most), lengths.sampling)
 }
 
-/// Time constants until a response counts as decayed, and has been quiet for a
-/// quarter of its length.
-const DECAYED: f64 = 25.0;
+/// Time constants until a response counts as decayed, and has been quiet for a quarter of its
+/// length: 18, and three more where two motions of one rate meet, t e^(−t), as at critical damping.
+const DECAYED: f64 = 29.0;
 
 /// No motion in torsion dies away more slowly than this, 1/s: vibration loses at least
 /// what the damping takes of the heaviest tube, and what seeps has a time of its own.

@@ -12,7 +12,7 @@ use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, StringId, SurfaceSupport};
 use crate::error::{BuildError, ResponseError};
 use crate::estimates::{largest_undershoot, torsional_travel_time, undershoot_time};
-use crate::filters::quadrature::series;
+use crate::filters::quadrature::{Sampling, series};
 use crate::pulse::RaisedCosine;
 use crate::responses::length::{MOST_TAPS, too_many};
 use crate::responses::{ChannelResponses, Responses};
@@ -54,6 +54,7 @@ pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
     let train = series(
         impulses as usize,
         1,
+        Sampling::Wide,
         &|zeta: Lanes, response: &mut [Lanes]| {
             response[0] = lattice.admittance(zeta).from_torque[(0, 0)];
         },

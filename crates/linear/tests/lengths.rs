@@ -3,8 +3,8 @@
 use linear::method::FiniteElement;
 use linear::passivity::Ending;
 use linear::{
-    BuildError, Cascade, ChannelRequest, Drillstring, Method, Request, Section, Sites, Tube, cost,
-    responses,
+    Bending, BuildError, Cascade, ChannelRequest, Drillstring, Method, Request, Section, Sites,
+    SurfaceSupport, Tube, cost, responses,
 };
 use problems::academic;
 use problems::wells::{Draw, Well};
@@ -81,18 +81,23 @@ proptest! {
         sampling_frequency in 50.0..700.0f64,
     ) {
         let string = string(pipe, 100.0, 0.0);
-        let request = request(&string, longest_time, sampling_frequency);
+        let bending = Bending { damping: 0.0, ..academic::BENDING };
+        let mut request = request(&string, longest_time, sampling_frequency);
+        request.channels.push(ChannelRequest::Bending { bending, support: SurfaceSupport::Free });
         let longer = Request { longest_time: longest_time + 20.0, ..request.clone() };
         let needed = (longest_time * sampling_frequency).ceil() as usize + 1;
         for method in methods() {
             let [found, longer] = [&request, &longer].map(|request| {
                 let found = responses(&string, &method, request).unwrap();
-                found.torsion().unwrap().from_loads[0][0].clone()
+                let channels = [found.torsion().unwrap(), found.bending().unwrap()];
+                channels.map(|channel| channel.from_loads[0][0].clone())
             });
-            let largest = longer.iter().fold(0.0f64, |most, tap| most.max(tap.abs()));
-            for (found, longer) in found[..needed].iter().zip(&longer) {
-                let off = (found - longer).abs() / largest;
-                prop_assert!(off < 1e-6, "{}: {off}", method.name());
+            for (found, longer) in found.iter().zip(&longer) {
+                let largest = longer.iter().fold(0.0f64, |most, tap| most.max(tap.abs()));
+                for (found, longer) in found[..needed].iter().zip(longer) {
+                    let off = (found - longer).abs() / largest;
+                    prop_assert!(off < 3e-8, "{}: {off}", method.name());
+                }
             }
         }
     }

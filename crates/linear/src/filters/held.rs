@@ -11,13 +11,16 @@
 //! not.) Where g is a train of impulses, R is piecewise straight, and each impulse is
 //! shared between the two steps that it lies between.
 
-use super::quadrature::series;
+use super::quadrature::{Sampling, series};
 use super::radau;
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
 
 /// Steps of Radau IIA in one step of the taps.
 pub(crate) const SUBSTEPS: usize = 4;
+
+/// As long as a case, such responses end with it: nothing is decided from their end.
+pub(crate) const SAMPLING: Sampling = Sampling::Wide;
 
 /// The first `count` taps of every channel whose response at s (rad/s) has no fronts, by
 /// convolution quadrature with Radau IIA in shorter steps: passive as that is.
@@ -31,6 +34,7 @@ pub(crate) fn smooth_taps(
     let trains = series(
         SUBSTEPS * count + 1,
         channels,
+        SAMPLING,
         &|zeta: Lanes, values: &mut [Lanes]| {
             let [(one, weight), (other, other_weight)] = radau::held(zeta);
             let mut others = vec![Lanes::real(0.0); values.len()];

@@ -13,13 +13,34 @@ use super::{inverse_transform, keep, sample};
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
 
-/// Samples on the circle per tap kept. Rounding grows as ρ^(−n); with four
-/// samples a tap it grows by no more than CIRCLE_DECAY^(−1/4).
-pub(crate) const SAMPLES_PER_TAP: usize = 4;
+/// How closely a circle is sampled. With M samples a tap of what is M taps later is folded back,
+/// by a part ρ^M on the circle of radius ρ, while rounding grows as ρ^(−n): ρ is a compromise.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Sampling {
+    /// For what the end of a response decides: to some 1e-10 of its largest tap.
+    Close,
+    /// Half the work, where nothing is decided and each sample takes long: to some 1e-8 of the
+    /// largest tap.
+    Wide,
+}
 
-/// ρ^M for M samples on the circle of radius ρ: the part of tap n + M that is
-/// folded back onto tap n. Between this and rounding, ρ is a compromise.
-const CIRCLE_DECAY: f64 = 1e-10;
+impl Sampling {
+    /// Samples on the circle per tap kept.
+    pub(crate) fn per_tap(self) -> usize {
+        match self {
+            Sampling::Close => 4,
+            Sampling::Wide => 2,
+        }
+    }
+
+    /// ρ^M for M samples.
+    fn folded_back(self) -> f64 {
+        match self {
+            Sampling::Close => 1e-10,
+            Sampling::Wide => 1e-8,
+        }
+    }
+}
 
 /// The points ζ at which generating functions are sampled, as products of a point from which to
 /// go on and of a turn from there: few sines are enough.
@@ -34,9 +55,9 @@ pub(super) struct Circle {
 }
 
 /// The circle for so many taps.
-pub(super) fn circle(count: usize) -> Circle {
-    let samples = SAMPLES_PER_TAP * count.max(2);
-    let radius = CIRCLE_DECAY.powf(1.0 / samples as f64);
+pub(super) fn circle(count: usize, sampling: Sampling) -> Circle {
+    let samples = sampling.per_tap() * count.max(2);
+    let radius = sampling.folded_back().powf(1.0 / samples as f64);
     let angle = |index: usize| -std::f64::consts::TAU / samples as f64 * index as f64;
     let stride = samples.isqrt();
     let starts = (0..samples).step_by(stride);
@@ -119,21 +140,23 @@ pub fn taps(
     channels: usize,
     response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
-    series(count, channels, &|zeta: Lanes, values: &mut [Lanes]| {
+    let generating = |zeta: Lanes, values: &mut [Lanes]| {
         response(
             formula.generating_function(zeta) * sampling_frequency,
             values,
         );
-    })
+    };
+    series(count, channels, Sampling::Close, &generating)
 }
 
 /// The first `count` coefficients of every channel's generating function of ζ, |ζ| < 1.
 pub(crate) fn series(
     count: usize,
     channels: usize,
+    sampling: Sampling,
     generating: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
-    let circle = circle(count);
+    let circle = circle(count, sampling);
     let on_circle = |index: usize| circle.point(index);
     let mut planner = RealFftPlanner::new();
     sample(channels, circle.samples / 2 + 1, on_circle, generating)
@@ -166,5 +189,28 @@ mod tests {
     #[test]
     fn the_trapezoidal_rule_gives_half_its_weight_to_the_ends() {
         assert_integrates(Formula::Trapezoidal, |n| if n == 0 { 0.5 } else { 1.0 });
+    }
+
+    /// 1/(1 − 2 cos φ ζ + ζ²) = Σ sin((n + 1)φ)/sin φ ζⁿ, which nothing damps.
+    #[test]
+    fn what_rings_for_ever_is_as_right_as_is_told() {
+        const COUNT: usize = 20_000;
+        let angle = 0.7f64;
+        let ringing = |zeta: Lanes, out: &mut [Lanes]| {
+            out[0] = (zeta * (zeta - 2.0 * angle.cos()) + 1.0).inverse();
+        };
+        let mut errors = [Sampling::Close, Sampling::Wide].map(|sampling| {
+            let found = &series(COUNT, 1, sampling, &ringing)[0];
+            let off = found.iter().enumerate().map(|(index, tap)| {
+                let exact = ((index + 1) as f64 * angle).sin() / angle.sin();
+                (tap - exact).abs()
+            });
+            off.fold(0.0, f64::max)
+        });
+        errors.iter_mut().for_each(|error| *error *= angle.sin());
+        let [close, wide] = errors;
+        assert!(close < 2e-10 && wide < 2e-8, "{close} {wide}");
+        // What is told of either is no excuse for both.
+        assert!(close < 0.1 * wide, "{close} {wide}");
     }
 }

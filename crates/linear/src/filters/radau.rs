@@ -11,7 +11,7 @@
 use num_complex::Complex64;
 use realfft::RealFftPlanner;
 
-use super::quadrature::{circle, coefficients};
+use super::quadrature::{Sampling, circle, coefficients};
 use super::sample;
 use crate::assembly::block::Block;
 use crate::assembly::lanes::Lanes;
@@ -31,7 +31,7 @@ pub fn taps(
     count: usize,
     response: &(impl Fn(Complex64) -> Complex64 + Sync),
 ) -> [Vec<f64>; 4] {
-    let circle = circle(count);
+    let circle = circle(count, Sampling::Close);
     let on_circle = |index: usize| circle.point(index);
     let between_stages = |zeta: Lanes, channels: &mut [Lanes]| {
         let matrix = generating_matrix(zeta);

@@ -13,7 +13,7 @@ use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
 use crate::error::BuildError;
-use crate::filters::quadrature::Formula;
+use crate::filters::quadrature::{Formula, Sampling};
 use crate::filters::{direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
@@ -155,7 +155,12 @@ impl Lateral<'_> {
             let receptance = chain.receptance(self.bending, self.support, zeta);
             responses.copy_from_slice(receptance.entries());
         };
-        Ok(quadrature::series(needed, sites * sites, &receptance))
+        Ok(quadrature::series(
+            needed,
+            sites * sites,
+            Sampling::Close,
+            &receptance,
+        ))
     }
 }
 

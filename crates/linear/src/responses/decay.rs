@@ -8,6 +8,7 @@ use crate::error::BuildError;
 use crate::estimates::{
     drive_settling_time, torsional_decay_rate, torsional_travel_time, undershoot_time,
 };
+use crate::filters::quadrature::Sampling;
 use crate::passivity::Ending;
 
 /// A response has decayed where what is left of it sums, in magnitude, to less than this
@@ -53,6 +54,8 @@ pub(crate) struct Lengths {
     looked_at: f64,
     /// At first.
     first: f64,
+    /// How closely they are sampled: what will not have decayed has no end to be found.
+    pub(crate) sampling: Sampling,
 }
 
 impl Lengths {
@@ -62,11 +65,21 @@ impl Lengths {
         let frequency = request.sampling_frequency;
         let looked_at = looked_at(string, request.longest_time, frequency);
         let decayed = first_length(string, frequency)? as f64;
+        let is_worth_while = decayed <= WORTH_WHILE * looked_at;
         // What nothing damps does not decay.
-        let is_worth_while = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * looked_at;
+        let is_damped = string.torsional_damping() > 0.0;
         Ok(Self {
             looked_at,
-            first: if is_worth_while { decayed } else { looked_at },
+            first: if is_worth_while && is_damped {
+                decayed
+            } else {
+                looked_at
+            },
+            sampling: if is_worth_while {
+                Sampling::Close
+            } else {
+                Sampling::Wide
+            },
         })
     }
 
@@ -88,16 +101,20 @@ impl Lengths {
 pub(super) fn until_decayed(
     string: &Drillstring,
     request: &Request,
-    mut build: impl FnMut(usize) -> Vec<Vec<f64>>,
+    mut build: impl FnMut(usize, Sampling) -> Vec<Vec<f64>>,
 ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-    let Lengths { looked_at, first } = Lengths::new(string, request)?;
+    let Lengths {
+        looked_at,
+        first,
+        sampling,
+    } = Lengths::new(string, request)?;
     if first > MOST_TAPS as f64 {
         return Err(too_many(looked_at));
     }
     let mut length = first as usize;
     let mut rounding = 0.0;
     loop {
-        let mut taps = build(length);
+        let mut taps = build(length, sampling);
         let left = OF_ROUNDING * left_at_end(&taps);
         let negligible = NEGLIGIBLE_TAIL.max(left.min(rounding));
         if cut_decayed_tail(&mut taps, negligible) {

@@ -13,7 +13,7 @@ use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
 use crate::error::BuildError;
 use crate::estimates::torsional_settling_time;
-use crate::filters::quadrature::Formula;
+use crate::filters::quadrature::{Formula, Sampling};
 use crate::filters::{direct, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
@@ -120,7 +120,7 @@ impl Torsion<'_> {
 
     fn quadrature_taps(&self, formula: Formula) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
         let response = self.wave_response()?;
-        until_decayed(self.string, self.request, |length| {
+        until_decayed(self.string, self.request, |length, _| {
             quadrature::taps(
                 formula,
                 self.request.sampling_frequency,
@@ -169,8 +169,8 @@ impl Torsion<'_> {
             let torque = || chain.surface_torque(zeta);
             (self.wanted).write(|| chain.admittance(zeta), torque, responses);
         };
-        until_decayed(self.string, self.request, |length| {
-            quadrature::series(length, self.count(), &response)
+        until_decayed(self.string, self.request, |length, _| {
+            quadrature::series(length, self.count(), Sampling::Close, &response)
         })
     }
 

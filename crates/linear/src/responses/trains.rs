@@ -57,8 +57,8 @@ impl ImpulseTrains {
             wanted.write(|| lattice.admittance(zeta), torque, responses);
         };
         let count = wanted.count(request.sites.len());
-        let (trains, ending) = until_decayed(string, &on_lattice, |length| {
-            quadrature::series(length, count, &response)
+        let (trains, ending) = until_decayed(string, &on_lattice, |length, sampling| {
+            quadrature::series(length, count, sampling, &response)
         })?;
         let ending = match ending {
             // Nothing makes fronts on a lattice smoother.
