@@ -7,7 +7,7 @@
 //! overflows.
 
 use crate::drillstring::{Section, Tube};
-use crate::spans::{Span, Surrounded, SurroundedSpan};
+use crate::spans::{Span, SurroundedSpan};
 use crate::surroundings::Surroundings;
 
 /// Dynamic stiffness of a piece of string between its top and its bottom.
@@ -44,28 +44,76 @@ pub trait Stiffness: Copy {
     }
 }
 
+/// Which ends of a piece are looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ends {
+    /// Both.
+    Both,
+    /// The bottom alone: what its top does to it is known once waves from there die away.
+    Bottom,
+}
+
+/// Stiffness of pieces in a row, from the top down; `None` where there are none. They are made
+/// when they are needed: none through which no wave comes to an end that is looked at.
+fn row<S: Stiffness>(mut pieces: impl DoubleEndedIterator<Item = S>, ends: Ends) -> Option<S> {
+    let mut lower = pieces.next_back()?;
+    while !lower.is_endless() {
+        match pieces.next_back() {
+            Some(upper) => lower = upper.join(lower),
+            None => return Some(lower),
+        }
+    }
+    if ends == Ends::Bottom {
+        return Some(lower);
+    }
+    let Some(mut upper) = pieces.next() else {
+        return Some(lower);
+    };
+    while !upper.is_endless() {
+        match pieces.next() {
+            Some(next) => upper = upper.join(next),
+            None => break,
+        }
+    }
+    Some(upper.join(lower))
+}
+
 /// Stiffness of one section, its cells repeated, from that of its tubes.
-pub fn section<S: Stiffness>(section: &Section, tube: impl Fn(&Tube) -> S) -> Option<S> {
-    let cell = section.parts.iter().map(tube).reduce(S::join)?;
+pub fn section<S: Stiffness>(
+    section: &Section,
+    ends: Ends,
+    tube: impl Fn(&Tube) -> S,
+) -> Option<S> {
+    let cell = row(section.parts.iter().map(tube), ends)?;
     Some(cell.repeated(section.repeat))
 }
 
 /// Stiffness of everything between two neighbouring nodes; `None` where there
 /// is nothing.
 pub(crate) fn span<S: Stiffness>(span: &Span, tube: impl Fn(&Tube) -> S) -> Option<S> {
-    of_runs(&span.runs, tube)
+    let runs = span.runs.iter();
+    let pieces = runs.filter_map(|run| section(run, Ends::Both, &tube));
+    row(pieces, Ends::Both)
 }
 
-/// The same from that of its tubes and of what is around each.
+/// The same from that of its tubes and of what is around each, by the ends that are looked at.
 pub(crate) fn surrounded<S: Stiffness>(
     span: &SurroundedSpan,
+    ends: Ends,
     tube: impl Fn(Surroundings, &Tube) -> S,
 ) -> Option<S> {
-    let part = |part: &Surrounded| of_runs(&part.runs, |it| tube(part.around, it));
-    span.iter().filter_map(part).reduce(S::join)
+    let parts = span.iter();
+    let runs = parts.flat_map(|part| part.runs.iter().map(|run| (part.around, run)));
+    let pieces = runs.filter_map(|(around, run)| section(run, ends, |it| tube(around, it)));
+    row(pieces, ends)
 }
 
-fn of_runs<S: Stiffness>(runs: &[Section], tube: impl Fn(&Tube) -> S) -> Option<S> {
-    let pieces = runs.iter().filter_map(|run| section(run, &tube));
-    pieces.reduce(S::join)
+/// The pieces of a string between its nodes. What hangs from the surface is looked at from
+/// below: no load acts at the surface.
+pub(crate) fn hanging<S: Stiffness>(
+    spans: &[SurroundedSpan],
+    tube: impl Fn(Surroundings, &Tube) -> S,
+) -> impl Iterator<Item = Option<S>> {
+    let ends = std::iter::once(Ends::Bottom).chain(std::iter::repeat(Ends::Both));
+    std::iter::zip(spans, ends).map(move |(span, ends)| surrounded(span, ends, &tube))
 }

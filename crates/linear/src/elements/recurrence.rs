@@ -15,7 +15,7 @@ use super::newmark::Weights;
 use super::torsion::Element;
 use crate::assembly::bending::Beam;
 use crate::assembly::block::Block;
-use crate::assembly::chain::Stiffness;
+use crate::assembly::chain::{Ends, Stiffness};
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::nodes::Relation;
 use crate::assembly::number::Number;
@@ -100,8 +100,7 @@ impl<'a> ElementChain<'a> {
             let element = beam_element(&bending.under(around.tension), &element, mass, rates);
             Beam::of(element).repeated(count)
         };
-        let pieces = self.spans.iter().map(|span| chain::surrounded(span, tube));
-        bending::reduce(pieces, self.sites, support)
+        bending::reduce(chain::hanging(&self.spans, tube), self.sites, support)
     }
 }
 
@@ -140,7 +139,7 @@ impl ElementChain<'_> {
     ) -> impl Iterator<Item = Option<DynamicStiffness<T>>> {
         let tube =
             move |_, tube: &Tube| torsion_row(self.string, divided(tube, self.longest), rates);
-        (self.spans.iter()).map(move |span| chain::surrounded(span, tube))
+        (self.spans.iter()).map(move |span| chain::surrounded(span, Ends::Both, tube))
     }
 
     fn drive<T: Number>(&self, rates: Rates<T>) -> Option<Drive<T>> {

@@ -2,7 +2,10 @@
 //! reciprocity, passivity, tension and compression.
 
 use super::academic::{self, BENDING, tube};
+use linear::assembly::bending::{Beam, reduce};
 use linear::assembly::block::Block;
+use linear::assembly::chain::Stiffness;
+use linear::assembly::matrix::ResponseMatrix;
 use linear::waves::bending::uniform;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::transfer::tip_receptance;
@@ -279,6 +282,32 @@ fn any_string() -> impl Strategy<Value = Drillstring> {
     })
 }
 
+/// The receptance of a string at two sites, the lower of them the bit, from every tube joined to
+/// the next.
+fn tube_by_tube(
+    string: &Drillstring,
+    bending: &Bending,
+    support: SurfaceSupport,
+    depth: f64,
+    s: Complex64,
+) -> ResponseMatrix {
+    let mut spans: [Option<Beam>; 2] = [None; 2];
+    let mut left = depth;
+    let cells = |section: &Section| vec![section.parts.clone(); section.repeat].concat();
+    for tube in string.sections().iter().flat_map(cells) {
+        let above = left.clamp(0.0, tube.length);
+        for (span, length) in spans.iter_mut().zip([above, tube.length - above]) {
+            if length > 0.0 {
+                let part = Tube { length, ..tube };
+                let part = uniform(bending, &part, string.mass_sideways(&part, None), s);
+                *span = Some(span.map_or(part, |upper| upper.join(part)));
+            }
+        }
+        left -= above;
+    }
+    reduce(spans.into_iter(), 2, support)
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..Default::default() })]
 
@@ -298,5 +327,31 @@ proptest! {
         let s = Complex64::new(real, omega);
         let velocity = s * network.receptance(s)[(0, 0)];
         prop_assert!(velocity.re >= -1e-6 * velocity.norm(), "{}", velocity);
+    }
+
+    /// What is not joined, for no wave comes from there, is not missed.
+    #[test]
+    fn what_no_wave_comes_from_is_not_felt(
+        string in any_string(),
+        damping in 1.0..1e4f64,
+        compression in -1e6..1e4f64,
+        rate in 0.0..5.0f64,
+        angle in 0.0..1.5f64,
+        place in 0.01..0.99f64,
+    ) {
+        let bending = Bending { damping, compression, ..BENDING };
+        let depth = place * string.length();
+        let sites = Sites::new(&string, &[string.length() - depth, 0.0]).unwrap();
+        let s = Complex64::from_polar(10f64.powf(rate), angle);
+        for support in [SurfaceSupport::Free, SurfaceSupport::Pinned, SurfaceSupport::Clamped] {
+            let network = BendingNetwork::new(&string, bending, support, &sites).unwrap();
+            let found = network.receptance(s);
+            let joined = tube_by_tube(&string, &bending, support, depth, s);
+            for (row, column) in [(0, 0), (1, 0), (1, 1)] {
+                let size = (joined[(row, row)].norm() * joined[(column, column)].norm()).sqrt();
+                let off = (found[(row, column)] - joined[(row, column)]).norm() / size;
+                prop_assert!(off < 1e-8, "{support:?} {row} {column}: {off}");
+            }
+        }
     }
 }

@@ -3,7 +3,7 @@
 
 use super::academic::{self, SAMPLING_FREQUENCY, tube};
 use linear::RaisedCosine;
-use linear::assembly::chain::{self, Stiffness};
+use linear::assembly::chain::{self, Ends, Stiffness};
 use linear::estimates::{
     torsional_impedance, torsional_stiffness, torsional_travel_time, torsional_wave_left,
 };
@@ -295,7 +295,9 @@ fn a_string_turned_over_has_its_ends_exchanged() {
         let s = Complex64::new(0.3, omega);
         let whole = |string: &Drillstring| {
             let pieces = string.sections().iter().filter_map(|section| {
-                chain::section(section, |tube| torsion::uniform(string, tube, s))
+                chain::section(section, Ends::Both, |tube| {
+                    torsion::uniform(string, tube, s)
+                })
             });
             pieces.reduce(Stiffness::join).unwrap()
         };
@@ -325,7 +327,7 @@ fn rows_of_cells_agree_with_the_eigenvectors_of_the_paper() {
                 parts: parts.clone(),
             };
             let tube = |tube: &Tube| torsion::uniform(&string, tube, s);
-            let doubled = chain::section(&section, tube).unwrap();
+            let doubled = chain::section(&section, Ends::Both, tube).unwrap();
             for (found, expected) in [
                 (doubled.top, top),
                 (doubled.cross, cross),
@@ -353,7 +355,10 @@ fn plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_not(
         repeat: 2001,
         parts: vec![part],
     };
-    let joined = chain::section(&section, |tube| torsion::uniform(&string, tube, s)).unwrap();
+    let joined = chain::section(&section, Ends::Both, |tube| {
+        torsion::uniform(&string, tube, s)
+    })
+    .unwrap();
     // So long and so damped, the string is one-way: its top is alone.
     let infinite = torsion::uniform(&string, &tube(1e5, 0.125), s).top;
     assert!((joined.top - infinite).norm() <= 1e-9 * infinite.norm());

@@ -6,6 +6,7 @@
 //! converging power series; longer tubes are joined from equal pieces by
 //! doubling, so that no exponential occurs and nothing overflows.
 
+use crate::assembly::beam_stiffness::BeamStiffness;
 use crate::assembly::bending::Beam;
 use crate::assembly::block::Block;
 use crate::assembly::chain::Stiffness;
@@ -29,6 +30,41 @@ pub fn uniform<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) -> Be
         stiffness = stiffness.join(stiffness);
     }
     stiffness
+}
+
+/// Of what one end of a tube feels of the other, e^(−2 · this) is lost in rounding.
+const LOST: f64 = 20.7;
+
+/// The same of a tube at whose ends nothing is felt of the other, as of a beam without end;
+/// `None` of any other.
+///
+/// Its waves e^(λx) that die away downwards have λ₁λ₂ = q with q² the stiffness per metre that
+/// E I x⁗ + C x″ + … asks for, over E I, and λ₁ + λ₂ = −σ with σ² = 2q − C/(E I). Then
+/// x″ = −σ x′ − q x, and so on.
+pub fn endless<T: Number>(bending: &Bending, tube: &Tube, mass: f64, s: T) -> Option<Beam<T>> {
+    let rigidity = bending.youngs_modulus * tube.second_moment();
+    let q = s * (s * mass + bending.damping);
+    // A wave dies away no faster than it turns.
+    if turns(bending, tube, q) < LOST {
+        return None;
+    }
+    let compression = bending.compression / rigidity;
+    let product = (q * rigidity.recip()).root();
+    let sum = (product * 2.0 - compression).root();
+    let difference = (product * -2.0 - compression).root();
+    let dies_away = (0..T::LANES).all(|lane| {
+        let slowest = 0.5 * (sum.lane(lane).re - difference.lane(lane).re);
+        slowest * tube.length >= LOST
+    });
+    dies_away.then(|| {
+        let across = product * rigidity;
+        let (force, moment) = (across * sum, sum * rigidity);
+        Beam::Long(BeamStiffness {
+            top: Block([[force, across], [across, moment]]),
+            cross: Block::zero(),
+            bottom: Block([[force, -across], [-across, moment]]),
+        })
+    })
 }
 
 /// That of the part of a tube that is left after halving it so many times, until its waves

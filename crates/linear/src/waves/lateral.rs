@@ -3,9 +3,9 @@
 
 use num_complex::Complex64;
 
-use super::bending::uniform;
+use super::bending::{endless, uniform};
 use crate::assembly::bending::reduce;
-use crate::assembly::chain;
+use crate::assembly::chain::hanging;
 use crate::assembly::matrix::ResponseMatrix;
 use crate::assembly::number::Number;
 use crate::channel::Channel;
@@ -64,9 +64,9 @@ impl<'a> BendingNetwork<'a> {
     pub fn receptance<T: Number>(&self, s: T) -> ResponseMatrix<T> {
         let tube = |around: Surroundings, tube: &Tube| {
             let mass = self.string.mass_sideways(tube, around.hole_radius);
-            uniform(&self.bending.under(around.tension), tube, mass, s)
+            let bending = self.bending.under(around.tension);
+            endless(&bending, tube, mass, s).unwrap_or_else(|| uniform(&bending, tube, mass, s))
         };
-        let pieces = self.spans.iter().map(|span| chain::surrounded(span, tube));
-        reduce(pieces, self.sites, self.support)
+        reduce(hanging(&self.spans, tube), self.sites, self.support)
     }
 }
