@@ -2,17 +2,86 @@
 //!
 //! The algorithms behind them are generic: whoever plans compiles all of them. They are
 //! planned here alone, so that they are compiled once.
+//!
+//! The sines of a plan take nearly as long as a transform. A thread keeps its last plans, for
+//! strings that change from case to case ask for the same lengths again.
 
+use std::cell::RefCell;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
+/// A thread keeps plans of so many samples in all, in each direction: some ten megabytes.
+const MOST_KEPT: usize = 1 << 19;
+
+/// The last plans of a thread in one direction, by their lengths, the latest first.
+struct Kept<T: ?Sized>(VecDeque<(usize, Arc<T>)>);
+
+impl<T: ?Sized> Kept<T> {
+    const fn none() -> RefCell<Self> {
+        RefCell::new(Self(VecDeque::new()))
+    }
+
+    /// The plan of a length, made where it is not kept.
+    fn of(&mut self, length: usize, plan: impl FnOnce() -> Arc<T>) -> Arc<T> {
+        let known = self.0.iter().position(|(kept, _)| *kept == length);
+        let latest = known.and_then(|place| self.0.remove(place));
+        let (_, plan) = latest.unwrap_or_else(|| (length, plan()));
+        self.0.push_front((length, Arc::clone(&plan)));
+        let mut samples = 0;
+        self.0.retain(|(length, _)| {
+            samples += length;
+            samples <= MOST_KEPT
+        });
+        plan
+    }
+}
+
+thread_local! {
+    static FORWARD: RefCell<Kept<dyn RealToComplex<f64>>> = const { Kept::none() };
+    static INVERSE: RefCell<Kept<dyn ComplexToReal<f64>>> = const { Kept::none() };
+}
+
 /// The transform of so many real values; not scaled.
 pub fn forward(length: usize) -> Arc<dyn RealToComplex<f64>> {
-    RealFftPlanner::new().plan_fft_forward(length)
+    let plan = || RealFftPlanner::new().plan_fft_forward(length);
+    FORWARD.with_borrow_mut(|kept| kept.of(length, plan))
 }
 
 /// Its inverse, `length` times too large.
 pub fn inverse(length: usize) -> Arc<dyn ComplexToReal<f64>> {
-    RealFftPlanner::new().plan_fft_inverse(length)
+    let plan = || RealFftPlanner::new().plan_fft_inverse(length);
+    INVERSE.with_borrow_mut(|kept| kept.of(length, plan))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_plans_are_kept_and_no_more() {
+        let mut kept = Kept::none().into_inner();
+        let mut planned = 0;
+        let mut ask = |length: usize| {
+            let plan = kept.of(length, || {
+                planned += 1;
+                Arc::new(length)
+            });
+            assert_eq!(*plan, length);
+            let samples: usize = kept.0.iter().map(|(length, _)| length).sum();
+            assert!(samples <= MOST_KEPT);
+            planned
+        };
+        assert_eq!(ask(100), 1);
+        assert_eq!(ask(200), 2);
+        assert_eq!(ask(100), 2);
+        // What was asked for last stays.
+        assert_eq!(ask(MOST_KEPT - 100), 3);
+        assert_eq!(ask(100), 3);
+        assert_eq!(ask(200), 4);
+        // What is longer than all is not kept.
+        assert_eq!(ask(MOST_KEPT + 1), 5);
+        assert_eq!(ask(MOST_KEPT + 1), 6);
+    }
 }

@@ -1,10 +1,9 @@
 //! The paper's digital filter (Eqs. 39–40): the causal sequence whose spectrum
 //! has the sampled real part of the velocity response.
 
-use realfft::RealFftPlanner;
-
 use super::{frequency_grid, inverse_transform, keep, sample};
 use crate::assembly::lanes::Lanes;
+use crate::fft;
 
 /// Taps of every channel from a transform of `transform_length` samples
 /// (even): `transform_length / 2 + 1` taps each.
@@ -20,11 +19,11 @@ pub fn taps(
 ) -> Vec<Vec<f64>> {
     let half = transform_length / 2;
     let grid = frequency_grid(transform_length, sampling_frequency);
-    let mut planner = RealFftPlanner::new();
+    let plan = fft::inverse(transform_length);
     sample(channels, half + 1, grid, velocity_response)
         .map(|mut spectrum| {
             spectrum.iter_mut().for_each(|value| value.im = 0.0);
-            let sequence = inverse_transform(&mut planner, &mut spectrum, transform_length);
+            let sequence = inverse_transform(&*plan, &mut spectrum);
             let mut sequence = keep(sequence, half + 1);
             sequence[1..half].iter_mut().for_each(|tap| *tap *= 2.0);
             sequence

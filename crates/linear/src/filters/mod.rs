@@ -11,7 +11,7 @@ pub(crate) mod quadrature;
 pub mod radau;
 
 use num_complex::Complex64;
-use realfft::RealFftPlanner;
+use realfft::ComplexToReal;
 
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
@@ -59,25 +59,21 @@ fn keep(mut taps: Vec<f64>, count: usize) -> Vec<f64> {
     taps
 }
 
-/// The real sequence of length `length` (even) whose discrete Fourier
-/// transform starts with `half_spectrum` (`length / 2 + 1` values). The planner is for all
-/// sequences of this length: their sines take nearly as long as a transform.
+/// The real sequence of the (even) length of a plan whose discrete Fourier transform starts with
+/// `half_spectrum`, half as many values and one.
 pub(crate) fn inverse_transform(
-    planner: &mut RealFftPlanner<f64>,
+    plan: &dyn ComplexToReal<f64>,
     half_spectrum: &mut [Complex64],
-    length: usize,
 ) -> Vec<f64> {
     // A real sequence has real values at zero frequency and at Nyquist.
     if let [first, .., last] = half_spectrum {
         first.im = 0.0;
         last.im = 0.0;
     }
-    let transform = planner.plan_fft_inverse(length);
-    let mut sequence = transform.make_output_vec();
-    transform
-        .process(half_spectrum, &mut sequence)
+    let mut sequence = plan.make_output_vec();
+    plan.process(half_spectrum, &mut sequence)
         .expect("lengths and the two real ends are set above");
-    let scale = 1.0 / length as f64;
+    let scale = 1.0 / plan.len() as f64;
     sequence.iter_mut().for_each(|x| *x *= scale);
     sequence
 }

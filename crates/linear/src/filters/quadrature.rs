@@ -6,12 +6,15 @@
 //! plane, where a positive-real K has a positive real part. So the taps are
 //! positive-real exactly, and since δ(1) = 0 the static limits are exact.
 
+use std::sync::Arc;
+
 use num_complex::Complex64;
-use realfft::RealFftPlanner;
+use realfft::ComplexToReal;
 
 use super::{inverse_transform, keep, sample};
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
+use crate::fft;
 
 /// How closely a circle is sampled. With M samples a tap of what is M taps later is folded back,
 /// by a part ρ^M on the circle of radius ρ, while rounding grows as ρ^(−n): ρ is a compromise.
@@ -47,6 +50,7 @@ impl Sampling {
 pub(super) struct Circle {
     /// How many there are, all around.
     pub(super) samples: usize,
+    plan: Arc<dyn ComplexToReal<f64>>,
     radius: f64,
     /// Every so many points one to go on from.
     from: Vec<Complex64>,
@@ -63,6 +67,7 @@ pub(super) fn circle(count: usize, sampling: Sampling) -> Circle {
     let starts = (0..samples).step_by(stride);
     Circle {
         samples,
+        plan: fft::inverse(samples),
         radius,
         from: starts
             .map(|index| Complex64::from_polar(radius, angle(index)))
@@ -80,6 +85,13 @@ impl Circle {
         self.from[index / stride] * self.turns[index % stride]
     }
 
+    /// The first `count` Taylor coefficients of what was sampled here.
+    pub(super) fn coefficients(&self, mut spectrum: Vec<Complex64>, count: usize) -> Vec<f64> {
+        let mut taps = keep(inverse_transform(&*self.plan, &mut spectrum), count);
+        self.unwind(&mut taps);
+        taps
+    }
+
     /// Undoes what the radius does to the coefficients of a series.
     fn unwind(&self, coefficients: &mut [f64]) {
         let stride = self.turns.len();
@@ -92,21 +104,6 @@ impl Circle {
             }
         }
     }
-}
-
-/// The first `count` Taylor coefficients of what was sampled on a circle.
-pub(super) fn coefficients(
-    planner: &mut RealFftPlanner<f64>,
-    mut spectrum: Vec<Complex64>,
-    circle: &Circle,
-    count: usize,
-) -> Vec<f64> {
-    let mut taps = keep(
-        inverse_transform(planner, &mut spectrum, circle.samples),
-        count,
-    );
-    circle.unwind(&mut taps);
-    taps
 }
 
 /// A formula for differentiating in time, of second order.
@@ -158,9 +155,8 @@ pub(crate) fn series(
 ) -> Vec<Vec<f64>> {
     let circle = circle(count, sampling);
     let on_circle = |index: usize| circle.point(index);
-    let mut planner = RealFftPlanner::new();
     sample(channels, circle.samples / 2 + 1, on_circle, generating)
-        .map(|spectrum| coefficients(&mut planner, spectrum, &circle, count))
+        .map(|spectrum| circle.coefficients(spectrum, count))
         .collect()
 }
 

@@ -9,9 +9,8 @@
 //! stepper does not, and this filter serves to compare linear responses.
 
 use num_complex::Complex64;
-use realfft::RealFftPlanner;
 
-use super::quadrature::{Sampling, circle, coefficients};
+use super::quadrature::{Sampling, circle};
 use super::sample;
 use crate::assembly::block::Block;
 use crate::assembly::lanes::Lanes;
@@ -44,8 +43,7 @@ pub fn taps(
         channels.copy_from_slice(&[p + q * a, q * b, q * c, p + q * d]);
     };
     let spectra = sample(4, circle.samples / 2 + 1, on_circle, &between_stages);
-    let mut planner = RealFftPlanner::new();
-    let mut channels = spectra.map(|spectrum| coefficients(&mut planner, spectrum, &circle, count));
+    let mut channels = spectra.map(|spectrum| circle.coefficients(spectrum, count));
     std::array::from_fn(|_| channels.next().unwrap_or_default())
 }
 
