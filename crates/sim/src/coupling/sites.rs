@@ -39,9 +39,9 @@ pub(crate) struct Unloaded {
 
 /// A site solved within a step, the loads of the others given.
 pub(crate) struct Solved {
-    pub(crate) load: Load,
     /// N.
     pub(crate) normal_force: f64,
+    pub(crate) load: Load,
     /// The force at the site, N, that the loads of others have to change by before it may bear
     /// one; zero where it does.
     pub(crate) slack: f64,

@@ -213,11 +213,13 @@ impl<'a> Press<'a> {
         if square == 0.0 || along.is_nan() {
             return None;
         }
-        // e_r has the angle of w, less asin(speed/|w|) or less π − asin(speed/|w|).
+        // e_r has the angle of w, less asin(speed/|w|) or less π − asin(speed/|w|). The division
+        // does not wait for the root.
+        let per_square = square.recip();
         let turned = |along: f64| {
             [
-                (wx * along + wy * speed) / square,
-                (wy * along - wx * speed) / square,
+                (wx * along + wy * speed) * per_square,
+                (wy * along - wx * speed) * per_square,
             ]
         };
         Some([along, -along].map(turned))
@@ -343,6 +345,7 @@ impl<'a> Press<'a> {
     }
 
     /// The answer of a trial, if it is one.
+    #[inline(always)]
     fn contact(
         &self,
         trial: Trial,
