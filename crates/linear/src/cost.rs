@@ -165,7 +165,6 @@ fn of_torsion(
     let torques = torques as f64;
     let responses = request.sites.len() as f64 * (1.0 + torques);
     let networks = threads() as f64 * network(request.sites.len(), 1);
-    let (until_decayed, _) = torsion_length(string, method, request);
     let cost = |asked, taps, memory| ChannelCost {
         asked,
         taps,
@@ -181,9 +180,9 @@ fn of_torsion(
             cost(impulses, taps, memory)
         }
         Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
-            let samples = samples_of(Sampling::Close, until_decayed);
-            let memory = filter(responses, samples, until_decayed, networks);
-            cost(until_decayed, until_decayed, memory)
+            let (taps, sampling) = torsion_length(string, method, request, Sampling::Close);
+            let memory = filter(responses, samples_of(sampling, taps), taps, networks);
+            cost(taps, taps, memory)
         }
         Method::Hilbert(transform) => {
             let samples = transform_samples(transform);
@@ -206,10 +205,10 @@ fn samples_of(sampling: Sampling, taps: f64) -> f64 {
 /// Impulses on the lattice until they have decayed, how they are sampled, and the taps that they
 /// become; none where there is no lattice, which building refuses.
 fn held_length(string: &Drillstring, method: &Method, request: &Request) -> ((f64, Sampling), f64) {
-    let none = ((0.0, Sampling::Wide), 0.0);
+    let none = ((0.0, held::SAMPLING), 0.0);
     Lattice::new(string, &request.sites).map_or(none, |lattice| {
         let on_lattice = on_lattice(request, &lattice);
-        let impulses = torsion_length(string, method, &on_lattice);
+        let impulses = torsion_length(string, method, &on_lattice, held::SAMPLING);
         let taps = impulses.0 * lattice.step * request.sampling_frequency;
         (impulses, taps.ceil())
     })
@@ -346,18 +345,28 @@ fn filter(responses: f64, samples: f64, taps: f64, networks: f64) -> Memory {
 }
 
 /// The length at which a response built longer and longer is left, at most, and how it is
-/// sampled.
-fn torsion_length(string: &Drillstring, method: &Method, request: &Request) -> (f64, Sampling) {
+/// sampled then: as what goes on is, unless it is certain to have decayed.
+fn torsion_length(
+    string: &Drillstring,
+    method: &Method,
+    request: &Request,
+    goes_on: Sampling,
+) -> (f64, Sampling) {
     let Ok(lengths) = decay::Lengths::new(string, request) else {
-        return (f64::INFINITY, Sampling::Close);
+        return (f64::INFINITY, goes_on);
     };
     // The trapezoidal rule rings for ever at the highest frequency.
     if string.torsional_damping() == 0.0 || *method == Method::Trapezoidal {
-        return (lengths.last(), lengths.sampling);
+        return (lengths.last(), goes_on);
     }
     let lasts = DECAYED * request.sampling_frequency / slowest_rate(string);
     let most = lengths.last().min(MOST_TAPS as f64);
-    (lengths.doubled_to(lasts).min(most), lengths.sampling)
+    let sampling = if lengths.decay && lasts <= most {
+        Sampling::Once
+    } else {
+        goes_on
+    };
+    (lengths.doubled_to(lasts).min(most), sampling)
 }
 
 /// Time constants until a response counts as decayed, and has been quiet for a quarter of its

@@ -19,7 +19,8 @@ use crate::assembly::number::Number;
 /// Steps of Radau IIA in one step of the taps.
 pub(crate) const SUBSTEPS: usize = 4;
 
-/// As long as a case, such responses end with it: nothing is decided from their end.
+/// Of responses that go on: they are looked at at many times as many frequencies as those of
+/// other methods.
 pub(crate) const SAMPLING: Sampling = Sampling::Wide;
 
 /// The first `count` taps of every channel whose response at s (rad/s) has no fronts, by

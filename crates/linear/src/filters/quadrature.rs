@@ -20,11 +20,12 @@ use crate::fft;
 /// by a part ρ^M on the circle of radius ρ, while rounding grows as ρ^(−n): ρ is a compromise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sampling {
-    /// For what the end of a response decides: to some 1e-10 of its largest tap.
+    /// Of what goes on: to some 1e-10 of its largest tap.
     Close,
-    /// Half the work, where nothing is decided and each sample takes long: to some 1e-8 of the
-    /// largest tap.
+    /// Of what goes on where each sample takes long: to some 1e-8 of its largest tap.
     Wide,
+    /// Of what has decayed before its last tap: nothing is left to be folded back.
+    Once,
 }
 
 impl Sampling {
@@ -33,6 +34,7 @@ impl Sampling {
         match self {
             Sampling::Close => 4,
             Sampling::Wide => 2,
+            Sampling::Once => 1,
         }
     }
 
@@ -41,6 +43,8 @@ impl Sampling {
         match self {
             Sampling::Close => 1e-10,
             Sampling::Wide => 1e-8,
+            // Rounding at the end of the response grows a hundredfold.
+            Sampling::Once => 1e-2,
         }
     }
 }
@@ -60,7 +64,7 @@ pub(super) struct Circle {
 
 /// The circle for so many taps.
 pub(super) fn circle(count: usize, sampling: Sampling) -> Circle {
-    let samples = sampling.per_tap() * count.max(2);
+    let samples = (sampling.per_tap() * count.max(2)).next_multiple_of(2);
     let radius = sampling.folded_back().powf(1.0 / samples as f64);
     let angle = |index: usize| -std::f64::consts::TAU / samples as f64 * index as f64;
     let stride = samples.isqrt();
@@ -135,6 +139,7 @@ pub fn taps(
     sampling_frequency: f64,
     count: usize,
     channels: usize,
+    sampling: Sampling,
     response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
     let generating = |zeta: Lanes, values: &mut [Lanes]| {
@@ -143,7 +148,7 @@ pub fn taps(
             values,
         );
     };
-    series(count, channels, Sampling::Close, &generating)
+    series(count, channels, sampling, &generating)
 }
 
 /// The first `count` coefficients of every channel's generating function of ζ, |ζ| < 1.
@@ -167,7 +172,7 @@ mod tests {
 
     fn assert_integrates(formula: Formula, exact: impl Fn(i32) -> f64) {
         let integrate = |s: Lanes, out: &mut [Lanes]| out[0] = s.inverse();
-        let taps = &taps(formula, 10.0, 64, 1, &integrate)[0];
+        let taps = &taps(formula, 10.0, 64, 1, Sampling::Close, &integrate)[0];
         for (index, tap) in taps.iter().enumerate() {
             let exact = exact(index as i32) / 10.0;
             assert!((tap - exact).abs() < 1e-9, "{index}: {tap} {exact}");

@@ -72,7 +72,15 @@ impl Lateral<'_> {
             responses.copy_from_slice(network.receptance(s).entries());
         };
         let by_formula = |formula: Formula| {
-            quadrature::taps(formula, sampling_frequency, needed, count, &displacement)
+            let sampling = Sampling::Close;
+            quadrature::taps(
+                formula,
+                sampling_frequency,
+                needed,
+                count,
+                sampling,
+                &displacement,
+            )
         };
         let velocity = |s: Lanes, responses: &mut [Lanes]| {
             let receptance = network.receptance(s);

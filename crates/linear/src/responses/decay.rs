@@ -54,8 +54,8 @@ pub(crate) struct Lengths {
     looked_at: f64,
     /// At first.
     first: f64,
-    /// How closely they are sampled: what will not have decayed has no end to be found.
-    pub(crate) sampling: Sampling,
+    /// Whether they should have decayed by then.
+    pub(crate) decay: bool,
 }
 
 impl Lengths {
@@ -65,21 +65,12 @@ impl Lengths {
         let frequency = request.sampling_frequency;
         let looked_at = looked_at(string, request.longest_time, frequency);
         let decayed = first_length(string, frequency)? as f64;
-        let is_worth_while = decayed <= WORTH_WHILE * looked_at;
         // What nothing damps does not decay.
-        let is_damped = string.torsional_damping() > 0.0;
+        let decay = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * looked_at;
         Ok(Self {
             looked_at,
-            first: if is_worth_while && is_damped {
-                decayed
-            } else {
-                looked_at
-            },
-            sampling: if is_worth_while {
-                Sampling::Close
-            } else {
-                Sampling::Wide
-            },
+            first: if decay { decayed } else { looked_at },
+            decay,
         })
     }
 
@@ -97,21 +88,23 @@ impl Lengths {
 }
 
 /// Builds responses of growing length until they have decayed or are at least as long as
-/// they are looked at.
+/// they are looked at; those that go on then are sampled as they ask for.
 pub(super) fn until_decayed(
     string: &Drillstring,
     request: &Request,
+    goes_on: Sampling,
     mut build: impl FnMut(usize, Sampling) -> Vec<Vec<f64>>,
 ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
     let Lengths {
         looked_at,
         first,
-        sampling,
+        decay,
     } = Lengths::new(string, request)?;
     if first > MOST_TAPS as f64 {
         return Err(too_many(looked_at));
     }
     let mut length = first as usize;
+    let mut sampling = if decay { Sampling::Once } else { goes_on };
     let mut rounding = 0.0;
     loop {
         let mut taps = build(length, sampling);
@@ -121,7 +114,12 @@ pub(super) fn until_decayed(
             return Ok((taps, Ending::Whole));
         }
         if length as f64 >= looked_at {
-            return Ok((taps, Ending::Cut));
+            if sampling == goes_on {
+                return Ok((taps, Ending::Cut));
+            }
+            // What goes on after all was folded back.
+            sampling = goes_on;
+            continue;
         }
         if length == MOST_TAPS {
             return Err(too_many(looked_at));

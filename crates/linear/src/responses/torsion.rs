@@ -120,15 +120,21 @@ impl Torsion<'_> {
 
     fn quadrature_taps(&self, formula: Formula) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
         let response = self.wave_response()?;
-        until_decayed(self.string, self.request, |length, _| {
-            quadrature::taps(
-                formula,
-                self.request.sampling_frequency,
-                length,
-                self.count(),
-                &response,
-            )
-        })
+        until_decayed(
+            self.string,
+            self.request,
+            Sampling::Close,
+            |length, sampling| {
+                quadrature::taps(
+                    formula,
+                    self.request.sampling_frequency,
+                    length,
+                    self.count(),
+                    sampling,
+                    &response,
+                )
+            },
+        )
     }
 
     /// Length of the transform behind a filter.
@@ -169,9 +175,12 @@ impl Torsion<'_> {
             let torque = || chain.surface_torque(zeta);
             (self.wanted).write(|| chain.admittance(zeta), torque, responses);
         };
-        until_decayed(self.string, self.request, |length, _| {
-            quadrature::series(length, self.count(), Sampling::Close, &response)
-        })
+        until_decayed(
+            self.string,
+            self.request,
+            Sampling::Close,
+            |length, sampling| quadrature::series(length, self.count(), sampling, &response),
+        )
     }
 
     /// Number of responses.

@@ -57,9 +57,10 @@ impl ImpulseTrains {
             wanted.write(|| lattice.admittance(zeta), torque, responses);
         };
         let count = wanted.count(request.sites.len());
-        let (trains, ending) = until_decayed(string, &on_lattice, |length, sampling| {
-            quadrature::series(length, count, sampling, &response)
-        })?;
+        let (trains, ending) =
+            until_decayed(string, &on_lattice, held::SAMPLING, |length, sampling| {
+                quadrature::series(length, count, sampling, &response)
+            })?;
         let ending = match ending {
             // Nothing makes fronts on a lattice smoother.
             Ending::Cut => Ending::Ringing,
