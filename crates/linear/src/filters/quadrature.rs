@@ -16,8 +16,8 @@ use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
 use crate::fft;
 
-/// How closely a circle is sampled. With M samples a tap of what is M taps later is folded back,
-/// by a part ρ^M on the circle of radius ρ, while rounding grows as ρ^(−n): ρ is a compromise.
+/// How closely a circle of radius ρ is sampled. With M samples, a part ρ^M of what is M taps later
+/// is folded back, while rounding grows as ρ^(−n): ρ is a compromise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sampling {
     /// Of what goes on: to some 1e-10 of its largest tap.
