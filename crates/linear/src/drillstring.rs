@@ -229,6 +229,11 @@ impl Drillstring {
         self.top_drive
     }
 
+    /// The hole of mud that it is in.
+    pub(crate) fn hole(&self) -> Option<&Hole> {
+        self.hole.as_ref()
+    }
+
     /// The radii of the hole of mud that it is in, m; none where it is in none.
     pub(crate) fn hole_radii(&self) -> impl Iterator<Item = f64> {
         let sections = self.hole.iter().flat_map(|hole| &hole.sections);

@@ -119,8 +119,8 @@ pub use method::Method;
 pub use num_complex::Complex64;
 pub use pulse::RaisedCosine;
 pub use responses::{
-    ChannelRequest, ChannelResponses, ImpulseTrains, Request, Responses, responses, responses_with,
-    surface_torque,
+    ChannelRequest, ChannelResponses, Earlier, ImpulseTrains, Request, Responses, responses,
+    responses_after, responses_with, surface_torque,
 };
 pub use sites::Sites;
 pub use stepped::SteppedString;

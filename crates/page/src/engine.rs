@@ -175,13 +175,11 @@ impl Open {
             .collect();
         let choice = Choice::new(&self.sweep, asked.case, &set)?;
         let setting = common_setting(&self.sweep, std::slice::from_ref(&choice))??;
-        let last = self
-            .built
-            .take()
-            .filter(|built| built.is_of(method, &setting.changed));
+        let last = self.built.take();
+        let is_same = (last.as_ref()).is_some_and(|built| built.is_of(method, &setting.changed));
         let sweep = match &last {
-            Some(built) => &built.sweep,
-            None => &Sweep {
+            Some(built) if is_same => &built.sweep,
+            _ => &Sweep {
                 setting,
                 ..self.sweep.clone()
             },
@@ -191,8 +189,11 @@ impl Open {
             built.longest == chosen.longest || asked.quick && built.longest > chosen.longest
         };
         let built = match last {
-            Some(built) if lasts(&built) => built,
-            _ => Built::new(sweep.clone(), method, chosen.longest)?,
+            Some(built) if is_same && lasts(&built) => built,
+            _ => {
+                let earlier = last.as_ref().map(|built| built.system.system());
+                Built::new(sweep.clone(), method, chosen.longest, earlier)?
+            }
         };
         Ok((self.built.insert(built), chosen))
     }
@@ -208,9 +209,15 @@ impl Open {
 }
 
 impl Built {
-    fn new(sweep: Sweep, method: usize, longest: f64) -> Result<Self> {
-        let setting = sweep.setting.for_labels();
-        let system = MethodSystem::build_for(&sweep, &setting, sweep.methods[method], longest)?;
+    /// Builds a system; what its string has in common with an earlier one is not built again.
+    fn new(
+        sweep: Sweep,
+        method: usize,
+        longest: f64,
+        earlier: Option<&MethodSystem>,
+    ) -> Result<Self> {
+        let (setting, by) = (sweep.setting.for_labels(), sweep.methods[method]);
+        let system = MethodSystem::build_after(&sweep, &setting, by, longest, earlier)?;
         Ok(Self {
             system: FollowedMethod::new(&sweep, system, longest)?,
             method,
@@ -252,7 +259,7 @@ impl Built {
             setting,
             ..self.sweep.clone()
         };
-        let built = Self::new(sweep, self.method, chosen.longest)?;
+        let built = Self::new(sweep, self.method, chosen.longest, None)?;
         Ok(Some((built, case, row)))
     }
 }

@@ -115,7 +115,7 @@ impl Work<'_> {
         for first in (0..strings).step_by(batch) {
             let systems = parallel::map(batch.min(strings - first), 1, |place| {
                 let string = first + place;
-                (self.has_open_case(string)).then(|| (string, self.build(string)))
+                (self.has_open_case(string)).then(|| (string, self.build(string, base)))
             });
             let built: Vec<Built> = (systems.iter().flatten())
                 .map(|(string, systems)| Built {
@@ -147,10 +147,14 @@ impl Work<'_> {
         is_in(self.shard, &self.sweep.design, string, position) && (self.is_open)(case, method)
     }
 
-    fn build(&self, string: usize) -> Result<Vec<Result<MethodSystem, CaseError>>, CaseError> {
+    fn build(
+        &self,
+        string: usize,
+        base: &[MethodSystem],
+    ) -> Result<Vec<Result<MethodSystem, CaseError>>, CaseError> {
         let setting = setting_of(self.sweep, string)?;
         let longest = survey::of_string(self.sweep, &setting, string)?.longest;
-        let systems = MethodSystem::build_each(self.sweep, &setting.for_labels(), longest);
+        let systems = MethodSystem::build_each(self.sweep, &setting.for_labels(), longest, base);
         let finer = |(method, system): (usize, Result<MethodSystem>)| {
             let system = system.and_then(|system| system.with_finer(self.sweep, method, longest));
             system.map_err(CaseError::Responses)

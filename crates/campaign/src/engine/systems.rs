@@ -6,8 +6,8 @@ use anyhow::{Context, Result, bail};
 use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use linear::{
-    Cascade, ChannelRequest, ChannelResponses, ImpulseTrains, Method, Request, Responses, parallel,
-    responses, responses_with,
+    BuildError, Cascade, ChannelRequest, ChannelResponses, Drillstring, Earlier, ImpulseTrains,
+    Method, Request, Responses, parallel, responses, responses_after, responses_with,
 };
 use sim::excitation::reach_of_impulse;
 use sim::{
@@ -67,16 +67,23 @@ impl MethodSystem {
     /// multiples of an I₀ that does not exist.
     pub fn build_all(sweep: &Sweep, setting: &Setting, longest_time: f64) -> Result<Vec<Self>> {
         // The first method's error, whichever was found first.
-        Self::build_each(sweep, setting, longest_time)
+        Self::build_each(sweep, setting, longest_time, &[])
             .into_iter()
             .collect()
     }
 
     /// As [`MethodSystem::build_all`], with an answer for each method: what one cannot
-    /// treat, another may.
-    pub fn build_each(sweep: &Sweep, setting: &Setting, longest_time: f64) -> Vec<Result<Self>> {
+    /// treat, another may. `earlier` are those of another string, where there are any, by
+    /// method: what the strings have in common is not built again.
+    pub fn build_each(
+        sweep: &Sweep,
+        setting: &Setting,
+        longest_time: f64,
+        earlier: &[Self],
+    ) -> Vec<Result<Self>> {
         parallel::map(sweep.methods.len(), 1, |place| {
-            Self::build_for(sweep, setting, sweep.methods[place], longest_time)
+            let method = sweep.methods[place];
+            Self::build_after(sweep, setting, method, longest_time, earlier.get(place))
         })
     }
 
@@ -90,7 +97,37 @@ impl MethodSystem {
         method: Method,
         longest_time: f64,
     ) -> Result<Self> {
-        let mut system = Self::build(setting, method, sweep.bit.is_some(), longest_time)
+        Self::build_after(sweep, setting, method, longest_time, None)
+    }
+
+    /// The same after that of another string: what both have in common is not built again.
+    ///
+    /// # Errors
+    /// As [`MethodSystem::build_all`].
+    pub fn build_after(
+        sweep: &Sweep,
+        setting: &Setting,
+        method: Method,
+        longest_time: f64,
+        earlier: Option<&Self>,
+    ) -> Result<Self> {
+        let cuts = sweep.bit.is_some();
+        // Elements that are stepped have no responses to take over.
+        let has_responses = |earlier: &&Self| stepped_by(&earlier.setting, &method).is_none();
+        let earlier = earlier.filter(has_responses);
+        let build = |string: &Drillstring, method: &Method, asked: &Request| match earlier {
+            None => responses(string, method, asked),
+            Some(earlier) => {
+                let (setting, longest_time) = (&earlier.setting, earlier.responses.longest_time);
+                let earlier = Earlier {
+                    string: &setting.string,
+                    request: &request(setting, cuts, longest_time),
+                    responses: &earlier.responses,
+                };
+                responses_after(string, method, asked, earlier)
+            }
+        };
+        let mut system = Self::build_by(setting, method, cuts, longest_time, build)
             .with_context(|| format!("the responses by {} cannot be built", method.name()))?;
         if sweep.finds_surface_torque() {
             system.follow_surface().with_context(|| {
@@ -115,7 +152,7 @@ impl MethodSystem {
     /// # Errors
     /// Where the method cannot treat the string.
     pub fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
-        Self::build_with(setting, method, cuts, longest_time, None)
+        Self::build_by(setting, method, cuts, longest_time, responses)
     }
 
     /// The trains of impulses that systems by [`Method::Held`] are made of at any sampling
@@ -143,6 +180,21 @@ impl MethodSystem {
         longest_time: f64,
         trains: Option<&ImpulseTrains>,
     ) -> Result<Self> {
+        let build = |string: &Drillstring, method: &Method, request: &Request| match trains {
+            None => responses(string, method, request),
+            Some(trains) => responses_with(string, method, request, trains),
+        };
+        Self::build_by(setting, method, cuts, longest_time, build)
+    }
+
+    /// Builds the system of one method from responses that are built in some way.
+    fn build_by(
+        setting: &Setting,
+        method: Method,
+        cuts: bool,
+        longest_time: f64,
+        responses: impl FnOnce(&Drillstring, &Method, &Request) -> Result<Responses, BuildError>,
+    ) -> Result<Self> {
         let start = Stopwatch::start();
         if let Some((lateral, parameters)) = stepped_by(setting, &method) {
             let (responses, simulator) =
@@ -150,11 +202,7 @@ impl MethodSystem {
             return Self::with(setting, responses, simulator, start);
         }
         let (string, request) = (&setting.string, request(setting, cuts, longest_time));
-        let responses = match trains {
-            None => responses(string, &method, &request)?,
-            Some(trains) => responses_with(string, &method, &request, trains)?,
-        };
-        let system = Self::of(setting, responses, start)?;
+        let system = Self::of(setting, responses(string, &method, &request)?, start)?;
         let Some(friction) = &setting.friction else {
             return Ok(system);
         };

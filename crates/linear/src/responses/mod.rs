@@ -4,6 +4,7 @@
 pub(crate) mod bending;
 mod channels;
 pub(crate) mod decay;
+mod earlier;
 pub(crate) mod length;
 mod margin;
 mod request;
@@ -12,6 +13,7 @@ pub(crate) mod trains;
 mod wanted;
 
 pub use channels::{ChannelResponses, Responses};
+pub use earlier::Earlier;
 pub use request::{ChannelRequest, Request};
 pub use torsion::surface_torque;
 pub use trains::ImpulseTrains;
@@ -31,7 +33,7 @@ pub fn responses(
     method: &Method,
     request: &Request,
 ) -> Result<Responses, BuildError> {
-    responses_of(string, method, request, None)
+    responses_of(string, method, request, None, None)
 }
 
 /// The same, with the trains of impulses of such a request that held responses in torsion
@@ -45,7 +47,21 @@ pub fn responses_with(
     request: &Request,
     trains: &ImpulseTrains,
 ) -> Result<Responses, BuildError> {
-    responses_of(string, method, request, Some(trains))
+    responses_of(string, method, request, Some(trains), None)
+}
+
+/// As [`responses()`], to the bit. Channels in which the string moves as an earlier one are
+/// taken over: with another torsional damping or top drive it bends as before.
+///
+/// # Errors
+/// As [`responses()`].
+pub fn responses_after(
+    string: &Drillstring,
+    method: &Method,
+    request: &Request,
+    earlier: Earlier,
+) -> Result<Responses, BuildError> {
+    responses_of(string, method, request, None, Some(earlier))
 }
 
 fn responses_of(
@@ -53,14 +69,20 @@ fn responses_of(
     method: &Method,
     request: &Request,
     trains: Option<&ImpulseTrains>,
+    earlier: Option<Earlier>,
 ) -> Result<Responses, BuildError> {
     request.check(string)?;
-    let build = |channel: usize| match &request.channels[channel] {
-        ChannelRequest::Torsion { torques } => {
-            torsion::responses(string, method, request, torques, trains)
-        }
-        ChannelRequest::Bending { bending, support } => {
-            bending::responses(string, method, request, bending, *support)
+    let build = |channel: usize| {
+        let wanted = &request.channels[channel];
+        let known = earlier.and_then(|earlier| earlier.channel(string, method, request, wanted));
+        match (known, wanted) {
+            (Some(known), _) => Ok(known.clone()),
+            (None, ChannelRequest::Torsion { torques }) => {
+                torsion::responses(string, method, request, torques, trains)
+            }
+            (None, ChannelRequest::Bending { bending, support }) => {
+                bending::responses(string, method, request, bending, *support)
+            }
         }
     };
     let channels: Vec<Result<ChannelResponses, BuildError>> =

@@ -80,7 +80,7 @@ pub fn build(
 ) -> Result<Vec<Result<MethodSystem, Failure>>> {
     let setting = sweep.setting.for_labels();
     let systems: Vec<Result<MethodSystem>> = if sweep.design.varies_string() {
-        MethodSystem::build_each(sweep, &setting, longest)
+        MethodSystem::build_each(sweep, &setting, longest, &[])
     } else {
         // A run would not begin.
         let systems = build_systems(file, sweep, &setting, longest)?;
