@@ -78,7 +78,8 @@ fn row<S: Stiffness>(mut pieces: impl DoubleEndedIterator<Item = S>, ends: Ends)
     Some(upper.join(lower))
 }
 
-/// Stiffness of one section, its cells repeated, from that of its tubes.
+/// Stiffness of one section, its cells repeated, from that of its tubes, by the ends that are
+/// looked at.
 pub fn section<S: Stiffness>(
     section: &Section,
     ends: Ends,
@@ -88,7 +89,7 @@ pub fn section<S: Stiffness>(
     Some(cell.repeated(section.repeat))
 }
 
-/// Stiffness of everything between two neighbouring nodes; `None` where there
+/// Stiffness of everything between two neighbouring nodes, both looked at; `None` where there
 /// is nothing.
 pub(crate) fn span<S: Stiffness>(span: &Span, tube: impl Fn(&Tube) -> S) -> Option<S> {
     let runs = span.runs.iter();

@@ -200,18 +200,27 @@ mod tests {
         let ringing = |zeta: Lanes, out: &mut [Lanes]| {
             out[0] = (zeta * (zeta - 2.0 * angle.cos()) + 1.0).inverse();
         };
-        let mut errors = [Sampling::Close, Sampling::Wide].map(|sampling| {
+        let [close, wide] = [Sampling::Close, Sampling::Wide].map(|sampling| {
             let found = &series(COUNT, 1, sampling, &ringing)[0];
             let off = found.iter().enumerate().map(|(index, tap)| {
-                let exact = ((index + 1) as f64 * angle).sin() / angle.sin();
-                (tap - exact).abs()
+                let exact = ((index + 1) as f64 * angle).sin();
+                (tap * angle.sin() - exact).abs()
             });
             off.fold(0.0, f64::max)
         });
-        errors.iter_mut().for_each(|error| *error *= angle.sin());
-        let [close, wide] = errors;
         assert!(close < 2e-10 && wide < 2e-8, "{close} {wide}");
-        // What is told of either is no excuse for both.
-        assert!(close < 0.1 * wide, "{close} {wide}");
+    }
+
+    /// 1/(1 − aζ) = Σ aⁿ ζⁿ, of which 1e-12 is left at the end.
+    #[test]
+    fn what_has_decayed_needs_one_sample_a_tap() {
+        const COUNT: usize = 20_000;
+        let rate = 1e-12f64.powf(1.0 / COUNT as f64);
+        let decaying = |zeta: Lanes, out: &mut [Lanes]| out[0] = (zeta * -rate + 1.0).inverse();
+        let found = &series(COUNT, 1, Sampling::Once, &decaying)[0];
+        for (index, tap) in found.iter().enumerate() {
+            let exact = rate.powf(index as f64);
+            assert!((tap - exact).abs() < 1e-12, "{index}: {tap} {exact}");
+        }
     }
 }

@@ -37,7 +37,8 @@ pub(crate) struct Unloaded {
     pub(crate) speed: f64,
 }
 
-/// A site solved within a step, the loads of the others given.
+/// A site solved within a step, the loads of the others given. Its two numbers stand apart: side by
+/// side they are written one by one and read as a pair, for which the processor waits.
 pub(crate) struct Solved {
     /// N.
     pub(crate) normal_force: f64,
