@@ -44,6 +44,7 @@
 //! | the same stepped, for many sites | [`stepped`] |
 //! | Section 5.2.2: the band-limited impulse | [`pulse`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
+//! | steady rotation, and steady winding of a held bit | [`steady`] |
 //! | transforms, for whoever convolves with the taps | [`fft`] |
 //! | memory, before it is taken | [`cost`] |
 //! | how far responses are from the exact ones | [`deviation`] |
@@ -103,6 +104,7 @@ pub mod pulse;
 pub mod responses;
 mod sites;
 mod spans;
+pub mod steady;
 pub mod stepped;
 mod surroundings;
 mod top_drive;
@@ -123,6 +125,7 @@ pub use responses::{
     responses_after, responses_with, surface_torque,
 };
 pub use sites::Sites;
+pub use steady::{GrowingTorque, SteadyMotion};
 pub use stepped::SteppedString;
 pub use surroundings::{AxialForce, Hole, HoleSection, Mud};
 pub use top_drive::TopDrive;

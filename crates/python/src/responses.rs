@@ -148,6 +148,7 @@ impl Responses {
             eccentric_masses: eccentric_masses.into_iter().map(Into::into).collect(),
         });
         let scene = Scene {
+            start: sim::Start::Rest,
             surface_speed,
             bit: bit.map(|law| Bit::of(law, &raised)).transpose()?,
             lateral,
@@ -220,7 +221,7 @@ impl Responses {
             }
         }
         motion.speeds =
-            system.driven_speeds(scene.surface_speed, &motion.bit_torque, motion.times.len());
+            system.driven_speeds(scene.surface_speed, &scene.start, &motion.bit_torque, motion.times.len());
         for (site, own) in loads.into_iter().zip(speeds) {
             motion.speeds[site] = own;
         }

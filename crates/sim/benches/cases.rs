@@ -34,6 +34,7 @@ fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
         radius: 0.15,
     };
     Scene {
+        start: sim::Start::Rest,
         surface_speed: SPEED,
         bit: None,
         lateral: Some(Lateral {

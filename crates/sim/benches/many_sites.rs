@@ -39,6 +39,7 @@ fn scene(sites: usize, touching: usize) -> Scene {
         offset: 0.1,
     };
     Scene {
+        start: sim::Start::Rest,
         surface_speed: std::f64::consts::TAU,
         bit: None,
         lateral: Some(Lateral {

@@ -31,6 +31,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let system = System::new(&linear::responses(&string, &Method::Quadrature, &request)?)?;
     let scene: Scene<_, Wall> = Scene {
+        start: sim::Start::Rest,
         surface_speed: 2.0,
         bit: Some(torque),
         lateral: None,

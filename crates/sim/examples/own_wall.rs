@@ -92,6 +92,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         direction: 0.0,
     };
     let scene: Scene<BitTorque, _> = Scene {
+        start: sim::Start::Rest,
         surface_speed: 6.0,
         bit: None,
         lateral: Some(Lateral {

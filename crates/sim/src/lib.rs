@@ -47,7 +47,7 @@
 //! ```
 //! use linear::{Drillstring, Material, Method, Section, Sites, Tube};
 //! use linear::{ChannelRequest, Request};
-//! use sim::{BitTorque, Scene, Simulator, TorsionRegime};
+//! use sim::{BitTorque, Scene, Simulator, Start, TorsionRegime};
 //!
 //! let pipe = Tube { length: 10.0, inner_radius: 0.05, outer_radius: 0.1 };
 //! let steel = Material { shear_modulus: 80e9, density: 7840.0 };
@@ -63,9 +63,10 @@
 //! let bit = BitTorque { torque_static: 1200.0, torque_dynamic: 1000.0, decay_speed: 0.0 };
 //! let scene = Scene {
 //!     surface_speed: 0.5,
+//!     start: Start::Rest,
 //!     bit: Some(bit),
 //!     lateral: None,
-//!     timing: sim::torsion_timing(&string, 0.5, &bit),
+//!     timing: sim::torsion_timing(&string, 0.5, &bit, &Start::Rest),
 //! };
 //! let outcome = simulator.simulate(&scene, sim::Stopping::Early, None)?;
 //! assert_eq!(outcome.torsion.map(|torsion| torsion.regime), Some(TorsionRegime::Smooth));
@@ -90,6 +91,7 @@ pub mod scene;
 mod shortcuts;
 pub mod simulator;
 mod site;
+mod start;
 pub mod steady_whirl;
 pub mod stepper;
 mod surface;
@@ -115,6 +117,7 @@ pub use recording::{Recording, RecordingError};
 pub use sampling::Sampling;
 pub use scene::{Lateral, Scene, Timing};
 pub use simulator::Simulator;
+pub use start::Start;
 pub use steady_whirl::{SitesWhirl, SteadyWhirl, WhirlingSite, WhirlingSites};
 pub use stepper::{Step, Stepper};
 pub use surface::SurfaceProfile;

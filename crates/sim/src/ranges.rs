@@ -26,6 +26,14 @@ pub enum SceneError {
         /// T_d, N m.
         torque_dynamic: f64,
     },
+    /// The motion at the start is that of other sites.
+    #[error("the motion at the start is that of {found} sites, but there are {sites}")]
+    StartOfOtherSites {
+        /// How many it has.
+        found: usize,
+        /// How many there are.
+        sites: usize,
+    },
     /// Something acts at a site that there is not.
     #[error("{what} acts at site {site}, but the {sites} sites are counted from 0")]
     NoSuchSite {

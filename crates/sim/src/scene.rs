@@ -6,6 +6,7 @@ use crate::laws::contact::WallLaw;
 use crate::laws::torque::TorqueLaw;
 use crate::laws::wall::Wall;
 use crate::ranges::{SceneError, finite, known_site, not_negative, positive};
+use crate::start::Start;
 
 /// How long to simulate, and over which part at the end a regime must show.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,13 +17,13 @@ pub struct Timing {
     pub closing_window: f64,
 }
 
-/// One case, from rest: the surface starts to turn at t = 0, as its system says
-/// ([`crate::SurfaceProfile`]). The laws may be a user's
-/// own ([`TorqueLaw`], [`WallLaw`]).
+/// One case. The laws may be a user's own ([`TorqueLaw`], [`WallLaw`]).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene<B = BitTorque, W = Wall> {
     /// Surface rotation speed Ω that it comes to, rad/s.
     pub surface_speed: f64,
+    /// The motion that it begins with.
+    pub start: Start,
     /// Torque at the bit; `None` leaves it free.
     pub bit: Option<B>,
     /// Lateral motion, where it is modelled.
@@ -47,6 +48,7 @@ impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
     /// one of the `sites`.
     pub(crate) fn check(&self, sites: usize) -> Result<(), SceneError> {
         finite("surface speed in rad/s", self.surface_speed)?;
+        self.start.check(sites)?;
         not_negative("time simulated in s", self.timing.duration)?;
         not_negative("closing window in s", self.timing.closing_window)?;
         self.bit.iter().try_for_each(TorqueLaw::check)?;

@@ -225,6 +225,7 @@ impl Case<'_> {
     /// The same with its time history, which leaves nothing out.
     fn record(&mut self, record: &mut Trajectory) -> Result<End, SimulationError> {
         let slip = self.stepper.next_step().min(self.stepper.steps());
+        // Cases that begin with a steady motion leave none out.
         let held = (self.alone).map(|alone| &alone.stuck_torque()[..slip]);
         record.begin(self.system, self.scene, held.unwrap_or_default());
         let end = self.step_through(|now| record.push(now))?;
@@ -265,7 +266,7 @@ impl Case<'_> {
         if let Some(alone) = self.alone {
             let watch = self.watch.bit.as_ref()?;
             return alone
-                .repeats(self.stepper.next_step(), watch)
+                .repeats(&self.scene.start, self.stepper.next_step(), watch)
                 .then_some(Label::Torsion(TorsionRegime::StickSlip));
         }
         let (lateral, step) = (self.scene.lateral.as_ref()?, self.stepper.next_step());

@@ -8,8 +8,11 @@ use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
+use linear::SteadyMotion;
+
 use crate::scene::{Lateral, Scene};
 use crate::site::{LateralLine, Load, SiteLaws};
+use crate::start::Start;
 use crate::system::System;
 
 /// One step of all sites that may bear a load.
@@ -57,6 +60,8 @@ enum Reference<'a> {
     /// The surface turns a string whose bit is held fast, by these torques per unit of
     /// its speed. Loads are what the torques on the bit, the only ones, differ by.
     Stuck(&'a [f64]),
+    /// No speed changes. The load of the bit is what its torque differs by.
+    Steady(&'a SteadyMotion),
 }
 
 /// The sites in two planes.
@@ -78,12 +83,13 @@ struct LateralMotion<'a, W> {
 }
 
 impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
-    /// A scene at rest.
+    /// A scene at its start.
     ///
     /// # Errors
     /// Where the scene is refused, or does not fit the system.
     pub fn new(system: &'a System, scene: &'a Scene<B, W>) -> Result<Self, SimulationError> {
-        Self::begin(system, scene, Reference::Free, 0)
+        let reference = (scene.start.steady()).map_or(Reference::Free, Reference::Steady);
+        Self::begin(system, scene, reference, 0)
     }
 
     /// A scene in which nothing acts but the bit, at the step at which that first slips;
@@ -119,6 +125,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         let count = system.loaded.len();
         let walls = (scene.lateral.as_ref()).map_or(&[][..], |lateral| &lateral.walls);
         let radii: Vec<f64> = walls.iter().map(WallLaw::radius).collect();
+        let speeds = match reference {
+            Reference::Free | Reference::Stuck(_) => vec![0.0; count],
+            Reference::Steady(motion) => of_sites(&system.loaded, &motion.speeds),
+        };
+        let turned = bit.map(|(law, load)| law.turning_at(speeds[load]));
         Ok(Self {
             system,
             scene,
@@ -130,12 +141,12 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             torques: system.from_torques.past(steps - first.min(steps)),
             lateral,
             coupling: Coupling::new(&system.from_torques, system.from_forces.as_ref(), &radii),
-            bit_state: B::State::default(),
+            bit_state: turned.unwrap_or_default(),
             free_speeds: vec![0.0; count],
             step_torques: vec![0.0; count],
             now: Step {
                 time: 0.0,
-                speeds: vec![0.0; count],
+                speeds,
                 contacts: vec![Contact::NONE; walls.len()],
                 bit: None,
             },
@@ -187,6 +198,17 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             Reference::Stuck(stuck) => {
                 self.held = scene.surface_speed * stuck[step];
                 self.free_speeds[0] -= self.system.from_torques.instant(0, 0) * self.held;
+            }
+            Reference::Steady(motion) => {
+                for (speed, site) in self.free_speeds.iter_mut().zip(&self.system.loaded) {
+                    *speed += motion.speeds[*site];
+                }
+                if let Some((_, load)) = self.bit {
+                    self.held = motion.at_bit.at(self.now.time);
+                    for (index, speed) in self.free_speeds.iter_mut().enumerate() {
+                        *speed -= self.system.from_torques.instant(index, load) * self.held;
+                    }
+                }
             }
         }
         if let Some(lateral) = &mut self.lateral {
@@ -288,7 +310,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     fn end_step(&mut self) {
         let loads = self.coupling.loads();
         for (torque, load) in self.step_torques.iter_mut().zip(loads) {
-            *torque = load.torque - self.held;
+            *torque = load.torque;
+        }
+        if let Some((_, load)) = self.bit {
+            self.step_torques[load] -= self.held;
         }
         self.torques.add(&self.step_torques);
         if let Some(lateral) = &mut self.lateral {
@@ -297,6 +322,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         if let Some(bit) = &self.now.bit {
             self.bit_state.clone_from(&bit.state);
         }
+    }
+
+    /// The motion that the scene begins with.
+    pub(crate) fn start(&self) -> &Start {
+        &self.scene.start
     }
 
     /// Surface rotation speed of the scene, rad/s.
@@ -356,6 +386,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         }
         self.next += steps;
     }
+}
+
+/// What some sites have of a list of all.
+fn of_sites(sites: &[usize], all: &[f64]) -> Vec<f64> {
+    sites.iter().map(|&site| all[site]).collect()
 }
 
 impl<'a, W: WallLaw> LateralMotion<'a, W> {

@@ -6,6 +6,7 @@ use crate::convolution::Kernels;
 use crate::error::SimulationError;
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
+use crate::start::Start;
 use crate::surface::{SurfaceProfile, SurfaceResponse, convolved};
 use crate::trajectory::Trajectory;
 use crate::watch::surface::SurfaceMeasures;
@@ -63,16 +64,29 @@ impl SurfaceTorque {
         })
     }
 
-    /// The torque in every step of a motion, N m, whose surface comes to a speed (rad/s).
-    pub fn of(&self, surface_speed: f64, motion: &Trajectory) -> Vec<f64> {
-        let steps = 0..motion.times.len();
-        let mut torques: Vec<f64> = steps
-            .map(|step| surface_speed * (self.turned.at(step) + self.rotor_torque(step)))
-            .collect();
-        let at_bit = (self.bit_site.into_iter()).map(|site| (site, &motion.bit_torque));
-        let at_walls = motion.wall_torques.iter().enumerate();
-        for (site, loads) in at_bit.chain(at_walls) {
-            let come_up = convolved(&self.from_sites[site], loads);
+    /// The torque in every step of a motion, N m, that begins with a start and whose surface comes
+    /// to a speed (rad/s).
+    pub fn of(&self, surface_speed: f64, start: &Start, motion: &Trajectory) -> Vec<f64> {
+        let at_start = start.steady();
+        let time = |step: usize| self.sampling.time_of(step);
+        let turning = |step: usize| match at_start {
+            None => surface_speed * (self.turned.at(step) + self.rotor_torque(step)),
+            Some(steady) => steady.at_surface.at(time(step)),
+        };
+        let mut torques: Vec<f64> = (0..motion.times.len()).map(turning).collect();
+        let at_bit = self.bit_site.map(|site| {
+            let before = |step: usize| at_start.map_or(0.0, |it| it.at_bit.at(time(step)));
+            let loads = motion.bit_torque.iter().enumerate();
+            (
+                site,
+                loads.map(|(step, load)| load - before(step)).collect(),
+            )
+        });
+        let at_walls =
+            (motion.wall_torques.iter().enumerate()).map(|(site, loads)| (site, loads.clone()));
+        for (site, loads) in at_bit.into_iter().chain(at_walls) {
+            let loads: Vec<f64> = loads;
+            let come_up = convolved(&self.from_sites[site], &loads);
             for (torque, from_below) in torques.iter_mut().zip(come_up) {
                 *torque -= from_below;
             }

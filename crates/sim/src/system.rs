@@ -7,6 +7,7 @@ use crate::convolution::Kernel;
 use crate::error::SimulationError;
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
+use crate::start::Start;
 use crate::surface::{SurfaceProfile, SurfaceResponse};
 
 /// The linear part as all cases share it. What does not depend on the case is computed
@@ -112,25 +113,33 @@ impl System {
         })
     }
 
-    /// Speeds of all sites, rad/s, in so many steps: what a surface that comes to
-    /// `surface_speed` (rad/s) makes of them and, but for sites
+    /// Speeds of all sites, rad/s, in so many steps: what a start and a
+    /// surface that comes to `surface_speed` (rad/s) make of them and, but for sites
     /// that bear torques themselves, the torques on the bit (N m, positive with the
     /// rotation). Sites that are only looked at follow from these: whoever has simulated
     /// a bit without them has their motion here.
     pub fn driven_speeds(
         &self,
         surface_speed: f64,
+        start: &Start,
         bit_torque: &[f64],
         steps: usize,
     ) -> Vec<Vec<f64>> {
-        let of_surface = |site: usize| -> Vec<f64> {
-            let responses = (0..steps).map(|step| self.surface_response(site, step));
-            responses.map(|response| surface_speed * response).collect()
+        let at_start = start.steady();
+        let speed = |site: usize, step: usize| match at_start {
+            None => surface_speed * self.surface_response(site, step),
+            Some(motion) => motion.speeds[site],
         };
+        let of_surface = |site: usize| (0..steps).map(|step| speed(site, step)).collect();
         let mut speeds: Vec<Vec<f64>> = (0..self.sites).map(of_surface).collect();
+        let load = |(step, torque): (usize, &f64)| {
+            let before = at_start.map_or(0.0, |it| it.at_bit.at(self.sampling.time_of(step)));
+            torque - before
+        };
+        let loads: Vec<f64> = bit_torque.iter().enumerate().map(load).collect();
         for (site, kernel) in &self.to_others {
-            for (step, (speed, torque)) in speeds[*site].iter_mut().zip(bit_torque).enumerate() {
-                *speed += kernel.past_sum(&bit_torque[..step]) + kernel.instant() * torque;
+            for (step, (speed, load)) in speeds[*site].iter_mut().zip(&loads).enumerate() {
+                *speed += kernel.past_sum(&loads[..step]) + kernel.instant() * load;
             }
         }
         speeds

@@ -8,6 +8,7 @@ use linear::estimates::{
 
 use crate::laws::bit::BitTorque;
 use crate::scene::Timing;
+use crate::start::Start;
 use crate::watch::rules::Rules;
 
 /// Slips last one round trip where the first reflection recaptures the bit;
@@ -26,7 +27,7 @@ const START_DECAYS: f64 = 5.0;
 /// It is waited for no longer than so many round trips of a wave.
 const MOST_ROUND_TRIPS: f64 = 40.0;
 
-/// The timing by which a case from rest has slipped, has been recaptured
+/// The timing by which a case has slipped, has been recaptured
 /// [`Rules::repeated`] times if it ever is that often, and has left the transient of
 /// its start behind (Eqs. 72–73).
 ///
@@ -34,13 +35,22 @@ const MOST_ROUND_TRIPS: f64 = 40.0;
 /// and by what distributed damping takes of the torque on the way, which is
 /// below c_t L / 4 per unit of surface speed. A top drive has to come to its speed first, and
 /// a slip below one lasts up to half a period of string and drive together. A surface at rest winds up nothing: the
-/// time is infinite, and no scene that lasts so long is simulated.
-pub fn torsion_timing(string: &Drillstring, surface_speed: f64, bit: &BitTorque) -> Timing {
+/// time is infinite, and no scene that lasts so long is simulated. A case that begins with a
+/// steady motion does not wait for its first slip.
+pub fn torsion_timing(
+    string: &Drillstring,
+    surface_speed: f64,
+    bit: &BitTorque,
+    start: &Start,
+) -> Timing {
     let times = stick_slip_times(string, surface_speed, bit.torque_static, bit.torque_dynamic);
     let damping_lag =
         string.torsional_damping() * string.length() / (4.0 * torsional_stiffness(string));
     let lag = damping_lag + drive_settling_time(string);
-    let first_slip = torsional_travel_time(string) + lag + times.first_slip;
+    let first_slip = match start {
+        Start::Rest => torsional_travel_time(string) + lag + times.first_slip,
+        Start::Steady(_) => 0.0,
+    };
     let swing = (string.top_drive()).map_or(0.0, |_| 0.5 * torsional_period(string));
     let slip = (SLIP_ALLOWANCE * times.slip).max(swing);
     let cycle = slip + STICK_ALLOWANCE * times.stick;

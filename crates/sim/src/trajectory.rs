@@ -86,7 +86,8 @@ impl Trajectory {
         if is_stepped && loaded.len() == system.sites {
             self.speeds = loaded;
         } else {
-            self.speeds = system.driven_speeds(scene.surface_speed, &self.bit_torque, steps);
+            self.speeds =
+                system.driven_speeds(scene.surface_speed, &scene.start, &self.bit_torque, steps);
             for (site, speeds) in system.loaded.iter().zip(loaded).filter(|_| is_stepped) {
                 self.speeds[*site] = speeds;
             }

@@ -40,6 +40,7 @@ fn rattle(method: &Method, wall: Wall, sampling_frequency: f64, steps: usize) ->
     };
     let simulator = Simulator::new(&responses(&string, method, &request).unwrap()).unwrap();
     let scene = Scene {
+        start: sim::Start::Rest,
         surface_speed: 6.3,
         bit: None,
         lateral: Some(Lateral {

@@ -87,6 +87,7 @@ fn responses(sampling_frequency: f64) -> Responses {
 fn contacts(sampling_frequency: f64, wall: Wall) -> Vec<Contact> {
     let system = System::new(&responses(sampling_frequency)).unwrap();
     let scene: Scene<BitTorque> = Scene {
+        start: sim::Start::Rest,
         surface_speed: SPEED,
         bit: None,
         lateral: Some(Lateral {
@@ -189,6 +190,7 @@ fn sliding_that_friction_may_shake_is_not_taken_as_settled() {
             ..WALL
         };
         let scene = Scene {
+            start: sim::Start::Rest,
             surface_speed: std::f64::consts::TAU,
             bit: None,
             lateral: Some(Lateral {

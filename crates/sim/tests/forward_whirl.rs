@@ -158,6 +158,7 @@ fn academic_whirl(
     let request = academic::lateral_request(&string, places, 20.0);
     let responses = responses(&string, &Method::Quadrature, &request).unwrap();
     let scene = Scene {
+        start: sim::Start::Rest,
         surface_speed: SPEED,
         bit: None,
         lateral: Some(Lateral {

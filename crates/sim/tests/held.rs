@@ -47,7 +47,7 @@ fn limit([mut inside, mut outside]: [f64; 2], is_inside: impl Fn(f64) -> bool) -
 
 /// Whether a bit sticks again and again, by waves handed on from piece to piece of a metre.
 fn sticks_by_waves(string: &Drillstring, surface_speed: f64) -> bool {
-    let timing = torsion_timing(string, surface_speed, &BIT);
+    let timing = torsion_timing(string, surface_speed, &BIT, &sim::Start::Rest);
     let mut lattice = PlainLattice::new(string, 1.0);
     let compliance = lattice.compliance();
     let steps = (timing.duration / lattice.step) as usize;
@@ -84,10 +84,11 @@ fn sharp_fronts_leave_the_limit_of_stick_slip_where_waves_have_it() {
             let simulator = Simulator::new(&responses).unwrap();
             let found = limit([0.15, 0.35], |speed| {
                 let scene = Scene {
+                    start: sim::Start::Rest,
                     surface_speed: rpm(speed),
                     bit: Some(BIT),
                     lateral: None,
-                    timing: torsion_timing(&string, rpm(speed), &BIT),
+                    timing: torsion_timing(&string, rpm(speed), &BIT, &sim::Start::Rest),
                 };
                 let outcome = simulator.simulate(&scene, Stopping::Full, None).unwrap();
                 outcome.torsion.unwrap().regime == TorsionRegime::StickSlip
@@ -146,6 +147,7 @@ impl Pushed {
 
     fn run(&self, wall: Wall) -> LateralMeasures {
         let scene = Scene {
+            start: sim::Start::Rest,
             surface_speed: SPEED,
             bit: None,
             lateral: Some(Lateral {

@@ -320,6 +320,7 @@ impl Shaken {
                 ..*wall
             });
             let scene = Scene {
+                start: sim::Start::Rest,
                 surface_speed: self.surface_speed,
                 bit: None,
                 lateral: Some(Lateral {

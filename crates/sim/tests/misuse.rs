@@ -57,6 +57,7 @@ fn lateral_simulator(distances: &[f64]) -> Simulator {
 /// A bit alone.
 fn cutting() -> Scene {
     Scene {
+        start: sim::Start::Rest,
         surface_speed: 0.5,
         bit: Some(BIT),
         lateral: None,

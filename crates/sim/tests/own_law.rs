@@ -26,6 +26,7 @@ fn responses(torques: Vec<usize>) -> Responses {
 
 fn scene<B>(surface_speed: f64, bit: B) -> Scene<B, Wall> {
     Scene {
+        start: sim::Start::Rest,
         surface_speed,
         bit: Some(bit),
         lateral: None,
@@ -169,6 +170,7 @@ fn positions<W: WallLaw>(system: &System, wall: W) -> (Vec<[f64; 2]>, usize) {
         direction,
     };
     let scene: Scene<BitTorque, W> = Scene {
+        start: sim::Start::Rest,
         surface_speed: 6.0,
         bit: None,
         lateral: Some(Lateral {

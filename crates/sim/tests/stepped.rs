@@ -59,6 +59,7 @@ impl Both {
             direction: 0.3 * site as f64,
         };
         Scene {
+            start: sim::Start::Rest,
             surface_speed: std::f64::consts::TAU,
             bit,
             lateral: Some(Lateral {

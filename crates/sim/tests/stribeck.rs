@@ -15,6 +15,7 @@ fn measures(method: Method, sampling_frequency: f64, decay_rpm: f64) -> TorsionM
     };
     let responses = linear::responses(&academic::string(), &method, &request).unwrap();
     let scene = Scene {
+        start: sim::Start::Rest,
         surface_speed: 0.1 * RPM,
         bit: Some(BitTorque {
             torque_static: 4800.0,

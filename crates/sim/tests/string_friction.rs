@@ -85,6 +85,7 @@ fn pieces_one_by_one_are_the_whole_string() {
             };
             let responses = linear::responses(string, &method, &request).unwrap();
             let scene = Scene {
+                start: sim::Start::Rest,
                 surface_speed: 1.0,
                 bit: Some(law),
                 lateral: None,
@@ -98,7 +99,7 @@ fn pieces_one_by_one_are_the_whole_string() {
             let taps = linear::surface_torque(string, &method, &request).unwrap();
             let profile = SurfaceProfile::default();
             let torque = SurfaceTorque::new(&responses, &taps, &profile, 0.0).unwrap();
-            let at_surface = torque.of(1.0, &expected);
+            let at_surface = torque.of(1.0, &sim::Start::Rest, &expected);
             let mut torques = vec![NodeTorque::None; pieces];
             torques.push(NodeTorque::Bit(law));
             let scene = CascadeScene {

@@ -87,7 +87,7 @@ fn error(method: Method, frequency: f64) -> f64 {
         times: times.clone(),
         ..Trajectory::default()
     };
-    let found = surface.of(SPEED, &motion);
+    let found = surface.of(SPEED, &sim::Start::Rest, &motion);
     let fine = 1024.0;
     let exact = masses_and_springs(fine);
     let squares = times.iter().zip(found).map(|(time, found)| {

@@ -72,6 +72,7 @@ impl Case {
         record: Option<&mut Trajectory>,
     ) -> LateralMeasures {
         let scene = Scene {
+            start: sim::Start::Rest,
             surface_speed,
             bit: None,
             lateral: Some(lateral),
@@ -308,6 +309,7 @@ fn the_bit_cuts_and_touches_the_wall_at_once() {
     };
     let run = |friction: f64, ratio: f64| {
         let scene = Scene {
+            start: sim::Start::Rest,
             surface_speed: SPEED,
             bit: Some(bit),
             lateral: Some(case.at_bit(ratio, wall(friction))),
@@ -549,6 +551,7 @@ mod oscillator {
             direction,
         };
         let scene = Scene {
+            start: sim::Start::Rest,
             surface_speed: SPEED,
             bit: None,
             lateral: Some(Lateral {

@@ -54,6 +54,14 @@ impl TorqueLaw for BitTorque {
         turns_on.unwrap_or_else(|| self.hold_or_slip(line))
     }
 
+    fn turning_at(&self, speed: f64) -> BitMotion {
+        match speed {
+            0.0 => BitMotion::Stuck,
+            _ if speed > 0.0 => BitMotion::Forward,
+            _ => BitMotion::Backward,
+        }
+    }
+
     fn largest_drop(&self) -> f64 {
         self.torque_static - self.torque_dynamic
     }
@@ -91,8 +99,11 @@ impl BitTorque {
         })
     }
 
-    /// Torque against a bit that turns at a speed, rad/s.
-    fn torque_at(&self, speed: f64) -> f64 {
+    /// Torque against a bit that turns at a speed (rad/s), N m.
+    pub fn torque_at(&self, speed: f64) -> f64 {
+        if self.decay_speed == 0.0 {
+            return self.torque_dynamic;
+        }
         let more = self.torque_static - self.torque_dynamic;
         self.torque_dynamic + more * (-speed / self.decay_speed).exp()
     }

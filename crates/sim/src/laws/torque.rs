@@ -37,6 +37,11 @@ pub trait TorqueLaw {
     /// times until contacts agree.
     fn meet(&self, before: &Self::State, line: LoadLine) -> TorqueStep<Self::State>;
 
+    /// What it remembers of a bit that has been turning at a speed (rad/s), or at rest.
+    fn turning_at(&self, _speed: f64) -> Self::State {
+        Self::State::default()
+    }
+
     /// How far the torque falls at most where the bit slips, N m: no speed between is
     /// one that it has.
     fn largest_drop(&self) -> f64 {

@@ -1,13 +1,14 @@
 //! A string on which nothing acts but the torque on its bit: the motion until the first
 //! slip, and that of a bit that never stops, need no stepping.
 
-use linear::Responses;
+use linear::{Responses, SteadyMotion};
 
 use super::look_ahead::LookAhead;
 use super::stuck_torque::StuckTorque;
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
 use crate::scene::Scene;
+use crate::start::Start;
 use crate::stepper::Stepper;
 use crate::system::System;
 use crate::watch::rules::Rules;
@@ -51,8 +52,12 @@ impl BitAlone {
     /// Whether cycles that agree up to a step are going to repeat themselves: not before the
     /// start of the surface is over, and not if they are so short that the surface has not
     /// answered them yet, as where a bit that creeps is caught again and again by its collars.
-    pub(crate) fn repeats(&self, step: usize, watch: &BitWatch) -> bool {
-        step >= self.steady_from && watch.agreeing_steps() >= self.round_trip && watch.is_settled()
+    pub(crate) fn repeats(&self, start: &Start, step: usize, watch: &BitWatch) -> bool {
+        let steady_from = match start {
+            Start::Rest => self.steady_from,
+            Start::Steady(_) => 0,
+        };
+        step >= steady_from && watch.agreeing_steps() >= self.round_trip && watch.is_settled()
     }
 
     /// The torque that holds the bit fast, N m per rad/s of surface speed.
@@ -60,13 +65,16 @@ impl BitAlone {
         self.stuck_torque.torques()
     }
 
-    /// A scene from its first slip on.
+    /// A scene that begins at rest, from its first slip on; another from its start on.
     pub(crate) fn stepper<'a>(
         &'a self,
         system: &'a System,
         scene: &'a Scene,
         law: &BitTorque,
     ) -> Result<Stepper<'a>, SimulationError> {
+        if scene.start.steady().is_some() {
+            return Stepper::new(system, scene);
+        }
         let slip = (self.stuck_torque).first_slip(scene.surface_speed, law.torque_static);
         Stepper::at_first_slip(system, scene, self.stuck_torque(), slip)
     }
@@ -84,8 +92,41 @@ impl BitAlone {
         // A look ahead costs about as much as stepping half of what it sees.
         let is_time = watch.turning_for() == rules.turning_for * memory / 100
             && stepper.steps() - (step - 1) > memory / 2;
-        // The surface, too, has settled by then.
-        if !is_time || step + memory <= system.surface_settles(self.site) {
+        if !is_time {
+            return None;
+        }
+        let speeds = match stepper.start().steady() {
+            None => self.speeds_after_rest(system, stepper)?,
+            Some(motion) => self.speeds_after(motion, system, stepper)?,
+        };
+        let now = stepper.bit_step()?;
+        let keeps_on = |next: &f64| next.is_finite() && next * now.speed > 0.0;
+        speeds.iter().all(keeps_on).then_some(speeds)
+    }
+
+    /// The speeds of a bit that turns on, in a case that began with a steady motion: what its
+    /// torque differs by from that of this motion grows as evenly as that does.
+    fn speeds_after(
+        &self,
+        motion: &SteadyMotion,
+        system: &System,
+        stepper: &Stepper,
+    ) -> Option<Vec<f64>> {
+        let (step, memory) = (stepper.next_step(), self.look_ahead.memory());
+        let torque = stepper.bit_step()?.torque - motion.at_bit.at(system.sampling.time_of(step));
+        let growth = -motion.at_bit.rate / system.sampling.frequency;
+        let past = &stepper.torques(0)[step.saturating_sub(memory)..];
+        let mut speeds = (self.look_ahead).speeds(past.iter().copied(), torque, growth);
+        for speed in &mut speeds {
+            *speed += motion.speeds[self.site];
+        }
+        Some(speeds)
+    }
+
+    /// The same in a case that began at rest, as soon as the surface will have settled by then.
+    fn speeds_after_rest(&self, system: &System, stepper: &Stepper) -> Option<Vec<f64>> {
+        let (step, memory) = (stepper.next_step(), self.look_ahead.memory());
+        if step + memory <= system.surface_settles(self.site) {
             return None;
         }
         let (now, speed) = (stepper.bit_step()?, stepper.surface_speed());
@@ -95,11 +136,10 @@ impl BitAlone {
         let before = (first..slip.max(first)).map(held);
         let since = slip.max(first)..step;
         let torques = since.map(|n| stepper.torques(0)[n - slip] + held(n));
-        let mut speeds = self.look_ahead.speeds(before.chain(torques), now.torque);
+        let mut speeds = (self.look_ahead).speeds(before.chain(torques), now.torque, 0.0);
         for (ahead, value) in speeds.iter_mut().enumerate() {
             *value += speed * system.surface_response(self.site, step + ahead);
         }
-        let keeps_on = |next: &f64| next.is_finite() && next * now.speed > 0.0;
-        speeds.iter().all(keeps_on).then_some(speeds)
+        Some(speeds)
     }
 }

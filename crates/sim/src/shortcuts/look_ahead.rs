@@ -14,8 +14,9 @@ use realfft::{ComplexToReal, RealToComplex};
 pub(crate) struct LookAhead {
     memory: usize,
     spectrum: Vec<Complex<f64>>,
-    /// Response to a torque of one that lasts.
+    /// Responses to a torque of one that lasts, and to one that grows by one a step.
     step_response: Vec<f64>,
+    ramp_response: Vec<f64>,
     forward: Arc<dyn RealToComplex<f64>>,
     inverse: Arc<dyn ComplexToReal<f64>>,
 }
@@ -43,14 +44,13 @@ impl LookAhead {
         forward
             .process(&mut signal, &mut spectrum)
             .expect("both buffers were made by the plan");
-        let step_response = taps.iter().scan(0.0, |sum, tap| {
-            *sum += tap;
-            Some(*sum)
-        });
+        let step_response = running_sums(taps);
+        let ramp_response = running_sums(&step_response);
         Self {
             memory,
             spectrum,
-            step_response: step_response.collect(),
+            step_response,
+            ramp_response,
             forward,
             inverse,
         }
@@ -62,9 +62,14 @@ impl LookAhead {
     }
 
     /// What the torques of the last steps, `past`, at most as many as are
-    /// remembered and the last one last, and from now on the torque `torque` add
-    /// to the speed, for as many steps as are remembered.
-    pub(crate) fn speeds(&self, past: impl Iterator<Item = f64>, torque: f64) -> Vec<f64> {
+    /// remembered and the last one last, and from now on `torque`, which grows by `growth` a
+    /// step, add to the speed, for as many steps as are remembered.
+    pub(crate) fn speeds(
+        &self,
+        past: impl Iterator<Item = f64>,
+        torque: f64,
+        growth: f64,
+    ) -> Vec<f64> {
         let mut signal = self.forward.make_input_vec();
         let mut known = 0;
         for (value, torque) in signal.iter_mut().zip(past.take(self.memory)) {
@@ -84,11 +89,20 @@ impl LookAhead {
         self.inverse
             .process(&mut product, &mut signal)
             .expect("both buffers were made by the plan");
-        let to_come = signal[known..].iter().zip(&self.step_response);
+        let ramps = std::iter::once(&0.0).chain(&self.ramp_response);
+        let to_come = signal[known..].iter().zip(&self.step_response).zip(ramps);
         to_come
-            .map(|(past, response)| past + torque * response)
+            .map(|((past, step), ramp)| past + torque * step + growth * ramp)
             .collect()
     }
+}
+
+fn running_sums(values: &[f64]) -> Vec<f64> {
+    let sums = values.iter().scan(0.0, |sum, value| {
+        *sum += value;
+        Some(*sum)
+    });
+    sums.collect()
 }
 
 #[cfg(test)]
@@ -106,12 +120,13 @@ mod tests {
         for known in [1usize, 150, 301, 900] {
             let mut torques: Vec<f64> = (0..known).map(|n| ((n * 7) % 23) as f64).collect();
             let past = torques[known.saturating_sub(301)..].iter().copied();
-            let found = ahead.speeds(past, -2.5);
+            let found = ahead.speeds(past, -2.5, 0.25);
             assert_eq!(found.len(), 301);
-            for found in found {
-                let expected = kernel.past_sum(&torques) + kernel.instant() * -2.5;
-                assert!((found - expected).abs() < 1e-10);
-                torques.push(-2.5);
+            for (step, found) in found.into_iter().enumerate() {
+                let torque = -2.5 + 0.25 * step as f64;
+                let expected = kernel.past_sum(&torques) + kernel.instant() * torque;
+                assert!((found - expected).abs() < 1e-9);
+                torques.push(torque);
             }
         }
     }
