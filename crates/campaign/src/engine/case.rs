@@ -1,9 +1,9 @@
 //! One case: its values and its scene.
 
-use sim::{BitTorque, Lateral, NodeTorque, Scene, Timing, torsion_timing};
+use sim::{BitTorque, Lateral, NodeTorque, Scene, Start, Timing, torsion_timing};
 
 use super::case_error::CaseError;
-use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Sweep};
+use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Starts, Sweep};
 use crate::sweep_file::AutoOr;
 
 /// One case of a sweep.
@@ -17,6 +17,8 @@ pub struct Case {
     pub torque_dynamic_nm: Option<f64>,
     /// Under which conditions.
     pub conditions: Conditions,
+    /// How it begins.
+    pub starts: Starts,
     /// What is simulated.
     pub scene: Scene,
     /// The torque at each node of a string that rubs along its well, that on the bit included.
@@ -66,15 +68,18 @@ impl Case {
             })
             .transpose()?;
         let all = torques.as_deref().map_or(bit, together);
+        let start = sweep.starts.first(setting, surface_speed, bit.as_ref());
         let mut timing = all.map_or(BY_DEFAULT, |all| {
-            torsion_timing(&setting.string, surface_speed, &all)
+            torsion_timing(&setting.string, surface_speed, &all, &start)
         });
         if setting.lateral.is_some() {
             // Two regimes are to be told.
             timing.duration = timing.duration.max(BY_DEFAULT.duration);
             timing.closing_window = timing.closing_window.max(BY_DEFAULT.closing_window);
         }
-        timing.duration += setting.profile.rise();
+        if start == Start::Rest {
+            timing.duration += setting.profile.rise();
+        }
         if let AutoOr::Given(duration) = sweep.time {
             timing.duration = duration;
         }
@@ -84,8 +89,10 @@ impl Case {
             torque_dynamic_nm,
             conditions: conditions.clone(),
             along_string: torques,
+            starts: sweep.starts,
             scene: Scene {
                 surface_speed,
+                start,
                 bit,
                 lateral: (setting.lateral.as_ref())
                     .map(|settings| lateral_scene(settings, conditions))
@@ -104,7 +111,23 @@ impl Case {
         let lateral = lateral.map(|settings| lateral_scene(settings, &self.conditions));
         let mut case = self.clone();
         case.scene.lateral = lateral.transpose()?;
+        case.scene.start = self.start_of(setting);
         Ok(case)
+    }
+
+    /// The motion that it begins with at the sites of a setting.
+    pub fn start_of(&self, setting: &Setting) -> Start {
+        let Scene { surface_speed, bit, .. } = &self.scene;
+        self.starts.first(setting, *surface_speed, bit.as_ref())
+    }
+
+    /// The same case as it begins the other way, where it begins both ways.
+    pub fn begun_otherwise(&self, setting: &Setting) -> Option<Self> {
+        let Scene { surface_speed, bit, .. } = &self.scene;
+        let start = self.starts.second(setting, *surface_speed, bit.as_ref())?;
+        let mut case = self.clone();
+        case.scene.start = start;
+        Some(case)
     }
 }
 

@@ -170,7 +170,8 @@ impl MethodSystem {
         }
         let steps = motion.speeds.first().map_or(0, Vec::len);
         let (system, speed) = (self.simulator.system(), case.scene.surface_speed);
-        Some(system.driven_speeds(speed, &motion.bit_torque, steps))
+        let start = case.start_of(&self.setting);
+        Some(system.driven_speeds(speed, &start, &motion.bit_torque, steps))
     }
 
     /// Makes the torque known that turns the surface, so that motions have it.
@@ -191,7 +192,7 @@ impl MethodSystem {
     /// string in pieces the motion has it.
     pub fn add_surface_torque(&self, case: &Case, motion: &mut Trajectory) {
         if let Some(torque) = &self.surface_torque {
-            motion.surface_torque = torque.of(case.scene.surface_speed, motion);
+            motion.surface_torque = torque.of(case.scene.surface_speed, &case.scene.start, motion);
         }
     }
 

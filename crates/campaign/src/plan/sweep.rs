@@ -13,6 +13,7 @@ use super::data::Data;
 use super::map::{self, MapSettings};
 use super::methods;
 use super::setting::Setting;
+use super::start::{self, Starts};
 use super::string;
 use super::texts;
 use crate::design::Design;
@@ -38,6 +39,8 @@ pub struct Sweep {
     pub certifying: Option<[usize; 2]>,
     /// What was chosen for the accuracy asked for.
     pub choice: Option<Choice>,
+    /// How cases begin.
+    pub starts: Starts,
     /// Time simulated, s; by default until the regime can be told.
     pub time: AutoOr,
     /// Torque at the bit, where it is modelled.
@@ -93,6 +96,11 @@ impl Sweep {
         let table = content.bit.as_ref();
         let bit = table.map(|bit| bit::resolve(&source, bit)).transpose()?;
         let weight_pushes = content.axial_force.is_some();
+        let starts = start::resolve(&source, &content)?;
+        if bit.is_some() {
+            // However it was found: what a run means includes it.
+            content.start = Some(starts.name);
+        }
         let design = Design::resolve(&source, content.design.as_ref(), weight_pushes, text_of)?;
         let data = Data::read(&source, &content, &design, text_of)?;
         let conditions = conditions::resolve(&source, &content, data.fastest_surface_rpm())?;
@@ -131,6 +139,7 @@ impl Sweep {
             choice: None,
             map,
             name,
+            starts,
             time,
             bit,
             conditions,

@@ -11,6 +11,7 @@ use super::lateral::{
 };
 use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
+use super::start::StartName;
 use super::number_or::{Accuracy, AutoOr, is_false, is_zero};
 use super::string::StringTable;
 use super::top_drive::TopDriveTable;
@@ -30,6 +31,14 @@ pub struct FileContent {
     pub string: StringTable,
     /// Surface speed that is set, unless an axis gives it.
     pub surface_speed_rpm: Option<f64>,
+    /// The motion that every case begins with. Default: `stuck` where a torque acts on the bit
+    /// and nothing else decides, `ramp` otherwise and with `surface_speed_rise_s`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start: Option<StartName>,
+    /// By what part of itself the torque on the bit rises at t = 0 of a smooth start.
+    /// Default 0.01.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start_disturbance: Option<f64>,
     /// Time in which the surface comes to it from rest at t = 0, s. Default 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub surface_speed_rise_s: f64,

@@ -89,7 +89,7 @@ fn limit(string: &Drillstring, law: BitTorque, places: f64, [low, high]: [f64; 2
 /// Whether the bit is recaptured again and again, in the closing window too.
 fn sticks_and_slips(string: &Drillstring, law: BitTorque, places: f64, rpm: f64) -> bool {
     let speed = rpm * TAU / 60.0;
-    let timing = torsion_timing(string, speed, &law);
+    let timing = torsion_timing(string, speed, &law, &sim::Start::Rest);
     let law = Friction {
         torque_static: law.torque_static,
         torque_dynamic: law.torque_dynamic,

@@ -1,0 +1,134 @@
+//! `start`: the motion that a case begins with, which may decide whether the bit sticks and slips.
+//!
+//! Asked of a map is whether stick-slip can last. So a case begins as one does in which the bit
+//! has just been held, unless its file says otherwise: the string winds up steadily, the torque on
+//! the bit has come to T_s, and it breaks loose.
+
+use linear::Drillstring;
+use linear::steady::{rotation, rotation_speed, winding};
+use sim::{BitTorque, Start};
+
+use super::setting::Setting;
+use crate::sweep_file::{FileContent, Source, StartName, SweepFileError};
+
+/// The step of the torque on a bit that turns smoothly, as a part of that torque.
+const DISTURBANCE: f64 = 0.01;
+
+/// How the cases of a sweep begin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Starts {
+    /// As the file says, or by default.
+    pub name: StartName,
+    /// By what part of itself the torque on a smoothly turning bit rises at t = 0.
+    pub disturbance: f64,
+}
+
+/// The start of a file: what it says, or that of a bit which has just been held.
+///
+/// # Errors
+/// Where it does not suit the rest of the file.
+pub fn resolve(source: &Source, content: &FileContent) -> Result<Starts, SweepFileError> {
+    let name = match (content.start, rest_only(content)) {
+        (None, None) if !source.gives("surface_speed_rise_s") => StartName::Stuck,
+        (None, _) => StartName::Ramp,
+        (Some(name), why) => {
+            check(source, content, name, why)?;
+            name
+        }
+    };
+    let is_disturbed = matches!(name, StartName::Smooth | StartName::Both);
+    let disturbance = match content.start_disturbance {
+        None => DISTURBANCE,
+        Some(part) => {
+            let key = "start_disturbance";
+            let message = "is the step of torque of a smooth start: it needs `start = \"smooth\"` \
+                           or `\"both\"`";
+            source.refuse_if(!is_disturbed, key, message)?;
+            source.within(key, part, 0.0, 1.0, "")?
+        }
+    };
+    Ok(Starts { name, disturbance })
+}
+
+/// Why the cases of a file begin at rest, whatever it says, if they do.
+fn rest_only(content: &FileContent) -> Option<&'static str> {
+    if content.bit.is_none() {
+        return Some("needs a table [bit]: without a torque on the bit there is no other start");
+    }
+    if content.string_friction.is_some() {
+        return Some("with [string_friction] a case begins at rest: only `\"ramp\"` is possible");
+    }
+    if content.surface_speed_file.is_some() {
+        return Some("the surface turns as it was recorded: only `\"ramp\"` is possible");
+    }
+    if !content.compare.is_empty() {
+        return Some("what is compared with a recording begins as that does: use `\"ramp\"`");
+    }
+    None
+}
+
+fn check(
+    source: &Source,
+    content: &FileContent,
+    name: StartName,
+    rest_only: Option<&str>,
+) -> Result<(), SweepFileError> {
+    if name == StartName::Ramp {
+        return Ok(());
+    }
+    if let Some(message) = rest_only {
+        return Err(source.error("start", message));
+    }
+    let message = format!(
+        "a case that begins {} does not wait for the surface: leave it out, or write \
+         `start = \"ramp\"`",
+        match name {
+            StartName::Smooth => "in smooth rotation",
+            _ => "with the bit held",
+        }
+    );
+    let rises = content.surface_speed_rise_s != 0.0;
+    source.refuse_if(rises, "surface_speed_rise_s", message)?;
+    let has_wall = content.wall.is_some();
+    let message = "with a [wall] a case begins one way: `\"stuck\"`, `\"smooth\"` or `\"ramp\"`";
+    source.refuse_if(name == StartName::Both && has_wall, "start", message)
+}
+
+impl Starts {
+    /// The motion that a case of a setting begins with, at a surface speed (rad/s): of both, the
+    /// one with the bit held.
+    pub fn first(&self, setting: &Setting, surface_speed: f64, bit: Option<&BitTorque>) -> Start {
+        let (string, sites) = (&setting.string, &setting.sites);
+        match (self.name, bit) {
+            (StartName::Ramp, _) | (_, None) => Start::Rest,
+            (StartName::Smooth, Some(bit)) => self.smooth(setting, surface_speed, bit),
+            (StartName::Stuck | StartName::Both, Some(bit)) => {
+                Start::Steady(winding(string, sites, surface_speed, bit.torque_static))
+            }
+        }
+    }
+
+    /// The other one of both.
+    pub fn second(
+        &self,
+        setting: &Setting,
+        surface_speed: f64,
+        bit: Option<&BitTorque>,
+    ) -> Option<Start> {
+        let bit = bit.filter(|_| self.name == StartName::Both)?;
+        Some(self.smooth(setting, surface_speed, bit))
+    }
+
+    fn smooth(&self, setting: &Setting, surface_speed: f64, bit: &BitTorque) -> Start {
+        let string = &setting.string;
+        let torque = steady_torque(string, surface_speed, bit);
+        let before = (1.0 - self.disturbance) * torque;
+        Start::Steady(rotation(string, &setting.sites, surface_speed, before))
+    }
+}
+
+/// Torque (N m) against a bit that rotates with its string.
+fn steady_torque(string: &Drillstring, surface_speed: f64, bit: &BitTorque) -> f64 {
+    let speed = rotation_speed(string, surface_speed, bit.torque_dynamic);
+    bit.torque_at(speed.abs())
+}

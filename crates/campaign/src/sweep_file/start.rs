@@ -1,0 +1,29 @@
+//! `start`: the names of the motions that a case may begin with.
+
+use serde::{Deserialize, Serialize};
+
+/// The motion that every case begins with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum StartName {
+    /// Steady rotation, the bit sliding, and a small step of the torque on it.
+    Smooth,
+    /// Rest: the surface starts to turn, at once or over `surface_speed_rise_s`.
+    Ramp,
+    /// Steady winding with the bit held, which breaks loose at t = 0.
+    Stuck,
+    /// Both `Smooth` and `Stuck`, one after the other.
+    Both,
+}
+
+impl StartName {
+    /// As it is written.
+    pub fn name(self) -> &'static str {
+        match self {
+            StartName::Smooth => "smooth",
+            StartName::Ramp => "ramp",
+            StartName::Stuck => "stuck",
+            StartName::Both => "both",
+        }
+    }
+}
