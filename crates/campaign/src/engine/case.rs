@@ -117,13 +117,17 @@ impl Case {
 
     /// The motion that it begins with at the sites of a setting.
     pub fn start_of(&self, setting: &Setting) -> Start {
-        let Scene { surface_speed, bit, .. } = &self.scene;
+        let Scene {
+            surface_speed, bit, ..
+        } = &self.scene;
         self.starts.first(setting, *surface_speed, bit.as_ref())
     }
 
     /// The same case as it begins the other way, where it begins both ways.
     pub fn begun_otherwise(&self, setting: &Setting) -> Option<Self> {
-        let Scene { surface_speed, bit, .. } = &self.scene;
+        let Scene {
+            surface_speed, bit, ..
+        } = &self.scene;
         let start = self.starts.second(setting, *surface_speed, bit.as_ref())?;
         let mut case = self.clone();
         case.scene.start = start;

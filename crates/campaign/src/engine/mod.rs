@@ -35,7 +35,7 @@ pub use idle_axis::why_idle;
 pub use instability::{Instability, is_unstable};
 pub use limit::{LimitPoint, stick_slip_limit};
 pub use memory::StringMemory;
-pub use record::{Failure, Found, Record, certified};
+pub use record::{ByStart, Failure, Found, Record, certified};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use simulation::Simulation;

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use serde::{Deserialize, Serialize};
-use sim::Outcome;
+use sim::{Outcome, TorsionRegime};
 use thiserror::Error;
 
 use super::verdict::{Certified, Verdict};
@@ -37,6 +37,15 @@ pub struct Found {
     pub rounds: usize,
 }
 
+/// How the bit of a case turns that begins in two ways.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ByStart {
+    /// With the bit held.
+    pub stuck: TorsionRegime,
+    /// In smooth rotation.
+    pub smooth: TorsionRegime,
+}
+
 /// A case done by one method.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Record {
@@ -64,6 +73,9 @@ pub struct Record {
     /// that is to certify its label, and has an answer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub finer: Option<Verdict>,
+    /// How the bit turns from each start of a case that begins both ways.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub by_start: Option<ByStart>,
     /// Where it was found to touch its wall, where that is looked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub found: Option<Found>,
@@ -92,6 +104,7 @@ impl Record {
             site_from_bit_m: None,
             misfits: Vec::new(),
             finer: None,
+            by_start: None,
             found: None,
             outcome: Err(reason),
         }
@@ -112,7 +125,7 @@ pub fn certified(case: &[Record], places: [usize; 2]) -> Certified {
 
 #[cfg(test)]
 mod tests {
-    use sim::{Ended, TorsionMeasures, TorsionRegime};
+    use sim::{Ended, TorsionMeasures};
 
     use super::*;
 

@@ -7,15 +7,15 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use linear::{ChannelResponses, Method, Responses};
 use sim::{
-    CascadeScene, CascadeSimulator, Outcome, Scene, SimulationError, Simulator, Stopping,
-    SurfaceTorque, Trajectory,
+    CascadeScene, CascadeSimulator, Label, Outcome, Scene, SimulationError, Simulator, Stopping,
+    SurfaceTorque, TorsionRegime, Trajectory,
 };
 
 use super::case::Case;
 use super::case_error::CaseError;
 use super::front::{Front, Overshoot};
 use super::instability::{Instability, is_unstable};
-use super::record::{Failure, Record};
+use super::record::{ByStart, Failure, Record};
 use super::run_options::RunOptions;
 use super::verdict::Verdict;
 use crate::plan::{Setting, Sweep};
@@ -210,9 +210,40 @@ impl MethodSystem {
         if self.instability().is_some() {
             return None;
         }
-        let simulate = AssertUnwindSafe(|| self.simulate(case, stopping, None));
+        let simulate = AssertUnwindSafe(|| {
+            let mut outcome = self.simulate(case, stopping, None)?;
+            self.begin_otherwise(case, stopping, &mut outcome)?;
+            Ok::<_, SimulationError>(outcome)
+        });
         let outcome = catch_unwind(simulate).ok()?.ok()?;
         Some(Verdict::of(&outcome, self.above_limit(&case.scene)))
+    }
+
+    /// Simulates a case that begins both ways from its other start, too: the label of what came
+    /// out of the first becomes that of both.
+    ///
+    /// # Errors
+    /// Where the case, begun otherwise, gives no answer.
+    fn begin_otherwise(
+        &self,
+        case: &Case,
+        stopping: Stopping,
+        outcome: &mut Outcome,
+    ) -> Result<Option<ByStart>, SimulationError> {
+        let Some(other) = case.begun_otherwise(&self.setting) else {
+            return Ok(None);
+        };
+        let other = self.simulate(&other, stopping, None)?;
+        let (Some(torsion), Some(other)) = (&mut outcome.torsion, other.torsion) else {
+            return Ok(None);
+        };
+        let (stuck, smooth) = (torsion.regime, other.regime);
+        torsion.regime = TorsionRegime::from_two_starts(stuck, smooth);
+        // What was predicted is of the first start.
+        if outcome.predicted == Some(Label::Torsion(stuck)) {
+            outcome.predicted = Some(Label::Torsion(torsion.regime));
+        }
+        Ok(Some(ByStart { stuck, smooth }))
     }
 
     /// The same by its shorter steps, where it has any.
@@ -239,14 +270,18 @@ impl MethodSystem {
             return failed(CaseError::Unstable(instability));
         }
         let stopping = options.stopping(case.index);
+        let mut by_start = None;
         let simulated = catch_unwind(AssertUnwindSafe(|| {
-            self.simulate(case, stopping, motion.as_deref_mut())
+            let mut outcome = self.simulate(case, stopping, motion.as_deref_mut())?;
+            by_start = self.begin_otherwise(case, stopping, &mut outcome)?;
+            Ok::<_, SimulationError>(outcome)
         }));
         let friction = self.setting.friction.as_ref();
         let sites = friction.map_or(&self.setting.sites, |friction| &friction.nodes);
         let distances = sites.distances_from_bit();
         let mut record = failed(CaseError::Panicked);
         record.torque_dynamic_nm = case.torque_dynamic_nm;
+        record.by_start = by_start;
         if let Ok(simulated) = simulated {
             let lateral = simulated.as_ref().ok().and_then(|outcome| outcome.lateral);
             record.site_from_bit_m = lateral.map(|lateral| distances[lateral.site]);

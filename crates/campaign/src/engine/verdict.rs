@@ -69,12 +69,12 @@ impl Certified {
     }
 }
 
-/// Stick-slip is certain below its limit, smooth drilling above. A case that was too short
+/// Stick-slip is certain below its limit, from one start or from any; smooth drilling above. A case that was too short
 /// for the bit to turn tells nothing.
 fn torsion(verdicts: &[Verdict]) -> Option<TorsionRegime> {
     let regime = the_same(verdicts.iter().map(|verdict| verdict.torsion))?;
     let side = match regime {
-        TorsionRegime::StickSlip => -1.0,
+        TorsionRegime::StickSlip | TorsionRegime::Bistable => -1.0,
         TorsionRegime::Smooth => 1.0,
         TorsionRegime::Stuck => return None,
     };

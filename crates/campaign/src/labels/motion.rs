@@ -112,11 +112,12 @@ impl Labels {
     }
 }
 
-/// Whether a label is one of sustained vibration; none for that of a case too short to tell.
+/// Whether a label is one of sustained vibration, which the other start of a bistable case has;
+/// none for that of a case too short to tell.
 pub fn is_sustained(label: Label) -> Option<bool> {
     match label {
         Label::Torsion(TorsionRegime::Stuck) => None,
-        Label::Torsion(regime) => Some(regime == TorsionRegime::StickSlip),
+        Label::Torsion(regime) => Some(regime != TorsionRegime::Smooth),
         Label::Lateral(regime) => Some(matches!(
             regime,
             LateralRegime::BackwardWhirl | LateralRegime::ForwardWhirl

@@ -8,6 +8,7 @@ use super::motion::Labels;
 use crate::engine::{Record, Verdict, certified};
 use crate::plan::{Sweep, to_rpm};
 use crate::quantities::Axis;
+use crate::sweep_file::StartName;
 
 /// Columns that follow the axes.
 const RESULT_COLUMNS: [(&str, Kind); 23] = [
@@ -62,6 +63,12 @@ const CERTIFICATE_COLUMNS: [(&str, Kind); 7] = [
     ("lateral_certified", Kind::Flag),
 ];
 
+/// Columns of how the bit turns from each start, where cases begin in both ways.
+const START_COLUMNS: [(&str, Kind); 2] = [
+    ("torsion_from_stuck", Kind::Text),
+    ("torsion_from_smooth", Kind::Text),
+];
+
 /// Columns of the sites that a case was found to have besides those of the file, with `;` between
 /// them, and of how often it was run again for them.
 pub const FOUND_COLUMNS: [(&str, Kind); 2] = [
@@ -95,6 +102,8 @@ pub struct LabelTable<'a> {
     pub misfits: Vec<&'a str>,
     /// The places of the methods that certify labels, where any do.
     pub certifying: Option<[usize; 2]>,
+    /// Whether cases begin in both ways.
+    pub shows_starts: bool,
     /// Whether sites are found.
     pub shows_found: bool,
 }
@@ -112,6 +121,7 @@ impl<'a> LabelTable<'a> {
                 .map(|comparison| comparison.column.as_str())
                 .collect(),
             certifying: sweep.certifying,
+            shows_starts: sweep.starts.name == StartName::Both,
             shows_found: shows_found(sweep),
         }
     }
@@ -135,6 +145,7 @@ impl<'a> LabelTable<'a> {
         let misfits = self.misfits.iter().map(|&column| (column, Kind::Number));
         add(&misfits.collect::<Vec<_>>(), true);
         add(&CERTIFICATE_COLUMNS, self.certifying.is_some());
+        add(&START_COLUMNS, self.shows_starts);
         add(&FOUND_COLUMNS, self.shows_found);
         columns
     }
@@ -211,6 +222,11 @@ impl<'a> LabelTable<'a> {
             row.add_finer(&record.finer.unwrap_or_default());
             row.add_optional(certainty.torsion);
             row.add_optional(certainty.lateral);
+        }
+        if self.shows_starts {
+            let by_start = record.by_start;
+            row.add_optional(by_start.map(|it| it.stuck.name()));
+            row.add_optional(by_start.map(|it| it.smooth.name()));
         }
         if self.shows_found {
             let found = record.found.as_ref();

@@ -11,8 +11,8 @@ use super::lateral::{
 };
 use super::map::MapTable;
 use super::methods::{MethodName, MethodTables};
-use super::start::StartName;
 use super::number_or::{Accuracy, AutoOr, is_false, is_zero};
+use super::start::StartName;
 use super::string::StringTable;
 use super::top_drive::TopDriveTable;
 use super::well::{AxialForceTable, MudTable, StringFrictionTable, WellTable};

@@ -17,6 +17,20 @@ with_words! {
         /// Recaptured again and again, in the closing window too: the ringing of
         /// the start may recapture the bit often before it dies away.
         StickSlip = "stick_slip",
+        /// Either, as the motion began: recaptured again and again from one start, turning on
+        /// from another. No single simulation has it.
+        Bistable = "bistable",
+    }
+}
+
+impl TorsionRegime {
+    /// That of a case simulated from two starts.
+    pub fn from_two_starts(one: Self, other: Self) -> Self {
+        match (one, other) {
+            (Self::Stuck, _) | (_, Self::Stuck) => Self::Stuck,
+            _ if one == other => one,
+            _ => Self::Bistable,
+        }
     }
 }
 

@@ -59,8 +59,10 @@ impl Cells {
         let most = [
             Symbol::Disc,
             Symbol::HeavyCross,
+            Symbol::FilledDiamond,
             Symbol::Circle,
             Symbol::Cross,
+            Symbol::Diamond,
             Symbol::Square,
         ]
         .into_iter()

@@ -1,18 +1,29 @@
 //! The symbol of a case.
 
+use sim::{Label, TorsionRegime};
+
 use crate::output::{CaseRows, Motion};
 use crate::plot::Symbol;
 
 /// The paper's symbols for a motion: a circle where every method finds sustained
-/// vibration, a cross where none does, a square where they differ. None where a
+/// vibration, a cross where none does, a square where they differ; and a diamond where by
+/// every method the start decides. None where a
 /// method has no answer, or one that tells nothing.
 pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
-    let mut sustained = 0;
+    let (mut sustained, mut bistable) = (0, 0);
     for row in &case.rows {
         sustained += usize::from(row.labels.is_sustained(motion)?);
+        bistable += usize::from(row.labels.get(motion) == Some(BISTABLE));
     }
-    Some(symbol_of_counts(sustained, case.rows.len()))
+    let methods = case.rows.len();
+    Some(match bistable {
+        0 => symbol_of_counts(sustained, methods),
+        _ if bistable == methods => Symbol::Diamond,
+        _ => Symbol::Square,
+    })
 }
+
+const BISTABLE: Label = Label::Torsion(TorsionRegime::Bistable);
 
 /// The same as a map has it: filled where the case is certain.
 pub fn drawn_symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {

@@ -102,7 +102,9 @@ impl TracedMap<'_> {
 /// Regions where all methods agree are all or none of the cases.
 fn as_part(ground: Ground) -> Ground {
     match ground {
-        Ground::Symbol(Symbol::Circle | Symbol::Disc) => Ground::Part(Part::of(1.0)),
+        Ground::Symbol(Symbol::Circle | Symbol::Disc | Symbol::Diamond | Symbol::FilledDiamond) => {
+            Ground::Part(Part::of(1.0))
+        }
         Ground::Symbol(Symbol::Cross | Symbol::HeavyCross) => Ground::Part(Part::of(0.0)),
         Ground::Symbol(Symbol::Square) | Ground::Part(_) | Ground::Safety(_) | Ground::NoCase => {
             ground

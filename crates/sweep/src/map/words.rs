@@ -55,10 +55,15 @@ pub fn range(axis: Axis, range: [f64; 2], units: Units) -> String {
 }
 
 /// What the symbols of a motion mean, `by_all` methods.
-pub fn meanings(motion: Motion, by_all: &str) -> [(Symbol, String); 3] {
+pub fn meanings(motion: Motion, by_all: &str) -> [(Symbol, String); 4] {
     let [regime, none] = motion.regimes();
+    let comma = if by_all.is_empty() { "" } else { "," };
     [
         (Symbol::Circle, format!("{regime}{by_all}")),
+        (
+            Symbol::Diamond,
+            format!("{regime} or {none}, depending on the start{comma}{by_all}"),
+        ),
         (Symbol::Cross, format!("{none}{by_all}")),
         (Symbol::Square, "methods differ".to_owned()),
     ]
@@ -115,7 +120,7 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Gr
 }
 
 /// The meanings of symbols where it is told of each case if it is certain.
-fn by_certainty(meanings: [(Symbol, String); 3]) -> Vec<(Symbol, String)> {
+fn by_certainty(meanings: [(Symbol, String); 4]) -> Vec<(Symbol, String)> {
     let of_symbol = |(symbol, meaning): (Symbol, String)| {
         let certain = symbol.certified();
         if certain == symbol {

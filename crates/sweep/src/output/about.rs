@@ -31,6 +31,9 @@ pub struct About {
     /// The places of the methods that certify labels, where any do.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certifying: Option<[usize; 2]>,
+    /// Whether it has columns of how the bit turns from each start.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shows_starts: bool,
     /// Whether it has columns of sites that were found.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shows_found: bool,
@@ -70,6 +73,7 @@ impl About {
                 .map(str::to_owned)
                 .collect(),
             certifying: sweep.certifying,
+            shows_starts: LabelTable::of(sweep).shows_starts,
             shows_found: shows_found(sweep),
             sweep_file: sweep_file.display().to_string(),
             simulations: (!is_trace).then(|| pairs_of(sweep, shard)),
@@ -86,6 +90,7 @@ impl About {
             shows_string_torque: self.shows_string_torque,
             misfits: self.misfits.iter().map(String::as_str).collect(),
             certifying: self.certifying,
+            shows_starts: self.shows_starts,
             shows_found: self.shows_found,
         }
     }

@@ -8,7 +8,7 @@ use sim::{
     TorsionMeasures, TorsionRegime,
 };
 
-use campaign::engine::{Failure, Found, LateralVerdict, Record, Verdict};
+use campaign::engine::{ByStart, Failure, Found, LateralVerdict, Record, Verdict};
 use campaign::labels::Certainty;
 use campaign::labels::{LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, to_kn, to_mm, to_turns};
 use campaign::plan::{Sweep, to_rpm};
@@ -54,6 +54,9 @@ pub fn record_of(
         record.finer = fields.finer()?;
         certainty.torsion = fields.optional()?;
         certainty.lateral = fields.optional()?;
+    }
+    if table.shows_starts && record.outcome.is_ok() {
+        record.by_start = fields.by_start()?;
     }
     if table.shows_found {
         record.found = found_of(row)?;
@@ -165,6 +168,18 @@ impl<'a> Fields<'a> {
             lateral,
         };
         Some((verdict != Verdict::default()).then_some(verdict))
+    }
+
+    /// None where the bit has no regime.
+    fn by_start(&mut self) -> Option<Option<ByStart>> {
+        let [stuck, smooth] = [self.word()?, self.word()?];
+        if stuck.is_empty() && smooth.is_empty() {
+            return Some(None);
+        }
+        Some(Some(ByStart {
+            stuck: TorsionRegime::of_name(stuck)?,
+            smooth: TorsionRegime::of_name(smooth)?,
+        }))
     }
 
     fn surface(&mut self) -> Option<SurfaceMeasures> {

@@ -12,6 +12,8 @@ pub(super) const SKY_BLUE: RGBColor = RGBColor(0x56, 0xB4, 0xE9);
 pub(super) const RED: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
 pub(super) const DARK_GREY: RGBColor = RGBColor(0x66, 0x66, 0x66);
 pub(super) const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
+/// Darker than the purple of Okabe and Ito, for thin lines.
+pub(super) const PLUM: RGBColor = RGBColor(0x9B, 0x3F, 0x75);
 /// Darker than that of Okabe and Ito, for thin lines on a tinted ground.
 pub(super) const VERMILION: RGBColor = RGBColor(0xB0, 0x3A, 0x00);
 
@@ -30,9 +32,11 @@ pub(super) const COLOURS: [RGBColor; 7] = [
 pub(super) const BLUE_GROUND: RGBColor = RGBColor(0x9A, 0xCD, 0xEC);
 pub(super) const GREY_GROUND: RGBColor = RGBColor(0xF3, 0xF3, 0xF3);
 pub(super) const ORANGE_GROUND: RGBColor = RGBColor(0xB3, 0x50, 0x00);
+pub(super) const PURPLE_GROUND: RGBColor = RGBColor(0xC9, 0x86, 0xAD);
 /// Of cases that are certain, darker than those that are not.
 pub(super) const CERTAIN_BLUE_GROUND: RGBColor = RGBColor(0x50, 0x97, 0xC8);
 pub(super) const CERTAIN_GREY_GROUND: RGBColor = RGBColor(0xD0, 0xD0, 0xD0);
+pub(super) const CERTAIN_PURPLE_GROUND: RGBColor = RGBColor(0x86, 0x3A, 0x66);
 /// From what is safe to what is not: from light to dark.
 pub(super) const SAFETY: [RGBColor; 4] = [
     RGBColor(0xEA, 0xF5, 0xFC),

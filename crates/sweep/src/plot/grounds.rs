@@ -3,8 +3,8 @@
 
 use super::canvas::{Canvas, Stroke};
 use super::colours::{
-    BLUE_GROUND, CERTAIN_BLUE_GROUND, CERTAIN_GREY_GROUND, GREY_GROUND, NO_CASE, ORANGE_GROUND,
-    PARTS, SAFETY,
+    BLUE_GROUND, CERTAIN_BLUE_GROUND, CERTAIN_GREY_GROUND, CERTAIN_PURPLE_GROUND, GREY_GROUND,
+    NO_CASE, ORANGE_GROUND, PARTS, PURPLE_GROUND, SAFETY,
 };
 use super::geometry::Rect;
 use super::symbols::Symbol;
@@ -83,6 +83,8 @@ pub(super) fn draw_ground(canvas: &mut Canvas, ground: Ground, area: Rect) -> Re
         Ground::Symbol(Symbol::Square) => ORANGE_GROUND,
         Ground::Symbol(Symbol::Disc) => CERTAIN_BLUE_GROUND,
         Ground::Symbol(Symbol::HeavyCross) => CERTAIN_GREY_GROUND,
+        Ground::Symbol(Symbol::Diamond) => PURPLE_GROUND,
+        Ground::Symbol(Symbol::FilledDiamond) => CERTAIN_PURPLE_GROUND,
         Ground::Part(part) => part.colour(),
         Ground::Safety(safety) => SAFETY[safety as usize],
         Ground::NoCase => return draw_strokes(canvas, area),

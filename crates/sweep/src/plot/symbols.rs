@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::canvas::{Canvas, Stroke};
-use super::colours::{BLUE, GREY, ORANGE};
+use super::colours::{BLUE, GREY, ORANGE, PLUM};
 use super::geometry::{Pixel, Rect};
 use anyhow::Result;
 use plotters::style::{BLACK, RGBColor, WHITE};
@@ -26,16 +26,22 @@ pub enum Symbol {
     Disc,
     /// No method finds the regime, and that is certain: a heavy cross.
     HeavyCross,
+    /// By every method the start decides: an open diamond.
+    Diamond,
+    /// By every method the start decides, and that is certain: a filled diamond.
+    FilledDiamond,
 }
 
 impl Symbol {
     /// Every one, in the order of their numbers.
-    pub const ALL: [Symbol; 5] = [
+    pub const ALL: [Symbol; 7] = [
         Symbol::Circle,
         Symbol::Cross,
         Symbol::Square,
         Symbol::Disc,
         Symbol::HeavyCross,
+        Symbol::Diamond,
+        Symbol::FilledDiamond,
     ];
 
     /// The same of a case that is certain.
@@ -43,6 +49,7 @@ impl Symbol {
         match self {
             Symbol::Circle => Symbol::Disc,
             Symbol::Cross => Symbol::HeavyCross,
+            Symbol::Diamond => Symbol::FilledDiamond,
             other => other,
         }
     }
@@ -66,6 +73,16 @@ pub(super) fn draw_symbol(
         }
         Symbol::Disc => canvas.disc((x, y), 1.1 * r, BLUE),
         Symbol::HeavyCross => draw_cross(canvas, (x, y), 0.85 * r, Stroke::solid(GREY, 0.6 * r)),
+        Symbol::Diamond => {
+            let far = 1.25 * r;
+            let (half, corners) = (0.5 * far, diamond((x, y), far));
+            let [top, right, bottom, left] = corners;
+            // Starting within a side leaves no notch at a corner.
+            let start = (x + half, y - half);
+            let path = [start, right, bottom, left, top, start];
+            canvas.line(&path, Stroke::solid(PLUM, 0.3 * r))
+        }
+        Symbol::FilledDiamond => canvas.polygon(&diamond((x, y), 1.4 * r), PLUM),
     }
 }
 
@@ -86,10 +103,7 @@ pub(super) fn draw_marker(
     let far = 1.3 * r;
     match kind % 6 {
         0 => canvas.disc((x, y), r, colour),
-        1 => {
-            let diamond = [(x, y - far), (x + far, y), (x, y + far), (x - far, y)];
-            canvas.polygon(&diamond, colour)
-        }
+        1 => canvas.polygon(&diamond((x, y), far), colour),
         2 => canvas.polygon(&triangle((x, y), far), colour),
         3 => canvas.polygon(&Rect::centred((x, y), 2.0 * r, 2.0 * r).corners(), colour),
         4 => draw_cross(canvas, (x, y), r, Stroke::solid(colour, 0.55 * r)),
@@ -122,6 +136,11 @@ pub(super) fn draw_triangle(canvas: &Canvas, centre: Pixel) -> Result<()> {
     // The halo is twice as far at the corners as along the sides.
     canvas.polygon(&triangle(centre, MARK_RADIUS + 2.0 * HALO), WHITE)?;
     canvas.polygon(&triangle(centre, MARK_RADIUS), BLACK)
+}
+
+/// Its corners from the top, clockwise.
+fn diamond((x, y): Pixel, far: f64) -> [Pixel; 4] {
+    [(x, y - far), (x + far, y), (x, y + far), (x - far, y)]
 }
 
 /// A star of five points, one of them up.

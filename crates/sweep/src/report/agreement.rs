@@ -2,6 +2,7 @@
 
 use crate::map::symbol_of;
 use crate::output::{CaseRows, Motion};
+use crate::plot::Symbol;
 
 /// Cases on which methods differ that are kept to be listed.
 const MOST_LISTED: usize = 30;
@@ -11,13 +12,40 @@ const MOST_LISTED: usize = 30;
 pub struct Agreement {
     /// Every two methods.
     pub pairs: Vec<Pair>,
-    /// Of each motion, cases drawn on its map as circle, cross and square, and those not
-    /// drawn: some method has no answer, or one that tells nothing.
-    pub shown: Vec<(Motion, [usize; 4])>,
+    /// Of each motion, what its map shows.
+    pub shown: Vec<(Motion, Shown)>,
     /// Cases on which answers differ.
     pub differing: usize,
     /// The first of them.
     pub listed: Vec<CaseRows>,
+}
+
+/// How many cases a map shows by each symbol.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Shown {
+    /// Every method finds sustained vibration.
+    pub circles: usize,
+    /// No method does.
+    pub crosses: usize,
+    /// The methods differ.
+    pub squares: usize,
+    /// The start decides.
+    pub diamonds: usize,
+    /// Not drawn: some method has no answer, or an undetermined one.
+    pub undrawn: usize,
+}
+
+impl Shown {
+    fn count(&mut self, symbol: Option<Symbol>) {
+        let place = match symbol {
+            Some(Symbol::Circle | Symbol::Disc) => &mut self.circles,
+            Some(Symbol::Cross | Symbol::HeavyCross) => &mut self.crosses,
+            Some(Symbol::Square) => &mut self.squares,
+            Some(Symbol::Diamond | Symbol::FilledDiamond) => &mut self.diamonds,
+            None => &mut self.undrawn,
+        };
+        *place += 1;
+    }
 }
 
 /// Two methods.
@@ -43,7 +71,10 @@ impl Agreement {
         });
         Self {
             pairs: pairs.collect(),
-            shown: motions.iter().map(|&motion| (motion, [0; 4])).collect(),
+            shown: motions
+                .iter()
+                .map(|&motion| (motion, Shown::default()))
+                .collect(),
             differing: 0,
             listed: Vec::new(),
         }
@@ -62,7 +93,7 @@ impl Agreement {
             }
         }
         for (motion, counts) in &mut self.shown {
-            counts[symbol_of(case, *motion).map_or(3, |symbol| symbol as usize)] += 1;
+            counts.count(symbol_of(case, *motion));
         }
         if case.differs() {
             self.differing += 1;
@@ -100,8 +131,17 @@ mod tests {
             .collect();
         let expected = [("ab", 1, 3), ("ac", 1, 2), ("bc", 2, 2)];
         assert_eq!(counts, expected.map(|(a, b, c)| (a.to_owned(), b, c)));
-        assert_eq!(agreement.shown, [(Motion::Torsion, [0, 1, 0, 2])]);
-        assert_eq!((agreement.differing, agreement.listed.len()), (2, 2));
+        agreement.add(&case(["bistable"; 3]));
+        agreement.add(&case(["bistable", "bistable", "stick_slip"]));
+        let shown = Shown {
+            crosses: 1,
+            squares: 1,
+            diamonds: 1,
+            undrawn: 2,
+            ..Shown::default()
+        };
+        assert_eq!(agreement.shown, [(Motion::Torsion, shown)]);
+        assert_eq!((agreement.differing, agreement.listed.len()), (3, 3));
     }
 
     #[test]

@@ -62,6 +62,7 @@ fn character(symbol: Symbol) -> char {
         Symbol::Circle | Symbol::Disc => 'O',
         Symbol::Cross | Symbol::HeavyCross => '.',
         Symbol::Square => '#',
+        Symbol::Diamond | Symbol::FilledDiamond => '?',
     }
 }
 

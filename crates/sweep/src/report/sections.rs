@@ -193,9 +193,14 @@ fn agreement(all: &[Results]) -> Vec<Block> {
     let header = ["methods", "same labels", "of cases", "part"];
     let mut pairs = table_of(all, "Cases on which two methods agree", &header);
     let has_two = motions(all).len() > 1;
-    let header = ["all sustained", "none", "methods differ", "not told"];
+    let mut shown = all.iter().flat_map(|results| &results.agreement.shown);
+    let depends_on_start = shown.any(|(_, shown)| shown.diamonds > 0);
     let motion = has_two.then_some("motion");
-    let header: Vec<&str> = motion.into_iter().chain(header).collect();
+    let bistable = depends_on_start.then_some("bistable");
+    let header: Vec<&str> = (motion.into_iter())
+        .chain(["all sustained", "none", "methods differ", "undetermined"])
+        .chain(bistable)
+        .collect();
     let mut symbols = table_of(all, "Cases by what the map is about", &header);
     for results in all {
         let agreement = &results.agreement;
@@ -208,10 +213,14 @@ fn agreement(all: &[Results]) -> Vec<Block> {
             ];
             pairs.rows.push(row_of(all, results, cells));
         }
-        for (motion, counts) in &agreement.shown {
+        for (motion, shown) in &agreement.shown {
             let motion = has_two.then(|| motion.adjective().to_owned());
-            let counts = counts.map(|count| count.to_string());
-            let cells = motion.into_iter().chain(counts).collect();
+            let counts = [shown.circles, shown.crosses, shown.squares, shown.undrawn];
+            let bistable = depends_on_start.then_some(shown.diamonds);
+            let counts = counts.into_iter().chain(bistable);
+            let cells = (motion.into_iter())
+                .chain(counts.map(|count| count.to_string()))
+                .collect();
             symbols.rows.push(row_of(all, results, cells));
         }
     }

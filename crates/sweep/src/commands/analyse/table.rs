@@ -3,8 +3,12 @@
 
 use std::fmt::Write;
 
+use sim::{Label, TorsionRegime};
+
 use crate::analysis::{Counts, MethodBlocks, wilson};
 use campaign::quantities::Axis;
+
+const BISTABLE: Label = Label::Torsion(TorsionRegime::Bistable);
 
 /// The table; axes that a row is not counted over are empty.
 pub fn counts_csv(all: &[Counts]) -> String {
@@ -16,7 +20,10 @@ pub fn counts_csv(all: &[Counts]) -> String {
                 let Some(place) = (of > 0).then(|| place(counts, cell)) else {
                     continue;
                 };
-                for label in motion.labels() {
+                // Of a label that only cases with two starts have, where there are any.
+                let is_listed =
+                    |label: &Label| *label != BISTABLE || group.labels.contains_key(label);
+                for label in motion.labels().into_iter().filter(is_listed) {
                     let in_cell = group.labels.get(&label).map_or(0, |cells| cells[cell]);
                     let Some(part) = wilson(in_cell, of) else {
                         continue;

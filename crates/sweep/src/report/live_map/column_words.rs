@@ -58,6 +58,8 @@ fn of_no_map(name: &str, units: Units) -> Option<(&'static str, Unit)> {
         ),
         "torsion_certified" => ("Label of torsion is certain", plain()),
         "lateral_certified" => ("Label of lateral motion is certain", plain()),
+        "torsion_from_stuck" => ("Torsion after the bit was held", plain()),
+        "torsion_from_smooth" => ("Torsion after smooth rotation", plain()),
         "found_sites_from_bit_m" => ("Sites found, m from the bit", plain()),
         "found_rounds" => ("Times run again for sites", plain()),
         _ => return None,
@@ -83,6 +85,7 @@ mod tests {
             shows_string_torque: true,
             misfits: Vec::new(),
             certifying: Some([0, 0]),
+            shows_starts: true,
             shows_found: true,
         };
         for (name, _) in all.columns() {

@@ -20,6 +20,8 @@ pub fn class_of_symbol(symbol: Symbol) -> &'static str {
         Symbol::Square => "square",
         Symbol::Disc => "disc",
         Symbol::HeavyCross => "heavy",
+        Symbol::Diamond => "diamond",
+        Symbol::FilledDiamond => "gem",
     }
 }
 
@@ -56,6 +58,14 @@ pub fn symbol_path(symbol: Symbol, (x, y): (f64, f64), radius: f64) -> String {
             number(x - radius),
             number(y - radius)
         ),
+        Symbol::Diamond | Symbol::FilledDiamond => {
+            let far = 1.3 * radius;
+            let (top, side) = (number(y - far), number(far));
+            format!(
+                "M{} {top}l{side} {side}l-{side} {side}l-{side} -{side}z",
+                number(x)
+            )
+        }
     }
 }
 
