@@ -69,11 +69,12 @@ fn simulate(
     duration: Option<f64>,
 ) -> TorsionMeasures {
     let bit = bit(torque);
-    let mut timing = torsion_timing(&academic::string(), rpm * RPM, &bit);
+    let mut timing = torsion_timing(&academic::string(), rpm * RPM, &bit, &sim::Start::Rest);
     if let Some(duration) = duration {
         timing.duration = duration;
     }
     let scene = Scene {
+        start: sim::Start::Rest,
         surface_speed: rpm * RPM,
         bit: Some(bit),
         lateral: None,
@@ -184,6 +185,7 @@ fn scaling_speed_and_torque_together_changes_no_label() {
     let simulator = simulator(&QUADRATURE);
     let timed = |rpm: f64, torque: f64, timing: Timing| {
         let scene = Scene {
+            start: sim::Start::Rest,
             surface_speed: rpm * RPM,
             bit: Some(bit(torque)),
             lateral: None,
@@ -198,7 +200,12 @@ fn scaling_speed_and_torque_together_changes_no_label() {
     for ratio in [0.02, 0.05, 0.057, 0.058, 0.1, 0.5, 3.0] {
         let torque = 2500.0;
         let rpm = ratio * 1e-3 * torque;
-        let timing = torsion_timing(&academic::string(), rpm * RPM, &bit(torque));
+        let timing = torsion_timing(
+            &academic::string(),
+            rpm * RPM,
+            &bit(torque),
+            &sim::Start::Rest,
+        );
         let one = timed(rpm, torque, timing);
         let doubled = timed(2.0 * rpm, 2.0 * torque, timing);
         assert_eq!(doubled.regime, one.regime);
@@ -221,6 +228,7 @@ fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
         let simulator = simulator(&method);
         let scene = Scene {
+            start: sim::Start::Rest,
             surface_speed: 0.1,
             bit: Some(bit(1e9)),
             lateral: None,
@@ -341,6 +349,7 @@ fn a_digital_filter_cut_short_has_the_wrong_stiffness() {
 fn roughness_while_stuck(method: &Method) -> f64 {
     let simulator = Simulator::new(&responses(method)).unwrap();
     let scene = Scene {
+        start: sim::Start::Rest,
         surface_speed: 0.1 * RPM,
         bit: Some(bit(4000.0)),
         lateral: None,

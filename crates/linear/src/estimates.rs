@@ -153,7 +153,7 @@ pub fn undershoot_time(string: &Drillstring) -> f64 {
 }
 
 /// Moment of inertia of the whole string about its axis, kg m².
-pub(crate) fn torsional_inertia(string: &Drillstring) -> f64 {
+pub fn torsional_inertia(string: &Drillstring) -> f64 {
     let moments = string
         .tubes()
         .map(|(count, tube)| count * tube.length * tube.polar_moment());

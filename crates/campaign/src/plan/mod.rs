@@ -9,6 +9,7 @@ mod compare;
 mod conditions;
 mod contacts;
 mod data;
+mod drive_torque;
 mod finding;
 #[cfg(test)]
 mod guide;

@@ -119,6 +119,18 @@ impl Starts {
         Some(self.smooth(setting, surface_speed, bit))
     }
 
+    /// The start that may lead to another label: smooth rotation, or that of a bit which has been
+    /// held; none where cases begin both ways, or at rest whatever the file says.
+    pub fn otherwise(&self, content: &FileContent) -> Option<Self> {
+        let name = match self.name {
+            _ if rest_only(content).is_some() => return None,
+            StartName::Both => return None,
+            StartName::Stuck => StartName::Smooth,
+            StartName::Smooth | StartName::Ramp => StartName::Stuck,
+        };
+        Some(Self { name, ..*self })
+    }
+
     fn smooth(&self, setting: &Setting, surface_speed: f64, bit: &BitTorque) -> Start {
         let string = &setting.string;
         let torque = steady_torque(string, surface_speed, bit);

@@ -65,6 +65,9 @@ fn drive(
     let compensated = given
         .map(|part| within(key, part, 0.0, 1.0, ""))
         .transpose()?;
+    if let Some(limit) = table.torque_limit_kn_m {
+        within("torque_limit_kn_m", limit, 1e-3, 1e6, "kN m")?;
+    }
     refuse_idle(source, table)?;
     let left = inertia * (1.0 - compensated.unwrap_or(0.0));
     let drive = match table.controller {

@@ -82,7 +82,7 @@ pub const TORQUE: Twin = twin(["_nm", "_lbf_ft"], ["N m", "lbf ft"], &[POUND_FOR
 
 /// All of them. Where several fit a name that is read, the known names decide; what has a name
 /// is shown in the first that fits it by the longest ending.
-pub const TWINS: [Twin; 20] = [
+pub const TWINS: [Twin; 21] = [
     twin(["_radius_m", "_diameter_in"], ["m", "in"], &[0.5 * INCH]),
     twin(["_radius_m", "_diameter_mm"], ["m", "mm"], &[0.5e-3]),
     LENGTH,
@@ -97,6 +97,11 @@ pub const TWINS: [Twin; 20] = [
     FORCE,
     IMPULSE,
     TORQUE,
+    twin(
+        ["_kn_m", "_klbf_ft"],
+        ["kN m", "klbf ft"],
+        &[POUND_FORCE * FOOT],
+    ),
     twin(
         ["_nm_per_kn", "_lbf_ft_per_klbf"],
         ["N m/kN", "lbf ft/klbf"],

@@ -18,6 +18,10 @@ pub struct TopDriveTable {
     /// Part of the inertia that the controller makes up for. Default 0; all of it where the
     /// impedance is matched.
     pub inertia_compensation: Option<f64>,
+    /// The greatest torque that the drive can give, kN m. The model's drive gives more where its
+    /// controller asks for it; what needs more is warned of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torque_limit_kn_m: Option<f64>,
 }
 
 /// Where the gains come from.

@@ -5,7 +5,7 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 28] = [
+const KEYS: [&str; 29] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",
@@ -25,6 +25,7 @@ const KEYS: [&str; 28] = [
     "inertia_kg_m2",
     "proportional_gain_knms_rad",
     "integral_gain_knm_rad",
+    "torque_limit_kn_m",
     "poor_cleaning_from_kn",
     "amount_ns",
     "damping_ns_m2",

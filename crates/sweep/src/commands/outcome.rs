@@ -7,6 +7,7 @@ use anyhow::Result;
 
 use super::status::Status;
 use crate::output::{Manifest, Motion, Tally, TraceSummary};
+use campaign::engine::Dependence;
 use campaign::words::{counted, short, together, wrapped};
 
 /// How a run that has these results ends.
@@ -60,6 +61,27 @@ fn certain(manifest: &Manifest) -> String {
     manifest.tally.motions().into_iter().map(words).collect()
 }
 
+/// What labels depend on, by a sample of cases.
+fn depends_on(manifest: &Manifest) -> String {
+    let found = manifest.depends_on.iter().filter(|it| it.changed > 0);
+    let words: Vec<String> = found.map(Dependence::words).collect();
+    if words.is_empty() {
+        return String::new();
+    }
+    let is_warned_of = manifest.depends_on.iter().any(Dependence::is_warned_of);
+    let severity = if is_warned_of {
+        "warning: labels depend on more than the well: "
+    } else {
+        ""
+    };
+    let first = &manifest.methods[0].method;
+    wrapped(
+        &format!("{severity}compared with {first}, {}", words.join("; ")),
+        2,
+        4,
+    )
+}
+
 /// How the limits were traced, and where they are no lines.
 fn traced(trace: &TraceSummary) -> String {
     let percent = |part: f64| 100.0 * part;
@@ -103,6 +125,7 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     }
     text += &label_counts(&manifest.tally);
     text += &certain(manifest);
+    text += &depends_on(manifest);
     for words in manifest.tally.found_words() {
         text += &wrapped(&words, 2, 4);
     }

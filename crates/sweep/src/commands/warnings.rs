@@ -21,6 +21,9 @@ pub fn warn_of_string(sweep: &Sweep, terminal: Terminal) {
     for doubt in sweep.doubts_about_string() {
         terminal.complain(&format!("warning: {doubt}"));
     }
+    for doubt in sweep.doubts_about_drive() {
+        terminal.complain(&format!("warning: {doubt}"));
+    }
     for doubt in (sweep.sheet.iter()).flat_map(|sheet| sheet.doubts(sweep.content.units)) {
         terminal.complain(&format!("warning: {doubt}"));
     }

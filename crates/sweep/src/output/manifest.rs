@@ -13,7 +13,7 @@ use super::tally::Tally;
 use super::trace_summary::TraceSummary;
 use crate::files::{Checksum, hexadecimal, refuse_irregular, write_atomically};
 use campaign::design::{Design, TraceDesign};
-use campaign::engine::{MethodSystem, RunOptions, Shard};
+use campaign::engine::{Dependence, MethodSystem, RunOptions, Shard};
 use campaign::labels::CertifiedBy;
 use campaign::plan::{Choice, Data, MapSettings, Sweep};
 use campaign::quantities::Axis;
@@ -70,6 +70,10 @@ pub struct Manifest {
     /// What certifies its labels, where it does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certified_by: Option<CertifiedBy>,
+    /// How many labels of a sample of cases change with the method, the sampling frequency and
+    /// the start; of the whole sweep.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub depends_on: Vec<Dependence>,
     /// From which surface speed on an eccentric mass brings the string to its wall, where that is
     /// known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -162,6 +166,7 @@ impl Manifest {
             shard: (!shard.is_whole()).then_some(shard),
             options,
             methods: systems.iter().map(MethodRecord::of).collect(),
+            depends_on: Vec::new(),
             certified_by: CertifiedBy::of(sweep),
             forward_contact: ForwardContact::of(sweep)?,
             tally: Tally::default(),

@@ -21,7 +21,7 @@ use crate::limits::write_traced;
 use crate::log::Log;
 use crate::output::{About, Manifest, TableWriter, boundary_csv};
 use campaign::design::{Design, TraceDesign};
-use campaign::engine::{Record, Work};
+use campaign::engine::{Record, Work, dependences};
 use campaign::rounds::Rounds;
 use campaign::words::counted;
 
@@ -224,6 +224,10 @@ impl<'a> Session<'a> {
         let (shard, systems) = (self.task.header.shard, &self.systems.methods);
         let mut manifest = Manifest::new(sweep, shard, arguments.options(), systems)?;
         (manifest.tally, manifest.files) = (tally, files);
+        if shard.is_whole() {
+            let limit = arguments.work.memory.limit();
+            manifest.depends_on = dependences(sweep, arguments.options(), &limit);
+        }
         manifest.wall_seconds = self.start.elapsed().as_secs_f64();
         manifest.files.insert("boundary.csv".to_owned(), limit);
         if let Design::Trace(design) = &sweep.design {
