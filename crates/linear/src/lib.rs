@@ -45,6 +45,7 @@
 //! | Section 5.2.2: the band-limited impulse | [`pulse`] |
 //! | Eqs. 72–75: estimates | [`estimates`] |
 //! | steady rotation, and steady winding of a held bit | [`steady`] |
+//! | steady rotation under a torque that falls with speed | [`falling_torque`] |
 //! | transforms, for whoever convolves with the taps | [`fft`] |
 //! | memory, before it is taken | [`cost`] |
 //! | how far responses are from the exact ones | [`deviation`] |
@@ -93,6 +94,7 @@ pub mod drillstring;
 pub mod elements;
 mod error;
 pub mod estimates;
+pub mod falling_torque;
 pub mod fft;
 pub mod filters;
 pub mod method;

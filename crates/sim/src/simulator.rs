@@ -7,6 +7,7 @@ use crate::laws::bit::BitMotion;
 use crate::outcome::{Ended, Label, Outcome, Stopping};
 use crate::scene::{Lateral, Scene};
 use crate::shortcuts::{BitAlone, pass_free_block};
+use crate::start::Start;
 use crate::stepper::{Step, Stepper};
 use crate::surface::SurfaceProfile;
 use crate::system::System;
@@ -14,7 +15,7 @@ use crate::trajectory::Trajectory;
 use crate::watch::lateral::WallWatch;
 use crate::watch::rules::Rules;
 use crate::watch::settling::Settling;
-use crate::watch::torsion::{BitWatch, TorsionRegime};
+use crate::watch::torsion::{BitWatch, TorsionMeasures, TorsionRegime};
 
 /// A linear system with what is known of all its cases.
 #[derive(Debug, Clone)]
@@ -286,6 +287,16 @@ impl Case<'_> {
         }
     }
 
+    /// A case that begins with a steady motion has no first slip to wait for.
+    fn torsion(&self) -> Option<TorsionMeasures> {
+        let watch = self.watch.bit.as_ref()?;
+        let measures = watch.measures(self.scene.surface_speed);
+        Some(TorsionMeasures {
+            first_slip: (measures.first_slip).filter(|_| self.scene.start == Start::Rest),
+            ..measures
+        })
+    }
+
     fn outcome(&self, end: End) -> Result<Outcome, SimulationError> {
         let lateral = self.watch.walls.as_ref().map(|(watch, settling)| {
             if end.settled {
@@ -298,8 +309,7 @@ impl Case<'_> {
             simulated: self.system.sampling.start_of(end.last),
             ended: end.ended,
             predicted: end.predicted,
-            torsion: (self.watch.bit.as_ref())
-                .map(|watch| watch.measures(self.scene.surface_speed)),
+            torsion: self.torsion(),
             surface: None,
             string_torque: None,
             lateral,

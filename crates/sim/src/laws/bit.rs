@@ -108,6 +108,14 @@ impl BitTorque {
         self.torque_dynamic + more * (-speed / self.decay_speed).exp()
     }
 
+    /// The speed (rad/s) above which the torque falls less steeply with it than by `slope`,
+    /// N m s/rad; none where it does at every speed.
+    pub fn speed_of_fall(&self, slope: f64) -> Option<f64> {
+        let steepest = (self.torque_static - self.torque_dynamic) / self.decay_speed;
+        let speed = self.decay_speed * (steepest / slope).ln();
+        (self.decay_speed > 0.0 && speed > 0.0).then_some(speed)
+    }
+
     /// The largest speed v > 0 with v + A T(v) = `driven`, where there is one. Above it the
     /// left side is the larger, and it is convex: Newton's steps from what T_d alone would leave
     /// come down to it, and past the least of it only where there is none.

@@ -39,7 +39,7 @@ impl TorsionRegime {
 pub struct TorsionMeasures {
     /// The regime.
     pub regime: TorsionRegime,
-    /// Time of the first slip, s.
+    /// Time of the first slip of a case that begins at rest, s.
     pub first_slip: Option<f64>,
     /// Mean time from slip to slip, s.
     pub period: Option<f64>,

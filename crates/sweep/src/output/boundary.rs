@@ -8,13 +8,14 @@ use anyhow::{Context, Result};
 use linear::DrillstringError;
 use linear::deviation::exact_undershoot;
 use linear::estimates::largest_undershoot;
+use linear::falling_torque::steepest_fall;
 use serde::Deserialize;
 
 use super::many_sites_limit::many_sites_limit;
 use super::sliding_together::sliding_together;
 use super::whirl_limit::{WhirlPoint, whirl_limit};
 use campaign::engine::{MethodSystem, stick_slip_limit};
-use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError};
+use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError, to_rpm};
 use campaign::quantities::{Axis, WallQuantity};
 use campaign::text_file::unreadable;
 
@@ -30,17 +31,42 @@ pub enum Boundary {
     Whirl(Vec<WhirlPoint>),
 }
 
-/// One point of the limit of stick-slip.
+/// Which limit of torsion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TorsionLimit {
+    /// Below it stick-slip can sustain itself (Eq. 74).
+    #[default]
+    StickSlip,
+    /// Below it smooth rotation does not last, as the torque on the bit falls too steeply with its
+    /// speed.
+    SmoothRotation,
+}
+
+impl TorsionLimit {
+    /// The word in the table.
+    fn name(self) -> &'static str {
+        match self {
+            TorsionLimit::StickSlip => "stick_slip",
+            TorsionLimit::SmoothRotation => "smooth_rotation",
+        }
+    }
+}
+
+/// One point of a limit of torsion.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct StickSlipPoint {
     /// Weight on bit, kN; empty where the design varies the torque itself.
     pub weight_on_bit_kn: Option<f64>,
     /// T_d, N m.
     pub torque_dynamic_nm: f64,
-    /// Surface speed below which stick-slip can sustain itself, rpm.
+    /// The limit, rpm.
     pub surface_speed_rpm: f64,
-    /// The method whose Δ is used.
+    /// The method whose Δ is used; of smooth rotation, the exact waves.
     pub method: String,
+    /// Which limit; of earlier versions, that of stick-slip.
+    #[serde(default)]
+    pub limit: TorsionLimit,
 }
 
 impl StickSlipPoint {
@@ -135,6 +161,9 @@ fn limit_of_methods(
         let values = along_axis(sweep, position);
         points.extend(stick_slip_points(sweep, bit, (axis, values), front)?);
     }
+    if sweep.setting.friction.is_none() {
+        points.extend(smooth_rotation_points(sweep, bit, position));
+    }
     Ok(points)
 }
 
@@ -153,9 +182,38 @@ fn stick_slip_points(
         torque_dynamic_nm: point.torque_dynamic_nm,
         surface_speed_rpm: point.surface_speed_rpm,
         method: method.to_owned(),
+        limit: TorsionLimit::StickSlip,
     });
     Ok(points.collect())
 }
+
+/// Where smooth rotation is lost along an axis, for a torque that falls with the bit's speed: the
+/// speed at which it falls as steeply as the string bears ([`steepest_fall`]). Without points where it
+/// lasts at every speed, or the modes of the string are not found.
+fn smooth_rotation_points(sweep: &Sweep, bit: &Bit, position: usize) -> Vec<StickSlipPoint> {
+    let steepest = steepest_fall(&sweep.setting.string);
+    let Some(steepest) = steepest.ok().flatten() else {
+        return Vec::new();
+    };
+    let axis = sweep.design.axes()[position];
+    let at = |value| {
+        let conditions = sweep.conditions.with(axis, value);
+        let torque_dynamic_nm = bit.torque_dynamic(&conditions).ok()??;
+        let law = conditions.torques(torque_dynamic_nm);
+        let speed = law.speed_of_fall(steepest)?;
+        Some(StickSlipPoint {
+            weight_on_bit_kn: conditions.weight_on_bit_kn,
+            torque_dynamic_nm,
+            surface_speed_rpm: to_rpm(speed),
+            method: WAVES.to_owned(),
+            limit: TorsionLimit::SmoothRotation,
+        })
+    };
+    along_axis(sweep, position).filter_map(at).collect()
+}
+
+/// What the limit of smooth rotation is computed by.
+const WAVES: &str = "waves";
 
 /// Eq. 74 between two weights on bit (kN) by the undershoot of the string as it is, whose fronts
 /// no step smears; without points where the cases have no one limit, or where that undershoot
@@ -223,15 +281,16 @@ fn whirl_points(
 pub fn boundary_csv(boundary: &Boundary) -> String {
     match boundary {
         Boundary::StickSlip(points) => {
-            let header = "weight_on_bit_kn,torque_dynamic_nm,surface_speed_rpm,method\n";
+            let header = "weight_on_bit_kn,torque_dynamic_nm,surface_speed_rpm,method,limit\n";
             let row = |point: &StickSlipPoint| {
                 let weight = point.weight_on_bit_kn.map(|weight| weight.to_string());
                 format!(
-                    "{},{},{},{}\n",
+                    "{},{},{},{},{}\n",
                     weight.unwrap_or_default(),
                     point.torque_dynamic_nm,
                     point.surface_speed_rpm,
-                    point.method
+                    point.method,
+                    point.limit.name()
                 )
             };
             header.to_owned() + &points.iter().map(row).collect::<String>()

@@ -1,7 +1,7 @@
 //! The limit of `boundary.csv` as curves over the two quantities it relates, whatever
 //! a map shows of them.
 
-use super::boundary::{Boundary, StickSlipPoint};
+use super::boundary::{Boundary, StickSlipPoint, TorsionLimit};
 use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
 use campaign::labels::Motion;
 use campaign::quantities::{Axis, LENGTH, Units};
@@ -13,6 +13,8 @@ const LEAST: &str =
     "least friction of steady whirl at one site, rolling or sliding (necessary, not sufficient)";
 const OF_ANY_SITES: &str =
     "least friction of steady whirl of any sites together (necessary, not sufficient)";
+
+const SMOOTH_ROTATION: &str = "smooth rotation is lost below";
 
 /// More branches than this hide the cases of a map.
 const MOST_BRANCHES: usize = 6;
@@ -65,8 +67,13 @@ fn stick_slip_curves(points: &[StickSlipPoint], axes: &[Axis]) -> Vec<Curve> {
     let methods = points.chunk_by(|one, next| one.method == next.method);
     methods
         .map(|points| Curve {
-            name: format!("stick-slip limit (Eq. 74), {}", points[0].method),
-            method: Some(points[0].method.clone()),
+            name: match points[0].limit {
+                TorsionLimit::StickSlip => {
+                    format!("stick-slip limit (Eq. 74), {}", points[0].method)
+                }
+                TorsionLimit::SmoothRotation => SMOOTH_ROTATION.to_owned(),
+            },
+            method: (points[0].limit == TorsionLimit::StickSlip).then(|| points[0].method.clone()),
             motion: Motion::Torsion,
             along,
             limited: Axis::SurfaceSpeedRpm,

@@ -146,6 +146,7 @@ mod tests {
         let points = [10.0, 20.0].map(|weight| StickSlipPoint {
             weight_on_bit_kn: Some(weight),
             torque_dynamic_nm: 0.0,
+            limit: Default::default(),
             surface_speed_rpm: 0.1 * weight,
             method: "a".to_owned(),
         });

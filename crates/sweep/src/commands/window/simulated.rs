@@ -118,6 +118,8 @@ fn of_curves(
     mut curves: Vec<Curve>,
     weights: [f64; 2],
 ) -> Result<Option<Source<'static>>> {
+    // Where smooth rotation is lost, stick-slip follows, which can last there anyway.
+    curves.retain(|curve| curve.method.is_some());
     // Where the string rubs along its well, that has a part in it.
     if sweep.content.string_friction.is_none() {
         let exact = exact_stick_slip_limit(sweep, weights)?;
