@@ -4,7 +4,7 @@ use sim::{BitTorque, Lateral, NodeTorque, Scene, Start, Timing, torsion_timing};
 
 use super::case_error::CaseError;
 use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Starts, Sweep};
-use crate::sweep_file::AutoOr;
+use crate::sweep_file::{AutoOr, StartName};
 
 /// One case of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,8 +17,10 @@ pub struct Case {
     pub torque_dynamic_nm: Option<f64>,
     /// Under which conditions.
     pub conditions: Conditions,
-    /// How it begins.
+    /// How it begins,
     pub starts: Starts,
+    /// and whether it is the second of both ways.
+    is_begun_otherwise: bool,
     /// What is simulated.
     pub scene: Scene,
     /// The torque at each node of a string that rubs along its well, that on the bit included.
@@ -90,6 +92,7 @@ impl Case {
             conditions: conditions.clone(),
             along_string: torques,
             starts: sweep.starts,
+            is_begun_otherwise: false,
             scene: Scene {
                 surface_speed,
                 start,
@@ -117,21 +120,20 @@ impl Case {
 
     /// The motion that it begins with at the sites of a setting.
     pub fn start_of(&self, setting: &Setting) -> Start {
-        let Scene {
-            surface_speed, bit, ..
-        } = &self.scene;
-        self.starts.first(setting, *surface_speed, bit.as_ref())
+        let (speed, bit) = (self.scene.surface_speed, self.scene.bit.as_ref());
+        let first = || self.starts.first(setting, speed, bit);
+        let second = self
+            .is_begun_otherwise
+            .then(|| self.starts.second(setting, speed, bit));
+        second.flatten().unwrap_or_else(first)
     }
 
     /// The same case as it begins the other way, where it begins both ways.
-    pub fn begun_otherwise(&self, setting: &Setting) -> Option<Self> {
-        let Scene {
-            surface_speed, bit, ..
-        } = &self.scene;
-        let start = self.starts.second(setting, *surface_speed, bit.as_ref())?;
-        let mut case = self.clone();
-        case.scene.start = start;
-        Some(case)
+    pub fn begun_otherwise(&self) -> Option<Self> {
+        (self.starts.name == StartName::Both).then(|| Self {
+            is_begun_otherwise: true,
+            ..self.clone()
+        })
     }
 }
 

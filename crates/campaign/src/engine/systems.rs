@@ -133,6 +133,8 @@ impl MethodSystem {
             return self.rub(cascade, &scene, record);
         }
         let mut scene = case.scene.clone();
+        // A case may be of a setting with more sites, which are only looked at.
+        scene.start = case.start_of(&self.setting);
         if let Some(lateral) = &mut scene.lateral {
             // The clearance is the case's own.
             for (index, _) in self.relative_impulses() {
@@ -192,7 +194,11 @@ impl MethodSystem {
     /// string in pieces the motion has it.
     pub fn add_surface_torque(&self, case: &Case, motion: &mut Trajectory) {
         if let Some(torque) = &self.surface_torque {
-            motion.surface_torque = torque.of(case.scene.surface_speed, &case.scene.start, motion);
+            motion.surface_torque = torque.of(
+                case.scene.surface_speed,
+                &case.start_of(&self.setting),
+                motion,
+            );
         }
     }
 
@@ -230,7 +236,7 @@ impl MethodSystem {
         stopping: Stopping,
         outcome: &mut Outcome,
     ) -> Result<Option<ByStart>, SimulationError> {
-        let Some(other) = case.begun_otherwise(&self.setting) else {
+        let Some(other) = case.begun_otherwise() else {
             return Ok(None);
         };
         let other = self.simulate(&other, stopping, None)?;

@@ -43,8 +43,9 @@ pub fn resolve(source: &Source, content: &FileContent) -> Result<Starts, SweepFi
             let key = "start_disturbance";
             let message = "is the step of torque of a smooth start: it needs `start = \"smooth\"` \
                            or `\"both\"`";
+            let part = source.within(key, part, 0.0, 1.0, "")?;
             source.refuse_if(!is_disturbed, key, message)?;
-            source.within(key, part, 0.0, 1.0, "")?
+            part
         }
     };
     Ok(Starts { name, disturbance })
