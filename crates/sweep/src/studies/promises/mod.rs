@@ -5,6 +5,7 @@
 mod draw;
 mod finder;
 mod labels;
+mod motor;
 mod problem;
 mod stick_slip;
 mod waveguide;

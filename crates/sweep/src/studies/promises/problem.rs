@@ -9,7 +9,7 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{stick_slip_speed_limit, torsional_wave_left};
 use linear::{Drillstring, Material};
 
-use super::draw::{Draw, SHAPES, sections};
+use super::draw::{Draw, SHAPES, WIDE, sections};
 use campaign::plan::{Sweep, to_rpm};
 use campaign::quantities::Axis;
 
@@ -80,7 +80,7 @@ impl Problem {
         let mut draw = Draw::new(seed, stream);
         let shape = SHAPES[number % SHAPES.len()];
         let length = draw.log_uniform(100.0, 5000.0);
-        let sections = sections(&mut draw, shape, length);
+        let sections = sections(&mut draw, shape, &WIDE, length);
         let loss = draw.log_uniform(0.03, 0.7);
         let with_damping = |damping| Drillstring::new(STEEL, sections.clone(), damping);
         let loss_of_one = -torsional_wave_left(&with_damping(1.0)?).ln();
