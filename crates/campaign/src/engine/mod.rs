@@ -7,6 +7,7 @@ mod case_error;
 mod choice;
 mod clearances;
 mod finding;
+mod finer;
 mod follow;
 mod front;
 #[cfg(test)]
@@ -30,6 +31,7 @@ pub use case::Case;
 pub use case_error::CaseError;
 pub use choice::{Choice, ChoiceError, ChosenCase, common_setting};
 pub use clearances::{Beyond, Clearances};
+pub use finer::finer_frequency;
 pub use follow::FollowedMethod;
 pub use idle_axis::why_idle;
 pub use instability::{Instability, is_unstable};

@@ -12,6 +12,7 @@ use super::conditions::{self, Conditions};
 use super::data::Data;
 use super::map::{self, MapSettings};
 use super::methods;
+use super::sampling;
 use super::setting::Setting;
 use super::string;
 use super::texts;
@@ -109,7 +110,7 @@ impl Sweep {
             (AutoOr::Auto, Some(recording)) => AutoOr::Given(recording.end()),
             (time, _) => time,
         };
-        let setting = Setting::resolve(&source, &content, &data, &conditions, &design, &[])?;
+        let setting = Setting::resolve(&source, &content, &data, &conditions, &design, (&[], None))?;
         if let (Some(table), Some(friction)) = (&mut content.string_friction, &setting.friction) {
             // However it was found.
             table.pieces = friction.pieces();
@@ -243,7 +244,7 @@ impl Sweep {
     ) -> Result<Setting, SweepFileError> {
         let resolved = self.changed_setting(setting.changed.clone(), found)?;
         Ok(Setting {
-            sampling_by_rule: setting.sampling_by_rule,
+            steps_per_travel: setting.steps_per_travel,
             ..resolved.sampled_at(setting.sampling_frequency)
         })
     }
@@ -256,7 +257,8 @@ impl Sweep {
     ) -> Result<Setting, SweepFileError> {
         let (content, conditions) = self.changed(&changed)?;
         let (source, data, design) = (&self.source, &self.data, &self.design);
-        let setting = Setting::resolve(source, &content, data, &conditions, design, found)?;
+        let place = (found, self.setting.steps_per_travel);
+        let setting = Setting::resolve(source, &content, data, &conditions, design, place)?;
         Ok(Setting { changed, ..setting })
     }
 
@@ -299,7 +301,8 @@ impl Sweep {
             (wall.sites_tolerance_mm, wall.sites_rounds) = (None, None);
         }
         let one = Design::one_case();
-        Setting::resolve(&self.source, &content, &self.data, &conditions, &one, &[])
+        let place: (&[f64], _) = (&[], self.setting.steps_per_travel);
+        Setting::resolve(&self.source, &content, &self.data, &conditions, &one, place)
     }
 
     /// The setting of a case with the given values along the design's axes, sampled
@@ -313,7 +316,7 @@ impl Sweep {
         sampling_frequency: f64,
     ) -> Result<Setting, SweepFileError> {
         let setting = self.setting_at(values)?.sampled_at(sampling_frequency);
-        setting.check_sampling(&self.source)?;
+        sampling::check(&setting, self.bit.is_some(), &self.source)?;
         Ok(setting)
     }
 

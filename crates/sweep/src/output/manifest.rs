@@ -154,7 +154,7 @@ impl Manifest {
             data_sha256: data_hash(&sweep.data)?,
             seed: sweep.design.seed(),
             sampling_frequency_hz: sweep.setting.sampling_frequency,
-            sampling_frequency_by_rule: sweep.setting.sampling_by_rule,
+            sampling_frequency_by_rule: sweep.setting.steps_per_travel.is_some(),
             accuracy: sweep.choice.clone(),
             cases: sweep.design.cases(),
             axes: sweep.design.axes().to_vec(),

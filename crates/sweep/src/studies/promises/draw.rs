@@ -23,7 +23,7 @@ pub const SHAPES: [Shape; 4] = [
     Shape::ThreeSections,
 ];
 
-/// All of them, in turn.
+/// Those of which limits and labels are tested, in turn.
 pub const FAMILIES: [Shape; 5] = [
     Shape::Uniform,
     Shape::PipeCollar,
@@ -42,6 +42,33 @@ pub struct Sizes {
     joint: [f64; 2],
     collar_outer_radius: [f64; 2],
     collar_inner_radius: f64,
+}
+
+/// What turns the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Surface {
+    Prescribed,
+    Stiff,
+    SoftTorque,
+}
+
+/// Half of the strings have a prescribed speed.
+pub const SURFACES: [Surface; 4] = [
+    Surface::Prescribed,
+    Surface::Stiff,
+    Surface::Prescribed,
+    Surface::SoftTorque,
+];
+
+impl Surface {
+    /// The word in the table.
+    pub fn name(self) -> &'static str {
+        match self {
+            Surface::Prescribed => "prescribed",
+            Surface::Stiff => "stiff",
+            Surface::SoftTorque => "soft-torque",
+        }
+    }
 }
 
 /// As wide a range as the paper's tubes and those of wells are in.
