@@ -115,6 +115,10 @@ impl Sweep {
             // However it was found.
             table.pieces = friction.pieces();
         }
+        if !source.gives_within(["method", "finite-element"], "elements_per_cell") {
+            let elements = methods::usual_elements(&setting.string);
+            content.method.finite_element.elements_per_cell = elements;
+        }
         string::check_axes(&source, &content, &design)?;
         if let Some(accuracy) = content.accuracy {
             choice::check(&source, accuracy)?;

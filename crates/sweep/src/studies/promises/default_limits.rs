@@ -10,6 +10,7 @@
 use anyhow::{Context, Result};
 use linear::Method;
 use linear::estimates::{sampling_frequency, torsional_travel_time};
+use linear::waves::lattice::Lattice;
 
 use super::finder::{Finder, Truth, longest};
 use super::problem::{Motion, Problem};
@@ -25,6 +26,8 @@ const CERTAIN: f64 = 0.025;
 pub enum Rule {
     /// The program's own.
     Default,
+    /// One step a piece of the string's lattice: no front is rounded off.
+    OnePiece,
     /// The paper's: four times the first mode of one cell of the drillpipe.
     OneCell,
 }
@@ -34,6 +37,7 @@ impl Rule {
     pub fn name(self) -> &'static str {
         match self {
             Rule::Default => "default",
+            Rule::OnePiece => "one-piece",
             Rule::OneCell => "one-cell",
         }
     }
@@ -87,8 +91,13 @@ pub fn default_limits(
             stick_slip::truth_of_family(&problem).map_err(|reason| format!("{reason:#}"))
         });
         let found = methods.iter().flat_map(|method| {
-            let of_rule = |rule| found(&problem, &truth, *method, rule);
-            [Rule::Default, Rule::OneCell].map(of_rule)
+            let rules: &[Rule] = match method {
+                Method::Held => &[Rule::Default, Rule::OnePiece, Rule::OneCell],
+                // They would take minutes in such steps, and smear fronts all the same.
+                _ => &[Rule::Default, Rule::OneCell],
+            };
+            let of_rule = |rule: &Rule| found(&problem, &truth, *method, *rule);
+            rules.iter().map(of_rule).collect::<Vec<_>>()
         });
         let found: Result<Vec<Found>> = found.collect();
         found.with_context(|| format!("string {number}"))
@@ -117,6 +126,10 @@ fn found(
     let sweep = problem.sweep(&format!("methods = [\"{}\"]\n", method.name()))?;
     let setting = match rule {
         Rule::Default => sweep.setting.clone(),
+        Rule::OnePiece => {
+            let lattice = Lattice::new(&sweep.setting.string, &sweep.setting.sites)?;
+            sweep.setting.sampled_at(lattice.step.recip())
+        }
         Rule::OneCell => sweep.setting.sampled_at(sampling_frequency(&sweep.setting.string)),
     };
     found.sampling_frequency = setting.sampling_frequency;
