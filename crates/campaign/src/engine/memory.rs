@@ -7,9 +7,9 @@ use linear::{Method, Sites};
 use sim::cost::Taps;
 
 use super::finding::most_sites;
+use super::finer::finer_frequency;
 use super::stepped::{looked_at, stepped_by};
 use super::systems::request;
-use super::finer::finer_frequency;
 use crate::plan::{Setting, Sweep};
 
 /// Memory of one string by all methods, bytes: upper bounds.

@@ -4,9 +4,9 @@
 //! once, on the string of the file, and hold for every string that axes make of it: each is
 //! sampled at so many steps of its own travel time.
 
+use linear::Drillstring;
 use linear::estimates::torsional_travel_time;
 use linear::sampling::{self, FEWEST_STEPS, Steps};
-use linear::Drillstring;
 
 use super::impulses::ImpulseSettings;
 use super::lateral::LateralSettings;
@@ -74,8 +74,7 @@ fn steps(string: &Drillstring, needs: &Needs) -> f64 {
     });
     if needs.cuts {
         // A string whose lattice does not fit in memory damps its fronts away.
-        let of_fronts =
-            Steps::for_fronts(string).map_or(FEWEST_STEPS, |steps| steps.per_travel);
+        let of_fronts = Steps::for_fronts(string).map_or(FEWEST_STEPS, |steps| steps.per_travel);
         return of_fronts.max(of_wall.unwrap_or_default());
     }
     of_wall.unwrap_or(FEWEST_STEPS)

@@ -110,7 +110,8 @@ impl Sweep {
             (AutoOr::Auto, Some(recording)) => AutoOr::Given(recording.end()),
             (time, _) => time,
         };
-        let setting = Setting::resolve(&source, &content, &data, &conditions, &design, (&[], None))?;
+        let setting =
+            Setting::resolve(&source, &content, &data, &conditions, &design, (&[], None))?;
         if let (Some(table), Some(friction)) = (&mut content.string_friction, &setting.friction) {
             // However it was found.
             table.pieces = friction.pieces();

@@ -76,9 +76,8 @@ fn sections(tubes: &[Tube]) -> Vec<Section> {
 /// How often the first so many tubes come one after the other.
 fn repeats(tubes: &[Tube], parts: usize) -> usize {
     let pattern = &tubes[..parts];
-    let is_pattern = |cell: &&[Tube]| {
-        (cell.iter().zip(pattern)).all(|(one, other)| are_equal(one, other))
-    };
+    let is_pattern =
+        |cell: &&[Tube]| (cell.iter().zip(pattern)).all(|(one, other)| are_equal(one, other));
     tubes.chunks_exact(parts).take_while(is_pattern).count()
 }
 

@@ -10,9 +10,9 @@ use sim::excitation::reach_of_impulse;
 use sim::{CascadeSimulator, Sampling, Simulator};
 
 use super::MethodSystem;
+use crate::engine::finer::finer_frequency;
 use crate::engine::stepped::{self, stepped_by};
 use crate::engine::stopwatch::Stopwatch;
-use crate::engine::finer::finer_frequency;
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 impl MethodSystem {

@@ -20,7 +20,7 @@ use super::prepare::{build_systems, read_sweep, survey_cases};
 use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::{warn_of_limits, warn_of_fronts, warn_of_string};
+use super::warnings::{warn_of_fronts, warn_of_limits, warn_of_string};
 use crate::cli::InspectArguments;
 use crate::output::write_atomically;
 use axial_force::describe_axial_force;

@@ -62,7 +62,10 @@ pub fn known(path: &Path) -> Result<Known> {
             _ => Err(row[note].to_owned()),
         };
         let number = row[string].parse();
-        known.insert(number.with_context(|| format!("{name}: `{STRING}`"))?, truth);
+        known.insert(
+            number.with_context(|| format!("{name}: `{STRING}`"))?,
+            truth,
+        );
     }
     Ok(known)
 }

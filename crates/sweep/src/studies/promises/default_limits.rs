@@ -130,11 +130,12 @@ fn found(
             let lattice = Lattice::new(&sweep.setting.string, &sweep.setting.sites)?;
             sweep.setting.sampled_at(lattice.step.recip())
         }
-        Rule::OneCell => sweep.setting.sampled_at(sampling_frequency(&sweep.setting.string)),
+        Rule::OneCell => sweep
+            .setting
+            .sampled_at(sampling_frequency(&sweep.setting.string)),
     };
     found.sampling_frequency = setting.sampling_frequency;
-    found.steps_per_travel =
-        setting.sampling_frequency * torsional_travel_time(&setting.string);
+    found.steps_per_travel = setting.sampling_frequency * torsional_travel_time(&setting.string);
     found.limit = limit(problem, &sweep, &setting, truth.limit)?;
     Ok(found)
 }

@@ -46,13 +46,10 @@ impl Motor {
         let half = 0.5 * self.step;
         // Without its own speed at the end of the step.
         let behind = self.behind + half * (2.0 * set - self.speed);
-        let pull = self.proportional_gain * set
-            + self.integral_gain * behind
-            + 2.0 * self.impedance * up;
-        let held_back = self.proportional_gain
-            + self.integral_gain * half
-            + self.impedance
-            + self.damping;
+        let pull =
+            self.proportional_gain * set + self.integral_gain * behind + 2.0 * self.impedance * up;
+        let held_back =
+            self.proportional_gain + self.integral_gain * half + self.impedance + self.damping;
         let before = self.inertia_per_step * self.speed + self.torque;
         let speed = (before + pull) / (self.inertia_per_step + held_back);
         self.behind = behind - half * speed;
@@ -90,7 +87,10 @@ mod tests {
             let time = (f64::from(index) - 0.5) * step;
             let (sin, cos) = (damped * time).sin_cos();
             let exact = set * (1.0 - (-decay * time).exp() * (cos - decay / damped * sin));
-            assert!((speed - exact).abs() < 1e-3 * set, "{index}: {speed} {exact}");
+            assert!(
+                (speed - exact).abs() < 1e-3 * set,
+                "{index}: {speed} {exact}"
+            );
         }
     }
 }

@@ -9,9 +9,7 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{first_mode, stick_slip_speed_limit, torsional_wave_left};
 use linear::{Drillstring, Material};
 
-use super::draw::{
-    Draw, FAMILIES, FIELD, SHAPES, SURFACES, Shape, Sizes, Surface, WIDE, sections,
-};
+use super::draw::{Draw, FAMILIES, FIELD, SHAPES, SURFACES, Shape, Sizes, Surface, WIDE, sections};
 use campaign::plan::{Sweep, to_rpm};
 use campaign::quantities::Axis;
 
