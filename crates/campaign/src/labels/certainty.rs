@@ -1,10 +1,12 @@
 //! Which labels of a case are certain, where a run certifies them.
 
+use linear::Method;
 use serde::{Deserialize, Serialize};
 
 use super::motion::{Labels, Motion};
 use crate::engine::{Certified, FINER, finer_frequency};
 use crate::plan::Sweep;
+use crate::words::short;
 
 /// What certifies the labels of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -32,6 +34,16 @@ impl CertifiedBy {
             sampling_frequencies_hz: [frequency, FINER * frequency],
             exact_fronts_hz: (finest > FINER * frequency).then_some(finest),
         })
+    }
+
+    /// The sampling frequencies in words.
+    pub fn frequencies(&self) -> String {
+        let [first, second] = self.sampling_frequencies_hz.map(short);
+        let finest = (self.exact_fronts_hz).map_or_else(String::new, |finest| {
+            let held = Method::Held.name();
+            format!(" ({held}: {} Hz)", short(finest))
+        });
+        format!("{first} and {second} Hz{finest}")
     }
 }
 
