@@ -32,6 +32,8 @@ mod responses;
 mod run;
 #[path = "command_line/same_case.rs"]
 mod same_case;
+#[path = "command_line/sampling.rs"]
+mod sampling;
 #[path = "command_line/single_case.rs"]
 mod single_case;
 #[path = "command_line/stability.rs"]

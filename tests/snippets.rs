@@ -33,8 +33,16 @@ enum After {
 }
 
 const SNIPPETS: [Snippet; 16] = [
-    snippet("README.md", "the drillstring of the paper's Table 2", After::Nothing),
-    snippet("README.md", "accuracy =", After::Base("fig09_without_methods.toml")),
+    snippet(
+        "README.md",
+        "the drillstring of the paper's Table 2",
+        After::Nothing,
+    ),
+    snippet(
+        "README.md",
+        "accuracy =",
+        After::Base("fig09_without_methods.toml"),
+    ),
     snippet("README.md", "Hertzian", After::Nothing),
     snippet("README.md", "[40, 1800]", After::Base("academic.toml")),
     snippet("docs/certain.md", "certify", After::Nothing),
@@ -44,14 +52,22 @@ const SNIPPETS: [Snippet; 16] = [
     snippet("docs/first-map.md", "[40, 1500]", After::New),
     snippet("docs/first-map.md", "methods", After::New),
     snippet("docs/limits.md", "trace", After::Nothing),
-    snippet("docs/sweep-file.md", "triangular", After::Base("well_b_random.toml")),
+    snippet(
+        "docs/sweep-file.md",
+        "triangular",
+        After::Base("well_b_random.toml"),
+    ),
     snippet("docs/unknowns.md", "monte-carlo", After::Nothing),
     snippet("docs/unknowns.md", "sensitivity", After::Nothing),
     Snippet {
         printed: &[("held", "stick_slip", 118)],
         ..snippet("docs/well.md", "bha_12in.csv", After::Nothing)
     },
-    snippet("docs/well.md", "hole_diameter_in", After::Base("well_12in_contacts.toml")),
+    snippet(
+        "docs/well.md",
+        "hole_diameter_in",
+        After::Base("well_12in_contacts.toml"),
+    ),
 ];
 
 const fn snippet(page: &'static str, known_by: &'static str, after: After) -> Snippet {
@@ -124,10 +140,15 @@ fn every_snippet_gives_what_its_page_prints() {
         pages.push(Path::new("docs").join(name));
     }
     let mut seen = 0;
-    for page in pages.iter().filter(|page| page.extension().is_some_and(|it| it == "md")) {
+    for page in pages
+        .iter()
+        .filter(|page| page.extension().is_some_and(|it| it == "md"))
+    {
         let text = std::fs::read_to_string(root().join(page)).unwrap();
         for piece in pieces(&text) {
-            let mut known = SNIPPETS.iter().filter(|known| Path::new(known.page) == page);
+            let mut known = SNIPPETS
+                .iter()
+                .filter(|known| Path::new(known.page) == page);
             let known = known.find(|known| piece.contains(known.known_by));
             let snippet = known.unwrap_or_else(|| panic!("a new one in {page:?}:\n{piece}"));
             holds(snippet, &piece, &text);
@@ -145,7 +166,10 @@ fn holds(snippet: &Snippet, piece: &str, page: &str) {
         After::New => {
             let answer = place.sweep(&["new", "new.toml"]);
             assert_eq!(answer.code, 0, "{answer:?}");
-            replaced(&std::fs::read_to_string(place.path("new.toml")).unwrap(), piece)
+            replaced(
+                &std::fs::read_to_string(place.path("new.toml")).unwrap(),
+                piece,
+            )
         }
         After::Other => return,
     };
@@ -170,7 +194,9 @@ fn holds(snippet: &Snippet, piece: &str, page: &str) {
 
 /// How many rows of each method have each label of torsion.
 fn counts(labels: &str) -> BTreeMap<(&str, &str), usize> {
-    let mut rows = labels.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let mut rows = labels
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
     let header = rows.next().unwrap();
     let place = |name: &str| header.iter().position(|column| *column == name).unwrap();
     let (method, torsion) = (place("method"), place("torsion"));

@@ -33,7 +33,7 @@ fn promises_are_kept() {
         .collect();
     assert!(tested.len() >= 200, "{}", tested.len());
     for motion in ["stick_slip", "whirl"] {
-        for shape in ["uniform", "pipe-collar", "jointed", "three-sections"] {
+        for shape in ["uniform", "pipe-collar", "jointed-collar", "three-sections"] {
             let kind = format!("{motion} {shape}");
             let of_kind = tested.iter().filter(|(one, _)| *one == kind);
             assert!(of_kind.count() >= 10, "{kind}");

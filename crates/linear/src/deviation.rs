@@ -46,12 +46,18 @@ const TIMES: usize = 128;
 /// # Errors
 /// Where the lattice of so strongly damped a string would not fit in memory.
 pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
+    Ok(largest_undershoot(&train_at_bit(string)?.1))
+}
+
+/// Speeds of the bit after a unit impulse of torque there, one after each travel time of a piece
+/// of the lattice, until the largest undershoot is behind; and that time, s.
+pub(crate) fn train_at_bit(string: &Drillstring) -> Result<(f64, Vec<f64>), BuildError> {
     let lattice = Lattice::new(string, &Sites::bit())?;
     let impulses = (undershoot_time(string) / lattice.step).ceil();
     if impulses > MOST_TAPS as f64 {
         return Err(too_many(impulses));
     }
-    let train = series(
+    let mut trains = series(
         impulses as usize,
         1,
         Sampling::Wide,
@@ -59,7 +65,7 @@ pub fn exact_undershoot(string: &Drillstring) -> Result<f64, BuildError> {
             response[0] = lattice.admittance(zeta).from_torque[(0, 0)];
         },
     );
-    Ok(largest_undershoot(&train[0]))
+    Ok((lattice.step, trains.swap_remove(0)))
 }
 
 /// How the sites of a string truly move, in one channel, at times that the responses at one

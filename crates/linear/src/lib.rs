@@ -104,6 +104,7 @@ pub mod parallel;
 pub mod passivity;
 pub mod pulse;
 pub mod responses;
+pub mod sampling;
 mod sites;
 mod spans;
 pub mod steady;

@@ -84,12 +84,12 @@ pub fn run<'py>(
     {
         warn(py, instability)?;
     }
-    for overshoot in systems
+    for front in systems
         .methods
         .iter()
-        .filter_map(|system| system.overshoot())
+        .filter_map(|system| system.wrong_front())
     {
-        warn(py, overshoot.words(plan.content.units))?;
+        warn(py, front.words(plan.content.units))?;
     }
     let shared = Arc::new(Progress::default());
     let running = Running {

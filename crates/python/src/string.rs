@@ -104,10 +104,10 @@ impl Drillstring {
         estimates::torsional_travel_time(&self.string)
     }
 
-    /// The sampling frequency of the paper's rule, Hz.
+    /// The sampling frequency that torsion needs where a torque acts at the bit, Hz.
     #[getter]
-    fn sampling_frequency(&self) -> f64 {
-        estimates::sampling_frequency(&self.string)
+    fn sampling_frequency(&self) -> PyResult<f64> {
+        linear::sampling::frequency_for_fronts(&self.string).map_err(refused)
     }
 
     /// Impulse responses by a method, between sites given by their distances from the bit (m).
@@ -153,8 +153,10 @@ impl Drillstring {
         let request = Request {
             sites,
             channels,
-            sampling_frequency: sampling_frequency
-                .unwrap_or_else(|| estimates::sampling_frequency(&self.string)),
+            sampling_frequency: match sampling_frequency {
+                Some(given) => given,
+                None => self.sampling_frequency()?,
+            },
             longest_time,
         };
         let string = self.string.clone();

@@ -7,9 +7,9 @@ use linear::{Method, Sites};
 use sim::cost::Taps;
 
 use super::finding::most_sites;
+use super::finer::finer_frequency;
 use super::stepped::{looked_at, stepped_by};
 use super::systems::request;
-use super::verdict::FINER;
 use crate::plan::{Setting, Sweep};
 
 /// Memory of one string by all methods, bytes: upper bounds.
@@ -30,7 +30,7 @@ impl StringMemory {
         let of_method = |method| Self::of_method(sweep, setting, method, longest_time);
         let places = sweep.certifying.into_iter().flatten();
         let finer = places.filter_map(|place| methods.get(place)).map(|method| {
-            let setting = setting.sampled_at(FINER * setting.sampling_frequency);
+            let setting = setting.sampled_at(finer_frequency(setting, method));
             Self::of_method(sweep, &setting, method, longest_time)
         });
         (methods.iter().map(of_method).chain(finer)).fold(Self::default(), |all, one| Self {

@@ -8,6 +8,7 @@ mod choice;
 mod clearances;
 mod dependence;
 mod finding;
+mod finer;
 mod follow;
 mod front;
 #[cfg(test)]
@@ -32,6 +33,7 @@ pub use case_error::CaseError;
 pub use choice::{Choice, ChoiceError, ChosenCase, common_setting};
 pub use clearances::{Beyond, Clearances};
 pub use dependence::{Change, Dependence, dependences};
+pub use finer::finer_frequency;
 pub use follow::FollowedMethod;
 pub use idle_axis::why_idle;
 pub use instability::{Instability, is_unstable};

@@ -13,7 +13,7 @@ use sim::{
 
 use super::case::Case;
 use super::case_error::CaseError;
-use super::front::{Front, Overshoot};
+use super::front::{Front, WrongFront};
 use super::instability::{Instability, is_unstable};
 use super::record::{ByStart, Failure, Record};
 use super::run_options::RunOptions;
@@ -90,11 +90,14 @@ impl MethodSystem {
         Some((finer.instability()?, finer.setting.sampling_frequency))
     }
 
-    /// What is to be said of its fronts, where they were compared and overshoot.
-    pub fn overshoot(&self) -> Option<Overshoot> {
-        let front = self.front.filter(Front::is_off)?;
+    /// What is to be said of its fronts, where they were compared and are not what they should
+    /// be.
+    pub fn wrong_front(&self) -> Option<WrongFront> {
+        // Against a wall alone a front does not decide when what turns sticks.
+        let decides = |front: &Front| self.setting.lateral.is_none() || front.overshoot() > 0.0;
+        let front = self.front.filter(Front::is_off).filter(decides)?;
         let method = self.method.name();
-        Some(Overshoot { method, front })
+        Some(WrongFront { method, front })
     }
 
     /// The torque that holds the bit fast, where only torsion is modelled and a

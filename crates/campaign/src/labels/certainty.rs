@@ -1,10 +1,12 @@
 //! Which labels of a case are certain, where a run certifies them.
 
+use linear::Method;
 use serde::{Deserialize, Serialize};
 
 use super::motion::{Labels, Motion};
-use crate::engine::{Certified, FINER};
+use crate::engine::{Certified, FINER, finer_frequency};
 use crate::plan::Sweep;
+use crate::words::short;
 
 /// What certifies the labels of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -14,16 +16,34 @@ pub struct CertifiedBy {
     /// The sampling frequencies of both, Hz; of the string as the file says it, where axes
     /// change the string.
     pub sampling_frequencies_hz: [f64; 2],
+    /// The sampling frequency in place of the second, Hz, at which `held` takes steps of one piece
+    /// of the lattice, where those are shorter; of the string as the file says it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub exact_fronts_hz: Option<f64>,
 }
 
 impl CertifiedBy {
     /// Of a sweep that does.
     pub fn of(sweep: &Sweep) -> Option<Self> {
+        let places = sweep.certifying?;
         let frequency = sweep.setting.sampling_frequency;
+        let finest = places.map(|place| finer_frequency(&sweep.setting, &sweep.methods[place]));
+        let finest = finest.into_iter().fold(0.0, f64::max);
         Some(Self {
-            methods: (sweep.certifying?).map(|place| sweep.methods[place].name().to_owned()),
+            methods: places.map(|place| sweep.methods[place].name().to_owned()),
             sampling_frequencies_hz: [frequency, FINER * frequency],
+            exact_fronts_hz: (finest > FINER * frequency).then_some(finest),
         })
+    }
+
+    /// The sampling frequencies in words.
+    pub fn frequencies(&self) -> String {
+        let [first, second] = self.sampling_frequencies_hz.map(short);
+        let finest = (self.exact_fronts_hz).map_or_else(String::new, |finest| {
+            let held = Method::Held.name();
+            format!(" ({held}: {} Hz)", short(finest))
+        });
+        format!("{first} and {second} Hz{finest}")
     }
 }
 

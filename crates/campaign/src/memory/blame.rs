@@ -3,6 +3,7 @@
 
 use anyhow::Error;
 use linear::method::{FiniteElement, Transform};
+use linear::sampling::FEWEST_STEPS;
 use linear::{Drillstring, Method, Section, Sites};
 
 use super::demand::{Cost, Demand};
@@ -104,7 +105,7 @@ fn usual_elements(demand: &mut Demand) {
 
 fn usual_frequency(demand: &mut Demand) {
     for (setting, _) in &mut demand.strings {
-        let usual = linear::estimates::sampling_frequency(&setting.string);
+        let usual = linear::sampling::frequency(&setting.string, FEWEST_STEPS);
         setting.sampling_frequency = setting.sampling_frequency.min(usual);
     }
 }

@@ -1,12 +1,29 @@
 //! `methods` and `[method]`: the linear methods, their parameters checked.
 
-use linear::BuildError;
 use linear::method::{FiniteElement, Method};
+use linear::sampling::merged;
+use linear::{BuildError, Drillstring};
 
 use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
 
 /// More elements in a cell resolve no more than rounding leaves.
 const MOST_ELEMENTS_PER_CELL: usize = 10_000;
+
+/// Elements by default in a cell of the drillpipe, as in the paper, and the longest cell, m, that
+/// has so many: plain pipe that is one part has as many as if it were cut.
+const ELEMENTS_OF_CELL: f64 = 20.0;
+const LONGEST_CELL: f64 = 12.0;
+
+/// Elements per cell of the drillpipe as the file divides it, where it does not give them: of the
+/// length that they have in a cell of the string whatever its lengths are divided into.
+pub fn usual_elements(string: &Drillstring) -> usize {
+    let given = string.drillpipe().cell_length();
+    let whole = merged(string).map_or(given, |whole| whole.drillpipe().cell_length());
+    let length = whole.min(LONGEST_CELL) / ELEMENTS_OF_CELL;
+    // A cell that was cut and put together is as long up to rounding.
+    let elements = (given / length - 1e-4).ceil().max(1.0);
+    (elements as usize).min(MOST_ELEMENTS_PER_CELL)
+}
 
 /// The methods. Parameters of the others are looked at too: finite elements draw the whole
 /// string whatever it is stepped by, and whatever the file says is read back.

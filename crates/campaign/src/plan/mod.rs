@@ -20,6 +20,7 @@ mod in_hole;
 mod lateral;
 mod map;
 mod methods;
+mod sampling;
 mod setting;
 mod sheet;
 mod sites;

@@ -4,7 +4,7 @@
 
 use std::borrow::Cow;
 
-use linear::estimates::{sampling_frequency, torsional_travel_time};
+use linear::estimates::torsional_travel_time;
 use linear::{Drillstring, Sites};
 use sim::SurfaceProfile;
 
@@ -12,16 +12,12 @@ use super::axial_force::Hanging;
 use super::conditions::Conditions;
 use super::contacts::StringInHole;
 use super::data::Data;
-use super::impulses::ImpulseSettings;
 use super::lateral::{self, LateralSettings};
 use super::string_friction::{self, StringFriction};
-use super::{axial_force, hole, sites, string, top_drive};
+use super::{axial_force, hole, sampling, sites, string, top_drive};
 use crate::design::Design;
 use crate::quantities::Axis;
-use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
-
-/// The samples of a raised cosine have its area from two on.
-const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
+use crate::sweep_file::{FileContent, Source, SweepFileError};
 
 /// Time for which a response to a step at the surface is looked at, in round trips of a
 /// wave.
@@ -36,8 +32,9 @@ pub struct Setting {
     pub sites: Sites,
     /// Sampling frequency, Hz.
     pub sampling_frequency: f64,
-    /// Whether that follows from the string by the paper's rule.
-    pub sampling_by_rule: bool,
+    /// Its steps per travel time of a wave, where it follows from them; `None` where it is
+    /// given.
+    pub steps_per_travel: Option<f64>,
     /// How the surface turns, in parts of the speed of a case.
     pub profile: SurfaceProfile,
     /// Inertia of a rotor that is held at that whatever it takes, kg m².
@@ -76,13 +73,13 @@ impl Setting {
     pub fn sampled_at(&self, sampling_frequency: f64) -> Self {
         Self {
             sampling_frequency,
-            sampling_by_rule: false,
+            steps_per_travel: None,
             ..self.clone()
         }
     }
 
     /// The setting that a file describes, with sites that were `found`, by their distances from
-    /// the bit (m).
+    /// the bit (m), and with steps per travel time that were `counted` on another string.
     ///
     /// # Errors
     /// Where a key of it is refused.
@@ -92,18 +89,11 @@ impl Setting {
         data: &Data,
         conditions: &Conditions,
         design: &Design,
-        found: &[f64],
+        (found, counted): (&[f64], Option<f64>),
     ) -> Result<Self, SweepFileError> {
         let string = string::resolve(source, content)?;
         let (string, mud, hole) = hole::resolve(source, content, string)?;
         let (string, rotor_inertia) = top_drive::resolve(source, content, string)?;
-        let (sampling_frequency, sampling_by_rule) = match content.sampling_frequency_hz {
-            AutoOr::Auto => (sampling_frequency(&string), true),
-            AutoOr::Given(value) => {
-                let key = "sampling_frequency_hz";
-                (source.within(key, value, 1.0, 1e6, "Hz")?, false)
-            }
-        };
         let (key, rise) = ("surface_speed_rise_s", content.surface_speed_rise_s);
         let rise = source.within(key, rise, 0.0, 1e4, "s")?;
         let profile = match (&data.surface_speed, conditions.surface_speed_rpm) {
@@ -144,11 +134,19 @@ impl Setting {
             &string,
             &sites,
         )?;
+        let cuts = content.bit.is_some();
+        let needs = sampling::Needs {
+            cuts,
+            lateral: lateral.as_ref(),
+            friction: friction.as_ref(),
+        };
+        let (sampling_frequency, steps_per_travel) =
+            sampling::resolve(source, content, &string, &needs, counted)?;
         let setting = Self {
             string,
             sites,
             sampling_frequency,
-            sampling_by_rule,
+            steps_per_travel,
             profile,
             rotor_inertia,
             friction,
@@ -158,20 +156,8 @@ impl Setting {
         };
         // For an accuracy another frequency is chosen.
         if content.accuracy.is_none() {
-            setting.check_sampling(source)?;
+            sampling::check(&setting, cuts, source)?;
         }
         Ok(setting)
-    }
-
-    /// An impulse between two samples would not be felt at all.
-    pub(super) fn check_sampling(&self, source: &Source) -> Result<(), SweepFileError> {
-        let frequency = self.sampling_frequency;
-        let impulses = self.lateral.iter().flat_map(|lateral| &lateral.impulses);
-        for (index, ImpulseSettings { duration, .. }) in impulses.enumerate() {
-            let message = format!("{duration} s is shorter than two samples at {frequency} Hz");
-            let is_short = duration * frequency < LEAST_SAMPLES_OF_IMPULSE;
-            source.refuse_if(is_short, &format!("impulses[{index}].duration_s"), message)?;
-        }
-        Ok(())
     }
 }

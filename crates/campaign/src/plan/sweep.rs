@@ -12,6 +12,7 @@ use super::conditions::{self, Conditions};
 use super::data::Data;
 use super::map::{self, MapSettings};
 use super::methods;
+use super::sampling;
 use super::setting::Setting;
 use super::start::{self, Starts};
 use super::string;
@@ -117,10 +118,15 @@ impl Sweep {
             (AutoOr::Auto, Some(recording)) => AutoOr::Given(recording.end()),
             (time, _) => time,
         };
-        let setting = Setting::resolve(&source, &content, &data, &conditions, &design, &[])?;
+        let setting =
+            Setting::resolve(&source, &content, &data, &conditions, &design, (&[], None))?;
         if let (Some(table), Some(friction)) = (&mut content.string_friction, &setting.friction) {
             // However it was found.
             table.pieces = friction.pieces();
+        }
+        if !source.gives_within(["method", "finite-element"], "elements_per_cell") {
+            let elements = methods::usual_elements(&setting.string);
+            content.method.finite_element.elements_per_cell = elements;
         }
         string::check_axes(&source, &content, &design)?;
         if let Some(accuracy) = content.accuracy {
@@ -252,7 +258,7 @@ impl Sweep {
     ) -> Result<Setting, SweepFileError> {
         let resolved = self.changed_setting(setting.changed.clone(), found)?;
         Ok(Setting {
-            sampling_by_rule: setting.sampling_by_rule,
+            steps_per_travel: setting.steps_per_travel,
             ..resolved.sampled_at(setting.sampling_frequency)
         })
     }
@@ -265,7 +271,8 @@ impl Sweep {
     ) -> Result<Setting, SweepFileError> {
         let (content, conditions) = self.changed(&changed)?;
         let (source, data, design) = (&self.source, &self.data, &self.design);
-        let setting = Setting::resolve(source, &content, data, &conditions, design, found)?;
+        let place = (found, self.setting.steps_per_travel);
+        let setting = Setting::resolve(source, &content, data, &conditions, design, place)?;
         Ok(Setting { changed, ..setting })
     }
 
@@ -308,7 +315,8 @@ impl Sweep {
             (wall.sites_tolerance_mm, wall.sites_rounds) = (None, None);
         }
         let one = Design::one_case();
-        Setting::resolve(&self.source, &content, &self.data, &conditions, &one, &[])
+        let place: (&[f64], _) = (&[], self.setting.steps_per_travel);
+        Setting::resolve(&self.source, &content, &self.data, &conditions, &one, place)
     }
 
     /// The setting of a case with the given values along the design's axes, sampled
@@ -322,7 +330,7 @@ impl Sweep {
         sampling_frequency: f64,
     ) -> Result<Setting, SweepFileError> {
         let setting = self.setting_at(values)?.sampled_at(sampling_frequency);
-        setting.check_sampling(&self.source)?;
+        sampling::check(&setting, self.bit.is_some(), &self.source)?;
         Ok(setting)
     }
 

@@ -104,6 +104,12 @@ impl Source {
         self.merged.table.contains_key(key)
     }
 
+    /// Whether they give a key of a table in a table.
+    pub fn gives_within(&self, [outer, inner]: [&str; 2], key: &str) -> bool {
+        let table = self.value_at(outer, inner);
+        table.and_then(|table| table.get(key)).is_some()
+    }
+
     /// The sweep file itself.
     pub fn file(&self) -> &Path {
         &self.files[0]

@@ -520,8 +520,17 @@ pub struct PromisesArguments {
     #[arg(long, value_name = "MOTION", value_delimiter = ',')]
     pub motion: Vec<Motion>,
     /// Test instead how often a label that `certify` has as certain is wrong
-    #[arg(long)]
+    #[arg(long, conflicts_with = "limits")]
     pub labels: bool,
+    /// Test instead where the limit of stick-slip is at the default sampling frequency
+    #[arg(long)]
+    pub limits: bool,
+    /// The methods of --limits
+    #[arg(long, value_name = "METHOD", value_delimiter = ',', default_values_t = [String::from("held")])]
+    pub methods: Vec<String>,
+    /// Take the exact limits of --limits from an earlier table of the same seed
+    #[arg(long, value_name = "CSV")]
+    pub known: Option<PathBuf>,
     /// Results folder
     #[arg(long, default_value = "results/promises")]
     pub out: PathBuf,

@@ -8,7 +8,7 @@ use anyhow::Result;
 use super::status::Status;
 use crate::output::{Manifest, Motion, Tally, TraceSummary};
 use campaign::engine::Dependence;
-use campaign::words::{counted, short, together, wrapped};
+use campaign::words::{counted, together, wrapped};
 
 /// How a run that has these results ends.
 pub fn status_of(manifest: &Manifest) -> Status {
@@ -46,13 +46,13 @@ fn certain(manifest: &Manifest) -> String {
         return String::new();
     };
     let cases = manifest.cases_here();
-    let ([one, other], [first, second]) = (&by.methods, by.sampling_frequencies_hz.map(short));
+    let ([one, other], frequencies) = (&by.methods, by.frequencies());
     let words = |motion: Motion| {
         let certain = manifest.tally.certified(motion);
         let part = 100.0 * certain as f64 / cases.max(1) as f64;
         let words = format!(
             "certain, {}: {certain} of {} ({part:.1} %), of which {one} and {other} say the same \
-             at {first} and {second} Hz, far enough from the limit",
+             at {frequencies}, far enough from the limit",
             motion.adjective(),
             counted(cases, "case"),
         );

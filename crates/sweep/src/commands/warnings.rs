@@ -52,14 +52,14 @@ pub fn warn_of_unstable<'a>(
     }
 }
 
-/// Warns of methods whose fronts overshoot on the string as the file has it.
-pub fn warn_of_overshoot(sweep: &Sweep, systems: &[MethodSystem], terminal: Terminal) {
+/// Warns of methods that make too much or too little of fronts on the string as the file has it.
+pub fn warn_of_fronts(sweep: &Sweep, systems: &[MethodSystem], terminal: Terminal) {
     let others = match sweep.design.varies_string() {
         true => "; axes change the string, and others may be farther off",
         false => "",
     };
-    for overshoot in systems.iter().filter_map(MethodSystem::overshoot) {
-        let words = overshoot.words(sweep.content.units);
+    for front in systems.iter().filter_map(MethodSystem::wrong_front) {
+        let words = front.words(sweep.content.units);
         terminal.complain(&format!("warning: {words}{others}"));
     }
 }

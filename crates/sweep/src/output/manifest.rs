@@ -158,7 +158,7 @@ impl Manifest {
             data_sha256: data_hash(&sweep.data)?,
             seed: sweep.design.seed(),
             sampling_frequency_hz: sweep.setting.sampling_frequency,
-            sampling_frequency_by_rule: sweep.setting.sampling_by_rule,
+            sampling_frequency_by_rule: sweep.setting.steps_per_travel.is_some(),
             accuracy: sweep.choice.clone(),
             cases: sweep.design.cases(),
             axes: sweep.design.axes().to_vec(),
@@ -191,7 +191,9 @@ impl Manifest {
     /// None that a manifest that was read could cause.
     pub fn fingerprint(&self) -> Result<serde_json::Value> {
         let hashes = [&self.cases_sha256, &self.data_sha256].map(Option::as_deref);
-        fingerprint_of(&self.sweep, hashes, self.options)
+        let by_rule = self.sampling_frequency_by_rule;
+        let by_rule = by_rule.then_some(self.sampling_frequency_hz);
+        fingerprint_of(&self.sweep, hashes, by_rule, self.options)
     }
 
     /// Whether there is a map of it: none of a part, nor of fewer than two axes.
@@ -251,9 +253,12 @@ impl Manifest {
 /// None that a sweep that was read could cause.
 pub fn fingerprint(sweep: &Sweep, options: RunOptions) -> Result<serde_json::Value> {
     let hashes = [cases_hash(&sweep.design)?, data_hash(&sweep.data)?];
+    let setting = &sweep.setting;
+    let by_rule = setting.steps_per_travel.map(|_| setting.sampling_frequency);
     fingerprint_of(
         &sweep.content,
         hashes.each_ref().map(Option::as_deref),
+        by_rule,
         options,
     )
 }
@@ -261,6 +266,7 @@ pub fn fingerprint(sweep: &Sweep, options: RunOptions) -> Result<serde_json::Val
 fn fingerprint_of(
     content: &FileContent,
     hashes: [Option<&str>; 2],
+    frequency_by_rule: Option<f64>,
     options: RunOptions,
 ) -> Result<serde_json::Value> {
     let mut content = content.clone();
@@ -279,6 +285,12 @@ fn fingerprint_of(
             if let Some(hash) = hash {
                 table.insert((*name).to_owned(), hash.into());
             }
+        }
+        // An accuracy chooses another.
+        if let (Some(frequency), None) = (frequency_by_rule, content.accuracy) {
+            // Another rule makes another run of the same file.
+            let key = "sampling frequency by rule, Hz";
+            table.insert(key.to_owned(), frequency.into());
         }
         for (option, is_given) in [
             ("--full", options.full),

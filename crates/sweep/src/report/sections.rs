@@ -252,14 +252,13 @@ fn certain(all: &[Results]) -> Option<Block> {
         let Some(by) = &manifest.certified_by else {
             continue;
         };
-        let [first, second] = by.sampling_frequencies_hz.map(short);
         let cases = manifest.cases_here();
         for motion in manifest.tally.motions() {
             let certain = manifest.tally.certified(motion);
             let cells = vec![
                 motion.adjective().to_owned(),
                 by.methods.join(" and "),
-                format!("{first} and {second} Hz"),
+                by.frequencies(),
                 certain.to_string(),
                 cases.to_string(),
                 percentage(certain, cases),

@@ -10,9 +10,9 @@ use sim::excitation::reach_of_impulse;
 use sim::{CascadeSimulator, Sampling, Simulator};
 
 use super::MethodSystem;
+use crate::engine::finer::finer_frequency;
 use crate::engine::stepped::{self, stepped_by};
 use crate::engine::stopwatch::Stopwatch;
-use crate::engine::verdict::FINER;
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 impl MethodSystem {
@@ -207,7 +207,7 @@ impl MethodSystem {
         })
     }
 
-    /// The same with one that is sampled [`FINER`] times as often, where this is the method at
+    /// The same with one that is sampled more often ([`finer_frequency`]), where this is the method at
     /// such a place of a sweep's list as certifies labels.
     ///
     /// # Errors
@@ -216,9 +216,8 @@ impl MethodSystem {
         if !(sweep.certifying).is_some_and(|places| places.contains(&place)) {
             return Ok(self);
         }
-        let setting = self
-            .setting
-            .sampled_at(FINER * self.setting.sampling_frequency);
+        let frequency = finer_frequency(&self.setting, &self.method);
+        let setting = self.setting.sampled_at(frequency);
         let finer = Self::build(&setting, self.method, sweep.bit.is_some(), longest_time);
         let finer = finer.with_context(|| {
             let (method, frequency) = (self.method.name(), setting.sampling_frequency);

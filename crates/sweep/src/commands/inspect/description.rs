@@ -38,8 +38,10 @@ pub fn describe_string(sweep: &Sweep) -> String {
     let frequency = sweep.setting.sampling_frequency;
     let why = match sweep.choice {
         Some(_) => "by the accuracy asked for",
-        None if sweep.setting.sampling_by_rule => "four times the first mode of one cell",
-        None => "given in the sweep file",
+        None => &match sweep.setting.steps_per_travel {
+            Some(steps) => format!("{steps} steps in the travel time, as the string needs"),
+            None => "given in the sweep file".to_owned(),
+        },
     };
     for (title, value) in [
         (

@@ -20,7 +20,7 @@ use super::prepare::{build_systems, read_sweep, survey_cases};
 use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::{warn_of_limits, warn_of_overshoot, warn_of_string};
+use super::warnings::{warn_of_fronts, warn_of_limits, warn_of_string};
 use crate::cli::InspectArguments;
 use crate::output::write_atomically;
 use axial_force::describe_axial_force;
@@ -59,7 +59,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     let mut systems = add_finer(systems, &sweep, survey.longest)?;
     let built = start.elapsed().as_secs_f64();
     compare_fronts(&mut systems);
-    warn_of_overshoot(&sweep, &systems, terminal);
+    warn_of_fronts(&sweep, &systems, terminal);
     let memory = Demand::of(&sweep, &setting, &survey, Purpose::Labels)?.within(&limit);
     let time = of_built(&sweep, &survey, &systems, built);
     let cost = cost_lines(&memory, &limit, &time);

@@ -2,9 +2,12 @@
 //! right, on strings drawn at random.
 
 mod labels;
+mod limits;
 mod table;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
+use linear::Method;
+use linear::method::{FiniteElement, Transform};
 
 use super::csv_table::csv_table;
 use super::folder::make_folder;
@@ -14,7 +17,7 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::PromisesArguments;
 use crate::output::write_atomically;
-use crate::studies::promises::{Motion, run, test_labels};
+use crate::studies::promises::{Motion, default_limits, run, test_labels};
 use table::{columns, summary};
 
 /// Puts promises to the test and writes their table.
@@ -26,9 +29,20 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
     let motions: Vec<Motion> = Motion::ALL.into_iter().filter(is_wanted).collect();
     let limit = arguments.memory.limit();
     let strings = arguments.strings.get();
-    let progress = Progress::new(motions.len() * strings, 0, arguments.quiet, terminal);
+    let motions_of_table = if arguments.limits { 1 } else { motions.len() };
+    let progress = Progress::new(motions_of_table * strings, 0, arguments.quiet, terminal);
     let tick = || progress.tick();
-    let (name, table, text) = if arguments.labels {
+    let (name, table, text) = if arguments.limits {
+        let known = arguments.known.as_deref().map(limits::known).transpose()?;
+        let known = known.unwrap_or_default();
+        let methods = wanted_methods(&arguments.methods)?;
+        let of_string = |number: usize| known.get(&number).cloned();
+        let found = default_limits(&methods, strings, arguments.seed, &of_string, &tick);
+        progress.finish();
+        let found = found?;
+        let table = csv_table(found.iter().map(limits::columns))?;
+        ("limits.csv", table, limits::summary(&found))
+    } else if arguments.labels {
         let found = test_labels(&motions, strings, arguments.seed, &tick);
         progress.finish();
         let tested = found?;
@@ -46,4 +60,19 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
         say(&text)?;
     }
     Ok(Status::Complete)
+}
+
+/// The methods of these names, with their usual parameters.
+fn wanted_methods(names: &[String]) -> Result<Vec<Method>> {
+    let of_name = |name: &String| {
+        let known = [
+            Method::Held,
+            Method::Quadrature,
+            Method::Hilbert(Transform::default()),
+            Method::FiniteElement(FiniteElement::default()),
+        ];
+        let method = known.into_iter().find(|method| method.name() == name);
+        method.with_context(|| format!("there is no method `{name}` to test limits by"))
+    };
+    names.iter().map(of_name).collect()
 }

@@ -8,7 +8,7 @@ use crate::commands::cost::{cost_lines, probe};
 use crate::commands::folder::{Found, LOG, in_words};
 use crate::log::LogView;
 use campaign::design::{Design, TraceDesign};
-use campaign::engine::{FINER, pairs_of};
+use campaign::engine::{finer_frequency, pairs_of};
 use campaign::memory::{Purpose, admit};
 use campaign::words::{counted, short, together, wrapped};
 
@@ -118,9 +118,12 @@ fn times(task: &Task) -> String {
     let part = design.likely_cases() as f64 / design.cases() as f64;
     let frequency = sweep.setting.sampling_frequency;
     let certifying = sweep.certifying.map_or_else(String::new, |places| {
-        let [one, other] = places.map(|place| sweep.methods[place].name());
-        let finer = short(FINER * frequency);
-        format!(", and by {one} and {other} at {finer} Hz, to certify labels")
+        let [one, other] = places.map(|place| {
+            let method = &sweep.methods[place];
+            let finer = short(finer_frequency(&sweep.setting, method));
+            format!("{} at {finer} Hz", method.name())
+        });
+        format!(", and by {one} and {other}, to certify labels")
     });
     let words = format!(
         "simulated time {} s for each method, the longest case {} s, at {} Hz{certifying}",

@@ -15,7 +15,7 @@ use crate::commands::progress::Progress;
 use crate::commands::status::Status;
 use crate::commands::stop;
 use crate::commands::terminal::say;
-use crate::commands::warnings::{warn_of_broken_lines, warn_of_overshoot, warn_of_unstable};
+use crate::commands::warnings::{warn_of_broken_lines, warn_of_fronts, warn_of_unstable};
 use crate::files::write_with_checksum;
 use crate::limits::write_traced;
 use crate::log::Log;
@@ -66,7 +66,7 @@ impl<'a> Session<'a> {
         let about = About::new(sweep, file, shard, options, &systems.methods)?;
         log.describe(serde_json::to_string(&about)?)?;
         warn_of_unstable(&systems.methods, task.terminal);
-        warn_of_overshoot(sweep, &systems.methods, task.terminal);
+        warn_of_fronts(sweep, &systems.methods, task.terminal);
         warn_of_broken_lines(&log, task.terminal);
         Ok(Self {
             log: Arc::new(log),

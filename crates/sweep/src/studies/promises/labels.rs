@@ -2,9 +2,7 @@
 //! label that is certain or not, and what is true of it by methods that have no part in that.
 
 use anyhow::{Context, Result};
-use linear::Method;
 use linear::estimates::sampling_frequency;
-use linear::waves::lattice::Lattice;
 use sim::Stopping;
 
 use super::draw::Draw;
@@ -18,6 +16,10 @@ use campaign::plan::Sweep;
 
 /// Cases of a string: each at most so far from its limit, as a natural logarithm.
 const NEAR: [f64; 6] = [0.02, 0.05, 0.05, 0.15, 0.15, 0.3];
+
+/// And so many in torsion anywhere between these parts of Eq. 74's limit.
+const ANYWHERE: usize = 3;
+const PARTS_OF_LIMIT: [f64; 2] = [0.33, 1.5];
 
 /// Where the limit of whirl is about, coefficient of friction, if it is not found.
 const USUAL_FRICTION: f64 = 1.4;
@@ -34,7 +36,7 @@ const STREAM: u64 = 1 << 32;
 pub struct Tested {
     /// On which string.
     pub problem: Problem,
-    /// Sampling frequency, Hz; the label is certified at twice that, too.
+    /// Sampling frequency, Hz; the label is certified in shorter steps, too.
     pub sampling_frequency: f64,
     /// Surface speed in rpm, or coefficient of friction.
     pub value: f64,
@@ -65,7 +67,10 @@ pub fn test_labels(
     done: &(dyn Fn() + Sync),
 ) -> Result<Vec<Tested>> {
     of_each(motions, strings, done, |motion, number| {
-        let problem = Problem::draw(motion, number, seed)?;
+        let problem = match motion {
+            Motion::StickSlip => Problem::draw_family(number, seed)?,
+            Motion::Whirl => Problem::draw(motion, number, seed)?,
+        };
         let stream = STREAM + 2 * number as u64 + u64::from(motion == Motion::Whirl);
         of_string(&problem, &mut Draw::new(seed, stream))
             .with_context(|| format!("{} of string {number}", motion.name()))
@@ -73,22 +78,22 @@ pub fn test_labels(
 }
 
 fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
-    let rule = sampling_frequency(
-        &problem
-            .sweep("sampling_frequency_hz = 1000\n")?
-            .setting
-            .string,
-    );
-    let frequency = match problem.motion {
-        Motion::StickSlip => rule,
-        Motion::Whirl => rule.max(LEAST_OF_IMPULSES),
+    let given = match problem.motion {
+        // As a file has it that gives none.
+        Motion::StickSlip => String::new(),
+        Motion::Whirl => {
+            let sweep = problem.sweep("sampling_frequency_hz = 1000\n")?;
+            let of_cell = sampling_frequency(&sweep.setting.string);
+            let frequency = of_cell.max(LEAST_OF_IMPULSES);
+            format!("sampling_frequency_hz = {frequency}\n")
+        }
     };
     let sweep = problem.sweep(&format!(
-        "methods = [\"held\", \"finite-element\"]\ncertify = true\n\
-         sampling_frequency_hz = {frequency}\n"
+        "methods = [\"held\", \"finite-element\"]\ncertify = true\n{given}"
     ))?;
     let sweep = sweep.for_run()?;
-    let limit = limit(problem, &sweep)?;
+    let middle = middle(problem, &sweep)?;
+    let limit = limit(problem, &sweep, middle)?;
     let longest = longest(problem, &sweep, limit)?;
     let systems = (sweep.methods.iter().enumerate())
         .map(|(place, method)| {
@@ -96,10 +101,16 @@ fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
             system.with_finer(&sweep, place, longest)
         })
         .collect::<Result<Vec<_>>>()?;
-    let judges = judges(problem, &sweep, longest)?;
+    let judges = judges(problem, longest)?;
     let mut tested = Vec::new();
-    for near in NEAR {
-        let value = limit * (near * draw.uniform(-1.0, 1.0)).exp();
+    let mut values: Vec<f64> = (NEAR.iter())
+        .map(|near| limit * (near * draw.uniform(-1.0, 1.0)).exp())
+        .collect();
+    if problem.motion == Motion::StickSlip {
+        let [least, most] = PARTS_OF_LIMIT.map(|part| part * middle);
+        values.extend((0..ANYWHERE).map(|_| draw.uniform(least, most)));
+    }
+    for value in values {
         let conditions = sweep.conditions.with(problem.motion.axis(), value);
         let case = trial::case(&sweep, &sweep.setting, &conditions)?;
         let answer = |(place, system): (usize, &MethodSystem)| {
@@ -123,7 +134,7 @@ fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
         }
         tested.push(Tested {
             problem: problem.clone(),
-            sampling_frequency: frequency,
+            sampling_frequency: sweep.setting.sampling_frequency,
             value,
             label: is_inside(outcome),
             is_certain: match problem.motion {
@@ -136,12 +147,16 @@ fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
     Ok(tested)
 }
 
+/// Where the limit is about: in torsion that of Eq. 74.
+fn middle(problem: &Problem, sweep: &Sweep) -> Result<f64> {
+    match problem.motion {
+        Motion::StickSlip => stick_slip::guess(sweep),
+        Motion::Whirl => Ok(USUAL_FRICTION),
+    }
+}
+
 /// Where the limit is by [`Method::Held`] in steps of the rule, about which cases are drawn.
-fn limit(problem: &Problem, sweep: &Sweep) -> Result<f64> {
-    let middle = match problem.motion {
-        Motion::StickSlip => stick_slip::guess(sweep)?,
-        Motion::Whirl => USUAL_FRICTION,
-    };
+fn limit(problem: &Problem, sweep: &Sweep, middle: f64) -> Result<f64> {
     let finder = Finder::new(problem, sweep, middle)?;
     let found = match problem.motion {
         Motion::StickSlip => finder.nearest(middle),
@@ -150,17 +165,12 @@ fn limit(problem: &Problem, sweep: &Sweep) -> Result<f64> {
     Ok(found.unwrap_or(middle))
 }
 
-/// Systems that say what is true, where they agree: in torsion alone in steps of a piece of
-/// the string's lattice, in which every front is in time, beside two waveguides that share no
-/// code with it; with a wall those of the true limit of whirl.
-fn judges(problem: &Problem, sweep: &Sweep, longest: f64) -> Result<Vec<(Sweep, MethodSystem)>> {
+/// Systems that say what is true, where they agree: with a wall those of the true limit of
+/// whirl; in torsion alone no system of the program, but two waveguides that share no code with
+/// it.
+fn judges(problem: &Problem, longest: f64) -> Result<Vec<(Sweep, MethodSystem)>> {
     match problem.motion {
-        Motion::StickSlip => {
-            let lattice = Lattice::new(&sweep.setting.string, &sweep.setting.sites)?;
-            let setting = sweep.setting.sampled_at(lattice.step.recip());
-            let system = MethodSystem::build_for(sweep, &setting, Method::Held, longest)?;
-            Ok(vec![(sweep.clone(), system)])
-        }
+        Motion::StickSlip => Ok(Vec::new()),
         Motion::Whirl => (whirl::FREQUENCIES.iter())
             .map(|frequency| {
                 let sweep = problem.sweep(&format!("sampling_frequency_hz = {frequency}\n"))?;

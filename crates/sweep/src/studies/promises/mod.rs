@@ -2,9 +2,11 @@
 //! with a limit of stick-slip or of whirl; an accuracy is asked for, and the limit by what
 //! is chosen compared with one that no reference of the choice has a part in.
 
+mod default_limits;
 mod draw;
 mod finder;
 mod labels;
+mod motor;
 mod problem;
 mod stick_slip;
 mod waveguide;
@@ -13,13 +15,15 @@ mod whirl;
 use anyhow::{Context, Result};
 use rayon::prelude::*;
 
+pub use default_limits::{Found, default_limits};
+pub use finder::Truth;
 pub use labels::{Tested, test_labels};
 pub use problem::{Motion, Problem};
 
 use crate::studies::accuracy::choose;
 use campaign::memory::Limit;
 use campaign::plan::Sweep;
-use finder::{Finder, Truth};
+use finder::Finder;
 
 /// Accuracies asked for on every string, parts of one.
 pub const ASKED: [f64; 3] = [0.1, 0.03, 0.01];

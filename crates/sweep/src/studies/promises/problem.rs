@@ -6,10 +6,10 @@ use std::path::Path;
 use anyhow::Result;
 use clap::ValueEnum;
 use linear::deviation::exact_undershoot;
-use linear::estimates::{stick_slip_speed_limit, torsional_wave_left};
+use linear::estimates::{first_mode, stick_slip_speed_limit, torsional_wave_left};
 use linear::{Drillstring, Material};
 
-use super::draw::{Draw, SHAPES, sections};
+use super::draw::{Draw, FAMILIES, FIELD, SHAPES, SURFACES, Shape, Sizes, Surface, WIDE, sections};
 use campaign::plan::{Sweep, to_rpm};
 use campaign::quantities::Axis;
 
@@ -61,6 +61,8 @@ pub struct Problem {
     pub motion: Motion,
     /// The kind of string.
     pub shape: &'static str,
+    /// What turns its surface.
+    pub surface: &'static str,
     /// Length, m.
     pub length: f64,
     /// What damping takes of a wave from the surface to the bit: its amplitude is left at
@@ -79,12 +81,7 @@ impl Problem {
         let stream = 2 * number as u64 + u64::from(motion == Motion::Whirl);
         let mut draw = Draw::new(seed, stream);
         let shape = SHAPES[number % SHAPES.len()];
-        let length = draw.log_uniform(100.0, 5000.0);
-        let sections = sections(&mut draw, shape, length);
-        let loss = draw.log_uniform(0.03, 0.7);
-        let with_damping = |damping| Drillstring::new(STEEL, sections.clone(), damping);
-        let loss_of_one = -torsional_wave_left(&with_damping(1.0)?).ln();
-        let string = with_damping(loss / loss_of_one)?;
+        let (string, loss) = string(&mut draw, shape, &WIDE, 5000.0)?;
         let scene = match motion {
             Motion::StickSlip => stick_slip(&mut draw, &string)?,
             Motion::Whirl => whirl(&mut draw),
@@ -93,10 +90,50 @@ impl Problem {
             number,
             motion,
             shape: shape.name(),
+            surface: Surface::Prescribed.name(),
             length: string.length(),
             loss,
             text: scene + &string_text(&string),
         })
+    }
+
+    /// Stick-slip on a string of any family, of one half of them with the sizes of wells, and
+    /// under a top drive on every other string of a family.
+    ///
+    /// # Errors
+    /// As [`Problem::draw`].
+    pub fn draw_family(number: usize, seed: u64) -> Result<Self> {
+        let mut draw = Draw::new(seed, FAMILY_STREAM + number as u64);
+        let (round, shape) = (number / FAMILIES.len(), FAMILIES[number % FAMILIES.len()]);
+        let (turn, surface) = (round / SURFACES.len(), SURFACES[round % SURFACES.len()]);
+        let sizes = if turn.is_multiple_of(2) { FIELD } else { WIDE };
+        let (string, loss) = string(&mut draw, shape, &sizes, 6000.0)?;
+        let (drive, inertia) = match surface {
+            Surface::Prescribed => (None, 0.0),
+            Surface::Stiff => (Some("stiff"), draw.uniform(500.0, 4000.0)),
+            Surface::SoftTorque => {
+                let times = draw.uniform(1.2, 4.0);
+                (Some("soft-torque"), times * first_mode(&string).inertia)
+            }
+        };
+        let drive = drive.map_or_else(String::new, |controller| {
+            format!("[top_drive]\ninertia_kg_m2 = {inertia}\ncontroller = \"{controller}\"\n\n")
+        });
+        let mut problem = Self {
+            number,
+            motion: Motion::StickSlip,
+            shape: shape.name(),
+            surface: surface.name(),
+            length: string.length(),
+            loss,
+            text: drive + &string_text(&string),
+        };
+        let ratio = draw.uniform(1.1, 1.5);
+        // The drive moves the limit.
+        let bare = "sampling_frequency_hz = 1000\nsurface_speed_rpm = 60\n";
+        let string = problem.sweep(bare)?.setting.string;
+        problem.text = stick_slip_of(ratio, &string)? + &problem.text;
+        Ok(problem)
     }
 
     /// Its sweep with a method, or an accuracy, in the first lines of its file.
@@ -115,9 +152,30 @@ impl Problem {
     }
 }
 
-/// Two speeds about the limit that Eq. 74 has for the string.
+/// Random numbers of families: no other problem has these.
+const FAMILY_STREAM: u64 = 1 << 33;
+
+/// A string of some length up to the longest, m, and what damping takes of a wave.
+fn string(
+    draw: &mut Draw,
+    shape: Shape,
+    sizes: &Sizes,
+    longest: f64,
+) -> Result<(Drillstring, f64)> {
+    let length = draw.log_uniform(100.0, longest);
+    let sections = sections(draw, shape, sizes, length);
+    let loss = draw.log_uniform(0.03, 0.7);
+    let with_damping = |damping| Drillstring::new(STEEL, sections.clone(), damping);
+    let loss_of_one = -torsional_wave_left(&with_damping(1.0)?).ln();
+    Ok((with_damping(loss / loss_of_one)?, loss))
+}
+
 fn stick_slip(draw: &mut Draw, string: &Drillstring) -> Result<String> {
-    let ratio = draw.uniform(1.1, 1.5);
+    stick_slip_of(draw.uniform(1.1, 1.5), string)
+}
+
+/// Two speeds about the limit that Eq. 74 has for the string.
+fn stick_slip_of(ratio: f64, string: &Drillstring) -> Result<String> {
     let undershoot = exact_undershoot(string)?;
     let limit = to_rpm(stick_slip_speed_limit(undershoot, ratio * TORQUE, TORQUE));
     let [low, high] = [0.8 * limit, 1.6 * limit];

@@ -6,6 +6,8 @@
 use linear::Drillstring;
 use linear::estimates::torsional_impedance;
 
+use super::motor::Motor;
+
 /// A string at rest, its bit held.
 pub struct Waveguide {
     /// Step, s.
@@ -15,6 +17,8 @@ pub struct Waveguide {
     /// arrives at the next when the ring has gone round.
     down: Vec<f64>,
     up: Vec<f64>,
+    /// What turns the surface, where that is not set as prescribed.
+    drive: Option<Motor>,
     /// Speed of the bit per wave that arrives there, and of that per torque left.
     bit: [f64; 2],
     law: Friction,
@@ -74,14 +78,19 @@ impl Waveguide {
             });
             (first, above) = (end, Some(row));
         }
+        let step = piece / string.torsional_wave_speed();
+        let drive = string.top_drive().zip(rows.first());
+        let drive = drive.map(|(drive, row)| Motor::new(&drive, row.impedance, damping(row), step));
         let bit = above.map_or([0.0; 2], |last| {
             [2.0 * last.impedance, 1.0 / (last.impedance + damping(last))]
         });
+        let [down, up] = at_rest(first);
         Self {
-            step: piece / string.torsional_wave_speed(),
+            step,
             stretches,
-            down: vec![0.0; first],
-            up: vec![0.0; first],
+            down,
+            up,
+            drive,
             bit,
             law,
         }
@@ -95,7 +104,10 @@ impl Waveguide {
             let place = stretch.place;
             let (down, up) = (self.down[place], self.up[place]);
             let speed = match left_at {
-                None => surface_speed,
+                None => match &mut self.drive {
+                    None => surface_speed,
+                    Some(drive) => drive.advance(surface_speed, up),
+                },
                 Some(above) => {
                     let [from_above, from_below] = stretch.gains;
                     let speed = from_above * arrived + from_below * up;
@@ -118,6 +130,11 @@ impl Waveguide {
         }
         speed
     }
+}
+
+/// Waves down and up a string of so many pieces that does not move.
+fn at_rest(pieces: usize) -> [Vec<f64>; 2] {
+    [vec![0.0; pieces], vec![0.0; pieces]]
 }
 
 impl Friction {
