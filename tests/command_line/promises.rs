@@ -141,6 +141,53 @@ fn labels_that_are_certain_are_seldom_wrong() {
     }
 }
 
+/// What is looked at of a limit at the default sampling frequency.
+const LIMIT: [&str; 6] = [
+    "string",
+    "family",
+    "rule",
+    "steps_per_travel",
+    "limit_rpm",
+    "error",
+];
+
+/// The study of which docs/tradeoff.md tells: 95 % of limits at the default frequency are within
+/// 5 % of the exact ones, and a few strings again are as they were.
+#[test]
+fn limits_at_the_default_frequency_are_those_of_exact_waves() {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../results/reference/default_limits.csv"
+    );
+    let study = columns(&table(&std::fs::read_to_string(file).unwrap()), LIMIT);
+    let within = |rule: &str| {
+        let errors = study
+            .iter()
+            .filter(|row| row[2] == rule && !row[5].is_empty());
+        let errors: Vec<f64> = errors
+            .map(|row| row[5].parse::<f64>().unwrap().abs())
+            .collect();
+        let good = errors.iter().filter(|error| **error <= 0.05).count();
+        good as f64 / errors.len() as f64
+    };
+    assert!(within("default") >= 0.95, "{}", within("default"));
+    assert!(within("one-piece") >= 0.95, "{}", within("one-piece"));
+    assert!(within("one-cell") < 0.6, "{}", within("one-cell"));
+    let place = Workplace::new();
+    let asked = ["promises", "--limits", "--strings", "2", "--seed", "11"];
+    let answer = place.sweep(&[&asked[..], &["--known", file, "--out", "two"]].concat());
+    assert_eq!(answer.code, 0, "{answer:?}");
+    let found = columns(&table(&text(&place, "two/limits.csv")), LIMIT);
+    assert_eq!(found.len(), 6);
+    for (found, known) in found.iter().zip(&study) {
+        assert_eq!(found[..3], known[..3]);
+        for column in 3..5 {
+            let [found, known] = [found, known].map(|row| row[column].parse::<f64>().unwrap());
+            assert!((found - known).abs() <= 1e-3 * known, "{found} {known}");
+        }
+    }
+}
+
 #[test]
 fn no_strings_are_refused() {
     let place = Workplace::new();
