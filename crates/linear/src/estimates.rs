@@ -29,6 +29,13 @@ pub fn torsional_impedance(string: &Drillstring, tube: &Tube) -> f64 {
     tube.polar_moment() * (material.shear_modulus * material.density).sqrt()
 }
 
+/// Characteristic torsional impedance of the lowest tube, N m s/rad: what a torque on the bit has
+/// to turn before anything comes back.
+pub fn bit_impedance(string: &Drillstring) -> f64 {
+    let lowest = string.tubes().last();
+    lowest.map_or(f64::INFINITY, |(_, tube)| torsional_impedance(string, tube))
+}
+
 /// Time a torsional wave takes from the surface to the bit, s.
 pub fn torsional_travel_time(string: &Drillstring) -> f64 {
     string.length() / string.torsional_wave_speed()

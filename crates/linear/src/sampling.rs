@@ -31,9 +31,9 @@ pub const FEWEST_STEPS: f64 = 384.0;
 /// the lowest speeds after each of three echoes are right to 2 % too changes no more than Δ.)
 pub const TOLERANCE: f64 = 0.01;
 
-/// An undershoot that is less than this part of what the bit moves at once is small: it need
-/// not be known better than as a part of that.
-const SMALL: f64 = 0.02;
+/// An undershoot that is less than this part of what the bit moves at once is small, as below a
+/// drive that lets waves out: it need not be known better than as a part of that.
+pub const SMALL: f64 = 0.1;
 
 /// A number of steps and what it makes of fronts.
 #[derive(Debug, Clone, Copy, PartialEq)]

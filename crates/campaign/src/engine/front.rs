@@ -1,5 +1,7 @@
 //! How a method treats the front that a torque which jumps sends up the string.
 
+use linear::sampling::SMALL;
+
 use crate::quantities::{TORQUE, Unit, Units};
 
 /// A front that overshoots by more than this part is warned of: a limit of stick-slip is
@@ -17,6 +19,8 @@ pub struct Front {
     pub undershoot: f64,
     /// As it is.
     pub exact: f64,
+    /// What the bit moves at once, rad/s per N m.
+    pub at_once: f64,
 }
 
 /// A method that makes too much or too little of fronts on a string.
@@ -54,9 +58,10 @@ impl WrongFront {
 }
 
 impl Front {
-    /// By which part of the exact undershoot it is more than that.
+    /// By which part of the exact undershoot, or of a small one of what the bit moves at once, it
+    /// is more than that.
     pub fn overshoot(&self) -> f64 {
-        self.undershoot / self.exact - 1.0
+        (self.undershoot - self.exact) / self.exact.max(SMALL * self.at_once)
     }
 
     /// Whether that is worth a warning.
