@@ -29,13 +29,6 @@ pub fn torsional_impedance(string: &Drillstring, tube: &Tube) -> f64 {
     tube.polar_moment() * (material.shear_modulus * material.density).sqrt()
 }
 
-/// Characteristic torsional impedance of the lowest tube, N m s/rad: what a torque on the bit has
-/// to turn before anything comes back.
-pub fn bit_impedance(string: &Drillstring) -> f64 {
-    let lowest = string.tubes().last();
-    lowest.map_or(f64::INFINITY, |(_, tube)| torsional_impedance(string, tube))
-}
-
 /// Time a torsional wave takes from the surface to the bit, s.
 pub fn torsional_travel_time(string: &Drillstring) -> f64 {
     string.length() / string.torsional_wave_speed()
@@ -222,16 +215,26 @@ pub fn torsional_wave_left(string: &Drillstring) -> f64 {
 /// given, in the units of the response (rad/s per N m at the bit). Where nothing comes back
 /// from the surface there is none.
 pub fn largest_undershoot(taps: &[f64]) -> f64 {
-    let (mut speed, mut least, mut most) = (0.0f64, f64::INFINITY, f64::NEG_INFINITY);
-    for tap in taps {
-        speed += tap;
-        (least, most) = (least.min(speed), most.max(speed));
-    }
+    let [least, most] = ends_of_step_response(taps);
     if -least > UNDERSHOOT_OF_ROUNDING * most {
         -least
     } else {
         0.0
     }
+}
+
+/// The most that a step of torque makes of the bit's speed, in the units of the response.
+pub fn largest_response(taps: &[f64]) -> f64 {
+    ends_of_step_response(taps)[1].max(0.0)
+}
+
+fn ends_of_step_response(taps: &[f64]) -> [f64; 2] {
+    let (mut speed, mut least, mut most) = (0.0f64, f64::INFINITY, f64::NEG_INFINITY);
+    for tap in taps {
+        speed += tap;
+        (least, most) = (least.min(speed), most.max(speed));
+    }
+    [least, most]
 }
 
 /// What taps that are cut off, and rounding, leave of a step response in the end, as a part of

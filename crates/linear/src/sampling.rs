@@ -16,7 +16,7 @@ mod merged;
 use crate::deviation::train_at_bit;
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
-use crate::estimates::{largest_undershoot, torsional_travel_time};
+use crate::estimates::{largest_response, largest_undershoot, torsional_travel_time};
 use crate::filters::held;
 
 pub use merged::merged;
@@ -31,9 +31,9 @@ pub const FEWEST_STEPS: f64 = 384.0;
 /// the lowest speeds after each of three echoes are right to 2 % too changes no more than Δ.)
 pub const TOLERANCE: f64 = 0.01;
 
-/// An undershoot that is less than this part of what the bit moves at once is small, as below a
-/// drive that lets waves out: it need not be known better than as a part of that.
-pub const SMALL: f64 = 0.1;
+/// An undershoot that is less than this part of the largest speed after the same step of torque is
+/// small, as below a drive that lets waves out: it need not be known better than as a part of that.
+pub const SMALL: f64 = 0.5;
 
 /// A number of steps and what it makes of fronts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +55,7 @@ impl Steps {
         let string = merged(string)?;
         let (piece, train) = train_at_bit(&string)?;
         let exact = largest_undershoot(&train);
-        let at_once = train.first().copied().unwrap_or(0.0);
+        let scale = exact.max(SMALL * largest_response(&train));
         let pieces = torsional_travel_time(&string) / piece;
         let by_held = |per_travel: f64| {
             let spacing = per_travel / pieces;
@@ -68,7 +68,6 @@ impl Steps {
             }
         };
         let most = pieces.floor().max(FEWEST_STEPS);
-        let scale = exact.max(SMALL * at_once);
         let mut steps = by_held(FEWEST_STEPS);
         while (steps.undershoot - exact).abs() > TOLERANCE * scale && steps.per_travel < most {
             steps = by_held((2.0 * steps.per_travel).min(most));

@@ -19,8 +19,8 @@ pub struct Front {
     pub undershoot: f64,
     /// As it is.
     pub exact: f64,
-    /// What the bit moves at once, rad/s per N m.
-    pub at_once: f64,
+    /// The largest speed of the bit after the same step by the method, rad/s per N m.
+    pub largest: f64,
 }
 
 /// A method that makes too much or too little of fronts on a string.
@@ -58,10 +58,10 @@ impl WrongFront {
 }
 
 impl Front {
-    /// By which part of the exact undershoot, or of a small one of what the bit moves at once, it
-    /// is more than that.
+    /// By which part of the exact undershoot, or of a small one of the largest speed, it is
+    /// more than that.
     pub fn overshoot(&self) -> f64 {
-        (self.undershoot - self.exact) / self.exact.max(SMALL * self.at_once)
+        (self.undershoot - self.exact) / self.exact.max(SMALL * self.largest)
     }
 
     /// Whether that is worth a warning.

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use anyhow::Result;
 use linear::deviation::exact_undershoot;
-use linear::estimates::{bit_impedance, largest_undershoot, stick_slip_speed_limit};
+use linear::estimates::{largest_response, largest_undershoot, stick_slip_speed_limit};
 use linear::{ChannelResponses, Method, Responses};
 use sim::{
     CascadeScene, CascadeSimulator, Label, Outcome, Scene, SimulationError, Simulator, Stopping,
@@ -334,13 +334,12 @@ pub fn compare_fronts(systems: &mut [MethodSystem]) {
     let Some(exact) = exact_undershoot(string).ok().filter(|exact| *exact > 0.0) else {
         return;
     };
-    let at_once = 1.0 / bit_impedance(string);
     for system in systems {
-        let undershoot = system.driving_point().map(largest_undershoot);
-        system.front = undershoot.map(|undershoot| Front {
-            undershoot,
+        let front = system.driving_point().map(|taps| Front {
+            undershoot: largest_undershoot(taps),
             exact,
-            at_once,
+            largest: largest_response(taps),
         });
+        system.front = front;
     }
 }
