@@ -39,7 +39,7 @@ fn a_string_divided_in_any_way_has_the_same_frequency_and_labels() {
         (row.unwrap().to_owned(), labels_of(&place))
     });
     assert!(
-        found[0].0.contains("384 steps in the travel time"),
+        found[0].0.contains("1000 steps in the travel time"),
         "{found:?}"
     );
     assert_eq!(found[0], found[1]);
