@@ -60,7 +60,10 @@ const SNIPPETS: [Snippet; 16] = [
     snippet("docs/unknowns.md", "monte-carlo", After::Nothing),
     snippet("docs/unknowns.md", "sensitivity", After::Nothing),
     Snippet {
-        printed: &[("held", "stick_slip", 118)],
+        printed: &[
+            ("quadrature", "stick_slip", 195),
+            ("finite-element", "stick_slip", 181),
+        ],
         ..snippet("docs/well.md", "bha_12in.csv", After::Nothing)
     },
     snippet(

@@ -30,7 +30,6 @@ const PAGE: &str = include_str!("../../../../docs/sweep-file.md");
 
 /// A sweep file with every table.
 const EXAMPLE: &str = r#"
-start = "smooth"
 [string]
 shear_modulus_gpa = 80
 density_kg_m3 = 7850
