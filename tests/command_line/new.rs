@@ -6,12 +6,16 @@ use crate::{RESULTS, labels, manifest, names, names_in, run, succeeds, text};
 
 /// Every block of settings that is switched off, by its first line, and the pieces
 /// it stands in for or needs beside it.
-const SWITCHED_OFF: [(&str, Change); 11] = [
+const SWITCHED_OFF: [(&str, Change); 12] = [
     ("units = \"field\"", Change::Nothing),
     ("surface_torque = true", Change::Nothing),
     (
         "methods = [\"held\", \"finite-element\"]",
         Change::Instead("\nmethods = [\"held\"]"),
+    ),
+    (
+        "start = \"both\"",
+        Change::Instead("\nstart = \"stuck\""),
     ),
     ("surface_speed_rpm = 60", Change::Nothing),
     ("time_s = 60", Change::Nothing),

@@ -180,7 +180,7 @@ fn stick_slip_of(ratio: f64, string: &Drillstring) -> Result<String> {
     let limit = to_rpm(stick_slip_speed_limit(undershoot, ratio * TORQUE, TORQUE));
     let [low, high] = [0.8 * limit, 1.6 * limit];
     Ok(format!(
-        "[bit]\ntorque_dynamic_nm = {TORQUE}\ntorque_static_ratio = {ratio}\n\n[design]\n\
+        "start = \"ramp\"\n\n[bit]\ntorque_dynamic_nm = {TORQUE}\ntorque_static_ratio = {ratio}\n\n[design]\n\
          kind = \"grid\"\n\n[design.axes]\nsurface_speed_rpm = {{ values = [{low}, {high}] }}\n"
     ))
 }
