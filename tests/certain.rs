@@ -21,7 +21,7 @@ const CERTIFICATE: [&str; 7] = [
 const THREE: &str = "methods = [\"held\", \"hilbert\", \"finite-element\"]\n";
 
 /// Random cases of a bit, by three methods, at a sampling frequency, Hz.
-fn of_a_bit(cases: usize, frequency: usize, more: &str) -> String {
+fn of_a_bit(cases: usize, frequency: f64, more: &str) -> String {
     let design = format!(
         "[design]\nkind = \"monte-carlo\"\ncases = {cases}\nseed = 5\n[design.axes]\n\
          surface_speed_rpm = {{ from = 0.02, to = 0.6 }}\n\
@@ -40,7 +40,7 @@ fn of_a_bit(cases: usize, frequency: usize, more: &str) -> String {
 }
 
 /// Random cases of a bit and a wall.
-fn at_a_wall(cases: usize, frequency: usize, more: &str) -> String {
+fn at_a_wall(cases: usize, frequency: f64, more: &str) -> String {
     let text = of_a_bit(cases, frequency, more);
     let text = with(
         &text,
@@ -89,21 +89,26 @@ fn column<'a>(table: &'a str, name: &str) -> Vec<&'a str> {
 }
 
 /// The rows are those of a run that does not certify; what is added is what a run of its own
-/// says at twice the frequency.
+/// says at twice the frequency, and of `held` in torsion alone at that of exact fronts.
 #[test]
-fn certificates_are_what_a_run_at_twice_the_frequency_says() {
+fn certificates_are_what_a_run_in_shorter_steps_says() {
     const CASES: usize = 12;
     for scene in [of_a_bit, at_a_wall] {
         let place = Workplace::new();
         let told = run(
             &place,
-            &scene(CASES, 100, "certify = true\n"),
+            &scene(CASES, 100.0, "certify = true\n"),
             "certified",
             &[],
         );
-        run(&place, &scene(CASES, 100, ""), "plain", &[]);
-        run(&place, &scene(CASES, 200, ""), "finer", &[]);
-        let [certified, plain, finer] = ["certified", "plain", "finer"]
+        run(&place, &scene(CASES, 100.0, ""), "plain", &[]);
+        run(&place, &scene(CASES, 200.0, ""), "finer", &[]);
+        let manifest = read(&place, "certified/manifest.json");
+        let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+        let exact = manifest["certified_by"]["exact_fronts_hz"].as_f64();
+        let exact = exact.unwrap_or(200.0);
+        run(&place, &scene(CASES, exact, ""), "exact", &[]);
+        let [certified, plain, finer, exact] = ["certified", "plain", "finer", "exact"]
             .map(|folder| read(&place, &format!("{folder}/labels.csv")));
         let header = certified.lines().next().unwrap();
         assert!(header.ends_with(&CERTIFICATE.join(",")), "{header}");
@@ -115,15 +120,20 @@ fn certificates_are_what_a_run_at_twice_the_frequency_says() {
             "contact_fraction",
             "precession_turns_per_s",
         ] {
-            let [told, own] = [
+            let [told, finer, exact] = [
                 (&certified, format!("finer_{own}")),
                 (&finer, own.to_owned()),
+                (&exact, own.to_owned()),
             ]
             .map(|(table, name)| column(table, &name));
-            let methods = column(&certified, "method");
-            for ((method, told), own) in methods.into_iter().zip(told).zip(own) {
-                // The digital filter has no part in it.
-                assert_eq!(told, if method == "hilbert" { "" } else { own });
+            for (row, method) in column(&certified, "method").into_iter().enumerate() {
+                let expected = match method {
+                    // The digital filter has no part in it.
+                    "hilbert" => "",
+                    "held" => exact[row],
+                    _ => finer[row],
+                };
+                assert_eq!(told[row], expected);
             }
         }
         // A row is certain where it has the label that is, which both methods have.
@@ -150,7 +160,7 @@ fn certificates_are_what_a_run_at_twice_the_frequency_says() {
 #[test]
 fn threads_shards_and_raising_do_not_change_certificates() {
     let place = Workplace::new();
-    let all = at_a_wall(12, 100, "certify = true\n");
+    let all = at_a_wall(12, 100.0, "certify = true\n");
     run(&place, &all, "whole", &["--quiet", "--jobs", "1"]);
     let same = |folder: &str| {
         for file in ["labels.csv", "map.svg"] {
@@ -161,7 +171,7 @@ fn threads_shards_and_raising_do_not_change_certificates() {
     };
     run(&place, &all, "threads", &["--quiet", "--jobs", "3"]);
     same("threads");
-    let few = at_a_wall(5, 100, "certify = true\n");
+    let few = at_a_wall(5, 100.0, "certify = true\n");
     run(&place, &few, "raised", &["--quiet"]);
     run(&place, &all, "raised", &["--quiet"]);
     same("raised");
@@ -186,7 +196,7 @@ fn threads_shards_and_raising_do_not_change_certificates() {
 #[test]
 fn a_run_that_is_killed_goes_on_with_its_certificates() {
     let place = Workplace::new();
-    let text = of_a_bit(200, 100, "certify = true\n");
+    let text = of_a_bit(200, 100.0, "certify = true\n");
     run(&place, &text, "whole", &["--quiet"]);
     let arguments = [
         "run",
@@ -218,7 +228,7 @@ fn a_run_that_is_killed_goes_on_with_its_certificates() {
 
 #[test]
 fn a_run_that_cannot_certify_is_refused() {
-    let place = Workplace::with_small(&of_a_bit(4, 100, "certify = true\n"));
+    let place = Workplace::with_small(&of_a_bit(4, 100.0, "certify = true\n"));
     let refused = |more: &[&str], words: &str| {
         let answer = place.sweep(&[&["run", "small.toml"][..], more].concat());
         assert_eq!(answer.code, 2, "{answer:?}");

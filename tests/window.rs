@@ -335,7 +335,9 @@ fn what_is_safe_is_smooth_by_another_method_too() {
             )
         };
         let place = Workplace::new();
-        let both = "methods = [\"quadrature\", \"finite-element\"]\n";
+        // By default strings so short would have some 10 kHz.
+        let both = "sampling_frequency_hz = 640\n\
+                    methods = [\"quadrature\", \"finite-element\"]\n";
         let run = |name: &str, methods: &str, design: String| {
             let text = format!("{methods}{string}{design}");
             place.write(&format!("{name}.toml"), text);

@@ -10,7 +10,6 @@ use linear::sampling::{self, FEWEST_STEPS, Steps};
 
 use super::impulses::ImpulseSettings;
 use super::lateral::LateralSettings;
-use super::setting::Setting;
 use super::string_friction::StringFriction;
 use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
 
@@ -84,18 +83,22 @@ fn steps(string: &Drillstring, needs: &Needs) -> f64 {
 ///
 /// # Errors
 /// With the key that is to blame.
-pub(super) fn check(setting: &Setting, cuts: bool, source: &Source) -> Result<(), SweepFileError> {
-    let frequency = setting.sampling_frequency;
-    let impulses = setting.lateral.iter().flat_map(|lateral| &lateral.impulses);
+pub(super) fn check(
+    source: &Source,
+    string: &Drillstring,
+    needs: &Needs,
+    frequency: f64,
+) -> Result<(), SweepFileError> {
+    let impulses = needs.lateral.iter().flat_map(|lateral| &lateral.impulses);
     for (index, ImpulseSettings { duration, .. }) in impulses.enumerate() {
         let message = format!("{duration} s is shorter than two samples at {frequency} Hz");
         let is_short = duration * frequency < LEAST_SAMPLES_OF_IMPULSE;
         source.refuse_if(is_short, &format!("impulses[{index}].duration_s"), message)?;
     }
-    if !cuts && setting.friction.is_none() {
+    if !needs.cuts && needs.friction.is_none() {
         return Ok(());
     }
-    let travel = torsional_travel_time(&setting.string);
+    let travel = torsional_travel_time(string);
     let least = LEAST_STEPS / travel;
     let message = format!(
         "{frequency} Hz is too low for this string: a wave takes {travel:.3} s from the surface to \

@@ -156,8 +156,19 @@ impl Setting {
         };
         // For an accuracy another frequency is chosen.
         if content.accuracy.is_none() {
-            sampling::check(&setting, cuts, source)?;
+            setting.check_sampling(source, cuts)?;
         }
         Ok(setting)
+    }
+
+    /// Refuses a frequency at which nothing is felt of an impulse, or of a wave on its way; `cuts`
+    /// says whether a torque acts on the bit.
+    pub(super) fn check_sampling(&self, source: &Source, cuts: bool) -> Result<(), SweepFileError> {
+        let needs = sampling::Needs {
+            cuts,
+            lateral: self.lateral.as_ref(),
+            friction: self.friction.as_ref(),
+        };
+        sampling::check(source, &self.string, &needs, self.sampling_frequency)
     }
 }

@@ -12,7 +12,6 @@ use super::conditions::{self, Conditions};
 use super::data::Data;
 use super::map::{self, MapSettings};
 use super::methods;
-use super::sampling;
 use super::setting::Setting;
 use super::start::{self, Starts};
 use super::string;
@@ -330,7 +329,7 @@ impl Sweep {
         sampling_frequency: f64,
     ) -> Result<Setting, SweepFileError> {
         let setting = self.setting_at(values)?.sampled_at(sampling_frequency);
-        sampling::check(&setting, self.bit.is_some(), &self.source)?;
+        setting.check_sampling(&self.source, self.bit.is_some())?;
         Ok(setting)
     }
 
