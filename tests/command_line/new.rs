@@ -13,10 +13,7 @@ const SWITCHED_OFF: [(&str, Change); 12] = [
         "methods = [\"held\", \"finite-element\"]",
         Change::Instead("\nmethods = [\"held\"]"),
     ),
-    (
-        "start = \"both\"",
-        Change::Instead("\nstart = \"stuck\""),
-    ),
+    ("start = \"both\"", Change::Instead("\nstart = \"stuck\"")),
     ("surface_speed_rpm = 60", Change::Nothing),
     ("time_s = 60", Change::Nothing),
     ("compression_kn = 50", Change::Nothing),
