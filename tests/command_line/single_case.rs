@@ -83,7 +83,8 @@ fn several_cases_are_kept_beside_each_other() {
 /// Where the time follows from the case, each is drawn and kept for as long as it lasts.
 #[test]
 fn cases_of_different_length_are_kept_beside_each_other() {
-    let place = Workplace::with_small(&with(SMALL, "time_s = 12\n", ""));
+    // From rest they wait for their first slip, the longer the slower the surface turns.
+    let place = Workplace::with_small(&with(SMALL, "time_s = 12\n", "start = \"ramp\"\n"));
     let steps = |cases: &str| {
         let arguments = ["simulate", "small.toml", "--out", "case", "--case", cases];
         succeeds(&place, &arguments);

@@ -79,7 +79,9 @@ fn a_reader_who_leaves_early_is_no_error() {
             Some(code),
             "{arguments:?}: {errors}"
         );
-        assert_eq!(errors, "", "{arguments:?}");
+        let is_other = |line: &&str| !line.starts_with("warning: fronts are smeared by ");
+        let others: Vec<&str> = errors.lines().filter(is_other).collect();
+        assert!(others.is_empty(), "{arguments:?}: {others:?}");
     }
     assert!(place.path("results/small/inspect.png").exists());
 }

@@ -39,7 +39,7 @@ pub fn describe_string(sweep: &Sweep) -> String {
     let why = match sweep.choice {
         Some(_) => "by the accuracy asked for",
         None => &match sweep.setting.steps_per_travel {
-            Some(steps) => format!("{steps:.0} steps in the travel time, as the string needs"),
+            Some(steps) => format!("{steps:.0} steps in the travel time"),
             None => "given in the sweep file".to_owned(),
         },
     };
