@@ -138,7 +138,7 @@ fn is_for_people(answer: &Answer) {
     }
 }
 
-/// Four times the first mode of a cell of odd length is a frequency of many digits.
+/// Steps in the travel time along cells of odd length make a frequency of many digits.
 fn by_rule(text: &str) -> String {
     with(
         &with(text, "sampling_frequency_hz = 100\n", ""),

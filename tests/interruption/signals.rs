@@ -4,7 +4,7 @@ use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::support::Workplace;
+use crate::support::{Workplace, without_smeared_fronts};
 use crate::{finishes, logged, long, same_tables};
 
 pub const RUN: [&str; 6] = ["run", "small.toml", "--full", "--quiet", "--out", "stopped"];
@@ -102,6 +102,7 @@ fn asked_to_stop_a_run_keeps_what_is_done_and_says_how_to_go_on() {
         let output = child.wait_with_output().unwrap();
         let errors = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(code), "{errors}");
+        let errors = without_smeared_fronts(&errors);
         assert!(errors.starts_with("stopped: "), "{errors}");
         assert!(errors.contains("the same command goes on"), "{errors}");
         let done = logged(&place, "stopped");

@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::support::{SMALL, Workplace};
+use crate::support::{SMALL, Workplace, without_smeared_fronts};
 use crate::{read, succeeds};
 
 /// A library whose locks all fail, made by the compiler that links Rust's programs.
@@ -51,6 +51,7 @@ fn a_file_system_without_locks_is_told_and_the_run_goes_on() {
             let errors = sweep(arguments);
             let warning = format!("warning: the file system of {error} has no locks (");
             assert!(errors.starts_with(&warning), "{errors}");
+            let errors = without_smeared_fronts(&errors);
             assert_eq!(errors.lines().count(), 1, "{errors}");
         }
         // What is only read needs none.

@@ -55,6 +55,13 @@ pub fn with(text: &str, piece: &str, replacement: &str) -> String {
     text.replace(piece, replacement)
 }
 
+/// What was complained of, but for the fronts that the coarse sampling of the small sweep smears.
+pub fn without_smeared_fronts(errors: &str) -> String {
+    let what = "fronts are smeared by ";
+    let lines = errors.split_inclusive('\n');
+    lines.filter(|line| !line.contains(what)).collect()
+}
+
 /// What a command answered.
 #[derive(Debug)]
 pub struct Answer {
@@ -102,9 +109,7 @@ impl Workplace {
     /// it is sampled coarsely.
     pub fn sweep(&self, arguments: &[&str]) -> Answer {
         let mut answer = self.answer(arguments);
-        let lines = answer.errors.split_inclusive('\n');
-        let is_other = |line: &&str| !line.starts_with("warning: fronts are smeared by ");
-        answer.errors = lines.filter(is_other).collect();
+        answer.errors = without_smeared_fronts(&answer.errors);
         answer
     }
 

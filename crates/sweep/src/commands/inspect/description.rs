@@ -36,10 +36,11 @@ pub fn describe_string(sweep: &Sweep) -> String {
     let decay = torsional_decay_rate(string);
     let left = 100.0 * torsional_wave_left(string);
     let frequency = sweep.setting.sampling_frequency;
+    let decimals = if frequency < 1e4 { 2 } else { 0 };
     let why = match sweep.choice {
         Some(_) => "by the accuracy asked for",
         None => &match sweep.setting.steps_per_travel {
-            Some(steps) => format!("{steps:.0} steps in the travel time"),
+            Some(steps) => format!("by rule, {steps:.0} steps a travel time"),
             None => "given in the sweep file".to_owned(),
         },
     };
@@ -60,7 +61,7 @@ pub fn describe_string(sweep: &Sweep) -> String {
         ),
         (
             "sampling frequency f_s",
-            format!("{frequency:.2} Hz ({why})"),
+            format!("{frequency:.decimals$} Hz ({why})"),
         ),
     ] {
         text += &row(2, title, &value);
