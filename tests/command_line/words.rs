@@ -167,6 +167,7 @@ fn words_and_numbers_are_for_people() {
     let own = "methods = [\"quadrature\"]\n";
     let accurate = with(&titled, own, "accuracy = \"30 %\"\n");
     let accurate = with(&accurate, "repeat = 10", "repeat = 60");
+    let accurate = with(&accurate, "sampling_frequency_hz = 638.7945123\n", "");
     for text in [one, titled, accurate] {
         let place = Workplace::with_small(&text);
         for arguments in [
