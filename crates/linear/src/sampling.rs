@@ -6,7 +6,7 @@
 //! them the undershoot Δ of Eq. 75 and every echo after it: tool joints and collars scatter a
 //! front in fractions of the time of one pipe, and their echoes add up. So the number of steps
 //! is doubled until Δ by [`crate::Method::Held`] is the exact one, at most to one step a piece
-//! of the [`Lattice`], in which nothing is rounded off.
+//! of the [lattice](crate::waves::lattice), in which nothing is rounded off.
 //!
 //! Neither depends on how the lengths of a string are divided between its parts: see
 //! [`merged`].

@@ -220,8 +220,12 @@ impl Responses {
                 motion.wall_torques[site].push(contact.torque);
             }
         }
-        motion.speeds =
-            system.driven_speeds(scene.surface_speed, &scene.start, &motion.bit_torque, motion.times.len());
+        motion.speeds = system.driven_speeds(
+            scene.surface_speed,
+            &scene.start,
+            &motion.bit_torque,
+            motion.times.len(),
+        );
         for (site, own) in loads.into_iter().zip(speeds) {
             motion.speeds[site] = own;
         }

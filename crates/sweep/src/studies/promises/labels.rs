@@ -40,7 +40,7 @@ pub struct Tested {
     pub sampling_frequency: f64,
     /// Surface speed in rpm, or coefficient of friction.
     pub value: f64,
-    /// Whether the motion is sustained vibration by [`Method::Held`].
+    /// Whether the motion is sustained vibration by [`linear::Method::Held`].
     pub label: bool,
     /// Whether that is certain.
     pub is_certain: bool,
@@ -155,7 +155,7 @@ fn middle(problem: &Problem, sweep: &Sweep) -> Result<f64> {
     }
 }
 
-/// Where the limit is by [`Method::Held`] in steps of the rule, about which cases are drawn.
+/// Where the limit is by [`linear::Method::Held`] in steps of the rule, about which cases are drawn.
 fn limit(problem: &Problem, sweep: &Sweep, middle: f64) -> Result<f64> {
     let finder = Finder::new(problem, sweep, middle)?;
     let found = match problem.motion {
