@@ -32,8 +32,9 @@ const ONE_IN_OF_FEW: usize = 4;
 /// Where axes change the string, systems are built for every case: no more than so many.
 const MOST_STRINGS: usize = 16;
 
-/// What takes a larger part of the memory that is allowed is not tried.
-const LARGEST_PART_OF_MEMORY: f64 = 0.5;
+/// What takes more memory than this, bytes, is not tried: pictures, which a run has room for, are
+/// drawn later and take half as much again.
+const MOST_BYTES: f64 = 32.0 * 1024.0 * 1024.0;
 
 /// A part of the labels from which on their change is warned of,
 const WARNED_PART: f64 = 0.1;
@@ -108,11 +109,13 @@ pub fn dependences(sweep: &Sweep, options: RunOptions, limit: &Limit) -> Vec<Dep
         true => cases.into_iter().map(|case| vec![case]).collect(),
         false => vec![cases],
     };
-    let counts = parallel::map(strings.len(), 1, |place| {
-        let of_string = OfString::new(sweep, &strings[place], options, limit);
+    // One string after the other, for their memory.
+    let of_string = |cases: &Vec<usize>| {
+        let of_string = OfString::new(sweep, cases, options, limit);
         let counted = |variant| of_string.as_ref().ok().and_then(|it| it.count(variant));
         variants.iter().map(counted).collect::<Vec<_>>()
-    });
+    };
+    let counts: Vec<Vec<Option<[usize; 2]>>> = strings.iter().map(of_string).collect();
     let total = |place: usize| {
         let of_strings = counts.iter().filter_map(|counts| counts[place]);
         of_strings.reduce(|[all, changed], [more, others]| [all + more, changed + others])
@@ -275,8 +278,8 @@ impl<'a> OfString<'a> {
             .map(|case| case.scene.timing.duration);
         let longest = durations.fold(0.0, f64::max);
         let memory = StringMemory::of(sweep, setting, &[method], longest);
-        let allowed = LARGEST_PART_OF_MEMORY * self.limit.bytes;
-        anyhow::ensure!(memory.systems.peak + memory.case <= allowed, "too large");
+        let bytes = memory.systems.peak + parallel::threads() as f64 * memory.case;
+        anyhow::ensure!(bytes <= MOST_BYTES.min(self.limit.bytes), "too large");
         let system = MethodSystem::build_for(sweep, setting, method, longest)?;
         anyhow::ensure!(system.instability().is_none(), "it would chatter");
         Ok(parallel::map(cases.len(), 1, |place| {
