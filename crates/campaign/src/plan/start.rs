@@ -14,6 +14,10 @@ use crate::sweep_file::{FileContent, Source, StartName, SweepFileError};
 /// The step of the torque on a bit that turns smoothly, as a part of that torque.
 const DISTURBANCE: f64 = 0.01;
 
+/// A bit that breaks loose in the first step has this part more than T_s on it, so that no rounding
+/// holds it for a step more.
+const MORE_THAN_HELD: f64 = 1e-9;
+
 /// How the cases of a sweep begin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Starts {
@@ -104,7 +108,8 @@ impl Starts {
             (StartName::Ramp, _) | (_, None) => Start::Rest,
             (StartName::Smooth, Some(bit)) => self.smooth(setting, surface_speed, bit),
             (StartName::Stuck | StartName::Both, Some(bit)) => {
-                Start::Steady(winding(string, sites, surface_speed, bit.torque_static))
+                let torque = (1.0 + MORE_THAN_HELD) * bit.torque_static;
+                Start::Steady(winding(string, sites, surface_speed, torque))
             }
         }
     }
