@@ -28,7 +28,7 @@ enum After {
     Base(&'static str),
     /// The file of `sweep new`, in place of its tables of the same names.
     New,
-    /// It is of another file than a sweep's.
+    /// It is of another file than a sweep's, or goes with no shipped one.
     Other,
 }
 
@@ -52,11 +52,7 @@ const SNIPPETS: [Snippet; 16] = [
     snippet("docs/first-map.md", "[40, 1500]", After::New),
     snippet("docs/first-map.md", "methods", After::New),
     snippet("docs/limits.md", "trace", After::Nothing),
-    snippet(
-        "docs/sweep-file.md",
-        "triangular",
-        After::Base("well_b_random.toml"),
-    ),
+    snippet("docs/sweep-file.md", "triangular", After::Other),
     snippet("docs/unknowns.md", "monte-carlo", After::Nothing),
     snippet("docs/unknowns.md", "sensitivity", After::Nothing),
     Snippet {
@@ -83,19 +79,12 @@ const fn snippet(page: &'static str, known_by: &'static str, after: After) -> Sn
 }
 
 /// Bases that are no shipped file, made of one for a piece that goes with it.
-const BASES: [(&str, &str); 2] = [
-    (
-        "fig09_without_methods.toml",
-        "base = \"academic.toml\"\n[bit]\nrock = \"sandstone\"\n[design]\nkind = \"grid\"\n\
+const BASES: [(&str, &str); 1] = [(
+    "fig09_without_methods.toml",
+    "base = \"academic.toml\"\n[bit]\nrock = \"sandstone\"\n[design]\nkind = \"grid\"\n\
          [design.axes]\nsurface_speed_rpm = { values = [0.1, 0.3] }\n\
          weight_on_bit_kn = { values = [50] }\n",
-    ),
-    (
-        "well_b_random.toml",
-        "base = \"well_b.toml\"\n[bit]\nrock = \"sandstone\"\n[design]\nkind = \"monte-carlo\"\n\
-         cases = 4\nseed = 1\n",
-    ),
-];
+)];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

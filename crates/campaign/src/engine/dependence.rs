@@ -36,6 +36,9 @@ const MOST_STRINGS: usize = 16;
 /// drawn later and take half as much again.
 const MOST_BYTES: f64 = 32.0 * 1024.0 * 1024.0;
 
+/// Nor is anything where a run may take less than this, bytes.
+const SHORT_OF_MEMORY: f64 = 1024.0 * 1024.0 * 1024.0;
+
 /// A part of the labels from which on their change is warned of,
 const WARNED_PART: f64 = 0.1;
 
@@ -279,7 +282,8 @@ impl<'a> OfString<'a> {
         let longest = durations.fold(0.0, f64::max);
         let memory = StringMemory::of(sweep, setting, &[method], longest);
         let bytes = memory.systems.peak + parallel::threads() as f64 * memory.case;
-        anyhow::ensure!(bytes <= MOST_BYTES.min(self.limit.bytes), "too large");
+        let is_short = self.limit.bytes < SHORT_OF_MEMORY;
+        anyhow::ensure!(!is_short && bytes <= MOST_BYTES, "too large");
         let system = MethodSystem::build_for(sweep, setting, method, longest)?;
         anyhow::ensure!(system.instability().is_none(), "it would chatter");
         Ok(parallel::map(cases.len(), 1, |place| {
