@@ -22,6 +22,7 @@
 //! promise nothing to others. The libraries are `linear` and `sim`.
 
 pub mod allotted;
+pub mod dependence;
 pub mod design;
 pub mod engine;
 pub mod hand_table;

@@ -7,7 +7,7 @@ use anyhow::Result;
 
 use super::status::Status;
 use crate::output::{Manifest, Motion, Tally, TraceSummary};
-use campaign::engine::Dependence;
+use campaign::dependence::Dependence;
 use campaign::words::{counted, together, wrapped};
 
 /// How a run that has these results ends.

@@ -20,8 +20,9 @@ use crate::files::write_with_checksum;
 use crate::limits::write_traced;
 use crate::log::Log;
 use crate::output::{About, Manifest, TableWriter, boundary_csv};
+use campaign::dependence::dependences;
 use campaign::design::{Design, TraceDesign};
-use campaign::engine::{Record, Work, dependences};
+use campaign::engine::{Record, Work};
 use campaign::rounds::Rounds;
 use campaign::words::counted;
 

@@ -5,14 +5,9 @@ use anyhow::Result;
 use linear::{Method, parallel};
 use serde::{Deserialize, Serialize};
 
-use super::answer::answer;
-use super::case::Case;
-use super::memory::StringMemory;
-use super::record::Record;
-use super::run_options::RunOptions;
-use super::survey::setting_of;
-use super::systems::MethodSystem;
-use super::verdict::FINER;
+use crate::engine::{
+    Case, FINER, MethodSystem, Record, RunOptions, StringMemory, answer, setting_of,
+};
 use crate::labels::{Labels, Motion};
 use crate::memory::Limit;
 use crate::plan::{Setting, Starts, Sweep};
