@@ -8,36 +8,28 @@ use serde::{Deserialize, Serialize};
 use crate::engine::{
     Case, FINER, MethodSystem, Record, RunOptions, StringMemory, answer, setting_of,
 };
-use crate::labels::{Labels, Motion};
-use crate::memory::Limit;
+use crate::labels::Labels;
 use crate::plan::{Setting, Starts, Sweep};
 use crate::sweep_file::StartName;
 use crate::words::{counted, short};
 
-/// One case in so many is simulated again,
+/// One case in this number is simulated again,
 const ONE_IN: usize = 25;
 
 /// but no fewer than the first of these, where there are as many, and no more than the second.
 const CASES: [usize; 2] = [12, 64];
 
 /// A case with a wall, or with friction along the string, may take seconds: of a few cases no
-/// more than one in so many is simulated again.
+/// more than one in this number is simulated again.
 const ONE_IN_OF_FEW: usize = 4;
 
-/// Where axes change the string, systems are built for every case: no more than so many.
+/// Where axes change the string, systems are built for every case: no more than for these.
 const MOST_STRINGS: usize = 16;
-
-/// What takes more memory than this, bytes, is not tried: pictures, which a run has room for, are
-/// drawn later and take half as much again.
-const MOST_BYTES: f64 = 32.0 * 1024.0 * 1024.0;
-
-/// Nor is anything where a run may take less than this, bytes.
-const SHORT_OF_MEMORY: f64 = 1024.0 * 1024.0 * 1024.0;
 
 /// A part of the labels from which on their change is warned of,
 const WARNED_PART: f64 = 0.1;
 
-/// if there are so many.
+/// and the fewest labels.
 const WARNED_CASES: usize = 2;
 
 /// What is changed of a case.
@@ -46,7 +38,7 @@ const WARNED_CASES: usize = 2;
 pub enum Change {
     /// The linear method, to that of a name.
     Method(String),
-    /// The sampling frequency, to so many hertz of the string as the file says it.
+    /// The sampling frequency, Hz, of the string as the file says it.
     SamplingFrequencyHz(f64),
     /// The start.
     Start(StartName),
@@ -99,8 +91,8 @@ impl Dependence {
 }
 
 /// How often labels by the first method of a sweep change with the method, the sampling
-/// frequency and the start. What cannot be built, or takes too much memory, is left out.
-pub fn dependences(sweep: &Sweep, options: RunOptions, limit: &Limit) -> Vec<Dependence> {
+/// frequency and the start. A variant that a method does not treat is left out.
+pub fn dependences(sweep: &Sweep, options: RunOptions) -> Vec<Dependence> {
     let cases = sampled(sweep);
     let variants = variants(sweep);
     let strings: Vec<Vec<usize>> = match sweep.design.varies_string() {
@@ -109,7 +101,7 @@ pub fn dependences(sweep: &Sweep, options: RunOptions, limit: &Limit) -> Vec<Dep
     };
     // One string after the other, for their memory.
     let of_string = |cases: &Vec<usize>| {
-        let of_string = OfString::new(sweep, cases, options, limit);
+        let of_string = OfString::new(sweep, cases, options);
         let counted = |variant| of_string.as_ref().ok().and_then(|it| it.count(variant));
         variants.iter().map(counted).collect::<Vec<_>>()
     };
@@ -128,6 +120,20 @@ pub fn dependences(sweep: &Sweep, options: RunOptions, limit: &Limit) -> Vec<Dep
             })
         })
         .collect()
+}
+
+/// Memory, bytes, that this takes for cases of a setting up to the longest time (s), beside what a
+/// run keeps: an upper bound.
+pub fn bytes(sweep: &Sweep, setting: &Setting, longest_time: f64) -> f64 {
+    let of_variant = |variant: Variant| {
+        let setting = variant.setting(setting);
+        let memory = StringMemory::of(sweep, &setting, &[variant.method], longest_time);
+        memory.systems.peak + parallel::threads() as f64 * memory.case
+    };
+    variants(sweep)
+        .into_iter()
+        .map(of_variant)
+        .fold(0.0, f64::max)
 }
 
 /// Cases spread over a design: multiples of the golden ratio, modulo one, leave no gaps and
@@ -160,9 +166,19 @@ fn sampled(sweep: &Sweep) -> Vec<usize> {
 struct Variant {
     change: Change,
     method: Method,
-    /// Times the sampling frequency.
-    finer: f64,
     starts: Starts,
+}
+
+impl Variant {
+    /// A setting sampled as the variant is.
+    fn setting(&self, setting: &Setting) -> Setting {
+        match self.change {
+            Change::SamplingFrequencyHz(_) => {
+                setting.sampled_at(FINER * setting.sampling_frequency)
+            }
+            Change::Method(_) | Change::Start(_) => setting.clone(),
+        }
+    }
 }
 
 fn variants(sweep: &Sweep) -> Vec<Variant> {
@@ -181,19 +197,16 @@ fn variants(sweep: &Sweep) -> Vec<Variant> {
     let by_other = other.map(|other| Variant {
         change: Change::Method(other.name().to_owned()),
         method: other,
-        finer: 1.0,
         starts,
     });
     let at_finer = Variant {
         change: Change::SamplingFrequencyHz(finer),
         method,
-        finer: FINER,
         starts,
     };
     let begun_otherwise = starts.otherwise(&sweep.content).map(|starts| Variant {
         change: Change::Start(starts.name),
         method,
-        finer: 1.0,
         starts,
     });
     (by_other.into_iter())
@@ -207,25 +220,18 @@ struct OfString<'a> {
     sweep: &'a Sweep,
     setting: Setting,
     options: RunOptions,
-    limit: &'a Limit,
     cases: &'a [usize],
     records: Vec<Option<Record>>,
 }
 
 impl<'a> OfString<'a> {
-    fn new(
-        sweep: &'a Sweep,
-        cases: &'a [usize],
-        options: RunOptions,
-        limit: &'a Limit,
-    ) -> Result<Self> {
+    fn new(sweep: &'a Sweep, cases: &'a [usize], options: RunOptions) -> Result<Self> {
         let string = sweep.design.string_of(cases[0]);
         let setting = setting_of(sweep, string)?.for_labels().into_owned();
         let mut of_string = Self {
             sweep,
             setting,
             options,
-            limit,
             cases,
             records: Vec::new(),
         };
@@ -234,16 +240,12 @@ impl<'a> OfString<'a> {
         Ok(of_string)
     }
 
-    /// Cases with an answer both ways, and those with another label; none where the variant
-    /// cannot be built.
+    /// Cases with an answer both ways, and those with another label; none where no method treats
+    /// the variant.
     fn count(&self, variant: &Variant) -> Option<[usize; 2]> {
         let mut sweep = self.sweep.clone();
         sweep.starts = variant.starts;
-        let frequency = variant.finer * self.setting.sampling_frequency;
-        let setting = match variant.finer {
-            1.0 => self.setting.clone(),
-            _ => self.setting.sampled_at(frequency),
-        };
+        let setting = variant.setting(&self.setting);
         let others = self.records(&sweep, &setting, variant.method).ok()?;
         let labels = |record: &Option<Record>| {
             let outcome = record.as_ref()?.outcome.as_ref().ok()?;
@@ -253,12 +255,8 @@ impl<'a> OfString<'a> {
         let both: Vec<_> = pairs
             .filter_map(|(one, other)| Some((labels(one)?, labels(other)?)))
             .collect();
-        let differ = |(one, other): &&(Labels, Labels)| {
-            Motion::ALL
-                .into_iter()
-                .any(|motion| one.get(motion) != other.get(motion))
-        };
-        Some([both.len(), both.iter().filter(differ).count()])
+        let differ = both.iter().filter(|(one, other)| one != other);
+        Some([both.len(), differ.count()])
     }
 
     fn records(
@@ -275,10 +273,6 @@ impl<'a> OfString<'a> {
             .flatten()
             .map(|case| case.scene.timing.duration);
         let longest = durations.fold(0.0, f64::max);
-        let memory = StringMemory::of(sweep, setting, &[method], longest);
-        let bytes = memory.systems.peak + parallel::threads() as f64 * memory.case;
-        let is_short = self.limit.bytes < SHORT_OF_MEMORY;
-        anyhow::ensure!(!is_short && bytes <= MOST_BYTES, "too large");
         let system = MethodSystem::build_for(sweep, setting, method, longest)?;
         anyhow::ensure!(system.instability().is_none(), "it would chatter");
         Ok(parallel::map(cases.len(), 1, |place| {

@@ -86,7 +86,7 @@ impl Steps {
     }
 }
 
-/// The sampling frequency, Hz, of so many steps per travel time.
+/// The sampling frequency, Hz, of a number of steps per travel time.
 pub fn frequency(string: &Drillstring, steps_per_travel: f64) -> f64 {
     steps_per_travel / torsional_travel_time(string)
 }

@@ -39,7 +39,7 @@ impl GrowingTorque {
 }
 
 /// Speed (rad/s) at which a string rotates as a whole whose surface is set to `surface_speed`
-/// (rad/s), against a torque of so many N m on its bit. Only a top drive without integral gain
+/// (rad/s), against a `torque` (N m) on its bit. Only a top drive without integral gain
 /// falls behind its set speed; one that cannot turn the string leaves it at rest.
 pub fn rotation_speed(string: &Drillstring, surface_speed: f64, torque: f64) -> f64 {
     let Some(drive) = string

@@ -24,7 +24,7 @@ impl Start {
         }
     }
 
-    /// Checks that it is a motion of so many sites.
+    /// Checks that it is a motion of this number of sites.
     pub(crate) fn check(&self, sites: usize) -> Result<(), SceneError> {
         let Some(motion) = self.steady() else {
             return Ok(());

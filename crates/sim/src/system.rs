@@ -113,10 +113,9 @@ impl System {
         })
     }
 
-    /// Speeds of all sites, rad/s, in so many steps: what a start and a
-    /// surface that comes to `surface_speed` (rad/s) make of them and, but for sites
-    /// that bear torques themselves, the torques on the bit (N m, positive with the
-    /// rotation). Sites that are only looked at follow from these: whoever has simulated
+    /// Speeds of all sites, rad/s, in a number of steps: what a start and a surface that turns at
+    /// `surface_speed` (rad/s) in the end make of them and, but for sites that bear torques
+    /// themselves, the torques on the bit (N m, positive with the rotation). Sites that are only looked at follow from these: whoever has simulated
     /// a bit without them has their motion here.
     pub fn driven_speeds(
         &self,

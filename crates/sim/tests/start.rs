@@ -5,6 +5,7 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{
     stick_slip_speed_limit, torsional_impedance, torsional_travel_time, winding_stiffness,
 };
+use linear::falling_torque::steepest_fall;
 use linear::steady::{rotation, winding};
 use linear::{ChannelRequest, Drillstring, Method, Request, Responses, Sites, TopDrive};
 use problems::pipes;
@@ -234,4 +235,62 @@ fn cases_that_end_early_have_the_labels_of_those_that_do_not() {
     println!("ended {ended:?}, labels {labels:?}");
     assert!(ended.iter().all(|count| *count > 0), "{ended:?}");
     assert!(labels[1..].iter().all(|count| *count > 5), "{labels:?}");
+}
+
+/// The root mean square deviation of the bit's speed from the surface's, over a part of a motion
+/// that begins in smooth rotation with a disturbance too small to matter to its law.
+fn deviations(string: &Drillstring, bit: BitTorque, speed: f64) -> [f64; 2] {
+    const TRAVELS: f64 = 160.0;
+    let travel = torsional_travel_time(string);
+    let request = Request {
+        sites: Sites::bit(),
+        channels: vec![ChannelRequest::Torsion { torques: vec![0] }],
+        sampling_frequency: 128.0 / travel,
+        longest_time: TRAVELS * travel,
+    };
+    let responses = linear::responses(string, &Method::Held, &request).unwrap();
+    let torque = (1.0 - 1e-6) * bit.torque_at(speed);
+    let scene = Scene {
+        surface_speed: speed,
+        start: Start::Steady(rotation(string, &request.sites, speed, torque)),
+        bit: Some(bit),
+        lateral: None,
+        timing: Timing {
+            duration: request.longest_time,
+            closing_window: 1.0,
+        },
+    };
+    let mut motion = Trajectory::default();
+    let simulator = Simulator::new(&responses).unwrap();
+    (simulator.simulate(&scene, Stopping::Full, Some(&mut motion))).unwrap();
+    let speeds = &motion.speeds[0];
+    let window = speeds.len() / 8;
+    [1, 7].map(|place| {
+        let part = &speeds[place * window..(place + 1) * window];
+        let squares = part.iter().map(|it| (it - speed).powi(2)).sum::<f64>();
+        (squares / window as f64).sqrt()
+    })
+}
+
+/// On random strings, under torques that fall with the speed: small vibration grows below the
+/// limit of smooth rotation and dies away above it.
+#[test]
+fn smooth_rotation_is_lost_below_its_limit_and_lasts_above() {
+    for number in 0..12 {
+        let mut draw = Draw::new(number);
+        let string = Well::draw(number, &mut draw).string;
+        let steepest = steepest_fall(&string).unwrap().unwrap();
+        let drop = 4000.0 * draw.uniform(0.1, 0.5);
+        let bit = BitTorque {
+            torque_static: 4000.0 + drop,
+            torque_dynamic: 4000.0,
+            // The torque falls too steeply up to about this speed.
+            decay_speed: drop / (steepest * draw.uniform(2.0, 6.0)),
+        };
+        let limit = bit.speed_of_fall(steepest).unwrap();
+        let [early, late] = deviations(&string, bit, 0.7 * limit);
+        assert!(late > 2.0 * early, "{number}: {early:.2e} {late:.2e}");
+        let [early, late] = deviations(&string, bit, 1.4 * limit);
+        assert!(late < 0.5 * early, "{number}: {early:.2e} {late:.2e}");
+    }
 }

@@ -114,7 +114,6 @@ impl Case {
         let lateral = lateral.map(|settings| lateral_scene(settings, &self.conditions));
         let mut case = self.clone();
         case.scene.lateral = lateral.transpose()?;
-        case.scene.start = self.start_of(setting);
         Ok(case)
     }
 

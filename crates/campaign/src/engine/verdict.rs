@@ -69,8 +69,8 @@ impl Certified {
     }
 }
 
-/// Stick-slip is certain below its limit, from one start or from any; smooth drilling above. A case that was too short
-/// for the bit to turn tells nothing.
+/// Stick-slip is certain below its limit, from one start or from any; smooth drilling above. A
+/// case that was too short for the bit to turn is undetermined.
 fn torsion(verdicts: &[Verdict]) -> Option<TorsionRegime> {
     let regime = the_same(verdicts.iter().map(|verdict| verdict.torsion))?;
     let side = match regime {

@@ -7,6 +7,7 @@ use linear::method::FiniteElement;
 use linear::parallel::threads;
 
 use super::Limit;
+use crate::dependence;
 use crate::design::Design;
 use crate::engine::{StringMemory, Survey, setting_of};
 use crate::plan::{Setting, Sweep};
@@ -84,6 +85,8 @@ pub struct Estimate {
     pub bytes: f64,
     /// Distinct strings to build at once.
     pub strings_at_once: usize,
+    /// Whether there is room to simulate some cases again, to see what labels depend on.
+    pub sees_dependences: bool,
 }
 
 /// What a demand takes.
@@ -210,9 +213,27 @@ impl<'a> Demand<'a> {
         let most = STRINGS_PER_THREAD * threads();
         let fits = |count: &usize| self.cost(*count).bytes <= limit.bytes;
         let strings_at_once = (1..=most).rev().find(fits).unwrap_or(1);
+        let bytes = self.cost(strings_at_once).bytes;
+        let dependences = self.bytes_of_dependences();
+        let sees_dependences = bytes + dependences <= limit.bytes;
         Estimate {
-            bytes: self.cost(strings_at_once).bytes,
+            bytes: if sees_dependences {
+                bytes + dependences
+            } else {
+                bytes
+            },
             strings_at_once,
+            sees_dependences,
         }
+    }
+
+    /// What it takes in the end to see what labels depend on, beside what is there by then.
+    fn bytes_of_dependences(&self) -> f64 {
+        if self.purpose != Purpose::Labels {
+            return 0.0;
+        }
+        let of_string =
+            |(setting, longest): &(Setting, f64)| dependence::bytes(self.sweep, setting, *longest);
+        ALLOCATOR * self.strings.iter().map(of_string).fold(0.0, f64::max)
     }
 }

@@ -92,8 +92,8 @@ impl Sweep {
         (torque > limit).then_some(text)
     }
 
-    /// About the greatest torque of the motor (N m) while the surface comes to a speed (rad/s)
-    /// over a rise (s): what accelerates drive and string, but no more than the controller asks
+    /// About the greatest torque of the motor (N m) while the surface reaches a speed (rad/s) over
+    /// a rise (s): what accelerates drive and string, but no more than the controller asks
     /// for at its largest error.
     fn start_torque(&self, speed: f64, rise: f64) -> f64 {
         let string = &self.setting.string;

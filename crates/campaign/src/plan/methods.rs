@@ -9,8 +9,8 @@ use crate::sweep_file::{FileContent, MethodName, Source, SweepFileError};
 /// More elements in a cell resolve no more than rounding leaves.
 const MOST_ELEMENTS_PER_CELL: usize = 10_000;
 
-/// Elements by default in a cell of the drillpipe, as in the paper, and the longest cell, m, that
-/// has so many: plain pipe that is one part has as many as if it were cut.
+/// Elements by default in a cell of the drillpipe, as in the paper, and the longest cell, m, of
+/// that number: plain pipe that is one part has as many as if it were cut.
 const ELEMENTS_OF_CELL: f64 = 20.0;
 const LONGEST_CELL: f64 = 12.0;
 

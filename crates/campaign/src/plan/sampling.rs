@@ -1,8 +1,8 @@
 //! The sampling frequency of a sweep: as its file gives it, or by a rule that looks at waves.
 //!
 //! The rule counts steps per travel time of a wave from the surface to the bit. They are counted
-//! once, on the string of the file, and hold for every string that axes make of it: each is
-//! sampled at so many steps of its own travel time.
+//! once, on the string of the file, and hold for every string that axes make of it: each has that
+//! number of steps in its own travel time.
 
 use linear::Drillstring;
 use linear::estimates::torsional_travel_time;
@@ -16,7 +16,7 @@ use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
 /// The samples of a raised cosine have its area from two on.
 const LEAST_SAMPLES_OF_IMPULSE: f64 = 2.0;
 
-/// By the rule an impulse has so many: it is as smooth as the string makes of it.
+/// By the rule an impulse has this number: it is as smooth as the string makes of it.
 const SAMPLES_OF_IMPULSE: f64 = 12.0;
 
 /// With a wall, Hz, at least: the limit of whirl on the paper's string is exact to 0.1 % then, and

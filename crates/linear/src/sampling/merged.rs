@@ -73,7 +73,7 @@ fn sections(tubes: &[Tube]) -> Vec<Section> {
     sections
 }
 
-/// How often the first so many tubes come one after the other.
+/// How often a number of tubes, the first ones, come one after the other.
 fn repeats(tubes: &[Tube], parts: usize) -> usize {
     let pattern = &tubes[..parts];
     let is_pattern =

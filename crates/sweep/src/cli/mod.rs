@@ -3,31 +3,29 @@
 mod check;
 mod export;
 mod reference;
+mod studies;
 mod values;
 
 pub use check::{CheckArguments, CheckFormat};
 pub use export::{ExportArguments, ExportFormat};
 pub use reference::ReferenceArguments;
+pub use studies::{ContactsArguments, PromisesArguments, StabilityArguments, TradeoffArguments};
 pub use values::{AxesOfCells, AxisRange, Length, PictureFile};
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use sim::Label;
 
-use crate::studies::promises::Motion;
-use crate::studies::stability::Family;
-use crate::studies::tradeoff::{LADDER, Measure};
 use campaign::allotted::PassedOver;
 use campaign::engine::{RunOptions, Shard};
 use campaign::memory::{Limit, Size};
 use campaign::quantities::Axis;
 use campaign::sweep_file::MethodName;
 use values::{
-    parse_axes, parse_length, parse_measure, parse_order, parse_part, parse_picture, parse_range,
-    parse_regime, parse_setting, parse_strength, parse_width,
+    parse_axes, parse_length, parse_order, parse_part, parse_picture, parse_range, parse_regime,
+    parse_setting, parse_width,
 };
 
 /// Parameter sweeps of drillstring dynamics: stick-slip and whirl regime maps.
@@ -468,122 +466,6 @@ pub struct InspectArguments {
     pub picture: PictureArguments,
     #[command(flatten)]
     pub work: WorkArguments,
-}
-
-/// Arguments of `tradeoff`.
-#[derive(Debug, Args)]
-pub struct TradeoffArguments {
-    /// Sampling frequencies in Hz; the highest is a multiple of all
-    #[arg(long, value_name = "HZ", value_delimiter = ',', default_values_t = LADDER)]
-    pub ladder: Vec<f64>,
-    /// What to measure, by name as in tradeoff.csv [default: everything]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_measure)]
-    pub measures: Vec<Measure>,
-    /// Results folder
-    #[arg(long, default_value = "results/tradeoff")]
-    pub out: PathBuf,
-    /// Threads for building, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
-    #[arg(long)]
-    pub jobs: Option<usize>,
-    /// Print nothing but errors
-    #[arg(long)]
-    pub quiet: bool,
-}
-
-/// Arguments of `stability`.
-#[derive(Debug, Args)]
-pub struct StabilityArguments {
-    /// Results folder
-    #[arg(long, default_value = "results/stability")]
-    pub out: PathBuf,
-    /// Only these parts of the atlas; may be repeated
-    #[arg(long, value_name = "FAMILY", value_delimiter = ',')]
-    pub family: Vec<Family>,
-    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
-    #[arg(long)]
-    pub jobs: Option<usize>,
-    /// Print nothing but errors
-    #[arg(long)]
-    pub quiet: bool,
-}
-
-/// Arguments of `promises`.
-#[derive(Debug, Args)]
-pub struct PromisesArguments {
-    /// Strings drawn for each motion; every one is asked for several accuracies
-    #[arg(long, default_value = "40")]
-    pub strings: NonZeroUsize,
-    /// What the random numbers begin with
-    #[arg(long, default_value_t = 1)]
-    pub seed: u64,
-    /// Only this motion; may be repeated
-    #[arg(long, value_name = "MOTION", value_delimiter = ',')]
-    pub motion: Vec<Motion>,
-    /// Test instead how often a label that `certify` has as certain is wrong
-    #[arg(long, conflicts_with = "limits")]
-    pub labels: bool,
-    /// Test instead where the limit of stick-slip is at the default sampling frequency
-    #[arg(long)]
-    pub limits: bool,
-    /// The methods of --limits
-    #[arg(long, value_name = "METHOD", value_delimiter = ',', default_values_t = [String::from("held")])]
-    pub methods: Vec<String>,
-    /// Take the exact limits of --limits from an earlier table of the same seed
-    #[arg(long, value_name = "CSV")]
-    pub known: Option<PathBuf>,
-    /// Results folder
-    #[arg(long, default_value = "results/promises")]
-    pub out: PathBuf,
-    /// Threads, at most 8 a core [default: $SLURM_CPUS_PER_TASK, $SLURM_CPUS_ON_NODE, all cores]
-    #[arg(long)]
-    pub jobs: Option<usize>,
-    #[command(flatten)]
-    pub memory: MemoryArguments,
-    /// Print nothing but errors
-    #[arg(long)]
-    pub quiet: bool,
-}
-
-/// Arguments of `contacts`.
-#[derive(Debug, Args)]
-pub struct ContactsArguments {
-    /// The sweep file [default: the paper's string, and that of a 12¼-inch well]
-    pub file: Option<PathBuf>,
-    /// Numbers of contacts
-    #[arg(long, value_name = "N", value_delimiter = ',', default_values_t = [1, 2, 4, 8, 16, 32, 64])]
-    pub counts: Vec<usize>,
-    /// Distance of the lowest contact from the bit, m
-    #[arg(long, value_name = "M", default_value_t = 0.0)]
-    pub from_m: f64,
-    /// Where the range of the contacts ends [default: 200 m from the bit, or the surface]
-    #[arg(long, value_name = "M")]
-    pub to_m: Option<f64>,
-    /// Where to knock, m from the bit [default: the lowest contact, the file's first impulse]
-    #[arg(long, value_name = "M", value_delimiter = ',')]
-    pub knock_at: Option<Vec<f64>>,
-    /// How hard, in multiples of I₀ at that place; the amounts are rounded to two digits
-    #[arg(long, value_name = "RATIOS", value_delimiter = ',', default_value = "3,10", value_parser = parse_strength)]
-    pub knocks: Vec<f64>,
-    /// How hard to hit the string all along its contacts, N s per metre
-    #[arg(long, value_name = "AMOUNTS", value_delimiter = ',', default_value = "150,500", value_parser = parse_strength)]
-    pub blows: Vec<f64>,
-    /// Set a quantity, e.g. clearance_mm=10; may be repeated
-    #[arg(long, value_name = "AXIS=VALUE", value_parser = parse_setting)]
-    pub set: Vec<(Axis, f64)>,
-    /// Time simulated, s [default: that of the file]
-    #[arg(long, value_name = "TIME")]
-    pub time_s: Option<f64>,
-    /// Sampling frequency [default: that of the file]
-    #[arg(long, value_name = "HZ")]
-    pub sampling_hz: Option<f64>,
-    /// Results folder
-    #[arg(long, default_value = "results/contacts")]
-    pub out: PathBuf,
-    #[command(flatten)]
-    pub work: WorkArguments,
-    /// Print nothing but errors
-    #[arg(long)]
-    pub quiet: bool,
 }
 
 /// Arguments of `explore`.

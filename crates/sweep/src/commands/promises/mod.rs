@@ -37,13 +37,19 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
         let known = known.unwrap_or_default();
         let methods = wanted_methods(&arguments.methods)?;
         let of_string = |number: usize| known.get(&number).cloned();
-        let found = default_limits(&methods, strings, arguments.seed, &of_string, &tick);
+        let found = default_limits(
+            (&methods, arguments.start),
+            strings,
+            arguments.seed,
+            &of_string,
+            &tick,
+        );
         progress.finish();
         let found = found?;
         let table = csv_table(found.iter().map(limits::columns))?;
         ("limits.csv", table, limits::summary(&found))
     } else if arguments.labels {
-        let found = test_labels(&motions, strings, arguments.seed, &tick);
+        let found = test_labels((&motions, arguments.start), strings, arguments.seed, &tick);
         progress.finish();
         let tested = found?;
         let table = csv_table(tested.iter().map(labels::columns))?;

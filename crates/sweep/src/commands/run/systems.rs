@@ -15,6 +15,8 @@ pub struct Systems {
     pub methods: Vec<MethodSystem>,
     /// As many strings as memory allows are built at once.
     pub strings_at_once: usize,
+    /// Whether memory allows to see what labels depend on.
+    pub sees_dependences: bool,
     /// The analytic limit.
     pub limit: Boundary,
 }
@@ -32,6 +34,7 @@ impl Systems {
         Ok(Self {
             limit: boundary(sweep, &methods).map_err(|error| UsageError(error.to_string()))?,
             strings_at_once: memory.strings_at_once,
+            sees_dependences: memory.sees_dependences,
             methods,
         })
     }

@@ -13,7 +13,7 @@ use linear::estimates::{sampling_frequency, torsional_travel_time};
 use linear::waves::lattice::Lattice;
 
 use super::finder::{Finder, Truth, longest};
-use super::problem::{Motion, Problem};
+use super::problem::{Begins, Motion, Problem};
 use super::{of_each, stick_slip};
 use campaign::engine::MethodSystem;
 use campaign::plan::{Setting, Sweep};
@@ -73,20 +73,20 @@ impl Found {
     }
 }
 
-/// Limits by these methods on so many strings; `known` gives exact limits that have been found
-/// before, and `done` is called after each string.
+/// Limits by these methods on a number of strings, for cases with a start; `known` gives exact
+/// limits that have been found before, and `done` is called after each string.
 ///
 /// # Errors
 /// Where a string cannot be drawn, or its responses cannot be built.
 pub fn default_limits(
-    methods: &[Method],
+    (methods, begins): (&[Method], Begins),
     strings: usize,
     seed: u64,
     known: &(dyn Fn(usize) -> Option<Result<Truth, String>> + Sync),
     done: &(dyn Fn() + Sync),
 ) -> Result<Vec<Found>> {
     of_each(&[Motion::StickSlip], strings, done, |_, number| {
-        let problem = Problem::draw_family(number, seed)?;
+        let problem = Problem::draw_family(number, seed, begins)?;
         let truth = known(number).unwrap_or_else(|| {
             stick_slip::truth_of_family(&problem).map_err(|reason| format!("{reason:#}"))
         });

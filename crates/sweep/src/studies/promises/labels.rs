@@ -7,7 +7,7 @@ use sim::Stopping;
 
 use super::draw::Draw;
 use super::finder::{Finder, longest};
-use super::problem::{Motion, Problem};
+use super::problem::{Begins, Motion, Problem};
 use super::{of_each, stick_slip, whirl};
 use crate::studies::accuracy::is_inside;
 use crate::studies::trial;
@@ -17,7 +17,7 @@ use campaign::plan::Sweep;
 /// Cases of a string: each at most so far from its limit, as a natural logarithm.
 const NEAR: [f64; 6] = [0.02, 0.05, 0.05, 0.15, 0.15, 0.3];
 
-/// And so many in torsion anywhere between these parts of Eq. 74's limit.
+/// And this number in torsion, anywhere between these parts of Eq. 74's limit.
 const ANYWHERE: usize = 3;
 const PARTS_OF_LIMIT: [f64; 2] = [0.33, 1.5];
 
@@ -61,14 +61,14 @@ impl Tested {
 /// # Errors
 /// Where a string cannot be drawn, or its responses cannot be built.
 pub fn test_labels(
-    motions: &[Motion],
+    (motions, begins): (&[Motion], Begins),
     strings: usize,
     seed: u64,
     done: &(dyn Fn() + Sync),
 ) -> Result<Vec<Tested>> {
     of_each(motions, strings, done, |motion, number| {
         let problem = match motion {
-            Motion::StickSlip => Problem::draw_family(number, seed)?,
+            Motion::StickSlip => Problem::draw_family(number, seed, begins)?,
             Motion::Whirl => Problem::draw(motion, number, seed)?,
         };
         let stream = STREAM + 2 * number as u64 + u64::from(motion == Motion::Whirl);

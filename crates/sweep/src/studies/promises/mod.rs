@@ -11,6 +11,7 @@ mod problem;
 mod stick_slip;
 mod waveguide;
 mod whirl;
+mod wound;
 
 use anyhow::{Context, Result};
 use rayon::prelude::*;
@@ -18,7 +19,7 @@ use rayon::prelude::*;
 pub use default_limits::{Found, default_limits};
 pub use finder::Truth;
 pub use labels::{Tested, test_labels};
-pub use problem::{Motion, Problem};
+pub use problem::{Begins, Motion, Problem};
 
 use crate::studies::accuracy::choose;
 use campaign::memory::Limit;

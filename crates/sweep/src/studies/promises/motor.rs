@@ -4,6 +4,8 @@
 
 use linear::TopDrive;
 
+use super::wound::Wound;
+
 /// A motor under proportional and integral control, at rest at first.
 #[derive(Debug, Clone)]
 pub struct Motor {
@@ -25,8 +27,8 @@ pub struct Motor {
 }
 
 impl Motor {
-    /// A drive above a tube of an impedance, N m s/rad, with so much damping at its end, in
-    /// steps of so many seconds.
+    /// A drive above a tube of an impedance and with damping at its end (N m s/rad), in steps of a
+    /// length in s.
     pub fn new(drive: &TopDrive, impedance: f64, damping: f64, step: f64) -> Self {
         Self {
             proportional_gain: drive.proportional_gain,
@@ -39,6 +41,20 @@ impl Motor {
             behind: 0.0,
             torque: 0.0,
         }
+    }
+
+    /// K_i, N m/rad.
+    pub fn integral_gain(&self) -> f64 {
+        self.integral_gain
+    }
+
+    /// Turns as in a steady winding, a step before the first: the error of its speed is constant.
+    pub fn turn(&mut self, set: f64, wound: &Wound) {
+        let error = set - wound.surface_speed;
+        let torque = wound.surface_torque - wound.torque_per_step;
+        self.speed = wound.surface_speed;
+        self.behind = (torque - self.proportional_gain * error) / self.integral_gain;
+        self.torque = 0.0;
     }
 
     /// Its speed, rad/s, after a step in which a wave `up` arrived and `set` was asked for.

@@ -12,6 +12,7 @@ use linear::{Drillstring, Material};
 use super::draw::{Draw, FAMILIES, FIELD, SHAPES, SURFACES, Shape, Sizes, Surface, WIDE, sections};
 use campaign::plan::{Sweep, to_rpm};
 use campaign::quantities::Axis;
+use campaign::sweep_file::StartName;
 
 /// Which limit is looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -39,6 +40,25 @@ impl Motion {
         match self {
             Motion::StickSlip => Axis::SurfaceSpeedRpm,
             Motion::Whirl => Axis::FRICTION,
+        }
+    }
+}
+
+/// The motion that cases of stick-slip begin with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Begins {
+    /// The bit held while the string winds up: the default of a sweep
+    Stuck,
+    /// Rest, the surface at its full speed at once
+    Ramp,
+}
+
+impl Begins {
+    /// The word in a sweep file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Begins::Stuck => StartName::Stuck.name(),
+            Begins::Ramp => StartName::Ramp.name(),
         }
     }
 }
@@ -102,7 +122,7 @@ impl Problem {
     ///
     /// # Errors
     /// As [`Problem::draw`].
-    pub fn draw_family(number: usize, seed: u64) -> Result<Self> {
+    pub fn draw_family(number: usize, seed: u64, begins: Begins) -> Result<Self> {
         let mut draw = Draw::new(seed, FAMILY_STREAM + number as u64);
         let (round, shape) = (number / FAMILIES.len(), FAMILIES[number % FAMILIES.len()]);
         let (turn, surface) = (round / SURFACES.len(), SURFACES[round % SURFACES.len()]);
@@ -132,7 +152,7 @@ impl Problem {
         // The drive moves the limit.
         let bare = "sampling_frequency_hz = 1000\nsurface_speed_rpm = 60\n";
         let string = problem.sweep(bare)?.setting.string;
-        problem.text = stick_slip_of(ratio, &string)? + &problem.text;
+        problem.text = stick_slip_of(ratio, &string, begins)? + &problem.text;
         Ok(problem)
     }
 
@@ -171,16 +191,17 @@ fn string(
 }
 
 fn stick_slip(draw: &mut Draw, string: &Drillstring) -> Result<String> {
-    stick_slip_of(draw.uniform(1.1, 1.5), string)
+    stick_slip_of(draw.uniform(1.1, 1.5), string, Begins::Ramp)
 }
 
 /// Two speeds about the limit that Eq. 74 has for the string.
-fn stick_slip_of(ratio: f64, string: &Drillstring) -> Result<String> {
+fn stick_slip_of(ratio: f64, string: &Drillstring, begins: Begins) -> Result<String> {
+    let start = begins.name();
     let undershoot = exact_undershoot(string)?;
     let limit = to_rpm(stick_slip_speed_limit(undershoot, ratio * TORQUE, TORQUE));
     let [low, high] = [0.8 * limit, 1.6 * limit];
     Ok(format!(
-        "start = \"ramp\"\n\n[bit]\ntorque_dynamic_nm = {TORQUE}\ntorque_static_ratio = {ratio}\n\n[design]\n\
+        "start = \"{start}\"\n\n[bit]\ntorque_dynamic_nm = {TORQUE}\ntorque_static_ratio = {ratio}\n\n[design]\n\
          kind = \"grid\"\n\n[design.axes]\nsurface_speed_rpm = {{ values = [{low}, {high}] }}\n"
     ))
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use anyhow::{Context, Result, ensure};
 use linear::Drillstring;
-use sim::{BitTorque, torsion_timing};
+use sim::{Start, torsion_timing};
 
 use super::finder::Truth;
 use super::problem::{Problem, TORQUE};
@@ -29,6 +29,9 @@ const HALVED: f64 = 1e-3;
 /// The limit is looked for within this factor of Eq. 74's.
 const WITHIN: f64 = 2.0;
 
+/// A held bit breaks loose in the first step, whatever the rounding.
+const BROKEN_LOOSE: f64 = 1.0 + 1e-9;
+
 /// Recaptures that make stick-slip, as in the regimes of the program.
 const REPEATED: usize = 3;
 
@@ -46,12 +49,11 @@ pub fn truth_of_family(problem: &Problem) -> Result<Truth> {
 
 fn truth_at(problem: &Problem, places: impl Fn(&Drillstring) -> f64) -> Result<Truth> {
     let sweep = problem.sweep("sampling_frequency_hz = 1000\n")?;
-    let string = &sweep.setting.string;
-    let law = sweep.conditions.torques(TORQUE);
     let guess = guess(&sweep)?;
-    let places = places(string);
-    let limit = |places: f64, bracket| limit(string, law, places, bracket);
-    let wide = [guess / WITHIN, guess * WITHIN];
+    let places = places(&sweep.setting.string);
+    let limit = |places: f64, bracket| limit(&sweep, places, bracket);
+    // A bit that has been held may stick further above Eq. 74 than one from rest.
+    let wide = [guess / WITHIN, guess * WITHIN * WITHIN];
     let coarse = limit(places, wide)?;
     let near = [coarse / 1.05, coarse * 1.05];
     let fine = limit(FINER * places, near).or_else(|_| limit(FINER * places, wide))?;
@@ -64,10 +66,8 @@ fn truth_at(problem: &Problem, places: impl Fn(&Drillstring) -> f64) -> Result<T
 /// What two waveguides, one finer than the other, say of a surface speed (rpm): whether the bit
 /// sticks and slips.
 pub fn labels(sweep: &Sweep, rpm: f64) -> [bool; 2] {
-    let string = &sweep.setting.string;
-    let law = sweep.conditions.torques(TORQUE);
     let places = PLACES_OF_FAMILY;
-    [places, FINER * places].map(|places| sticks_and_slips(string, law, places, rpm))
+    [places, FINER * places].map(|places| sticks_and_slips(sweep, places, rpm))
 }
 
 /// Of the coarser waveguide.
@@ -87,9 +87,9 @@ pub fn guess(sweep: &Sweep) -> Result<f64> {
     Ok((values[0] * values[1]).sqrt() / 1.13)
 }
 
-/// The limit in a bracket by a waveguide with so many places.
-fn limit(string: &Drillstring, law: BitTorque, places: f64, [low, high]: [f64; 2]) -> Result<f64> {
-    let sticks = |speed: f64| Some(sticks_and_slips(string, law, places, speed));
+/// The limit in a bracket by a waveguide with a number of places.
+fn limit(sweep: &Sweep, places: f64, [low, high]: [f64; 2]) -> Result<f64> {
+    let sticks = |speed: f64| Some(sticks_and_slips(sweep, places, speed));
     let (first, last) = (sticks(low), sticks(high));
     ensure!(
         first == Some(true) && last == Some(false),
@@ -99,15 +99,22 @@ fn limit(string: &Drillstring, law: BitTorque, places: f64, [low, high]: [f64; 2
     bisected([low, high], true, halvings, geometric, sticks).context("there is no limit")
 }
 
-/// Whether the bit is recaptured again and again, in the closing window too.
-fn sticks_and_slips(string: &Drillstring, law: BitTorque, places: f64, rpm: f64) -> bool {
-    let speed = rpm * TAU / 60.0;
-    let timing = torsion_timing(string, speed, &law, &sim::Start::Rest);
+/// Whether the bit of a sweep is recaptured again and again, in the closing window too, from the
+/// start of the sweep: rest, or its bit held until it breaks loose.
+fn sticks_and_slips(sweep: &Sweep, places: f64, rpm: f64) -> bool {
+    let (string, speed) = (&sweep.setting.string, rpm * TAU / 60.0);
+    let bit = sweep.conditions.torques(TORQUE);
+    let start = sweep.starts.first(&sweep.setting, speed, Some(&bit));
+    let timing = torsion_timing(string, speed, &bit, &start);
     let law = Friction {
-        torque_static: law.torque_static,
-        torque_dynamic: law.torque_dynamic,
+        torque_static: bit.torque_static,
+        torque_dynamic: bit.torque_dynamic,
     };
-    let mut guide = Waveguide::new(string, places, law);
+    let guide = Waveguide::new(string, places, law);
+    let mut guide = match start {
+        Start::Rest => guide,
+        Start::Steady(_) => guide.wound_up(speed, BROKEN_LOOSE * bit.torque_static),
+    };
     let count = (timing.duration / guide.step) as usize;
     let closing = count - (timing.closing_window / guide.step) as usize;
     let (mut turns, mut sticks, mut last) = (false, 0, 0);

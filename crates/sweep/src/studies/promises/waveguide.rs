@@ -7,12 +7,14 @@ use linear::Drillstring;
 use linear::estimates::torsional_impedance;
 
 use super::motor::Motor;
+use super::wound::{Reach, Wound};
 
 /// A string at rest, its bit held.
 pub struct Waveguide {
     /// Step, s.
     pub step: f64,
     stretches: Vec<Stretch>,
+    reaches: Vec<Reach>,
     /// Waves in speed on their way down and up each stretch, in rings: what leaves a node
     /// arrives at the next when the ring has gone round.
     down: Vec<f64>,
@@ -50,8 +52,8 @@ struct Row {
 }
 
 impl Waveguide {
-    /// A string cut into so many pieces or more, none longer than its shortest part, with
-    /// damping in about so many places.
+    /// A string cut into pieces, at least as many as `places` and none longer than its shortest
+    /// part, with damping in about that many places.
     pub fn new(string: &Drillstring, places: f64, law: Friction) -> Self {
         let parts: Vec<(f64, f64)> = (string.sections().iter())
             .flat_map(|section| (0..section.repeat).flat_map(|_| &section.parts))
@@ -85,14 +87,35 @@ impl Waveguide {
             [2.0 * last.impedance, 1.0 / (last.impedance + damping(last))]
         });
         let [down, up] = at_rest(first);
+        let reach = |row: &Row| Reach {
+            pieces: row.pieces,
+            impedance: row.impedance,
+            damping: damping(row),
+        };
         Self {
             step,
             stretches,
+            reaches: rows.iter().map(reach).collect(),
             down,
             up,
             drive,
             bit,
             law,
+        }
+    }
+
+    /// The same wound up steadily by a surface that is set to a speed (rad/s), the bit held by a
+    /// torque (N m) in the first step.
+    pub fn wound_up(mut self, set_speed: f64, torque: f64) -> Self {
+        let gain = self.drive.as_ref().map(Motor::integral_gain);
+        let wound = Wound::new(&self.reaches, self.step, set_speed, torque, gain);
+        if let Some(drive) = &mut self.drive {
+            drive.turn(set_speed, &wound);
+        }
+        Self {
+            down: wound.down,
+            up: wound.up,
+            ..self
         }
     }
 
@@ -132,7 +155,7 @@ impl Waveguide {
     }
 }
 
-/// Waves down and up a string of so many pieces that does not move.
+/// Waves down and up a string of a number of pieces that does not move.
 fn at_rest(pieces: usize) -> [Vec<f64>; 2] {
     [vec![0.0; pieces], vec![0.0; pieces]]
 }
@@ -193,7 +216,7 @@ const FINEST: f64 = 3.0;
 mod tests {
     use super::*;
     use linear::estimates::{torsional_travel_time, torsional_wave_left};
-    use linear::{Material, Section, Tube};
+    use linear::{Material, Section, TopDrive, Tube};
 
     fn string(lengths: &[(f64, f64)]) -> Drillstring {
         let steel = Material {
@@ -229,6 +252,35 @@ mod tests {
             "{}",
             speeds[travel]
         );
+    }
+
+    /// A string in the middle of its winding goes on as steadily: the bit breaks loose when its
+    /// torque, which grows by k Ω, is T_s, and moves all of a sudden as its impedance says.
+    #[test]
+    fn a_string_that_is_wound_up_goes_on_winding_up() {
+        let law = Friction {
+            torque_static: 5000.0,
+            torque_dynamic: 4000.0,
+        };
+        let plain = string(&[(300.0, 0.1), (77.0, 0.13)]);
+        let drive = TopDrive {
+            inertia: 800.0,
+            proportional_gain: 3000.0,
+            integral_gain: 900.0,
+        };
+        let driven = plain.clone().with_top_drive(drive).unwrap();
+        for string in [plain, driven] {
+            let (speed, begun) = (2.0, 3000.0);
+            let mut guide = Waveguide::new(&string, 1000.0, law).wound_up(speed, begun);
+            let speeds = (0..).map(|_| guide.advance(speed, false));
+            let (first, found) = speeds.enumerate().find(|(_, it)| *it != 0.0).unwrap();
+            let rate = linear::estimates::winding_stiffness(&string) * speed;
+            let time = first as f64 * guide.step;
+            assert!((time / (2000.0 / rate) - 1.0).abs() < 0.01, "{time}");
+            let tube = string.sections()[1].parts[0];
+            let jump = 1000.0 / torsional_impedance(&string, &tube);
+            assert!((found / jump - 1.0).abs() < 0.01, "{found} {jump}");
+        }
     }
 
     /// The torque of a held bit winds up at the string's stiffness, and it slips when that
