@@ -140,10 +140,11 @@ fn a_trace_has_rows_of_the_grid_and_its_lines_part_regimes() {
     assert!(both.bands.is_empty());
 }
 
-/// A short string without joints to speak of: chance decides beside its limit.
+/// A short string without joints to speak of: from rest chance decides beside its limit.
 #[test]
 fn the_parts_of_tiles_are_those_of_the_grid_where_a_limit_is_ragged() {
-    let both = Both::run(&small(TRACE), &small(GRID));
+    let from_rest = |design| format!("start = \"ramp\"\n{}", small(design));
+    let both = Both::run(&from_rest(TRACE), &from_rest(GRID));
     let regimes = both.regimes();
     assert!(both.bands.len() > 20);
     let (mut off, mut points) = (0.0, 0.0);
