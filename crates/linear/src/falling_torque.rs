@@ -2,63 +2,55 @@
 //!
 //! A bit that turns at ω under a torque T(ω) whose slope is −κ answers a small change of its
 //! speed with a change of torque that drives it on: δω = κ Y(s) δω, with Y the response of the
-//! bit's speed to a torque on it. A passive Y starts at s = iω from no slope, and the first slope at which
-//! a small vibration neither grows nor dies away is 1/κ = Y(iω), where Y is real: the least κ
-//! belongs to the largest real Y (Nyquist). Each mode has one, near its frequency.
+//! bit's speed to a torque on it. A passive Y starts at s = iω from no slope, and the first slope
+//! at which a small vibration neither grows nor dies away is 1/κ = Y(iω), where Y is real: the
+//! least κ belongs to the largest real Y (Nyquist). Each mode has one near its frequency, and it
+//! need not be the lowest that is largest: vibration at which pipe and tool joints let no wave through
+//! stays in the collars, and the little damping there is what it loses.
 
 use num_complex::Complex64;
 
 use crate::drillstring::Drillstring;
-use crate::error::BuildError;
-use crate::modes::torsional_modes;
+use crate::error::DrillstringError;
+use crate::estimates::torsional_travel_time;
 use crate::sites::Sites;
 use crate::waves::network::TorsionNetwork;
 
-/// Modes that are looked at. Uniform damping leaves higher ones much alike; a drive damps the
-/// lowest only.
-const MODES: usize = 24;
-
-/// Frequencies about that of a mode at which the response is looked at, to either side,
-const NEAR: i32 = 40;
-
-/// and how far apart they are, in half-widths of the mode's resonance.
-const APART: f64 = 0.25;
+/// Frequencies at which the response is looked at, per mode of a uniform string. Its phase turns
+/// evenly along frequency however sharp its resonances are.
+const PER_MODE: f64 = 12.0;
 
 /// Halvings of the bracket of a frequency.
 const HALVINGS: usize = 60;
 
 /// The steepest fall κ of the torque on the bit with its speed, N m s/rad, under which steady
-/// rotation of a string still lasts: below it every small vibration of the lowest 24 modes dies
-/// away. `None` where no mode swings.
+/// rotation of a string still lasts: below it every small vibration up to a frequency, Hz, dies
+/// away. `None` where nothing swings.
 ///
 /// # Errors
-/// Where the modes cannot be found.
-pub fn steepest_fall(string: &Drillstring) -> Result<Option<f64>, BuildError> {
+/// Where the string cannot be cut up.
+pub fn steepest_fall(
+    string: &Drillstring,
+    highest_frequency: f64,
+) -> Result<Option<f64>, DrillstringError> {
     let network = TorsionNetwork::new(string, &Sites::bit())?;
-    let response = |frequency: f64| {
-        let s = Complex64::new(0.0, frequency);
-        network.admittance(s).from_torque[(0, 0)]
-    };
-    let modes = torsional_modes(string, MODES)?;
-    let largest = (modes.iter())
-        .filter_map(|mode| largest_real_near(&response, mode.pole))
-        .fold(0.0, f64::max);
-    Ok((largest > 0.0).then(|| 1.0 / largest))
-}
-
-/// The largest response near a pole that is real.
-fn largest_real_near(response: &impl Fn(f64) -> Complex64, pole: Complex64) -> Option<f64> {
-    let half_width = -pole.re;
-    let frequencies = (-NEAR..=NEAR)
-        .map(|place| pole.im + APART * half_width * f64::from(place))
-        .filter(|frequency| *frequency > 0.0);
-    let values: Vec<(f64, Complex64)> = frequencies.map(|it| (it, response(it))).collect();
-    let real = values.windows(2).filter_map(|ends| {
-        let [(from, one), (to, other)] = [ends[0], ends[1]];
-        // A resonance passes from ahead to behind; at other zeros the response is small.
-        (one.im > 0.0 && other.im <= 0.0).then(|| real_between(response, from, to))
-    });
-    real.reduce(f64::max)
+    let response = |frequency: f64| network.at_frequency(frequency).from_torque[(0, 0)];
+    // Modes of a uniform string are half a reciprocal of the travel time apart.
+    let apart = 0.5 / torsional_travel_time(string) / PER_MODE;
+    let count = (highest_frequency / apart).ceil() as usize;
+    let mut largest: Option<f64> = None;
+    let mut before = (apart, response(apart));
+    for place in 2..=count {
+        let frequency = apart * place as f64;
+        let here = (frequency, response(frequency));
+        // A resonance passes from ahead to behind; elsewhere the response is small where real.
+        if before.1.im > 0.0 && here.1.im <= 0.0 {
+            let real = real_between(&response, before.0, here.0);
+            largest = Some(largest.map_or(real, |it| it.max(real)));
+        }
+        before = here;
+    }
+    Ok(largest.map(f64::recip))
 }
 
 /// The response where its imaginary part passes from above to below zero.
@@ -106,59 +98,8 @@ mod tests {
             let impedance = crate::estimates::torsional_impedance(&string, &tube);
             let loss = 0.5 * damping * 1000.0 / impedance;
             let expected = impedance * loss.tanh();
-            let found = steepest_fall(&string).unwrap().unwrap();
+            let found = steepest_fall(&string, 40.0).unwrap().unwrap();
             assert!((found / expected - 1.0).abs() < 2e-3, "{found} {expected}");
         }
-    }
-
-    /// A dense scan of the response finds no larger real value up to the modes looked at.
-    #[test]
-    fn no_frequency_of_a_dense_scan_bears_less() {
-        let pipe = Section {
-            repeat: 100,
-            parts: vec![
-                Tube {
-                    length: 9.0,
-                    inner_radius: 0.05,
-                    outer_radius: 0.065,
-                },
-                Tube {
-                    length: 0.5,
-                    inner_radius: 0.045,
-                    outer_radius: 0.085,
-                },
-            ],
-        };
-        let collar = Section {
-            repeat: 1,
-            parts: vec![Tube {
-                length: 120.0,
-                inner_radius: 0.04,
-                outer_radius: 0.1,
-            }],
-        };
-        let material = uniform(0.0).material();
-        let string = Drillstring::new(material, vec![pipe, collar], 0.2).unwrap();
-        let found = steepest_fall(&string).unwrap().unwrap();
-        let network = TorsionNetwork::new(&string, &Sites::bit()).unwrap();
-        let highest = torsional_modes(&string, MODES)
-            .unwrap()
-            .last()
-            .unwrap()
-            .pole
-            .im;
-        let count = 200_000;
-        let values = (1..count).map(|place| {
-            let s = Complex64::new(0.0, highest * f64::from(place) / f64::from(count));
-            network.admittance(s).from_torque[(0, 0)]
-        });
-        let values: Vec<Complex64> = values.collect();
-        let real = values
-            .windows(2)
-            .filter(|ends| ends[0].im > 0.0 && ends[1].im <= 0.0);
-        let largest = real
-            .map(|ends| ends[0].re.max(ends[1].re))
-            .fold(0.0, f64::max);
-        assert!((found * largest - 1.0).abs() < 1e-3, "{found} {largest}");
     }
 }

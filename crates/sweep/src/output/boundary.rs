@@ -188,10 +188,11 @@ fn stick_slip_points(
 }
 
 /// Where smooth rotation is lost along an axis, for a torque that falls with the bit's speed: the
-/// speed at which it falls as steeply as the string bears ([`steepest_fall`]). Without points where it
-/// lasts at every speed, or the modes of the string are not found.
+/// speed at which it falls as steeply as the string bears ([`steepest_fall`]), of what the run's
+/// steps can swing at. Without points where it lasts at every speed.
 fn smooth_rotation_points(sweep: &Sweep, bit: &Bit, position: usize) -> Vec<StickSlipPoint> {
-    let steepest = steepest_fall(&sweep.setting.string);
+    let highest_frequency = 0.5 * sweep.setting.sampling_frequency;
+    let steepest = steepest_fall(&sweep.setting.string, highest_frequency);
     let Some(steepest) = steepest.ok().flatten() else {
         return Vec::new();
     };
