@@ -1,5 +1,14 @@
 //! Where a regime changes along one quantity.
 
+/// A limit, and by how much it may be off, in parts of itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Truth {
+    /// Surface speed in rpm, or coefficient of friction.
+    pub limit: f64,
+    /// Part of one.
+    pub uncertainty: f64,
+}
+
 /// The mean that a bracket of plain numbers is halved by.
 fn arithmetic(one: f64, other: f64) -> f64 {
     0.5 * (one + other)

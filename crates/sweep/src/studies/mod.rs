@@ -4,8 +4,9 @@
 //! much friction whirl needs where they may touch at more and more places.
 //!
 //! What they share stands beside them: `trial` steps a case and keeps the reason where
-//! there is no answer, `limit` finds where a regime changes, `methods` says what methods
-//! are told apart by, `scenes` are the shipped sweeps.
+//! there is no answer, `limit` finds where a regime changes, `stick_slip` up to which speed a bit sticks, `methods` says what methods
+//! are told apart by, `scenes` are the shipped sweeps, and `waveguide` hands torsional waves on in
+//! time: what is true, by no method of the program.
 
 pub mod accuracy;
 pub mod contacts;
@@ -14,5 +15,7 @@ mod methods;
 pub mod promises;
 pub mod scenes;
 pub mod stability;
+mod stick_slip;
 pub mod tradeoff;
 mod trial;
+mod waveguide;

@@ -19,11 +19,28 @@ const UNIFORM_TUBE: &str = r#"base = "fig08b.toml"
 sections = [{ repeat = 100, parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.15 }] }]
 "#;
 
+/// Jointed pipe of 5 inches above collars of 6¾ inches; a tenth of a wave is lost on its way.
+const JOINTED_COLLAR: &str = r#"base = "fig08b.toml"
+start = "stuck"
+time_s = "auto"
+
+[string]
+torsional_damping_nms_rad_m = 0.05
+sections = [
+    { repeat = 110, parts = [
+        { length_m = 9.05, inner_radius_m = 0.0543, outer_radius_m = 0.0635 },
+        { length_m = 0.45, inner_radius_m = 0.0413, outer_radius_m = 0.0842 },
+    ] },
+    { repeat = 16, parts = [{ length_m = 9.4, inner_radius_m = 0.0286, outer_radius_m = 0.0857 }] },
+]
+"#;
+
 /// The text of a shipped file.
 fn text_of(path: &Path) -> Option<&'static str> {
     Some(match path.to_str()? {
         "two_sites.toml" => TWO_SITES,
         "uniform_tube.toml" => UNIFORM_TUBE,
+        "jointed_collar.toml" => JOINTED_COLLAR,
         "academic.toml" => include_str!("../../../../sweeps/academic.toml"),
         "fig08a.toml" => include_str!("../../../../sweeps/fig08a.toml"),
         "fig08b.toml" => include_str!("../../../../sweeps/fig08b.toml"),

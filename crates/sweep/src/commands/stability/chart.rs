@@ -88,6 +88,10 @@ fn titles(family: Family) -> (&'static str, &'static str) {
             "Displacement in bending 9 s after an impulse",
             "sampling frequency (Hz)",
         ),
+        Family::Joints => (
+            "Limit of stick-slip, jointed pipe with collars",
+            "sampling frequency (Hz)",
+        ),
     }
 }
 
@@ -99,9 +103,11 @@ fn column_name(family: Family, entry: &Entry) -> String {
         Family::Stiffness => cell.stiffness,
         Family::Sites => cell.site_spacing,
         Family::Sections => cell.sections.map(|count| count as f64),
-        Family::Formulas | Family::LongSticking | Family::LongWhirl | Family::Tail => {
-            Some(cell.sampling_frequency)
-        }
+        Family::Formulas
+        | Family::LongSticking
+        | Family::LongWhirl
+        | Family::Tail
+        | Family::Joints => Some(cell.sampling_frequency),
     };
     match value {
         Some(value) if value.is_infinite() => "rigid".to_owned(),

@@ -12,9 +12,10 @@ use linear::Method;
 use linear::estimates::{sampling_frequency, torsional_travel_time};
 use linear::waves::lattice::Lattice;
 
-use super::finder::{Finder, Truth, longest};
+use super::finder::{Finder, longest};
 use super::problem::{Begins, Motion, Problem};
 use super::{of_each, stick_slip};
+use crate::studies::limit::Truth;
 use campaign::engine::MethodSystem;
 use campaign::plan::{Setting, Sweep};
 

@@ -20,15 +20,6 @@ const NEAREST: f64 = 0.005;
 /// and found to that.
 pub const HALVED: f64 = 3e-4;
 
-/// A limit, and by how much it may be off, in parts of itself.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Truth {
-    /// Surface speed in rpm, or coefficient of friction.
-    pub limit: f64,
-    /// Part of one.
-    pub uncertainty: f64,
-}
-
 /// Finds limits of a problem by the one method of a sweep.
 pub struct Finder<'a> {
     axis: Axis,

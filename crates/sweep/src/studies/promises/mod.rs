@@ -6,22 +6,19 @@ mod default_limits;
 mod draw;
 mod finder;
 mod labels;
-mod motor;
 mod problem;
 mod stick_slip;
-mod waveguide;
 mod whirl;
-mod wound;
 
 use anyhow::{Context, Result};
 use rayon::prelude::*;
 
 pub use default_limits::{Found, default_limits};
-pub use finder::Truth;
 pub use labels::{Tested, test_labels};
 pub use problem::{Begins, Motion, Problem};
 
 use crate::studies::accuracy::choose;
+pub use crate::studies::limit::Truth;
 use campaign::memory::Limit;
 use campaign::plan::Sweep;
 use finder::Finder;

@@ -5,8 +5,9 @@
 use anyhow::{Context, Result};
 use linear::{ChannelRequest, Method, Request, Responses};
 
-use super::finder::{Finder, HALVED, Truth, longest};
+use super::finder::{Finder, HALVED, longest};
 use super::problem::Problem;
+use crate::studies::limit::Truth;
 use campaign::engine::{MethodSystem, Stopwatch};
 use campaign::plan::Sweep;
 

@@ -29,6 +29,8 @@ pub enum Family {
     LongWhirl,
     /// The digital filter in bending: how much of the displacement it loses
     Tail,
+    /// The limit of stick-slip on jointed pipe with collars, lightly damped
+    Joints,
 }
 
 impl Family {
@@ -116,6 +118,7 @@ impl Cell {
 }
 
 const SAMPLING_FREQUENCIES: [f64; 5] = [160.0, 320.0, 640.0, 1280.0, 2560.0];
+const JOINTS_FREQUENCIES: [f64; 7] = [160.0, 320.0, 640.0, 1280.0, 2560.0, 5120.0, 10_240.0];
 const TRANSFORMS: [f64; 9] = [2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 14.0, 20.0, 40.0];
 const GAMMAS: [f64; 10] = [0.5, 0.502, 0.505, 0.51, 0.515, 0.52, 0.54, 0.56, 0.58, 0.6];
 const STIFFNESSES: [f64; 8] = [1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, f64::INFINITY];
@@ -178,6 +181,12 @@ pub fn cells(family: Family) -> Vec<Cell> {
         Family::Newmark => GAMMAS.map(elements).to_vec(),
         Family::Formulas => vec![Method::Quadrature, Method::Held, Method::Trapezoidal],
         Family::Stiffness | Family::Sites => all_methods().to_vec(),
+        Family::Joints => vec![
+            Method::Held,
+            Method::Quadrature,
+            Method::Hilbert(Transform::default()),
+            elements(0.52),
+        ],
         Family::LongSticking | Family::LongWhirl => long_methods().collect(),
         Family::Tail => (TAIL_TRANSFORMS.map(hilbert).into_iter())
             .chain([elements(0.52), Method::Held])
@@ -224,6 +233,7 @@ fn strained(cell: Cell) -> Vec<Cell> {
         Family::LongSticking => vec![long(cell)],
         Family::LongWhirl => vec![long(against(USUAL_STIFFNESS))],
         Family::Sections | Family::Tail => vec![cell],
+        Family::Joints => JOINTS_FREQUENCIES.map(at_frequency).to_vec(),
         _ => SAMPLING_FREQUENCIES.map(at_frequency).to_vec(),
     }
 }

@@ -11,6 +11,7 @@
 
 mod bending;
 mod families;
+mod joints;
 mod loads;
 mod sticking;
 mod verdict;
@@ -19,10 +20,11 @@ mod whirl;
 pub use families::{Cell, Family, cells};
 pub use verdict::{Findings, Symptom, explanation};
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use rayon::prelude::*;
 
 use families::Approach;
+use joints::Joints;
 
 /// A cell and what it shows.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,10 +40,12 @@ pub struct Entry {
 /// # Errors
 /// Where a scene or a linear system cannot be built.
 pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
+    let has_joints = cells.iter().any(|cell| cell.family == Family::Joints);
+    let joints = has_joints.then(Joints::new).transpose()?;
     let groups: Vec<&[Cell]> = cells.chunk_by(Cell::shares_responses).collect();
     let found: Vec<Result<Vec<Findings>>> = (groups.par_iter().with_max_len(1))
         .map(|group| {
-            let findings = examine(group)?;
+            let findings = examine(group, joints.as_ref())?;
             group.iter().for_each(|_| done());
             Ok(findings)
         })
@@ -54,7 +58,7 @@ pub fn run(cells: &[Cell], done: &(dyn Fn() + Sync)) -> Result<Vec<Entry>> {
 }
 
 /// Cells of the same responses.
-fn examine(group: &[Cell]) -> Result<Vec<Findings>> {
+fn examine(group: &[Cell], joints: Option<&Joints>) -> Result<Vec<Findings>> {
     let Approach::Method(method) = group[0].approach else {
         return group.iter().map(bending::chain).collect();
     };
@@ -63,6 +67,12 @@ fn examine(group: &[Cell]) -> Result<Vec<Findings>> {
         Family::Tail => (group.iter())
             .map(|cell| bending::tail(cell, method))
             .collect(),
+        Family::Joints => {
+            let joints = joints.context("the string with joints is there")?;
+            (group.iter())
+                .map(|cell| joints.examine(cell, method))
+                .collect()
+        }
         _ => (group.iter())
             .map(|cell| sticking::examine(cell, method))
             .collect(),

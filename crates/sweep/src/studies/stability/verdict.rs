@@ -2,7 +2,7 @@
 
 use linear::passivity::STABLE_MARGIN;
 
-use super::families::{Approach, Cell};
+use super::families::{Approach, Cell, Family};
 
 /// Chatter above this part of the torque, or of the contact force, that the scene
 /// is about. What a stable method leaves is below a few millionths.
@@ -136,6 +136,8 @@ pub fn explanation(cell: &Cell, findings: &Findings) -> Option<String> {
         reason
     } else if is_wrong && cell.approach == Approach::TransferProducts {
         "only the growing wave is left in the products"
+    } else if is_wrong && cell.family == Family::Joints {
+        "steps that are longer than a joint smear what it sends back"
     } else if is_wrong && matches!(cell.approach, Approach::Method(_)) {
         "the response near zero frequency is narrower than the frequency step"
     } else if findings.is_right() == Some(false) && meets_differences && is_rigid {

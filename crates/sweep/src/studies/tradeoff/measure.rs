@@ -33,6 +33,10 @@ pub enum Measure {
     TubeStickSlipLimit,
     /// The same by steps that divide the time of a wave along it.
     TubeFittedLimit,
+    /// Δ of Eq. 75 of jointed pipe with collars, rad/s per N m.
+    JointedUndershoot,
+    /// Its Ω/T_d below which stick-slip sustains itself, rpm per kN m.
+    JointedStickSlipLimit,
 }
 
 /// What a measure is of.
@@ -44,13 +48,15 @@ pub enum Subject {
     Bending,
     /// A uniform tube in torsion, whose fronts stay sharp.
     Tube,
+    /// Jointed pipe with collars in torsion, lightly damped: every joint sends waves back.
+    Jointed,
 }
 
 impl Measure {
     /// All, in the order of the chart and of the variants, each with its name in the table,
     /// where its value has a unit, and the title of its chart.
     #[rustfmt::skip]
-    const ALL: [(Self, &'static str, &'static str); 15] = [
+    const ALL: [(Self, &'static str, &'static str); 17] = [
         (Self::SurfaceStep, "surface_step", "Step of surface speed, Fig. 7(a)"),
         (Self::SteadySpeed, "steady_speed_ratio", "Bit speed in the end"),
         (Self::StaticStiffness, "static_stiffness_nm_rad", "Static stiffness k_eff"),
@@ -66,6 +72,8 @@ impl Measure {
         (Self::TubeUndershoot, "tube_undershoot_rad_s_nm", "Undershoot Δ, uniform tube"),
         (Self::TubeStickSlipLimit, "tube_stick_slip_limit_rpm_knm", "Limit of stick-slip, uniform tube"),
         (Self::TubeFittedLimit, "tube_fitted_limit_rpm_knm", "The same, L/c in whole steps"),
+        (Self::JointedUndershoot, "jointed_undershoot_rad_s_nm", "Undershoot Δ, joints and collars"),
+        (Self::JointedStickSlipLimit, "jointed_stick_slip_limit_rpm_knm", "Limit of stick-slip, joints and collars"),
     ];
 
     /// All, in the order of the chart.
@@ -89,8 +97,10 @@ impl Measure {
             Subject::Torsion
         } else if self < Measure::TubeUndershoot {
             Subject::Bending
-        } else {
+        } else if self < Measure::JointedUndershoot {
             Subject::Tube
+        } else {
+            Subject::Jointed
         }
     }
 

@@ -5,6 +5,7 @@
 mod analysis;
 mod configuration;
 mod history;
+mod jointed;
 mod lateral;
 mod measure;
 mod paper;
@@ -44,7 +45,12 @@ pub fn study(
     let frequencies = configurations.iter().map(|one| one.sampling_frequency);
     let highest = frequencies.fold(0.0, f64::max);
     let mut parts: Vec<Part> = Vec::new();
-    for subject in [Subject::Torsion, Subject::Bending, Subject::Tube] {
+    for subject in [
+        Subject::Torsion,
+        Subject::Bending,
+        Subject::Tube,
+        Subject::Jointed,
+    ] {
         let of_subject = |measure: &Measure| measure.subject() == subject;
         let wanted: Vec<Measure> = wanted.iter().copied().filter(of_subject).collect();
         if wanted.is_empty() {
@@ -54,6 +60,7 @@ pub fn study(
             Subject::Torsion => parts.push(torsion::part(&wanted, highest)?),
             Subject::Bending => parts.push(lateral::part(&wanted, highest)?),
             Subject::Tube => parts.extend(tube::parts(&wanted)?),
+            Subject::Jointed => parts.push(jointed::part(&wanted)?),
         }
     }
     let mut rows = Vec::new();

@@ -2,25 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use linear::estimates::{largest_undershoot, torsional_stiffness, torsional_travel_time};
 use linear::waves::inversion::time_response;
 use linear::waves::network::TorsionNetwork;
 use linear::{Complex64, Method, RaisedCosine};
-use sim::{Outcome, Stopping, TorsionRegime};
+use sim::Outcome;
 
 use super::history::{History, Input};
 use super::measure::Measure;
 use super::part::Part;
 use super::row::Reference;
-use crate::studies::limit::limit_between;
 use crate::studies::methods::hilbert;
 use crate::studies::scenes::shipped;
-use crate::studies::trial;
+use crate::studies::{stick_slip, trial};
 use campaign::engine::MethodSystem;
-use campaign::plan::{Conditions, Setting, Sweep};
-use campaign::quantities::Axis;
-use campaign::sweep_file::AutoOr;
+use campaign::plan::{Setting, Sweep};
 
 /// A step is looked at through a window of this length, s.
 const STEP_WINDOW: RaisedCosine = RaisedCosine { duration: 0.1 };
@@ -34,9 +31,6 @@ const UNDERSHOOT_WINDOW: f64 = 1e-4;
 
 /// Samples in a window of the exact response.
 const SAMPLES_PER_WINDOW: f64 = 8.0;
-
-/// Where the limit of stick-slip is looked for, rpm per kN m.
-const LIMIT_BRACKET: [f64; 2] = [0.03, 0.12];
 
 /// Sampling frequency of the references, Hz: a wave moves by 2 cm in a sample.
 const REFERENCE_FREQUENCY: f64 = 163_840.0;
@@ -149,51 +143,34 @@ pub fn number(
             });
             Some(1.0 / turned.sum::<f64>())
         }
-        Measure::Undershoot | Measure::TubeUndershoot => {
+        Measure::Undershoot | Measure::TubeUndershoot | Measure::JointedUndershoot => {
             Some(largest_undershoot(system.driving_point()?))
         }
         Measure::FirstSlip => bit?.first_slip,
         Measure::Period => bit?.period,
-        Measure::StickSlipLimit | Measure::TubeStickSlipLimit | Measure::TubeFittedLimit => {
-            stick_slip_limit(sweep, system)
-        }
+        Measure::StickSlipLimit
+        | Measure::TubeStickSlipLimit
+        | Measure::TubeFittedLimit
+        | Measure::JointedStickSlipLimit => stick_slip_limit(sweep, system),
         _ => None,
     }
 }
 
-/// The ratio of speed to torque (rpm per kN m) above which the motion is smooth, each
-/// case lasting as long as its regime needs.
+/// The ratio of speed to torque (rpm per kN m) above which the motion is smooth.
 fn stick_slip_limit(sweep: &Sweep, system: &MethodSystem) -> Option<f64> {
-    let sweep = until_regime_is_told(sweep);
-    limit_between(LIMIT_BRACKET, |ratio| {
-        let conditions = at_ratio(&sweep, ratio)?;
-        let outcome = trial::outcome(&sweep, system, &conditions, Stopping::Early).ok()?;
-        Some(outcome.torsion?.regime == TorsionRegime::Smooth)
-    })
+    let limit = stick_slip::limit(sweep, system, stick_slip::equation_limit(sweep).ok()?)?;
+    per_torque(sweep, limit)
 }
 
-fn until_regime_is_told(sweep: &Sweep) -> Sweep {
-    Sweep {
-        time: AutoOr::Auto,
-        ..sweep.clone()
-    }
-}
-
-/// The same torque with another ratio of speed to it, rpm per kN m.
-fn at_ratio(sweep: &Sweep, ratio: f64) -> Option<Conditions> {
-    let torque = sweep.conditions.torque_dynamic_nm?;
-    Some((sweep.conditions).with(Axis::SurfaceSpeedRpm, ratio * torque / 1e3))
+/// A surface speed in rpm as a ratio to the torque, rpm per kN m.
+pub fn per_torque(sweep: &Sweep, speed: f64) -> Option<f64> {
+    let torque = stick_slip::torque(sweep).ok()?.torque_dynamic;
+    Some(1e3 * speed / torque)
 }
 
 /// The longest time that any case lasts, s.
 pub fn longest_time(sweep: &Sweep) -> Result<f64> {
     let own = trial::case(sweep, &sweep.setting, &sweep.conditions)?;
-    let mut longest = own.scene.timing.duration;
-    let sweep = until_regime_is_told(sweep);
-    for ratio in LIMIT_BRACKET {
-        let conditions = at_ratio(&sweep, ratio).context("the bit has no torque")?;
-        let case = trial::case(&sweep, &sweep.setting, &conditions)?;
-        longest = longest.max(case.scene.timing.duration);
-    }
-    Ok(longest)
+    let of_limit = stick_slip::longest_time(sweep, stick_slip::equation_limit(sweep)?)?;
+    Ok(own.scene.timing.duration.max(of_limit))
 }

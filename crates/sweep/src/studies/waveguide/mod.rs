@@ -3,11 +3,15 @@
 //! of half of what is beside it takes its part. The bit's law is met in every step, in a
 //! few lines of its own, so that neither linear methods nor the stepper have a part in it.
 
+mod motor;
+pub mod stick_slip;
+mod wound;
+
 use linear::Drillstring;
 use linear::estimates::torsional_impedance;
 
-use super::motor::Motor;
-use super::wound::{Reach, Wound};
+use motor::Motor;
+use wound::{Reach, Wound};
 
 /// A string at rest, its bit held.
 pub struct Waveguide {

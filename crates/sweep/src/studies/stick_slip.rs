@@ -1,0 +1,81 @@
+//! The surface speed up to which the bit of a sweep sticks and slips.
+
+use anyhow::{Context, Result};
+use linear::deviation::exact_undershoot;
+use linear::estimates::stick_slip_speed_limit;
+use sim::{BitTorque, Stopping, TorsionRegime};
+
+use super::limit::{Truth, limit_between};
+use super::{trial, waveguide};
+use campaign::engine::MethodSystem;
+use campaign::plan::{Sweep, to_rpm};
+use campaign::quantities::Axis;
+use campaign::sweep_file::AutoOr;
+
+/// A limit is looked for between these parts of Eq. 74's.
+const BRACKET: [f64; 2] = [0.5, 2.0];
+
+/// The torque on the bit of a sweep.
+///
+/// # Errors
+/// Where it has none.
+pub fn torque(sweep: &Sweep) -> Result<BitTorque> {
+    let bit = sweep.bit.as_ref().context("the sweep has no bit")?;
+    let torque = bit.torque_dynamic(&sweep.conditions)?;
+    let torque = torque.context("the bit has no torque")?;
+    Ok(sweep.conditions.torques(torque))
+}
+
+/// The limit of Eq. 74 with the exact undershoot of the string, rpm.
+///
+/// # Errors
+/// Where the bit has no torque, or the undershoot is not found.
+pub fn equation_limit(sweep: &Sweep) -> Result<f64> {
+    let undershoot = exact_undershoot(&sweep.setting.string)?;
+    let bit = torque(sweep)?;
+    let limit = stick_slip_speed_limit(undershoot, bit.torque_static, bit.torque_dynamic);
+    Ok(to_rpm(limit))
+}
+
+/// The exact limit, rpm, by waves that are handed on in time.
+///
+/// # Errors
+/// Where the string has none.
+pub fn exact_limit(sweep: &Sweep) -> Result<Truth> {
+    let places = waveguide::stick_slip::USUAL_PLACES;
+    waveguide::stick_slip::truth(sweep, equation_limit(sweep)?, places)
+}
+
+/// The limit by a method's system about that of Eq. 74, rpm, each case lasting as long as its regime
+/// needs; `None` where there is none.
+pub fn limit(sweep: &Sweep, system: &MethodSystem, of_equation: f64) -> Option<f64> {
+    let sweep = until_regime_is_told(sweep);
+    limit_between(BRACKET.map(|part| part * of_equation), |speed| {
+        let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed);
+        let outcome = trial::outcome(&sweep, system, &conditions, Stopping::Early).ok()?;
+        Some(outcome.torsion?.regime == TorsionRegime::Smooth)
+    })
+}
+
+/// The longest time that a case takes where that limit is looked for, s.
+///
+/// # Errors
+/// Where the bit has no torque.
+pub fn longest_time(sweep: &Sweep, of_equation: f64) -> Result<f64> {
+    let sweep = until_regime_is_told(sweep);
+    let mut longest = 0.0f64;
+    for part in BRACKET {
+        let speed = part * of_equation;
+        let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed);
+        let case = trial::case(&sweep, &sweep.setting, &conditions)?;
+        longest = longest.max(case.scene.timing.duration);
+    }
+    Ok(longest)
+}
+
+fn until_regime_is_told(sweep: &Sweep) -> Sweep {
+    Sweep {
+        time: AutoOr::Auto,
+        ..sweep.clone()
+    }
+}
