@@ -31,6 +31,46 @@ fn a_part_of_the_atlas_is_written_the_same_by_any_number_of_threads() {
     is_png(&place, "one/stability.png");
 }
 
+/// Where joints meet collars steps that are longer than a joint smear what it sends back: a step in
+/// which fronts are exact has the limit, and where they overshoot none has.
+#[test]
+fn the_limit_of_a_string_with_joints_and_collars_takes_short_steps_of_exact_fronts() {
+    let place = Workplace::new();
+    let study = [
+        "stability",
+        "--quiet",
+        "--family",
+        "joints",
+        "--out",
+        "atlas",
+    ];
+    succeeds(&place, &study);
+    let table = table(&text(&place, "atlas/stability.csv"));
+    let rows = columns(
+        &table,
+        ["method", "sampling_frequency_hz", "error", "outcome"],
+    );
+    assert_eq!(rows.len(), 28);
+    let error = |method: &str, frequency: &str| {
+        let row = rows
+            .iter()
+            .find(|row| row[0] == method && row[1] == frequency);
+        row.unwrap()[2].parse::<f64>().unwrap()
+    };
+    assert!(error("held", "10240") < 0.02);
+    assert!(error("held", "640") > 0.1);
+    for frequency in ["640", "2560", "10240"] {
+        for method in ["quadrature", "finite-element"] {
+            let error = error(method, frequency);
+            assert!(error > 0.1, "{method} {frequency}: {error}");
+        }
+    }
+    for row in &rows {
+        let is_wrong = row[2].parse::<f64>().unwrap() > 0.1;
+        assert_eq!(row[3], if is_wrong { "wrong" } else { "accurate" });
+    }
+}
+
 #[test]
 fn the_atlas_tells_how_often_its_margins_were_right() {
     let place = Workplace::new();

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use linear::DrillstringError;
 use linear::deviation::exact_undershoot;
-use linear::estimates::largest_undershoot;
+use linear::estimates::{largest_undershoot, torsional_travel_time};
 use linear::falling_torque::steepest_fall;
 use serde::Deserialize;
 
@@ -21,6 +21,10 @@ use campaign::text_file::unreadable;
 
 /// Points of the line between the ends of an axis.
 const POINTS: usize = 200;
+
+/// Modes of a uniform string of the same travel time that smooth rotation is to be free of. What
+/// collars do by themselves, at tens of hertz, mud and steel damp more than `torsional_damping` says.
+const SLOW_MODES: f64 = 24.0;
 
 /// The limit of a map.
 #[derive(Debug, Clone, PartialEq)]
@@ -188,11 +192,12 @@ fn stick_slip_points(
 }
 
 /// Where smooth rotation is lost along an axis, for a torque that falls with the bit's speed: the
-/// speed at which it falls as steeply as the string bears ([`steepest_fall`]), of what the run's
-/// steps can swing at. Without points where it lasts at every speed.
+/// speed at which it falls as steeply as the string bears ([`steepest_fall`]) without swinging in one
+/// of its [`SLOW_MODES`]. Without points where it lasts at every speed.
 fn smooth_rotation_points(sweep: &Sweep, bit: &Bit, position: usize) -> Vec<StickSlipPoint> {
-    let highest_frequency = 0.5 * sweep.setting.sampling_frequency;
-    let steepest = steepest_fall(&sweep.setting.string, highest_frequency);
+    let string = &sweep.setting.string;
+    let highest_frequency = 0.5 * SLOW_MODES / torsional_travel_time(string);
+    let steepest = steepest_fall(string, highest_frequency);
     let Some(steepest) = steepest.ok().flatten() else {
         return Vec::new();
     };

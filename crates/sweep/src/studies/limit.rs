@@ -56,6 +56,24 @@ pub fn limit_between(
     bisected([low, high], false, HALVINGS, arithmetic, is_beyond)
 }
 
+/// A limit near a place is looked for within this factor of it,
+pub const WITHIN: f64 = 1.6;
+
+/// from this part of it outwards.
+const NEAREST: f64 = 0.005;
+
+/// The limit nearest to a place, within [`WITHIN`]; `between` gives the one in a bracket, where its
+/// ends differ.
+pub fn nearest(place: f64, between: impl Fn([f64; 2]) -> Option<f64>) -> Option<f64> {
+    (0..)
+        .map(|doubled| NEAREST * 2f64.powi(doubled))
+        .take_while(|distance| *distance < 2.0 * WITHIN.ln())
+        .find_map(|distance| {
+            let factor = distance.min(WITHIN.ln()).exp();
+            between([place / factor, place * factor])
+        })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -19,15 +19,15 @@ const UNIFORM_TUBE: &str = r#"base = "fig08b.toml"
 sections = [{ repeat = 100, parts = [{ length_m = 10, inner_radius_m = 0.05, outer_radius_m = 0.15 }] }]
 "#;
 
-/// Jointed pipe of 5 inches above collars of 6¾ inches; a tenth of a wave is lost on its way.
+/// Jointed pipe of 5 inches above collars of 6¾ inches; a third of a wave is lost on its way.
 const JOINTED_COLLAR: &str = r#"base = "fig08b.toml"
 start = "stuck"
 time_s = "auto"
 
 [string]
-torsional_damping_nms_rad_m = 0.05
+torsional_damping_nms_rad_m = 0.3
 sections = [
-    { repeat = 110, parts = [
+    { repeat = 80, parts = [
         { length_m = 9.05, inner_radius_m = 0.0543, outer_radius_m = 0.0635 },
         { length_m = 0.45, inner_radius_m = 0.0413, outer_radius_m = 0.0842 },
     ] },

@@ -5,7 +5,7 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::stick_slip_speed_limit;
 use sim::{BitTorque, Stopping, TorsionRegime};
 
-use super::limit::{Truth, limit_between};
+use super::limit::{Truth, limit_between, nearest};
 use super::{trial, waveguide};
 use campaign::engine::MethodSystem;
 use campaign::plan::{Sweep, to_rpm};
@@ -49,12 +49,23 @@ pub fn exact_limit(sweep: &Sweep) -> Result<Truth> {
 /// The limit by a method's system about that of Eq. 74, rpm, each case lasting as long as its regime
 /// needs; `None` where there is none.
 pub fn limit(sweep: &Sweep, system: &MethodSystem, of_equation: f64) -> Option<f64> {
-    let sweep = until_regime_is_told(sweep);
-    limit_between(BRACKET.map(|part| part * of_equation), |speed| {
-        let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed);
-        let outcome = trial::outcome(&sweep, system, &conditions, Stopping::Early).ok()?;
-        Some(outcome.torsion?.regime == TorsionRegime::Smooth)
+    let bracket = BRACKET.map(|part| part * of_equation);
+    limit_between(bracket, |speed| is_smooth(sweep, system, speed))
+}
+
+/// The same nearest to a place, rpm: where damping is light there are more than one.
+pub fn limit_near(sweep: &Sweep, system: &MethodSystem, place: f64) -> Option<f64> {
+    nearest(place, |bracket| {
+        limit_between(bracket, |speed| is_smooth(sweep, system, speed))
     })
+}
+
+/// Whether the bit does not stick again and again at a surface speed, rpm.
+fn is_smooth(sweep: &Sweep, system: &MethodSystem, speed: f64) -> Option<bool> {
+    let sweep = until_regime_is_told(sweep);
+    let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed);
+    let outcome = trial::outcome(&sweep, system, &conditions, Stopping::Early).ok()?;
+    Some(outcome.torsion?.regime == TorsionRegime::Smooth)
 }
 
 /// The longest time that a case takes where that limit is looked for, s.

@@ -17,7 +17,7 @@ pub fn chart(entries: &[Entry]) -> Result<Picture> {
     let panels: Vec<_> = panels.filter(|panel| !panel.cells.is_empty()).collect();
     cell_chart(
         "Where methods fail, and whether their positive-real margin predicts it",
-        "number: the smallest margin, or where there is none the relative error",
+        "number: the smallest margin, or where it says nothing the relative error",
         &panels,
     )
 }

@@ -5,19 +5,13 @@ use sim::Stopping;
 
 use super::problem::Problem;
 use crate::studies::accuracy::is_inside;
-use crate::studies::limit::{bisected, geometric};
+use crate::studies::limit::{WITHIN, bisected, geometric, nearest};
 use crate::studies::trial;
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 
-/// A limit is looked for within this factor of a place,
-pub const WITHIN: f64 = 1.6;
-
-/// from this part of it outwards,
-const NEAREST: f64 = 0.005;
-
-/// and found to that.
+/// What a bracket is halved to.
 pub const HALVED: f64 = 3e-4;
 
 /// Finds limits of a problem by the one method of a sweep.
@@ -50,13 +44,7 @@ impl<'a> Finder<'a> {
 
     /// The limit nearest to a place, within [`WITHIN`].
     pub fn nearest(&self, place: f64) -> Option<f64> {
-        (0..)
-            .map(|doubled| NEAREST * 2f64.powi(doubled))
-            .take_while(|distance| *distance < 2.0 * WITHIN.ln())
-            .find_map(|distance| {
-                let factor = distance.min(WITHIN.ln()).exp();
-                self.between([place / factor, place * factor])
-            })
+        nearest(place, |bracket| self.between(bracket))
     }
 
     /// The limit in a bracket; `None` where the regime is the same at both ends.

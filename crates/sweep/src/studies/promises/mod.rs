@@ -39,7 +39,7 @@ pub struct Kept {
     /// The error that was estimated, a part of one.
     pub estimated: f64,
     /// The limit by the method chosen; `None` where that is more than a factor
-    /// [`finder::WITHIN`] from the true one.
+    /// [`crate::studies::limit::WITHIN`] from the true one.
     pub limit: Option<f64>,
 }
 

@@ -42,7 +42,7 @@ impl Joints {
         let setting = sweep.setting.sampled_at(cell.sampling_frequency);
         let longest = stick_slip::longest_time(sweep, *of_equation)?;
         let system = MethodSystem::build_for(sweep, &setting, method, longest)?;
-        let limit = stick_slip::limit(sweep, &system, *of_equation);
+        let limit = stick_slip::limit_near(sweep, &system, self.exact);
         Ok(Findings {
             margin_torsion: system.torsion_margin,
             // Not near the exact one is as far off as can be.

@@ -73,11 +73,11 @@ impl Measure {
         (Self::TubeStickSlipLimit, "tube_stick_slip_limit_rpm_knm", "Limit of stick-slip, uniform tube"),
         (Self::TubeFittedLimit, "tube_fitted_limit_rpm_knm", "The same, L/c in whole steps"),
         (Self::JointedUndershoot, "jointed_undershoot_rad_s_nm", "Undershoot Δ, joints and collars"),
-        (Self::JointedStickSlipLimit, "jointed_stick_slip_limit_rpm_knm", "Limit of stick-slip, joints and collars"),
+        (Self::JointedStickSlipLimit, "jointed_limit_rpm_knm", "Its limit of stick-slip"),
     ];
 
     /// All, in the order of the chart.
-    pub fn all() -> [Self; 15] {
+    pub fn all() -> [Self; 17] {
         Self::ALL.map(|(measure, ..)| measure)
     }
 
