@@ -26,6 +26,13 @@ const ONE_IN_OF_FEW: usize = 4;
 /// Where axes change the string, systems are built for every case: no more than for these.
 const MOST_STRINGS: usize = 16;
 
+/// A system is built to look at labels where its taps times the parts of the string are no more
+/// than this, which takes some seconds,
+const LIGHT: f64 = 5e7;
+
+/// or its parts no more than this many a case of the sweep: stepping these takes longer.
+const PARTS_PER_CASE: f64 = 0.25;
+
 /// A part of the labels from which on their change is warned of,
 const WARNED_PART: f64 = 0.1;
 
@@ -44,12 +51,25 @@ pub enum Change {
     Start(StartName),
 }
 
+impl Change {
+    /// What is done otherwise.
+    pub fn words(&self) -> String {
+        match self {
+            Change::Method(method) => format!("by {method}"),
+            Change::SamplingFrequencyHz(frequency) => format!("at {} Hz", short(*frequency)),
+            Change::Start(StartName::Smooth) => "begun in smooth rotation".to_owned(),
+            Change::Start(_) => "begun with the bit held".to_owned(),
+        }
+    }
+}
+
 /// How many labels of the first method change with it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Dependence {
     /// What is changed.
     pub change: Change,
-    /// Cases that have an answer both ways.
+    /// Cases that have an answer both ways; none where it is not looked at, as that would take
+    /// longer than the sweep.
     pub cases: usize,
     /// Those of them with another label.
     pub changed: usize,
@@ -69,12 +89,7 @@ impl Dependence {
             cases,
             changed,
         } = self;
-        let how = match change {
-            Change::Method(method) => format!("by {method}"),
-            Change::SamplingFrequencyHz(frequency) => format!("at {} Hz", short(*frequency)),
-            Change::Start(StartName::Smooth) => "begun in smooth rotation".to_owned(),
-            Change::Start(_) => "begun with the bit held".to_owned(),
-        };
+        let how = change.words();
         let what_to_do = match change {
             Change::Method(method) => {
                 format!(": add `{method}` to `methods`, and the map shows where, or set `accuracy`")
@@ -100,10 +115,9 @@ pub fn dependences(sweep: &Sweep, options: RunOptions) -> Vec<Dependence> {
         false => vec![cases],
     };
     // One string after the other, for their memory.
-    let of_string = |cases: &Vec<usize>| {
-        let of_string = OfString::new(sweep, cases, options);
-        let counted = |variant| of_string.as_ref().ok().and_then(|it| it.count(variant));
-        variants.iter().map(counted).collect::<Vec<_>>()
+    let of_string = |cases: &Vec<usize>| match OfString::new(sweep, cases, options) {
+        Ok(of_string) => of_string.counts(&variants),
+        Err(_) => vec![None; variants.len()],
     };
     let counts: Vec<Vec<Option<[usize; 2]>>> = strings.iter().map(of_string).collect();
     let total = |place: usize| {
@@ -215,69 +229,154 @@ fn variants(sweep: &Sweep) -> Vec<Variant> {
         .collect()
 }
 
-/// Cases of one string, and their records as a run has them.
+/// Cases of one string.
 struct OfString<'a> {
     sweep: &'a Sweep,
     setting: Setting,
     options: RunOptions,
     cases: &'a [usize],
-    records: Vec<Option<Record>>,
 }
+
+/// Of each case, with an answer or without; none where the case is none.
+type Records = Vec<Option<Record>>;
 
 impl<'a> OfString<'a> {
     fn new(sweep: &'a Sweep, cases: &'a [usize], options: RunOptions) -> Result<Self> {
         let string = sweep.design.string_of(cases[0]);
-        let setting = setting_of(sweep, string)?.for_labels().into_owned();
-        let mut of_string = Self {
+        Ok(Self {
             sweep,
-            setting,
+            setting: setting_of(sweep, string)?.for_labels().into_owned(),
             options,
             cases,
-            records: Vec::new(),
-        };
-        let (setting, method) = (of_string.setting.clone(), sweep.methods[0]);
-        of_string.records = of_string.records(sweep, &setting, method)?;
-        Ok(of_string)
+        })
     }
 
-    /// Cases with an answer both ways, and those with another label; none where no method treats
-    /// the variant.
-    fn count(&self, variant: &Variant) -> Option<[usize; 2]> {
-        let mut sweep = self.sweep.clone();
-        sweep.starts = variant.starts;
-        let setting = variant.setting(&self.setting);
-        let others = self.records(&sweep, &setting, variant.method).ok()?;
-        let labels = |record: &Option<Record>| {
-            let outcome = record.as_ref()?.outcome.as_ref().ok()?;
-            Some(Labels::of(outcome))
-        };
-        let pairs = self.records.iter().zip(&others);
-        let both: Vec<_> = pairs
-            .filter_map(|(one, other)| Some((labels(one)?, labels(other)?)))
+    /// Cases with an answer both ways, and those with another label, by variant; none where no
+    /// method treats it.
+    fn counts(&self, variants: &[Variant]) -> Vec<Option<[usize; 2]>> {
+        let begun_otherwise = |variant: &&Variant| matches!(variant.change, Change::Start(_));
+        let others = variants.iter().filter(begun_otherwise);
+        let starts: Vec<Starts> = [self.sweep.starts]
+            .into_iter()
+            .chain(others.map(|variant| variant.starts))
             .collect();
-        let differ = both.iter().filter(|(one, other)| one != other);
-        Some([both.len(), differ.count()])
+        let own = self.records(&starts, &self.setting, self.sweep.methods[0]);
+        let Some((as_run, otherwise)) = own.as_deref().and_then(<[Records]>::split_first) else {
+            return vec![own.map(|_| [0, 0]); variants.len()];
+        };
+        let mut otherwise = otherwise.iter();
+        let count = |variant: &Variant| match variant.change {
+            Change::Start(_) => otherwise.next().map(|it| differing(as_run, it)),
+            _ => {
+                let setting = variant.setting(&self.setting);
+                let records = self.records(&[variant.starts], &setting, variant.method)?;
+                Some(records.first().map_or([0, 0], |it| differing(as_run, it)))
+            }
+        };
+        variants.iter().map(count).collect()
     }
 
+    /// Records with each of some starts; none of them where the system would take longer to build
+    /// than the sweep.
     fn records(
         &self,
-        sweep: &Sweep,
+        starts: &[Starts],
         setting: &Setting,
         method: Method,
-    ) -> Result<Vec<Option<Record>>> {
-        let cases: Vec<Option<Case>> = (self.cases.iter())
-            .map(|&index| Case::of(sweep, setting, index).ok())
-            .collect();
-        let durations = cases
-            .iter()
-            .flatten()
-            .map(|case| case.scene.timing.duration);
+    ) -> Option<Vec<Records>> {
+        let with_start = |starts: &Starts| Sweep {
+            starts: *starts,
+            ..self.sweep.clone()
+        };
+        let sweeps: Vec<Sweep> = starts.iter().map(with_start).collect();
+        let cases_of = |sweep: &Sweep| -> Vec<Option<Case>> {
+            let case = |index: &usize| Case::of(sweep, setting, *index).ok();
+            self.cases.iter().map(case).collect()
+        };
+        let cases: Vec<Vec<Option<Case>>> = sweeps.iter().map(cases_of).collect();
+        let durations = (cases.iter().flatten().flatten()).map(|case| case.scene.timing.duration);
         let longest = durations.fold(0.0, f64::max);
-        let system = MethodSystem::build_for(sweep, setting, method, longest)?;
-        anyhow::ensure!(system.instability().is_none(), "it would chatter");
-        Ok(parallel::map(cases.len(), 1, |place| {
-            let case = cases[place].as_ref()?;
-            Some(answer(&system, case, 0, self.options, sweep))
-        }))
+        if !is_worth_building(self.sweep, setting, longest) {
+            return Some(Vec::new());
+        }
+        let system = MethodSystem::build_for(self.sweep, setting, method, longest).ok()?;
+        if system.instability().is_some() {
+            return None;
+        }
+        let records = |(sweep, cases): (&Sweep, &Vec<Option<Case>>)| {
+            parallel::map(cases.len(), 1, |place| {
+                let case = cases[place].as_ref()?;
+                Some(answer(&system, case, 0, self.options, sweep))
+            })
+        };
+        Some(sweeps.iter().zip(&cases).map(records).collect())
+    }
+}
+
+/// Whether a system for cases up to a time (s) is built as fast as the cases of a sweep are stepped,
+/// or in some seconds.
+fn is_worth_building(sweep: &Sweep, setting: &Setting, longest: f64) -> bool {
+    let sections = setting.string.sections().iter();
+    let parts: usize = sections.map(|section| section.parts.len()).sum();
+    let parts = parts as f64;
+    let taps = setting.sampling_frequency * longest;
+    parts * taps <= LIGHT || parts <= PARTS_PER_CASE * sweep.design.cases() as f64
+}
+
+/// Cases with an answer both ways, and those of them with another label.
+fn differing(some: &Records, others: &Records) -> [usize; 2] {
+    let labels = |record: &Option<Record>| {
+        let outcome = record.as_ref()?.outcome.as_ref().ok()?;
+        Some(Labels::of(outcome))
+    };
+    let pairs = some.iter().zip(others);
+    let both: Vec<_> = pairs
+        .filter_map(|(one, other)| Some((labels(one)?, labels(other)?)))
+        .collect();
+    let differ = both.iter().filter(|(one, other)| one != other);
+    [both.len(), differ.count()]
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::{Error, ErrorKind};
+    use std::path::Path;
+
+    use super::*;
+
+    /// A string of a number of parts, all different, under the speeds of a number of cases.
+    fn sweep(parts: usize, cases: usize) -> Sweep {
+        let part = |index: usize| {
+            let radius = 0.06 + 1e-5 * index as f64;
+            format!(
+                "{{ repeat = 1, parts = [{{ length_m = 3, inner_radius_m = 0.05, outer_radius_m = {radius} }}] }}"
+            )
+        };
+        let parts: Vec<String> = (0..parts).map(part).collect();
+        let text = format!(
+            "sampling_frequency_hz = 4000\n[bit]\ntorque_dynamic_nm = 4000\ntorque_static_ratio = 1.2\n\
+             [design]\nkind = \"grid\"\n[design.axes]\n\
+             surface_speed_rpm = {{ from = 10, to = 50, count = {cases} }}\n[string]\n\
+             shear_modulus_gpa = 80\ndensity_kg_m3 = 7840\ntorsional_damping_nms_rad_m = 0.3\n\
+             sections = [{}]\n",
+            parts.join(", ")
+        );
+        let read = |path: &Path, _| match path.to_str() {
+            Some("sweep.toml") => Ok(text.clone()),
+            _ => Err(Error::from(ErrorKind::NotFound)),
+        };
+        Sweep::read_from(Path::new("sweep.toml"), &[], &read).unwrap()
+    }
+
+    /// Labels are looked at, and where that would take longer than the sweep it is said that
+    /// they are not.
+    #[test]
+    fn what_takes_longer_than_a_sweep_is_left_out() {
+        let looked_at = |sweep: &Sweep| -> Vec<usize> {
+            let found = dependences(sweep, RunOptions::default());
+            found.iter().map(|dependence| dependence.cases).collect()
+        };
+        assert_eq!(looked_at(&sweep(2, 8)), [8, 8, 8]);
+        assert_eq!(looked_at(&sweep(1000, 8)), [0, 0, 0]);
     }
 }

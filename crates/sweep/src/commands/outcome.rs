@@ -61,6 +61,20 @@ fn certain(manifest: &Manifest) -> String {
     manifest.tally.motions().into_iter().map(words).collect()
 }
 
+/// What labels may depend on that was not looked at.
+fn not_looked_at(manifest: &Manifest) -> String {
+    let left_out = manifest.depends_on.iter().filter(|it| it.cases == 0);
+    let changes: Vec<String> = left_out.map(|it| it.change.words()).collect();
+    if changes.is_empty() {
+        return String::new();
+    }
+    let words = format!(
+        "not looked at, as it would take longer than the run: labels {}",
+        changes.join(", ")
+    );
+    wrapped(&words, 2, 4)
+}
+
 /// What labels depend on, by a sample of cases.
 fn depends_on(manifest: &Manifest) -> String {
     let found = manifest.depends_on.iter().filter(|it| it.changed > 0);
@@ -126,6 +140,7 @@ pub fn summary(manifest: &Manifest, folder: &Path, drawn: bool) -> Result<String
     text += &label_counts(&manifest.tally);
     text += &certain(manifest);
     text += &depends_on(manifest);
+    text += &not_looked_at(manifest);
     for words in manifest.tally.found_words() {
         text += &wrapped(&words, 2, 4);
     }
