@@ -6,7 +6,8 @@ use linear::{Method, parallel};
 use serde::{Deserialize, Serialize};
 
 use crate::engine::{
-    Case, FINER, MethodSystem, Record, RunOptions, StringMemory, answer, setting_of,
+    Case, FINER, MethodSystem, Record, RunOptions, Shard, StringMemory, answer, has_case,
+    setting_of,
 };
 use crate::labels::Labels;
 use crate::plan::{Setting, Starts, Sweep};
@@ -105,10 +106,15 @@ impl Dependence {
     }
 }
 
-/// How often labels by the first method of a sweep change with the method, the sampling
-/// frequency and the start. A variant that a method does not treat is left out.
-pub fn dependences(sweep: &Sweep, options: RunOptions) -> Vec<Dependence> {
-    let cases = sampled(sweep);
+/// How often labels by the first method of a part of a sweep change with the method, the sampling
+/// frequency and the start. A variant that a method does not treat is left out. All parts together
+/// have the cases of the whole.
+pub fn dependences(sweep: &Sweep, shard: Shard, options: RunOptions) -> Vec<Dependence> {
+    let is_own = |case: &usize| has_case(shard, &sweep.design, *case);
+    let cases: Vec<usize> = sampled(sweep).into_iter().filter(is_own).collect();
+    if cases.is_empty() {
+        return Vec::new();
+    }
     let variants = variants(sweep);
     let strings: Vec<Vec<usize>> = match sweep.design.varies_string() {
         true => cases.into_iter().map(|case| vec![case]).collect(),
@@ -134,6 +140,21 @@ pub fn dependences(sweep: &Sweep, options: RunOptions) -> Vec<Dependence> {
             })
         })
         .collect()
+}
+
+/// Those of all parts of a sweep, of what each of them has.
+pub fn together<'a>(parts: impl IntoIterator<Item = &'a [Dependence]>) -> Vec<Dependence> {
+    let mut all: Vec<Dependence> = Vec::new();
+    for part in parts.into_iter().flatten() {
+        match all.iter_mut().find(|one| one.change == part.change) {
+            Some(one) => {
+                one.cases += part.cases;
+                one.changed += part.changed;
+            }
+            None => all.push(part.clone()),
+        }
+    }
+    all
 }
 
 /// Memory, bytes, that this takes for cases of a setting up to the longest time (s), beside what a
@@ -373,10 +394,19 @@ mod tests {
     #[test]
     fn what_takes_longer_than_a_sweep_is_left_out() {
         let looked_at = |sweep: &Sweep| -> Vec<usize> {
-            let found = dependences(sweep, RunOptions::default());
+            let found = dependences(sweep, Shard::WHOLE, RunOptions::default());
             found.iter().map(|dependence| dependence.cases).collect()
         };
         assert_eq!(looked_at(&sweep(2, 8)), [8, 8, 8]);
         assert_eq!(looked_at(&sweep(1000, 8)), [0, 0, 0]);
+    }
+
+    #[test]
+    fn parts_of_a_sweep_have_together_what_the_whole_has() {
+        let sweep = sweep(2, 30);
+        let of = |shard| dependences(&sweep, shard, RunOptions::default());
+        let parts: Vec<Vec<Dependence>> = (0..7).map(|index| of(Shard { index, of: 7 })).collect();
+        assert_eq!(together(parts.iter().map(Vec::as_slice)), of(Shard::WHOLE));
+        assert!(parts.iter().all(|part| part.iter().all(|it| it.cases < 12)));
     }
 }

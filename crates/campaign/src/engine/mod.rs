@@ -94,6 +94,14 @@ fn is_in(shard: Shard, design: &Design, string: usize, position: usize) -> bool 
     shard.has(strings, string, design.cases_of_string(string), position)
 }
 
+/// Whether a part of a sweep has a case.
+pub fn has_case(shard: Shard, design: &Design, case: usize) -> bool {
+    let string = design.string_of(case);
+    let mut positions = 0..design.cases_of_string(string);
+    let position = positions.find(|&position| design.case_of_string(string, position) == case);
+    position.is_some_and(|position| is_in(shard, design, string, position))
+}
+
 /// The linear system of each method for one string, or why it has none.
 struct Built<'a> {
     string: usize,

@@ -72,7 +72,7 @@ pub struct Manifest {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certified_by: Option<CertifiedBy>,
     /// How many labels of a sample of cases change with the method, the sampling frequency and
-    /// the start; of the whole sweep.
+    /// the start.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub depends_on: Vec<Dependence>,
     /// From which surface speed on an eccentric mass brings the string to its wall, where that is

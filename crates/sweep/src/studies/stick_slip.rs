@@ -46,10 +46,18 @@ pub fn exact_limit(sweep: &Sweep) -> Result<Truth> {
     waveguide::stick_slip::truth(sweep, equation_limit(sweep)?, places)
 }
 
-/// The limit by a method's system about that of Eq. 74, rpm, each case lasting as long as its regime
+/// Where a limit is looked for about that of Eq. 74, rpm.
+///
+/// # Errors
+/// As [`equation_limit`].
+pub fn bracket(sweep: &Sweep) -> Result<[f64; 2]> {
+    let of_equation = equation_limit(sweep)?;
+    Ok(BRACKET.map(|part| part * of_equation))
+}
+
+/// The limit by a method's system in a bracket, rpm, each case lasting as long as its regime
 /// needs; `None` where there is none.
-pub fn limit(sweep: &Sweep, system: &MethodSystem, of_equation: f64) -> Option<f64> {
-    let bracket = BRACKET.map(|part| part * of_equation);
+pub fn limit(sweep: &Sweep, system: &MethodSystem, bracket: [f64; 2]) -> Option<f64> {
     limit_between(bracket, |speed| is_smooth(sweep, system, speed))
 }
 
@@ -68,15 +76,14 @@ fn is_smooth(sweep: &Sweep, system: &MethodSystem, speed: f64) -> Option<bool> {
     Some(outcome.torsion?.regime == TorsionRegime::Smooth)
 }
 
-/// The longest time that a case takes where that limit is looked for, s.
+/// The longest time that a case takes in a bracket (rpm), s.
 ///
 /// # Errors
 /// Where the bit has no torque.
-pub fn longest_time(sweep: &Sweep, of_equation: f64) -> Result<f64> {
+pub fn longest_time(sweep: &Sweep, bracket: [f64; 2]) -> Result<f64> {
     let sweep = until_regime_is_told(sweep);
     let mut longest = 0.0f64;
-    for part in BRACKET {
-        let speed = part * of_equation;
+    for speed in bracket {
         let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed);
         let case = trial::case(&sweep, &sweep.setting, &conditions)?;
         longest = longest.max(case.scene.timing.duration);

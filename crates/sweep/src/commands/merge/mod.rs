@@ -15,6 +15,7 @@ use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use crate::log::{Header, Place};
 use crate::output::Manifest;
+use campaign::dependence::together;
 use campaign::engine::Shard;
 use parts::{Part, read_parts, refuse_damaged_parts};
 use tables::join_tables;
@@ -80,6 +81,7 @@ fn join(parts: &[Part], out: &Path) -> Result<Manifest> {
     let mut manifest = parts[0].manifest.clone();
     manifest.shard = None;
     manifest.tally = tally;
+    manifest.depends_on = together(parts.iter().map(|part| part.manifest.depends_on.as_slice()));
     manifest.wall_seconds = parts.iter().map(|part| part.manifest.wall_seconds).sum();
     let sums = (tables.iter()).map(|(name, table)| ((*name).to_owned(), table.checksum().clone()));
     manifest.files = sums.collect();

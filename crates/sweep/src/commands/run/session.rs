@@ -225,8 +225,8 @@ impl<'a> Session<'a> {
         let (shard, systems) = (self.task.header.shard, &self.systems.methods);
         let mut manifest = Manifest::new(sweep, shard, arguments.options(), systems)?;
         (manifest.tally, manifest.files) = (tally, files);
-        if shard.is_whole() && self.systems.sees_dependences {
-            manifest.depends_on = dependences(sweep, arguments.options());
+        if self.systems.sees_dependences {
+            manifest.depends_on = dependences(sweep, shard, arguments.options());
         }
         manifest.wall_seconds = self.start.elapsed().as_secs_f64();
         manifest.files.insert("boundary.csv".to_owned(), limit);

@@ -10,10 +10,10 @@ use crate::studies::stick_slip;
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
 
-/// The string, the limit of Eq. 74 and that by exact waves, rpm.
+/// The string, where its limit is looked for, and where it is by exact waves, rpm.
 pub struct Joints {
     sweep: Sweep,
-    of_equation: f64,
+    bracket: [f64; 2],
     exact: f64,
 }
 
@@ -25,7 +25,7 @@ impl Joints {
     pub fn new() -> Result<Self> {
         let sweep = shipped("jointed_collar.toml")?;
         Ok(Self {
-            of_equation: stick_slip::equation_limit(&sweep)?,
+            bracket: stick_slip::bracket(&sweep)?,
             exact: stick_slip::exact_limit(&sweep)?.limit,
             sweep,
         })
@@ -36,11 +36,9 @@ impl Joints {
     /// # Errors
     /// Where the method cannot treat the string.
     pub fn examine(&self, cell: &Cell, method: Method) -> Result<Findings> {
-        let Self {
-            sweep, of_equation, ..
-        } = self;
+        let Self { sweep, bracket, .. } = self;
         let setting = sweep.setting.sampled_at(cell.sampling_frequency);
-        let longest = stick_slip::longest_time(sweep, *of_equation)?;
+        let longest = stick_slip::longest_time(sweep, *bracket)?;
         let system = MethodSystem::build_for(sweep, &setting, method, longest)?;
         let limit = stick_slip::limit_near(sweep, &system, self.exact);
         Ok(Findings {

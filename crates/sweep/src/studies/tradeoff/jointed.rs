@@ -12,7 +12,7 @@ use super::part::Part;
 use super::row::Reference;
 use super::torsion;
 use crate::studies::scenes::shipped;
-use crate::studies::stick_slip::exact_limit;
+use crate::studies::stick_slip;
 
 /// The highest sampling frequency of what takes longest to step, Hz.
 const HIGHEST: f64 = 10_240.0;
@@ -28,7 +28,7 @@ pub fn part(wanted: &[Measure]) -> Result<Part> {
         let reference = if measure == Measure::JointedUndershoot {
             Reference::exact(exact_undershoot(&sweep.setting.string)?)
         } else {
-            let truth = exact_limit(&sweep)?;
+            let truth = stick_slip::exact_limit(&sweep)?;
             Reference {
                 value: torsion::per_torque(&sweep, truth.limit).context("the bit has no torque")?,
                 uncertainty: truth.uncertainty,
@@ -37,7 +37,7 @@ pub fn part(wanted: &[Measure]) -> Result<Part> {
         references.insert(measure, reference);
     }
     Ok(Part {
-        longest: torsion::longest_time(&sweep)?,
+        longest: torsion::longest_time(&sweep, stick_slip::bracket(&sweep)?)?,
         sweep,
         impulse_duration: f64::INFINITY,
         highest: HIGHEST,

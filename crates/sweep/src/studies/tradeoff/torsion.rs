@@ -32,6 +32,9 @@ const UNDERSHOOT_WINDOW: f64 = 1e-4;
 /// Samples in a window of the exact response.
 const SAMPLES_PER_WINDOW: f64 = 8.0;
 
+/// Where the limit of stick-slip is looked for on the paper's string and the tube, rpm per kN m.
+const LIMIT_BRACKET: [f64; 2] = [0.03, 0.12];
+
 /// Sampling frequency of the references, Hz: a wave moves by 2 cm in a sample.
 const REFERENCE_FREQUENCY: f64 = 163_840.0;
 
@@ -68,7 +71,7 @@ pub fn part(wanted: &[Measure], highest: f64) -> Result<Part> {
         references.insert(measure, reference);
     }
     let mut part = Part {
-        longest: longest_time(&sweep)?,
+        longest: longest_time(&sweep, bracket(&sweep)?)?,
         sweep,
         impulse_duration: f64::INFINITY,
         highest: f64::INFINITY,
@@ -148,18 +151,25 @@ pub fn number(
         }
         Measure::FirstSlip => bit?.first_slip,
         Measure::Period => bit?.period,
-        Measure::StickSlipLimit
-        | Measure::TubeStickSlipLimit
-        | Measure::TubeFittedLimit
-        | Measure::JointedStickSlipLimit => stick_slip_limit(sweep, system),
+        Measure::StickSlipLimit | Measure::TubeStickSlipLimit | Measure::TubeFittedLimit => {
+            stick_slip_limit(sweep, system, bracket(sweep).ok()?)
+        }
+        Measure::JointedStickSlipLimit => {
+            stick_slip_limit(sweep, system, stick_slip::bracket(sweep).ok()?)
+        }
         _ => None,
     }
 }
 
 /// The ratio of speed to torque (rpm per kN m) above which the motion is smooth.
-fn stick_slip_limit(sweep: &Sweep, system: &MethodSystem) -> Option<f64> {
-    let limit = stick_slip::limit(sweep, system, stick_slip::equation_limit(sweep).ok()?)?;
-    per_torque(sweep, limit)
+fn stick_slip_limit(sweep: &Sweep, system: &MethodSystem, bracket: [f64; 2]) -> Option<f64> {
+    per_torque(sweep, stick_slip::limit(sweep, system, bracket)?)
+}
+
+/// Where it is looked for on the paper's string and the tube, rpm.
+pub fn bracket(sweep: &Sweep) -> Result<[f64; 2]> {
+    let torque = stick_slip::torque(sweep)?.torque_dynamic;
+    Ok(LIMIT_BRACKET.map(|ratio| ratio * torque / 1e3))
 }
 
 /// A surface speed in rpm as a ratio to the torque, rpm per kN m.
@@ -168,9 +178,9 @@ pub fn per_torque(sweep: &Sweep, speed: f64) -> Option<f64> {
     Some(1e3 * speed / torque)
 }
 
-/// The longest time that any case lasts, s.
-pub fn longest_time(sweep: &Sweep) -> Result<f64> {
+/// The longest time that any case lasts with a limit in a bracket (rpm), s.
+pub fn longest_time(sweep: &Sweep, bracket: [f64; 2]) -> Result<f64> {
     let own = trial::case(sweep, &sweep.setting, &sweep.conditions)?;
-    let of_limit = stick_slip::longest_time(sweep, stick_slip::equation_limit(sweep)?)?;
+    let of_limit = stick_slip::longest_time(sweep, bracket)?;
     Ok(own.scene.timing.duration.max(of_limit))
 }

@@ -56,7 +56,7 @@ pub fn parts(wanted: &[Measure]) -> Result<Vec<Part>> {
 fn scene() -> Result<Part> {
     let sweep = shipped("uniform_tube.toml")?;
     Ok(Part {
-        longest: torsion::longest_time(&sweep)?,
+        longest: torsion::longest_time(&sweep, torsion::bracket(&sweep)?)?,
         sweep,
         impulse_duration: f64::INFINITY,
         highest: HIGHEST,
