@@ -173,8 +173,14 @@ fn limits_at_the_default_frequency_are_those_of_exact_waves() {
         for (found, known) in found.iter().zip(&study) {
             assert_eq!(found[..3], known[..3]);
             for column in 3..5 {
-                let [found, known] = [found, known].map(|row| row[column].parse::<f64>().unwrap());
-                assert!((found - known).abs() <= 1e-3 * known, "{found} {known}");
+                let [found, known] = [found, known].map(|row| row[column].parse::<f64>().ok());
+                match (found, known) {
+                    (Some(found), Some(known)) => {
+                        assert!((found - known).abs() <= 1e-3 * known, "{found} {known}");
+                    }
+                    // There is no limit near the exact one.
+                    _ => assert_eq!(found, known),
+                }
             }
         }
     }

@@ -10,7 +10,8 @@ use super::finder::{Finder, longest};
 use super::problem::{Begins, Motion, Problem};
 use super::{of_each, stick_slip, whirl};
 use crate::studies::accuracy::is_inside;
-use crate::studies::{trial, waveguide};
+use crate::studies::stick_slip::exact;
+use crate::studies::trial;
 use campaign::engine::{self, MethodSystem, Record, RunOptions, certified};
 use campaign::plan::Sweep;
 
@@ -130,7 +131,7 @@ fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
             })
             .collect::<Vec<_>>();
         if problem.motion == Motion::StickSlip {
-            said.extend(waveguide::stick_slip::labels(&sweep, value)?.map(Some));
+            said.extend(exact::labels(&sweep, value)?.map(Some));
         }
         tested.push(Tested {
             problem: problem.clone(),

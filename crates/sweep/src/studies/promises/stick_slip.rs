@@ -5,7 +5,7 @@ use linear::Drillstring;
 
 use super::problem::Problem;
 use crate::studies::limit::Truth;
-use crate::studies::waveguide::stick_slip::{self, USUAL_PLACES};
+use crate::studies::stick_slip::exact::{self, USUAL_PLACES};
 use campaign::plan::Sweep;
 
 /// Places of damping on the coarser of two waveguides, and pieces, at least. More where joints are
@@ -28,7 +28,7 @@ pub fn truth_of_family(problem: &Problem) -> Result<Truth> {
 fn truth_at(problem: &Problem, places: impl Fn(&Drillstring) -> f64) -> Result<Truth> {
     let sweep = problem.sweep("sampling_frequency_hz = 1000\n")?;
     let places = places(&sweep.setting.string);
-    stick_slip::truth(&sweep, guess(&sweep)?, places)
+    exact::truth(&sweep, guess(&sweep)?, places)
 }
 
 /// Of the coarser waveguide.

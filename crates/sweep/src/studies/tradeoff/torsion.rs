@@ -168,13 +168,13 @@ fn stick_slip_limit(sweep: &Sweep, system: &MethodSystem, bracket: [f64; 2]) -> 
 
 /// Where it is looked for on the paper's string and the tube, rpm.
 pub fn bracket(sweep: &Sweep) -> Result<[f64; 2]> {
-    let torque = stick_slip::torque(sweep)?.torque_dynamic;
+    let torque = stick_slip::exact::torque(sweep)?.torque_dynamic;
     Ok(LIMIT_BRACKET.map(|ratio| ratio * torque / 1e3))
 }
 
 /// A surface speed in rpm as a ratio to the torque, rpm per kN m.
 pub fn per_torque(sweep: &Sweep, speed: f64) -> Option<f64> {
-    let torque = stick_slip::torque(sweep).ok()?.torque_dynamic;
+    let torque = stick_slip::exact::torque(sweep).ok()?.torque_dynamic;
     Some(1e3 * speed / torque)
 }
 

@@ -4,7 +4,6 @@
 //! few lines of its own, so that neither linear methods nor the stepper have a part in it.
 
 mod motor;
-pub mod stick_slip;
 mod wound;
 
 use linear::Drillstring;

@@ -1,13 +1,12 @@
-//! Stick-slip on a waveguide.
+//! Stick-slip by exact waves, handed on in time.
 
 use std::f64::consts::TAU;
 
 use anyhow::{Context, Result, ensure};
-use sim::{Start, torsion_timing};
+use sim::{BitTorque, Start, torsion_timing};
 
-use super::{Friction, Waveguide};
 use crate::studies::limit::{Truth, bisected, geometric};
-use crate::studies::stick_slip::torque;
+use crate::studies::waveguide::{Friction, Waveguide};
 use campaign::plan::Sweep;
 
 /// Places of damping on the coarser of two waveguides where damping is light, and pieces, at
@@ -29,6 +28,17 @@ const BROKEN_LOOSE: f64 = 1.0 + 1e-9;
 
 /// Recaptures that make stick-slip, as in the regimes of the program.
 const REPEATED: usize = 3;
+
+/// The torque on the bit of a sweep.
+///
+/// # Errors
+/// Where it has none.
+pub fn torque(sweep: &Sweep) -> Result<BitTorque> {
+    let bit = sweep.bit.as_ref().context("the sweep has no bit")?;
+    let torque = bit.torque_dynamic(&sweep.conditions)?;
+    let torque = torque.context("the bit has no torque")?;
+    Ok(sweep.conditions.torques(torque))
+}
 
 /// The limit in rpm about that of Eq. 74, by the finer of two waveguides; what the other differs by
 /// is its uncertainty.

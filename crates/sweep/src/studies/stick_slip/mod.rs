@@ -1,12 +1,14 @@
 //! The surface speed up to which the bit of a sweep sticks and slips.
 
-use anyhow::{Context, Result};
+pub mod exact;
+
+use anyhow::Result;
 use linear::deviation::exact_undershoot;
 use linear::estimates::stick_slip_speed_limit;
-use sim::{BitTorque, Stopping, TorsionRegime};
+use sim::{Stopping, TorsionRegime};
 
 use super::limit::{Truth, limit_between, nearest};
-use super::{trial, waveguide};
+use super::trial;
 use campaign::engine::MethodSystem;
 use campaign::plan::{Sweep, to_rpm};
 use campaign::quantities::Axis;
@@ -15,24 +17,13 @@ use campaign::sweep_file::AutoOr;
 /// A limit is looked for between these parts of Eq. 74's.
 const BRACKET: [f64; 2] = [0.5, 2.0];
 
-/// The torque on the bit of a sweep.
-///
-/// # Errors
-/// Where it has none.
-pub fn torque(sweep: &Sweep) -> Result<BitTorque> {
-    let bit = sweep.bit.as_ref().context("the sweep has no bit")?;
-    let torque = bit.torque_dynamic(&sweep.conditions)?;
-    let torque = torque.context("the bit has no torque")?;
-    Ok(sweep.conditions.torques(torque))
-}
-
 /// The limit of Eq. 74 with the exact undershoot of the string, rpm.
 ///
 /// # Errors
 /// Where the bit has no torque, or the undershoot is not found.
 pub fn equation_limit(sweep: &Sweep) -> Result<f64> {
     let undershoot = exact_undershoot(&sweep.setting.string)?;
-    let bit = torque(sweep)?;
+    let bit = exact::torque(sweep)?;
     let limit = stick_slip_speed_limit(undershoot, bit.torque_static, bit.torque_dynamic);
     Ok(to_rpm(limit))
 }
@@ -42,8 +33,7 @@ pub fn equation_limit(sweep: &Sweep) -> Result<f64> {
 /// # Errors
 /// Where the string has none.
 pub fn exact_limit(sweep: &Sweep) -> Result<Truth> {
-    let places = waveguide::stick_slip::USUAL_PLACES;
-    waveguide::stick_slip::truth(sweep, equation_limit(sweep)?, places)
+    exact::truth(sweep, equation_limit(sweep)?, exact::USUAL_PLACES)
 }
 
 /// Where a limit is looked for about that of Eq. 74, rpm.
