@@ -110,22 +110,24 @@ impl Dependence {
 /// frequency and the start. A variant that a method does not treat is left out. All parts together
 /// have the cases of the whole.
 pub fn dependences(sweep: &Sweep, shard: Shard, options: RunOptions) -> Vec<Dependence> {
-    let is_own = |case: &usize| has_case(shard, &sweep.design, *case);
-    let cases: Vec<usize> = sampled(sweep).into_iter().filter(is_own).collect();
-    if cases.is_empty() {
-        return Vec::new();
-    }
+    let sampled = |case: usize| Sampled {
+        case,
+        is_own: has_case(shard, &sweep.design, case),
+    };
+    let cases: Vec<Sampled> = numbers(sweep).into_iter().map(sampled).collect();
     let variants = variants(sweep);
-    let strings: Vec<Vec<usize>> = match sweep.design.varies_string() {
+    let strings: Vec<Vec<Sampled>> = match sweep.design.varies_string() {
         true => cases.into_iter().map(|case| vec![case]).collect(),
         false => vec![cases],
     };
+    let has_own = |cases: &&Vec<Sampled>| cases.iter().any(|it| it.is_own);
     // One string after the other, for their memory.
-    let of_string = |cases: &Vec<usize>| match OfString::new(sweep, cases, options) {
+    let of_string = |cases: &Vec<Sampled>| match OfString::new(sweep, cases, options) {
         Ok(of_string) => of_string.counts(&variants),
         Err(_) => vec![None; variants.len()],
     };
-    let counts: Vec<Vec<Option<[usize; 2]>>> = strings.iter().map(of_string).collect();
+    let counts: Vec<Vec<Option<[usize; 2]>>> =
+        strings.iter().filter(has_own).map(of_string).collect();
     let total = |place: usize| {
         let of_strings = counts.iter().filter_map(|counts| counts[place]);
         of_strings.reduce(|[all, changed], [more, others]| [all + more, changed + others])
@@ -173,7 +175,7 @@ pub fn bytes(sweep: &Sweep, setting: &Setting, longest_time: f64) -> f64 {
 
 /// Cases spread over a design: multiples of the golden ratio, modulo one, leave no gaps and
 /// follow no row or column of a grid.
-fn sampled(sweep: &Sweep) -> Vec<usize> {
+fn numbers(sweep: &Sweep) -> Vec<usize> {
     let all = sweep.design.cases();
     let [fewest, most] = CASES;
     let setting = &sweep.setting;
@@ -250,20 +252,28 @@ fn variants(sweep: &Sweep) -> Vec<Variant> {
         .collect()
 }
 
+/// A case that is looked at.
+#[derive(Debug, Clone, Copy)]
+struct Sampled {
+    case: usize,
+    /// Whether by this part of the sweep: what is worth building does not depend on the parts.
+    is_own: bool,
+}
+
 /// Cases of one string.
 struct OfString<'a> {
     sweep: &'a Sweep,
     setting: Setting,
     options: RunOptions,
-    cases: &'a [usize],
+    cases: &'a [Sampled],
 }
 
-/// Of each case, with an answer or without; none where the case is none.
+/// Of each case, with an answer or without; none of a case of other parts, or that is none.
 type Records = Vec<Option<Record>>;
 
 impl<'a> OfString<'a> {
-    fn new(sweep: &'a Sweep, cases: &'a [usize], options: RunOptions) -> Result<Self> {
-        let string = sweep.design.string_of(cases[0]);
+    fn new(sweep: &'a Sweep, cases: &'a [Sampled], options: RunOptions) -> Result<Self> {
+        let string = sweep.design.string_of(cases[0].case);
         Ok(Self {
             sweep,
             setting: setting_of(sweep, string)?.for_labels().into_owned(),
@@ -311,7 +321,7 @@ impl<'a> OfString<'a> {
         };
         let sweeps: Vec<Sweep> = starts.iter().map(with_start).collect();
         let cases_of = |sweep: &Sweep| -> Vec<Option<Case>> {
-            let case = |index: &usize| Case::of(sweep, setting, *index).ok();
+            let case = |it: &Sampled| Case::of(sweep, setting, it.case).ok();
             self.cases.iter().map(case).collect()
         };
         let cases: Vec<Vec<Option<Case>>> = sweeps.iter().map(cases_of).collect();
@@ -326,7 +336,7 @@ impl<'a> OfString<'a> {
         }
         let records = |(sweep, cases): (&Sweep, &Vec<Option<Case>>)| {
             parallel::map(cases.len(), 1, |place| {
-                let case = cases[place].as_ref()?;
+                let case = cases[place].as_ref().filter(|_| self.cases[place].is_own)?;
                 Some(answer(&system, case, 0, self.options, sweep))
             })
         };

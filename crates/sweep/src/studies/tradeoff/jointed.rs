@@ -14,9 +14,6 @@ use super::torsion;
 use crate::studies::scenes::shipped;
 use crate::studies::stick_slip;
 
-/// The highest sampling frequency of what takes longest to step, Hz.
-const HIGHEST: f64 = 10_240.0;
-
 /// The string, with what the measures wanted should be.
 ///
 /// # Errors
@@ -40,7 +37,7 @@ pub fn part(wanted: &[Measure]) -> Result<Part> {
         longest: torsion::longest_time(&sweep, stick_slip::bracket(&sweep)?)?,
         sweep,
         impulse_duration: f64::INFINITY,
-        highest: HIGHEST,
+        highest: f64::INFINITY,
         whole_steps_of: None,
         history: None,
         references,
