@@ -1,15 +1,15 @@
 //! A string from a BHA sheet: the same string however the sheet is written, and mistakes in one
 //! refused with file and line.
 
-#[path = "support/crc32.rs"]
-mod crc32;
 #[path = "support/refusals.rs"]
 #[allow(dead_code, reason = "mistakes of sweep files have tables of their own")]
 mod refusals;
 #[allow(dead_code, reason = "its small sweep is for other tests")]
 mod support;
+#[path = "support/workbook.rs"]
+#[allow(dead_code, reason = "hostile ones are for other tests")]
+mod workbook;
 
-use crc32::crc32;
 use refusals::{RUN, refused};
 use support::Workplace;
 
@@ -70,7 +70,7 @@ fn a_string_is_the_same_however_its_sheet_is_written() {
         .skip(1)
         .map(|row| row.split(',').collect())
         .collect();
-    let workbook = workbook(&rows);
+    let workbook = workbook::xlsx(&rows);
     assert_eq!(
         labels("file = \"bha.xlsx\"", &[("bha.xlsx", &workbook)]),
         expected
@@ -203,85 +203,4 @@ fn the_sheet_that_is_shipped_is_a_string() {
         "{}",
         answer.output
     );
-}
-
-/// A workbook of one sheet with these texts, numbers as numbers: its parts in a ZIP archive
-/// that compresses nothing.
-fn workbook(rows: &[Vec<&str>]) -> Vec<u8> {
-    let cell = |text: &&str| match text.parse::<f64>() {
-        Ok(_) => format!("<c><v>{text}</v></c>"),
-        Err(_) => format!("<c t=\"inlineStr\"><is><t>{text}</t></is></c>"),
-    };
-    let row = |row: &Vec<&str>| format!("<row>{}</row>", row.iter().map(cell).collect::<String>());
-    let data: String = rows.iter().map(row).collect();
-    let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
-    let office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
-    let package = "http://schemas.openxmlformats.org/package/2006";
-    archive(&[
-        (
-            "[Content_Types].xml",
-            format!("<Types xmlns=\"{package}/content-types\"/>"),
-        ),
-        (
-            "_rels/.rels",
-            format!(
-                "<Relationships xmlns=\"{package}/relationships\"><Relationship Id=\"r1\" \
-                 Type=\"{office}/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>"
-            ),
-        ),
-        (
-            "xl/workbook.xml",
-            format!(
-                "<workbook xmlns=\"{main}\" xmlns:r=\"{office}\"><sheets><sheet name=\"BHA\" \
-                 sheetId=\"1\" r:id=\"r1\"/></sheets></workbook>"
-            ),
-        ),
-        (
-            "xl/_rels/workbook.xml.rels",
-            format!(
-                "<Relationships xmlns=\"{package}/relationships\"><Relationship Id=\"r1\" \
-                 Type=\"{office}/worksheet\" Target=\"worksheets/sheet1.xml\"/></Relationships>"
-            ),
-        ),
-        (
-            "xl/worksheets/sheet1.xml",
-            format!("<worksheet xmlns=\"{main}\"><sheetData>{data}</sheetData></worksheet>"),
-        ),
-    ])
-}
-
-/// A ZIP archive of stored files.
-fn archive(files: &[(&str, String)]) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let mut directory = Vec::new();
-    for (name, content) in files {
-        let offset = bytes.len() as u32;
-        let size = content.len() as u32;
-        // Version, flags, method, time, date; then checksum, sizes, lengths of names.
-        let mut common = vec![20, 0, 0, 0, 0, 0, 0, 0, 0x21, 0x5a];
-        for number in [crc32(content.as_bytes()), size, size] {
-            common.extend(number.to_le_bytes());
-        }
-        common.extend((name.len() as u16).to_le_bytes());
-        common.extend([0, 0]);
-        bytes.extend(b"PK\x03\x04");
-        bytes.extend(&common);
-        bytes.extend(name.as_bytes());
-        bytes.extend(content.as_bytes());
-        directory.extend(b"PK\x01\x02\x14\x00");
-        directory.extend(&common);
-        directory.extend([0; 10]);
-        directory.extend(offset.to_le_bytes());
-        directory.extend(name.as_bytes());
-    }
-    let (start, size) = (bytes.len() as u32, directory.len() as u32);
-    let count = (files.len() as u16).to_le_bytes();
-    bytes.extend(&directory);
-    bytes.extend(b"PK\x05\x06\x00\x00\x00\x00");
-    bytes.extend(count);
-    bytes.extend(count);
-    bytes.extend(size.to_le_bytes());
-    bytes.extend(start.to_le_bytes());
-    bytes.extend([0, 0]);
-    bytes
 }

@@ -428,7 +428,7 @@ fn what_is_wrong_is_refused_with_its_place() {
         (
             SWEEP.to_owned(),
             "md_ft,inc_deg,azi_deg\n0,0,0\n3000,10,0\n2000,40,0\n9000,40,0\n",
-            "survey.csv: the depth of station 2",
+            "survey.csv:4: the depth of station 2",
         ),
         (
             SWEEP.to_owned(),

@@ -13,6 +13,10 @@ pub const LARGEST_SWEEP_FILE: u64 = 16 << 20;
 /// Most bytes of a table: a hundred for each of as many cases as there can be.
 pub const LARGEST_TABLE: u64 = 1 << 30;
 
+/// Gives the text of a file that has at most so many bytes: from the disk or, in
+/// tests, from memory.
+pub type TextOf<'a> = &'a dyn Fn(&Path, u64) -> Result<String>;
+
 /// How a file that starts with it says that it is UTF-16.
 const UTF_16_MARKS: [[u8; 2]; 2] = [[0xff, 0xfe], [0xfe, 0xff]];
 

@@ -78,11 +78,7 @@ impl ReadSweep {
             let message = "chooses the method, which only the command `sweep` does: give `methods`";
             return Err(lines.file_error(py, &plan.source.error("accuracy", message)));
         }
-        let units = plan.content.units;
-        for doubt in plan.doubts_about_string() {
-            warn(py, doubt)?;
-        }
-        for doubt in plan.sheet.iter().flat_map(|sheet| sheet.doubts(units)) {
+        for doubt in plan.doubts() {
             warn(py, doubt)?;
         }
         Ok(Self {

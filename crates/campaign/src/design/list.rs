@@ -4,9 +4,10 @@ use std::collections::HashMap;
 use std::fmt::Display;
 
 use super::axes::{count_string_axes, place};
-use crate::hand_table::{HandTable, Mistake, number};
 use crate::quantities::Axis;
 use crate::sweep_file::{DesignTable, Source, SweepFileError, TextOf};
+use crate::tables::Heading;
+use crate::tables::hand_table::{HandTable, Mistake, number};
 use crate::text_file::LARGEST_TABLE;
 
 /// Listed cases.
@@ -38,8 +39,8 @@ impl List {
         };
         let text = text_of(&path, LARGEST_TABLE)
             .map_err(|error| refused(format!(" cannot be read: {error}")))?;
-        let list = (HandTable::new(&text).and_then(|table| cases_of(&table, weight_pushes)))
-            .map_err(|mistake| refused(format!(":{mistake}")))?;
+        let list =
+            cases_of(&text, weight_pushes).map_err(|mistake| refused(format!(":{mistake}")))?;
         if list.cases.is_empty() {
             return Err(refused(" lists no case".to_owned()));
         }
@@ -69,8 +70,10 @@ impl List {
     }
 }
 
-fn cases_of(table: &HandTable, weight_pushes: bool) -> Result<List, Mistake> {
-    let columns = axes_of(table)?;
+fn cases_of(text: &str, weight_pushes: bool) -> Result<List, Mistake> {
+    let is_header = |headings: &[Heading]| headings.iter().all(|it| axis_of(it).is_some());
+    let (table, headings) = HandTable::with_headings(text, &is_header)?;
+    let columns = axes_of(&table, &headings)?;
     // Columns of results follow the order of the axes, whatever the file's.
     let mut order: Vec<usize> = (0..columns.len()).collect();
     let axis = |&column: &usize| columns[column].0;
@@ -99,15 +102,21 @@ fn cases_of(table: &HandTable, weight_pushes: bool) -> Result<List, Mistake> {
 }
 
 /// The axes that the columns name, and what numbers in their units are multiplied by.
-fn axes_of(table: &HandTable) -> Result<Vec<(Axis, f64)>, Mistake> {
-    let axes = table.header().iter().map(|name| {
-        let in_units = || Axis::from_field_name(name);
-        (Axis::from_name(name).map(|axis| (axis, 1.0)))
-            .or_else(in_units)
-            .ok_or_else(|| {
-                let known = Axis::NAMES.join(", ");
-                table.header_mistake(format!("unknown column `{name}`; known: {known}"))
-            })
+fn axes_of(table: &HandTable, headings: &[Heading]) -> Result<Vec<(Axis, f64)>, Mistake> {
+    let axes = headings.iter().map(|heading| {
+        axis_of(heading).ok_or_else(|| {
+            let (name, known) = (&heading.text, Axis::NAMES.join(", "));
+            table.header_mistake(format!("unknown column `{name}`; known: {known}"))
+        })
     });
     axes.collect()
+}
+
+/// The axis that a heading names: `surface_speed_rpm`, `Surface speed (rpm)`.
+fn axis_of(heading: &Heading) -> Option<(Axis, f64)> {
+    let named = |name: &str| {
+        let in_units = || Axis::from_field_name(name);
+        (Axis::from_name(name).map(|axis| (axis, 1.0))).or_else(in_units)
+    };
+    named(&heading.text).or_else(|| named(&heading.snake()))
 }

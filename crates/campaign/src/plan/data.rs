@@ -10,7 +10,7 @@ use super::compare::{self, Comparison};
 use crate::design::Design;
 use crate::quantities::Axis;
 use crate::sweep_file::{
-    AutoOr, FileContent, Source, SweepFileError, TextOf, read_series, read_survey,
+    AutoOr, FileContent, Source, SurveyNotes, SweepFileError, TextOf, read_series, read_survey,
 };
 
 /// What was read.
@@ -22,6 +22,8 @@ pub struct Data {
     pub surface_speed: Option<Recording>,
     /// What cases are held against.
     pub comparisons: Vec<Comparison>,
+    /// What the survey was taken to say.
+    pub survey_notes: SurveyNotes,
 }
 
 /// What results depend on, in the order in which it is hashed.
@@ -45,6 +47,7 @@ impl Data {
         let survey = (content.well.iter().flat_map(|well| &well.survey).next())
             .map(|file| read_survey(source, "well.survey", file, text_of))
             .transpose()?;
+        let (survey, notes) = survey.unzip();
         let (key, column) = (
             "surface_speed_file",
             content.surface_speed_column.as_deref(),
@@ -62,6 +65,7 @@ impl Data {
             survey: survey.map(Arc::new),
             surface_speed,
             comparisons: compare::resolve(source, content, text_of)?,
+            survey_notes: notes.unwrap_or_default(),
         })
     }
 

@@ -15,7 +15,7 @@ const STRONGEST: f64 = 100e3;
 
 impl Sweep {
     /// What is doubtful about the torque of the top drive at the ends of the design.
-    pub fn doubts_about_drive(&self) -> Vec<String> {
+    pub(super) fn doubts_about_drive(&self) -> Vec<String> {
         if self.setting.string.top_drive().is_none() {
             return Vec::new();
         }

@@ -9,6 +9,7 @@ mod compare;
 mod conditions;
 mod contacts;
 mod data;
+mod doubts;
 mod drive_torque;
 mod finding;
 #[cfg(test)]
@@ -33,6 +34,7 @@ mod tests;
 mod texts;
 mod top_drive;
 mod wall;
+mod well_course;
 
 pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};

@@ -5,7 +5,7 @@ use linear::Tube;
 
 use super::sweep::Sweep;
 use crate::quantities::{FOOT, INCH, POUND};
-use crate::sweep_file::SweepFileError;
+use crate::sweep_file::Kind;
 
 /// One pound per foot, kg/m.
 pub const POUND_PER_FOOT: f64 = POUND / FOOT;
@@ -30,40 +30,49 @@ impl Sweep {
         self.setting.string.material().density * part.area()
     }
 
-    /// What is doubtful of the string as the file says it, with line and key.
-    pub fn doubts_about_string(&self) -> Vec<SweepFileError> {
+    /// What is doubtful of the string, with line and key of the file that says it.
+    pub(super) fn doubts_about_string(&self) -> Vec<String> {
         let mut doubts = Vec::new();
-        // A sheet has diameters, and says so; tools on it are wider than pipe.
-        if self.sheet.is_some() {
-            return doubts;
-        }
         for (index, section) in self.setting.string.sections().iter().enumerate() {
+            let row = (self.sheet.as_ref()).and_then(|sheet| Some((sheet, sheet.rows.get(index)?)));
             for (place, part) in section.parts.iter().enumerate() {
-                if let Some(doubt) = self.doubt(part, &section.parts) {
-                    let key = format!("string.sections[{index}].parts[{place}].outer_radius_m");
-                    doubts.push(self.source.error(&key, doubt));
-                }
+                // Tools on a sheet may be wider than pipe.
+                let is_tool = row.is_some_and(|(_, row)| row.kind == Kind::Tool);
+                let Some(doubt) = self.doubt(part, &section.parts, is_tool) else {
+                    continue;
+                };
+                doubts.push(match row {
+                    Some((sheet, row)) => {
+                        let (file, line, name) = (&sheet.file, row.line, &row.name);
+                        format!("{file}:{line}: {name}: {doubt}; is a diameter in another unit?")
+                    }
+                    None => {
+                        let key = format!("string.sections[{index}].parts[{place}].outer_radius_m");
+                        let doubt = format!("{doubt}; are its radii diameters?");
+                        self.source.error(&key, doubt).to_string()
+                    }
+                });
             }
         }
         doubts
     }
 
     /// What is doubtful of a part of a cell.
-    fn doubt(&self, part: &Tube, cell: &[Tube]) -> Option<String> {
+    fn doubt(&self, part: &Tube, cell: &[Tube], is_tool: bool) -> Option<String> {
         let diameter = 2.0 * part.outer_radius;
         let mass = self.mass_per_length(part);
         if mass > HEAVIEST_LB_FT * POUND_PER_FOOT {
             return Some(format!(
                 "the part has {mass:.0} kg/m ({:.0} lb/ft), and the heaviest collars made \
-                 {HEAVIEST_LB_FT} lb/ft; are its radii diameters?",
+                 {HEAVIEST_LB_FT} lb/ft",
                 mass / POUND_PER_FOOT
             ));
         }
-        let is_pipe = part.inner_radius > THIN_WALLED * part.outer_radius;
+        let is_pipe = !is_tool && part.inner_radius > THIN_WALLED * part.outer_radius;
         if is_pipe && diameter > WIDEST_PIPE_IN * INCH {
             return Some(format!(
                 "the part is {} wide with a thin wall, and the widest drill pipe made \
-                 {WIDEST_PIPE_IN} in; are its radii diameters?",
+                 {WIDEST_PIPE_IN} in",
                 width(diameter)
             ));
         }
@@ -73,7 +82,7 @@ impl Sweep {
             .reduce(f64::max)?;
         (diameter > widest).then(|| {
             format!(
-                "the part is {} wide, wider than its joint of {}; is one of them a diameter?",
+                "the part is {} wide, wider than its joint of {}",
                 width(diameter),
                 width(widest)
             )
@@ -104,8 +113,7 @@ mod tests {
             parts.join(", ")
         );
         let sweep = Sweep::read_from(Path::new("a.toml"), &[], &|_, _| Ok(text.clone())).unwrap();
-        let doubts = sweep.doubts_about_string();
-        doubts.iter().map(SweepFileError::to_string).collect()
+        sweep.doubts_about_string().concat()
     }
 
     fn inches(parts: &[[f64; 3]]) -> Vec<[f64; 3]> {

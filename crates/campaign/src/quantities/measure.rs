@@ -15,7 +15,7 @@ pub enum Measure {
     StickSlipMarginRpm,
     /// Greatest speed of the bit.
     BitSpeedPeakRpm,
-    /// Its greatest speed in the closing window.
+    /// Its mean speed in the closing window.
     BitSpeedClosingRpm,
     /// Period of stick-slip.
     PeriodS,
@@ -82,7 +82,7 @@ impl Measure {
             Self::StickSlipSeverity => "Severity of stick-slip",
             Self::StickSlipMarginRpm => "Speed above the limit of stick-slip",
             Self::BitSpeedPeakRpm => "Greatest bit speed",
-            Self::BitSpeedClosingRpm => "Greatest bit speed in the closing window",
+            Self::BitSpeedClosingRpm => "Mean bit speed in the closing window",
             Self::PeriodS => "Period of stick-slip",
             Self::Sticks => "Times the bit stuck",
             Self::PeakRadiusMm => "Greatest radius",

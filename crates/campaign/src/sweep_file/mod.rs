@@ -3,7 +3,6 @@
 
 mod bha_sheet;
 pub mod bit;
-mod cells;
 mod change;
 pub mod compare;
 pub mod design;
@@ -23,7 +22,7 @@ pub mod units;
 pub mod well;
 pub mod wording;
 
-pub use bha_sheet::{SheetNotes, put_sections};
+pub use bha_sheet::{Kind, SheetNotes, put_sections};
 pub use bit::{BitTable, LawTable, RockName};
 pub use change::NoPlace;
 pub use compare::{CompareTable, Extreme, TraceName};
@@ -41,7 +40,7 @@ pub use number_or::{Accuracy, AutoOr, per_cent};
 pub use source::{Source, TextOf};
 pub use start::StartName;
 pub use string::{SectionTable, TubeTable};
-pub use time_series::{read_series, read_survey};
+pub use time_series::{SurveyNotes, read_series, read_survey};
 pub use top_drive::{ControllerName, TopDriveTable};
 pub use well::{HoleTable, PressedByName};
 pub use wording::{UnknownAxis, axis_named, nearest};

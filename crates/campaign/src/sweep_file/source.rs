@@ -50,9 +50,7 @@ fn key_as_written<'a, 'text>(
     table.keys().find(says_the_same)
 }
 
-/// Gives the text of a file that has at most so many bytes: from the disk or, in
-/// tests, from memory.
-pub type TextOf<'a> = &'a dyn Fn(&Path, u64) -> std::io::Result<String>;
+pub use crate::text_file::TextOf;
 
 /// The merged table of a sweep file and its bases.
 #[derive(Debug, Clone)]

@@ -1,7 +1,8 @@
 //! The axial force of a string that hangs in its well: buoyed weight pulls, weight on bit pushes.
 
+use super::GRAVITY;
+use super::short_lengths::short_lengths;
 use super::survey::Survey;
-use super::{GRAVITY, STEP};
 use crate::drillstring::{Bending, Drillstring};
 use crate::surroundings::{AxialForce, Mud};
 
@@ -32,26 +33,14 @@ impl HangingString {
     /// Of a string in a well, vertical where there is no survey; in `mud` it is buoyed.
     pub fn new(string: &Drillstring, survey: Option<&Survey>, mud: Option<Mud>) -> Self {
         let heavier = string.material().density - mud.map_or(0.0, |mud| mud.density);
-        let down = |depth| survey.map_or(1.0, |survey| survey.course(depth).0[2]);
-        let mut pieces = Vec::new();
-        let mut top = 0.0;
-        for section in string.sections() {
-            for part in (0..section.repeat).flat_map(|_| &section.parts) {
-                let count = (part.length / STEP).ceil().max(1.0);
-                let length = part.length / count;
-                pieces.extend((0..count as usize).map(|index| Piece {
-                    length,
-                    weight: heavier
-                        * part.area()
-                        * GRAVITY
-                        * length
-                        * down(top + (index as f64 + 0.5) * length),
-                    second_moment: part.second_moment(),
-                }));
-                top += part.length;
-            }
+        let pieces = short_lengths(string, survey).into_iter().map(|it| Piece {
+            length: it.length,
+            weight: heavier * it.part.area() * GRAVITY * it.length * it.along[2],
+            second_moment: it.part.second_moment(),
+        });
+        Self {
+            pieces: pieces.collect(),
         }
-        Self { pieces }
     }
 
     /// The weight of all of it along the well, buoyed, N.

@@ -2,6 +2,7 @@
 //! pulls it along.
 
 mod axial_force;
+mod short_lengths;
 mod side_force;
 mod survey;
 mod winding_up;
@@ -13,6 +14,3 @@ pub use winding_up::{TooFine, WindingUp, least_pieces};
 
 /// Acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.806_65;
-
-/// Weights are added up over pieces no longer than this, m.
-const STEP: f64 = 2.0;

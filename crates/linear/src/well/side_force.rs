@@ -3,9 +3,10 @@
 //! wells: prediction and measurement", *Journal of Petroleum Technology* 36, 1984, 987–992), while
 //! it turns, so that friction does not hold it along the well.
 
+use super::GRAVITY;
+use super::short_lengths::{ShortLength, short_lengths};
 use super::survey::{Survey, Vector, combine, length};
 use super::winding_up::{Stretch, WindingUp};
-use super::{GRAVITY, STEP};
 use crate::drillstring::Drillstring;
 use crate::surroundings::Mud;
 
@@ -53,37 +54,27 @@ impl SideForce {
         pressed_by: PressedBy,
     ) -> Self {
         let heavier = string.material().density - mud.map_or(0.0, |mud| mud.density);
-        let mut pieces = Vec::new();
-        let mut top = 0.0;
-        for section in string.sections() {
-            let widest = |radius: f64, part: &crate::Tube| radius.max(part.outer_radius);
-            let radius = section.parts.iter().fold(0.0, widest);
-            for part in (0..section.repeat).flat_map(|_| &section.parts) {
-                let count = (part.length / STEP).ceil().max(1.0);
-                let length = part.length / count;
-                let weight = heavier * part.area() * GRAVITY;
-                let compliance = 1.0 / (string.material().shear_modulus * part.polar_moment());
-                for index in 0..count as usize {
-                    let depth = top + (index as f64 + 0.5) * length;
-                    let (along, turn) = survey.course(depth);
-                    let turn = match pressed_by {
-                        PressedBy::WeightAndTension => turn,
-                        PressedBy::Weight => [0.0; 3],
-                    };
-                    pieces.push(Piece {
-                        depth,
-                        length,
-                        radius,
-                        compliance,
-                        // Its own weight along the well, for now.
-                        tension: weight * along[2] * length,
-                        pressing: combine(weight, [0.0, 0.0, 1.0], -weight * along[2], along),
-                        turn,
-                    });
-                }
-                top += part.length;
+        let piece = |it: ShortLength| {
+            let weight = heavier * it.part.area() * GRAVITY;
+            let turn = match pressed_by {
+                PressedBy::WeightAndTension => it.turn,
+                PressedBy::Weight => [0.0; 3],
+            };
+            Piece {
+                depth: it.depth,
+                length: it.length,
+                radius: it.widest,
+                compliance: 1.0 / (string.material().shear_modulus * it.part.polar_moment()),
+                // Its own weight along the well, for now.
+                tension: weight * it.along[2] * it.length,
+                pressing: combine(weight, [0.0, 0.0, 1.0], -weight * it.along[2], it.along),
+                turn,
             }
-        }
+        };
+        let mut pieces: Vec<_> = short_lengths(string, Some(survey))
+            .into_iter()
+            .map(piece)
+            .collect();
         let mut below = 0.0;
         for piece in pieces.iter_mut().rev() {
             let own = piece.tension;

@@ -111,6 +111,18 @@ impl Survey {
         (along, turn)
     }
 
+    /// How fast the well turns at a measured depth (m) of the survey, rad/m.
+    pub fn turn_rate(&self, depth: f64) -> f64 {
+        length(self.course(depth).1)
+    }
+
+    /// The depths (m) of the stations between two depths, without those.
+    pub(super) fn depths_between(&self, top: f64, bottom: f64) -> impl Iterator<Item = f64> {
+        let first = (self.stations).partition_point(|it| it.measured_depth <= top);
+        let depths = self.stations[first..].iter().map(|it| it.measured_depth);
+        depths.take_while(move |depth| *depth < bottom)
+    }
+
     /// Inclination at a measured depth (m) of the survey, rad.
     pub fn inclination(&self, depth: f64) -> f64 {
         self.course(depth).0[2].clamp(-1.0, 1.0).acos()

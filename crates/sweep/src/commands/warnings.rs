@@ -16,16 +16,13 @@ pub fn warn_of_memory(memory: &MemoryArguments, terminal: Terminal) {
     }
 }
 
-/// Warns of parts of the string such as none are made.
-pub fn warn_of_string(sweep: &Sweep, terminal: Terminal) {
-    for doubt in sweep.doubts_about_string() {
+/// Warns of what is doubtful in the sweep, and says what its files were taken to say.
+pub fn warn_of_sweep(sweep: &Sweep, terminal: Terminal) {
+    for doubt in sweep.doubts() {
         terminal.complain(&format!("warning: {doubt}"));
     }
-    for doubt in sweep.doubts_about_drive() {
-        terminal.complain(&format!("warning: {doubt}"));
-    }
-    for doubt in (sweep.sheet.iter()).flat_map(|sheet| sheet.doubts(sweep.content.units)) {
-        terminal.complain(&format!("warning: {doubt}"));
+    for note in sweep.notes() {
+        terminal.complain(&format!("note: {note}"));
     }
 }
 

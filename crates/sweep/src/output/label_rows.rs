@@ -5,10 +5,10 @@ use std::path::Path;
 use anyhow::{Context, Result, anyhow};
 use sim::{Label, LateralRegime, TorsionRegime};
 
-use campaign::hand_table::{HandTable, Mistake, NumberError, number};
 use campaign::labels::{Certainty, FAILED, FOUND_COLUMNS, Labels};
 use campaign::quantities::{Axis, Measure};
 use campaign::sweep_file::nearest;
+use campaign::tables::hand_table::{HandTable, Mistake, NumberError, number};
 use campaign::text_file::{LARGEST_TABLE, read_text, unreadable};
 
 /// What is read back of a row: enough to draw it or to run it again.

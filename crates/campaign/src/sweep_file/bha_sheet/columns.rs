@@ -1,6 +1,6 @@
-//! What the columns of a sheet are, by their names: a quantity and its unit.
+//! What the columns of a sheet are called.
 
-use crate::quantities::{FOOT, INCH, POUND, POUND_FORCE};
+use crate::tables::{Columns, Dimension, Wanted};
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,6 +19,8 @@ pub enum Quantity {
     BladeOuterDiameter,
     /// Length of all joints together.
     Length,
+    /// Length of one of them.
+    JointLength,
     /// Mass of all joints together, or their weight in air.
     Mass,
     /// Mass, or weight in air, per length.
@@ -31,224 +33,296 @@ pub enum Quantity {
     ToolJointLength,
 }
 
-/// Names of quantities without a unit.
-const PLAIN: [(Quantity, &[&str]); 3] = [
-    (Quantity::Element, &["element", "component", "name"]),
-    (Quantity::Specification, &["specification", "description"]),
-    (Quantity::Joints, &["joints", "count"]),
-];
-
-/// A unit and what numbers in it are multiplied by.
-type Unit = (&'static str, f64);
-
-/// Names of quantities, each to be followed by a unit, and their units.
-const WITH_UNIT: [(Quantity, &[&str], &[Unit]); 9] = [
-    (
-        Quantity::OuterDiameter,
-        &["od", "outer_diameter"],
-        &DIAMETERS,
-    ),
-    (
-        Quantity::InnerDiameter,
-        &["id", "inner_diameter"],
-        &DIAMETERS,
-    ),
-    (
-        Quantity::BladeOuterDiameter,
-        &["blade_od", "blade_outer_diameter"],
-        &DIAMETERS,
-    ),
-    (Quantity::Length, &["length"], &LENGTHS),
-    (Quantity::Mass, &["weight", "mass"], &MASSES),
-    (
-        Quantity::LinearMass,
-        &["weight", "mass", ""],
-        &LINEAR_MASSES,
-    ),
-    (
-        Quantity::ToolJointOuterDiameter,
-        &["tool_joint_od", "tj_od"],
-        &DIAMETERS,
-    ),
-    (
-        Quantity::ToolJointInnerDiameter,
-        &["tool_joint_id", "tj_id"],
-        &DIAMETERS,
-    ),
-    (
-        Quantity::ToolJointLength,
-        &["tool_joint_length", "tj_length"],
-        &TOOL_JOINT_LENGTHS,
-    ),
-];
-
-const DIAMETERS: [Unit; 3] = [("in", INCH), ("mm", 1e-3), ("m", 1.0)];
-const LENGTHS: [Unit; 2] = [("m", 1.0), ("ft", FOOT)];
-const TOOL_JOINT_LENGTHS: [Unit; 4] = [("m", 1.0), ("ft", FOOT), ("in", INCH), ("mm", 1e-3)];
-
-/// Standard acceleration of free fall, by which a weight has a mass, m/s².
-const GRAVITY: f64 = 9.806_65;
-
-const MASSES: [Unit; 7] = [
-    ("kg", 1.0),
-    ("lb", POUND),
-    ("t", 1e3),
-    ("lbf", POUND_FORCE / GRAVITY),
-    ("klbf", 1e3 * POUND_FORCE / GRAVITY),
-    ("kn", 1e3 / GRAVITY),
-    ("n", 1.0 / GRAVITY),
-];
-const LINEAR_MASSES: [Unit; 5] = [
-    ("kg_per_m", 1.0),
-    ("lb_per_ft", POUND / FOOT),
-    ("lbf_per_ft", POUND / FOOT),
-    ("kg_m", 1.0),
-    ("lb_ft", POUND / FOOT),
-];
-
-/// A column that is read.
-#[derive(Debug, Clone)]
-pub struct Column {
-    /// What it holds.
-    pub quantity: Quantity,
-    /// Its place.
-    pub place: usize,
-    /// Its name, as the sheet has it.
-    pub name: String,
-    /// What its numbers are multiplied by, to SI.
-    pub factor: f64,
-}
-
 /// The columns of a sheet.
-#[derive(Debug, Clone)]
-pub struct Columns {
-    known: Vec<Column>,
-    /// Names of the others.
-    pub passed_over: Vec<String>,
-}
+pub type SheetColumns = Columns<Quantity>;
 
-impl Columns {
-    /// By the header of a sheet.
-    ///
-    /// # Errors
-    /// Where one that is needed is missing, or there twice.
-    pub fn find(header: &[String]) -> Result<Self, String> {
-        let mut columns = Self {
-            known: Vec::new(),
-            passed_over: Vec::new(),
-        };
-        for (place, name) in header.iter().enumerate() {
-            let Some((quantity, factor)) = meaning(name) else {
-                if !name.is_empty() {
-                    columns.passed_over.push(name.clone());
-                }
-                continue;
-            };
-            if let Some(other) = columns.get(quantity) {
-                let other = &other.name;
-                return Err(format!("the columns `{other}` and `{name}` say the same"));
-            }
-            columns.known.push(Column {
-                quantity,
-                place,
-                name: name.clone(),
-                factor,
-            });
-        }
-        let needed = [
-            (
-                Quantity::OuterDiameter,
-                "an outer diameter, such as `od_in` or `od_mm`",
-            ),
-            (
-                Quantity::InnerDiameter,
-                "an inner diameter, such as `id_in` or `id_mm`",
-            ),
-            (
-                Quantity::Length,
-                "a length, such as `length_m` or `length_ft`",
-            ),
-        ];
-        for (quantity, words) in needed {
-            if columns.get(quantity).is_none() {
-                return Err(format!("there is no column with {words}"));
-            }
-        }
-        Ok(columns)
-    }
-
-    /// The column of a quantity, where there is one.
-    pub fn get(&self, quantity: Quantity) -> Option<&Column> {
-        self.known.iter().find(|column| column.quantity == quantity)
+const fn text(quantity: Quantity, names: &'static [&'static str]) -> Wanted<Quantity> {
+    Wanted {
+        quantity,
+        names,
+        dimension: None,
+        needed: None,
+        assumed: None,
     }
 }
 
-/// What a name says, and the factor of its unit; `None` where it says nothing here.
-fn meaning(name: &str) -> Option<(Quantity, f64)> {
-    // "OD (in)", "Length [m]", "lb/ft".
-    let plain = name.to_lowercase().replace('/', "_per_");
-    let words = plain.split(|letter: char| !letter.is_alphanumeric());
-    let plain = words
-        .filter(|word| !word.is_empty())
-        .collect::<Vec<_>>()
-        .join("_");
-    let named = PLAIN
-        .iter()
-        .find(|(_, names)| names.contains(&plain.as_str()));
-    if let Some((quantity, _)) = named {
-        return Some((*quantity, 1.0));
+const fn number(
+    quantity: Quantity,
+    names: &'static [&'static str],
+    dimension: Dimension,
+) -> Wanted<Quantity> {
+    Wanted {
+        dimension: Some(dimension),
+        ..text(quantity, names)
     }
-    WITH_UNIT.iter().find_map(|(quantity, names, units)| {
-        let is_so = |stem: &str, unit: &str| match stem {
-            "" => plain == unit,
-            stem => {
-                plain
-                    .strip_prefix(stem)
-                    .and_then(|rest| rest.strip_prefix('_'))
-                    == Some(unit)
-            }
-        };
-        let unit = units
-            .iter()
-            .find(|(unit, _)| names.iter().any(|stem| is_so(stem, unit)));
-        unit.map(|(_, factor)| (*quantity, *factor))
-    })
 }
+
+const fn needed(wanted: Wanted<Quantity>, words: &'static str) -> Wanted<Quantity> {
+    Wanted {
+        needed: Some(words),
+        ..wanted
+    }
+}
+
+const ELEMENT: [&str; 16] = [
+    "element",
+    "elements",
+    "component",
+    "components",
+    "name",
+    "item_name",
+    "tool",
+    "bha_component",
+    "bha_element",
+    "component_name",
+    "component_type",
+    "element_type",
+    "equipment",
+    "item_description",
+    "tool_name",
+    "section_type",
+];
+const SPECIFICATION: [&str; 8] = [
+    "specification",
+    "specifications",
+    "description",
+    "desc",
+    "remarks",
+    "comment",
+    "comments",
+    "type",
+];
+const JOINTS: [&str; 17] = [
+    "joints",
+    "count",
+    "joint_count",
+    "no_of_joints",
+    "no_joints",
+    "no_of_jts",
+    "no_jts",
+    "jts",
+    "number_of_joints",
+    "num_joints",
+    "nr_of_joints",
+    "num_of_joints",
+    "qty",
+    "quantity",
+    "no_of_items",
+    "pieces",
+    "pcs",
+];
+const OUTER_DIAMETER: [&str; 14] = [
+    "od",
+    "outer_diameter",
+    "outside_diameter",
+    "outer_dia",
+    "outside_dia",
+    "body_od",
+    "od_body",
+    "pipe_od",
+    "nominal_od",
+    "nom_od",
+    "ext_diameter",
+    "external_diameter",
+    "o_d",
+    "outer_diam",
+];
+const INNER_DIAMETER: [&str; 15] = [
+    "id",
+    "inner_diameter",
+    "inside_diameter",
+    "inner_dia",
+    "inside_dia",
+    "body_id",
+    "id_body",
+    "pipe_id",
+    "nominal_id",
+    "nom_id",
+    "bore",
+    "internal_diameter",
+    "int_diameter",
+    "i_d",
+    "inner_diam",
+];
+const BLADE: [&str; 11] = [
+    "blade_od",
+    "blade_outer_diameter",
+    "blade_diameter",
+    "blade_dia",
+    "gauge",
+    "gauge_od",
+    "gauge_diameter",
+    "od_gauge",
+    "gage",
+    "gage_od",
+    "od_blade",
+];
+const LENGTH: [&str; 5] = ["length", "len", "total_length", "section_length", "lgth"];
+const JOINT_LENGTH: [&str; 8] = [
+    "joint_length",
+    "length_per_joint",
+    "length_of_joint",
+    "length_of_one_joint",
+    "length_each",
+    "avg_joint_length",
+    "average_joint_length",
+    "length_joint",
+];
+const MASS: [&str; 10] = [
+    "weight",
+    "mass",
+    "wt",
+    "total_weight",
+    "total_mass",
+    "weight_in_air",
+    "air_weight",
+    "weight_air",
+    "mass_in_air",
+    "dry_weight",
+];
+const LINEAR_MASS: [&str; 19] = [
+    "weight",
+    "mass",
+    "wt",
+    "",
+    "unit_weight",
+    "unit_mass",
+    "linear_weight",
+    "linear_mass",
+    "nominal_weight",
+    "nom_weight",
+    "nom_wt",
+    "adjusted_weight",
+    "adj_weight",
+    "approx_weight",
+    "weight_in_air",
+    "air_weight",
+    "weight_per_length",
+    "lin_weight",
+    "average_weight",
+];
+
+/// What a sheet may have.
+pub const WANTED: [Wanted<Quantity>; 13] = [
+    text(Quantity::Element, &ELEMENT),
+    text(Quantity::Specification, &SPECIFICATION),
+    text(Quantity::Joints, &JOINTS),
+    needed(
+        number(Quantity::OuterDiameter, &OUTER_DIAMETER, Dimension::Length),
+        "an outer diameter, such as `od_in` or `OD (mm)`",
+    ),
+    needed(
+        number(Quantity::InnerDiameter, &INNER_DIAMETER, Dimension::Length),
+        "an inner diameter, such as `id_in` or `ID (mm)`",
+    ),
+    number(Quantity::BladeOuterDiameter, &BLADE, Dimension::Length),
+    number(Quantity::Length, &LENGTH, Dimension::Length),
+    number(Quantity::JointLength, &JOINT_LENGTH, Dimension::Length),
+    number(Quantity::Mass, &MASS, Dimension::Mass),
+    number(Quantity::LinearMass, &LINEAR_MASS, Dimension::LinearMass),
+    number(
+        Quantity::ToolJointOuterDiameter,
+        &[
+            "tool_joint_od",
+            "tj_od",
+            "tool_joint_outer_diameter",
+            "od_tool_joint",
+            "od_tj",
+        ],
+        Dimension::Length,
+    ),
+    number(
+        Quantity::ToolJointInnerDiameter,
+        &[
+            "tool_joint_id",
+            "tj_id",
+            "tool_joint_inner_diameter",
+            "id_tool_joint",
+            "id_tj",
+        ],
+        Dimension::Length,
+    ),
+    number(
+        Quantity::ToolJointLength,
+        &[
+            "tool_joint_length",
+            "tj_length",
+            "length_tool_joint",
+            "length_tj",
+        ],
+        Dimension::Length,
+    ),
+];
+
+/// What is said where a sheet has neither of its lengths.
+pub const NO_LENGTH: &str = "there is no column with a length, such as `length_m` or `Length (ft)`, of all joints of a row \
+     together, or `joint_length_m` of one";
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tables::Heading;
+
+    fn find(names: &[&str]) -> Result<SheetColumns, String> {
+        let headings: Vec<Heading> = names.iter().map(|name| Heading::new(name)).collect();
+        SheetColumns::find(&headings, &WANTED, &|_| true)
+    }
 
     #[test]
     fn names_of_sheets_are_known_with_their_units() {
         for (name, quantity, factor) in [
             ("od_in", Quantity::OuterDiameter, 0.0254),
             ("OD (mm)", Quantity::OuterDiameter, 1e-3),
+            ("O.D. [inch]", Quantity::OuterDiameter, 0.0254),
+            ("OD (\")", Quantity::OuterDiameter, 0.0254),
             ("Length [ft]", Quantity::Length, 0.3048),
+            ("Length (feet)", Quantity::Length, 0.3048),
+            ("length_in", Quantity::Length, 0.0254),
+            ("Joint length (m)", Quantity::JointLength, 1.0),
             ("weight_lbf", Quantity::Mass, 0.45359237),
+            ("Weight (lbs)", Quantity::Mass, 0.45359237),
+            ("Weight (kips)", Quantity::Mass, 453.59237),
+            ("Weight, daN", Quantity::Mass, 1.0197162),
+            ("Weight (tonnes)", Quantity::Mass, 1e3),
+            ("Weight [kgs]", Quantity::Mass, 1.0),
             ("Weight, kN", Quantity::Mass, 101.97162),
             ("lb/ft", Quantity::LinearMass, 1.488163944),
+            ("ppf", Quantity::LinearMass, 1.488163944),
+            ("Weight (ppf)", Quantity::LinearMass, 1.488163944),
+            ("Weight (lbs/ft)", Quantity::LinearMass, 1.488163944),
+            ("Nom. weight (#/ft)", Quantity::LinearMass, 1.488163944),
             ("Mass kg/m", Quantity::LinearMass, 1.0),
             ("tool_joint_od_in", Quantity::ToolJointOuterDiameter, 0.0254),
             ("Blade OD (in)", Quantity::BladeOuterDiameter, 0.0254),
+            ("Gauge (in)", Quantity::BladeOuterDiameter, 0.0254),
             ("blade_od_mm", Quantity::BladeOuterDiameter, 1e-3),
             ("Joints", Quantity::Joints, 1.0),
+            ("No. of Joints", Quantity::Joints, 1.0),
+            ("# Joints", Quantity::Joints, 1.0),
         ] {
-            let (found, found_factor) = meaning(name).expect(name);
-            assert_eq!(found, quantity, "{name}");
-            assert!((found_factor / factor - 1.0).abs() < 1e-7, "{name}");
-        }
-        for name in ["", "od", "thread", "length_in", "cumulative_length_m"] {
-            assert!(meaning(name).is_none(), "{name}");
+            // What else a sheet needs, under names that this one does not have.
+            let others = [
+                ("outer diameter m", Quantity::OuterDiameter),
+                ("inner diameter m", Quantity::InnerDiameter),
+            ];
+            let others = others.iter().filter(|(_, other)| *other != quantity);
+            let names: Vec<&str> = std::iter::once(name)
+                .chain(others.map(|(name, _)| *name))
+                .collect();
+            let found = find(&names).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let column = found
+                .get(quantity)
+                .unwrap_or_else(|| panic!("{name}: {found:?}"));
+            assert!(
+                (column.factor / factor - 1.0).abs() < 1e-7,
+                "{name}: {}",
+                column.factor
+            );
         }
     }
 
     #[test]
     fn columns_are_not_guessed() {
-        let find = |names: &[&str]| {
-            let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-            Columns::find(&names)
-        };
         let missing = find(&["od_in", "length_m"]).unwrap_err();
         assert!(missing.contains("inner diameter"), "{missing}");
         let twice = find(&["od_in", "od_mm", "id_in", "length_m"]).unwrap_err();
@@ -256,7 +330,41 @@ mod tests {
             twice.contains("`od_in` and `od_mm` say the same"),
             "{twice}"
         );
-        let found = find(&["od_in", "id_in", "length_m", "thread"]).unwrap();
-        assert_eq!(found.passed_over, ["thread"]);
+        let found = find(&[
+            "od_in",
+            "id_in",
+            "length_m",
+            "thread",
+            "cumulative_length_m",
+            "Weight in mud (lbs)",
+        ])
+        .unwrap();
+        assert_eq!(
+            found.passed_over,
+            ["thread", "cumulative_length_m", "Weight in mud (lbs)"]
+        );
+    }
+
+    /// They would be passed over, and the string be another.
+    #[test]
+    fn units_that_are_not_known_are_refused_with_those_that_are() {
+        for (name, words) in [
+            (
+                "Weight (stone)",
+                "`Weight (stone)`: `stone` is none of the units known here: kg, lb, ",
+            ),
+            ("weight_stone", "`weight_stone`: `stone` is none"),
+            ("Weight (hp)", "or kg/m, lb/ft"),
+            ("Weight", "`Weight` names no unit: kg, lb"),
+            (
+                "Length (yd)",
+                "`yd` is none of the units known here: m, ft, in, mm, cm",
+            ),
+            ("OD", "`OD` names no unit: m, ft"),
+        ] {
+            let others = ["outer diameter m", "inner diameter m", "len m"];
+            let refused = find(&[&others[..], &[name]].concat()).unwrap_err();
+            assert!(refused.contains(words), "{name}: {refused}");
+        }
     }
 }

@@ -3,6 +3,7 @@
 
 use toml::{Table, Value};
 
+use super::kind::Kind;
 use super::rows::Row;
 use crate::quantities::{Axis, INCH, LENGTH, StringAxis, TubeMeasure, Units};
 
@@ -27,16 +28,6 @@ const SAME_WEIGHT: f64 = 0.02;
 /// Beyond this part either may be wrong.
 const DOUBTFUL: f64 = 0.1;
 
-/// What pipe with tool joints is called.
-const PIPE: [&str; 6] = [
-    "drillpipe",
-    "drill pipe",
-    "hwdp",
-    "heavy weight",
-    "heavyweight",
-    "heavy-weight",
-];
-
 /// What a row's weight says.
 #[derive(Debug, Clone)]
 pub struct Told {
@@ -44,6 +35,8 @@ pub struct Told {
     pub line: usize,
     /// What it is.
     pub name: String,
+    /// What that says it is.
+    pub kind: Kind,
     /// Its mass less that of the dimensions as the sheet has them, as a part of the latter.
     pub excess: Option<f64>,
     /// What was made of it.
@@ -155,6 +148,7 @@ pub fn section(row: &Row, density: f64) -> Result<(Value, Told), String> {
     let told = Told {
         line: row.line,
         name: row.name.clone(),
+        kind: row.kind,
         excess,
         made,
     };
@@ -183,8 +177,7 @@ fn given_parts(row: &Row, body: Part) -> Vec<Part> {
 /// Pipe with tool joints as long as its weight asks for, where it is pipe, and they are not
 /// longer than any.
 fn equivalent(row: &Row, body: Part, joints: usize, excess: f64) -> Option<(Vec<Part>, Made)> {
-    let name = row.name.to_lowercase();
-    if excess < SAME_WEIGHT || !PIPE.iter().any(|pipe| name.contains(pipe)) {
+    if excess < SAME_WEIGHT || !row.kind.is_pipe() {
         return None;
     }
     let outer = (row.tool_joint.outer_diameter).unwrap_or(TOOL_JOINT * body.outer);
@@ -299,6 +292,7 @@ mod tests {
         Row {
             line: 2,
             name: "Drillpipe".to_owned(),
+            kind: Kind::Drillpipe,
             joints: Some(10),
             outer_diameter: 0.127,
             inner_diameter: 0.1086,
@@ -340,6 +334,7 @@ mod tests {
         for (name, part) in [("Drillpipe", 0.9), ("Drillpipe", 4.0), ("Collar", 1.2)] {
             let row = Row {
                 name: name.to_owned(),
+                kind: Kind::of(name, ""),
                 mass: Some(part * body),
                 ..pipe()
             };

@@ -3,6 +3,7 @@
 
 mod columns;
 mod joints;
+mod kind;
 mod rows;
 
 use std::path::Path;
@@ -12,11 +13,14 @@ use toml::Value;
 use super::error::SweepFileError;
 use super::source::{Source, TextOf};
 use crate::quantities::Units;
-use crate::sweep_file::cells::Cells;
-use columns::Columns;
+use crate::tables::Table;
+use crate::words::counted;
+use columns::{NO_LENGTH, Quantity, SheetColumns, WANTED};
+use kind::{is_from_bit, not_modelled};
 use rows::{Row, rows_of};
 
 pub use joints::Told;
+pub use kind::Kind;
 
 /// What a sheet's weights come to, and what is passed over of it.
 #[derive(Debug, Clone, Default)]
@@ -27,6 +31,10 @@ pub struct SheetNotes {
     pub rows: Vec<Told>,
     /// Names of columns that say nothing here.
     pub passed_over: Vec<String>,
+    /// Lines below the headings that begin with `#`, which are comments.
+    pub comments: Vec<usize>,
+    /// Whether the rows are from the bit up, where they say so themselves.
+    pub order_inferred: Option<bool>,
 }
 
 /// Puts the sections of the sheet that the file names, if it does, in the place of its own.
@@ -50,19 +58,37 @@ pub fn put_sections(
         return Ok(None);
     };
     let path = source.folder_of("string.file").join(&file);
-    let (sections, rows, passed_over) =
+    let mut sheet =
         read(&path, density, text_of).map_err(|message| source.error("string.file", message))?;
-    let mut sections: Vec<(Value, Told)> = sections.into_iter().zip(rows).collect();
     // What else it may say is refused where the whole file is read.
-    if source.text_at("string", "order").as_deref() == Some("from-bit") {
-        sections.reverse();
+    let given = source.text_at("string", "order");
+    let (order_inferred, is_from_bit) = match given.as_deref() {
+        Some(order) => (None, order == "from-bit"),
+        None if sheet.sections.len() == 1 => (None, false),
+        None => {
+            let kinds: Vec<Kind> = sheet.rows.iter().map(|row| row.kind).collect();
+            let Some(is_from_bit) = is_from_bit(&kinds) else {
+                let message = format!(
+                    "{}: its rows do not say whether they are from the surface down or from the bit \
+                     up: give `order = \"from-surface\"` or `order = \"from-bit\"`",
+                    path.display()
+                );
+                return Err(source.error("string.file", message));
+            };
+            (Some(is_from_bit), is_from_bit)
+        }
+    };
+    if is_from_bit {
+        sheet.sections.reverse();
+        sheet.rows.reverse();
     }
-    let (sections, rows) = sections.into_iter().unzip();
-    source.put_beside("string", "file", "sections", Value::Array(sections));
+    source.put_beside("string", "file", "sections", Value::Array(sheet.sections));
     Ok(Some(SheetNotes {
         file,
-        rows,
-        passed_over,
+        rows: sheet.rows,
+        passed_over: sheet.passed_over,
+        comments: sheet.comments,
+        order_inferred,
     }))
 }
 
@@ -74,36 +100,93 @@ impl SheetNotes {
     }
 
     /// What is doubtful, each with its place.
-    pub fn doubts(&self, units: Units) -> impl Iterator<Item = String> {
-        let doubtful = self.rows.iter().filter(|row| row.is_doubtful());
-        let rows = doubtful.filter_map(move |row| {
-            let (file, line, name) = (&self.file, row.line, &row.name);
-            Some(format!("{file}:{line}: {name}: {}", row.words(units)?))
-        });
-        let passed_over = (!self.passed_over.is_empty()).then(|| {
+    pub fn doubts(&self, units: Units) -> Vec<String> {
+        let place =
+            |row: &Told, words: &str| format!("{}:{}: {}: {words}", self.file, row.line, row.name);
+        let mut doubts = Vec::new();
+        if !self.passed_over.is_empty() {
             let names = self.passed_over.join("`, `");
-            format!("{}: columns that say nothing here: `{names}`", self.file)
+            doubts.push(format!(
+                "{}: columns that say nothing here: `{names}`",
+                self.file
+            ));
+        }
+        for row in &self.rows {
+            if row.is_doubtful() {
+                doubts.extend(row.words(units).map(|words| place(row, &words)));
+            }
+            if let Some(tool) = not_modelled(&row.name) {
+                let words = format!(
+                    "{tool} is a tube of its dimensions here, and what it does is not modelled: labels \
+                     of such a string are to be doubted"
+                );
+                doubts.push(place(row, &words));
+            }
+        }
+        doubts
+    }
+
+    /// What was made of the sheet without being told.
+    pub fn notes(&self) -> Vec<String> {
+        let order = self.order_inferred.map(|is_from_bit| {
+            let (order, key) = match is_from_bit {
+                true => ("from the bit up", "from-bit"),
+                false => ("from the surface down", "from-surface"),
+            };
+            format!(
+                "{}: its rows are {order}, by what they are called (`order = \"{key}\"`)",
+                self.file
+            )
         });
-        passed_over.into_iter().chain(rows)
+        let comments =
+            (!self.comments.is_empty()).then(|| comments_words(&self.file, &self.comments));
+        order.into_iter().chain(comments).collect()
     }
 }
 
-type Read = (Vec<Value>, Vec<Told>, Vec<String>);
+/// How many lines of a table were passed over as comments.
+pub fn comments_words(file: &str, lines: &[usize]) -> String {
+    let first = lines.first().copied().unwrap_or_default();
+    let count = counted(lines.len(), "line");
+    format!("{file}:{first}: {count} below the headings passed over as comments, which `#` begins")
+}
 
-/// Sections in the order of the sheet, what each row comes to, and columns passed over.
-fn read(path: &Path, density: f64, text_of: TextOf) -> Result<Read, String> {
+/// A sheet, in its order.
+struct Sheet {
+    sections: Vec<Value>,
+    rows: Vec<Told>,
+    passed_over: Vec<String>,
+    comments: Vec<usize>,
+}
+
+fn read(path: &Path, density: f64, text_of: TextOf) -> Result<Sheet, String> {
     let name = path.display();
-    let cells = Cells::read(path, text_of).map_err(|reason| format!("{name}{reason}"))?;
-    let columns = Columns::find(&cells.header)
-        .map_err(|message| format!("{name}:{}: {message}", cells.header_line))?;
-    let rows: Vec<Row> = rows_of(&cells, &columns).map_err(|reason| format!("{name}:{reason}"))?;
+    let is_header = |headings: &[_]| SheetColumns::are_in(headings, &WANTED);
+    let table =
+        Table::read(path, text_of, &is_header).map_err(|reason| format!("{name}{reason}"))?;
+    let refused = |message: String| {
+        let (line, names) = (table.header_line, table.names());
+        format!("{name}:{line}: {message}; {names}")
+    };
+    let is_numeric = |place| table.is_numeric(place);
+    let columns = SheetColumns::find(&table.headings, &WANTED, &is_numeric).map_err(refused)?;
+    let has = |quantity| columns.get(quantity).is_some();
+    if !has(Quantity::Length) && !has(Quantity::JointLength) {
+        return Err(refused(NO_LENGTH.to_owned()));
+    }
+    let rows: Vec<Row> = rows_of(&table, &columns).map_err(|reason| format!("{name}:{reason}"))?;
     if rows.is_empty() {
         return Err(format!("{name} has no row"));
     }
-    let (sections, told) = (rows.iter())
+    let (sections, rows) = (rows.iter())
         .map(|row| joints::section(row, density).map_err(|reason| format!("{name}:{reason}")))
         .collect::<Result<(Vec<Value>, Vec<Told>), String>>()?;
-    Ok((sections, told, columns.passed_over))
+    Ok(Sheet {
+        sections,
+        rows,
+        passed_over: columns.passed_over,
+        comments: table.comments,
+    })
 }
 
 fn number(value: &Value) -> Option<f64> {

@@ -1,8 +1,8 @@
 //! The rows of a sheet, in SI.
 
-use super::columns::{Columns, Quantity};
-use crate::hand_table::number;
-use crate::sweep_file::cells::Cells;
+use super::columns::{Quantity, SheetColumns};
+use super::kind::Kind;
+use crate::tables::{self, Table};
 
 /// A row of a sheet: some joints of one kind.
 #[derive(Debug, Clone)]
@@ -11,6 +11,8 @@ pub struct Row {
     pub line: usize,
     /// What it is, as the sheet says.
     pub name: String,
+    /// What that says it is.
+    pub kind: Kind,
     /// How many joints, where it says that.
     pub joints: Option<usize>,
     /// Outer diameter, m.
@@ -42,34 +44,42 @@ pub struct ToolJoint {
 ///
 /// # Errors
 /// Which cell of which line is no number, or none.
-pub fn rows_of(cells: &Cells, columns: &Columns) -> Result<Vec<Row>, String> {
-    let rows = cells.rows.iter();
-    rows.map(|(line, cells)| {
-        let reader = RowReader { cells, columns };
+pub fn rows_of(table: &Table, columns: &SheetColumns) -> Result<Vec<Row>, String> {
+    let rows = table.rows.iter();
+    rows.map(|row| {
+        let reader = RowReader { row, columns };
         reader
-            .row(*line)
-            .map_err(|reason| format!("{line}: {reason}"))
+            .row()
+            .map_err(|reason| format!("{}: {reason}", row.line))
     })
     .collect()
 }
 
+/// No length of several joints together, m: it is that of one.
+const ONE_JOINT: std::ops::Range<f64> = 5.5..15.5;
+
 struct RowReader<'a> {
-    cells: &'a [String],
-    columns: &'a Columns,
+    row: &'a tables::Row,
+    columns: &'a SheetColumns,
 }
 
 impl RowReader<'_> {
-    fn row(&self, line: usize) -> Result<Row, String> {
-        let length = self.needed(Quantity::Length)?;
+    fn row(&self) -> Result<Row, String> {
+        let joints = self.joints()?;
+        let length = self.length(joints)?;
         let mass = self.given(Quantity::Mass)?;
         let linear_mass = self.given(Quantity::LinearMass)?;
         if mass.is_some() && linear_mass.is_some() {
             return Err("a mass and a mass per length: give one of them".to_owned());
         }
         Ok(Row {
-            line,
+            line: self.row.line,
             name: self.name(),
-            joints: self.joints()?,
+            kind: Kind::of(
+                &self.text(Quantity::Element),
+                &self.text(Quantity::Specification),
+            ),
+            joints,
             outer_diameter: self.needed(Quantity::OuterDiameter)?,
             inner_diameter: self.needed(Quantity::InnerDiameter)?,
             blade_outer_diameter: self.given(Quantity::BladeOuterDiameter)?,
@@ -83,17 +93,40 @@ impl RowReader<'_> {
         })
     }
 
-    fn text(&self, quantity: Quantity) -> &str {
+    /// Of all joints together.
+    fn length(&self, joints: Option<usize>) -> Result<f64, String> {
+        let of_all = self.given(Quantity::Length)?;
+        let of_one = self.given(Quantity::JointLength)?;
+        match (of_all, of_one, joints) {
+            (Some(_), Some(_), _) => {
+                Err("a length of all joints together and one of each: give one of them".to_owned())
+            }
+            (None, Some(one), joints) => Ok(one * joints.unwrap_or(1) as f64),
+            (Some(all), None, Some(joints)) if joints > 1 && ONE_JOINT.contains(&all) => {
+                let each = all / joints as f64;
+                Err(format!(
+                    "{joints} joints in {all:.2} m are {each:.2} m each: is that the length of one? a \
+                     length is that of all joints of a row together, and `joint_length_m` that of one"
+                ))
+            }
+            (Some(all), None, _) => Ok(all),
+            (None, None, _) => {
+                self.needed(Quantity::Length)?;
+                self.needed(Quantity::JointLength)
+            }
+        }
+    }
+
+    fn text(&self, quantity: Quantity) -> String {
         let column = self.columns.get(quantity);
-        let cell = column.and_then(|column| self.cells.get(column.place));
-        cell.map_or("", String::as_str)
+        column.map_or_else(String::new, |column| self.row.text(column.place))
     }
 
     /// Element and specification, each once.
     fn name(&self) -> String {
         let element = self.text(Quantity::Element);
         let specification = self.text(Quantity::Specification);
-        match (element, specification) {
+        match (element.as_str(), specification.as_str()) {
             ("", specification) => specification.to_owned(),
             (element, specification) if specification.is_empty() || specification == element => {
                 element.to_owned()
@@ -107,8 +140,10 @@ impl RowReader<'_> {
         if text.is_empty() {
             return Ok(None);
         }
-        let count = number(text)
-            .ok()
+        let number =
+            (self.columns.get(Quantity::Joints)).map(|column| self.row.number(column.place));
+        let count = number
+            .and_then(Result::ok)
             .filter(|count| *count >= 1.0 && count.fract() == 0.0);
         let message = || format!("joints: `{text}` is not a number of joints");
         count.map(|count| Some(count as usize)).ok_or_else(message)
@@ -119,12 +154,11 @@ impl RowReader<'_> {
         let Some(column) = self.columns.get(quantity) else {
             return Ok(None);
         };
-        let text = self.text(quantity);
-        if text.is_empty() {
+        if self.row.is_empty_at(column.place) {
             return Ok(None);
         }
         let name = &column.name;
-        let value = number(text).map_err(|error| format!("{name}: {error}"))?;
+        let value = (self.row.number(column.place)).map_err(|error| format!("{name}: {error}"))?;
         let may_be_zero = matches!(
             quantity,
             Quantity::InnerDiameter | Quantity::ToolJointInnerDiameter
@@ -136,8 +170,11 @@ impl RowReader<'_> {
     }
 
     fn needed(&self, quantity: Quantity) -> Result<f64, String> {
-        let name = (self.columns.get(quantity)).map_or("", |column| column.name.as_str());
         let value = self.given(quantity)?;
-        value.ok_or_else(|| format!("{name}: the cell is empty"))
+        let empty = || match self.columns.get(quantity) {
+            Some(column) => format!("{}: the cell is empty", column.name),
+            None => "it has no length".to_owned(),
+        };
+        value.ok_or_else(empty)
     }
 }

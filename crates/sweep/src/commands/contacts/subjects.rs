@@ -8,7 +8,7 @@ use crate::cli::ContactsArguments;
 use crate::commands::prepare::{read_sweep, unique};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
-use crate::commands::warnings::{warn_of_memory, warn_of_string};
+use crate::commands::warnings::{warn_of_memory, warn_of_sweep};
 use crate::studies::contacts::{Range, Subject, SubjectError};
 use crate::studies::scenes::shipped_by;
 use campaign::engine::why_idle;
@@ -26,7 +26,7 @@ pub fn subjects(arguments: &ContactsArguments, terminal: Terminal) -> Result<Vec
     let (work, quiet) = (&arguments.work, arguments.quiet);
     if let Some(file) = &arguments.file {
         let sweep = read_sweep(file, work, false, quiet, terminal)?;
-        warn_of_string(&sweep, terminal);
+        warn_of_sweep(&sweep, terminal);
         let name = sweep.name.clone();
         return Ok(vec![subject(name, sweep, Some(file), arguments)?]);
     }

@@ -20,7 +20,7 @@ use super::prepare::{build_systems, read_sweep, survey_cases};
 use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::{warn_of_fronts, warn_of_limits, warn_of_string};
+use super::warnings::{warn_of_fronts, warn_of_limits, warn_of_sweep};
 use crate::cli::InspectArguments;
 use crate::output::write_atomically;
 use axial_force::describe_axial_force;
@@ -46,7 +46,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     let sweep = read_sweep(&arguments.file, &arguments.work, false, false, terminal)?;
     // With other methods than a run may have, what it costs is that of one without certificates.
     let sweep = sweep.clone().for_run().unwrap_or(sweep);
-    warn_of_string(&sweep, terminal);
+    warn_of_sweep(&sweep, terminal);
     warn_of_limits(&sweep, terminal);
     let folder = results_folder(arguments.out.as_ref(), &sweep);
     let survey = survey_cases(&arguments.file, &sweep)?;

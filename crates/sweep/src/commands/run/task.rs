@@ -10,7 +10,7 @@ use crate::commands::prepare::{read_sweep, survey_cases};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 
-use crate::commands::warnings::{warn_of_limits, warn_of_string};
+use crate::commands::warnings::{warn_of_limits, warn_of_sweep};
 use crate::log::{Header, Log};
 use crate::output::{Manifest, fingerprint};
 use campaign::design::Design;
@@ -51,7 +51,7 @@ impl<'a> Task<'a> {
             ));
         }
         if !quiet {
-            warn_of_string(&sweep, terminal);
+            warn_of_sweep(&sweep, terminal);
             warn_of_limits(&sweep, terminal);
         }
         let shard = arguments.shard.unwrap_or(Shard::WHOLE);

@@ -18,7 +18,7 @@ use super::prepare::{read_sweep, unique};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
-use super::warnings::warn_of_string;
+use super::warnings::warn_of_sweep;
 use crate::cli::SimulateArguments;
 use campaign::engine::{Case, Failure, Record, Survey};
 use campaign::engine::{Choice, ChoiceError, ChosenCase, common_setting};
@@ -37,7 +37,7 @@ pub fn simulate(arguments: &SimulateArguments, terminal: Terminal) -> Result<Sta
     let drawing = Drawing::of(&arguments.picture)?.over(&arguments.ranges);
     use_threads(work.jobs, terminal)?;
     let sweep = read_sweep(file, work, *full, false, terminal)?;
-    warn_of_string(&sweep, terminal);
+    warn_of_sweep(&sweep, terminal);
     let asked_for = |error| in_words(error, file);
     let choices = (unique(&arguments.case).into_iter())
         .map(|index| Choice::new(&sweep, index, &arguments.set))

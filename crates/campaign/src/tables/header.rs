@@ -1,0 +1,65 @@
+//! The row of a table's headings.
+
+use super::grid::{Cell, Line};
+use super::heading::Heading;
+
+/// Headings are among the first of so many lines.
+pub const LINES_LOOKED_AT: usize = 60;
+
+/// Where the headings are, and what they are.
+pub struct Header {
+    /// The place of their line.
+    pub place: usize,
+    /// They, with units from a row of their own.
+    pub headings: Vec<Heading>,
+    /// Lines that they take.
+    pub height: usize,
+}
+
+/// The headings among the first lines, comments included: the first row that can be, by `is_header`;
+/// else the first that has more than one cell.
+pub fn find(lines: &[Line], is_header: &dyn Fn(&[Heading]) -> bool) -> Option<Header> {
+    let first = lines.iter().take(LINES_LOOKED_AT).enumerate();
+    let found = first.filter_map(|(place, line)| {
+        let header = header(lines, place, line);
+        is_header(&header.headings).then_some(header)
+    });
+    let content = |(_, line): &(usize, &Line)| !line.is_comment;
+    let rows = || lines.iter().enumerate().filter(content);
+    // Else what looks most like one: a title has one cell.
+    let likely = || rows().find(|(_, line)| line.filled() > 1 || rows().count() == 1);
+    let fallback = || likely().or_else(|| rows().next());
+    let mut found = found;
+    found
+        .next()
+        .or_else(|| fallback().map(|(place, line)| header(lines, place, line)))
+}
+
+/// The headings of a line, with units from the next where that has nothing else.
+fn header(lines: &[Line], place: usize, line: &Line) -> Header {
+    let columns = line.filled();
+    let headings = line.cells[..columns]
+        .iter()
+        .map(|cell| Heading::new(&cell.text()));
+    let mut headings: Vec<Heading> = headings.collect();
+    let next = (lines.get(place + 1)).filter(|next| next.filled() <= columns && is_of_units(next));
+    for (heading, unit) in headings
+        .iter_mut()
+        .zip(next.iter().flat_map(|next| &next.cells))
+    {
+        *heading = heading.in_unit(&unit.text());
+    }
+    Header {
+        place,
+        headings,
+        height: 1 + usize::from(next.is_some()),
+    }
+}
+
+/// Whether a line has units, and nothing but those and what stands for none.
+fn is_of_units(line: &Line) -> bool {
+    let mut cells = line.cells.iter().filter(|cell| !cell.is_empty());
+    let is_none = |cell: &Cell| matches!(&*cell.text(), "-" | "–" | "—" | "(-)" | "[-]" | "()");
+    let has_unit = line.cells.iter().any(|cell| Heading::is_unit(&cell.text()));
+    has_unit && cells.all(|cell| is_none(cell) || Heading::is_unit(&cell.text()))
+}

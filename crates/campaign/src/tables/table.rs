@@ -1,0 +1,188 @@
+//! A table in a file: the row of its headings, and those below.
+
+use std::path::Path;
+
+use super::decimal::{Decimals, NumberError, decimals};
+use super::grid::{Cell, Grid};
+use super::hand_table::uneven;
+use super::header::find;
+use super::heading::Heading;
+use super::read::read;
+use crate::text_file::TextOf;
+
+/// A row below the headings.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// Its line in the file, from 1.
+    pub line: usize,
+    /// A cell for each column.
+    cells: Vec<Cell>,
+    decimals: Decimals,
+}
+
+impl Row {
+    /// The text of a column.
+    pub fn text(&self, place: usize) -> String {
+        let cell = self.cells.get(place);
+        cell.map_or_else(String::new, |cell| cell.text().into_owned())
+    }
+
+    /// Whether there is nothing in a column.
+    pub fn is_empty_at(&self, place: usize) -> bool {
+        self.cells.get(place).is_none_or(Cell::is_empty)
+    }
+
+    /// The number of a column.
+    ///
+    /// # Errors
+    /// Where it is none, or ambiguous.
+    pub fn number(&self, place: usize) -> Result<f64, NumberError> {
+        let empty = Cell::Text(String::new());
+        self.cells
+            .get(place)
+            .unwrap_or(&empty)
+            .number(self.decimals)
+    }
+}
+
+/// A table.
+#[derive(Debug, Clone)]
+pub struct Table {
+    /// What its columns are called.
+    pub headings: Vec<Heading>,
+    /// Line of the headings, from 1.
+    pub header_line: usize,
+    /// What is below.
+    pub rows: Vec<Row>,
+    /// Lines of comments below the headings.
+    pub comments: Vec<usize>,
+}
+
+impl Table {
+    /// Reads a file, whose headings are the first row of those that can be, by `is_header`; else
+    /// the first row that has more than one cell.
+    ///
+    /// # Errors
+    /// Why it cannot be read; follows the file's name.
+    pub fn read(
+        path: &Path,
+        text_of: TextOf,
+        is_header: &dyn Fn(&[Heading]) -> bool,
+    ) -> Result<Self, String> {
+        Self::of_grid(&read(path, text_of)?, is_header)
+    }
+
+    fn of_grid(grid: &Grid, is_header: &dyn Fn(&[Heading]) -> bool) -> Result<Self, String> {
+        let lines = &grid.lines;
+        let Some(header) = find(lines, is_header) else {
+            return Ok(Self {
+                headings: Vec::new(),
+                header_line: 1,
+                rows: Vec::new(),
+                comments: Vec::new(),
+            });
+        };
+        let columns = header.headings.len();
+        let below = &lines[header.place + header.height..];
+        let content = || below.iter().filter(|line| !line.is_comment);
+        let texts = content()
+            .flat_map(|line| &line.cells)
+            .filter_map(|cell| match cell {
+                Cell::Text(text) => Some(text.as_str()),
+                Cell::Number(_) => None,
+            });
+        let decimals = decimals(texts);
+        let mut rows = Vec::new();
+        for line in content() {
+            let (values, has) = (line.filled(), line.cells.len());
+            if let Some(separator) = grid.separator
+                && (values > columns || has < columns)
+            {
+                let values = values.max(has.min(columns));
+                let message = uneven(separator, values, columns);
+                return Err(format!(":{}: {message}", line.number));
+            }
+            rows.push(Row {
+                line: line.number,
+                cells: line.cells[..has.min(columns)].to_vec(),
+                decimals,
+            });
+        }
+        Ok(Self {
+            header_line: lines[header.place].number,
+            headings: header.headings,
+            rows,
+            comments: (below.iter().filter(|line| line.is_comment))
+                .map(|line| line.number)
+                .collect(),
+        })
+    }
+
+    /// What the file has, for a person who looks for a column.
+    pub fn names(&self) -> String {
+        let names = self.headings.iter().filter(|heading| !heading.is_empty());
+        let names: Vec<String> = names.map(|heading| format!("`{}`", heading.text)).collect();
+        match names.is_empty() {
+            true => "it has no columns".to_owned(),
+            false => format!("it has {}", names.join(", ")),
+        }
+    }
+
+    /// Whether a column has numbers alone, and at least one.
+    pub fn is_numeric(&self, place: usize) -> bool {
+        let mut filled = self
+            .rows
+            .iter()
+            .filter(|row| !row.is_empty_at(place))
+            .peekable();
+        filled.peek().is_some() && filled.all(|row| row.number(place).is_ok())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tables::Dimension;
+    use crate::tables::heading::Meaning;
+
+    /// A depth and an angle.
+    fn table(text: &str) -> Table {
+        let is_header = |headings: &[Heading]| {
+            let has = |names: &[&str], dimension| {
+                (headings.iter()).any(|it| it.meaning(names, Some(dimension)) != Meaning::Other)
+            };
+            has(&["md"], Dimension::Length) && has(&["inc"], Dimension::Angle)
+        };
+        Table::of_grid(&super::super::hand_table::grid(text).unwrap(), &is_header).unwrap()
+    }
+
+    #[test]
+    fn headings_are_found_below_titles_and_behind_marks_of_comments() {
+        for (text, header_line, first_row) in [
+            ("md_m,inc_deg\n0,1", 1, 2),
+            ("Survey of well 7\n\nMD (m),Inc (deg)\n0,1", 3, 4),
+            ("\"Survey, well 7\",\nMD,Inc\nm,deg\n0,1", 2, 4),
+            ("MD;Inc\n(m);(\u{b0})\n0;1", 1, 3),
+            ("# by hand\n#MD [m]\tInc [deg]\n0\t1", 2, 3),
+            ("# MD [m], Inc [deg]\n# none\n0,1\n# more\n5,1", 1, 3),
+        ] {
+            let table = table(text);
+            assert_eq!(table.header_line, header_line, "{text}");
+            assert_eq!(table.rows[0].line, first_row, "{text}");
+            assert_eq!(
+                table.headings[0].factor(Dimension::Length),
+                Some(1.0),
+                "{text}"
+            );
+            assert_eq!(table.rows[0].number(1), Ok(1.0), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_numbers_of_a_file_decide_what_a_comma_is() {
+        let table = table("md_m;inc_deg\n4,276;1\n9,45;2\n");
+        assert_eq!(table.rows[0].number(0), Ok(4.276));
+        let table = self::table("md_m;inc_deg\n1.200;1,5\n9;2\n");
+        assert!(table.rows[0].number(0).is_err());
+    }
+}
