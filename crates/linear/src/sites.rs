@@ -22,15 +22,16 @@ impl Sites {
     pub fn new(string: &Drillstring, distances_from_bit: &[f64]) -> Result<Self, DrillstringError> {
         let mut sorted = distances_from_bit.to_vec();
         sorted.sort_by(|a, b| b.total_cmp(a));
-        let mut sites = Self {
+        // Distances are differences of sums, on either side of the bit.
+        match sorted.last_mut() {
+            None => return Err(DrillstringError::NoSites),
+            Some(last) if last.abs() <= string.same_place() => *last = 0.0,
+            Some(_) => {}
+        }
+        let sites = Self {
             distances_from_bit: sorted,
         };
         sites.check(string)?;
-        match sites.distances_from_bit.last_mut() {
-            None => return Err(DrillstringError::NoSites),
-            Some(last) if *last <= string.same_place() => *last = 0.0,
-            Some(_) => {}
-        }
         Ok(sites)
     }
 
@@ -98,5 +99,13 @@ mod tests {
         for distances in [&[1000.0][..], &[-1.0], &[5.0, 5.0], &[]] {
             assert!(Sites::new(&string, distances).is_err(), "{distances:?}");
         }
+    }
+
+    /// 170 × 11.87 m less as much, added up otherwise.
+    #[test]
+    fn a_site_that_rounding_puts_below_the_bit_is_at_the_bit() {
+        let sites = Sites::new(&academic::string(), &[100.0, -2.3e-13]).unwrap();
+        assert_eq!(sites.distances_from_bit(), [100.0, 0.0]);
+        assert_eq!(sites.bit_site(), Some(1));
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::MemoryArguments;
+use super::{ForceArgument, MemoryArguments};
 
 /// Arguments of `check`.
 #[derive(Debug, Args)]
@@ -31,6 +31,8 @@ pub struct CheckOutput {
     /// Write that to a file, and lines for people to standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub force: ForceArgument,
 }
 
 /// Who reads what `check` says.

@@ -476,11 +476,21 @@ pub struct ExploreArguments {
     /// The page
     #[arg(long, default_value = "explore.html")]
     pub out: PathBuf,
+    #[command(flatten)]
+    pub force: ForceArgument,
     /// The case that it begins with, from 0
     #[arg(long, default_value_t = 0)]
     pub case: usize,
     #[command(flatten)]
     pub memory: MemoryArguments,
+}
+
+/// Whether a file may be lost.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct ForceArgument {
+    /// Write over a file that this command did not write
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Arguments of `report`.
@@ -492,6 +502,8 @@ pub struct ReportArguments {
     /// The page [default: report.html, in the folder if there is one, else here]
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub force: ForceArgument,
 }
 
 /// Arguments of `analyse`.
@@ -518,6 +530,8 @@ pub struct AnalyseArguments {
     /// Draw how likely a regime is over the axes of --by, as .svg or .png
     #[arg(long, value_name = "FILE", value_parser = parse_picture, requires = "by")]
     pub picture: Option<PictureFile>,
+    #[command(flatten)]
+    pub force: ForceArgument,
     /// Which regime to draw, by its label [default: stick-slip, sustained whirl]
     #[arg(long, value_name = "LABEL", value_parser = parse_regime, requires = "picture")]
     pub regime: Option<Label>,

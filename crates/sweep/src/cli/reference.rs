@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::MemoryArguments;
 use super::values::{parse_axis, parse_margin};
+use super::{ForceArgument, MemoryArguments};
 use campaign::quantities::Axis;
 
 /// Arguments of `reference`.
@@ -22,6 +22,8 @@ pub struct ReferenceArguments {
     /// The reference [default: reference.csv in the folder]
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub force: ForceArgument,
     /// The sweep file of the results [default: that of their manifest.json]
     #[arg(long, value_name = "FILE")]
     pub sweep: Option<PathBuf>,

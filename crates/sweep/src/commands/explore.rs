@@ -7,6 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 
 use super::choosing::choose;
+use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
@@ -26,6 +27,7 @@ use campaign::text_file::read_text;
 /// Simulates a case and writes the page that begins with it.
 pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Status> {
     let ExploreArguments { file, memory, .. } = arguments;
+    refuse_to_lose(&arguments.out, Output::Page, arguments.force.force)?;
     use_threads(None, terminal)?;
     warn_of_memory(memory, terminal);
     let limit = memory.limit();

@@ -17,6 +17,7 @@ mod margin;
 pub mod merge;
 pub mod new;
 mod outcome;
+mod outputs;
 pub mod plot;
 mod prepare;
 mod progress;

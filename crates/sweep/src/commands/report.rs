@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 
 use super::folder::{REPORT, hold, tables_of};
+use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use crate::cli::ReportArguments;
@@ -33,6 +34,9 @@ pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status>
     let comparisons = (all.iter().skip(1))
         .map(|other| compare(&all[0], other))
         .collect::<Result<Vec<_>>>()?;
+    if let Some(path) = &arguments.out {
+        refuse_to_lose(path, Output::Page, arguments.force.force)?;
+    }
     let html = page(&title(&all), &sections(&all, &comparisons), &all);
     let path = match (&arguments.out, &arguments.folders[..]) {
         (Some(path), _) => {

@@ -2,6 +2,7 @@
 //! folders that one command at a time writes.
 
 mod checksum;
+mod destination;
 mod lock;
 mod regular;
 mod temporary;
@@ -11,20 +12,30 @@ pub use lock::{FolderLock, LockError};
 pub use regular::{is_absent, refuse_irregular};
 pub use temporary::{has_left, remove_left};
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
+use destination::{Destination, destination};
 use tempfile::NamedTempFile;
 
 /// A file that is written under another name in the same folder, and gets its
 /// own when it is whole and on the disk. Names are unique, so that two programs
-/// that write the same file do not mix.
+/// that write the same file do not mix. A link is followed; a device or a pipe is written to as it
+/// is.
 pub struct AtomicFile {
+    /// As it is told.
     path: PathBuf,
-    writer: BufWriter<NamedTempFile>,
+    writer: Writer,
     sum: Summing,
+}
+
+enum Writer {
+    /// What is to have a name.
+    File(PathBuf, BufWriter<NamedTempFile>),
+    /// What has one.
+    Stream(BufWriter<File>),
 }
 
 impl AtomicFile {
@@ -33,10 +44,19 @@ impl AtomicFile {
     /// # Errors
     /// Where its folder cannot be written.
     pub fn create(path: &Path) -> Result<Self> {
-        let file = temporary::temporary(folder_of(path)).with_context(|| unwritable(path))?;
+        let attempt = || {
+            Ok(match destination(path)? {
+                Destination::Stream(stream) => Writer::Stream(BufWriter::new(stream)),
+                Destination::File(name) => {
+                    let file = temporary::temporary(folder_of(&name))?;
+                    Writer::File(name, BufWriter::new(file))
+                }
+            })
+        };
+        let writer: io::Result<Writer> = attempt();
         Ok(Self {
             path: path.to_owned(),
-            writer: BufWriter::new(file),
+            writer: writer.with_context(|| unwritable(path))?,
             sum: Summing::default(),
         })
     }
@@ -48,7 +68,10 @@ impl AtomicFile {
     pub fn write(&mut self, content: &[u8]) -> Result<()> {
         let mut attempt = || {
             self.sum.write_all(content)?;
-            self.writer.write_all(content)
+            match &mut self.writer {
+                Writer::File(_, file) => file.write_all(content),
+                Writer::Stream(stream) => stream.write_all(content),
+            }
         };
         attempt().with_context(|| unwritable(&self.path))
     }
@@ -59,11 +82,15 @@ impl AtomicFile {
     /// Where it cannot be written.
     pub fn seal(self) -> Result<SealedFile> {
         let Self { path, writer, sum } = self;
-        let attempt = || -> io::Result<NamedTempFile> {
-            let file = writer.into_inner().map_err(|error| error.into_error())?;
-            make_readable(file.as_file())?;
-            file.as_file().sync_all()?;
-            Ok(file)
+        let attempt = || -> io::Result<Option<(PathBuf, NamedTempFile)>> {
+            match writer {
+                Writer::File(name, writer) => {
+                    let file = writer.into_inner().map_err(|error| error.into_error())?;
+                    file.as_file().sync_all()?;
+                    Ok(Some((name, file)))
+                }
+                Writer::Stream(mut stream) => stream.flush().map(|()| None),
+            }
         };
         let file = attempt().with_context(|| unwritable(&path))?;
         Ok(SealedFile {
@@ -85,7 +112,8 @@ impl AtomicFile {
 /// A whole file on the disk that does not have its name yet; without it, it goes.
 pub struct SealedFile {
     path: PathBuf,
-    file: NamedTempFile,
+    /// With its name; nothing, where that is of a device or a pipe.
+    file: Option<(PathBuf, NamedTempFile)>,
     checksum: Checksum,
 }
 
@@ -101,8 +129,11 @@ impl SealedFile {
     /// Where its folder cannot be written.
     pub fn publish(self) -> Result<Checksum> {
         let attempt = || -> io::Result<()> {
-            self.file.persist(&self.path).map_err(|error| error.error)?;
-            sync_folder(folder_of(&self.path))
+            let Some((name, file)) = self.file else {
+                return Ok(());
+            };
+            file.persist(&name).map_err(|error| error.error)?;
+            sync_folder(folder_of(&name))
         };
         attempt().with_context(|| unwritable(&self.path))?;
         Ok(self.checksum)
@@ -148,18 +179,6 @@ pub fn open_if_there(path: &Path) -> io::Result<Option<File>> {
         Err(error) if is_absent(&error) => Ok(None),
         file => file.map(Some),
     }
-}
-
-/// A temporary file is private; a result is for everybody the folder is for.
-#[cfg(unix)]
-fn make_readable(file: &File) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn make_readable(_: &File) -> std::io::Result<()> {
-    Ok(())
 }
 
 /// The new name itself must survive a power loss.

@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use tempfile::{Builder, NamedTempFile};
 
 use super::lock;
 
@@ -16,9 +16,7 @@ const PREFIX: &str = ".tmp-sweep-";
 /// from one whose writer was killed.
 pub(super) fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     loop {
-        let file = tempfile::Builder::new()
-            .prefix(PREFIX)
-            .tempfile_in(folder)?;
+        let file = readable(Builder::new().prefix(PREFIX)).tempfile_in(folder)?;
         // Without locks here, nobody removes it either.
         let _ = file.as_file().lock();
         // Between these two, it may have looked as if it had no writer.
@@ -26,6 +24,18 @@ pub(super) fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
             return Ok(file);
         }
     }
+}
+
+/// A temporary file is private; a result is for whom the mask of new files lets.
+#[cfg(unix)]
+fn readable<'a, 'b>(file: &'a mut Builder<'b, 'b>) -> &'a mut Builder<'b, 'b> {
+    use std::os::unix::fs::PermissionsExt;
+    file.permissions(fs::Permissions::from_mode(0o666))
+}
+
+#[cfg(not(unix))]
+fn readable<'a, 'b>(file: &'a mut Builder<'b, 'b>) -> &'a mut Builder<'b, 'b> {
+    file
 }
 
 /// Whether commands are at work in a folder, or were killed there.

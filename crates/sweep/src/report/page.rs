@@ -18,9 +18,6 @@ use crate::files::is_absent;
 /// The mark of a page that this program made.
 const MADE_BY: &str = "<footer><p>Made by ";
 
-/// The mark is among the last bytes of a page, this many at most.
-const FOOTER: usize = 400;
-
 /// The page's looks.
 const STYLE: &str = include_str!("page.css");
 
@@ -103,8 +100,7 @@ pub fn is_page(path: &Path) -> std::io::Result<bool> {
         content => content?,
     };
     let mark = format!("{MADE_BY}sweep ");
-    let end = &content[content.len().saturating_sub(FOOTER)..];
-    Ok((end.windows(mark.len())).any(|window| window == mark.as_bytes()))
+    Ok((content.windows(mark.len())).any(|window| window == mark.as_bytes()))
 }
 
 /// Maps that follow each other stand side by side where there is room.

@@ -7,19 +7,42 @@ mod table;
 use anyhow::{Result, bail};
 
 use super::folder::tables_of;
+use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use crate::analysis::{blocks, count_cases, size_of_blocks};
-use crate::cli::AnalyseArguments;
+use crate::cli::{AnalyseArguments, PictureFile};
 use crate::files::write_atomically;
 use crate::output::ResultTables;
 use crate::report::{analysed_sections, text};
 use campaign::quantities::Axis;
 use picture::{draw, refuse_absent, refuse_several};
-use table::{counts_csv, indices_csv};
+use table::{COUNTS, INDICES, counts_csv, indices_csv};
+
+/// Refuses to write over what this command has not written.
+fn refuse_to_lose_any(arguments: &AnalyseArguments) -> Result<()> {
+    let force = arguments.force.force;
+    let picture = arguments.picture.as_ref().map(|picture| match picture {
+        PictureFile::Svg(path) => (path, Output::Beginning(&[b"<svg"])),
+        PictureFile::Png(path) => (path, Output::Beginning(&[b"\x89PNG"])),
+    });
+    let counts = arguments.out.as_ref();
+    let indices = arguments.indices.as_ref();
+    let (of_counts, of_indices) = ([COUNTS.as_bytes()], [INDICES.as_bytes()]);
+    let files = [
+        counts.map(|path| (path, Output::Beginning(&of_counts))),
+        indices.map(|path| (path, Output::Beginning(&of_indices))),
+        picture,
+    ];
+    for (path, output) in files.into_iter().flatten() {
+        refuse_to_lose(path, output, force)?;
+    }
+    Ok(())
+}
 
 /// Counts, and says what came out.
 pub fn analyse(arguments: &AnalyseArguments, terminal: Terminal) -> Result<Status> {
+    refuse_to_lose_any(arguments)?;
     let tables = (arguments.folders.iter())
         .map(|folder| tables_of(folder, terminal))
         .collect::<Result<Vec<_>>>()?;

@@ -10,10 +10,17 @@ use campaign::quantities::Axis;
 
 const BISTABLE: Label = Label::Torsion(TorsionRegime::Bistable);
 
+/// Columns of the counts.
+pub const COUNTS: &str =
+    "method,motion,regime,x,x_from,x_to,y,y_from,y_to,cases,of,fraction,low,high\n";
+
+/// Columns of the indices.
+pub const INDICES: &str =
+    "method,quantity,axis,blocks,first,first_low,first_high,total,total_low,total_high\n";
+
 /// The table; axes that a row is not counted over are empty.
 pub fn counts_csv(all: &[Counts]) -> String {
-    let mut text =
-        "method,motion,regime,x,x_from,x_to,y,y_from,y_to,cases,of,fraction,low,high\n".to_owned();
+    let mut text = COUNTS.to_owned();
     for counts in all {
         for (method, motion, group) in &counts.groups {
             for (cell, &of) in group.all.iter().enumerate() {
@@ -54,9 +61,7 @@ fn place(counts: &Counts, cell: usize) -> String {
 
 /// The indices of what can be told, of first order and of all, each with its interval.
 pub fn indices_csv(axes: &[Axis], methods: &[MethodBlocks]) -> String {
-    let mut text = "method,quantity,axis,blocks,first,first_low,first_high,total,total_low,\
-                    total_high\n"
-        .to_owned();
+    let mut text = INDICES.to_owned();
     for of_method in methods {
         for (quantity, blocks) in &of_method.quantities {
             let found = blocks.indices(quantity.is_either()).unwrap_or_default();

@@ -44,6 +44,33 @@ pub fn junit(reference: &Path, compared: &[Compared]) -> Result<String> {
     Ok(String::from_utf8(writer.into_inner())? + "\n")
 }
 
+/// The document about a check that came to no label.
+///
+/// # Errors
+/// Where memory does not take it.
+pub fn junit_of_error(reference: &Path, error: &str) -> Result<String> {
+    let reference = reference.display().to_string();
+    let counts = [("tests", "1"), ("failures", "0"), ("errors", "1")];
+    let mut writer = Writer::new_with_indent(Vec::new(), b' ', 2);
+    writer.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    let suites = [&[("name", "sweep check")], &counts[..]].concat();
+    begin(&mut writer, "testsuites", &suites)?;
+    let suite = [&[("name", &*reference)], &counts[..]].concat();
+    begin(&mut writer, "testsuite", &suite)?;
+    let name = "labels are checked";
+    begin(
+        &mut writer,
+        "testcase",
+        &[("classname", &reference), ("name", name)],
+    )?;
+    let error = element("error", &[("type", "input"), ("message", error)]);
+    writer.write_event(Event::Empty(error))?;
+    end(&mut writer, "testcase")?;
+    end(&mut writer, "testsuite")?;
+    end(&mut writer, "testsuites")?;
+    Ok(String::from_utf8(writer.into_inner())? + "\n")
+}
+
 type Xml = Writer<Vec<u8>>;
 
 fn write_test(writer: &mut Xml, reference: &str, label: &Compared) -> Result<()> {

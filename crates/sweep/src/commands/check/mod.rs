@@ -13,20 +13,61 @@ use anyhow::Result;
 use super::choosing::choose;
 use super::listed::Listed;
 use super::margin::margin_of;
+use super::outputs::{Output, refuse_to_lose};
 use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
-use crate::cli::CheckArguments;
+use crate::cli::{CheckArguments, CheckFormat};
 use crate::files::write_atomically;
 use campaign::engine::Record;
 use campaign::plan::Sweep;
 use comparison::{Found, compare};
+use junit::junit_of_error;
 use reference::{cases_of, read_reference};
-use told::Told;
+use told::{Told, annotation};
 
-/// Reruns the cases of a reference file and compares their labels.
+/// Reruns the cases of a reference file and compares their labels. What ends it before there is any
+/// is said in the format asked for, too: an output of an earlier check does not outlive it.
 pub fn check(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
+    refuse_to_lose_output(arguments)?;
+    let checked = compare_labels(arguments, terminal);
+    if let Err(error) = &checked {
+        let (reference, message) = (&arguments.reference, format!("{error:#}"));
+        let text = match arguments.told.format {
+            CheckFormat::Human => format!("error: {message}\n"),
+            CheckFormat::Github => annotation(&arguments.file, &message),
+            CheckFormat::Junit => junit_of_error(reference, &message)?,
+        };
+        match &arguments.told.output {
+            Some(file) => write_atomically(file, text.as_bytes())?,
+            // People read it on standard error.
+            None if arguments.told.format == CheckFormat::Human => {}
+            None => say(&text)?,
+        }
+    }
+    checked
+}
+
+/// Refuses to write over what no check has written.
+fn refuse_to_lose_output(arguments: &CheckArguments) -> Result<()> {
+    let Some(path) = &arguments.told.output else {
+        return Ok(());
+    };
+    let count = format!("{}: ", arguments.reference.display());
+    let beginnings: [&[u8]; 6] = [
+        b"<?xml",
+        b"::error ",
+        b"labels: ",
+        b"case ",
+        b"error: ",
+        count.as_bytes(),
+    ];
+    let force = arguments.told.force.force;
+    refuse_to_lose(path, Output::Beginning(&beginnings), force)
+}
+
+fn compare_labels(arguments: &CheckArguments, terminal: Terminal) -> Result<Status> {
     use_threads(arguments.jobs, terminal)?;
     warn_of_memory(&arguments.memory, terminal);
     let limit = arguments.memory.limit();

@@ -28,7 +28,7 @@ impl Told<'_> {
     pub fn in_format(&self, format: CheckFormat) -> Result<String> {
         Ok(match format {
             CheckFormat::Human => self.for_people(),
-            CheckFormat::Github => self.annotations() + &self.count(),
+            CheckFormat::Github => self.annotations() + &plain_line(&self.count()),
             CheckFormat::Junit => junit(self.reference, self.compared)?,
         })
     }
@@ -76,6 +76,22 @@ impl Told<'_> {
         });
         commands.collect()
     }
+}
+
+/// An error of the check itself, in GitHub's commands of a workflow.
+pub fn annotation(file: &Path, error: &str) -> String {
+    let file = property(&file.display().to_string());
+    format!(
+        "::error file={file},title=labels not checked::{}\n",
+        data(error)
+    )
+}
+
+/// A line that is no command of a workflow, whatever is in it.
+fn plain_line(text: &str) -> String {
+    let text = text.trim_end().replace(['\r', '\n'], " ");
+    let begins_one = text.trim_start().starts_with("::");
+    format!("{}{text}\n", if begins_one { "labels: " } else { "" })
 }
 
 /// What follows `::` in a command of a workflow: a line, whatever is in it.

@@ -155,10 +155,12 @@ fn sheet_lines(sweep: &Sweep) -> String {
         "rows of {} whose weight is not that of their dimensions",
         sheet.file
     );
-    let mut text = wrapped(&title, 2, 4);
     let lines = sheet.lines(sweep.content.units);
-    text.extend(lines.map(|line| wrapped(&line, 4, 6)));
-    text
+    let lines: String = lines.map(|line| wrapped(&line, 4, 6)).collect();
+    match lines.is_empty() {
+        true => lines,
+        false => wrapped(&title, 2, 4) + &lines,
+    }
 }
 
 /// What was chosen for an accuracy, and what else was tried.

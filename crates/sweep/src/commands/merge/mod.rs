@@ -17,6 +17,7 @@ use crate::log::{Header, Place};
 use crate::output::Manifest;
 use campaign::dependence::together;
 use campaign::engine::Shard;
+use campaign::words::shell_word;
 use parts::{Part, read_parts, refuse_damaged_parts};
 use tables::join_tables;
 
@@ -28,9 +29,15 @@ pub fn merge(folders: &[PathBuf], out: &Path, terminal: Terminal) -> Result<Stat
     let (parts, unfinished) = read_parts(folders)?;
     let of = division(&parts, &unfinished)?;
     if parts.len() < of {
+        let first = (0..of).find(|index| !parts.contains_key(index));
+        let any = parts.values().next().map(|part| &part.manifest);
+        let command = any
+            .zip(first)
+            .and_then(|(manifest, first)| again(manifest, first));
+        let command = command.map_or_else(String::new, |command| format!(": `{command}`"));
         let missing = missing(parts.keys().copied(), of);
         terminal.complain(&format!(
-            "incomplete: {} of {of} shards are finished\nrun again: {missing}",
+            "incomplete: {} of {of} shards are finished{command}\nrun again: {missing}",
             parts.len(),
         ));
         return Ok(Status::Incomplete);
@@ -44,6 +51,16 @@ pub fn merge(folders: &[PathBuf], out: &Path, terminal: Terminal) -> Result<Stat
     let drawn = draw_and_note(out, &mut manifest, &Drawing::default())?;
     say(&summary(&manifest, out, drawn)?)?;
     Ok(status_of(&manifest))
+}
+
+/// The command that runs a shard.
+fn again(manifest: &Manifest, index: usize) -> Option<String> {
+    let file = manifest.sweep_file.as_ref()?.display().to_string();
+    let of = manifest.shard().of;
+    Some(format!(
+        "sweep run {} --shard {index}/{of}",
+        shell_word(&file)
+    ))
 }
 
 /// Into how many shards the sweep was divided.

@@ -10,6 +10,8 @@ use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::log::{Header, read_header};
 use crate::output::{Manifest, TABLES, differences};
+use campaign::engine::Shard;
+use campaign::words::shell_word;
 
 /// A finished shard.
 pub struct Part {
@@ -26,9 +28,15 @@ pub struct Part {
 pub fn refuse_damaged_parts(parts: &[Part], terminal: Terminal) -> Result<()> {
     let mut damage = Vec::new();
     let mut shards = Vec::new();
+    let mut command = String::new();
     for Part { folder, manifest } in parts {
         tell_if_unverified(manifest, folder, terminal);
         let found = manifest.damage(folder, &TABLES)?;
+        if let (false, Some(file)) = (found.is_empty(), &manifest.sweep_file) {
+            let [file, folder] = [file, folder].map(|path| shell_word(&path.display().to_string()));
+            let Shard { index, of } = manifest.shard();
+            command = format!("`sweep run {file} --shard {index}/{of} --out {folder} --fresh`; ");
+        }
         shards.extend((!found.is_empty()).then(|| manifest.shard().index.to_string()));
         damage.extend(found);
     }
@@ -36,7 +44,7 @@ pub fn refuse_damaged_parts(parts: &[Part], terminal: Terminal) -> Result<()> {
         return Ok(());
     }
     bail!(
-        "{}: put back copies, or run these shards again with --fresh: {}",
+        "{}: put back copies, or {command}run these shards again with --fresh: {}",
         in_words(&damage),
         shards.join(",")
     )

@@ -12,6 +12,7 @@ use anyhow::{Context, Result, bail};
 use super::choosing::choose;
 use super::folder::tables_of;
 use super::listed::Listed;
+use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
@@ -26,12 +27,18 @@ use campaign::quantities::Axis;
 use campaign::sweep_file::per_cent;
 use campaign::text_file::read_text;
 use campaign::words::counted;
-use table::reference_table;
+use table::{BEGINNING, reference_table};
 
 /// Makes a reference.
 pub fn reference(arguments: &ReferenceArguments, terminal: Terminal) -> Result<Status> {
     use_threads(arguments.jobs, terminal)?;
     warn_of_memory(&arguments.memory, terminal);
+    let out = (arguments.out.clone()).unwrap_or_else(|| arguments.folder.join("reference.csv"));
+    refuse_to_lose(
+        &out,
+        Output::Beginning(&[BEGINNING.as_bytes()]),
+        arguments.force.force,
+    )?;
     let tables = tables_of(&arguments.folder, terminal)?;
     let manifest = &tables.manifest;
     let sweep = sweep_of(manifest, arguments, terminal)?;
@@ -50,8 +57,6 @@ pub fn reference(arguments: &ReferenceArguments, terminal: Terminal) -> Result<S
             arguments.folder.display()
         )));
     }
-    let default = || arguments.folder.join("reference.csv");
-    let out = arguments.out.clone().unwrap_or_else(default);
     let counts = format!(
         "{} of {} kept, {} dropped",
         kept.len(),

@@ -7,6 +7,9 @@ use crate::commands::margin::margin_line;
 use crate::output::{CaseRows, Manifest, Motion};
 use campaign::printable::printable;
 
+/// How a reference begins.
+pub const BEGINNING: &str = "# Reference of ";
+
 /// The rows of cases, under comments that say where they are from and how far they are from where
 /// a label changes: case, method, axes and labels, which alone are compared.
 ///
@@ -20,7 +23,7 @@ pub fn reference_table(
 ) -> Result<Vec<u8>> {
     let name = printable(&manifest.name).replace(['\n', '\t'], " ");
     let comments = format!(
-        "# Reference of {name}, made by `sweep reference`: {counts}. No label of these\n\
+        "{BEGINNING}{name}, made by `sweep reference`: {counts}. No label of these\n\
          # changes by any method where one axis alone is changed by the margin, up or down.\n{}",
         margin_line(margin)
     );
