@@ -10,6 +10,7 @@ use sim::laws::torque::TorqueStep;
 use sim::{LoadLine, SceneError, TorqueLaw, WallLaw};
 
 use crate::convert;
+use crate::errors::refused;
 
 /// What a law of Python raised: it is asked nothing more, and the motion ends.
 pub type Raised = RefCell<Option<PyErr>>;
@@ -103,10 +104,19 @@ impl<'a, 'py> Wall<'a, 'py> {
         let Some(force) = law.getattr_opt("force")? else {
             return Ok(Wall::BuiltIn(law.extract::<convert::Wall>()?.into()));
         };
+        let length = |name: &str| {
+            let value: f64 = law.getattr(name)?.extract()?;
+            match value.is_finite() && value >= 0.0 {
+                true => Ok(value),
+                false => Err(refused(format_args!(
+                    "the {name} {value} of a wall is not zero or a positive number of metres"
+                ))),
+            }
+        };
         Ok(Wall::Own {
             force,
-            clearance: law.getattr("clearance")?.extract()?,
-            radius: law.getattr("radius")?.extract()?,
+            clearance: length("clearance")?,
+            radius: length("radius")?,
             raised,
         })
     }
@@ -139,13 +149,21 @@ impl WallLaw for Wall<'_, '_> {
         match answer {
             None => Err(ContactError::NotFinite),
             Some(None) => Contact::free(approach.free_position),
-            Some(Some((x, y, torque))) => Ok(under([x, y], torque, approach)),
+            Some(Some((x, y, torque))) => {
+                let contact = under([x, y], torque, approach);
+                let numbers = [x, y, torque, contact.position[0], contact.position[1]];
+                match numbers.iter().all(|number| number.is_finite()) {
+                    true => Ok(contact),
+                    false => Err(ContactError::NotFinite),
+                }
+            }
         }
     }
 
     fn check(&self) -> Result<(), SceneError> {
         match self {
             Wall::BuiltIn(law) => law.check(),
+            // Checked when it was made.
             Wall::Own { .. } => Ok(()),
         }
     }

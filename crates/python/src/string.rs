@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use campaign::memory::{Limit, Size};
 use linear::method::{FiniteElement, Transform};
 use linear::modes::damped_modes;
 use linear::natural_frequencies::NaturalFrequencies;
@@ -160,6 +161,13 @@ impl Drillstring {
             longest_time,
         };
         let string = self.string.clone();
+        let cost = linear::cost::responses(&string, &method, &request);
+        if let Some(taps) = cost.too_long {
+            return Err(refused(format_args!(
+                "these responses are too long: {taps:.3e} taps"
+            )));
+        }
+        fits(cost.memory.peak)?;
         let built = wait_for(py, move || linear::responses(&string, &method, &request))?;
         Responses::new(built.map_err(refused)?)
     }
@@ -179,16 +187,22 @@ impl Drillstring {
         Bound<'py, PyArrayDyn<Complex>>,
     )> {
         let (frequencies, sites) = (numbers(frequencies)?, self.sites(sites)?);
+        fits(RESPONSE * frequencies.len() as f64 * (sites.len() as f64).powi(2))?;
         let network = TorsionNetwork::new(&self.string, &sites).map_err(refused)?;
-        let (mut from_surface, mut from_torques) = (Vec::new(), Vec::new());
-        for frequency in &frequencies {
-            let response = network.at_frequency(*frequency);
-            for site in 0..sites.len() {
-                from_surface.push(response.from_surface[site]);
-                from_torques.extend((0..sites.len()).map(|at| response.from_torque[(site, at)]));
+        let shape = [frequencies.len(), sites.len()];
+        let (from_surface, from_torques) = wait_for(py, move || {
+            let (mut from_surface, mut from_torques) = (Vec::new(), Vec::new());
+            for frequency in &frequencies {
+                let response = network.at_frequency(*frequency);
+                for site in 0..sites.len() {
+                    from_surface.push(response.from_surface[site]);
+                    let row = (0..sites.len()).map(|at| response.from_torque[(site, at)]);
+                    from_torques.extend(row);
+                }
             }
-        }
-        let [frequencies, sites] = [frequencies.len(), sites.len()];
+            (from_surface, from_torques)
+        })?;
+        let [frequencies, sites] = shape;
         Ok((
             shaped(py, from_surface, &[frequencies, sites])?,
             shaped(py, from_torques, &[frequencies, sites, sites])?,
@@ -209,14 +223,19 @@ impl Drillstring {
         let (bending, support) = bending.resolve()?;
         let network = BendingNetwork::new(&self.string, bending, support, &sites);
         let network = network.map_err(refused)?;
-        let mut receptance = Vec::new();
-        for frequency in &frequencies {
-            let response = network.at_rate(TAU * frequency);
-            for site in 0..sites.len() {
-                receptance.extend((0..sites.len()).map(|at| response[(site, at)]));
+        fits(RESPONSE * frequencies.len() as f64 * (sites.len() as f64).powi(2))?;
+        let shape = [frequencies.len(), sites.len()];
+        let receptance = wait_for(py, move || {
+            let mut receptance = Vec::new();
+            for frequency in &frequencies {
+                let response = network.at_rate(TAU * frequency);
+                for site in 0..sites.len() {
+                    receptance.extend((0..sites.len()).map(|at| response[(site, at)]));
+                }
             }
-        }
-        let [frequencies, sites] = [frequencies.len(), sites.len()];
+            receptance
+        })?;
+        let [frequencies, sites] = shape;
         shaped(py, receptance, &[frequencies, sites, sites])
     }
 
@@ -224,6 +243,7 @@ impl Drillstring {
     #[pyo3(signature = (count, *, depths = 201))]
     fn torsional_modes(&self, py: Python<'_>, count: usize, depths: usize) -> PyResult<Modes> {
         let string = self.string.clone();
+        fits(SHAPE * count as f64 * depths as f64)?;
         let found = wait_for(py, move || {
             let natural = NaturalFrequencies::torsion(&string)?;
             let rates = natural.lowest(count)?;
@@ -246,6 +266,7 @@ impl Drillstring {
     ) -> PyResult<Modes> {
         let (bending, support) = bending.resolve()?;
         let string = self.string.clone();
+        fits(SHAPE * count as f64 * depths as f64)?;
         let found = wait_for(py, move || {
             let natural = NaturalFrequencies::bending(&string, &bending, support)?;
             let rates = natural.lowest(count)?;
@@ -261,6 +282,24 @@ impl Drillstring {
             self.string.length()
         )
     }
+}
+
+/// Bytes of a complex response between two sites, with a copy of it for Python.
+const RESPONSE: f64 = 32.0;
+
+/// Bytes for each depth of a mode, with what it is found from.
+const SHAPE: f64 = 256.0;
+
+/// Refuses what would take more memory than there is.
+fn fits(bytes: f64) -> PyResult<()> {
+    let limit = Limit::of(None);
+    if bytes <= limit.bytes {
+        return Ok(());
+    }
+    let takes = Size(bytes);
+    Err(refused(format_args!(
+        "it would take {takes}, more than the limit: {limit}"
+    )))
 }
 
 impl Drillstring {

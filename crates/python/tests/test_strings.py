@@ -128,6 +128,38 @@ def test_a_wall_of_python_holds_the_string(string):
     assert free.max() > 1.5 * distance.max()
 
 
+@pytest.mark.parametrize("answer", [(math.nan, 0.0, 0.0), (0.0, math.inf, 0.0), (0.0, 0.0, math.nan)])
+def test_a_wall_that_answers_no_number_ends_the_motion(string, answer):
+    responses = string.responses("quadrature", longest_time=3, bending=BENDING)
+
+    class Broken(Rubber):
+        def force(self, approach):
+            return answer
+
+    with pytest.raises(ds.DrillstringError):
+        responses.simulate(6.0, 3, walls=[Broken(1e7, 1e4)])
+
+
+@pytest.mark.parametrize("clearance", [math.nan, -0.01, math.inf])
+def test_a_wall_without_a_place_is_refused(string, clearance):
+    responses = string.responses("quadrature", longest_time=3, bending=BENDING)
+    wall = Rubber(1e7, 1e4)
+    wall.clearance = clearance
+    with pytest.raises(ds.DrillstringError, match="clearance"):
+        responses.simulate(6.0, 3, walls=[wall])
+
+
+def test_what_would_take_all_memory_is_refused(string):
+    with pytest.raises(ds.DrillstringError, match="limit|too long|taps"):
+        string.responses(longest_time=100, sites=list(np.linspace(0, 99, 5000)), bending=BENDING)
+    with pytest.raises(ds.DrillstringError, match="limit|too long|taps"):
+        string.responses(longest_time=100, sampling_frequency=1e9)
+    with pytest.raises(ds.DrillstringError, match="limit"):
+        string.torsional_modes(3, depths=10**9)
+    with pytest.raises(ds.DrillstringError, match="limit"):
+        string.torsion_response(np.linspace(1, 2, 10**5), sites=list(np.linspace(0, 99, 500)))
+
+
 def test_an_impulse_without_a_wall_is_refused(string):
     responses = string.responses(longest_time=3)
     with pytest.raises(ds.DrillstringError, match="need walls"):

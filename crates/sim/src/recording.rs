@@ -90,6 +90,19 @@ impl Recording {
         }))
     }
 
+    /// The same up to a time (s) at which it ends, if it lasts longer.
+    pub fn until(&self, end: f64) -> Self {
+        let kept = self.0.times.partition_point(|time| *time < end);
+        if kept == self.0.times.len() || kept == 0 {
+            return self.clone();
+        }
+        let mut times = self.0.times[..kept].to_vec();
+        let mut values = self.0.values[..kept].to_vec();
+        times.push(end);
+        values.push(self.at(end));
+        Self(Arc::new(Samples { times, values }))
+    }
+
     /// The value at a time, s.
     pub fn at(&self, time: f64) -> f64 {
         let Samples { times, values } = &*self.0;
@@ -114,6 +127,19 @@ mod tests {
         let recording = Recording::new(vec![1.0, 2.0, 4.0], vec![3.0, 5.0, -1.0]).unwrap();
         let found = [0.0, 1.0, 1.5, 2.0, 3.0, 4.0, 9.0].map(|time| recording.at(time));
         assert_eq!(found, [3.0, 3.0, 4.0, 5.0, 2.0, -1.0, -1.0]);
+    }
+
+    #[test]
+    fn it_is_cut_where_it_lasts_too_long() {
+        let recording = Recording::new(vec![0.0, 2.0, 4.0], vec![0.0, 2.0, 6.0]).unwrap();
+        let cut = recording.until(3.0);
+        assert_eq!(
+            (cut.times(), cut.values()),
+            (&[0.0, 2.0, 3.0][..], &[0.0, 2.0, 4.0][..])
+        );
+        assert_eq!(recording.until(4.0), recording);
+        assert_eq!(recording.until(9.0), recording);
+        assert_eq!(recording.until(2.0).times(), [0.0, 2.0]);
     }
 
     #[test]

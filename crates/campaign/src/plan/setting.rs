@@ -17,11 +17,15 @@ use super::string_friction::{self, StringFriction};
 use super::{axial_force, hole, sampling, sites, string, top_drive};
 use crate::design::Design;
 use crate::quantities::Axis;
-use crate::sweep_file::{FileContent, Source, SweepFileError};
+use crate::sweep_file::{AutoOr, FileContent, Source, SweepFileError};
 
 /// Time for which a response to a step at the surface is looked at, in round trips of a
 /// wave.
 const ROUND_TRIPS_SHOWN: f64 = 5.0;
+
+/// What was recorded is known for so long after the last step of a case, s: its acceleration is
+/// taken around that.
+const AFTER_THE_LAST: f64 = 1.0;
 
 /// A string, ready to be built.
 #[derive(Debug, Clone)]
@@ -99,7 +103,11 @@ impl Setting {
         let profile = match (&data.surface_speed, conditions.surface_speed_rpm) {
             (Some(recorded), Some(fastest)) => {
                 let part = |speed: f64| speed / fastest;
-                SurfaceProfile::Recorded(recorded.map(part))
+                let needed = match content.time_s {
+                    AutoOr::Given(time) => recorded.until(time + AFTER_THE_LAST),
+                    AutoOr::Auto => recorded.clone(),
+                };
+                SurfaceProfile::Recorded(needed.map(part))
             }
             _ => SurfaceProfile::Rise(rise),
         };

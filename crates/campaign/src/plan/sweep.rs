@@ -24,6 +24,9 @@ use crate::sweep_file::{
 };
 use crate::text_file::read_text;
 
+/// No case lasts longer, s.
+const LONGEST_CASE: f64 = 1e6;
+
 /// A sweep, ready to run.
 #[derive(Debug, Clone)]
 pub struct Sweep {
@@ -110,11 +113,19 @@ impl Sweep {
             |stem| stem.to_string_lossy().into_owned(),
         );
         if let AutoOr::Given(time) = content.time_s {
-            source.within("time_s", time, 1e-3, 1e6, "s")?;
+            source.within("time_s", time, 1e-3, LONGEST_CASE, "s")?;
         }
         // What was recorded is followed as long as it is.
         let time = match (content.time_s, &data.surface_speed) {
-            (AutoOr::Auto, Some(recording)) => AutoOr::Given(recording.end()),
+            (AutoOr::Auto, Some(recording)) => {
+                let message = "the recording lasts longer than any case: give `time_s`";
+                source.refuse_if(
+                    recording.end() > LONGEST_CASE,
+                    "surface_speed_file",
+                    message,
+                )?;
+                AutoOr::Given(recording.end())
+            }
             (time, _) => time,
         };
         let setting =

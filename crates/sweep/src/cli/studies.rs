@@ -1,6 +1,5 @@
 //! Arguments of the studies: the commands about the program itself.
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -53,8 +52,8 @@ pub struct StabilityArguments {
 #[derive(Debug, Args)]
 pub struct PromisesArguments {
     /// Strings drawn for each motion; every one is asked for several accuracies
-    #[arg(long, default_value = "40")]
-    pub strings: NonZeroUsize,
+    #[arg(long, default_value = "40", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub strings: u32,
     /// What the random numbers begin with
     #[arg(long, default_value_t = 1)]
     pub seed: u64,

@@ -118,7 +118,11 @@ pub fn parse_range(text: &str) -> Result<AxisRange, String> {
         };
         Some([end(low)?, end(high)?])
     });
-    let is_range = |[low, high]: &[f64; 2]| high - low > 1e-9 * low.abs().max(high.abs());
+    // An axis between numbers closer than this has no ticks.
+    let is_range = |[low, high]: &[f64; 2]| {
+        let largest = low.abs().max(high.abs());
+        high - low > (1e-9 * largest).max(1e-30)
+    };
     let range = ends.filter(is_range).map(AxisRange);
     range.ok_or_else(|| format!("`{text}` is not a range such as 0..60, the lower end first"))
 }
@@ -237,6 +241,7 @@ mod tests {
             "0..inf",
             "nan..1",
             "1e11..1e11",
+            "0..1e-310",
             "a..b",
         ] {
             assert!(parse_range(text).is_err(), "{text}");

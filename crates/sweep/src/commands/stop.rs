@@ -12,6 +12,8 @@ use std::thread::{self, sleep};
 use std::time::Duration;
 
 use anyhow::{Context, Result};
+#[cfg(unix)]
+use signal_hook::consts::SIGXFSZ;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
@@ -50,6 +52,9 @@ pub fn listen(terminal: Terminal) -> Result<()> {
     let code = ASKED.get_or_init(Arc::default);
     let is_second = Arc::new(AtomicBool::new(false));
     let listen = || -> std::io::Result<()> {
+        // Where a file may not grow any more, writing it fails with a reason instead.
+        #[cfg(unix)]
+        flag::register(SIGXFSZ, Arc::default())?;
         for (signal, status) in [(SIGINT, Status::Interrupted), (SIGTERM, Status::Terminated)] {
             flag::register_conditional_shutdown(signal, status as i32, Arc::clone(&is_second))?;
             flag::register_usize(signal, Arc::clone(code), status as usize)?;

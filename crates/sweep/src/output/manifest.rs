@@ -150,7 +150,8 @@ impl Manifest {
         Ok(Self {
             name: sweep.name.clone(),
             title: sweep.title.clone(),
-            sweep_file: Some(sweep.source.file().to_owned()),
+            // As it is told, whatever the letters of its path are in.
+            sweep_file: Some(sweep.source.file().to_string_lossy().into_owned().into()),
             program: crate::program::PROGRAM.to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             platform: format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),

@@ -28,7 +28,7 @@ pub fn promises(arguments: &PromisesArguments, terminal: Terminal) -> Result<Sta
         |motion: &Motion| arguments.motion.is_empty() || arguments.motion.contains(motion);
     let motions: Vec<Motion> = Motion::ALL.into_iter().filter(is_wanted).collect();
     let limit = arguments.memory.limit();
-    let strings = arguments.strings.get();
+    let strings = arguments.strings as usize;
     let motions_of_table = if arguments.limits { 1 } else { motions.len() };
     let progress = Progress::new(motions_of_table * strings, 0, arguments.quiet, terminal);
     let tick = || progress.tick();
