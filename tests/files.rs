@@ -338,6 +338,48 @@ fn sheets_that_may_mean_two_things_are_refused_or_doubted() {
     assert_eq!(sheet(&one).0, sheet(FROM_SURFACE).0);
 }
 
+/// Such a file is often the base of others.
+#[test]
+fn tables_without_effect_are_noted_and_doubtful_bits_warned_of() {
+    let (expected, _) = sheet(FROM_SURFACE);
+    let idle = "\n[mud]\ndensity_ppg = 10\n[well]\nsurvey = \"survey.csv\"\nhole_diameter_in = 14\n[design]\n";
+    let sweep = BY_SHEET.replace("\n[design]\n", idle);
+    let survey = b"MD (m),Inc (deg),Azi (deg)\n0,0,0\n2000,0,0\n";
+    let answer = inspected(
+        &sweep,
+        &[("bha.csv", FROM_SURFACE.as_bytes()), ("survey.csv", survey)],
+    );
+    assert_eq!(answer.code, 0, "{answer:?}");
+    assert!(
+        answer.output.contains(expected.trim_end()),
+        "{}",
+        answer.output
+    );
+    for words in [
+        "note: [mud] changes nothing here",
+        "note: `well.survey` changes nothing here",
+        "note: the hole of [well] changes nothing here",
+    ] {
+        assert!(answer.errors.contains(words), "{words}: {}", answer.errors);
+    }
+    assert!(
+        !answer.errors.contains("the rocks of this program"),
+        "{}",
+        answer.errors
+    );
+    let (_, told) = sheet(&FROM_SURFACE.replace("12.25", "8.5"));
+    assert!(told.contains("bha.csv:5: the bit is 8.500 in wide, and the rocks of this program are for one of 11.8 in"), "{told}");
+    let heavy = BY_SHEET.replace("values = [50, 100]", "values = [50, 2000]");
+    let answer = inspected(&heavy, &[("bha.csv", FROM_SURFACE.as_bytes())]);
+    assert!(
+        answer.errors.contains(
+            "a weight on bit of 2000.0 kN is more than all of the string weighs along its well"
+        ),
+        "{}",
+        answer.errors
+    );
+}
+
 #[test]
 fn workbooks_are_read_cell_by_cell_and_hostile_ones_are_refused() {
     let rows = [

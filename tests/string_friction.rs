@@ -367,14 +367,6 @@ fn what_is_wrong_is_refused_with_its_place() {
         ),
         (
             with(
-                "survey = \"survey.csv\"",
-                "survey = \"survey.csv\"\nhole_diameter_in = 8.5",
-            ),
-            "",
-            "`well.hole_diameter_in`: counts where mud moves",
-        ),
-        (
-            with(
                 "[well]\n",
                 "[top_drive]\ninertia_kg_m2 = 9\ncontroller = \"prescribed\"\n[well]\n",
             )
@@ -433,15 +425,15 @@ fn what_is_wrong_is_refused_with_its_place() {
         (
             SWEEP.to_owned(),
             "md_ft,inc_deg\n0,0\n9000,1\n",
-            "survey.csv:1: has no column `azimuth_deg`",
+            "survey.csv:1: there is no column with azimuth",
         ),
         (
             SWEEP.to_owned(),
             "md_ft,inc_deg,azi_deg\n0,0,0\n9000,x,0\n",
-            "survey.csv:3: `x` is not",
+            "survey.csv:3: inc_deg: `x` is not",
         ),
         (surface("late.csv"), "", "late.csv cannot be read"),
-        (surface("back.csv"), "", "back.csv: time 2 s of sample 3"),
+        (surface("back.csv"), "", "back.csv:5: time 2 s of sample 3"),
         (
             surface("gap.csv"),
             "",

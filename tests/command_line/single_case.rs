@@ -158,3 +158,111 @@ fn plot_of_what_is_no_results_folder_says_so() {
         "{answer:?}"
     );
 }
+
+/// Each measure by its words, from the history that `simulate` writes: greatest in all the time, mean
+/// and share in the closing window, of which the last two seconds of lateral motion are.
+#[test]
+fn columns_are_what_their_words_say_of_the_motion() {
+    let of = |file: &str| {
+        let place = Workplace::new();
+        let sweep = format!("{}/../../sweeps/{file}", env!("CARGO_MANIFEST_DIR"));
+        let arguments = [
+            "simulate",
+            &sweep,
+            "--methods",
+            "quadrature",
+            "--out",
+            "out",
+        ];
+        assert_eq!(place.sweep(&arguments).code, 0);
+        let read = |name: &str| std::fs::read_to_string(place.path(name)).unwrap();
+        (
+            numbers_of(&read("out/case.csv")),
+            numbers_of(&read("out/history.csv")),
+        )
+    };
+    let near = |name: &str, found: f64, expected: f64, part: f64| {
+        let off = (found - expected).abs() / expected.abs();
+        assert!(off < part, "{name}: {found}, not {expected}");
+    };
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let greatest = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+
+    let (case, history) = of("fig12.toml");
+    let [time, x, y, force_x, force_y] = [
+        "time_s",
+        "bit_x_mm",
+        "bit_y_mm",
+        "bit_wall_force_x_n",
+        "bit_wall_force_y_n",
+    ]
+    .map(|name| history[name].clone());
+    let radius: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).collect();
+    let first = time.partition_point(|it| *it <= time[time.len() - 1] - 2.0);
+    near(
+        "peak_radius_mm",
+        case["peak_radius_mm"][0],
+        greatest(&radius),
+        1e-6,
+    );
+    near(
+        "mean_radius_mm",
+        case["mean_radius_mm"][0],
+        mean(&radius[first..]),
+        1e-3,
+    );
+    let normal: Vec<f64> = (first..time.len())
+        .map(|step| -1e-3 * (force_x[step] * x[step] + force_y[step] * y[step]) / radius[step])
+        .collect();
+    let touching: Vec<f64> = normal
+        .iter()
+        .copied()
+        .filter(|force| *force > 0.0)
+        .collect();
+    near(
+        "normal_force_mean_kn",
+        case["normal_force_mean_kn"][0],
+        mean(&touching),
+        1e-2,
+    );
+    near(
+        "contact_fraction",
+        case["contact_fraction"][0],
+        touching.len() as f64 / normal.len() as f64,
+        1e-2,
+    );
+
+    let (case, history) = of("fig08b.toml");
+    let (time, speed) = (&history["time_s"], &history["bit_speed_rpm"]);
+    near(
+        "bit_speed_peak_rpm",
+        case["bit_speed_peak_rpm"][0],
+        greatest(speed),
+        1e-6,
+    );
+    // Its closing window is a whole number of cycles, or nearly.
+    let period = case["period_s"][0];
+    let from = time.partition_point(|it| *it <= time[time.len() - 1] - period);
+    let [lowest, highest] = [0.8, 1.25].map(|part| part * mean(&speed[from..]));
+    let found = case["bit_speed_closing_rpm"][0];
+    assert!(
+        (lowest..highest).contains(&found),
+        "bit_speed_closing_rpm: {found}"
+    );
+    assert!(greatest(&speed[from..]) > 1.5 * highest);
+}
+
+/// The numbers of a table, by column; what is none is not a number.
+fn numbers_of(text: &str) -> std::collections::BTreeMap<String, Vec<f64>> {
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let rows: Vec<Vec<&str>> = lines.collect();
+    let column = |place: usize| {
+        rows.iter()
+            .map(|row| row[place].parse().unwrap_or(f64::NAN))
+            .collect()
+    };
+    (header.iter().enumerate())
+        .map(|(place, name)| ((*name).to_owned(), column(place)))
+        .collect()
+}

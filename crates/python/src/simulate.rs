@@ -10,7 +10,7 @@ use campaign::engine::{
 use campaign::labels::LabelTable;
 use campaign::memory::{Limit, Purpose, admit};
 use campaign::plan::Sweep as Plan;
-use campaign::sweep_file::axis_named;
+use campaign::sweep_file::axis_in_units;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -84,7 +84,11 @@ pub fn simulate(py: Python<'_>, sweep: &ReadSweep, asked: Asked) -> PyResult<Sim
         _ => refused(error),
     };
     let set = asked.set.iter();
-    let set = set.map(|(name, value)| Ok((axis_named(name).map_err(refused)?, *value)));
+    let set = set.map(|(name, value)| {
+        axis_in_units(name)
+            .map(|(axis, factor)| (axis, factor * value))
+            .map_err(refused)
+    });
     let set = set.collect::<PyResult<Vec<_>>>()?;
     let choice = Choice::new(&sweep.plan, asked.case, &set).map_err(words)?;
     let plan = Arc::clone(&sweep.plan);

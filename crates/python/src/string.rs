@@ -188,9 +188,10 @@ impl Drillstring {
     )> {
         let (frequencies, sites) = (numbers(frequencies)?, self.sites(sites)?);
         fits(RESPONSE * frequencies.len() as f64 * (sites.len() as f64).powi(2))?;
-        let network = TorsionNetwork::new(&self.string, &sites).map_err(refused)?;
         let shape = [frequencies.len(), sites.len()];
-        let (from_surface, from_torques) = wait_for(py, move || {
+        let string = self.string.clone();
+        let found = wait_for(py, move || {
+            let network = TorsionNetwork::new(&string, &sites)?;
             let (mut from_surface, mut from_torques) = (Vec::new(), Vec::new());
             for frequency in &frequencies {
                 let response = network.at_frequency(*frequency);
@@ -200,8 +201,9 @@ impl Drillstring {
                     from_torques.extend(row);
                 }
             }
-            (from_surface, from_torques)
+            Ok::<_, BuildError>((from_surface, from_torques))
         })?;
+        let (from_surface, from_torques) = found.map_err(refused)?;
         let [frequencies, sites] = shape;
         Ok((
             shaped(py, from_surface, &[frequencies, sites])?,
@@ -221,11 +223,11 @@ impl Drillstring {
     ) -> PyResult<Bound<'py, PyArrayDyn<Complex>>> {
         let (frequencies, sites) = (numbers(frequencies)?, self.sites(sites)?);
         let (bending, support) = bending.resolve()?;
-        let network = BendingNetwork::new(&self.string, bending, support, &sites);
-        let network = network.map_err(refused)?;
         fits(RESPONSE * frequencies.len() as f64 * (sites.len() as f64).powi(2))?;
         let shape = [frequencies.len(), sites.len()];
-        let receptance = wait_for(py, move || {
+        let string = self.string.clone();
+        let found = wait_for(py, move || {
+            let network = BendingNetwork::new(&string, bending, support, &sites)?;
             let mut receptance = Vec::new();
             for frequency in &frequencies {
                 let response = network.at_rate(TAU * frequency);
@@ -233,8 +235,9 @@ impl Drillstring {
                     receptance.extend((0..sites.len()).map(|at| response[(site, at)]));
                 }
             }
-            receptance
+            Ok::<_, BuildError>(receptance)
         })?;
+        let receptance = found.map_err(refused)?;
         let [frequencies, sites] = shape;
         shaped(py, receptance, &[frequencies, sites, sites])
     }

@@ -1,15 +1,18 @@
 //! What a person should know of a sweep before its work, though nothing is wrong with it.
 
+use super::hole::idle_tables;
 use super::sweep::Sweep;
 
 impl Sweep {
     /// What is doubtful: parts of the string such as none are made, a drive that gives more than any
-    /// can, a well that no pipe goes through, rows of a sheet.
+    /// can, a weight on bit or a rock that is another's, a well that no pipe goes through, rows of a
+    /// sheet.
     pub fn doubts(&self) -> Vec<String> {
         let sheet = self.sheet.iter();
         [
             self.doubts_about_string(),
             self.doubts_about_drive(),
+            self.doubts_about_bit(),
             self.doubts_about_well().into_iter().collect(),
             self.data.survey_notes.doubts.clone(),
             sheet
@@ -19,10 +22,11 @@ impl Sweep {
         .concat()
     }
 
-    /// What files beside the sweep file were taken to say.
+    /// What files beside the sweep file were taken to say, and tables without effect.
     pub fn notes(&self) -> Vec<String> {
         let of_sheet = self.sheet.iter().flat_map(|sheet| sheet.notes());
         of_sheet
+            .chain(idle_tables(&self.content))
             .chain(self.data.survey_notes.notes.iter().cloned())
             .collect()
     }

@@ -29,14 +29,7 @@ pub fn resolve(
         Ok::<_, SweepFileError>(Mud { density })
     });
     let mud = mud.transpose()?;
-    let (bends, rubs) = (content.wall.is_some(), content.string_friction.is_some());
-    let hangs = content.axial_force.is_some();
-    let message = "moves with a string that bends, and buoys one that rubs: \
-                   needs a [wall] or [string_friction]";
-    source.refuse_if(mud.is_some() && !bends && !rubs, "mud", message)?;
-    let survey = content.well.iter().flat_map(|well| &well.survey).next();
-    let message = "says how the string lies in its well: needs [string_friction] or [axial_force]";
-    source.refuse_if(survey.is_some() && !rubs && !hangs, "well.survey", message)?;
+    let bends = content.wall.is_some();
     let decides_clearance = content.clearance_is_of_hole();
     let sections = sections(source, content, string.length())?;
     if sections.is_empty() {
@@ -53,10 +46,6 @@ pub fn resolve(
     } else {
         "well.holes"
     };
-    let message = "counts where mud moves with a string that bends, and for its clearance: needs \
-                   [mud] and a [wall], or `clearance = \"hole\"` in [wall]";
-    let moves_mud = mud.is_some() && bends;
-    source.refuse_if(!moves_mud && !decides_clearance, key, message)?;
     fits(source, content, &string, &sections)?;
     let Some(mud) = mud else {
         return Ok((string, None, sections));
@@ -94,6 +83,38 @@ fn fits(
         wide.radius, wide.depth, wide.hole_radius
     );
     Err(source.error(&key, message))
+}
+
+/// Tables of the file that nothing depends on, each with what it would matter to: a file is often the
+/// base of others, whose scenes have more.
+pub fn idle_tables(content: &FileContent) -> Vec<String> {
+    let (bends, rubs) = (content.wall.is_some(), content.string_friction.is_some());
+    let hangs = content.axial_force.is_some();
+    let well = content.well.as_ref();
+    let has_survey = well.is_some_and(|well| well.survey.is_some());
+    let has_hole = well.is_some_and(|well| well.hole_radius_m.is_some() || !well.holes.is_empty());
+    let moves_mud = content.mud.is_some() && bends;
+    [
+        (
+            content.mud.is_some() && !bends && !rubs,
+            "[mud] changes nothing here: it moves with a string that bends (with a [wall]), and buoys \
+             one that rubs ([string_friction])",
+        ),
+        (
+            has_survey && !rubs && !hangs,
+            "`well.survey` changes nothing here: it says how the string lies in its well, which matters \
+             to [string_friction] and [axial_force]",
+        ),
+        (
+            has_hole && !moves_mud && !content.clearance_is_of_hole(),
+            "the hole of [well] changes nothing here: it matters to [mud] around a string that bends, \
+             and to `clearance = \"hole\"` in [wall]",
+        ),
+    ]
+    .into_iter()
+    .filter(|(is_idle, _)| *is_idle)
+    .map(|(_, words)| words.to_owned())
+    .collect()
 }
 
 /// How wide the hole is from the surface down; empty where the file does not say it.

@@ -3,6 +3,7 @@
 
 mod axial_force;
 mod bit;
+mod bit_doubts;
 mod certify;
 mod choice;
 mod compare;

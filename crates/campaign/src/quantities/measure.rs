@@ -25,13 +25,13 @@ pub enum Measure {
     PeakRadiusMm,
     /// Its mean radius in the closing window.
     MeanRadiusMm,
-    /// Share of time in contact.
+    /// Share of the closing window in contact.
     ContactFraction,
-    /// Share of time in rolling contact.
+    /// Share of that contact in rolling.
     RollingFraction,
     /// Rate of precession; backward where negative.
     PrecessionTurnsPerS,
-    /// Mean normal force.
+    /// Mean normal force while in contact, in the closing window.
     NormalForceMeanKn,
     /// Greatest torque at the surface.
     SurfaceTorquePeakNm,
@@ -87,10 +87,10 @@ impl Measure {
             Self::Sticks => "Times the bit stuck",
             Self::PeakRadiusMm => "Greatest radius",
             Self::MeanRadiusMm => "Mean radius in the closing window",
-            Self::ContactFraction => "Share of time in contact",
-            Self::RollingFraction => "Share of time in rolling contact",
+            Self::ContactFraction => "Share of the closing window in contact",
+            Self::RollingFraction => "Share of that contact in rolling",
             Self::PrecessionTurnsPerS => "Rate of precession, backward below zero",
-            Self::NormalForceMeanKn => "Mean contact force",
+            Self::NormalForceMeanKn => "Mean contact force while in contact",
             Self::SurfaceTorquePeakNm => "Greatest torque at the surface",
             Self::SurfaceTorqueGreatestNm => "Greatest torque at the surface in the closing window",
             Self::StringTorquePeakNm => "Greatest torque along the string",

@@ -73,6 +73,11 @@ impl Unit {
         }
     }
 
+    /// A number of this unit in that in SI.
+    pub fn in_si(&self, number: f64) -> f64 {
+        number * self.size
+    }
+
     /// A number of the unit in SI in this one.
     pub fn number(&self, value: f64) -> f64 {
         value / self.size

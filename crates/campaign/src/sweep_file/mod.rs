@@ -43,4 +43,4 @@ pub use string::{SectionTable, TubeTable};
 pub use time_series::{SurveyNotes, read_series, read_survey};
 pub use top_drive::{ControllerName, TopDriveTable};
 pub use well::{HoleTable, PressedByName};
-pub use wording::{UnknownAxis, axis_named, nearest};
+pub use wording::{UnknownAxis, axis_in_units, axis_named, nearest};

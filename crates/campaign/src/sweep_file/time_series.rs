@@ -293,10 +293,12 @@ fn is_possible(time: f64, value: f64, unit: &str) -> Result<(), String> {
         "_rpm" => (FASTEST, "rpm"),
         _ => (STRONGEST, "N m"),
     };
-    if !(time.abs() <= LONGEST) {
+    // Nor what is no number.
+    let is_within = |value: f64, most: f64| (-most..=most).contains(&value);
+    if !is_within(time, LONGEST) {
         return Err(format!("a time of {time} s is not between -1e8 and 1e8 s"));
     }
-    if !(value.abs() <= most) {
+    if !is_within(value, most) {
         return Err(format!(
             "{value} {words} is not between -{most} and {most} {words}"
         ));

@@ -74,6 +74,21 @@ pub fn axis_named(name: &str) -> Result<Axis, UnknownAxis> {
     })
 }
 
+/// The axis of a name, as [`axis_named`], or of its twin in field units; and what numbers under
+/// that are multiplied by.
+///
+/// # Errors
+/// What is meant, where there is none of this name.
+pub fn axis_in_units(name: &str) -> Result<(Axis, f64), UnknownAxis> {
+    match Axis::from_name(name)
+        .is_none()
+        .then(|| Axis::from_field_name(name))
+    {
+        Some(Some(found)) => Ok(found),
+        _ => axis_named(name).map(|axis| (axis, 1.0)),
+    }
+}
+
 /// What was meant by a word that is none of the choices: one without its unit, or
 /// one misspelt.
 pub fn nearest<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {

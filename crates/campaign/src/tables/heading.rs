@@ -60,12 +60,12 @@ impl Heading {
         let (name, unit) = divided(text);
         // "O.D.", "No. of Joints", "# of joints".
         let name = name.replace('.', "").replace('#', " no ");
-        let plain = plain(&name);
-        let words = plain.split('_').filter(|word| !word.is_empty());
+        let name = plain(&name);
+        let words = name.split('_').filter(|word| !word.is_empty());
         Self {
             text: text.to_owned(),
             words: words.map(str::to_owned).collect(),
-            unit: unit.map(|unit| self::plain(unit)),
+            unit: unit.map(plain),
         }
     }
 

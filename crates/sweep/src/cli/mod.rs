@@ -550,7 +550,7 @@ pub struct WindowArguments {
     /// What shakes the string sideways, in multiples of its surface speed
     #[arg(long, value_name = "ORDERS", value_delimiter = ',', default_value = "1", value_parser = parse_order)]
     pub orders: Vec<f64>,
-    /// Places that hold the string sideways, in m from the bit [default: the sites of the file]
+    /// Places that hold the string sideways, from the bit, in m or, with `units = "field"`, ft [default: the sites of the file]
     #[arg(long, value_name = "PLACES", value_delimiter = ',')]
     pub held_at: Option<Vec<f64>>,
     /// The part by which a critical speed and the wall's friction may be off

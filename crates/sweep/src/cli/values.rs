@@ -7,7 +7,7 @@ use sim::Label;
 use crate::output;
 use crate::studies::tradeoff::Measure;
 use campaign::quantities::Axis;
-use campaign::sweep_file::axis_named;
+use campaign::sweep_file::{axis_in_units, axis_named};
 
 /// A measure of the chart of accuracy against speed.
 ///
@@ -200,18 +200,18 @@ pub fn parse_axis(name: &str) -> Result<Axis, String> {
     axis_named(name.trim()).map_err(|error| error.to_string())
 }
 
-/// An axis with its value.
+/// An axis with its value, in its unit or in another that its name tells.
 ///
 /// # Errors
 /// What is wrong with it.
 pub fn parse_setting(text: &str) -> Result<(Axis, f64), String> {
     let (name, value) = text.split_once('=').ok_or("expected AXIS=VALUE")?;
-    let axis = parse_axis(name)?;
+    let (axis, factor) = axis_in_units(name.trim()).map_err(|error| error.to_string())?;
     let value = value.trim();
-    let number = value
+    let number: f64 = value
         .parse()
         .map_err(|_| format!("`{value}` is not a number"))?;
-    Ok((axis, number))
+    Ok((axis, factor * number))
 }
 
 #[cfg(test)]

@@ -105,8 +105,10 @@ fn resonances(
     arguments: &WindowArguments,
 ) -> Result<Vec<Source<'static>>> {
     let string = &sweep.setting.string;
-    let places = arguments.held_at.clone();
-    let places = places.unwrap_or_else(|| of_file(&sweep.setting.sites, lateral));
+    let length = sweep.content.units.of(&LENGTH);
+    let given = arguments.held_at.as_ref();
+    let given = given.map(|places| places.iter().map(|place| length.in_si(*place)).collect());
+    let places: Vec<f64> = given.unwrap_or_else(|| of_file(&sweep.setting.sites, lateral));
     if places.is_empty() {
         let message = "--held-at: what holds the string sideways? The file has no [[sites]]";
         return Err(UsageError(message.to_owned()).into());
@@ -118,7 +120,6 @@ fn resonances(
     // Also those whose margin reaches into the map.
     let highest = most * speeds[1] / (1.0 - margin) * std::f64::consts::TAU / 60.0;
     let frequencies = held_lateral_frequencies_below(string, &lateral.bending, &held, highest)?;
-    let length = sweep.content.units.of(&LENGTH);
     let places: Vec<String> = (held.distances_from_bit().iter().rev())
         .map(|place| short(length.number(*place)))
         .collect();

@@ -51,7 +51,10 @@ fn of_no_map(name: &str, units: Units) -> Option<(&'static str, Unit)> {
             "Speed above the limit of stick-slip by shorter steps",
             Unit::unchanged("rpm"),
         ),
-        "finer_contact_fraction" => ("Share of time in contact by shorter steps", plain()),
+        "finer_contact_fraction" => (
+            "Share of the closing window in contact by shorter steps",
+            plain(),
+        ),
         "finer_precession_turns_per_s" => (
             "Rate of precession by shorter steps",
             Unit::unchanged("turns/s"),
@@ -92,6 +95,22 @@ mod tests {
             let (words, _) = column_words(&name, Units::Si);
             let is_key = ["case", "method"].contains(&name.as_str());
             assert!(is_key || words != name, "{name} has no words");
+            // What is told of each is of its name; `columns_are_what_their_words_say_of_the_motion`
+            // holds the names to motions.
+            for (part, word) in [
+                ("peak_rpm", "greatest"),
+                ("peak_nm", "greatest"),
+                ("peak_radius", "greatest"),
+                ("greatest", "greatest"),
+                ("least", "least"),
+                ("mean", "mean"),
+                ("closing", "mean"),
+                ("fraction", "share"),
+                ("severity", "severity"),
+            ] {
+                let is_told = words.to_lowercase().contains(word);
+                assert!(!name.contains(part) || is_told, "{name}: {words}");
+            }
         }
     }
 
