@@ -38,6 +38,8 @@ pub struct WindowSheet<'a> {
     pub best: Option<Best>,
     /// The part of either axis by which that should be away from every limit.
     pub clearance: f64,
+    /// What may shake the string and has no limit here.
+    pub not_looked_at: Vec<String>,
 }
 
 /// Draws an operating window.
@@ -78,7 +80,7 @@ pub fn window_picture(of: &WindowSheet) -> Result<Picture> {
             scale: None,
             keys: keys(chart),
             notes: Vec::new(),
-            below: [of.regions(), of.best(), of.limits()].concat(),
+            below: [of.regions(), of.best(), of.limits(), of.not_looked_at()].concat(),
             panels: vec![panel],
         }],
     };
@@ -122,7 +124,11 @@ fn keys(chart: &Chart) -> Vec<(Ground, String)> {
 fn line(chart: &Chart, limit: &Limit) -> Option<Series> {
     let pieces = match &limit.drawn {
         Drawn::Edge => edge(chart, limit),
-        Drawn::Lines(lines) => lines.clone(),
+        // Others would have a name in the legend and nothing on the map.
+        Drawn::Lines(lines) => {
+            let on_map = lines.iter().filter(|line| touches(chart, line));
+            on_map.cloned().collect()
+        }
         Drawn::Bands(_) => Vec::new(),
     };
     let gap = std::iter::once((f64::NAN, f64::NAN));
@@ -135,6 +141,17 @@ fn line(chart: &Chart, limit: &Limit) -> Option<Series> {
         name: limit.name.clone(),
         ink: Ink::default(),
         points,
+    })
+}
+
+/// Whether the box around a line has a part in the map.
+fn touches(chart: &Chart, line: &[[f64; 2]]) -> bool {
+    [0, 1].iter().all(|&axis: &usize| {
+        let [least, most] = chart.range(axis);
+        let values = line.iter().map(|point| point[axis]);
+        let lowest = values.clone().fold(f64::INFINITY, f64::min);
+        let highest = values.fold(f64::NEG_INFINITY, f64::max);
+        lowest <= most && highest >= least
     })
 }
 
@@ -266,10 +283,19 @@ impl WindowSheet<'_> {
             Standing::Clear => "",
             _ => "; safe unless whirl is set off",
         };
-        vec![
-            format!("best point: {place} ({rule}{whirl})"),
-            self.room(best),
-        ]
+        let at_end = best.is_at_end(self.clearance, self.chart).then(|| {
+            "it is at the edge of the map, beyond which nothing is known: extend the map to look \
+             further"
+                .to_owned()
+        });
+        let point = format!("best point: {place} ({rule}{whirl})");
+        [point, self.room(best)].into_iter().chain(at_end).collect()
+    }
+
+    /// What is not on the map.
+    pub fn not_looked_at(&self) -> Vec<String> {
+        let told = |what: &String| format!("not looked at: {what}");
+        self.not_looked_at.iter().map(told).collect()
     }
 
     /// How far it is from the best point to what limits it.

@@ -6,6 +6,9 @@ use super::standing::Standing;
 /// Halvings that find how far away the nearest limit is.
 const HALVINGS: usize = 20;
 
+/// A point is next to what is no farther away than so many times the distance that it keeps.
+const NEXT_TO: f64 = 1.2;
+
 /// A point of a safe region.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Best {
@@ -30,12 +33,26 @@ pub struct Room {
     pub limits: Vec<String>,
 }
 
+impl Best {
+    /// Whether the end of the map is all that keeps more weight or speed away: a larger map may have
+    /// a better point.
+    pub fn is_at_end(&self, clearance: f64, chart: &Chart) -> bool {
+        [0, 1].iter().any(|&axis: &usize| {
+            let [least, most] = chart.range(axis);
+            let upwards = &self.room[axis][1];
+            let reach = NEXT_TO * clearance.max(self.clearance) * (most - least);
+            upwards.limits.is_empty() && upwards.distance <= reach
+        })
+    }
+}
+
 impl Chart {
     /// Of the points that stay safe when weight and speed are off by a part `clearance` of their
     /// axes, together, the one with the greatest weight times speed: the power that a bit spends
     /// on the rock grows with both. Those that are clear of every limit go before those that are
     /// safe unless something is begun. Where no point stays so, the safe one that may be off by
-    /// most; none where nothing is safe. Beyond the map nothing is known, and nothing counted.
+    /// most; none where nothing is safe. Beyond the ends of the map nothing is known: a point keeps
+    /// its distance from them as from a limit.
     pub fn best(&self, clearance: f64) -> Option<Best> {
         let levels = [Standing::Clear, Standing::Possible];
         let as_asked = levels.into_iter().find_map(|standing| {
@@ -140,8 +157,16 @@ impl Worse {
         kept
     }
 
-    /// Whether no cell around a point is worse.
+    /// Whether no cell around a point is worse, nor beyond the map.
     fn is_clear(&self, chart: &Chart, at: [f64; 2], clearance: f64) -> bool {
+        let is_inside = [0, 1].iter().all(|&axis: &usize| {
+            let [least, most] = chart.range(axis);
+            let reach = clearance * (most - least);
+            at[axis] - reach >= least && at[axis] + reach <= most
+        });
+        if !is_inside {
+            return false;
+        }
         let [columns, rows] = [0, 1].map(|axis| {
             let [least, most] = chart.range(axis);
             let reach = clearance * (most - least);
@@ -227,13 +252,17 @@ mod tests {
     fn without_a_point_as_far_the_widest_is_told() {
         let best = wedge().best(0.4).expect("a point");
         assert!(!best.is_as_asked);
-        // At no weight 192 − 256 c is 512 c: a quarter.
-        assert!((0.23..0.25).contains(&best.clearance), "{best:?}");
+        // At a weight of 128 c, 192 − 256 c is 768 c: three sixteenths.
+        assert!((0.17..0.19).contains(&best.clearance), "{best:?}");
         assert_eq!(best.standing, Standing::Clear);
         let nowhere = chart(vec![Box::new(|_| Standing::Untold)]);
         assert_eq!(nowhere.best(0.05), None);
         let everywhere = chart(vec![Box::new(|_| Standing::Clear)]);
+        let best = everywhere.best(0.6).expect("a point");
+        assert!((0.49..=0.5).contains(&best.clearance), "{best:?}");
+        assert!((best.at[0] - 64.0).abs() < 1.0, "{best:?}");
         let best = everywhere.best(0.05).expect("a point");
-        assert_eq!((best.clearance, best.at), (1.0, [127.5, 255.0]));
+        assert!((best.at[0] - 0.95 * 128.0).abs() < 1.0, "{best:?}");
+        assert!(best.is_at_end(0.05, &everywhere));
     }
 }

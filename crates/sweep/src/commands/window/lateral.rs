@@ -35,6 +35,69 @@ pub fn limits(
     Ok(found)
 }
 
+/// What may shake the string sideways or along itself, and has no limit on the sheet.
+pub fn not_looked_at(sweep: &Sweep, arguments: &WindowArguments) -> Vec<String> {
+    let axial = "vibration along the string, and a bit that bounces: they are not modelled";
+    let sideways = match &sweep.setting.lateral {
+        None => Some("vibration sideways and whirl: the file has no [wall]".to_owned()),
+        Some(lateral) => above_the_uppermost(sweep, lateral, arguments),
+    };
+    sideways.into_iter().chain([axial.to_owned()]).collect()
+}
+
+/// A part is wider than pipe if it is so many times as wide as the body of the uppermost section.
+const WIDER: f64 = 1.2;
+
+/// The string above all that holds it sideways.
+fn above_the_uppermost(
+    sweep: &Sweep,
+    lateral: &LateralSettings,
+    arguments: &WindowArguments,
+) -> Option<String> {
+    let string = &sweep.setting.string;
+    let places = held_places(sweep, lateral, arguments);
+    let uppermost = places.iter().copied().fold(0.0, f64::max);
+    let above = string.length() - uppermost;
+    let longest = string.sections()[0].parts.iter();
+    let body = longest.max_by(|one, other| one.length.total_cmp(&other.length))?;
+    // Joints of pipe are wide over a small part of it, and no collars.
+    let mut depth = 0.0;
+    let mut wide = 0.0;
+    for section in string.sections() {
+        let length: f64 = section.parts.iter().map(|part| part.length).sum();
+        let is_wide = |part: &&linear::Tube| part.outer_radius > WIDER * body.outer_radius;
+        let of_wide: f64 = (section.parts.iter().filter(is_wide))
+            .map(|part| part.length)
+            .sum();
+        let whole = section.repeat as f64 * length;
+        let within = (above - depth).clamp(0.0, whole);
+        if of_wide > 0.5 * length {
+            wide += within;
+        }
+        depth += whole;
+    }
+    let unit = sweep.content.units.of(&LENGTH);
+    let [above, wide_text, place] = [above, wide, uppermost].map(|it| unit.text(it, 1));
+    let collars = match wide > 0.0 {
+        true => format!(", {wide_text} of it wider than pipe"),
+        false => String::new(),
+    };
+    (sweep.setting.string.length() > uppermost).then(|| {
+        format!(
+            "resonance sideways of the {above} of string above {place} from the bit, the uppermost \
+             place that holds it{collars}"
+        )
+    })
+}
+
+/// Distances from the bit of what holds the string sideways, m.
+fn held_places(sweep: &Sweep, lateral: &LateralSettings, arguments: &WindowArguments) -> Vec<f64> {
+    let unit = sweep.content.units.of(&LENGTH);
+    let given = arguments.held_at.as_ref();
+    let given = given.map(|places| places.iter().map(|place| unit.in_si(*place)).collect());
+    given.unwrap_or_else(|| of_file(&sweep.setting.sites, lateral))
+}
+
 /// The speed from which on backward whirl can last at a site, rolling or sliding.
 fn whirl(
     sweep: &Sweep,
@@ -106,9 +169,7 @@ fn resonances(
 ) -> Result<Vec<Source<'static>>> {
     let string = &sweep.setting.string;
     let length = sweep.content.units.of(&LENGTH);
-    let given = arguments.held_at.as_ref();
-    let given = given.map(|places| places.iter().map(|place| length.in_si(*place)).collect());
-    let places: Vec<f64> = given.unwrap_or_else(|| of_file(&sweep.setting.sites, lateral));
+    let places = held_places(sweep, lateral, arguments);
     if places.is_empty() {
         let message = "--held-at: what holds the string sideways? The file has no [[sites]]";
         return Err(UsageError(message.to_owned()).into());

@@ -47,6 +47,7 @@ pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status>
         regions: chart.safe_regions(),
         best: chart.best(arguments.clearance),
         clearance: arguments.clearance,
+        not_looked_at: lateral::not_looked_at(&sweep, arguments),
         chart: &chart,
     };
     let folder = arguments.out.clone().unwrap_or_else(|| all[0].0.clone());

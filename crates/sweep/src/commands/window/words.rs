@@ -12,6 +12,7 @@ pub fn describe(sheet: &WindowSheet, folder: &Path) -> String {
         ("limits", sheet.limits()),
         ("safe", sheet.regions()),
         ("best point", sheet.best()),
+        ("not looked at", sheet.not_looked_at.clone()),
     ] {
         if lines.is_empty() {
             continue;
