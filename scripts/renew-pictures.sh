@@ -23,7 +23,7 @@ keep() {
     done
 }
 
-"$sweep" inspect sweeps/fig10.toml --out "$folder/fig06"
+"$sweep" inspect sweeps/fig06.toml --out "$folder/fig06"
 keep fig06 inspect
 
 for figure in fig07a fig07b fig08a fig08b fig11 fig16a; do
@@ -82,7 +82,7 @@ for figure in fig07a fig08b fig11 fig12 fig15 fig16a; do
 done
 "$sweep" simulate sweeps/fig13.toml --case 0,1 --out "$folder/paper/fig13" "${paper[@]}"
 "$sweep" simulate sweeps/fig16b.toml --film --film-to 2.5 --out "$folder/paper/fig16b" "${paper[@]}"
-"$sweep" inspect sweeps/fig10.toml --out "$folder/paper/fig06" "${paper[@]}"
+"$sweep" inspect sweeps/fig06.toml --out "$folder/paper/fig06" "${paper[@]}"
 "$sweep" inspect sweeps/well_12in.toml --out "$folder/paper/well_12in" "${paper[@]}"
 for figure in fig09 fig09_certified fig14 fig17 fig17_trace; do
     cp -r "$folder/$figure" "$folder/paper/$figure"

@@ -229,6 +229,10 @@ fn x_scale(look: &Look, panel: &Panel, all: &[Panel]) -> Scale {
     Scale::with_ends(ends, axis.logarithmic, values)
 }
 
+/// A logarithmic axis shows no less than this part of the greatest value: below it nothing reaches
+/// what is looked at, and between a hundred decades nothing can be told.
+const LOWEST: f64 = 1e-6;
+
 fn y_scale(look: &Look, panel: &Panel, all: &[Panel]) -> Scale {
     let [_, axis] = &panel.axes;
     let lines = || places(&panel.references, Across::Y);
@@ -241,6 +245,9 @@ fn y_scale(look: &Look, panel: &Panel, all: &[Panel]) -> Scale {
         let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let room = NAME_ROOM * (high - low);
         values.extend(lines().map(|line| line + room));
+    } else {
+        let highest = values.iter().copied().fold(0.0, f64::max);
+        values.retain(|value| *value >= LOWEST * highest);
     }
     let is_first = (all.first()).is_some_and(|first| first.axes[1].unit() == axis.unit());
     let ends = look.ranges[1].filter(|_| is_first && !panel.is_difference);
