@@ -59,6 +59,24 @@ pub struct StringInHole<'a> {
     pub hole: &'a [HoleSection],
 }
 
+/// A bit, or blades, of full gauge are as wide as the hole that they drilled, up to this, m.
+const FULL_GAUGE: f64 = 1e-4;
+
+/// A hole is wider than the bit that drilled it by this, all around, m: 1/64 in.
+const OVER_GAUGE: f64 = 0.4e-3;
+
+/// Mud passes a bit, or blades, of full gauge through waterways: a fifth of the hole.
+const FILLED: f64 = 0.8;
+
+/// The clearance that a hole leaves to what touches it with a radius, m, and may have drilled it.
+fn left(hole: f64, radius: f64, is_of_gauge: bool) -> f64 {
+    let clearance = hole - radius;
+    match is_of_gauge && clearance.abs() <= FULL_GAUGE {
+        true => OVER_GAUGE,
+        false => clearance,
+    }
+}
+
 /// A part of the string, where it hangs.
 #[derive(Debug, Clone, Copy)]
 struct Hanging {
@@ -72,20 +90,39 @@ struct Hanging {
     is_given: bool,
 }
 
+impl Hanging {
+    /// Whether it is the bit, or has blades.
+    fn is_of_gauge(&self, of: &StringInHole) -> bool {
+        self.is_given || self.ends[0] <= of.string.same_place()
+    }
+}
+
 impl StringInHole<'_> {
     /// How it is at a distance from the bit (m). At a joint between two parts the wider touches,
     /// and where two sections of hole meet the narrower is touched.
     pub fn contact(&self, distance_from_bit: f64) -> Contact {
         let parts = self.string.parts_around(distance_from_bit);
-        let radii =
-            parts.map(|(section, part)| self.sections[section].parts[part].contact_radius());
-        let radius = radii[0].max(radii[1]);
+        let tubes = parts.map(|(section, part)| &self.sections[section].parts[part]);
+        let radius = tubes[0].contact_radius().max(tubes[1].contact_radius());
+        let has_blades = (tubes.iter())
+            .any(|tube| tube.contact_radius() == radius && tube.contact_radius_m.is_some());
+        let is_bit = distance_from_bit <= self.lowest_length() + self.string.same_place();
+        let is_of_gauge = has_blades || is_bit;
         let hole = self.hole_radius(self.depth(distance_from_bit));
         Contact {
             distance_from_bit,
             radius,
-            clearance_mm: hole.map(|hole| to_decimals(1e3 * (hole - radius), 1e6)),
+            clearance_mm: hole.map(|hole| to_decimals(1e3 * left(hole, radius, is_of_gauge), 1e6)),
         }
+    }
+
+    /// Length of the lowest part: of the bit, where the string has one.
+    fn lowest_length(&self) -> f64 {
+        let lowest = self
+            .sections
+            .last()
+            .and_then(|section| section.parts.last());
+        lowest.map_or(0.0, |part| part.length_m)
     }
 
     /// The candidates, from the bit up.
@@ -118,7 +155,7 @@ impl StringInHole<'_> {
                 if from >= to {
                     continue;
                 }
-                let clearance = radius - part.radius;
+                let clearance = left(radius, part.radius, part.is_of_gauge(self));
                 match corners.last_mut() {
                     // The same as above goes on.
                     Some(last) if (last.1 - clearance).abs() <= SAME_RADIUS => last.0 = to,
@@ -137,7 +174,9 @@ impl StringInHole<'_> {
             let mut sections = depths(self.hole);
             let narrow = sections.find(|(from, to, radius)| {
                 let is_around = *from < bottom - same_place && *to > top + same_place;
-                is_around && hanging.radius >= *radius
+                let is_full_gauge =
+                    hanging.is_of_gauge(self) && hanging.radius <= *radius + FULL_GAUGE;
+                is_around && hanging.radius >= *radius && !is_full_gauge
             });
             narrow.map(|(from, _, hole_radius)| TooWide {
                 section: hanging.section,
@@ -147,6 +186,49 @@ impl StringInHole<'_> {
                 hole_radius,
             })
         })
+    }
+
+    /// The hole as mud has it, which passes what is as wide as the hole.
+    pub fn with_waterways(&self) -> Vec<HoleSection> {
+        let mut narrow: Vec<(f64, f64, f64)> = Vec::new();
+        for part in self.parts() {
+            let tube = &self.sections[part.section].parts[part.part];
+            let [bottom, top] = part.ends.map(|end| self.depth(end));
+            for (from, to, radius) in depths(self.hole) {
+                let (from, to) = (from.max(top), to.min(bottom));
+                if from < to && (tube.outer_radius_m - radius).abs() <= FULL_GAUGE {
+                    narrow.push((from, to, tube.outer_radius_m / FILLED.sqrt()));
+                }
+            }
+        }
+        if narrow.is_empty() {
+            return self.hole.to_vec();
+        }
+        let mut ends: Vec<f64> = depths(self.hole).map(|(_, to, _)| to).collect();
+        ends.extend(narrow.iter().flat_map(|(from, to, _)| [*from, *to]));
+        ends.sort_by(f64::total_cmp);
+        let same_place = self.string.same_place();
+        let mut from = 0.0;
+        let mut sections = Vec::new();
+        for to in ends {
+            if to - from <= same_place {
+                continue;
+            }
+            let middle = 0.5 * (from + to);
+            let wider = narrow
+                .iter()
+                .find(|(top, bottom, _)| (*top..*bottom).contains(&middle));
+            let radius = match wider {
+                Some((.., radius)) => Some(*radius),
+                None => self.hole_radius(middle),
+            };
+            sections.extend(radius.map(|radius| HoleSection {
+                length: to - from,
+                radius,
+            }));
+            from = to;
+        }
+        sections
     }
 
     /// The depth (m) at a distance from the bit (m).
@@ -391,9 +473,12 @@ mod tests {
             let found = in_hole.too_wide();
             found.map(|it| (it.section, it.radius, it.depth, it.hole_radius))
         };
-        // By its blades, not its body; as wide as the hole is too wide.
-        let narrow = [(46.6, 0.2), (9.0, 0.15)];
-        assert_eq!(too_wide(&narrow), Some((2, 0.15, 46.6, 0.15)));
+        // By its blades, not its body; those of full gauge fit.
+        let narrow = [(46.6, 0.2), (9.0, 0.1495)];
+        assert_eq!(too_wide(&narrow), Some((2, 0.15, 46.6, 0.1495)));
+        assert_eq!(too_wide(&[(46.6, 0.2), (9.0, 0.15)]), None);
+        // Collars are none.
+        assert!(too_wide(&[(60.0, 0.1)]).is_some());
         assert_eq!(too_wide(&[(47.0, 0.2), (9.0, 0.11)]), None);
         // A joint beside a stretch that is narrow over less than its length.
         let stretch = [(9.6, 0.2), (0.1, 0.07), (40.0, 0.2)];

@@ -46,31 +46,31 @@ pub fn resolve(
     } else {
         "well.holes"
     };
-    fits(source, content, &string, &sections)?;
+    let in_hole = StringInHole {
+        string: &string,
+        sections: &content.string.sections,
+        hole: &sections,
+    };
+    fits(source, content, &in_hole)?;
+    let with_waterways = in_hole.with_waterways();
     let Some(mud) = mud else {
         return Ok((string, None, sections));
     };
     let hole = Hole {
-        sections: sections.clone(),
+        sections: with_waterways,
         mud,
     };
     let string = source.checked(key, string.in_hole(hole))?;
     Ok((string, Some(mud), sections))
 }
 
-/// Refuses a string that is as wide as its hole, or wider.
+/// Refuses a string that is as wide as its hole, or wider, but for a bit or blades that drilled it.
 fn fits(
     source: &Source,
     content: &FileContent,
-    string: &Drillstring,
-    hole: &[HoleSection],
+    in_hole: &StringInHole,
 ) -> Result<(), SweepFileError> {
     let sections = &content.string.sections;
-    let in_hole = StringInHole {
-        string,
-        sections,
-        hole,
-    };
     let Some(wide) = in_hole.too_wide() else {
         return Ok(());
     };

@@ -172,14 +172,18 @@ fn a_clearance_that_the_hole_cannot_leave_is_refused_with_its_line() {
     let told = "is given instead of `clearance_in`, not beside it";
     is_refused(&both, "clearance = \"hole\"", "clearance", told);
     let by_hand = with("clearance = \"hole\"", "clearance_mm = 4", "");
-    is_refused(&by_hand, "holes = [", "well.holes", "needs [mud]");
+    let notes = read(&by_hand).unwrap().notes().concat();
+    assert!(
+        notes.contains("the hole of [well] changes nothing here"),
+        "{notes}"
+    );
     let narrow = with(
         "to_m = 60, hole_radius_m = 0.16",
-        "to_m = 60, hole_radius_m = 0.15",
+        "to_m = 60, hole_radius_m = 0.149",
         "",
     );
     let key = "string.sections[2].parts[0].contact_radius_m";
-    let told = "does not fit: 0.15 m, and at a depth of 46 m the hole has a radius of 0.15 m";
+    let told = "does not fit: 0.15 m, and at a depth of 46 m the hole has a radius of 0.149 m";
     is_refused(&narrow, "contact_radius_m", key, told);
     let narrow = with(
         "to_m = 30, hole_radius_m = 0.2",
@@ -189,6 +193,22 @@ fn a_clearance_that_the_hole_cannot_leave_is_refused_with_its_line() {
     let key = "string.sections[0].parts[1].outer_radius_m";
     let told = "does not fit: 0.08 m, and at a depth of 29.5 m the hole has a radius of 0.07 m";
     is_refused(&narrow, "length_m = 9.5", key, told);
+}
+
+/// Blades and a bit of full gauge are in a hole that is a 32nd of an inch wider, and mud passes them.
+#[test]
+fn what_drilled_the_hole_fits_it() {
+    let bit = "parts = [{ length_m = 0.5, inner_radius_m = 0.04, outer_radius_m = 0.1 }]";
+    let wide = bit.replace("outer_radius_m = 0.1", "outer_radius_m = 0.15");
+    let mud = "[mud]\ndensity_kg_m3 = 1500\n";
+    let text = with(bit, &wide, mud).replace(
+        "to_m = 60, hole_radius_m = 0.16",
+        "to_m = 60, hole_radius_m = 0.15",
+    );
+    let setting = read(&text).unwrap().setting;
+    let found = sites(&setting);
+    // The bit is no wider than the blades beside it.
+    assert_eq!((found[0].0, found[0].2), (1.0, 0.4));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use anyhow::Result;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
+use linear::{DrillstringError, Sites};
 
 use crate::plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
 use campaign::engine::MethodSystem;
@@ -92,14 +93,20 @@ fn time_panel(
     }
 }
 
+/// The lowest site alone: what is between all of thousands takes minutes, and is not drawn.
+fn lowest_site(sweep: &Sweep) -> Result<Sites, DrillstringError> {
+    let setting = &sweep.setting;
+    let distances = setting.sites.distances_from_bit();
+    Sites::new(&setting.string, &distances[distances.len() - 1..])
+}
+
 /// Fig. 6(a): the exact response of the bit to the surface.
 fn frequency_panel(sweep: &Sweep) -> Result<Panel> {
-    let network = TorsionNetwork::new(&sweep.setting.string, &sweep.setting.sites)?;
-    let bit = sweep.setting.sites.len() - 1;
+    let network = TorsionNetwork::new(&sweep.setting.string, &lowest_site(sweep)?)?;
     Ok(exact_panel(
         "|bit speed / surface speed|",
         sweep,
-        &|frequency| network.at_frequency(frequency).from_surface[bit].norm(),
+        &|frequency| network.at_frequency(frequency).from_surface[0].norm(),
     ))
 }
 
@@ -109,14 +116,13 @@ fn receptance_panel(sweep: &Sweep, lateral: &LateralSettings, site: &str) -> Res
         &sweep.setting.string,
         lateral.bending,
         lateral.support,
-        &sweep.setting.sites,
+        &lowest_site(sweep)?,
     )?;
-    let lowest = sweep.setting.sites.len() - 1;
     let units = sweep.content.units;
     let unit = units.of(&LENGTH).per(&units.of(&FORCE).without_kilo());
     let label = format!("|displacement / force| at {site} ({})", unit.name);
     Ok(exact_panel(&label, sweep, &|frequency| {
-        unit.number(network.at_rate(TAU * frequency)[(lowest, lowest)].norm())
+        unit.number(network.at_rate(TAU * frequency)[(0, 0)].norm())
     }))
 }
 
