@@ -283,6 +283,22 @@ fn sheets_are_read_as_people_have_them_and_the_right_way_up() {
     ] {
         assert_eq!(sheet(&text).0, expected, "{text}");
     }
+    let wordy = FROM_SURFACE.replace("element,", "Component,Description,Remarks,");
+    let wordy: String = wordy
+        .lines()
+        .map(|line| match line.split_once(',') {
+            Some((name, rest)) if !line.starts_with("Component") => {
+                format!("{name},{name},none,{rest}\n")
+            }
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    let (found, told) = sheet(&wordy);
+    assert_eq!(found, expected);
+    assert!(
+        told.contains("columns that say nothing here: `Remarks`"),
+        "{told}"
+    );
     let (marked, _) = sheet(&FROM_SURFACE.replace("\nStabilizer,", "\n\"#2 Stabilizer\","));
     assert!(marked.contains("1 × 2.000 m, #2 Stabilizer"), "{marked}");
     let (_, told) = sheet(&FROM_SURFACE.replace("\nStabilizer,1,8", "\n#Stabilizer,1,8"));

@@ -68,6 +68,12 @@ impl<Q: Copy + PartialEq> Columns<Q> {
                 columns.passed_over.push(heading.text.clone());
                 continue;
             };
+            // Of words the first are taken: a sheet may have a type, a description and remarks.
+            let is_words = wanted.dimension.is_none() && !is_numeric(place);
+            if is_words && columns.get(wanted.quantity).is_some() {
+                columns.passed_over.push(heading.text.clone());
+                continue;
+            }
             if let Some(other) = columns.get(wanted.quantity) {
                 let (other, name) = (&other.name, &heading.text);
                 return Err(format!("the columns `{other}` and `{name}` say the same"));
