@@ -91,6 +91,7 @@ fn surveys_are_read_as_people_have_them() {
         "MD [ft],Inclination [\u{b0}],AZI (\u{b0})\n0,0,0\n3280.8399,20,0\n8202.0997,30,90\n",
         "md,inclination,azimuth\n0,0,0\n1000,20,0\n2500,30,90\n",
         "Well 7 of field A\n\nMD;Incl.;Azim.;TVD\nm;deg;deg;m\n0;0;0;0\n1000;20;0;990\n2500;30;90;2300\n",
+        "md_m;inc;azi_deg\nm;deg;deg\n0;0;0\n1000;20;0\n2500;30;90\n",
         "# surveyed twice\n#MD (m)\tInc (deg)\tAzi (deg)\n0\t0\t0\n1000\t20\t0\n2500\t30\t90\n",
         "Meas. Depth (m);Inc (deg);Azi (deg)\n0,0;0;0\n1000,0;20,0;0\n2500;30;90\n",
         "MD (km),Drift (rad),Direction (deg)\n0,0,0\n1,0.34906585,0\n2.5,0.523598776,90\n",
@@ -297,6 +298,12 @@ fn sheets_are_read_as_people_have_them_and_the_right_way_up() {
     assert_eq!(found, expected);
     assert!(
         told.contains("columns that say nothing here: `Remarks`"),
+        "{told}"
+    );
+    let (found, told) = sheet(&format!("{FROM_SURFACE}Total,112,,,1047.5,\n"));
+    assert_eq!(found, expected);
+    assert!(
+        told.contains("note: bha.csv:6: a total, passed over"),
         "{told}"
     );
     let (marked, _) = sheet(&FROM_SURFACE.replace("\nStabilizer,", "\n\"#2 Stabilizer\","));

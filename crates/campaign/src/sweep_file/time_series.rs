@@ -160,22 +160,19 @@ pub fn read_series(
         let (line, names) = (table.header_line, table.names());
         error(format!(":{line}: {message}; {names}"))
     };
-    let columns = Columns::find(&table.headings, &TIME, &|_| true).map_err(header)?;
+    let is_numeric = |place| table.is_numeric(place);
+    let columns = Columns::find(&table.headings, &TIME, &is_numeric).map_err(header)?;
     let time = columns
         .get(())
         .map_or((0, 1.0), |column| (column.place, column.factor));
     let (place, factor) = value_column(&table, column, unit).map_err(header)?;
     let mut samples = Samples::default();
     for row in &table.rows {
-        let at = |reason: &dyn std::fmt::Display| error(format!(":{}: {reason}", row.line));
-        let sample = [time, (place, factor)].map(|(place, factor)| sample(row, place, factor));
-        let [time, value] = sample;
-        let (time, value) = (
-            time.map_err(|reason| at(&reason))?,
-            value.map_err(|reason| at(&reason))?,
-        );
-        if let (Some(time), Some(value)) = (time, value) {
-            is_possible(time, value, unit).map_err(|reason| at(&reason))?;
+        let at = |reason: String| error(format!(":{}: {reason}", row.line));
+        let [time, value] =
+            [time, (place, factor)].map(|(place, factor)| sample(row, place, factor).map_err(at));
+        if let (Some(time), Some(value)) = (time?, value?) {
+            is_possible(time, value, unit).map_err(at)?;
             samples.times.push(time);
             samples.values.push(value);
             samples.lines.push(row.line);

@@ -71,10 +71,11 @@ impl Heading {
 
     /// The same with a unit from a row of its own, where it names none.
     pub fn in_unit(&self, text: &str) -> Self {
-        let bare = text.trim().trim_matches(['(', ')', '[', ']', '{', '}']);
+        let bare = bare(text);
         let unit = plain(bare);
         let mut heading = self.clone();
-        if heading.unit.is_none() && !unit.is_empty() {
+        let names_one = self.unit.is_some() || self.divisions().any(|(_, unit)| is_unit(&unit));
+        if !names_one && !unit.is_empty() {
             heading.unit = Some(unit);
             heading.text = format!("{} ({bare})", heading.text);
         }
@@ -83,9 +84,7 @@ impl Heading {
 
     /// Whether a text is nothing but a unit, perhaps in brackets.
     pub fn is_unit(text: &str) -> bool {
-        is_unit(&plain(
-            text.trim().trim_matches(['(', ')', '[', ']', '{', '}']),
-        ))
+        is_unit(&plain(bare(text)))
     }
 
     /// Whether there is nothing in it.
@@ -130,15 +129,10 @@ impl Heading {
             return Meaning::NoUnit;
         }
         match self.words.split_last() {
-            Some((last, [before @ .., word])) if !NOT_UNITS.contains(&last.as_str()) => {
-                let before: Vec<&str> = before
-                    .iter()
-                    .map(String::as_str)
-                    .chain([word.as_str()])
-                    .collect();
-                match is_named(&before.join("_")) {
-                    true => Meaning::OtherUnit(last.clone()),
-                    false => Meaning::Other,
+            Some((last, before)) if !before.is_empty() && is_named(&before.join("_")) => {
+                match NOT_UNITS.contains(&last.as_str()) {
+                    true => Meaning::Other,
+                    false => Meaning::OtherUnit(last.clone()),
                 }
             }
             _ => Meaning::Other,
@@ -162,6 +156,11 @@ impl Heading {
             (name.join("_"), unit.join("_"))
         })
     }
+}
+
+/// A text without brackets around it.
+fn bare(text: &str) -> &str {
+    text.trim().trim_matches(['(', ')', '[', ']', '{', '}'])
 }
 
 /// A name, and what stands in the last brackets or behind the last comma.

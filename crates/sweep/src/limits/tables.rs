@@ -11,13 +11,15 @@ use crate::files::write_with_checksum;
 use crate::output::{LimitSummary, Manifest, Motion, TraceSummary, read_cases};
 use campaign::design::TraceDesign;
 use campaign::rounds::{layer, note_labels, nothing_known};
-use campaign::trace::{Band, Class, Line, Next, Tile, Traced, contours, next};
+use campaign::trace::{Band, Class, Known, Line, Next, Tile, Traced, contours, next};
 
 /// What a traced design has found.
 pub struct TracedLimits<'a> {
     design: &'a TraceDesign,
     methods: Vec<String>,
     traced: Traced,
+    /// What was simulated, before what is between is told from it.
+    known: Known,
     simulated: usize,
 }
 
@@ -45,6 +47,7 @@ impl<'a> TracedLimits<'a> {
                 design,
                 methods: methods.iter().map(|&name| name.to_owned()).collect(),
                 traced: *traced,
+                known,
                 simulated,
             }),
         })
@@ -53,6 +56,11 @@ impl<'a> TracedLimits<'a> {
     /// The class of the point at a place by a method.
     pub fn class(&self, method: usize, motion: Motion, place: [usize; 2]) -> Class {
         self.traced.classes.at(layer(method, motion), place)
+    }
+
+    /// Whether the point at a place was simulated.
+    pub fn was_simulated(&self, place: [usize; 2]) -> bool {
+        self.known.has(place)
     }
 
     /// Where the limit of a motion by a method is no line.

@@ -23,7 +23,7 @@ const MOST_CELLS: [usize; 2] = [104, 78];
 const CASES_PER_CELL: f64 = 5.0;
 
 /// Symbols drawn over cells, to the right and upwards.
-const SYMBOLS_ACROSS: usize = 12;
+pub const SYMBOLS_ACROSS: usize = 12;
 
 /// The cases of one map.
 #[derive(Default)]

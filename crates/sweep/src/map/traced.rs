@@ -1,15 +1,15 @@
 //! A map of a traced design: regions up to its limits, and tiles of how large a part has the
 //! regime where a limit is no line.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::cells::Cells;
-use super::content::Content;
+use super::content::{Content, SYMBOLS_ACROSS};
 use super::mesh::{Mesh, around};
 use super::symbol::symbol_of_counts;
 use crate::limits::TracedLimits;
 use crate::output::Motion;
-use crate::plot::{Ground, MapCell, Part, Symbol};
+use crate::plot::{Ground, MapCell, MapPoint, Part, Symbol};
 use campaign::trace::{Band, Class, Tile};
 
 /// Cells of a map to the right and upwards at most.
@@ -51,6 +51,7 @@ impl TracedMap<'_> {
             ground: Ground::Part(part),
         });
         let mut content = Content::of_cells(&cells, self.simulated);
+        content.points = self.points(motion);
         let tiles: Vec<MapCell> = tiles.collect();
         if !tiles.is_empty() {
             // One scale for regions and tiles, which needs no symbols.
@@ -60,6 +61,43 @@ impl TracedMap<'_> {
             content.cells.extend(tiles);
         }
         content
+    }
+
+    /// The symbols of some simulated cases, evenly over the map, for readers who cannot tell the
+    /// colours apart: what is told of others from those around has none.
+    fn points(&self, motion: Motion) -> Vec<MapPoint> {
+        let values = self.places.map(|place| self.limits.values()[place]);
+        // By part of the map: how far from its middle the nearest case is, and that.
+        let mut nearest: BTreeMap<[usize; 2], (f64, MapPoint)> = BTreeMap::new();
+        for (right, &x) in values[0].iter().enumerate() {
+            for (up, &y) in values[1].iter().enumerate() {
+                let mut place = [0; 2];
+                place[self.places[0]] = right;
+                place[self.places[1]] = up;
+                if !self.limits.was_simulated(place) {
+                    continue;
+                }
+                let Some(symbol) = self.symbol(motion, place) else {
+                    continue;
+                };
+                let parts =
+                    [(right, values[0].len()), (up, values[1].len())].map(|(index, count)| {
+                        (index as f64 + 0.5) / count as f64 * SYMBOLS_ACROSS as f64
+                    });
+                let off = parts
+                    .map(|part| (part.fract() - 0.5).powi(2))
+                    .iter()
+                    .sum::<f64>();
+                let point = MapPoint { at: (x, y), symbol };
+                let known = nearest
+                    .entry(parts.map(|part| part as usize))
+                    .or_insert((off, point));
+                if off < known.0 {
+                    *known = (off, point);
+                }
+            }
+        }
+        nearest.into_values().map(|(_, point)| point).collect()
     }
 
     /// As of a case that every method has answered; none where one does not tell.

@@ -199,8 +199,21 @@ fn padded(low: f64, high: f64, logarithmic: bool) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// Round numbers from `low` to `high`, about `most` of them, with labels.
+/// Round numbers from `low` to `high`, about `most` of them, with labels; but two at least, for one
+/// tells no distance.
 fn linear_ticks(low: f64, high: f64, most: usize) -> Vec<Labelled> {
+    let finer = (0..FINER).map(|halvings| ticks_of_step(low, high, most << halvings));
+    let mut finer = finer.skip_while(|ticks| ticks.len() < 2);
+    finer
+        .next()
+        .unwrap_or_else(|| ticks_of_step(low, high, most))
+}
+
+/// Times that a step is halved at most.
+const FINER: u32 = 4;
+
+/// Round numbers from `low` to `high`, about `most` of them.
+fn ticks_of_step(low: f64, high: f64, most: usize) -> Vec<Labelled> {
     let (digit, exponent) = nice_step((high - low) / most as f64);
     let step = power(digit, exponent);
     let largest = low.abs().max(high.abs());
@@ -222,6 +235,23 @@ mod tests {
     fn labels(logarithmic: bool, values: &[f64], most: usize) -> Vec<String> {
         let ticks = Scale::new(logarithmic, values.iter().copied()).ticks(most);
         ticks.into_iter().filter_map(|tick| tick.label).collect()
+    }
+
+    /// Wherever it is, and however narrow the panel.
+    #[test]
+    fn an_axis_has_two_ticks_at_least() {
+        for (from, to) in [
+            (0.0, 0.6),
+            (0.26, 0.34),
+            (59.9, 61.2),
+            (1.1, 1.9),
+            (-3.0, 7.0),
+        ] {
+            for most in 1..6 {
+                let found = labels(false, &[from, to], most);
+                assert!(found.len() >= 2, "{from} to {to} in {most}: {found:?}");
+            }
+        }
     }
 
     #[test]

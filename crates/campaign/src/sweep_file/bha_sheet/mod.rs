@@ -33,6 +33,8 @@ pub struct SheetNotes {
     pub passed_over: Vec<String>,
     /// Lines below the headings that begin with `#`, which are comments.
     pub comments: Vec<usize>,
+    /// Lines that add up others, which are passed over.
+    pub totals: Vec<usize>,
     /// Whether the rows are from the bit up, where they say so themselves.
     pub order_inferred: Option<bool>,
 }
@@ -88,6 +90,7 @@ pub fn put_sections(
         rows: sheet.rows,
         passed_over: sheet.passed_over,
         comments: sheet.comments,
+        totals: sheet.totals,
         order_inferred,
     }))
 }
@@ -140,7 +143,9 @@ impl SheetNotes {
         });
         let comments =
             (!self.comments.is_empty()).then(|| comments_words(&self.file, &self.comments));
-        order.into_iter().chain(comments).collect()
+        let totals = self.totals.iter();
+        let totals = totals.map(|line| format!("{}:{line}: a total, passed over", self.file));
+        order.into_iter().chain(comments).chain(totals).collect()
     }
 }
 
@@ -157,6 +162,7 @@ struct Sheet {
     rows: Vec<Told>,
     passed_over: Vec<String>,
     comments: Vec<usize>,
+    totals: Vec<usize>,
 }
 
 fn read(path: &Path, density: f64, text_of: TextOf) -> Result<Sheet, String> {
@@ -174,7 +180,8 @@ fn read(path: &Path, density: f64, text_of: TextOf) -> Result<Sheet, String> {
     if !has(Quantity::Length) && !has(Quantity::JointLength) {
         return Err(refused(NO_LENGTH.to_owned()));
     }
-    let rows: Vec<Row> = rows_of(&table, &columns).map_err(|reason| format!("{name}:{reason}"))?;
+    let (rows, totals): (Vec<Row>, _) =
+        rows_of(&table, &columns).map_err(|reason| format!("{name}:{reason}"))?;
     if rows.is_empty() {
         return Err(format!("{name} has no row"));
     }
@@ -186,6 +193,7 @@ fn read(path: &Path, density: f64, text_of: TextOf) -> Result<Sheet, String> {
         rows,
         passed_over: columns.passed_over,
         comments: table.comments,
+        totals,
     })
 }
 

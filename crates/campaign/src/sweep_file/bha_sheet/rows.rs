@@ -40,19 +40,19 @@ pub struct ToolJoint {
     pub length: Option<f64>,
 }
 
-/// Reads all rows.
+/// Reads all rows but those of totals, whose lines are told apart.
 ///
 /// # Errors
 /// Which cell of which line is no number, or none.
-pub fn rows_of(table: &Table, columns: &SheetColumns) -> Result<Vec<Row>, String> {
-    let rows = table.rows.iter();
-    rows.map(|row| {
-        let reader = RowReader { row, columns };
-        reader
-            .row()
-            .map_err(|reason| format!("{}: {reason}", row.line))
-    })
-    .collect()
+pub fn rows_of(table: &Table, columns: &SheetColumns) -> Result<(Vec<Row>, Vec<usize>), String> {
+    let readers = table.rows.iter().map(|row| RowReader { row, columns });
+    let (totals, rows): (Vec<_>, Vec<_>) = readers.partition(RowReader::is_total);
+    let rows = rows.iter().map(|reader| {
+        let line = reader.row.line;
+        reader.row().map_err(|reason| format!("{line}: {reason}"))
+    });
+    let totals = totals.iter().map(|reader| reader.row.line).collect();
+    Ok((rows.collect::<Result<_, _>>()?, totals))
 }
 
 /// No length of several joints together, m: it is that of one.
@@ -64,6 +64,17 @@ struct RowReader<'a> {
 }
 
 impl RowReader<'_> {
+    /// Whether it adds up others: it has no diameters, and says so or says nothing.
+    fn is_total(&self) -> bool {
+        let is_empty = |quantity| {
+            let column = self.columns.get(quantity);
+            column.is_none_or(|column| self.row.is_empty_at(column.place))
+        };
+        let name = self.name().to_lowercase();
+        let says_so = name.is_empty() || name.contains("total") || name.starts_with("sum");
+        is_empty(Quantity::OuterDiameter) && is_empty(Quantity::InnerDiameter) && says_so
+    }
+
     fn row(&self) -> Result<Row, String> {
         let joints = self.joints()?;
         let length = self.length(joints)?;

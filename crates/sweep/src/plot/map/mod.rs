@@ -17,6 +17,7 @@ pub use sheet::map_sheet;
 pub use view::{MapAxis, map_axes};
 
 /// A symbol at a place of a map.
+#[derive(Clone, Copy)]
 pub struct MapPoint {
     /// Its place.
     pub at: (f64, f64),
