@@ -79,7 +79,7 @@ fn a_sampling_frequency_that_fills_the_memory_is_refused() {
 fn a_speed_that_makes_cases_last_for_ever_is_refused() {
     let axes = "[design]\nkind = \"grid\"\n[design.axes]\n\
                 surface_speed_rpm = { values = [10, 0.0001] }\n\
-                weight_on_bit_kn = { values = [10, 2000] }\n";
+                weight_on_bit_kn = { values = [10, 300] }\n";
     let text = with(&small_with_design(axes), "time_s = 12\n", "");
     let text = with(
         &text,
@@ -89,7 +89,7 @@ fn a_speed_that_makes_cases_last_for_ever_is_refused() {
     let place = Workplace::with_small(&text);
     let words = [
         "`design.axes.surface_speed_rpm`: case 3 (surface_speed_rpm = 0.0001, \
-         weight_on_bit_kn = 2000) lasts ",
+         weight_on_bit_kn = 300) lasts ",
         "more than 8.0 GiB",
     ];
     refused(&place, &[&RUN[..], &["--memory", "8G"]].concat(), &words);

@@ -5,12 +5,12 @@
 mod damage;
 #[path = "results_folder/foreign.rs"]
 mod foreign;
-#[cfg(unix)]
-#[path = "results_folder/killed.rs"]
-mod killed;
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 #[path = "results_folder/locks.rs"]
 mod locks;
+#[cfg(unix)]
+#[path = "results_folder/stopped.rs"]
+mod stopped;
 // Each of the tests uses a part of it.
 #[allow(dead_code)]
 mod support;
