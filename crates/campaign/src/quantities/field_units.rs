@@ -133,25 +133,6 @@ pub fn shown_as(name: &str) -> Option<&'static Twin> {
     fitting.rev().max_by_key(|twin| twin.si.len())
 }
 
-/// Endings of columns of recorded quantities, that of the quantity in the program, and what
-/// numbers are multiplied by.
-const RECORDED: [(&str, &str, f64); 6] = [
-    ("_rpm", "_rpm", 1.0),
-    ("_rad_s", "_rpm", 60.0 / std::f64::consts::TAU),
-    ("_nm", "_nm", 1.0),
-    ("_knm", "_nm", 1e3),
-    ("_lbf_ft", "_nm", POUND_FORCE * FOOT),
-    ("_klbf_ft", "_nm", 1e3 * POUND_FORCE * FOOT),
-];
-
-/// What numbers of a recorded column are multiplied by to be in the unit that a name with this
-/// ending has, if they can be.
-pub fn factor_of_recorded(column: &str, unit: &str) -> Option<f64> {
-    let mut units = RECORDED.iter();
-    let found = units.find(|(ending, of, _)| *of == unit && column.ends_with(ending));
-    found.map(|(_, _, factor)| *factor)
-}
-
 /// The known name that this one is a twin of, and the factors of its numbers. What ends in a
 /// unit of which the ending is a part, as metres are of `_nms_rad_m`, is in another unit.
 pub fn in_si(name: &str, is_known: impl Fn(&str) -> bool) -> Option<(String, &'static [f64])> {

@@ -13,7 +13,7 @@ mod units;
 pub use axis::{Axis, RockConstant, StringAxis, TubeMeasure, WallQuantity};
 pub use field_units::{
     FOOT, FORCE, IMPULSE, INCH, INERTIA, INTEGRAL_GAIN, LENGTH, POUND, POUND_FORCE,
-    PROPORTIONAL_GAIN, TORQUE, WIDTH, factor_of_recorded, in_si,
+    PROPORTIONAL_GAIN, TORQUE, WIDTH, in_si,
 };
 #[cfg(test)]
 pub use field_units::{TWINS, shown_as};

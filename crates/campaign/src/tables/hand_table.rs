@@ -143,7 +143,7 @@ impl HandTable {
     }
 }
 
-/// Why a row of so many values is refused below so many columns.
+/// Why a row of a number of values is refused below a number of columns.
 pub fn uneven(separator: u8, values: usize, columns: usize) -> String {
     let hint = if values > columns && separator == b',' {
         "; numbers with decimal commas need semicolons between them"

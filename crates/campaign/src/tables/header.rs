@@ -3,7 +3,7 @@
 use super::grid::{Cell, Line};
 use super::heading::Heading;
 
-/// Headings are among the first of so many lines.
+/// Headings are among the first lines, this many.
 pub const LINES_LOOKED_AT: usize = 60;
 
 /// Where the headings are, and what they are.
@@ -20,19 +20,23 @@ pub struct Header {
 /// else the first that has more than one cell.
 pub fn find(lines: &[Line], is_header: &dyn Fn(&[Heading]) -> bool) -> Option<Header> {
     let first = lines.iter().take(LINES_LOOKED_AT).enumerate();
-    let found = first.filter_map(|(place, line)| {
+    let mut found = first.filter_map(|(place, line)| {
         let header = header(lines, place, line);
         is_header(&header.headings).then_some(header)
     });
-    let content = |(_, line): &(usize, &Line)| !line.is_comment;
-    let rows = || lines.iter().enumerate().filter(content);
+    if let Some(header) = found.next() {
+        return Some(header);
+    }
     // Else what looks most like one: a title has one cell.
-    let likely = || rows().find(|(_, line)| line.filled() > 1 || rows().count() == 1);
-    let fallback = || likely().or_else(|| rows().next());
-    let mut found = found;
-    found
-        .next()
-        .or_else(|| fallback().map(|(place, line)| header(lines, place, line)))
+    let rows = || {
+        lines
+            .iter()
+            .enumerate()
+            .filter(|(_, line)| !line.is_comment)
+    };
+    let likely = rows().find(|(_, line)| line.filled() > 1);
+    let (place, line) = likely.or_else(|| rows().next())?;
+    Some(header(lines, place, line))
 }
 
 /// The headings of a line, with units from the next where that has nothing else.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::decimal::{Decimals, NumberError, decimals};
-use super::grid::{Cell, Grid};
+use super::grid::{Cell, Grid, Line};
 use super::hand_table::uneven;
 use super::header::find;
 use super::heading::Heading;
@@ -46,7 +46,7 @@ impl Row {
 }
 
 /// A table.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Table {
     /// What its columns are called.
     pub headings: Vec<Heading>,
@@ -66,55 +66,45 @@ impl Table {
     /// Why it cannot be read; follows the file's name.
     pub fn read(
         path: &Path,
-        text_of: TextOf,
+        read_text: TextOf,
         is_header: &dyn Fn(&[Heading]) -> bool,
     ) -> Result<Self, String> {
-        Self::of_grid(&read(path, text_of)?, is_header)
+        Self::of_grid(read(path, read_text)?, is_header)
     }
 
-    fn of_grid(grid: &Grid, is_header: &dyn Fn(&[Heading]) -> bool) -> Result<Self, String> {
-        let lines = &grid.lines;
-        let Some(header) = find(lines, is_header) else {
+    fn of_grid(grid: Grid, is_header: &dyn Fn(&[Heading]) -> bool) -> Result<Self, String> {
+        let Grid { lines, separator } = grid;
+        let Some(header) = find(&lines, is_header) else {
             return Ok(Self {
-                headings: Vec::new(),
                 header_line: 1,
-                rows: Vec::new(),
-                comments: Vec::new(),
+                ..Self::default()
             });
         };
+        let header_line = lines[header.place].number;
+        let below = lines.into_iter().skip(header.place + header.height);
+        let (comments, content): (Vec<Line>, Vec<Line>) = below.partition(|line| line.is_comment);
+        let decimals = decimals(
+            content
+                .iter()
+                .flat_map(|line| &line.cells)
+                .filter_map(text_of),
+        );
         let columns = header.headings.len();
-        let below = &lines[header.place + header.height..];
-        let content = || below.iter().filter(|line| !line.is_comment);
-        let texts = content()
-            .flat_map(|line| &line.cells)
-            .filter_map(|cell| match cell {
-                Cell::Text(text) => Some(text.as_str()),
-                Cell::Number(_) => None,
-            });
-        let decimals = decimals(texts);
-        let mut rows = Vec::new();
-        for line in content() {
-            let (values, has) = (line.filled(), line.cells.len());
-            if let Some(separator) = grid.separator
-                && (values > columns || has < columns)
-            {
-                let values = values.max(has.min(columns));
-                let message = uneven(separator, values, columns);
-                return Err(format!(":{}: {message}", line.number));
-            }
-            rows.push(Row {
-                line: line.number,
-                cells: line.cells[..has.min(columns)].to_vec(),
+        let rows = content.into_iter().map(|line| {
+            check_width(&line, columns, separator)?;
+            let (line, mut cells) = (line.number, line.cells);
+            cells.truncate(columns);
+            Ok(Row {
+                line,
+                cells,
                 decimals,
-            });
-        }
+            })
+        });
         Ok(Self {
-            header_line: lines[header.place].number,
+            header_line,
             headings: header.headings,
-            rows,
-            comments: (below.iter().filter(|line| line.is_comment))
-                .map(|line| line.number)
-                .collect(),
+            rows: rows.collect::<Result<_, String>>()?,
+            comments: comments.iter().map(|line| line.number).collect(),
         })
     }
 
@@ -139,6 +129,27 @@ impl Table {
     }
 }
 
+/// A cell that is a text, which may be that of a number.
+fn text_of(cell: &Cell) -> Option<&str> {
+    match cell {
+        Cell::Text(text) => Some(text),
+        Cell::Number(_) => None,
+    }
+}
+
+/// Refuses a row that has more values than there are columns or, in a text with separators, fewer
+/// cells.
+fn check_width(line: &Line, columns: usize, separator: Option<u8>) -> Result<(), String> {
+    let (values, has) = (line.filled(), line.cells.len());
+    match separator {
+        Some(separator) if values > columns || has < columns => {
+            let message = uneven(separator, values.max(has.min(columns)), columns);
+            Err(format!(":{}: {message}", line.number))
+        }
+        _ => Ok(()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -153,7 +164,7 @@ mod tests {
             };
             has(&["md"], Dimension::Length) && has(&["inc"], Dimension::Angle)
         };
-        Table::of_grid(&super::super::hand_table::grid(text).unwrap(), &is_header).unwrap()
+        Table::of_grid(super::super::hand_table::grid(text).unwrap(), &is_header).unwrap()
     }
 
     #[test]

@@ -40,7 +40,7 @@ const fn unit(dimension: Dimension, names: &'static [&'static str], factor: f64)
     }
 }
 
-const UNITS: [Unit; 43] = [
+const UNITS: [Unit; 36] = [
     unit(
         Dimension::Length,
         &["m", "meter", "meters", "metre", "metres", "mtr", "mtrs"],
@@ -103,7 +103,6 @@ const UNITS: [Unit; 43] = [
         &["kN", "kilonewton", "kilonewtons"],
         1e3 / GRAVITY,
     ),
-    unit(Dimension::Mass, &["kdaN"], 1e4 / GRAVITY),
     unit(
         Dimension::LinearMass,
         &[
@@ -228,9 +227,6 @@ const UNITS: [Unit; 43] = [
         &["in lbf", "in_lb", "in_lbs", "lbf_in", "lb_in"],
         POUND_FORCE * INCH,
     ),
-    // As rows of tables divide them.
-    unit(Dimension::LinearMass, &["lb/30ft"], POUND / (30.0 * FOOT)),
-    unit(Dimension::LinearMass, &["kg/ft"], 1.0 / FOOT),
     unit(
         Dimension::LinearMass,
         &[
@@ -242,11 +238,7 @@ const UNITS: [Unit; 43] = [
         ],
         1e3 * POUND / FOOT,
     ),
-    unit(Dimension::LinearMass, &["t/m"], 1e3),
-    unit(Dimension::LinearMass, &["g/cm"], 0.1),
     unit(Dimension::Length, &["km"], 1e3),
-    unit(Dimension::Mass, &["g", "gram", "grams"], 1e-3),
-    unit(Dimension::Mass, &["MN"], 1e6 / GRAVITY),
 ];
 
 impl Unit {

@@ -75,7 +75,7 @@ const TOOLS: [&str; 31] = [
     " dart ",
     " wear band ",
 ];
-const BITS: [&str; 5] = [" bit ", " pdc ", " tricone ", " rock bit ", " bit box "];
+const BITS: [&str; 3] = [" bit ", " pdc ", " tricone "];
 const HEAVY_WEIGHT: [&str; 9] = [
     " hwdp ",
     " hw ",
