@@ -13,7 +13,7 @@ pub const LARGEST_SWEEP_FILE: u64 = 16 << 20;
 /// Most bytes of a table: a hundred for each of as many cases as there can be.
 pub const LARGEST_TABLE: u64 = 1 << 30;
 
-/// Gives the text of a file that has at most so many bytes: from the disk or, in
+/// Gives the text of a file that has at most a number of bytes: from the disk or, in
 /// tests, from memory.
 pub type TextOf<'a> = &'a dyn Fn(&Path, u64) -> Result<String>;
 

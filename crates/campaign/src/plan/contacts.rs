@@ -3,6 +3,7 @@
 
 use linear::{Drillstring, HoleSection};
 
+use super::full_gauge::{self, depths};
 use crate::sweep_file::SectionTable;
 
 /// Radii that differ by no more than this, m, are the same: one may be given in inches.
@@ -59,24 +60,6 @@ pub struct StringInHole<'a> {
     pub hole: &'a [HoleSection],
 }
 
-/// A bit, or blades, of full gauge are as wide as the hole that they drilled, up to this, m.
-const FULL_GAUGE: f64 = 1e-4;
-
-/// A hole is wider than the bit that drilled it by this, all around, m: 1/64 in.
-const OVER_GAUGE: f64 = 0.4e-3;
-
-/// Mud passes a bit, or blades, of full gauge through waterways: a fifth of the hole.
-const FILLED: f64 = 0.8;
-
-/// The clearance that a hole leaves to what touches it with a radius, m, and may have drilled it.
-fn left(hole: f64, radius: f64, is_of_gauge: bool) -> f64 {
-    let clearance = hole - radius;
-    match is_of_gauge && clearance.abs() <= FULL_GAUGE {
-        true => OVER_GAUGE,
-        false => clearance,
-    }
-}
-
 /// A part of the string, where it hangs.
 #[derive(Debug, Clone, Copy)]
 struct Hanging {
@@ -112,7 +95,9 @@ impl StringInHole<'_> {
         Contact {
             distance_from_bit,
             radius,
-            clearance_mm: hole.map(|hole| to_decimals(1e3 * left(hole, radius, is_of_gauge), 1e6)),
+            clearance_mm: hole.map(|hole| {
+                to_decimals(1e3 * full_gauge::clearance(hole, radius, is_of_gauge), 1e6)
+            }),
         }
     }
 
@@ -155,7 +140,7 @@ impl StringInHole<'_> {
                 if from >= to {
                     continue;
                 }
-                let clearance = left(radius, part.radius, part.is_of_gauge(self));
+                let clearance = full_gauge::clearance(radius, part.radius, part.is_of_gauge(self));
                 match corners.last_mut() {
                     // The same as above goes on.
                     Some(last) if (last.1 - clearance).abs() <= SAME_RADIUS => last.0 = to,
@@ -174,9 +159,9 @@ impl StringInHole<'_> {
             let mut sections = depths(self.hole);
             let narrow = sections.find(|(from, to, radius)| {
                 let is_around = *from < bottom - same_place && *to > top + same_place;
-                let is_full_gauge =
-                    hanging.is_of_gauge(self) && hanging.radius <= *radius + FULL_GAUGE;
-                is_around && hanging.radius >= *radius && !is_full_gauge
+                let drilled_it =
+                    hanging.is_of_gauge(self) && full_gauge::fits(*radius, hanging.radius);
+                is_around && hanging.radius >= *radius && !drilled_it
             });
             narrow.map(|(from, _, hole_radius)| TooWide {
                 section: hanging.section,
@@ -188,47 +173,14 @@ impl StringInHole<'_> {
         })
     }
 
-    /// The hole as mud has it, which passes what is as wide as the hole.
+    /// The hole as mud has it, which passes what drilled it.
     pub fn with_waterways(&self) -> Vec<HoleSection> {
-        let mut narrow: Vec<(f64, f64, f64)> = Vec::new();
-        for part in self.parts() {
-            let tube = &self.sections[part.section].parts[part.part];
+        let parts = self.parts().map(|part| {
             let [bottom, top] = part.ends.map(|end| self.depth(end));
-            for (from, to, radius) in depths(self.hole) {
-                let (from, to) = (from.max(top), to.min(bottom));
-                if from < to && (tube.outer_radius_m - radius).abs() <= FULL_GAUGE {
-                    narrow.push((from, to, tube.outer_radius_m / FILLED.sqrt()));
-                }
-            }
-        }
-        if narrow.is_empty() {
-            return self.hole.to_vec();
-        }
-        let mut ends: Vec<f64> = depths(self.hole).map(|(_, to, _)| to).collect();
-        ends.extend(narrow.iter().flat_map(|(from, to, _)| [*from, *to]));
-        ends.sort_by(f64::total_cmp);
-        let same_place = self.string.same_place();
-        let mut from = 0.0;
-        let mut sections = Vec::new();
-        for to in ends {
-            if to - from <= same_place {
-                continue;
-            }
-            let middle = 0.5 * (from + to);
-            let wider = narrow
-                .iter()
-                .find(|(top, bottom, _)| (*top..*bottom).contains(&middle));
-            let radius = match wider {
-                Some((.., radius)) => Some(*radius),
-                None => self.hole_radius(middle),
-            };
-            sections.extend(radius.map(|radius| HoleSection {
-                length: to - from,
-                radius,
-            }));
-            from = to;
-        }
-        sections
+            let tube = &self.sections[part.section].parts[part.part];
+            (top, bottom, tube.outer_radius_m)
+        });
+        full_gauge::with_waterways(self.hole, parts, self.string.same_place())
     }
 
     /// The depth (m) at a distance from the bit (m).
@@ -295,16 +247,6 @@ impl StringInHole<'_> {
             })
         })
     }
-}
-
-/// From which depth to which each section of a hole goes, m, and its radius.
-fn depths(hole: &[HoleSection]) -> impl Iterator<Item = (f64, f64, f64)> {
-    let mut depth = 0.0;
-    hole.iter().map(move |section| {
-        let from = depth;
-        depth += section.length;
-        (from, depth, section.radius)
-    })
 }
 
 /// The nearest decimal in so many parts of one, as a person would write it: sums and differences of

@@ -13,6 +13,7 @@ mod data;
 mod doubts;
 mod drive_torque;
 mod finding;
+mod full_gauge;
 #[cfg(test)]
 mod guide;
 mod hole;

@@ -1,6 +1,7 @@
 //! What the columns of a table hold, by their headings.
 
 use super::heading::{Heading, Meaning};
+use super::table::Row;
 use super::units::Dimension;
 
 /// A quantity that a table may have.
@@ -150,6 +151,26 @@ impl<Q: Copy + PartialEq> Columns<Q> {
                 .iter()
                 .any(|heading| means(heading) != Meaning::Other)
         })
+    }
+
+    /// The number of a quantity in a row, in the unit of its dimension; begins with the heading where
+    /// it is refused.
+    ///
+    /// # Errors
+    /// Where it is none, or ambiguous, or there is no such column.
+    pub fn number(&self, row: &Row, quantity: Q) -> Result<f64, String> {
+        let column = self.get(quantity).ok_or("there is no such column")?;
+        let number = row.number(column.place);
+        let number = number.map_err(|error| self.named(quantity, &error.to_string()))?;
+        Ok(column.factor * number)
+    }
+
+    /// A message about a quantity, with its heading.
+    pub fn named(&self, quantity: Q, message: &str) -> String {
+        match self.get(quantity) {
+            Some(column) => format!("{}: {message}", column.name),
+            None => message.to_owned(),
+        }
     }
 
     /// The column of a quantity, where there is one.

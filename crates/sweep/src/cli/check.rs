@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::{ForceArgument, MemoryArguments};
+use super::{MemoryArguments, OverwriteArguments};
 
 /// Arguments of `check`.
 #[derive(Debug, Args)]
@@ -32,7 +32,7 @@ pub struct CheckOutput {
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
-    pub force: ForceArgument,
+    pub overwrite: OverwriteArguments,
 }
 
 /// Who reads what `check` says.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::ForceArgument;
+use super::OverwriteArguments;
 
 /// Arguments of `export`.
 #[derive(Debug, Args)]
@@ -18,7 +18,7 @@ pub struct ExportArguments {
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     #[command(flatten)]
-    pub force: ForceArgument,
+    pub overwrite: OverwriteArguments,
 }
 
 /// What labels are exported as.

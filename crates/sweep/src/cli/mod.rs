@@ -477,7 +477,7 @@ pub struct ExploreArguments {
     #[arg(long, default_value = "explore.html")]
     pub out: PathBuf,
     #[command(flatten)]
-    pub force: ForceArgument,
+    pub overwrite: OverwriteArguments,
     /// The case that it begins with, from 0
     #[arg(long, default_value_t = 0)]
     pub case: usize,
@@ -487,7 +487,7 @@ pub struct ExploreArguments {
 
 /// Whether a file may be lost.
 #[derive(Debug, Clone, Copy, Args)]
-pub struct ForceArgument {
+pub struct OverwriteArguments {
     /// Write over a file that this command did not write
     #[arg(long)]
     pub force: bool,
@@ -503,7 +503,7 @@ pub struct ReportArguments {
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     #[command(flatten)]
-    pub force: ForceArgument,
+    pub overwrite: OverwriteArguments,
 }
 
 /// Arguments of `analyse`.
@@ -531,7 +531,7 @@ pub struct AnalyseArguments {
     #[arg(long, value_name = "FILE", value_parser = parse_picture, requires = "by")]
     pub picture: Option<PictureFile>,
     #[command(flatten)]
-    pub force: ForceArgument,
+    pub overwrite: OverwriteArguments,
     /// Which regime to draw, by its label [default: stick-slip, sustained whirl]
     #[arg(long, value_name = "LABEL", value_parser = parse_regime, requires = "picture")]
     pub regime: Option<Label>,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::values::{parse_axis, parse_margin};
-use super::{ForceArgument, MemoryArguments};
+use super::{MemoryArguments, OverwriteArguments};
 use campaign::quantities::Axis;
 
 /// Arguments of `reference`.
@@ -23,7 +23,7 @@ pub struct ReferenceArguments {
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     #[command(flatten)]
-    pub force: ForceArgument,
+    pub overwrite: OverwriteArguments,
     /// The sweep file of the results [default: that of their manifest.json]
     #[arg(long, value_name = "FILE")]
     pub sweep: Option<PathBuf>,

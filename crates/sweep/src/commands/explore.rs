@@ -27,7 +27,7 @@ use campaign::text_file::read_text;
 /// Simulates a case and writes the page that begins with it.
 pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Status> {
     let ExploreArguments { file, memory, .. } = arguments;
-    refuse_to_lose(&arguments.out, Output::Page, arguments.force.force)?;
+    refuse_to_lose(&arguments.out, Output::Page, arguments.overwrite.force)?;
     use_threads(None, terminal)?;
     warn_of_memory(memory, terminal);
     let limit = memory.limit();

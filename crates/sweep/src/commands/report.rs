@@ -35,7 +35,7 @@ pub fn report(arguments: &ReportArguments, terminal: Terminal) -> Result<Status>
         .map(|other| compare(&all[0], other))
         .collect::<Result<Vec<_>>>()?;
     if let Some(path) = &arguments.out {
-        refuse_to_lose(path, Output::Page, arguments.force.force)?;
+        refuse_to_lose(path, Output::Page, arguments.overwrite.force)?;
     }
     let html = page(&title(&all), &sections(&all, &comparisons), &all);
     let path = match (&arguments.out, &arguments.folders[..]) {

@@ -34,15 +34,8 @@ impl TracedMap<'_> {
             .places
             .map(|place| self.limits.values()[place].to_vec());
         let mut cells = Cells::of(Mesh::around(&values, MOST_CELLS));
-        for (right, &x) in values[0].iter().enumerate() {
-            for (up, &y) in values[1].iter().enumerate() {
-                let mut place = [0; 2];
-                place[self.places[0]] = right;
-                place[self.places[1]] = up;
-                if let Some(symbol) = self.symbol(motion, place) {
-                    cells.add([x, y], symbol);
-                }
-            }
+        for (_, _, point) in self.points(motion) {
+            cells.add(point.at.into(), point.symbol);
         }
         let edges = values.map(|values| around(&values));
         let tiles = self.tiles(motion).into_iter();
@@ -51,7 +44,7 @@ impl TracedMap<'_> {
             ground: Ground::Part(part),
         });
         let mut content = Content::of_cells(&cells, self.simulated);
-        content.points = self.points(motion);
+        content.points = self.symbols(motion);
         let tiles: Vec<MapCell> = tiles.collect();
         if !tiles.is_empty() {
             // One scale for regions and tiles, which needs no symbols.
@@ -63,38 +56,36 @@ impl TracedMap<'_> {
         content
     }
 
-    /// The symbols of some simulated cases, evenly over the map, for readers who cannot tell the
-    /// colours apart: what is told of others from those around has none.
-    fn points(&self, motion: Motion) -> Vec<MapPoint> {
-        let values = self.places.map(|place| self.limits.values()[place]);
+    /// All points of the map that every method has answered: their place along the design's axes, that
+    /// on the map, and their symbol.
+    fn points(&self, motion: Motion) -> impl Iterator<Item = ([usize; 2], [usize; 2], MapPoint)> {
+        let [x, y] = self.places.map(|place| self.limits.values()[place]);
+        let all = (0..x.len()).flat_map(|right| (0..y.len()).map(move |up| [right, up]));
+        all.filter_map(move |on_map| {
+            let mut place = [0; 2];
+            place[self.places[0]] = on_map[0];
+            place[self.places[1]] = on_map[1];
+            let symbol = self.symbol(motion, place)?;
+            let at = (x[on_map[0]], y[on_map[1]]);
+            Some((place, on_map, MapPoint { at, symbol }))
+        })
+    }
+
+    /// The symbols of some simulated cases, evenly over the map, for readers without colours: points
+    /// between them have none.
+    fn symbols(&self, motion: Motion) -> Vec<MapPoint> {
+        let counts = self.places.map(|place| self.limits.values()[place].len());
         // By part of the map: how far from its middle the nearest case is, and that.
         let mut nearest: BTreeMap<[usize; 2], (f64, MapPoint)> = BTreeMap::new();
-        for (right, &x) in values[0].iter().enumerate() {
-            for (up, &y) in values[1].iter().enumerate() {
-                let mut place = [0; 2];
-                place[self.places[0]] = right;
-                place[self.places[1]] = up;
-                if !self.limits.was_simulated(place) {
-                    continue;
-                }
-                let Some(symbol) = self.symbol(motion, place) else {
-                    continue;
-                };
-                let parts =
-                    [(right, values[0].len()), (up, values[1].len())].map(|(index, count)| {
-                        (index as f64 + 0.5) / count as f64 * SYMBOLS_ACROSS as f64
-                    });
-                let off = parts
-                    .map(|part| (part.fract() - 0.5).powi(2))
-                    .iter()
-                    .sum::<f64>();
-                let point = MapPoint { at: (x, y), symbol };
-                let known = nearest
-                    .entry(parts.map(|part| part as usize))
-                    .or_insert((off, point));
-                if off < known.0 {
-                    *known = (off, point);
-                }
+        let points = self.points(motion);
+        for (_, on_map, point) in points.filter(|(place, ..)| self.limits.was_simulated(*place)) {
+            let parts = [0, 1].map(|axis| {
+                (on_map[axis] as f64 + 0.5) / counts[axis] as f64 * SYMBOLS_ACROSS as f64
+            });
+            let off: f64 = parts.iter().map(|part| (part.fract() - 0.5).powi(2)).sum();
+            let known = (nearest.entry(parts.map(|part| part as usize))).or_insert((off, point));
+            if off < known.0 {
+                *known = (off, point);
             }
         }
         nearest.into_values().map(|(_, point)| point).collect()

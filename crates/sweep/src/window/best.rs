@@ -6,7 +6,7 @@ use super::standing::Standing;
 /// Halvings that find how far away the nearest limit is.
 const HALVINGS: usize = 20;
 
-/// A point is next to what is no farther away than so many times the distance that it keeps.
+/// A point is next to what is no farther away than this, times the distance that it keeps.
 const NEXT_TO: f64 = 1.2;
 
 /// A point of a safe region.

@@ -168,24 +168,21 @@ impl RowReader<'_> {
         if self.row.is_empty_at(column.place) {
             return Ok(None);
         }
-        let name = &column.name;
-        let value = (self.row.number(column.place)).map_err(|error| format!("{name}: {error}"))?;
+        let value = self.columns.number(self.row, quantity)?;
         let may_be_zero = matches!(
             quantity,
             Quantity::InnerDiameter | Quantity::ToolJointInnerDiameter
         );
         if !(value.is_finite() && (value > 0.0 || may_be_zero && value == 0.0)) {
-            return Err(format!("{name}: {value} is not a positive number"));
+            let message = format!("{} is not a positive number", self.text(quantity));
+            return Err(self.columns.named(quantity, &message));
         }
-        Ok(Some(column.factor * value))
+        Ok(Some(value))
     }
 
     fn needed(&self, quantity: Quantity) -> Result<f64, String> {
         let value = self.given(quantity)?;
-        let empty = || match self.columns.get(quantity) {
-            Some(column) => format!("{}: the cell is empty", column.name),
-            None => "it has no length".to_owned(),
-        };
+        let empty = || self.columns.named(quantity, "the cell is empty");
         value.ok_or_else(empty)
     }
 }

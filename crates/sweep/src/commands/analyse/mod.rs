@@ -21,7 +21,7 @@ use table::{COUNTS, INDICES, counts_csv, indices_csv};
 
 /// Refuses to write over what this command has not written.
 fn refuse_to_lose_any(arguments: &AnalyseArguments) -> Result<()> {
-    let force = arguments.force.force;
+    let force = arguments.overwrite.force;
     let picture = arguments.picture.as_ref().map(|picture| match picture {
         PictureFile::Svg(path) => (path, Output::Beginning(&[b"<svg"])),
         PictureFile::Png(path) => (path, Output::Beginning(&[b"\x89PNG"])),

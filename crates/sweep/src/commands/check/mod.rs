@@ -63,7 +63,7 @@ fn refuse_to_lose_output(arguments: &CheckArguments) -> Result<()> {
         b"error: ",
         count.as_bytes(),
     ];
-    let force = arguments.told.force.force;
+    let force = arguments.told.overwrite.force;
     refuse_to_lose(path, Output::Beginning(&beginnings), force)
 }
 

@@ -23,7 +23,7 @@ fn to_parquet(arguments: &ExportArguments, terminal: Terminal) -> Result<Status>
     let default = || arguments.folder.join("labels.parquet");
     let out = arguments.out.clone().unwrap_or_else(default);
     let ours = super::outputs::Output::Beginning(&[b"PAR1"]);
-    super::outputs::refuse_to_lose(&out, ours, arguments.force.force)?;
+    super::outputs::refuse_to_lose(&out, ours, arguments.overwrite.force)?;
     parquet::write(&tables.folder.join("labels.csv"), &out)?;
     super::terminal::say(&format!("{}\n", out.display()))?;
     Ok(Status::Complete)

@@ -37,7 +37,7 @@ pub fn reference(arguments: &ReferenceArguments, terminal: Terminal) -> Result<S
     refuse_to_lose(
         &out,
         Output::Beginning(&[BEGINNING.as_bytes()]),
-        arguments.force.force,
+        arguments.overwrite.force,
     )?;
     let tables = tables_of(&arguments.folder, terminal)?;
     let manifest = &tables.manifest;

@@ -45,7 +45,7 @@ pub fn not_looked_at(sweep: &Sweep, arguments: &WindowArguments) -> Vec<String> 
     sideways.into_iter().chain([axial.to_owned()]).collect()
 }
 
-/// A part is wider than pipe if it is so many times as wide as the body of the uppermost section.
+/// A part is wider than pipe if it is this much wider than the body of the uppermost section.
 const WIDER: f64 = 1.2;
 
 /// The string above all that holds it sideways.
@@ -82,7 +82,7 @@ fn above_the_uppermost(
         true => format!(", {wide_text} of it wider than pipe"),
         false => String::new(),
     };
-    (sweep.setting.string.length() > uppermost).then(|| {
+    (string.length() > uppermost).then(|| {
         format!(
             "resonance sideways of the {above} of string above {place} from the bit, the uppermost \
              place that holds it{collars}"
