@@ -21,7 +21,7 @@ pub enum Destination {
 /// Where a name leads.
 ///
 /// # Errors
-/// Where it is a folder, or a pipe that nobody reads.
+/// Where it is a folder, or a pipe without a reader.
 pub fn destination(path: &Path) -> io::Result<Destination> {
     let kind = match fs::metadata(path) {
         Err(error) if is_absent(&error) => return end_of_links(path).map(Destination::File),
@@ -66,13 +66,13 @@ fn end_of_links(path: &Path) -> io::Result<PathBuf> {
 fn open_stream(path: &Path, is_file: bool) -> io::Result<File> {
     use std::os::unix::fs::{FileTypeExt, OpenOptionsExt};
     let is_pipe = fs::metadata(path)?.file_type().is_fifo();
-    // Opened otherwise, a pipe that nobody reads is waited for.
+    // Opened otherwise, a pipe without a reader is waited for.
     let reader = is_pipe.then(|| {
         let options = &mut File::options();
         options.write(true).custom_flags(NOT_WAITING).open(path)
     });
     if let Some(Err(error)) = reader {
-        let message = format!("it is a pipe that nobody reads: {error}");
+        let message = format!("it is a pipe without a reader: {error}");
         return Err(io::Error::other(message));
     }
     File::options().write(true).append(is_file).open(path)

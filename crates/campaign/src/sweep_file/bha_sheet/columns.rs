@@ -157,7 +157,7 @@ const BLADE: [&str; 11] = [
     "gage_od",
     "od_blade",
 ];
-const LENGTH: [&str; 5] = ["length", "len", "total_length", "section_length", "lgth"];
+const LENGTH: [&str; 4] = ["length", "len", "section_length", "lgth"];
 const JOINT_LENGTH: [&str; 8] = [
     "joint_length",
     "length_per_joint",
@@ -168,12 +168,10 @@ const JOINT_LENGTH: [&str; 8] = [
     "average_joint_length",
     "length_joint",
 ];
-const MASS: [&str; 10] = [
+const MASS: [&str; 8] = [
     "weight",
     "mass",
     "wt",
-    "total_weight",
-    "total_mass",
     "weight_in_air",
     "air_weight",
     "weight_air",
