@@ -18,6 +18,7 @@ if (pictures.length === 0) {
 }
 const images = pictures.map((file) => `<img src="data:image/png;base64,${readFileSync(file, "base64")}">`);
 const html = `<!DOCTYPE html><style>
+  html { overflow: hidden; }
   body { margin: 0; width: 1464px; columns: 4; column-gap: 8px; background: white; }
   img { display: block; width: 360px; margin-bottom: 12px; break-inside: avoid; }
 </style>${images.join("")}`;

@@ -411,3 +411,65 @@ fn another_colour_draws_the_same_results_again() {
     assert!(answer.output.contains("nothing to run"), "{answer:?}");
     assert!(run.text("map.svg").contains("Severity of stick-slip"));
 }
+
+/// Where the middles of the map's symbols are along its horizontal axis, by case.
+fn places_across(run: &Run) -> Vec<f64> {
+    let report = run.place.sweep(&["report", "results"]);
+    assert_eq!(report.code, 0, "{report:?}");
+    let page = std::fs::read_to_string(run.place.path("results/report.html")).unwrap();
+    let (_, data) = page
+        .split_once("\"ends\":[[")
+        .expect("the ends of the axes");
+    let (ends, _) = data.split_once(']').unwrap();
+    let ends: Vec<f64> = ends.split(',').map(|end| end.parse().unwrap()).collect();
+    let of = |value: f64| (value / ends[0]).ln() / (ends[1] / ends[0]).ln();
+    assert!(page.contains("\"logarithmic\":[true,false]"));
+    [0.02, 0.2, 2.0].map(of).to_vec()
+}
+
+/// Numbers below an axis stand where their logarithms are, as cells do.
+#[test]
+fn an_axis_that_is_even_in_the_logarithm_is_drawn_so() {
+    let run = Run::of(&small_with_design(
+        "[design]\nkind = \"grid\"\n[design.axes]\n\
+         surface_speed_rpm = { from = 0.02, to = 2, count = 5, spacing = \"log\" }\n\
+         weight_on_bit_kn = { values = [30, 70] }\n\
+         [map]\nx = \"surface_speed_rpm\"\n",
+    ));
+    let svg = std::fs::read_to_string(run.place.path("results/map.svg")).unwrap();
+    let place_of = |number: &str| -> f64 {
+        let mut texts = svg.split("<text ").skip(1);
+        let text = texts.find(|text| text.contains(&format!(">\n{number}\n</text>")));
+        let (_, after) = text.expect(number).split_once("x=\"").unwrap();
+        after.split('"').next().unwrap().parse().unwrap()
+    };
+    let [low, middle, high] = ["0.02", "0.2", "2"].map(place_of);
+    assert!(middle - low > 50.0, "{low} {middle} {high}");
+    assert!(
+        (high - middle - (middle - low)).abs() < 2.0,
+        "{low} {middle} {high}"
+    );
+    let [low, middle, high] = places_across(&run)[..] else {
+        panic!("three places");
+    };
+    assert!((high - 2.0 * middle + low).abs() < 1e-9 && low > 0.0 && high < 1.0);
+    let refused = (run.place).sweep(&["plot", "results", "--x-range", "0..1"]);
+    assert_eq!(refused.code, 2, "{refused:?}");
+    assert!(
+        refused
+            .errors
+            .contains("--x-range: a logarithmic axis begins above zero")
+    );
+}
+
+/// Without a title a map has the name of its file, in words.
+#[test]
+fn a_map_without_a_title_has_the_words_of_its_file() {
+    let untitled = with(SMALL, "title = \"A small sweep\"\n", "");
+    let place = Workplace::new();
+    std::fs::write(place.path("my_first-well.toml"), untitled).unwrap();
+    let answer = place.sweep(&["run", "my_first-well.toml", "--out", "results"]);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    let svg = std::fs::read_to_string(place.path("results/map.svg")).unwrap();
+    assert!(svg.contains("My first-well"), "{}", &svg[..2000]);
+}

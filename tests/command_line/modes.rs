@@ -49,7 +49,7 @@ fn modes_are_those_of_a_uniform_string() {
     assert_eq!(answer.code, 0, "{answer:?}");
     for word in [
         "torsion, surface held",
-        "bending, surface pinned",
+        "bending of the whole string, surface pinned",
         "rpm, 2×",
     ] {
         assert!(answer.output.contains(word), "no {word:?} in {answer:?}");
@@ -162,5 +162,44 @@ fn what_no_modes_can_be_asked_for_is_refused() {
         let answer = place.sweep(&[&["inspect", "small.toml"], arguments].concat());
         assert_eq!(answer.code, 2, "{answer:?}");
         assert!(answer.errors.contains(complaint), "{answer:?}");
+    }
+}
+
+/// Held at the bit and 20 m above it: between these the half sine of a beam, ω = (π/l)² √(EI/m).
+#[test]
+fn modes_between_held_places_are_apart_from_those_of_the_whole_string() {
+    let site = "[[sites]]\ndistance_from_bit_m = 0\n";
+    let held = plain().replace(
+        site,
+        &format!("{site}[[sites]]\ndistance_from_bit_m = 20\n"),
+    );
+    let place = Workplace::with_small(&held);
+    let answer = place.sweep(&["inspect", "small.toml", "--modes=2", "--out", "looked"]);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    assert!(
+        answer.output.contains("held at 20, 0 m from the bit"),
+        "{answer:?}"
+    );
+    let modes = rows(&place, "looked/modes.csv");
+    let between: Vec<f64> = modes
+        .iter()
+        .filter(|row| row[0] == "bending_between_sites")
+        .map(|row| number(&row[2]))
+        .collect();
+    let slenderness: f64 = 210e9 * (0.1f64.powi(2) + 0.05f64.powi(2)) / 4.0 / 7840.0;
+    let expected =
+        (std::f64::consts::PI / 20.0).powi(2) * slenderness.sqrt() / std::f64::consts::TAU;
+    assert!(
+        (between[0] / expected - 1.0).abs() < 1e-8,
+        "{between:?} {expected}"
+    );
+    let shapes = rows(&place, "looked/mode_shapes.csv");
+    let first: Vec<_> = (shapes.iter())
+        .filter(|row| row[0] == "bending_between_sites" && row[1] == "1")
+        .collect();
+    assert_eq!(first.len(), 201);
+    for row in first {
+        let expected = (std::f64::consts::PI * (100.0 - number(&row[2])) / 20.0).sin();
+        assert!((number(&row[3]).abs() - expected).abs() < 1e-4, "{row:?}");
     }
 }

@@ -218,6 +218,41 @@ fn a_dry_run_writes_nothing_and_says_how_much_there_is_to_do() {
     assert!(place.files() == before);
 }
 
+/// A string that is rubbed all along needs 128 steps a travel time: of 100 m, 4 kHz, and this file
+/// has a hundred times as many.
+#[test]
+fn a_long_dry_run_says_what_would_make_it_cheaper() {
+    let long = SMALL
+        .replace(
+            "sampling_frequency_hz = 100",
+            "sampling_frequency_hz = 400000",
+        )
+        .replace("count = 3", "count = 90000")
+        .replace(
+            "[[sites]]\ndistance_from_bit_m = 50\n",
+            "[string_friction]\nstatic_coefficient = 0.2\n[well]\nsurvey = \"survey.csv\"\n",
+        );
+    let place = Workplace::with_small(&long);
+    std::fs::write(
+        place.path("survey.csv"),
+        "MD (m),Inc (deg),Azi (deg)\n0,0,0\n200,30,0\n",
+    )
+    .unwrap();
+    let answer = succeeds(&place, &["run", "small.toml", "--dry-run"]);
+    for line in [
+        "what would make it cheaper:",
+        "without `sampling_frequency_hz` it is 4",
+        "times fewer steps",
+    ] {
+        assert!(answer.output.contains(line), "no {line:?} in {answer:?}");
+    }
+    let short = succeeds(
+        &Workplace::with_small(SMALL),
+        &["run", "small.toml", "--dry-run"],
+    );
+    assert!(!short.output.contains("cheaper"), "{short:?}");
+}
+
 #[test]
 fn quiet_prints_nothing() {
     let place = Workplace::with_small(SMALL);

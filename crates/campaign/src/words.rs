@@ -38,6 +38,14 @@ pub fn decimals(value: f64, count: usize) -> String {
     }
 }
 
+/// A name of a file as a title.
+pub fn in_words(name: &str) -> String {
+    let mut letters = name.trim_matches('_').chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    let rest = letters.map(|letter| if letter == '_' { ' ' } else { letter });
+    first.chain(rest).collect()
+}
+
 /// How a site is called, by its distance from the bit in m.
 pub fn site_title(distance: f64, units: Units) -> String {
     if distance == 0.0 {

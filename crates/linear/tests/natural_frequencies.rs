@@ -273,6 +273,56 @@ fn two_equal_spans_swing_as_one_pinned_or_clamped_in_the_middle() {
     }
 }
 
+/// Spans of 18, 12 and 24 m that are held at three places, the lowest with a free end: every mode is
+/// at rest at each place, and its elastic and kinetic energy are one (Lord Rayleigh), by
+/// differences along its shape. Two equal spans have half sines.
+#[test]
+fn shapes_of_a_held_string_rest_where_it_is_held_and_have_their_frequency() {
+    let string = row(100, 0.0);
+    let part = pipe(10.0);
+    let unit = BENDING.youngs_modulus * part.second_moment() / (STEEL.density * part.area());
+    let held_at = |places: &[f64]| {
+        let sites = Sites::new(&string, places).unwrap();
+        NaturalFrequencies::held(&string, &BENDING, &sites).unwrap()
+    };
+    let at = |depths: &[f64], amplitudes: &[f64], height: f64| {
+        let place = depths
+            .iter()
+            .position(|depth| (1000.0 - depth - height).abs() < 1e-6);
+        amplitudes[place.unwrap()]
+    };
+    let places = [54.0, 36.0, 24.0];
+    let natural = held_at(&places);
+    for omega in natural.lowest(8).unwrap() {
+        let shape = natural.shape(omega, 1801).unwrap();
+        for place in places {
+            let there = at(&shape.depths, &shape.amplitudes, place);
+            assert!(there.abs() < 1e-6, "{omega} {place}: {there}");
+        }
+        assert!((shape.depths[0] - 946.0).abs() < 1e-9);
+        let (step, inner) = (0.03, shape.amplitudes.windows(3));
+        let bent = inner.map(|it| ((it[0] - 2.0 * it[1] + it[2]) / (step * step)).powi(2));
+        let moved = shape.amplitudes.iter().map(|it| it * it);
+        let square = unit * bent.sum::<f64>() / moved.sum::<f64>();
+        assert!(
+            is_close(square.sqrt(), omega, 5e-3),
+            "{omega} {}",
+            square.sqrt()
+        );
+    }
+    let natural = held_at(&[36.0, 18.0, 0.0]);
+    let first = natural.lowest(1).unwrap()[0];
+    let shape = natural.shape(first, 101).unwrap();
+    for (depth, amplitude) in shape.depths.iter().zip(&shape.amplitudes) {
+        let expected = (PI * (1000.0 - depth) / 18.0).sin();
+        let sign = -shape.amplitudes[1].signum();
+        assert!(
+            (amplitude - sign * expected).abs() < 1e-4,
+            "{depth}: {amplitude} {expected}"
+        );
+    }
+}
+
 /// A heavy piece between two shafts, the upper twice as long: all odd modes of the upper have one
 /// of the lower beside them, nearer the heavier the piece.
 #[test]

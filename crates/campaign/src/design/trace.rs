@@ -3,7 +3,9 @@
 use super::axes::{MOST_CASES, check_ends, count_string_axes, in_order};
 use super::grid::{Grid, refuse_distribution};
 use crate::quantities::Axis;
-use crate::sweep_file::{AxisRange, DesignTable, Source, SweepFileError, TRACE_TOLERANCE};
+use crate::sweep_file::{
+    AxisRange, DesignKind, DesignTable, Source, SweepFileError, TRACE_TOLERANCE,
+};
 use crate::trace::{Lattice, MOST_COARSE};
 
 /// Values of the coarse scan along an axis, where the file does not say.
@@ -66,6 +68,16 @@ impl TraceDesign {
             lattice,
             seed: table.seed.unwrap_or(0),
         })
+    }
+
+    /// The trace over the two ranges of a grid; none of another design.
+    pub fn in_place_of(table: &DesignTable) -> Option<Self> {
+        let mut traced = table.clone();
+        let ranges = traced.axes.values_mut();
+        ranges.for_each(|range| range.count = None);
+        let axes: Vec<Axis> = table.axes.keys().copied().collect();
+        let is_grid = table.kind == DesignKind::Grid && !axes.iter().any(|axis| axis.is_counted());
+        Self::of(&traced, axes.try_into().ok().filter(|_| is_grid)?, 0)
     }
 
     /// About how many cases it takes where one smooth limit crosses the map: 20 to 23 for each

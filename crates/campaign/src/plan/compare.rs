@@ -1,7 +1,5 @@
 //! `[[compare]]`: what was recorded, and how far a simulated motion is from it.
 
-use std::path::Path;
-
 use sim::{Recording, Trajectory};
 
 use super::conditions::to_rpm;
@@ -15,8 +13,8 @@ use crate::sweep_file::{
 pub struct Comparison {
     /// Name of its column in tables.
     pub column: String,
-    /// The file without its ending, which names it in pictures.
-    pub source: String,
+    /// What it is called, in words.
+    pub name: String,
     /// What is simulated.
     pub trace: TraceName,
     /// What was recorded, in the unit of the trace.
@@ -61,12 +59,17 @@ impl TraceName {
 const SAME_TIME: f64 = 1e-6;
 
 impl Comparison {
-    /// What it is called in pictures.
-    pub fn title(&self) -> String {
+    /// Whether another is held against the same recording.
+    pub fn has_recording_of(&self, other: &Self) -> bool {
+        self.recorded == other.recorded && self.extreme == other.extreme
+    }
+
+    /// What was recorded, in words.
+    pub fn of_what(&self) -> &'static str {
         match self.extreme {
-            None => self.source.clone(),
-            Some((Extreme::Least, _)) => format!("{}, least", self.source),
-            Some((Extreme::Greatest, _)) => format!("{}, greatest", self.source),
+            None => "recorded",
+            Some((Extreme::Least, _)) => "least recorded",
+            Some((Extreme::Greatest, _)) => "greatest recorded",
         }
     }
 
@@ -213,11 +216,7 @@ fn comparison(
     };
     Ok(Comparison {
         column: format!("misfit_{name}{unit}"),
-        source: Path::new(file)
-            .file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned(),
+        name: name.replace('_', " "),
         trace: table.trace,
         recorded,
         from,
@@ -242,7 +241,7 @@ mod tests {
         let recorded = Recording::new(vec![0.0, 10.0], vec![-3.0, 17.0]).unwrap();
         let comparison = Comparison {
             column: String::new(),
-            source: String::new(),
+            name: String::new(),
             trace: TraceName::SurfaceTorqueNm,
             recorded: recorded.clone(),
             from: 2.0,

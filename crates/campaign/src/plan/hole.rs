@@ -34,9 +34,9 @@ pub fn resolve(
     let sections = sections(source, content, string.length())?;
     if sections.is_empty() {
         let message = "what moves with a string that bends depends on the hole: \
-                       needs `hole_radius_m` or [[well.holes]]";
+                       needs `well.hole_radius_m` or [[well.holes]]";
         source.refuse_if(mud.is_some() && bends, "mud", message)?;
-        let message = "the clearance is that in a hole: needs [well] with `hole_radius_m` or \
+        let message = "the clearance is that in a hole: needs `well.hole_radius_m` or \
                        [[well.holes]]";
         source.refuse_if(decides_clearance, "wall.clearance", message)?;
         return Ok((string, mud, sections));
@@ -79,7 +79,7 @@ fn fits(
     let name = if is_given { "contact" } else { "outer" };
     let key = format!("string.sections[{section}].parts[{part}].{name}_radius_m");
     let message = format!(
-        "the string does not fit: {} m, and at a depth of {} m the hole has a radius of {} m",
+        "the string does not fit: its radius is {} m, and at a depth of {} m that of the hole is {} m",
         wide.radius, wide.depth, wide.hole_radius
     );
     Err(source.error(&key, message))

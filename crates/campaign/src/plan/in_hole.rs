@@ -183,7 +183,8 @@ fn a_clearance_that_the_hole_cannot_leave_is_refused_with_its_line() {
         "",
     );
     let key = "string.sections[2].parts[0].contact_radius_m";
-    let told = "does not fit: 0.15 m, and at a depth of 46 m the hole has a radius of 0.149 m";
+    let told =
+        "does not fit: its radius is 0.15 m, and at a depth of 46 m that of the hole is 0.149 m";
     is_refused(&narrow, "contact_radius_m", key, told);
     let narrow = with(
         "to_m = 30, hole_radius_m = 0.2",
@@ -191,7 +192,8 @@ fn a_clearance_that_the_hole_cannot_leave_is_refused_with_its_line() {
         "",
     );
     let key = "string.sections[0].parts[1].outer_radius_m";
-    let told = "does not fit: 0.08 m, and at a depth of 29.5 m the hole has a radius of 0.07 m";
+    let told =
+        "does not fit: its radius is 0.08 m, and at a depth of 29.5 m that of the hole is 0.07 m";
     is_refused(&narrow, "length_m = 9.5", key, told);
 }
 
@@ -288,7 +290,7 @@ fn candidates_that_are_none_or_too_many_are_refused_with_their_line() {
         &narrow,
         "contact_diameter_in",
         key,
-        "is less than the external radius, 0.1 m",
+        "is less than the external radius, 3.937 in",
     );
 }
 

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use linear::{Bending, SurfaceSupport};
+use linear::{Bending, Sites, SurfaceSupport};
 use sim::EccentricMass;
 
 use super::conditions::Conditions;
@@ -36,6 +36,16 @@ pub struct LateralSettings {
     pub impulses: Vec<ImpulseSettings>,
     /// Eccentric masses.
     pub eccentric_masses: Vec<EccentricMass>,
+}
+
+impl LateralSettings {
+    /// Of the sites of a string those of the file's `[[sites]]`, which hold it sideways: distances
+    /// from the bit, m. Others of `sites = "all"` are where it may touch.
+    pub fn held_places(&self, sites: &Sites) -> Vec<f64> {
+        let sites = sites.distances_from_bit().iter().zip(&self.walls);
+        let of_file = sites.filter(|(_, wall)| wall.site.is_some());
+        of_file.map(|(distance, _)| *distance).collect()
+    }
 }
 
 /// The lateral part, where the file has a wall.

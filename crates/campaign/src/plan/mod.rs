@@ -40,6 +40,7 @@ mod well_course;
 
 pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
+pub use compare::Comparison;
 pub use conditions::{Conditions, to_rpm};
 pub use data::Data;
 pub use finding::Finding;

@@ -61,6 +61,11 @@ pub(super) fn resolve(
     Ok((sampling::frequency(string, steps), Some(steps)))
 }
 
+/// The sampling frequency that a string would have by the rule, Hz.
+pub(super) fn by_rule(string: &Drillstring, needs: &Needs) -> f64 {
+    sampling::frequency(string, steps(string, needs))
+}
+
 /// Steps per travel time by the rule.
 fn steps(string: &Drillstring, needs: &Needs) -> f64 {
     if let Some(friction) = needs.friction {

@@ -172,11 +172,25 @@ impl Setting {
     /// Refuses a frequency at which nothing is felt of an impulse, or of a wave on its way; `cuts`
     /// says whether a torque acts on the bit.
     pub(super) fn check_sampling(&self, source: &Source, cuts: bool) -> Result<(), SweepFileError> {
-        let needs = sampling::Needs {
+        sampling::check(
+            source,
+            &self.string,
+            &self.needs(cuts),
+            self.sampling_frequency,
+        )
+    }
+
+    /// The sampling frequency, Hz, that a file which gives none has; `cuts` says whether a torque
+    /// acts on the bit.
+    pub fn frequency_by_rule(&self, cuts: bool) -> f64 {
+        sampling::by_rule(&self.string, &self.needs(cuts))
+    }
+
+    fn needs(&self, cuts: bool) -> sampling::Needs<'_> {
+        sampling::Needs {
             cuts,
             lateral: self.lateral.as_ref(),
             friction: self.friction.as_ref(),
-        };
-        sampling::check(source, &self.string, &needs, self.sampling_frequency)
+        }
     }
 }

@@ -23,6 +23,7 @@ use crate::sweep_file::{
     TextOf, TraceName, put_sections,
 };
 use crate::text_file::read_text;
+use crate::words::in_words;
 
 /// No case lasts longer, s.
 const LONGEST_CASE: f64 = 1e6;
@@ -148,7 +149,7 @@ impl Sweep {
         let methods = methods::resolve(&source, &content)?;
         let map = map::resolve(&source, &content, &design, &setting, bit.as_ref())?;
         Ok(Self {
-            title: content.title.clone().unwrap_or_else(|| name.clone()),
+            title: (content.title.clone()).unwrap_or_else(|| in_words(&name)),
             setting,
             methods,
             certifying: None,

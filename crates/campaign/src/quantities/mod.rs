@@ -13,10 +13,8 @@ mod units;
 pub use axis::{Axis, RockConstant, StringAxis, TubeMeasure, WallQuantity};
 pub use field_units::{
     FOOT, FORCE, IMPULSE, INCH, INERTIA, INTEGRAL_GAIN, LENGTH, POUND, POUND_FORCE,
-    PROPORTIONAL_GAIN, TORQUE, WIDTH, in_si,
+    PROPORTIONAL_GAIN, TORQUE, TWINS, Twin, WIDTH, in_si, shown_as,
 };
-#[cfg(test)]
-pub use field_units::{TWINS, shown_as};
 pub use measure::{Measure, Needs};
 pub use range::{in_digits, within};
 pub use table::LONGEST_STRING;

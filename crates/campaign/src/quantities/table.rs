@@ -128,7 +128,7 @@ impl Axis {
             Axis::StringFriction => row("string_friction", ("Static friction of the string μ_s", "μ_s"), (0.0, 50.0, "")),
             Axis::StringFrictionRatio => row("string_friction_ratio", ("Dynamic by static friction μ_d / μ_s", "μ_d/μ_s"), (0.0, 1.0, "")),
             Axis::StringFrictionSpeed => row("string_friction_stribeck_rpm", ("Speed of the Stribeck curve ω_s", "ω_s"), (0.0, 1e4, "rpm")),
-            Axis::TorqueStaticRatio => row("torque_static_ratio", ("Static by dynamic torque Tₛ / T_d", "Tₛ/T_d"), (1.0, 10.0, "")),
+            Axis::TorqueStaticRatio => row("torque_static_ratio", ("Static by dynamic torque T_s / T_d", "T_s/T_d"), (1.0, 10.0, "")),
             Axis::TorqueDecay => row("torque_decay_rpm", ("Speed over which the torque falls", ""), (0.0, 1e4, "rpm")),
             Axis::Rock(constant) => match constant {
                 RockConstant::BitRadius => row("rock_bit_radius_m", ("Radius of the bit", ""), (1e-3, 2.0, "m")),

@@ -91,7 +91,7 @@ pub struct AxisRange {
     pub to: Option<f64>,
     /// Number of values from `from` to `to`, of a grid or of the coarse scan of a trace.
     pub count: Option<usize>,
-    /// Even steps in the value or in its logarithm. Default `linear`.
+    /// Even steps in the value or in its logarithm, which maps are drawn in, too. Default `linear`.
     pub spacing: Spacing,
     /// Grid values one by one, instead of `from`, `to` and `count`.
     pub values: Option<Vec<f64>>,
@@ -174,6 +174,15 @@ impl DistributionName {
 }
 
 impl AxisRange {
+    /// In what its values are spread: their logarithm by a distribution of that, too.
+    pub fn spread(&self) -> Spacing {
+        use DistributionName::{LogNormal, LogUniform};
+        match self.distribution {
+            Some(LogUniform | LogNormal) => Spacing::Log,
+            _ => self.spacing,
+        }
+    }
+
     /// Its least and its greatest value, where it has any.
     pub fn ends(&self) -> Option<[f64; 2]> {
         let values = self.values.iter().flatten().copied();
@@ -197,6 +206,11 @@ pub enum Spacing {
 }
 
 impl Spacing {
+    /// Of an axis whose cases begin at `least`: a logarithm has no place for zero.
+    pub fn from_least(self, least: f64) -> Self {
+        if least > 0.0 { self } else { Self::Linear }
+    }
+
     /// The value a fraction of the way up from `from` to `to`.
     pub fn between(self, from: f64, to: f64, fraction: f64) -> f64 {
         // Rounding may miss the end, and step beyond it before.

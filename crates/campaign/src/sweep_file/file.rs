@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bit::BitTable;
 use super::compare::CompareTable;
-use super::design::{DesignTable, PointsName};
+use super::design::{AxisRange, DesignTable, PointsName, Spacing};
 use super::lateral::{
     ClearanceName, EccentricMassTable, ImpulseTable, SiteTable, SitesName, WallTable,
 };
@@ -16,7 +16,7 @@ use super::start::StartName;
 use super::string::StringTable;
 use super::top_drive::TopDriveTable;
 use super::well::{AxialForceTable, MudTable, StringFrictionTable, WellTable};
-use crate::quantities::Units;
+use crate::quantities::{Axis, Units};
 
 /// A sweep file, its bases merged in, as it is written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -132,6 +132,13 @@ impl FileContent {
         // Candidates at every so many metres begin there.
         let candidates = self.wall_with_candidates();
         is_given || candidates.is_some_and(|wall| wall.sites_every_m.is_some())
+    }
+
+    /// In what the values of an axis are spread.
+    pub fn spread(&self, axis: Axis) -> Spacing {
+        let design = self.design.as_ref();
+        let range = design.and_then(|design| design.axes.get(&axis));
+        range.map_or(Spacing::Linear, AxisRange::spread)
     }
 
     /// Whether its cases are at points of Sobol's sequence.

@@ -8,6 +8,7 @@ pub mod compare;
 pub mod design;
 mod error;
 pub mod file;
+mod in_file_units;
 pub mod lateral;
 pub mod map;
 pub mod methods;

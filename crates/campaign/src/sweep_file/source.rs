@@ -9,6 +9,7 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::error::SweepFileError;
+use super::in_file_units::FileUnits;
 use super::placed::{LineNumbers, Placed, Twice};
 use super::units::key_in_si;
 use super::wording::{in_words, keys_of};
@@ -132,9 +133,19 @@ impl Source {
         })
     }
 
-    /// An error about the value at `key`; where it is not given, about the
-    /// table around it.
+    /// An error about the value at `key`, with numbers and keys in the units of the file; where it is
+    /// not given, about the table around it.
     pub fn error(&self, key: &str, message: impl Into<String>) -> SweepFileError {
+        let are_field =
+            self.merged.table.get("units").and_then(toml::Value::as_str) == Some("field");
+        let mut error = self.error_as_it_is(key, message);
+        let units = FileUnits::new(are_field, error.key.as_deref().unwrap_or_default());
+        error.message = units.put(&error.message);
+        error
+    }
+
+    /// The same with a message as it is, such as one about another file.
+    pub fn error_as_it_is(&self, key: &str, message: impl Into<String>) -> SweepFileError {
         let (place, key) = match self.merged.find(key) {
             Some((place, written)) => (Some(place), written),
             None => (None, key.to_owned()),

@@ -5,7 +5,7 @@ use toml::Value;
 use crate::quantities::{Axis, in_si};
 
 /// Keys that carry a unit and are no axis.
-const KEYS: [&str; 29] = [
+pub const KEYS: [&str; 29] = [
     "length_m",
     "inner_radius_m",
     "outer_radius_m",

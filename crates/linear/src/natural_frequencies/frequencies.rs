@@ -36,6 +36,8 @@ pub(super) enum Motion {
         support: SurfaceSupport,
         /// The string from its top down.
         stretches: Vec<Stretch>,
+        /// Where it is held, if it is: then its top is the uppermost of them.
+        held: Option<Sites>,
     },
 }
 
@@ -82,17 +84,27 @@ impl NaturalFrequencies {
                 bending: undamped,
                 support,
                 stretches: stretches(string, &Sites::bit(), 0)?,
+                held: None,
             },
         })
     }
 
     /// Those in bending of a string that stabilisers, or whatever else, hold: without
     /// displacement and free to turn. What is above the uppermost of these places is left out.
-    fn held(string: &Drillstring, bending: &Bending, held: &Sites) -> Result<Self, BuildError> {
+    ///
+    /// # Errors
+    /// Where the string cannot bend so, or the places are not on it.
+    pub fn held(string: &Drillstring, bending: &Bending, held: &Sites) -> Result<Self, BuildError> {
         let mut whole = Self::bending(string, bending, SurfaceSupport::Pinned)?;
-        if let Motion::Bending { stretches: all, .. } = &mut whole.motion {
+        if let Motion::Bending {
+            stretches: all,
+            held: places,
+            ..
+        } = &mut whole.motion
+        {
             *all = stretches(string, held, held.len())?;
             all.remove(0);
+            *places = Some(held.clone());
         }
         Ok(whole)
     }
@@ -109,6 +121,7 @@ impl NaturalFrequencies {
                 bending,
                 support,
                 stretches,
+                ..
             } => bending::below(&self.string, (bending, *support), stretches, omega),
         };
         let tried = std::iter::successors(Some(omega), |omega| Some(omega.next_up()));

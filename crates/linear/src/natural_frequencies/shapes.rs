@@ -1,6 +1,8 @@
 //! Mode shapes: next to a natural frequency the string answers a load anywhere by that mode
 //! alone.
 
+use faer::Mat;
+use faer::linalg::solvers::Solve;
 use num_complex::Complex64;
 
 use super::frequencies::{Motion, NaturalFrequencies};
@@ -14,11 +16,15 @@ use crate::waves::network::TorsionNetwork;
 /// Where the surface is looked at: this part of the length below it.
 const NEXT_TO_SURFACE: f64 = 1e-6;
 
+/// Depths at equal distances are no nearer than this part of the length to a place that is held.
+const NEXT_TO_PLACE: f64 = 1e-4;
+
 /// As far from a natural frequency, as a part of it, the string is looked at: nearer, rounding
 /// takes as much as other modes add.
 const OFF_RESONANCE: f64 = 1e-6;
 
-/// A mode along the string, from the surface to the bit.
+/// A mode along the string, from the surface to the bit; of a string that is held, from the
+/// uppermost place that holds it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shape {
     /// Depths, m.
@@ -30,26 +36,27 @@ pub struct Shape {
 
 impl NaturalFrequencies {
     /// The shape of the mode of a natural frequency (rad/s) at this many depths, at least 2, at
-    /// equal distances. Of modes closer to one another than a part of 1e-5 it is a mixture.
+    /// equal distances, and where the string is held. Of modes closer to one another than a part of
+    /// 1e-5 it is a mixture.
     ///
     /// # Errors
     /// Where this is not finite, because the string's constants are extreme.
     pub fn shape(&self, frequency: f64, depths: usize) -> Result<Shape, BuildError> {
         let length = self.string.length();
-        let last = depths.max(2) - 1;
-        let depths = (0..=last).map(|index| length * index as f64 / last as f64);
-        let depths: Vec<f64> = depths.collect();
-        let place = |depth: &f64| length - depth.max(NEXT_TO_SURFACE * length);
+        let depths = self.depths(depths.max(2));
+        let top = depths[0];
+        let next_to_top = top + NEXT_TO_SURFACE * (length - top);
+        let place = |depth: &f64| length - depth.max(next_to_top);
         let distances: Vec<f64> = depths.iter().map(place).collect();
         let responses = self.responses(&Sites::new(&self.string, &distances)?, frequency)?;
         let size = |site: usize| responses[(site, site)].norm();
-        let most = (0..responses.size())
+        let most = (0..depths.len())
             .max_by(|&one, &other| size(one).total_cmp(&size(other)))
-            .unwrap_or(last);
+            .unwrap_or(0);
         let of_most = responses[(most, most)];
-        let answers = (0..=last).map(|site| (responses[(site, most)] / of_most).re);
+        let answers = (0..depths.len()).map(|site| (responses[(site, most)] / of_most).re);
         let mut amplitudes: Vec<f64> = answers.collect();
-        if self.holds_surface() {
+        if self.holds_top() {
             amplitudes[0] = 0.0;
         }
         let greatest = amplitudes
@@ -64,21 +71,84 @@ impl NaturalFrequencies {
         })
     }
 
-    fn responses(&self, sites: &Sites, frequency: f64) -> Result<ResponseMatrix, BuildError> {
-        let s = Complex64::new(0.0, frequency * (1.0 + OFF_RESONANCE));
-        Ok(match &self.motion {
-            Motion::Torsion => {
-                let network = TorsionNetwork::new(&self.string, sites)?;
-                network.admittance(s).from_torque
-            }
-            Motion::Bending {
-                bending, support, ..
-            } => BendingNetwork::new(&self.string, *bending, *support, sites)?.receptance(s),
-        })
+    /// So many depths at equal distances from the top to the bit, and those of places that hold the
+    /// string.
+    fn depths(&self, count: usize) -> Vec<f64> {
+        let length = self.string.length();
+        let held = match &self.motion {
+            Motion::Bending { held, .. } => held.as_ref(),
+            Motion::Torsion => None,
+        };
+        let held: Vec<f64> = held.map_or_else(Vec::new, |held| held.depths(&self.string).collect());
+        let top = held.first().copied().unwrap_or(0.0);
+        let even = (0..count).map(|index| {
+            let part = index as f64 / (count - 1) as f64;
+            top + (length - top) * part
+        });
+        let is_beside = |depth: &f64| {
+            let mut near = held.iter().map(|place| (place - depth).abs());
+            near.any(|distance| distance <= NEXT_TO_PLACE * (length - top))
+        };
+        let even = even.filter(|depth| !is_beside(depth));
+        let mut depths: Vec<f64> = even.chain(held.iter().copied()).collect();
+        depths.sort_by(f64::total_cmp);
+        depths
     }
 
-    fn holds_surface(&self) -> bool {
+    /// What each site answers (row) to a load at each (column).
+    fn responses(&self, sites: &Sites, frequency: f64) -> Result<Mat<Complex64>, BuildError> {
+        let s = Complex64::new(0.0, frequency * (1.0 + OFF_RESONANCE));
+        match &self.motion {
+            Motion::Torsion => {
+                let network = TorsionNetwork::new(&self.string, sites)?;
+                Ok(matrix(&network.admittance(s).from_torque))
+            }
+            Motion::Bending {
+                bending,
+                support,
+                held: None,
+                ..
+            } => {
+                let network = BendingNetwork::new(&self.string, *bending, *support, sites)?;
+                Ok(matrix(&network.receptance(s)))
+            }
+            Motion::Bending {
+                bending,
+                held: Some(held),
+                ..
+            } => {
+                let (uppermost, others) = held.distances_from_bit().split_at(1);
+                let distances = sites.distances_from_bit();
+                let all = Sites::new(&self.string, &[uppermost, distances].concat())?;
+                let network = BendingNetwork::below_uppermost(&self.string, *bending, &all)?;
+                let same = self.string.same_place();
+                let is_held = |distance: f64| others.iter().any(|it| (it - distance).abs() <= same);
+                let places = (0..distances.len()).filter(|&site| is_held(distances[site]));
+                let places: Vec<usize> = places.collect();
+                Ok(held_at(&matrix(&network.receptance(s)), &places))
+            }
+        }
+    }
+
+    fn holds_top(&self) -> bool {
         let free = SurfaceSupport::Free;
         !matches!(self.motion, Motion::Bending { support, .. } if support == free)
     }
+}
+
+fn matrix(responses: &ResponseMatrix) -> Mat<Complex64> {
+    let size = responses.size();
+    Mat::from_fn(size, size, |row, column| responses[(row, column)])
+}
+
+/// The responses of a string that is held at some of its sites, by what they are where it is free:
+/// forces there that take every displacement back.
+fn held_at(free: &Mat<Complex64>, places: &[usize]) -> Mat<Complex64> {
+    let (held, sites) = (places.len(), free.ncols());
+    let among = Mat::from_fn(held, held, |row, column| {
+        free[(places[row], places[column])]
+    });
+    let moved = Mat::from_fn(held, sites, |row, column| free[(places[row], column)]);
+    let forces = among.partial_piv_lu().solve(&moved);
+    free - moved.transpose() * forces
 }

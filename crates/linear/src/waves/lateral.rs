@@ -47,6 +47,22 @@ impl<'a> BendingNetwork<'a> {
         })
     }
 
+    /// The string below the uppermost of the sites, which holds it without displacement and lets it
+    /// turn, cut at the others.
+    ///
+    /// # Errors
+    /// As [`BendingNetwork::new`].
+    pub fn below_uppermost(
+        string: &'a Drillstring,
+        bending: Bending,
+        sites: &Sites,
+    ) -> Result<Self, DrillstringError> {
+        let mut below = Self::new(string, bending, SurfaceSupport::Pinned, sites)?;
+        below.spans.remove(0);
+        below.sites -= 1;
+        Ok(below)
+    }
+
     /// The receptance at an angular frequency (rad/s, not zero).
     pub fn at_rate(&self, rate: f64) -> ResponseMatrix {
         self.receptance(Complex64::new(0.0, rate))

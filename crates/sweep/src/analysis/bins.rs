@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use crate::output::{ResultTables, read_cases};
 use campaign::quantities::Axis;
-use campaign::sweep_file::{DistributionName, FileContent, Spacing};
+use campaign::sweep_file::{FileContent, Spacing};
 
 /// Values of an axis up to this number have a range each.
 const MOST_VALUES: usize = 24;
@@ -56,7 +56,7 @@ impl Bins {
         }
         let ranges = axes.iter().zip(all);
         Ok(ranges
-            .map(|(&axis, seen)| seen.bins(axis, is_logarithmic(content, axis), count))
+            .map(|(&axis, seen)| seen.bins(axis, content.spread(axis), count))
             .collect())
     }
 
@@ -87,18 +87,6 @@ impl Bins {
     }
 }
 
-fn is_logarithmic(content: &FileContent, axis: Axis) -> bool {
-    let design = content.design.as_ref();
-    let Some(range) = design.and_then(|design| design.axes.get(&axis)) else {
-        return false;
-    };
-    range.spacing == Spacing::Log
-        || matches!(
-            range.distribution,
-            Some(DistributionName::LogUniform | DistributionName::LogNormal)
-        )
-}
-
 impl Seen {
     fn add(&mut self, value: f64) {
         self.least = self.least.min(value);
@@ -108,20 +96,17 @@ impl Seen {
         }
     }
 
-    fn bins(&self, axis: Axis, is_logarithmic: bool, count: usize) -> Bins {
+    fn bins(&self, axis: Axis, spread: Spacing, count: usize) -> Bins {
+        let spacing = spread.from_least(self.least);
         if self.distinct.len() <= MOST_VALUES {
             let mut values: Vec<f64> = self.distinct.iter().copied().map(f64::from_bits).collect();
             values.sort_by(f64::total_cmp);
             return Bins {
                 axis,
                 ranges: values.into_iter().map(|value| [value; 2]).collect(),
-                spacing: Spacing::Linear,
+                spacing,
             };
         }
-        let spacing = match is_logarithmic && self.least > 0.0 {
-            true => Spacing::Log,
-            false => Spacing::Linear,
-        };
         let end =
             |index: usize| spacing.between(self.least, self.most, index as f64 / count as f64);
         Bins {
@@ -136,27 +121,30 @@ impl Seen {
 mod tests {
     use super::*;
 
-    fn bins(values: impl Iterator<Item = f64>, is_logarithmic: bool) -> Bins {
+    fn bins(values: impl Iterator<Item = f64>, spread: Spacing) -> Bins {
         let mut seen = Seen {
             distinct: BTreeSet::new(),
             least: f64::INFINITY,
             most: f64::NEG_INFINITY,
         };
         values.for_each(|value| seen.add(value));
-        seen.bins(Axis::FRICTION, is_logarithmic, 4)
+        seen.bins(Axis::FRICTION, spread, 4)
     }
 
     #[test]
     fn few_values_have_a_range_each_and_many_share_even_ones() {
-        let few = bins([3.0, 1.0, 3.0, -2.0].into_iter(), false);
+        let few = bins([3.0, 1.0, 3.0, -2.0].into_iter(), Spacing::Log);
         assert_eq!(few.ranges, [[-2.0; 2], [1.0; 2], [3.0; 2]]);
         assert_eq!([-2.0, 1.0, 3.0].map(|value| few.place(value)), [0, 1, 2]);
-        let many = bins((0..=100).map(f64::from), false);
+        let many = bins((0..=100).map(f64::from), Spacing::Linear);
         let expected = [[0.0, 25.0], [25.0, 50.0], [50.0, 75.0], [75.0, 100.0]];
         assert_eq!(many.ranges, expected);
         let places = [0.0, 25.0, 25.1, 100.0].map(|value| many.place(value));
         assert_eq!(places, [0, 0, 1, 3]);
-        let logarithmic = bins((0..=40).map(|step| 10f64.powf(0.1 * f64::from(step))), true);
+        let logarithmic = bins(
+            (0..=40).map(|step| 10f64.powf(0.1 * f64::from(step))),
+            Spacing::Log,
+        );
         for (range, low) in logarithmic.ranges.iter().zip([1.0, 10.0, 100.0, 1000.0]) {
             assert!((range[0] / low - 1.0).abs() < 1e-12, "{range:?}");
         }

@@ -3,13 +3,13 @@
 
 use std::path::Path;
 
-use anyhow::{Result, bail};
+use anyhow::{Result, bail, ensure};
 
 use super::status::UsageError;
 use crate::cli::{PictureArguments, PictureFormat, RangeArguments};
 use crate::map;
 use crate::output::{Manifest, ResultTables, write_atomically};
-use crate::plot::{Look, Panel, Paper, Picture};
+use crate::plot::{Look, Panel, Paper, Picture, map_sheet};
 
 /// How pictures look, and the formats that they are written in.
 pub struct Drawing {
@@ -126,10 +126,16 @@ pub fn draw_and_note(folder: &Path, manifest: &mut Manifest, drawing: &Drawing) 
 /// Draws the map of a results folder's tables into a folder; false where its design has no two
 /// axes.
 pub fn draw_map(tables: &ResultTables, folder: &Path, drawing: &Drawing) -> Result<bool> {
-    let Some(picture) = map::picture(tables, &drawing.look)? else {
+    let Some(map) = map::drawing(tables)? else {
         return Ok(false);
     };
-    drawing.save(folder, "map", &picture)?;
+    let options = ["--x-range", "--y-range"];
+    for ((axis, ends), option) in map.sheet.axes.iter().zip(drawing.look.ranges).zip(options) {
+        let has_place = ends.is_none_or(|[from, _]| !axis.logarithmic || from > 0.0);
+        let message = format!("{option}: a logarithmic axis begins above zero");
+        ensure!(has_place, UsageError(message));
+    }
+    drawing.save(folder, "map", &map_sheet(&drawing.look, &map.sheet)?)?;
     Ok(true)
 }
 

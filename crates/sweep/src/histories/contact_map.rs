@@ -36,7 +36,7 @@ pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -
         title: format!("{}: contact with the wall", sweep.title),
         axes: [
             "Time t (s)".to_owned(),
-            format!("Above the bit ({})", length.name),
+            format!("Sites in order, above the bit ({})", length.name),
         ]
         .map(Axis::linear),
         ends: [0.0, steps as f64 / frequency],

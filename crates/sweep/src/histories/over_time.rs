@@ -8,7 +8,7 @@ use super::known::{has_surface_speed, has_surface_torque, has_torque};
 use super::marks::{each_once, ink, level, shown_clearances};
 use crate::plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 use campaign::engine::{Case, Simulation};
-use campaign::plan::{Sweep, to_rpm};
+use campaign::plan::{Comparison, Sweep, to_rpm};
 use campaign::quantities::{TORQUE, Unit, Units, WIDTH};
 use campaign::sweep_file::TraceName;
 use campaign::words::site_title;
@@ -182,7 +182,8 @@ impl Histories<'_> {
         Some(self.panel(&label, series, Vec::new()))
     }
 
-    /// What was recorded of a trace, each once, times a factor, for as long as is simulated.
+    /// What was recorded of a trace, each once, times a factor, for as long as is simulated;
+    /// several recordings have the names of what is held against them.
     fn recorded(&self, trace: TraceName, factor: f64) -> Vec<Series> {
         let times = self
             .simulations
@@ -190,19 +191,29 @@ impl Histories<'_> {
             .flat_map(|it| it.trajectory.times.last());
         let end = times.copied().fold(0.0, f64::max);
         let of_trace = (self.sweep.data.comparisons.iter()).filter(|it| it.trace == trace);
-        let mut list: Vec<Series> = Vec::new();
+        let mut recordings: Vec<(&Comparison, Vec<&str>)> = Vec::new();
         for comparison in of_trace {
-            let name = comparison.title();
-            if list.iter().any(|series| series.name == name) {
-                continue;
+            let known = recordings
+                .iter_mut()
+                .find(|(other, _)| comparison.has_recording_of(other));
+            match known {
+                Some((_, names)) => names.push(&comparison.name),
+                None => recordings.push((comparison, vec![&comparison.name])),
             }
+        }
+        let is_alone = recordings.len() == 1;
+        let series = recordings.iter().map(|(comparison, names)| {
+            let name = match is_alone {
+                true => comparison.of_what().to_owned(),
+                false => format!("{} ({})", comparison.of_what(), names.join(", ")),
+            };
             let recorded = &comparison.recorded;
             let samples = recorded.times().iter().zip(recorded.values());
             let shown = samples.take_while(|(time, _)| **time <= end);
-            let points = shown.map(|(time, value)| (*time, factor * value)).collect();
-            list.push(Series::new(name, points));
-        }
-        list
+            let points = shown.map(|(time, value)| (*time, factor * value));
+            Series::new(name, points.collect())
+        });
+        series.collect()
     }
 
     /// The times of Eq. 72.
@@ -228,7 +239,7 @@ impl Histories<'_> {
         let limit = |of: fn(BitTorque) -> f64| {
             move |case: &Case| Some(unit.number(1e-3 * of(case.scene.bit?)))
         };
-        let mut limits = levels(self.cases, "Tₛ", limit(|bit| bit.torque_static));
+        let mut limits = levels(self.cases, "T_s", limit(|bit| bit.torque_static));
         limits.extend(levels(self.cases, "T_d", limit(|bit| bit.torque_dynamic)));
         let torques =
             self.of_each(&|trajectory, index| unit.number(-1e-3 * trajectory.bit_torque[index]));

@@ -17,7 +17,7 @@ impl Cells {
     /// cases, cells of one size.
     pub fn new(extent: &Extent, most: [usize; 2]) -> Self {
         let mesh = if extent.is_grid() {
-            Mesh::around(&extent.values, most)
+            Mesh::around(&extent.values, extent.spacing, most)
         } else {
             Mesh::even(extent, most)
         };

@@ -9,6 +9,7 @@ use anyhow::Result;
 
 use crate::output::{Motion, read_cases};
 use campaign::quantities::{Axis, Units};
+use campaign::sweep_file::{FileContent, Spacing};
 
 /// Distinct values along an axis are kept up to this number.
 const MOST_DISTINCT: usize = 2000;
@@ -27,6 +28,8 @@ pub struct Extent {
     pub units: Units,
     /// Least and greatest value to the right and upwards.
     pub ranges: [[f64; 2]; 2],
+    /// In what the values of its axes are spread, and its axes even.
+    pub spacing: [Spacing; 2],
     /// Cases.
     pub cases: usize,
     /// Motions that have labels; that of torsion where no case has any.
@@ -55,12 +58,17 @@ impl Extent {
         (few.len() <= 1 || 2 * few.len() <= self.cases).then_some(few)
     }
 
-    /// Of a `labels.csv`: along the `axes` of a map, to the right and upwards, with
+    /// Of a sweep's `labels.csv`: along the `axes` of a map, to the right and upwards, with
     /// `others` beside them.
     ///
     /// # Errors
     /// Where it cannot be read.
-    pub fn of(labels: &Path, axes: [Axis; 2], others: Vec<Axis>, units: Units) -> Result<Self> {
+    pub fn of(
+        labels: &Path,
+        axes: [Axis; 2],
+        others: Vec<Axis>,
+        sweep: &FileContent,
+    ) -> Result<Self> {
         let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; axes.len() + others.len()];
         let mut values = [Vec::new(), Vec::new()];
         let mut combinations = Vec::new();
@@ -91,8 +99,9 @@ impl Extent {
         Ok(Self {
             axes,
             others,
-            units,
+            units: sweep.units,
             ranges: [ranges[0], ranges[1]],
+            spacing: [0, 1].map(|axis| sweep.spread(axes[axis]).from_least(ranges[axis][0])),
             cases,
             motions: motions.into_iter().collect(),
             values,
@@ -111,6 +120,7 @@ impl Extent {
             others: Vec::new(),
             units: Units::Si,
             ranges: values.map(|values| [values[0], values[values.len() - 1]]),
+            spacing: [Spacing::Linear; 2],
             cases,
             motions: vec![Motion::Torsion],
             values: values.map(<[f64]>::to_vec),
@@ -137,7 +147,11 @@ mod tests {
         let header = "case,method,surface_speed_rpm,weight_on_bit_kn,friction,torsion,lateral";
         std::fs::write(file.path(), format!("{header}\n{rows}")).expect("written");
         let axes = [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn];
-        Extent::of(file.path(), axes, others, Units::Si).expect("a table")
+        let sweep = toml::from_str(
+            "[string]\nshear_modulus_gpa = 1\ndensity_kg_m3 = 1\ntorsional_damping_nms_rad_m = 1",
+        );
+        let sweep = sweep.expect("a sweep");
+        Extent::of(file.path(), axes, others, &sweep).expect("a table")
     }
 
     #[test]

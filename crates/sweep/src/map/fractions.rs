@@ -26,7 +26,7 @@ impl Fractions {
     /// cases each.
     pub fn new(extent: &Extent) -> Self {
         let mesh = if extent.is_grid() {
-            Mesh::around(&extent.values, MOST_CELLS)
+            Mesh::around(&extent.values, extent.spacing, MOST_CELLS)
         } else {
             let most = MOST_CELLS.map(|cells| cells as f64);
             let wanted = extent.cases as f64 / CASES_PER_CELL;

@@ -7,6 +7,7 @@ use super::words::{ends, quantity};
 use crate::output::{Curve, Motion};
 use crate::plot::{Band, Ink, Series, is_within};
 use campaign::quantities::{Axis, Units};
+use campaign::sweep_file::Spacing;
 
 /// The limit on a map.
 #[derive(Default)]
@@ -81,10 +82,10 @@ impl Limits {
         let places = |piece: &[[f64; 2]]| piece.iter().map(on_map).collect::<Vec<_>>();
         let (ranges, pieces) = (extent.ranges, &curve.pieces);
         if pieces.iter().any(|piece| is_within(&places(piece), ranges)) {
-            let range = ranges[1 - limited];
+            let (range, spacing) = (ranges[1 - limited], extent.spacing[1 - limited]);
             let lines = pieces
                 .iter()
-                .map(|piece| places(&with_length(piece, range)));
+                .map(|piece| places(&with_length(piece, range, spacing)));
             self.lines.push(Series {
                 name: curve.name.clone(),
                 ink: ink(curve),
@@ -211,18 +212,21 @@ fn unseen(curve: &Curve, limit: &str, side: &str, margin: &str) -> String {
 /// The points of a piece. A single one, of a map over one value or of a branch that is the
 /// least only there, becomes a line that can be seen: along all of an axis without other
 /// values, whose `range` has no length.
-fn with_length(piece: &[[f64; 2]], [low, high]: [f64; 2]) -> Vec<[f64; 2]> {
+fn with_length(piece: &[[f64; 2]], [low, high]: [f64; 2], spacing: Spacing) -> Vec<[f64; 2]> {
     let Some(&[along, limited]) = piece.first() else {
         return Vec::new();
     };
     if piece.iter().any(|point| *point != piece[0]) {
         return piece.to_vec();
     }
-    let reach = REACH * (high - low);
-    let ends = if low < high {
-        vec![along - reach, along + reach]
-    } else {
-        around(&[along])
+    let ends = match spacing {
+        _ if low >= high => around(&[along], spacing),
+        Spacing::Linear => [-REACH, REACH]
+            .map(|reach| along + reach * (high - low))
+            .to_vec(),
+        Spacing::Log => [-REACH, REACH]
+            .map(|reach| along * (high / low).powf(reach))
+            .to_vec(),
     };
     ends.into_iter().map(|along| [along, limited]).collect()
 }

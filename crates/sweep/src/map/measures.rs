@@ -28,7 +28,7 @@ pub fn group(
     measure: Measure,
 ) -> Result<MapGroup> {
     let mesh = if manifest.is_trace() {
-        Mesh::around(&extent.values, MOST_CELLS)
+        Mesh::around(&extent.values, extent.spacing, MOST_CELLS)
     } else {
         Mesh::of_cases(extent, MOST_CELLS, CASES_PER_CELL)
     };

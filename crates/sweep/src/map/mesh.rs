@@ -3,6 +3,7 @@
 use super::extent::Extent;
 use crate::analysis::Bins;
 use crate::plot::{Ground, MapCell};
+use campaign::sweep_file::Spacing;
 
 /// Cells over two axes, column by column.
 pub struct Mesh {
@@ -21,7 +22,7 @@ impl Mesh {
         let edges = bins.map(|bins| {
             let begins = bins.ranges.iter().map(|range| range[0]);
             if bins.are_values() {
-                return around(&begins.collect::<Vec<f64>>());
+                return around(&begins.collect::<Vec<f64>>(), bins.spacing);
             }
             let last = bins.ranges.last().map(|range| range[1]);
             begins.chain(last).collect()
@@ -31,9 +32,10 @@ impl Mesh {
 
     /// Around the values of a grid: at most `most` cells to the right and upwards, of
     /// neighbouring values together where there are more.
-    pub fn around(values: &[Vec<f64>; 2], most: [usize; 2]) -> Self {
+    pub fn around(values: &[Vec<f64>; 2], spacing: [Spacing; 2], most: [usize; 2]) -> Self {
         let edges = [0, 1].map(|axis| {
-            let (lines, values) = (around(&values[axis]), values[axis].len().max(1));
+            let lines = around(&values[axis], spacing[axis]);
+            let values = values[axis].len().max(1);
             let cells = most[axis].clamp(1, values);
             let line = |cell: usize| lines[cell * values / cells];
             (0..=cells).map(line).collect()
@@ -45,7 +47,7 @@ impl Mesh {
     /// average.
     pub fn of_cases(extent: &Extent, most: [usize; 2], cases_per_cell: f64) -> Self {
         if extent.is_grid() {
-            return Self::around(&extent.values, most);
+            return Self::around(&extent.values, extent.spacing, most);
         }
         let [x, y] = most.map(|cells| cells as f64);
         let scale = (extent.cases as f64 / (cases_per_cell * x * y)).sqrt();
@@ -58,7 +60,7 @@ impl Mesh {
     pub fn even(extent: &Extent, most: [usize; 2]) -> Self {
         let edges = [0, 1].map(|axis| {
             let cells = most[axis].min(extent.values[axis].len()).max(1);
-            even(extent.ranges[axis], cells)
+            even(extent.ranges[axis], extent.spacing[axis], cells)
         });
         Self { edges }
     }
@@ -138,8 +140,14 @@ impl Mesh {
     }
 }
 
-/// Lines half-way between neighbours, and as far beyond the first and the last.
-pub fn around(values: &[f64]) -> Vec<f64> {
+/// Lines half-way between neighbours, in the value or in its logarithm, and as far beyond the
+/// first and the last.
+pub fn around(values: &[f64], spacing: Spacing) -> Vec<f64> {
+    if spacing == Spacing::Log && values.len() > 1 {
+        let logarithms: Vec<f64> = values.iter().map(|value| value.ln()).collect();
+        let lines = around(&logarithms, Spacing::Linear).into_iter();
+        return lines.map(f64::exp).collect();
+    }
     let ([first, .., last], Some(count)) = (values, values.len().checked_sub(2)) else {
         let value = values.first().copied().unwrap_or_default();
         let half = if value == 0.0 {
@@ -156,12 +164,12 @@ pub fn around(values: &[f64]) -> Vec<f64> {
 }
 
 /// Lines at even distances.
-fn even([from, to]: [f64; 2], cells: usize) -> Vec<f64> {
+fn even([from, to]: [f64; 2], spacing: Spacing, cells: usize) -> Vec<f64> {
     if from >= to {
-        return around(&[from]);
+        return around(&[from], spacing);
     }
     (0..=cells)
-        .map(|index| from + (to - from) * index as f64 / cells as f64)
+        .map(|index| spacing.between(from, to, index as f64 / cells as f64))
         .collect()
 }
 
@@ -170,7 +178,8 @@ mod tests {
     use super::*;
 
     fn edges(values: &[f64], most: usize) -> Vec<f64> {
-        let [x, _] = Mesh::around(&[values.to_vec(), vec![0.0]], [most, 1]).edges;
+        let linear = [Spacing::Linear; 2];
+        let [x, _] = Mesh::around(&[values.to_vec(), vec![0.0]], linear, [most, 1]).edges;
         x
     }
 
@@ -184,9 +193,30 @@ mod tests {
         assert_eq!(edges(&[], 9), [-0.5, 0.5]);
     }
 
+    /// Decades have cells as wide as one another, and places are told by them.
+    #[test]
+    fn values_even_in_the_logarithm_have_cells_even_in_it() {
+        let values = vec![1e-3, 1e-2, 0.1];
+        let mesh = Mesh::around(
+            &[values, vec![0.0]],
+            [Spacing::Log, Spacing::Linear],
+            [3, 1],
+        );
+        let expected = [-3.5, -2.5, -1.5, -0.5].map(|power| 10f64.powf(power));
+        for (line, expected) in mesh.edges[0].iter().zip(expected) {
+            assert!((line / expected - 1.0).abs() < 1e-12, "{line} {expected}");
+        }
+        assert_eq!(
+            [0.003, 0.004, 0.05].map(|x| mesh.cell_of([x, 0.0])),
+            [0, 1, 2]
+        );
+        assert_eq!(even([1.0, 100.0], Spacing::Log, 2), [1.0, 10.0, 100.0]);
+    }
+
     #[test]
     fn outlines_part_cells_that_differ() {
-        let mesh = Mesh::around(&[vec![0.0, 2.0, 4.0], vec![0.0, 2.0]], [3, 2]);
+        let values = [vec![0.0, 2.0, 4.0], vec![0.0, 2.0]];
+        let mesh = Mesh::around(&values, [Spacing::Linear; 2], [3, 2]);
         // The first column with, the second without, the third unknown but for its bottom.
         let classes = [
             Some(true),

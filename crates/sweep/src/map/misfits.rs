@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use super::extent::Extent;
 use super::mesh::Mesh;
-use crate::output::{misfit_columns, read_cases};
+use crate::output::{column_words, misfit_columns, read_cases};
 use crate::plot::{Ground, MapGroup, MapPanel, Part};
 use campaign::words::short;
 
@@ -43,9 +43,13 @@ pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
     }
     let panels = columns.iter().zip(&least).map(|(column, least)| {
         let best = least.iter().copied().fold(f64::INFINITY, f64::min);
-        let (column, unit) = extent.units.named(column);
+        let (words, unit) = column_words(column, extent.units);
         MapPanel {
-            title: format!("{column}, at best {}", short(unit.number(best))),
+            title: format!(
+                "{words}: at best {} {}",
+                short(unit.number(best)),
+                unit.name
+            ),
             cells: mesh.joined(|cell| Some(ground(least[cell], best))),
             ..MapPanel::default()
         }

@@ -29,7 +29,7 @@ mod words;
 
 pub use cells::Cells;
 pub use extent::Extent;
-pub use picture::{Drawing, drawing, picture};
+pub use picture::{Drawing, drawing};
 pub use probability::{Probabilities, probability_picture};
 pub use symbol::symbol_of;
 pub use window::{WindowSheet, window_picture};

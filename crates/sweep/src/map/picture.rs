@@ -7,25 +7,15 @@ use anyhow::Result;
 use super::content::Content;
 use super::extent::Extent;
 use super::limits::Limits;
-use super::shown::show_in;
+use super::shown::{plot_axis, show_in};
 use super::traced::TracedMap;
 use super::words;
 use super::{measures, misfits};
 use crate::limits::TracedLimits;
 use crate::output::{Curve, Manifest, Motion, ResultTables};
-use crate::plot::{self, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, map_sheet};
+use crate::plot::{MapGroup, MapPanel, MapSheet, Mark};
 use campaign::plan::MapMark;
 use campaign::quantities::Axis;
-
-/// Draws the map of a results folder's tables, as it is asked to look; none where its design has no two axes.
-///
-/// # Errors
-/// Where a file cannot be read.
-pub fn picture(tables: &ResultTables, look: &Look) -> Result<Option<Picture>> {
-    let drawing = drawing(tables)?;
-    let picture = drawing.map(|drawing| map_sheet(look, &drawing.sheet));
-    picture.transpose()
-}
 
 /// What is drawn of a results folder, and which cases each of its maps has.
 pub struct Drawing {
@@ -61,7 +51,7 @@ pub fn drawing(tables: &ResultTables) -> Result<Option<Drawing>> {
     };
     let map = Map {
         manifest,
-        extent: Extent::of(&labels, axes, others, units)?,
+        extent: Extent::of(&labels, axes, others, &manifest.sweep)?,
         labels,
         traced,
         curves: curves(tables)?,
@@ -77,7 +67,7 @@ pub fn drawing(tables: &ResultTables) -> Result<Option<Drawing>> {
             None => manifest.title.clone(),
             Some(so_far) => format!("{} ({so_far})", manifest.title),
         },
-        axes: axes.map(|axis| plot::Axis::linear(axis.title(units))),
+        axes: [0, 1].map(|axis| plot_axis(axes[axis], map.extent.spacing[axis], units)),
         marks,
         groups: motions
             .map(|&motion| map.group(motion, left_out.as_ref()))
@@ -148,7 +138,7 @@ impl Map<'_> {
         let mut notes = words::once_if_the_same(notes, panels.len());
         let is_alone = self.extent.motions.len() == 1;
         if curves.is_empty() && !is_alone {
-            notes.push("boundary.csv has no limit of this motion".to_owned());
+            notes.push("no limit of this motion is known".to_owned());
         }
         notes.extend(untold);
         notes.extend(left_out.cloned());
@@ -170,6 +160,7 @@ impl Map<'_> {
             limits,
             methods: self.manifest.methods.len(),
             places: if is_upright { [0, 1] } else { [1, 0] },
+            spacing: self.extent.spacing,
             simulated: self.extent.cases,
         }
     }

@@ -6,7 +6,7 @@ use sim::Label;
 
 use super::contour::contour;
 use super::mesh::Mesh;
-use super::shown::show_in;
+use super::shown::{plot_axis, show_in};
 use crate::analysis::{Bins, Counts, Interval, wilson};
 use crate::output::Motion;
 use crate::plot::{
@@ -15,7 +15,6 @@ use crate::plot::{
 };
 use campaign::plan::{MapMark, MapSettings};
 use campaign::quantities::Units;
-use campaign::sweep_file::Spacing;
 use campaign::words::counted;
 
 /// Cells whose 95 % interval is wider have too few cases: of half and half, those of fewer than 21.
@@ -75,15 +74,6 @@ impl Probabilities<'_> {
         }
     }
 
-    /// An axis of a plot: logarithmic where the ranges are even in the logarithm.
-    fn axis(&self, bins: &Bins) -> plot::Axis {
-        let title = bins.axis.title(self.units);
-        match bins.spacing {
-            Spacing::Linear => plot::Axis::linear(title),
-            Spacing::Log => plot::Axis::logarithmic(title),
-        }
-    }
-
     fn sheet(&self, bins: [&Bins; 2]) -> Result<Picture> {
         let motions = self.motions();
         let is_alone = motions.len() == 1;
@@ -96,7 +86,7 @@ impl Probabilities<'_> {
         });
         let mut sheet = MapSheet {
             title: self.title.clone(),
-            axes: bins.map(|bins| self.axis(bins)),
+            axes: bins.map(|bins| plot_axis(bins.axis, bins.spacing, self.units)),
             marks: self.marks(bins),
             groups: groups.collect(),
         };
@@ -208,7 +198,10 @@ impl Probabilities<'_> {
                 };
                 let label = format!("{} by {method} (%)", self.regime(motion));
                 all.push(Panel {
-                    axes: [self.axis(bins), plot::Axis::linear(label)],
+                    axes: [
+                        plot_axis(bins.axis, bins.spacing, self.units),
+                        plot::Axis::linear(label),
+                    ],
                     series: vec![
                         curve("part of the cases", |it| it.value),
                         curve("95 % interval, from", |it| it.low),

@@ -1,7 +1,17 @@
 //! A sheet of maps in the units that people read.
 
-use crate::plot::MapSheet;
-use campaign::quantities::Unit;
+use crate::plot::{self, MapSheet};
+use campaign::quantities::{Axis, Unit, Units};
+use campaign::sweep_file::Spacing;
+
+/// An axis of a map as it is drawn: logarithmic where values are spread evenly in the logarithm.
+pub fn plot_axis(axis: Axis, spacing: Spacing, units: Units) -> plot::Axis {
+    let title = axis.title(units);
+    match spacing {
+        Spacing::Linear => plot::Axis::linear(title),
+        Spacing::Log => plot::Axis::logarithmic(title),
+    }
+}
 
 /// Puts every place on a sheet in these units of its axes.
 pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
@@ -26,9 +36,9 @@ pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::{Axis, Band, Ground, MapCell, MapGroup, MapPanel, MapPoint, Mark};
+    use crate::plot::{Band, Ground, MapCell, MapGroup, MapPanel, MapPoint, Mark};
     use crate::plot::{Ink, Series, Symbol};
-    use campaign::quantities::{FORCE, Units};
+    use campaign::quantities::FORCE;
 
     /// 4.4482216152605 kN are one klbf.
     #[test]
@@ -53,7 +63,7 @@ mod tests {
         };
         let mut sheet = MapSheet {
             title: name(),
-            axes: ["", ""].map(Axis::linear),
+            axes: ["", ""].map(plot::Axis::linear),
             marks: vec![Mark { name: name(), at }],
             groups: vec![MapGroup {
                 heading: name(),

@@ -10,6 +10,7 @@ use super::symbol::symbol_of_counts;
 use crate::limits::TracedLimits;
 use crate::output::Motion;
 use crate::plot::{Ground, MapCell, MapPoint, Part, Symbol};
+use campaign::sweep_file::Spacing;
 use campaign::trace::{Band, Class, Tile};
 
 /// Cells of a map to the right and upwards at most.
@@ -23,6 +24,8 @@ pub struct TracedMap<'a> {
     pub methods: usize,
     /// Which of the design's axes is to the right, and which upwards.
     pub places: [usize; 2],
+    /// In what the map's axes are even.
+    pub spacing: [Spacing; 2],
     /// Cases that were simulated.
     pub simulated: usize,
 }
@@ -33,11 +36,11 @@ impl TracedMap<'_> {
         let values = self
             .places
             .map(|place| self.limits.values()[place].to_vec());
-        let mut cells = Cells::of(Mesh::around(&values, MOST_CELLS));
+        let mut cells = Cells::of(Mesh::around(&values, self.spacing, MOST_CELLS));
         for (_, _, point) in self.points(motion) {
             cells.add(point.at.into(), point.symbol);
         }
-        let edges = values.map(|values| around(&values));
+        let edges = [0, 1].map(|axis| around(&values[axis], self.spacing[axis]));
         let tiles = self.tiles(motion).into_iter();
         let tiles = tiles.map(|(ends, part)| MapCell {
             ends: [0, 1].map(|axis| ends[self.places[axis]].map(|end| edges[axis][end])),

@@ -3,6 +3,7 @@
 mod about;
 mod boundary;
 mod cases;
+mod column_words;
 mod curves;
 mod envelope;
 mod failures;
@@ -24,6 +25,7 @@ pub use about::About;
 pub use boundary::{Boundary, StickSlipPoint, boundary, boundary_csv, exact_stick_slip_limit};
 pub use campaign::labels::{Certainty, LabelTable, Labels, Motion, is_sustained};
 pub use cases::{CaseRows, read_cases, read_measured_cases};
+pub use column_words::column_words;
 pub use curves::Curve;
 pub use envelope::Envelope;
 pub use failures::FAILURES_HEADER;

@@ -22,6 +22,10 @@ const GAP: f64 = 14.0;
 /// Room for the numbers of modes, to the right of a panel.
 const NUMBERS: f64 = 40.0;
 const MARKER_RADIUS: f64 = 3.2;
+/// More natural frequencies than this, drawn across, are one grey area.
+const MOST_ACROSS: usize = 60;
+/// Length of the ticks that they are then.
+const TICK: f64 = 8.0;
 /// Across all speeds.
 const NATURAL: Stroke = Stroke::solid(GREY, 0.9);
 
@@ -31,12 +35,25 @@ pub struct CampbellPanel {
     pub title: String,
     /// Speed and frequency; all panels share the range of speeds.
     pub axes: [Axis; 2],
-    /// Natural frequencies, numbered from 1.
+    /// Natural frequencies, numbered from 1; of many there are ticks alone.
     pub natural: Vec<f64>,
     /// Each multiple of the speed, as a line.
     pub orders: Vec<Series>,
     /// Where a multiple of the same name meets a natural frequency.
     pub crossings: Vec<Series>,
+}
+
+impl CampbellPanel {
+    fn is_dense(&self) -> bool {
+        self.natural.len() > MOST_ACROSS
+    }
+
+    fn titled(&self) -> String {
+        if !self.is_dense() {
+            return self.title.clone();
+        }
+        format!("{}: any speed meets one", self.title)
+    }
 }
 
 /// Draws panels one below another, with one title and one legend, in which all natural
@@ -131,7 +148,7 @@ fn draw_panel(
     (inks, strokes, markers): (&[(&str, Ink)], &[Stroke], &[Marker]),
 ) -> Result<()> {
     frame.draw(canvas)?;
-    let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width())?;
+    let title = Block::new(&panel.titled(), LABEL_SIZE, frame.area.width())?;
     let above = frame.area.top - GAP / 2.0 - 2.0;
     canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
     draw_natural(canvas, panel, frame)?;
@@ -141,7 +158,7 @@ fn draw_panel(
             canvas.line(&piece, stroke)?;
         }
     }
-    for order in &panel.crossings {
+    for order in panel.crossings.iter().filter(|_| !panel.is_dense()) {
         let marker = markers[place_among(&order.name, inks)];
         for pixel in order.points.iter().filter_map(|&point| frame.pixel(point)) {
             draw_marker(canvas, marker, pixel, MARKER_RADIUS)?;
@@ -153,13 +170,14 @@ fn draw_panel(
 /// Lines of natural frequencies, numbered where there is room.
 fn draw_natural(canvas: &mut Canvas, panel: &CampbellPanel, frame: &Frame) -> Result<()> {
     let Rect { left, right, .. } = frame.area;
+    let left = if panel.is_dense() { right - TICK } else { left };
     let mut free_below = f64::INFINITY;
     for (index, &frequency) in panel.natural.iter().enumerate() {
         let Some(y) = frame.pixel_y(frequency) else {
             continue;
         };
         canvas.line(&[(left, y), (right, y)], NATURAL)?;
-        if y <= free_below {
+        if y <= free_below && !panel.is_dense() {
             let number = Block::new(&(index + 1).to_string(), SMALL_SIZE, NUMBERS)?;
             canvas.text(&number, right + GAP / 2.0, y, HPos::Left)?;
             free_below = y - 1.2 * SMALL_SIZE;

@@ -4,7 +4,7 @@ use super::geometry::{Pixel, Rect};
 use super::look::{Look, Paper};
 use super::outlines::{INDEX_DEPTH, INDEX_SIZE, Line};
 use super::picture::Picture;
-use super::text::{self, Block, TITLE_SIZE};
+use super::text::{self, Block, TITLE_SIZE, at_indices};
 use anyhow::{Context, Result};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -256,21 +256,23 @@ fn with_outlines(svg: &str, text: &[Line]) -> Result<String> {
     Ok(drawn)
 }
 
-/// Sets the index of T_d, for which Unicode has no letter, below the line. What
-/// follows on the line goes back up to it.
+/// Sets the indices of T_s and T_d below the line. What follows on the line goes back up to it.
 fn with_subscripts(svg: &str) -> String {
     let (size, depth) = (100.0 * INDEX_SIZE, INDEX_DEPTH / INDEX_SIZE);
-    let down = format!("T<tspan dy=\"{depth:.1}em\" font-size=\"{size:.0}%\">d</tspan>");
-    let mut pieces = svg.split("T_d");
-    let mut set = pieces.next().unwrap_or_default().to_owned();
-    for piece in pieces {
+    let mut set = String::with_capacity(svg.len());
+    let mut is_down = false;
+    for (piece, index) in at_indices(svg) {
         let end = piece.find(['\n', '<']).unwrap_or(piece.len());
         let (line, rest) = piece.split_at(end);
-        set += &down;
-        if !line.is_empty() {
-            set += &format!("<tspan dy=\"-{INDEX_DEPTH}em\">{line}</tspan>");
+        if is_down && !line.is_empty() {
+            set += &format!("<tspan dy=\"-{INDEX_DEPTH}em\">{line}</tspan>{rest}");
+        } else {
+            set += piece;
         }
-        set += rest;
+        is_down = !index.is_empty();
+        if is_down {
+            set += &format!("<tspan dy=\"{depth:.1}em\" font-size=\"{size:.0}%\">{index}</tspan>");
+        }
     }
     set
 }
@@ -332,14 +334,14 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn the_index_of_the_dynamic_torque_is_below_the_line() {
+    fn the_indices_of_torques_are_below_the_line() {
         let picture = draw_on((200.0, 62.0), |canvas| {
-            let text = Block::new("T_d < 2 kN m, T_d", 14.0, 200.0)?;
+            let text = Block::new("T_d < 2 kN m, T_s", 14.0, 200.0)?;
             canvas.text(&text, 5.0, 30.0, HPos::Left)
         });
-        assert!(!picture.svg.contains("T_d"));
-        let index = "T<tspan dy=\"0.3em\" font-size=\"70%\">d</tspan>";
-        let text = format!("{index}<tspan dy=\"-0.21em\"> &lt; 2 kN m, </tspan>{index}\n");
+        let index = |letter| format!("<tspan dy=\"0.3em\" font-size=\"70%\">{letter}</tspan>");
+        let between = "<tspan dy=\"-0.21em\"> &lt; 2 kN m, T</tspan>";
+        let text = format!("T{}{between}{}\n", index('d'), index('s'));
         assert!(picture.svg.contains(&text), "{}", picture.svg);
         assert_text_inside(&picture);
     }

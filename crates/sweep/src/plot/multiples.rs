@@ -30,8 +30,8 @@ pub struct Multiple {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Draws panels with the same axes in a grid, row by row, each with a line where the vertical
-/// axis is zero.
+/// Draws panels with the same vertical axis in a grid, row by row, each over its own range of the
+/// horizontal one and with a line where the vertical one is zero.
 pub fn multiples(
     look: &Look,
     title: &str,
@@ -71,14 +71,13 @@ fn frames(
     top: f64,
     (full, columns): (f64, usize),
 ) -> Result<Vec<Frame>> {
-    let points = || panels.iter().flat_map(|panel| &panel.points);
-    let scales = [
-        Scale::new(axes[0].logarithmic, points().map(|point| point.0)),
-        Scale::new(axes[1].logarithmic, points().map(|point| point.1)),
-    ];
+    let points = panels.iter().flat_map(|panel| &panel.points);
+    let y = Scale::new(axes[1].logarithmic, points.map(|point| point.1));
     let width = (full - 2.0 * MARGIN) / columns as f64;
     let mut frames = Vec::with_capacity(panels.len());
-    for index in 0..panels.len() {
+    for (index, panel) in panels.iter().enumerate() {
+        let own = panel.points.iter().map(|point| point.0);
+        let x = Scale::new(axes[0].logarithmic, own);
         let left = MARGIN + (index % columns) as f64 * width;
         let top = top + (index / columns) as f64 * PANEL_HEIGHT;
         let outer = Rect {
@@ -87,7 +86,7 @@ fn frames(
             right: left + width - GAP,
             bottom: top + PANEL_HEIGHT - GAP,
         };
-        frames.push(Frame::new(outer, axes, scales)?);
+        frames.push(Frame::new(outer, axes, [x, y])?);
     }
     align_left(&mut frames, columns);
     Ok(frames)

@@ -7,7 +7,7 @@ use ab_glyph::{Font, FontRef, OutlineCurve, Point};
 use anyhow::{Result, anyhow};
 use plotters::style::text_anchor::HPos;
 
-use super::text::FONT;
+use super::text::{FONT, at_indices};
 
 /// From where a line is anchored, its top, down to its baseline, in font sizes, as plotters
 /// writes it.
@@ -44,12 +44,9 @@ impl Line {
         let font = READ.as_ref();
         let font = font.ok_or_else(|| anyhow!("the embedded font cannot be read"))?;
         let mut letters = Letters::new(font, self.size as f32);
-        for (place, piece) in self.text.split("T_d").enumerate() {
-            if place > 0 {
-                letters.set("T");
-                letters.set_index("d");
-            }
+        for (piece, index) in at_indices(&self.text) {
             letters.set(piece);
+            letters.set_index(index);
         }
         let (x, y) = self.place;
         let start = match self.align {
@@ -167,11 +164,13 @@ mod tests {
 
     #[test]
     fn an_index_is_narrower_than_a_letter_on_the_line() {
-        let [index, letters, first] = ["T_d", "T d", "T"].map(|text| -start(text, HPos::Right));
-        assert!(
-            first < index && index < letters,
-            "{first} {index} {letters}"
-        );
+        for texts in [["T_d", "T d", "T"], ["T_s", "T s", "T"]] {
+            let [index, letters, first] = texts.map(|text| -start(text, HPos::Right));
+            assert!(
+                first < index && index < letters,
+                "{first} {index} {letters}"
+            );
+        }
     }
 
     #[test]

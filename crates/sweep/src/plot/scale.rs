@@ -54,7 +54,7 @@ pub(super) struct Scale {
     /// Ends of the axis; their decimal logarithms on a logarithmic axis.
     low: f64,
     high: f64,
-    logarithmic: bool,
+    pub logarithmic: bool,
 }
 
 /// A mark on an axis.
@@ -99,9 +99,12 @@ impl Scale {
         }
     }
 
-    /// The ends of an axis that is not logarithmic.
+    /// The values at the ends of the axis.
     pub fn ends(&self) -> [f64; 2] {
-        [self.low, self.high]
+        [self.low, self.high].map(|end| match self.logarithmic {
+            true => 10f64.powf(end),
+            false => end,
+        })
     }
 
     /// The place of a value, 0 and 1 being the ends of the axis; none if the
@@ -130,7 +133,8 @@ impl Scale {
     fn logarithmic_ticks(&self, most: usize) -> Vec<Labelled> {
         let fine = self.decade_ticks(&[1, 2, 5], 1);
         if fine.len() < 3 {
-            return linear_ticks(10f64.powf(self.low), 10f64.powf(self.high), most);
+            let [low, high] = self.ends();
+            return linear_ticks(low, high, most);
         }
         let every = ((self.high - self.low).ceil() / most as f64).ceil();
         let labelled = if fine.len() <= most {

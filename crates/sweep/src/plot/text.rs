@@ -87,6 +87,25 @@ impl Block {
     }
 }
 
+/// A text in pieces, each with the index of the torque T_s or T_d that ends it; that of the last is
+/// empty.
+pub fn at_indices(text: &str) -> Vec<(&str, &str)> {
+    let mut pieces = Vec::new();
+    let mut begin = 0;
+    let is_torque = |place: &usize| {
+        let mut letters = text[place + 2..].chars();
+        letters.next().is_some_and(|letter| "sd".contains(letter))
+            && !letters.next().is_some_and(char::is_alphanumeric)
+    };
+    let places = text.match_indices("T_").map(|(place, _)| place);
+    for place in places.filter(is_torque) {
+        pieces.push((&text[begin..place + 1], &text[place + 2..place + 3]));
+        begin = place + 3;
+    }
+    pieces.push((&text[begin..], ""));
+    pieces
+}
+
 /// Breaks between words, and inside a word only if it is too wide by itself.
 fn wrap(text: &str, size: f64, max_width: f64) -> Result<Vec<String>> {
     let mut lines = Vec::new();

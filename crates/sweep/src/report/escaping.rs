@@ -1,5 +1,6 @@
 //! Texts as they stand in HTML. Every text is escaped when it is put in, and only then.
 
+use crate::plot::at_indices;
 use campaign::printable::steers;
 
 /// A text as it stands in HTML, between tags or in a quoted attribute.
@@ -20,9 +21,13 @@ pub fn escaped(text: &str) -> String {
     html
 }
 
-/// An escaped text with the index of T_d, for which Unicode has no letter, below the line.
+/// An escaped text with the indices of T_s and T_d below the line.
 pub fn with_index(html: &str) -> String {
-    html.replace("T_d", "T<sub>d</sub>")
+    let set = |(piece, index): (&str, &str)| match index {
+        "" => piece.to_owned(),
+        index => format!("{piece}<sub>{index}</sub>"),
+    };
+    at_indices(html).into_iter().map(set).collect()
 }
 
 /// A value as a script element of data holds it: nothing in it can end the element.

@@ -169,7 +169,7 @@ impl MapCells {
                 folder.display()
             );
         };
-        let extent = Extent::of(labels, axes, Vec::new(), manifest.sweep.units)?;
+        let extent = Extent::of(labels, axes, Vec::new(), &manifest.sweep)?;
         let motions = extent.motions.iter();
         Ok(Some(Self {
             cells: motions

@@ -60,8 +60,8 @@ pub fn put_sections(
         return Ok(None);
     };
     let path = source.folder_of("string.file").join(&file);
-    let mut sheet =
-        read(&path, density, text_of).map_err(|message| source.error("string.file", message))?;
+    let mut sheet = read(&path, density, text_of)
+        .map_err(|message| source.error_as_it_is("string.file", message))?;
     // What else it may say is refused where the whole file is read.
     let given = source.text_at("string", "order");
     let (order_inferred, is_from_bit) = match given.as_deref() {

@@ -1,6 +1,7 @@
 //! `sweep run`: every case, every method, a results folder; from where the last
 //! run of the same sweep stopped.
 
+mod cheaper;
 mod complete;
 mod plan;
 mod session;

@@ -2,6 +2,7 @@
 
 use anyhow::Result;
 
+use super::cheaper::cheaper;
 use super::complete::damage;
 use super::task::Task;
 use crate::commands::cost::{cost_lines, probe};
@@ -69,7 +70,7 @@ fn cost(task: &Task, simulations: usize, stops: &dyn Fn() -> bool) -> Result<Str
     let setting = sweep.setting.for_labels();
     let memory = admit(sweep, &setting, survey, Purpose::Labels, &limit)?;
     let time = probe(sweep, survey, arguments.options(), simulations, stops);
-    Ok(cost_lines(&memory, &limit, &time))
+    Ok(cost_lines(&memory, &limit, &time) + &cheaper(sweep, &time))
 }
 
 /// Cases, methods and folder.

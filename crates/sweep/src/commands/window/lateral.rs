@@ -95,7 +95,7 @@ fn held_places(sweep: &Sweep, lateral: &LateralSettings, arguments: &WindowArgum
     let unit = sweep.content.units.of(&LENGTH);
     let given = arguments.held_at.as_ref();
     let given = given.map(|places| places.iter().map(|place| unit.in_si(*place)).collect());
-    given.unwrap_or_else(|| of_file(&sweep.setting.sites, lateral))
+    given.unwrap_or_else(|| lateral.held_places(&sweep.setting.sites))
 }
 
 /// The speed from which on backward whirl can last at a site, rolling or sliding.
@@ -215,12 +215,4 @@ fn resonances(
         }
     };
     Ok(arguments.orders.iter().map(of_order).collect())
-}
-
-/// Distances of the file's own sites from the bit, m: what only may touch the wall, such as a tool
-/// joint, does not hold the string.
-fn of_file(sites: &Sites, lateral: &LateralSettings) -> Vec<f64> {
-    let sites = sites.distances_from_bit().iter().zip(&lateral.walls);
-    let of_file = sites.filter(|(_, wall)| wall.site.is_some());
-    of_file.map(|(distance, _)| *distance).collect()
 }

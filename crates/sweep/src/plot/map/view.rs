@@ -2,22 +2,31 @@
 
 use super::MapSheet;
 use super::panel::scales;
+use crate::plot::scale::Scale;
 
 /// An axis of all maps of a sheet.
-#[derive(Debug, Clone, PartialEq)]
 pub struct MapAxis {
     /// Its title, with the unit.
     pub title: String,
-    /// The values at its ends.
-    pub ends: [f64; 2],
+    scale: Scale,
     /// Marks at round numbers: the place between the ends, from 0 to 1, and the number.
     pub ticks: Vec<(f64, String)>,
 }
 
 impl MapAxis {
-    /// The place of a value, from 0 to 1 between the ends.
-    pub fn fraction(&self, value: f64) -> f64 {
-        (value - self.ends[0]) / (self.ends[1] - self.ends[0])
+    /// The place of a value, from 0 to 1 between the ends; none where the axis has none for it.
+    pub fn fraction(&self, value: f64) -> Option<f64> {
+        self.scale.fraction(value)
+    }
+
+    /// The values at its ends.
+    pub fn ends(&self) -> [f64; 2] {
+        self.scale.ends()
+    }
+
+    /// Whether it is even in the logarithm.
+    pub fn is_logarithmic(&self) -> bool {
+        self.scale.logarithmic
     }
 }
 
@@ -28,7 +37,7 @@ pub fn map_axes(sheet: &MapSheet, most: usize) -> [MapAxis; 2] {
         let ticks = scales[axis].ticks(most).into_iter();
         MapAxis {
             title: sheet.axes[axis].label.clone(),
-            ends: scales[axis].ends(),
+            scale: scales[axis],
             ticks: ticks
                 .filter_map(|tick| Some((tick.fraction, tick.label?)))
                 .collect(),

@@ -7,11 +7,10 @@ use anyhow::{Context, Result};
 use csv::StringRecord;
 use serde_json::{Value, json};
 
-use super::column_words::column_words;
 use super::opening::opening;
 use crate::map::Drawing;
-use crate::output::{Manifest, Motion, ResultTables};
-use crate::plot::map_axes;
+use crate::output::{Manifest, Motion, ResultTables, column_words};
+use crate::plot::{MapAxis, map_axes};
 use campaign::quantities::{Axis, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
 use campaign::words::shell_word;
@@ -34,6 +33,7 @@ pub fn data(tables: &ResultTables, drawing: &Drawing, room: usize) -> Result<Opt
     let table = Table::read(&tables.folder.join("labels.csv"), manifest)?;
     let units = manifest.sweep.units;
     let axes = manifest.axes.iter();
+    let drawn = map_axes(&drawing.sheet, 2);
     let place = |axis: Axis| manifest.axes.iter().position(|other| *other == axis);
     let mut data = json!({
         "command_parts": command(manifest),
@@ -41,7 +41,8 @@ pub fn data(tables: &ResultTables, drawing: &Drawing, room: usize) -> Result<Opt
             .map(|&axis| described((&axis.name(), &axis.words(units)), &axis.unit(units)))
             .collect::<Value>(),
         "places": drawing.axes.map(place),
-        "ends": map_axes(&drawing.sheet, 2).map(|axis| axis.ends),
+        "ends": drawn.each_ref().map(MapAxis::ends),
+        "logarithmic": drawn.each_ref().map(MapAxis::is_logarithmic),
         "panels": panels(drawing, place),
         "cases": table.cases,
         "values": table.values,

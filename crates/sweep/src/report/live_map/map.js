@@ -125,8 +125,9 @@ class LiveMap {
     const isHere = (index) => panel.held.every(([axis, value]) => cases.values[axis][index] === value);
     this.indices = [...cases.cases.keys()].filter(isHere);
     const place = (end) => (index) => {
-      const [low, high] = cases.ends[end];
-      return (cases.along(cases.places[end], index) - low) / (high - low);
+      const value = cases.along(cases.places[end], index);
+      const [low, high, at] = [...cases.ends[end], value].map(cases.logarithmic[end] ? Math.log : Number);
+      return (at - low) / (high - low);
     };
     [this.x, this.y] = [0, 1].map((end) => this.indices.map(place(end)));
     this.at = null;

@@ -2,10 +2,8 @@
 //! that do not shrink with it, and what its cases are, for who points at one.
 //!
 //! `panel` draws one map, `keys` its legend; `look` names what a style sheet colours. `data`
-//! has the cases, `column_words` what their columns are called, and `opening` the sweep that
-//! they are of.
+//! has the cases, and `opening` the sweep that they are of.
 
-mod column_words;
 mod data;
 mod keys;
 mod look;

@@ -86,7 +86,7 @@ fn named<'a>(axes: &[MapAxis; 2], marks: impl Iterator<Item = &'a Mark>) -> Stri
 /// Where a place is on the drawing; none where an end is no number.
 fn place(axes: &[MapAxis; 2], (x, y): (f64, f64)) -> Option<[f64; 2]> {
     let within = |fraction: f64| fraction.clamp(-FURTHEST, FURTHEST);
-    let (x, y) = (axes[0].fraction(x), axes[1].fraction(y));
+    let (x, y) = axes[0].fraction(x).zip(axes[1].fraction(y))?;
     let is_there = x.is_finite() && y.is_finite();
     is_there.then(|| [within(x) * SIZE[0], (1.0 - within(y)) * SIZE[1]])
 }

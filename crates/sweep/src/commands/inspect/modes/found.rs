@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use anyhow::Result;
 use linear::modes::damped_modes;
 use linear::natural_frequencies::{NaturalFrequencies, Shape};
-use linear::{BuildError, Channel};
+use linear::{BuildError, Sites, SurfaceSupport};
 
 use super::speeds::Excitation;
 use crate::commands::status::UsageError;
@@ -20,12 +20,65 @@ const PLACES: usize = 201;
 /// Pieces that are gone through in about a minute.
 const MOST_PIECES: f64 = 3e8;
 
+/// What swings.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Swinging {
+    /// The string in torsion.
+    Torsion,
+    /// The string in bending below the uppermost of the places (m from the bit, from there down)
+    /// that hold it.
+    BetweenHeld(Vec<f64>),
+    /// The whole string in bending, as the surface holds it.
+    Bending(SurfaceSupport),
+}
+
+impl Swinging {
+    /// Its name in tables.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Torsion => "torsion",
+            Self::BetweenHeld(_) => "bending_between_sites",
+            Self::Bending(_) => "bending",
+        }
+    }
+
+    /// Its name in words.
+    pub fn words(&self) -> &'static str {
+        match self {
+            Self::Torsion => "torsion",
+            Self::BetweenHeld(_) => "bending between the sites",
+            Self::Bending(_) => "bending of the whole string",
+        }
+    }
+
+    /// Its name above a picture of one of its modes.
+    pub fn short_words(&self) -> &'static str {
+        match self {
+            Self::Torsion => "torsion",
+            Self::BetweenHeld(_) => "between the sites",
+            Self::Bending(_) => "whole string",
+        }
+    }
+
+    /// Motions as a rigid rod that nothing brings back, unless the string is pulled.
+    fn as_rigid_rod(&self) -> usize {
+        match self {
+            Self::Torsion | Self::Bending(SurfaceSupport::Clamped) => 0,
+            Self::BetweenHeld(places) => usize::from(places.len() == 1),
+            Self::Bending(SurfaceSupport::Pinned) => 1,
+            Self::Bending(SurfaceSupport::Free) => 2,
+        }
+    }
+}
+
 /// Those of one way to swing.
 pub struct Modes {
     /// Which.
-    pub channel: Channel,
-    /// Motions that nothing brings back.
-    pub unrestored: usize,
+    pub of: Swinging,
+    /// Motions as a rigid rod.
+    pub rigid: usize,
+    /// Ways in which the string buckles.
+    pub buckled: usize,
     /// Natural frequencies from the lowest up, Hz.
     pub frequencies: Vec<f64>,
     /// How many more are below the highest that is excited.
@@ -43,22 +96,29 @@ pub struct Modes {
 pub fn find(sweep: &Sweep, count: usize, excitation: &Excitation) -> Result<Vec<Modes>> {
     let setting = &sweep.setting;
     let torsion = NaturalFrequencies::torsion(&setting.string)?;
-    let mut found = vec![modes(Channel::Torsion, &torsion, count, excitation)?];
+    let mut found = vec![modes(Swinging::Torsion, &torsion, count, excitation)?];
     let frequencies: Vec<f64> = found[0].frequencies.iter().map(|it| TAU * it).collect();
     let damped = damped_modes(&setting.string, &frequencies)?.into_iter();
     found[0].damping = damped
         .map(|mode| mode.map(|mode| mode.damping_ratio()))
         .collect();
     if let Some(lateral) = &setting.lateral {
-        let bending =
-            NaturalFrequencies::bending(&setting.string, &lateral.bending, lateral.support)?;
-        found.push(modes(Channel::Bending, &bending, count, excitation)?);
+        let (string, bending) = (&setting.string, &lateral.bending);
+        let places = lateral.held_places(&setting.sites);
+        if places.iter().any(|place| *place > 0.0) {
+            let natural = NaturalFrequencies::held(string, bending, &Sites::new(string, &places)?)?;
+            let of = Swinging::BetweenHeld(places);
+            found.push(modes(of, &natural, count, excitation)?);
+        }
+        let natural = NaturalFrequencies::bending(string, bending, lateral.support)?;
+        let of = Swinging::Bending(lateral.support);
+        found.push(modes(of, &natural, count, excitation)?);
     }
     Ok(found)
 }
 
 fn modes(
-    channel: Channel,
+    of: Swinging,
     natural: &NaturalFrequencies,
     count: usize,
     excitation: &Excitation,
@@ -66,11 +126,11 @@ fn modes(
     let highest = TAU * excitation.highest();
     let once = natural.pieces(highest);
     // Before counting those below, which goes through all once.
-    check_work(channel, highest, once, count)?;
+    check_work(&of, highest, once, count)?;
     let unrestored = natural.unrestored()?;
     let below = natural.below(highest)?.saturating_sub(unrestored);
     let listed = below.clamp(count, MOST);
-    check_work(channel, highest, once, listed)?;
+    check_work(&of, highest, once, listed)?;
     let frequencies = if listed == below {
         natural.all_below(highest)?
     } else {
@@ -78,9 +138,11 @@ fn modes(
     };
     let shapes = frequencies.iter().take(count);
     let shapes = shapes.map(|&frequency| natural.shape(frequency, PLACES));
+    let rigid = unrestored.min(of.as_rigid_rod());
     Ok(Modes {
-        channel,
-        unrestored,
+        of,
+        rigid,
+        buckled: unrestored - rigid,
         left_out: below.saturating_sub(listed),
         damping: vec![None; frequencies.len()],
         shapes: shapes.collect::<Result<_, BuildError>>()?,
@@ -89,15 +151,16 @@ fn modes(
 }
 
 /// Refuses to find so many modes where that would take more than about a minute.
-fn check_work(channel: Channel, highest: f64, once: f64, modes: usize) -> Result<()> {
+fn check_work(of: &Swinging, highest: f64, once: f64, modes: usize) -> Result<()> {
     let pieces = once * (modes * NaturalFrequencies::COUNTS) as f64;
     if pieces <= MOST_PIECES {
         return Ok(());
     }
     let message = format!(
-        "natural frequencies in {channel} up to {:.4} Hz would go through {pieces:.1e} pieces of \
+        "natural frequencies in {} up to {:.4} Hz would go through {pieces:.1e} pieces of \
          string, more than {MOST_PIECES:.0e}: ask for lower `--orders`, or for a lower surface \
          speed in the sweep file",
+        of.words(),
         highest / TAU
     );
     Err(UsageError(message).into())

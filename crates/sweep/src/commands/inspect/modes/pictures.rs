@@ -46,7 +46,7 @@ fn panel(modes: &Modes, excitation: &Excitation) -> CampbellPanel {
         series(order, met.collect())
     };
     CampbellPanel {
-        title: titled(modes),
+        title: titled(modes.of.words()),
         axes: ["Surface speed Ω (rpm)", "Frequency f (Hz)"].map(Axis::linear),
         natural: shown.take_while(|it| *it <= highest).collect(),
         orders: excitation.orders.iter().map(line).collect(),
@@ -61,7 +61,7 @@ fn panel(modes: &Modes, excitation: &Excitation) -> CampbellPanel {
 pub fn shape_picture(look: &Look, title: &str, found: &[Modes], units: Units) -> Result<Picture> {
     let length = units.of(&LENGTH);
     let panels = found.iter().flat_map(|modes| {
-        let titled = titled(modes);
+        let titled = titled(modes.of.short_words());
         let length = &length;
         let shapes = modes.shapes.iter().zip(&modes.frequencies).enumerate();
         shapes.map(move |(index, (shape, frequency))| Multiple {
@@ -77,8 +77,7 @@ pub fn shape_picture(look: &Look, title: &str, found: &[Modes], units: Units) ->
     multiples(look, &format!("{title}: mode shapes"), &axes, &panels)
 }
 
-fn titled(modes: &Modes) -> String {
-    let name = modes.channel.to_string();
-    let (first, rest) = name.split_at(1);
+fn titled(words: &str) -> String {
+    let (first, rest) = words.split_at(1);
     first.to_uppercase() + rest
 }

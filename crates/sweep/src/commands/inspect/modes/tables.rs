@@ -15,7 +15,7 @@ pub fn modes(found: &[Modes]) -> Result<Vec<u8>> {
         let damped = modes.frequencies.iter().zip(&modes.damping).enumerate();
         damped.map(|(index, (frequency, damping))| {
             [
-                ("motion", modes.channel.to_string()),
+                ("motion", modes.of.name().to_owned()),
                 ("mode", (index + 1).to_string()),
                 ("frequency_hz", frequency.to_string()),
                 (
@@ -48,7 +48,7 @@ pub fn critical_speeds(found: &[Modes], excitation: &Excitation) -> Result<Vec<u
             for (index, &frequency) in modes.frequencies.iter().enumerate() {
                 if let Some(speed) = excitation.critical(order, frequency) {
                     writer.write_record([
-                        modes.channel.to_string(),
+                        modes.of.name().to_owned(),
                         order.to_string(),
                         (index + 1).to_string(),
                         frequency.to_string(),
@@ -75,7 +75,7 @@ pub fn shapes(found: &[Modes]) -> Result<Vec<u8>> {
                 let along = shape.depths.iter().zip(&shape.amplitudes);
                 along.map(move |(depth, amplitude)| {
                     [
-                        ("motion", modes.channel.to_string()),
+                        ("motion", modes.of.name().to_owned()),
                         ("mode", (index + 1).to_string()),
                         ("depth_m", depth.to_string()),
                         ("amplitude", amplitude.to_string()),

@@ -1,17 +1,23 @@
 //! The modes in words and numbers.
 
-use linear::{Channel, SurfaceSupport};
+use linear::SurfaceSupport;
 
-use super::found::Modes;
+use super::found::{Modes, Swinging};
 use super::speeds::Excitation;
 use campaign::plan::Sweep;
-use campaign::words::{short, wrapped};
+use campaign::quantities::{LENGTH, Units};
+use campaign::words::{counted, short, wrapped};
 
 /// So many of the lowest modes of each kind, and what is critical.
 pub fn describe(sweep: &Sweep, found: &[Modes], excitation: &Excitation, count: usize) -> String {
     let mut text = "\nmodes without damping, bit free, no contact with the wall\n".to_owned();
     for modes in found {
-        text += &format!("  {}, surface {}\n", modes.channel, surface(sweep, modes));
+        let heading = format!(
+            "{}, {}",
+            modes.of.words(),
+            held(&modes.of, sweep.content.units)
+        );
+        text += &wrapped(&heading, 2, 4);
         let damping = modes.damping.iter().flatten().map(|_| "damping".to_owned());
         let orders = excitation.orders.iter();
         let speeds = orders.map(|order| format!("rpm, {order}×"));
@@ -35,13 +41,25 @@ fn line(number: &str, frequency: &str, cells: impl Iterator<Item = String>) -> S
     line.trim_end().to_owned() + "\n"
 }
 
-fn surface(sweep: &Sweep, modes: &Modes) -> &'static str {
-    let lateral = sweep.setting.lateral.as_ref();
-    match (modes.channel, lateral.map(|lateral| lateral.support)) {
-        (Channel::Torsion, _) => "held at its speed",
-        (Channel::Bending, Some(SurfaceSupport::Clamped)) => "clamped",
-        (Channel::Bending, Some(SurfaceSupport::Pinned)) => "pinned",
-        (Channel::Bending, Some(SurfaceSupport::Free) | None) => "free",
+/// What holds it.
+fn held(of: &Swinging, units: Units) -> String {
+    let support = |support: SurfaceSupport| match support {
+        SurfaceSupport::Clamped => "surface clamped",
+        SurfaceSupport::Pinned => "surface pinned",
+        SurfaceSupport::Free => "surface free",
+    };
+    match of {
+        Swinging::Torsion => "surface held at its speed".to_owned(),
+        Swinging::Bending(of_surface) => support(*of_surface).to_owned(),
+        Swinging::BetweenHeld(places) => {
+            let length = units.of(&LENGTH);
+            let places = places.iter().map(|place| short(length.number(*place)));
+            format!(
+                "held at {} {} from the bit and free to turn there, what is above left out",
+                places.collect::<Vec<_>>().join(", "),
+                length.name
+            )
+        }
     }
 }
 
@@ -69,8 +87,11 @@ fn further(modes: &Modes, excitation: &Excitation) -> String {
         let listed = modes.frequencies.len();
         text += &format!("; of these the {listed} lowest are listed and counted as critical");
     }
-    if modes.unrestored > 0 {
-        text += &format!("; besides, {} that nothing brings back", modes.unrestored);
+    if modes.rigid > 0 {
+        text += &format!("; besides, {}", counted(modes.rigid, "rigid-body motion"));
+    }
+    if modes.buckled > 0 {
+        text += &format!("; it buckles in {}", counted(modes.buckled, "way"));
     }
     wrapped(&text, 4, 6)
 }

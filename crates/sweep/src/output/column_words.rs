@@ -12,10 +12,21 @@ pub fn column_words(name: &str, units: Units) -> (String, Unit) {
     if let Some(axis) = Axis::from_name(name) {
         return (axis.words(units), axis.unit(units));
     }
-    match of_no_map(name, units) {
-        Some((words, unit)) => (words.to_owned(), unit),
-        None => units.named(name),
+    if let Some((words, unit)) = of_no_map(name, units) {
+        return (words.to_owned(), unit);
     }
+    of_misfit(name, units).unwrap_or_else(|| units.named(name))
+}
+
+/// Of how far cases are from what was recorded, by the name of the comparison.
+fn of_misfit(name: &str, units: Units) -> Option<(String, Unit)> {
+    let name = name.strip_prefix("misfit_")?;
+    let endings = [("_nm", units.of(&TORQUE)), ("_rpm", Unit::unchanged("rpm"))];
+    let mut found = endings
+        .into_iter()
+        .filter_map(|(ending, unit)| Some((name.strip_suffix(ending)?, unit)));
+    let (name, unit) = found.next()?;
+    Some((format!("Misfit, {}", name.replace('_', " ")), unit))
 }
 
 /// Of those that no map is of.
@@ -86,7 +97,7 @@ mod tests {
             shows_torque: true,
             shows_surface: true,
             shows_string_torque: true,
-            misfits: Vec::new(),
+            misfits: vec!["misfit_surface_torque_nm", "misfit_fit_rpm"],
             certifying: Some([0, 0]),
             shows_starts: true,
             shows_found: true,
