@@ -188,9 +188,24 @@ fn what_was_not_recorded_is_a_gap_and_not_a_speed() {
         "NaN",
         "null",
     ] {
-        let found = simulated(&recording(gap, "time_s,speed_rpm"));
-        assert_eq!(found, expected, "{gap:?}");
+        let (code, errors, history) = simulated(&recording(gap, "time_s,speed_rpm"));
+        assert_eq!(
+            (code, history),
+            (0, expected.2.clone()),
+            "{gap:?}: {errors}"
+        );
+        let note = "speed.csv: 6 of 41 rows have no value of `speed_rpm`, and are passed over";
+        assert!(errors.contains(note), "{gap:?}: {errors}");
     }
+    let (code, errors, _) = simulated(&recording(
+        "60",
+        "# logged at the rig\n# Time (s),Depth (m)",
+    ));
+    assert_eq!(code, 2, "{errors}");
+    assert!(
+        errors.contains("it has `Time (s)`, `Depth (m)`"),
+        "{errors}"
+    );
     for heading in [
         "Time (s),Surface RPM",
         "Elapsed time [s],Speed [rpm]",

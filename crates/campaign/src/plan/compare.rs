@@ -123,7 +123,7 @@ impl Comparison {
     }
 }
 
-/// What the file holds its cases against.
+/// What the file holds its cases against, and what was passed over of the files with it.
 ///
 /// # Errors
 /// Where a key is refused, or a file.
@@ -131,10 +131,11 @@ pub fn resolve(
     source: &Source,
     content: &FileContent,
     text_of: TextOf,
-) -> Result<Vec<Comparison>, SweepFileError> {
+) -> Result<(Vec<Comparison>, Vec<String>), SweepFileError> {
     let mut comparisons: Vec<Comparison> = Vec::new();
+    let mut notes = Vec::new();
     for (index, table) in content.compare.iter().enumerate() {
-        let comparison = comparison(source, content, index, table, text_of)?;
+        let (comparison, passed_over) = comparison(source, content, index, table, text_of)?;
         let mut before = comparisons.iter();
         let is_there = before.any(|other| other.column == comparison.column);
         let message = format!(
@@ -143,8 +144,9 @@ pub fn resolve(
         );
         source.refuse_if(is_there, &format!("compare[{index}].trace"), message)?;
         comparisons.push(comparison);
+        notes.extend(passed_over);
     }
-    Ok(comparisons)
+    Ok((comparisons, notes))
 }
 
 /// Refuses what no case of the file has.
@@ -173,12 +175,12 @@ fn comparison(
     index: usize,
     table: &CompareTable,
     text_of: TextOf,
-) -> Result<Comparison, SweepFileError> {
+) -> Result<(Comparison, Vec<String>), SweepFileError> {
     let key = |key: &str| format!("compare[{index}].{key}");
     is_followed(source, content, &key("trace"), table.trace)?;
     let (unit, file) = (table.trace.unit(), &table.file);
     let column = Some(table.column.as_str());
-    let recorded = read_series(source, &key("file"), file, column, unit, text_of)?;
+    let (recorded, passed_over) = read_series(source, &key("file"), file, column, unit, text_of)?;
     let from = source.within(&key("from_s"), table.from_s, 0.0, 1e6, "s")?;
     let to = source.within(&key("to_s"), table.to_s, 0.0, 1e6, "s")?;
     source.refuse_if(
@@ -214,7 +216,7 @@ fn comparison(
             name
         }
     };
-    Ok(Comparison {
+    let comparison = Comparison {
         column: format!("misfit_{name}{unit}"),
         name: name.replace('_', " "),
         trace: table.trace,
@@ -222,7 +224,8 @@ fn comparison(
         from,
         to,
         extreme,
-    })
+    };
+    Ok((comparison, passed_over))
 }
 
 #[cfg(test)]

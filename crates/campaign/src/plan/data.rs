@@ -22,8 +22,10 @@ pub struct Data {
     pub surface_speed: Option<Recording>,
     /// What cases are held against.
     pub comparisons: Vec<Comparison>,
-    /// What the survey was taken to say.
-    pub survey_notes: SurveyNotes,
+    /// What the survey does not say, and may mean.
+    pub doubts: Vec<String>,
+    /// What was passed over of the files, each once.
+    pub notes: Vec<String>,
 }
 
 /// What results depend on, in the order in which it is hashed.
@@ -47,7 +49,8 @@ impl Data {
         let survey = (content.well.iter().flat_map(|well| &well.survey).next())
             .map(|file| read_survey(source, "well.survey", file, text_of))
             .transpose()?;
-        let (survey, notes) = survey.unzip();
+        let (survey, of_survey) = survey.unzip();
+        let SurveyNotes { doubts, mut notes } = of_survey.unwrap_or_default();
         let (key, column) = (
             "surface_speed_file",
             content.surface_speed_column.as_deref(),
@@ -55,17 +58,25 @@ impl Data {
         let surface_speed = (content.surface_speed_file.as_ref())
             .map(|file| read_series(source, key, file, column, "_rpm", text_of))
             .transpose()?;
+        let (surface_speed, of_surface) = surface_speed.unzip();
         let has_none = surface_speed.is_none() && column.is_some();
         let message = "names a column of `surface_speed_file`, which is not given";
         source.refuse_if(has_none, "surface_speed_column", message)?;
         if let Some(recording) = &surface_speed {
             check_surface(source, content, design, recording)?;
         }
+        let (comparisons, of_comparisons) = compare::resolve(source, content, text_of)?;
+        for note in of_surface.into_iter().flatten().chain(of_comparisons) {
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
         Ok(Self {
             survey: survey.map(Arc::new),
             surface_speed,
-            comparisons: compare::resolve(source, content, text_of)?,
-            survey_notes: notes.unwrap_or_default(),
+            comparisons,
+            doubts,
+            notes,
         })
     }
 

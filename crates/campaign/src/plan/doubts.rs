@@ -14,7 +14,7 @@ impl Sweep {
             self.doubts_about_drive(),
             self.doubts_about_bit(),
             self.doubts_about_well().into_iter().collect(),
-            self.data.survey_notes.doubts.clone(),
+            self.data.doubts.clone(),
             sheet
                 .flat_map(|sheet| sheet.doubts(self.content.units))
                 .collect(),
@@ -27,7 +27,7 @@ impl Sweep {
         let of_sheet = self.sheet.iter().flat_map(|sheet| sheet.notes());
         of_sheet
             .chain(idle_tables(&self.content))
-            .chain(self.data.survey_notes.notes.iter().cloned())
+            .chain(self.data.notes.iter().cloned())
             .collect()
     }
 }

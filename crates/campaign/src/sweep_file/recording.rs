@@ -2,11 +2,12 @@
 
 use sim::{Recording, RecordingError};
 
+use super::bha_sheet::comments_words;
 use super::error::SweepFileError;
 use super::named_table::NamedTable;
 use super::source::{Source, TextOf};
 use super::wording::nearest;
-use crate::tables::{Columns, Dimension, Heading, Row, Wanted};
+use crate::tables::{Columns, Dimension, Heading, Row, Table, Wanted};
 
 /// What is read of a recording besides its values.
 const TIME: [Wanted<()>; 1] = [Wanted {
@@ -36,6 +37,8 @@ const APART: f64 = 1.0;
 ///
 /// # Errors
 /// Where the file cannot be read, has no such column, or is no recording.
+///
+/// Returns it with what was passed over.
 pub fn read_series(
     source: &Source,
     key: &str,
@@ -43,11 +46,16 @@ pub fn read_series(
     column: Option<&str>,
     unit: &str,
     text_of: TextOf,
-) -> Result<Recording, SweepFileError> {
+) -> Result<(Recording, Vec<String>), SweepFileError> {
     let has_both = |headings: &[Heading]| {
         Columns::are_in(headings, &TIME) && value_column(headings, column, unit).is_ok()
     };
-    let named = NamedTable::read(source, key, file, text_of, &has_both)?;
+    let mut named = NamedTable::read(source, key, file, text_of, &has_both)?;
+    if value_column(&named.table.headings, column, unit).is_err() {
+        // Its headings may be where the times are named, for the message.
+        let has_times = |headings: &[Heading]| Columns::are_in(headings, &TIME);
+        named = NamedTable::read(source, key, file, text_of, &has_times)?;
+    }
     let columns = named.columns(&TIME)?;
     let values = value_column(&named.table.headings, column, unit);
     let values = values.map_err(|message| named.header_error(&message))?;
@@ -64,12 +72,13 @@ pub fn read_series(
             samples.lines.push(row.line);
         }
     }
+    let notes = passed_over(file, &named.table, (values.0, samples.times.len()));
     let lines = samples.lines;
     if let Some((index, gap)) = gap(&samples.times) {
         let message = format!("nothing was recorded for {gap} s before this");
         return Err(named.error(Some(lines[index]), &message));
     }
-    Recording::new(samples.times, samples.values).map_err(|reason| {
+    let recording = Recording::new(samples.times, samples.values).map_err(|reason| {
         let line = match reason {
             RecordingError::NotFinite(sample) | RecordingError::RunsBack { sample, .. } => {
                 lines.get(sample).copied()
@@ -77,7 +86,20 @@ pub fn read_series(
             RecordingError::Shape => None,
         };
         named.error(line, &reason.to_string())
-    })
+    })?;
+    Ok((recording, notes))
+}
+
+/// Rows of comments, and rows without a value in the column at a place, of which so many were
+/// `kept`.
+fn passed_over(file: &str, table: &Table, (place, kept): (usize, usize)) -> Vec<String> {
+    let comments = (!table.comments.is_empty()).then(|| comments_words(file, &table.comments));
+    let (all, name) = (table.rows.len(), &table.headings[place].text);
+    let gaps = (kept < all).then(|| {
+        let gaps = all - kept;
+        format!("{file}: {gaps} of {all} rows have no value of `{name}`, and are passed over")
+    });
+    comments.into_iter().chain(gaps).collect()
 }
 
 /// What was recorded, and where it stands.

@@ -138,7 +138,7 @@ impl Map<'_> {
         let mut notes = words::once_if_the_same(notes, panels.len());
         let is_alone = self.extent.motions.len() == 1;
         if curves.is_empty() && !is_alone {
-            notes.push("no limit of this motion is known".to_owned());
+            notes.push("no limit of this motion is drawn".to_owned());
         }
         notes.extend(untold);
         notes.extend(left_out.cloned());

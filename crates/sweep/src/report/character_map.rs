@@ -4,6 +4,7 @@ use crate::map::{Cells, Extent, meanings};
 use crate::output::Motion;
 use crate::plot::{Ground, Symbol};
 use campaign::quantities::Axis;
+use campaign::sweep_file::Spacing;
 use campaign::words::short;
 
 /// The map with its axes and what the characters mean.
@@ -15,7 +16,11 @@ pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Ax
     };
     let [bottom, top] = shown(y, extent.ranges[1]);
     let margin = bottom.len().max(top.len());
-    let mut text = format!("{}\n", y.title(extent.units));
+    let title = |axis: Axis, spacing: Spacing| match spacing {
+        Spacing::Linear => axis.title(extent.units),
+        Spacing::Log => format!("{}, logarithmic", axis.title(extent.units)),
+    };
+    let mut text = format!("{}\n", title(y, extent.spacing[1]));
     for row in (0..rows).rev() {
         let label = match row {
             0 => &bottom,
@@ -32,7 +37,7 @@ pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Ax
     let indent = " ".repeat(margin);
     text += &format!("{indent} +{}\n", "-".repeat(columns));
     text += &format!("{indent}  {left}{}{right}\n", " ".repeat(room));
-    text += &format!("{indent}  {}\n\n", x.title(extent.units));
+    text += &format!("{indent}  {}\n\n", title(x, extent.spacing[0]));
     text += &legend(cells, motion);
     if cells.are_shared() {
         text += "A character stands for most of the cases in its cell.\n";

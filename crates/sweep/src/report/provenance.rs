@@ -111,7 +111,7 @@ pub fn provenance(all: &[Results]) -> Vec<Block> {
     });
     let mut blocks = vec![Block::Table(table)];
     blocks.extend(all.iter().map(|results| Block::Folded {
-        title: format!("The sweep of {}, as it was run", results.name),
+        title: format!("The sweep of {} as it was run, in SI units", results.name),
         text: format!("{:#}", serde_json::json!(results.manifest.sweep)),
     }));
     blocks

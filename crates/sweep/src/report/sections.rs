@@ -153,9 +153,12 @@ fn regimes_of(all: &[Results], motion: Motion, caption: &str) -> Table {
         })
     };
     let labels: Vec<Label> = motion.labels().into_iter().filter(is_found).collect();
+    let words: Vec<String> = (labels.iter())
+        .map(|label| label.name().replace('_', " "))
+        .collect();
     let header: Vec<&str> = ["method"]
         .into_iter()
-        .chain(labels.iter().map(|label| label.name()))
+        .chain(words.iter().map(String::as_str))
         .chain(["no answer"])
         .collect();
     let mut table = table_of(all, caption, &header);
