@@ -194,7 +194,7 @@ fn what_was_not_recorded_is_a_gap_and_not_a_speed() {
             (0, expected.2.clone()),
             "{gap:?}: {errors}"
         );
-        let note = "speed.csv: 6 of 41 rows have no value of `speed_rpm`, and are passed over";
+        let note = "speed.csv: 6 of 41 rows have no value of `speed_rpm` and are ignored";
         assert!(errors.contains(note), "{gap:?}: {errors}");
     }
     let (code, errors, _) = simulated(&recording(

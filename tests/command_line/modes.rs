@@ -177,7 +177,7 @@ fn modes_between_held_places_are_apart_from_those_of_the_whole_string() {
     let answer = place.sweep(&["inspect", "small.toml", "--modes=2", "--out", "looked"]);
     assert_eq!(answer.code, 0, "{answer:?}");
     assert!(
-        answer.output.contains("held at 20, 0 m from the bit"),
+        answer.output.contains("pinned at 20, 0 m from the bit"),
         "{answer:?}"
     );
     let modes = rows(&place, "looked/modes.csv");

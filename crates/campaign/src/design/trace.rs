@@ -71,7 +71,7 @@ impl TraceDesign {
     }
 
     /// The trace over the two ranges of a grid; none of another design.
-    pub fn in_place_of(table: &DesignTable) -> Option<Self> {
+    pub fn equivalent_to_grid(table: &DesignTable) -> Option<Self> {
         let mut traced = table.clone();
         let ranges = traced.axes.values_mut();
         ranges.for_each(|range| range.count = None);

@@ -60,12 +60,12 @@ const SAME_TIME: f64 = 1e-6;
 
 impl Comparison {
     /// Whether another is held against the same recording.
-    pub fn has_recording_of(&self, other: &Self) -> bool {
+    pub fn has_same_recording(&self, other: &Self) -> bool {
         self.recorded == other.recorded && self.extreme == other.extreme
     }
 
     /// What was recorded, in words.
-    pub fn of_what(&self) -> &'static str {
+    pub fn description(&self) -> &'static str {
         match self.extreme {
             None => "recorded",
             Some((Extreme::Least, _)) => "least recorded",

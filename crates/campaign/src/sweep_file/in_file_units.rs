@@ -30,7 +30,7 @@ impl FileUnits {
     }
 
     /// A message with its numbers and keys in these units.
-    pub fn put(&self, message: &str) -> String {
+    pub fn convert(&self, message: &str) -> String {
         let mut text = String::with_capacity(message.len());
         let mut rest = message;
         while let Some(letter) = rest.chars().next() {
@@ -204,13 +204,13 @@ mod tests {
             ),
             ("sites", "`0.5 m` and 12 times", "`0.5 m` and 12 times"),
         ] {
-            assert_eq!(FileUnits::new(true, key).put(message), expected);
+            assert_eq!(FileUnits::new(true, key).convert(message), expected);
         }
     }
 
     #[test]
     fn of_a_file_in_si_units_one_value_may_be_in_others() {
-        let told = |key: &str, message: &str| FileUnits::new(false, key).put(message);
+        let told = |key: &str, message: &str| FileUnits::new(false, key).convert(message);
         assert_eq!(told("a.length_ft", "3.048 m, 5 kN"), "10 ft, 5 kN");
         assert_eq!(told("a.length_m", "18287.999999999996 m"), "18288 m");
         assert_eq!(

@@ -65,6 +65,6 @@ impl<'source> NamedTable<'source> {
         let line = line.map_or(String::new(), |line| format!(":{line}"));
         let file = &self.file;
         self.source
-            .error_as_it_is(self.key, format!("{file}{line}: {message}"))
+            .error_verbatim(self.key, format!("{file}{line}: {message}"))
     }
 }

@@ -97,7 +97,7 @@ fn passed_over(file: &str, table: &Table, (place, kept): (usize, usize)) -> Vec<
     let (all, name) = (table.rows.len(), &table.headings[place].text);
     let gaps = (kept < all).then(|| {
         let gaps = all - kept;
-        format!("{file}: {gaps} of {all} rows have no value of `{name}`, and are passed over")
+        format!("{file}: {gaps} of {all} rows have no value of `{name}` and are ignored")
     });
     comments.into_iter().chain(gaps).collect()
 }

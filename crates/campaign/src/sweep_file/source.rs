@@ -138,14 +138,14 @@ impl Source {
     pub fn error(&self, key: &str, message: impl Into<String>) -> SweepFileError {
         let are_field =
             self.merged.table.get("units").and_then(toml::Value::as_str) == Some("field");
-        let mut error = self.error_as_it_is(key, message);
+        let mut error = self.error_verbatim(key, message);
         let units = FileUnits::new(are_field, error.key.as_deref().unwrap_or_default());
-        error.message = units.put(&error.message);
+        error.message = units.convert(&error.message);
         error
     }
 
     /// The same with a message as it is, such as one about another file.
-    pub fn error_as_it_is(&self, key: &str, message: impl Into<String>) -> SweepFileError {
+    pub fn error_verbatim(&self, key: &str, message: impl Into<String>) -> SweepFileError {
         let (place, key) = match self.merged.find(key) {
             Some((place, written)) => (Some(place), written),
             None => (None, key.to_owned()),

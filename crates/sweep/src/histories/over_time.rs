@@ -195,7 +195,7 @@ impl Histories<'_> {
         for comparison in of_trace {
             let known = recordings
                 .iter_mut()
-                .find(|(other, _)| comparison.has_recording_of(other));
+                .find(|(other, _)| comparison.has_same_recording(other));
             match known {
                 Some((_, names)) => names.push(&comparison.name),
                 None => recordings.push((comparison, vec![&comparison.name])),
@@ -204,8 +204,8 @@ impl Histories<'_> {
         let is_alone = recordings.len() == 1;
         let series = recordings.iter().map(|(comparison, names)| {
             let name = match is_alone {
-                true => comparison.of_what().to_owned(),
-                false => format!("{} ({})", comparison.of_what(), names.join(", ")),
+                true => comparison.description().to_owned(),
+                false => format!("{} ({})", comparison.description(), names.join(", ")),
             };
             let recorded = &comparison.recorded;
             let samples = recorded.times().iter().zip(recorded.values());

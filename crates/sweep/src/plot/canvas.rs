@@ -4,7 +4,7 @@ use super::geometry::{Pixel, Rect};
 use super::look::{Look, Paper};
 use super::outlines::{INDEX_DEPTH, INDEX_SIZE, Line};
 use super::picture::Picture;
-use super::text::{self, Block, TITLE_SIZE, at_indices};
+use super::text::{self, Block, TITLE_SIZE, split_at_indices};
 use anyhow::{Context, Result};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -261,7 +261,7 @@ fn with_subscripts(svg: &str) -> String {
     let (size, depth) = (100.0 * INDEX_SIZE, INDEX_DEPTH / INDEX_SIZE);
     let mut set = String::with_capacity(svg.len());
     let mut is_down = false;
-    for (piece, index) in at_indices(svg) {
+    for (piece, index) in split_at_indices(svg) {
         let end = piece.find(['\n', '<']).unwrap_or(piece.len());
         let (line, rest) = piece.split_at(end);
         if is_down && !line.is_empty() {

@@ -56,4 +56,4 @@ pub use references::{Across, Reference};
 pub use scale::Axis;
 pub use scatter::{ScatterPanel, scatter_grid};
 pub use symbols::Symbol;
-pub use text::at_indices;
+pub use text::split_at_indices;

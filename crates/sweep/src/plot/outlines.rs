@@ -7,7 +7,7 @@ use ab_glyph::{Font, FontRef, OutlineCurve, Point};
 use anyhow::{Result, anyhow};
 use plotters::style::text_anchor::HPos;
 
-use super::text::{FONT, at_indices};
+use super::text::{FONT, split_at_indices};
 
 /// From where a line is anchored, its top, down to its baseline, in font sizes, as plotters
 /// writes it.
@@ -44,7 +44,7 @@ impl Line {
         let font = READ.as_ref();
         let font = font.ok_or_else(|| anyhow!("the embedded font cannot be read"))?;
         let mut letters = Letters::new(font, self.size as f32);
-        for (piece, index) in at_indices(&self.text) {
+        for (piece, index) in split_at_indices(&self.text) {
             letters.set(piece);
             letters.set_index(index);
         }

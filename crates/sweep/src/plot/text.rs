@@ -89,7 +89,7 @@ impl Block {
 
 /// A text in pieces, each with the index of the torque T_s or T_d that ends it; that of the last is
 /// empty.
-pub fn at_indices(text: &str) -> Vec<(&str, &str)> {
+pub fn split_at_indices(text: &str) -> Vec<(&str, &str)> {
     let mut pieces = Vec::new();
     let mut begin = 0;
     let is_torque = |place: &usize| {

@@ -120,10 +120,10 @@ fn regimes(counts: &Counts, width: Option<f64>) -> Vec<Block> {
 fn cells(counts: &Counts, units: Units) -> Vec<Block> {
     let tables = counts.groups.iter().map(|(method, motion, group)| {
         let sustained = group.sustained();
-        let of_what = format!("{} by {method}", motion.regimes()[0]);
+        let description = format!("{} by {method}", motion.regimes()[0]);
         Block::Table(match &counts.bins[..] {
-            [x, y] => over_two(&of_what, [x, y], &sustained, units),
-            _ => over_one(&of_what, &counts.bins[0], &sustained, units),
+            [x, y] => over_two(&description, [x, y], &sustained, units),
+            _ => over_one(&description, &counts.bins[0], &sustained, units),
         })
     });
     tables.collect()
@@ -147,8 +147,8 @@ fn range_text(bins: &Bins, [from, to]: [f64; 2], units: Units) -> String {
     }
 }
 
-fn over_one(of_what: &str, bins: &Bins, sustained: &[[usize; 2]], units: Units) -> Table {
-    let caption = format!("{} over {}", capital(of_what), bins.axis.title(units));
+fn over_one(description: &str, bins: &Bins, sustained: &[[usize; 2]], units: Units) -> Table {
+    let caption = format!("{} over {}", capital(description), bins.axis.title(units));
     let mut table = Table::new(caption, ["range", "cases", "part", "from", "to"]);
     for (cell, range) in bins.ranges.iter().enumerate() {
         let [count, told] = sustained[cell];
@@ -163,11 +163,16 @@ fn over_one(of_what: &str, bins: &Bins, sustained: &[[usize; 2]], units: Units) 
 }
 
 /// Cells are named by where they begin: their ends would not fit a line.
-fn over_two(of_what: &str, [x, y]: [&Bins; 2], sustained: &[[usize; 2]], units: Units) -> Table {
+fn over_two(
+    description: &str,
+    [x, y]: [&Bins; 2],
+    sustained: &[[usize; 2]],
+    units: Units,
+) -> Table {
     let [right, up] = [x, y].map(|bins| bins.axis.title(units));
     let caption = format!(
         "{}, part of the cases, in cells that begin at so much; to the right {right}, upwards {up}",
-        capital(of_what)
+        capital(description)
     );
     let begin = |bins: &Bins, range: &[f64; 2]| short(bins.axis.unit(units).number(range[0]));
     let columns = x.ranges.iter().map(|range| begin(x, range));

@@ -1,6 +1,6 @@
 //! Texts as they stand in HTML. Every text is escaped when it is put in, and only then.
 
-use crate::plot::at_indices;
+use crate::plot::split_at_indices;
 use campaign::printable::steers;
 
 /// A text as it stands in HTML, between tags or in a quoted attribute.
@@ -27,7 +27,7 @@ pub fn with_index(html: &str) -> String {
         "" => piece.to_owned(),
         index => format!("{piece}<sub>{index}</sub>"),
     };
-    at_indices(html).into_iter().map(set).collect()
+    split_at_indices(html).into_iter().map(set).collect()
 }
 
 /// A value as a script element of data holds it: nothing in it can end the element.

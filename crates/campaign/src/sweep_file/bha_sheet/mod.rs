@@ -61,7 +61,7 @@ pub fn put_sections(
     };
     let path = source.folder_of("string.file").join(&file);
     let mut sheet = read(&path, density, text_of)
-        .map_err(|message| source.error_as_it_is("string.file", message))?;
+        .map_err(|message| source.error_verbatim("string.file", message))?;
     // What else it may say is refused where the whole file is read.
     let given = source.text_at("string", "order");
     let (order_inferred, is_from_bit) = match given.as_deref() {

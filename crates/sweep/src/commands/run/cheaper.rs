@@ -51,7 +51,7 @@ fn frequency(sweep: &Sweep) -> Option<String> {
 
 /// A grid far finer than what its limits need.
 fn trace(sweep: &Sweep) -> Option<String> {
-    let trace = TraceDesign::in_place_of(sweep.content.design.as_ref()?)?;
+    let trace = TraceDesign::equivalent_to_grid(sweep.content.design.as_ref()?)?;
     let (likely, all) = (trace.likely_cases(), sweep.design.cases());
     (all as f64 > FEWER * likely as f64).then(|| {
         format!("`kind = \"trace\"` goes along the limits alone: perhaps {likely} of {all} cases")

@@ -24,7 +24,7 @@ pub fn chart(rows: &[Row]) -> Result<Picture> {
     scatter_grid(
         &title,
         [
-            "least error to be relied on at this cost; what is below is nearer by chance",
+            "smallest reliable error at this cost; points below are accurate by chance",
             "the reference is no surer than this",
             "the paper's own: 640 Hz, filters of 10 s or 20 elements",
         ],

@@ -22,7 +22,7 @@ const MOST_PIECES: f64 = 3e8;
 
 /// What swings.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Swinging {
+pub enum ModeFamily {
     /// The string in torsion.
     Torsion,
     /// The string in bending below the uppermost of the places (m from the bit, from there down)
@@ -32,7 +32,7 @@ pub enum Swinging {
     Bending(SurfaceSupport),
 }
 
-impl Swinging {
+impl ModeFamily {
     /// Its name in tables.
     pub fn name(&self) -> &'static str {
         match self {
@@ -74,7 +74,7 @@ impl Swinging {
 /// Those of one way to swing.
 pub struct Modes {
     /// Which.
-    pub of: Swinging,
+    pub of: ModeFamily,
     /// Motions as a rigid rod.
     pub rigid: usize,
     /// Ways in which the string buckles.
@@ -96,7 +96,7 @@ pub struct Modes {
 pub fn find(sweep: &Sweep, count: usize, excitation: &Excitation) -> Result<Vec<Modes>> {
     let setting = &sweep.setting;
     let torsion = NaturalFrequencies::torsion(&setting.string)?;
-    let mut found = vec![modes(Swinging::Torsion, &torsion, count, excitation)?];
+    let mut found = vec![modes(ModeFamily::Torsion, &torsion, count, excitation)?];
     let frequencies: Vec<f64> = found[0].frequencies.iter().map(|it| TAU * it).collect();
     let damped = damped_modes(&setting.string, &frequencies)?.into_iter();
     found[0].damping = damped
@@ -107,18 +107,18 @@ pub fn find(sweep: &Sweep, count: usize, excitation: &Excitation) -> Result<Vec<
         let places = lateral.held_places(&setting.sites);
         if places.iter().any(|place| *place > 0.0) {
             let natural = NaturalFrequencies::held(string, bending, &Sites::new(string, &places)?)?;
-            let of = Swinging::BetweenHeld(places);
+            let of = ModeFamily::BetweenHeld(places);
             found.push(modes(of, &natural, count, excitation)?);
         }
         let natural = NaturalFrequencies::bending(string, bending, lateral.support)?;
-        let of = Swinging::Bending(lateral.support);
+        let of = ModeFamily::Bending(lateral.support);
         found.push(modes(of, &natural, count, excitation)?);
     }
     Ok(found)
 }
 
 fn modes(
-    of: Swinging,
+    of: ModeFamily,
     natural: &NaturalFrequencies,
     count: usize,
     excitation: &Excitation,
@@ -151,7 +151,7 @@ fn modes(
 }
 
 /// Refuses to find so many modes where that would take more than about a minute.
-fn check_work(of: &Swinging, highest: f64, once: f64, modes: usize) -> Result<()> {
+fn check_work(of: &ModeFamily, highest: f64, once: f64, modes: usize) -> Result<()> {
     let pieces = once * (modes * NaturalFrequencies::COUNTS) as f64;
     if pieces <= MOST_PIECES {
         return Ok(());

@@ -2,7 +2,7 @@
 
 use linear::SurfaceSupport;
 
-use super::found::{Modes, Swinging};
+use super::found::{ModeFamily, Modes};
 use super::speeds::Excitation;
 use campaign::plan::Sweep;
 use campaign::quantities::{LENGTH, Units};
@@ -42,20 +42,20 @@ fn line(number: &str, frequency: &str, cells: impl Iterator<Item = String>) -> S
 }
 
 /// What holds it.
-fn held(of: &Swinging, units: Units) -> String {
+fn held(of: &ModeFamily, units: Units) -> String {
     let support = |support: SurfaceSupport| match support {
         SurfaceSupport::Clamped => "surface clamped",
         SurfaceSupport::Pinned => "surface pinned",
         SurfaceSupport::Free => "surface free",
     };
     match of {
-        Swinging::Torsion => "surface held at its speed".to_owned(),
-        Swinging::Bending(of_surface) => support(*of_surface).to_owned(),
-        Swinging::BetweenHeld(places) => {
+        ModeFamily::Torsion => "surface held at its speed".to_owned(),
+        ModeFamily::Bending(of_surface) => support(*of_surface).to_owned(),
+        ModeFamily::BetweenHeld(places) => {
             let length = units.of(&LENGTH);
             let places = places.iter().map(|place| short(length.number(*place)));
             format!(
-                "held at {} {} from the bit and free to turn there, what is above left out",
+                "pinned at {} {} from the bit, without the string above",
                 places.collect::<Vec<_>>().join(", "),
                 length.name
             )
@@ -88,10 +88,10 @@ fn further(modes: &Modes, excitation: &Excitation) -> String {
         text += &format!("; of these the {listed} lowest are listed and counted as critical");
     }
     if modes.rigid > 0 {
-        text += &format!("; besides, {}", counted(modes.rigid, "rigid-body motion"));
+        text += &format!("; plus {}", counted(modes.rigid, "rigid-body mode"));
     }
     if modes.buckled > 0 {
-        text += &format!("; it buckles in {}", counted(modes.buckled, "way"));
+        text += &format!("; plus {}", counted(modes.buckled, "buckled mode"));
     }
     wrapped(&text, 4, 6)
 }
