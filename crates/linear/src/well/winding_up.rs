@@ -13,7 +13,7 @@
 //! friction; deeper ones are by less, as the string above them is soft, and may even make up for
 //! one another. Not so in a string that is started at speed: the wave that sets it in motion feels
 //! no more of the string than it has passed just now, and every piece is taken for one below the
-//! surface. (Measured on random strings: `crates/sim/tests/pieces.rs`.)
+//! surface. (Measured on random strings: `crates/sim/tests/validation/pieces.rs`.)
 
 use thiserror::Error;
 

@@ -1,0 +1,14 @@
+//! Held to closed forms, to other methods and to other programs.
+
+mod axial_force;
+mod bending_responses;
+mod convergence;
+mod elements;
+mod falling_torque;
+mod held;
+mod lengths;
+mod natural_frequencies;
+mod sampling;
+mod side_force;
+mod top_drive;
+mod winding_up;

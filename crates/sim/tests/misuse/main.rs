@@ -1,0 +1,3 @@
+//! What is refused, and how.
+
+mod misuse;

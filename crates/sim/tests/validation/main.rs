@@ -1,0 +1,16 @@
+//! Held to closed forms, to other methods and to other programs.
+
+mod energy;
+mod falling_friction;
+mod forward_whirl;
+mod held;
+mod many_sites;
+mod own_law;
+mod pieces;
+mod start;
+mod stepped;
+mod stribeck;
+mod string_friction;
+mod surface_torque;
+mod wall;
+mod whirl;

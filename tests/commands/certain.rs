@@ -1,0 +1,263 @@
+//! `certify`: which labels are certain, in the same bytes however a run comes about.
+
+use std::time::Duration;
+
+use crate::support::{Answer, SMALL, Workplace, small_with_design, with};
+
+/// Columns that a run has only where it certifies.
+const CERTIFICATE: [&str; 7] = [
+    "finer_torsion",
+    "finer_lateral",
+    "finer_stick_slip_margin_rpm",
+    "finer_contact_fraction",
+    "finer_precession_turns_per_s",
+    "torsion_certified",
+    "lateral_certified",
+];
+
+const THREE: &str = "methods = [\"held\", \"hilbert\", \"finite-element\"]\n";
+
+/// Random cases of a bit, by three methods, at a sampling frequency, Hz.
+fn of_a_bit(cases: usize, frequency: f64, more: &str) -> String {
+    let design = format!(
+        "[design]\nkind = \"monte-carlo\"\ncases = {cases}\nseed = 5\n[design.axes]\n\
+         surface_speed_rpm = {{ from = 0.02, to = 0.6 }}\n\
+         weight_on_bit_kn = {{ from = 20, to = 80 }}\n"
+    );
+    let text = with(
+        &small_with_design(&design),
+        "sampling_frequency_hz = 100",
+        &format!("sampling_frequency_hz = {frequency}"),
+    );
+    with(
+        &text,
+        "methods = [\"quadrature\"]\n",
+        &format!("{THREE}{more}"),
+    )
+}
+
+/// Random cases of a bit and a wall.
+fn at_a_wall(cases: usize, frequency: f64, more: &str) -> String {
+    let text = of_a_bit(cases, frequency, more);
+    let text = with(
+        &text,
+        "torsional_damping_nms_rad_m = 10\n",
+        "torsional_damping_nms_rad_m = 10\n\
+         bending = { youngs_modulus_gpa = 210, damping_ns_m2 = 2000 }\n",
+    );
+    let text = with(
+        &text,
+        "distance_from_bit_m = 50\n",
+        "distance_from_bit_m = 0\n[[impulses]]\ndistance_from_bit_m = 0\nratio = 3\n\
+         [wall]\nclearance_mm = 15\n",
+    );
+    text + "friction = { from = 0.5, to = 3 }\n"
+}
+
+#[track_caller]
+fn run(place: &Workplace, text: &str, folder: &str, more: &[&str]) -> Answer {
+    place.write("small.toml", text);
+    let answer = place.sweep(&[&["run", "small.toml", "--out", folder][..], more].concat());
+    assert_eq!(answer.code, 0, "{answer:?}");
+    answer
+}
+
+fn read(place: &Workplace, name: &str) -> String {
+    std::fs::read_to_string(place.path(name)).unwrap()
+}
+
+/// A table without some columns at its end.
+fn without_last(table: &str, columns: usize) -> String {
+    let cut = |line: &str| {
+        let fields: Vec<&str> = line.split(',').collect();
+        fields[..fields.len() - columns].join(",") + "\n"
+    };
+    table.lines().map(cut).collect()
+}
+
+/// A column of a table, by its name.
+fn column<'a>(table: &'a str, name: &str) -> Vec<&'a str> {
+    let mut lines = table
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let place = header.iter().position(|other| *other == name).unwrap();
+    lines.map(|line| line[place]).collect()
+}
+
+/// The rows are those of a run that does not certify; what is added is what a run of its own
+/// says at twice the frequency, and of `held` in torsion alone at that of exact fronts.
+#[test]
+fn certificates_are_what_a_run_in_shorter_steps_says() {
+    const CASES: usize = 12;
+    for scene in [of_a_bit, at_a_wall] {
+        let place = Workplace::new();
+        let told = run(
+            &place,
+            &scene(CASES, 100.0, "certify = true\n"),
+            "certified",
+            &[],
+        );
+        run(&place, &scene(CASES, 100.0, ""), "plain", &[]);
+        run(&place, &scene(CASES, 200.0, ""), "finer", &[]);
+        let manifest = read(&place, "certified/manifest.json");
+        let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+        let exact = manifest["certified_by"]["exact_fronts_hz"].as_f64();
+        let exact = exact.unwrap_or(200.0);
+        run(&place, &scene(CASES, exact, ""), "exact", &[]);
+        let [certified, plain, finer, exact] = ["certified", "plain", "finer", "exact"]
+            .map(|folder| read(&place, &format!("{folder}/labels.csv")));
+        let header = certified.lines().next().unwrap();
+        assert!(header.ends_with(&CERTIFICATE.join(",")), "{header}");
+        assert_eq!(without_last(&certified, CERTIFICATE.len()), plain);
+        for own in [
+            "torsion",
+            "lateral",
+            "stick_slip_margin_rpm",
+            "contact_fraction",
+            "precession_turns_per_s",
+        ] {
+            let [told, finer, exact] = [
+                (&certified, format!("finer_{own}")),
+                (&finer, own.to_owned()),
+                (&exact, own.to_owned()),
+            ]
+            .map(|(table, name)| column(table, &name));
+            for (row, method) in column(&certified, "method").into_iter().enumerate() {
+                let expected = match method {
+                    // The digital filter has no part in it.
+                    "hilbert" => "",
+                    "held" => exact[row],
+                    _ => finer[row],
+                };
+                assert_eq!(told[row], expected);
+            }
+        }
+        // A row is certain where it has the label that is, which both methods have.
+        let mut certain = [0, 0];
+        for (count, motion) in certain.iter_mut().zip(["torsion", "lateral"]) {
+            let labels = column(&certified, motion);
+            let flags = column(&certified, &format!("{motion}_certified"));
+            for (labels, flags) in labels.chunks(3).zip(flags.chunks(3)) {
+                assert_eq!(flags[0], flags[2]);
+                let filter_is = flags[0] == "true" && labels[1] == labels[0];
+                assert_eq!(flags[1] == "true", filter_is, "{labels:?} {flags:?}");
+                *count += usize::from(flags[0] == "true");
+            }
+        }
+        for (count, word) in certain.into_iter().zip(["torsional", "lateral"]) {
+            let words = format!("certain, {word}: {count} of {CASES} cases");
+            assert_eq!(told.output.contains(&words), count > 0, "{}", told.output);
+        }
+        // Of the bit's rotation some are and some are not.
+        assert!((1..CASES).contains(&certain[0]), "{certain:?}");
+    }
+}
+
+#[test]
+fn threads_shards_and_raising_do_not_change_certificates() {
+    let place = Workplace::new();
+    let all = at_a_wall(12, 100.0, "certify = true\n");
+    run(&place, &all, "whole", &["--quiet", "--jobs", "1"]);
+    let same = |folder: &str| {
+        for file in ["labels.csv", "map.svg"] {
+            let [one, other] =
+                ["whole", folder].map(|folder| read(&place, &format!("{folder}/{file}")));
+            assert!(one == other, "{folder}/{file}");
+        }
+    };
+    run(&place, &all, "threads", &["--quiet", "--jobs", "3"]);
+    same("threads");
+    let few = at_a_wall(5, 100.0, "certify = true\n");
+    run(&place, &few, "raised", &["--quiet"]);
+    run(&place, &all, "raised", &["--quiet"]);
+    same("raised");
+    let shards = ["0/2", "1/2"].map(|shard| {
+        let folder = format!("shard-{}", &shard[..1]);
+        run(&place, &all, &folder, &["--quiet", "--shard", shard]);
+        folder
+    });
+    let merge = place.sweep(&["merge", &shards[0], &shards[1], "--out", "merged"]);
+    assert_eq!(merge.code, 0, "{merge:?}");
+    same("merged");
+    let count = |folder: &str| {
+        let manifest = read(&place, &format!("{folder}/manifest.json"));
+        let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+        manifest["certified"].clone()
+    };
+    assert!(count("whole").is_object());
+    assert_eq!(count("whole"), count("merged"));
+}
+
+/// Killed with some of its cases done.
+#[test]
+fn a_run_that_is_killed_goes_on_with_its_certificates() {
+    let place = Workplace::new();
+    let text = of_a_bit(200, 100.0, "certify = true\n");
+    run(&place, &text, "whole", &["--quiet"]);
+    let arguments = [
+        "run",
+        "small.toml",
+        "--quiet",
+        "--out",
+        "stopped",
+        "--jobs",
+        "1",
+    ];
+    let mut child = place.command(&arguments).spawn().unwrap();
+    let log = place.path("stopped/cases.log");
+    let lines = || std::fs::read_to_string(&log).map_or(0, |log| log.lines().count());
+    while lines() < 20 && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!((20..600).contains(&lines()), "{}", lines());
+    // As far as it is, it can be told.
+    let answer = place.sweep(&["summary", "stopped"]);
+    let told = "Cases whose label is certain";
+    assert!(answer.output.contains(told), "{answer:?}");
+    run(&place, &text, "stopped", &["--quiet"]);
+    let [whole, stopped] =
+        ["whole", "stopped"].map(|folder| read(&place, &format!("{folder}/labels.csv")));
+    assert!(whole == stopped);
+}
+
+#[test]
+fn a_run_that_cannot_certify_is_refused() {
+    let place = Workplace::with_small(&of_a_bit(4, 100.0, "certify = true\n"));
+    let refused = |more: &[&str], words: &str| {
+        let answer = place.sweep(&[&["run", "small.toml"][..], more].concat());
+        assert_eq!(answer.code, 2, "{answer:?}");
+        assert!(answer.errors.contains(words), "{}", answer.errors);
+        assert!(!place.path("results").exists());
+    };
+    refused(
+        &["--methods", "held,hilbert"],
+        "`certify`: takes two methods that share no equation, `held` and `finite-element`: \
+         `methods` lacks `finite-element`",
+    );
+    refused(
+        &["--allow-unstable"],
+        "methods that chatter certify nothing",
+    );
+    // Who only looks at a case needs no second method.
+    let arguments = [
+        "simulate",
+        "small.toml",
+        "--case",
+        "1",
+        "--methods",
+        "hilbert",
+    ];
+    let answer = place.sweep(&arguments);
+    assert_eq!(answer.code, 0, "{answer:?}");
+    place.write(
+        "small.toml",
+        with(SMALL, "time_s = 12", "time_s = 12\ncertify = true"),
+    );
+    let answer = place.sweep(&["inspect", "small.toml"]);
+    assert_eq!(answer.code, 2, "{answer:?}");
+    let words = "small.toml:5: `certify`: takes two methods";
+    assert!(answer.errors.contains(words), "{}", answer.errors);
+}

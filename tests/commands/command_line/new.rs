@@ -1,0 +1,183 @@
+//! A sweep file to start from, and what a shell and `man` ask for.
+
+use crate::command_line::{RESULTS, labels, manifest, names, names_in, run, succeeds, text};
+use crate::refusals::refused;
+use crate::support::{Workplace, with};
+
+/// Every block of settings that is switched off, by its first line, and the pieces
+/// it stands in for or needs beside it.
+const SWITCHED_OFF: [(&str, Change); 12] = [
+    ("units = \"field\"", Change::Nothing),
+    ("surface_torque = true", Change::Nothing),
+    (
+        "methods = [\"held\", \"finite-element\"]",
+        Change::Instead("\nmethods = [\"held\"]"),
+    ),
+    ("start = \"both\"", Change::Instead("\nstart = \"stuck\"")),
+    ("surface_speed_rpm = 60", Change::Nothing),
+    ("time_s = 60", Change::Nothing),
+    ("compression_kn = 50", Change::Nothing),
+    (
+        "rock = \"table\"",
+        Change::Instead("\nrock = \"sandstone\""),
+    ),
+    ("rock = \"law\"", Change::Instead("\nrock = \"sandstone\"")),
+    ("[wall]", Change::Nothing),
+    ("[[impulses]]", Change::Besides("[wall]")),
+    ("[[eccentric_masses]]", Change::Besides("[wall]")),
+];
+
+enum Change {
+    Nothing,
+    Instead(&'static str),
+    Besides(&'static str),
+}
+
+/// The file as it is written.
+fn new_file() -> String {
+    let place = Workplace::new();
+    let answer = succeeds(&place, &["new"]);
+    assert!(
+        answer.output.contains("sweep run my-sweep.toml"),
+        "{answer:?}"
+    );
+    text(&place, "my-sweep.toml")
+}
+
+/// A # alone parts the tables of a block.
+fn is_switched_off(line: &str) -> bool {
+    line.starts_with('#') && !line.starts_with("# ") && line != "#"
+}
+
+/// The file with the # taken from the block that begins with `first`.
+#[track_caller]
+fn switch_on(file: &str, first: &str) -> String {
+    let start = file.find(&format!("\n#{first}\n")).expect(first) + 1;
+    let end = start
+        + file[start..]
+            .find("\n\n")
+            .map_or(file.len() - start, |end| end);
+    let block = file[start..end].lines().map(|line| match line {
+        line if is_switched_off(line) => &line[1..],
+        "#" => "",
+        line => line,
+    });
+    let block: Vec<&str> = block.collect();
+    format!("{}{}{}", &file[..start], block.join("\n"), &file[end..])
+}
+
+/// Reads a file and says what would run.
+#[track_caller]
+fn is_valid(file: &str) {
+    let place = Workplace::new();
+    place.write("sweep.toml", file);
+    succeeds(&place, &["run", "sweep.toml", "--dry-run"]);
+}
+
+#[test]
+fn a_new_file_runs_as_it_is_and_shows_both_regimes() {
+    let place = Workplace::new();
+    place.write("my-sweep.toml", new_file());
+    run(&place, "my-sweep.toml", "results");
+    assert_eq!(names_in(&place, "results"), names(RESULTS));
+    let labels = labels(&place, "results", ["torsion"]);
+    for regime in ["smooth", "stick_slip"] {
+        let share = labels.iter().filter(|[label]| label == regime).count();
+        assert!(
+            share > labels.len() / 10,
+            "{share} of {} {regime}",
+            labels.len()
+        );
+    }
+}
+
+#[test]
+fn every_setting_that_is_switched_off_can_be_used() {
+    let file = new_file();
+    for (first, change) in SWITCHED_OFF {
+        is_valid(&match change {
+            Change::Nothing => switch_on(&file, first),
+            Change::Instead(piece) => with(&switch_on(&file, first), &format!("{piece}\n"), "\n"),
+            Change::Besides(other) => switch_on(&switch_on(&file, other), first),
+        });
+    }
+    let (start, end) = (
+        file.find("\n[design]").unwrap(),
+        file.find("\n# The map").unwrap(),
+    );
+    let random = switch_on(&file, "[design]").replace(&file[start..end], "");
+    is_valid(&random);
+    let blocks = file
+        .split("\n\n")
+        .filter(|block| block.lines().any(is_switched_off));
+    // The random points besides.
+    assert_eq!(blocks.count(), SWITCHED_OFF.len() + 1);
+}
+
+#[test]
+fn with_a_wall_and_an_impulse_a_new_file_tells_whirl() {
+    let file = switch_on(&switch_on(&new_file(), "[wall]"), "[[impulses]]");
+    let file = with(&file, "to = 60, count = 12", "to = 60, count = 2");
+    let file = with(&file, "to = 120, count = 12", "to = 120, count = 2");
+    let place = Workplace::with_small(&file);
+    run(&place, "small.toml", "results");
+    let labels = labels(&place, "results", ["lateral"]);
+    assert_eq!(labels.len(), 4);
+    assert!(
+        labels
+            .iter()
+            .all(|[label]| !label.is_empty() && label != "no_contact"),
+        "{labels:?}"
+    );
+    assert_eq!(manifest(&place, "results")["failed"], 0);
+}
+
+#[test]
+fn a_file_that_is_there_is_kept_unless_forced() {
+    let place = Workplace::new();
+    place.write("mine.toml", "mine");
+    refused(&place, &["new", "mine.toml"], &["--force"]);
+    assert_eq!(text(&place, "mine.toml"), "mine");
+    succeeds(&place, &["new", "mine.toml", "--force"]);
+    assert_eq!(text(&place, "mine.toml"), new_file());
+}
+
+#[test]
+fn the_commands_for_a_new_file_can_be_given_as_they_are() {
+    let place = Workplace::new();
+    let told = succeeds(&place, &["new", "my sweep.toml"]).output;
+    for command in ["inspect", "run"] {
+        let line = format!("\n  sweep {command} 'my sweep.toml'\n");
+        assert!(told.contains(&line), "{told}");
+    }
+}
+
+#[test]
+fn every_shell_and_man_can_be_told_every_command() {
+    let place = Workplace::new();
+    let help = succeeds(&place, &["--help"]).output;
+    let commands = help.split("Commands:\n").nth(1).unwrap().lines();
+    let commands: Vec<&str> = commands
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| line.split_whitespace().next())
+        .filter(|&command| command != "help")
+        .collect();
+    assert!(commands.len() >= 9, "{commands:?}");
+    let page = succeeds(&place, &["man"]).output;
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = succeeds(&place, &["completions", shell]).output;
+        assert!(
+            commands.iter().all(|command| script.contains(command)),
+            "{shell}"
+        );
+    }
+    for command in commands {
+        assert!(
+            page.contains(&format!("sweep\\-{command}")),
+            "{command} in {page}"
+        );
+        let page = succeeds(&place, &["man", command]).output;
+        assert!(page.contains(&format!("  sweep {command}")), "{page}");
+    }
+    refused(&place, &["man", "rum"], &["`rum`"]);
+}

@@ -1,0 +1,17 @@
+//! The commands, as a user types them.
+
+mod accuracy;
+mod analyse;
+mod certain;
+mod command_line;
+mod export;
+mod sensitivity;
+mod trace;
+mod window;
+
+#[allow(dead_code, reason = "other test programs use more of it")]
+#[path = "../support/refusals.rs"]
+mod refusals;
+#[allow(dead_code, reason = "other test programs use more of it")]
+#[path = "../support/mod.rs"]
+mod support;

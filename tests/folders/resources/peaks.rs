@@ -1,0 +1,157 @@
+//! The estimate of memory against the largest memory of real processes, as Linux
+//! counts it.
+
+use std::process::Stdio;
+use std::time::Duration;
+
+use crate::resources::lateral;
+use crate::support::{SMALL, Workplace, small_with_design, with};
+
+const MIB: f64 = 1024.0 * 1024.0;
+
+/// The estimate is at most so many times the real peak, beyond what small runs take.
+const MOST: f64 = 3.5;
+const SMALL_RUN: f64 = 80.0 * MIB;
+
+/// What a command would take, bytes, as its refusal says.
+pub fn estimate(place: &Workplace, command: &str) -> f64 {
+    let answer = place.sweep(&[command, "small.toml", "--memory", "1M"]);
+    let told = answer.errors.split("would take ").nth(1);
+    size(told.unwrap_or_else(|| panic!("{answer:?}")))
+}
+
+/// The amount of memory that a text begins with, bytes.
+fn size(text: &str) -> f64 {
+    let mut words = text.split([' ', ';', ',', '\n']);
+    let amount: f64 = words.next().unwrap().parse().unwrap();
+    match words.next().unwrap() {
+        "MiB" => amount * MIB,
+        "GiB" => amount * 1024.0 * MIB,
+        unit => panic!("{unit}"),
+    }
+}
+
+/// The largest memory of a command while it ran, bytes; `None` where the system does
+/// not tell.
+pub fn peak(place: &Workplace, arguments: &[&str]) -> Option<f64> {
+    let mut command = place.command(arguments);
+    let silent = command.stdout(Stdio::null()).stderr(Stdio::null());
+    let mut process = silent.spawn().unwrap();
+    let path = format!("/proc/{}/status", process.id());
+    let mut largest = None;
+    while process.try_wait().unwrap().is_none() {
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let kibibytes = line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok());
+        largest = kibibytes.map(|count| 1024.0 * count).or(largest);
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    assert_eq!(process.wait().unwrap().code(), Some(0));
+    largest
+}
+
+#[track_caller]
+fn holds(command: &str, text: &str) {
+    let place = Workplace::with_small(text);
+    let estimate = estimate(&place, command);
+    // A run that may take more looks at what its labels depend on.
+    let limit = format!("{}", estimate + MIB);
+    let mut arguments = vec![command, "small.toml", "--out", "out", "--memory", &limit];
+    if command == "run" {
+        arguments.extend(["--full", "--allow-unstable"]);
+    }
+    let Some(peak) = peak(&place, &arguments) else {
+        return;
+    };
+    let [told, took] = [estimate / MIB, peak / MIB];
+    assert!(
+        estimate >= peak,
+        "{command}: {told:.0} MiB told, {took:.0} taken\n{text}"
+    );
+    let most = SMALL_RUN + MOST * peak;
+    assert!(
+        estimate <= most,
+        "{command}: {told:.0} MiB told, {took:.0} taken\n{text}"
+    );
+}
+
+fn by(method: &str, text: &str) -> String {
+    with(text, "[\"quadrature\"]", &format!("[\"{method}\"]"))
+}
+
+#[test]
+fn no_run_takes_more_memory_than_it_was_told_to() {
+    let long = with(&small_with_design(""), "time_s = 12", "time_s = 30000");
+    let long = with(
+        &long,
+        "\"sandstone\"",
+        "\"sandstone\"\nweight_on_bit_kn = 30",
+    );
+    let fast = with(
+        SMALL,
+        "sampling_frequency_hz = 100",
+        "sampling_frequency_hz = 20000",
+    );
+    let few = with(&lateral(2, 30.0), "time_s = 12", "time_s = 300");
+    let many = with(&lateral(12, 7.0), "time_s = 12", "time_s = 30");
+    holds("run", SMALL);
+    holds("run", &long);
+    for method in ["quadrature", "hilbert", "direct-idft"] {
+        holds("run", &by(method, &fast));
+        holds("run", &by(method, &few));
+        holds("run", &by(method, &many));
+    }
+    let some = with(&lateral(4, 20.0), "time_s = 12", "time_s = 20");
+    holds("run", &by("finite-element", &some));
+    let all = r#"["quadrature", "hilbert", "finite-element"]"#;
+    holds("run", &with(&some, r#"["quadrature"]"#, all));
+}
+
+/// What a run says beforehand has room for looking at what labels depend on, which takes the most
+/// where the sampling frequency is doubled.
+#[test]
+fn a_run_that_sees_dependences_takes_no_more_memory_than_it_says() {
+    let long = with(&small_with_design(""), "time_s = 12", "time_s = 20000");
+    let long = with(
+        &long,
+        "\"sandstone\"",
+        "\"sandstone\"\nweight_on_bit_kn = 30",
+    );
+    for text in [long, with(&lateral(3, 30.0), "time_s = 12", "time_s = 100")] {
+        let place = Workplace::with_small(&text);
+        let run = ["run", "small.toml", "--out", "out", "--memory", "100G"];
+        let answer = place.sweep(&[&run[..], &["--dry-run"]].concat());
+        let said = answer.output.split("memory: at most ").nth(1).unwrap();
+        let said = size(said);
+        let peak = peak(&place, &run);
+        let manifest = std::fs::read_to_string(place.path("out/manifest.json")).unwrap();
+        assert!(
+            manifest.contains("\"sampling_frequency_hz\": 200"),
+            "{manifest}"
+        );
+        assert!(peak.is_none_or(|peak| peak <= said), "{peak:?} {said}");
+    }
+}
+
+#[test]
+fn no_history_or_look_takes_more_memory_than_it_was_told_to() {
+    let torsion = with(SMALL, "time_s = 12", "time_s = 3000");
+    holds("simulate", &torsion);
+    holds("inspect", &torsion);
+    let lateral = with(&lateral(3, 30.0), "time_s = 12", "time_s = 100");
+    holds("simulate", &lateral);
+    holds("inspect", &lateral);
+}
+
+#[test]
+fn a_fine_mesh_takes_no_more_memory_than_it_was_told_to() {
+    let elements = "\n[method.finite-element]\nelements_per_cell = 2000\n";
+    let torsion = with(&by("finite-element", SMALL), "time_s = 12", "time_s = 1");
+    holds("run", &(torsion + elements));
+    let bending = with(
+        &by("finite-element", &lateral(1, 0.0)),
+        "time_s = 12",
+        "time_s = 2",
+    );
+    holds("run", &(bending + elements));
+}

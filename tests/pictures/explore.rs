@@ -1,0 +1,142 @@
+//! `sweep explore`: its page is played with in headless Chromium, and the history that it shows
+//! at last held against `sweep simulate`. Without Chromium or Node that is skipped.
+
+use std::path::Path;
+use std::process::Command;
+
+use crate::support::{SMALL, Workplace};
+use serde_json::Value;
+
+/// Most bytes of a page.
+const LARGEST: u64 = 3 << 20;
+
+/// Exit code of a look at a page where there is nothing to look with.
+const SKIPPED: i32 = 3;
+
+#[test]
+fn a_page_is_one_small_file_with_the_case_in_it() {
+    let place = Workplace::new();
+    // A name that a terminal would take for two.
+    std::fs::write(place.path("a small one.toml"), SMALL).unwrap();
+    let done = place.sweep(&["explore", "a small one.toml", "--case", "2"]);
+    assert_eq!(
+        (done.code, &*done.output),
+        (0, "explore.html\n"),
+        "{}",
+        done.errors
+    );
+    let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
+    assert!(html.len() as u64 <= LARGEST, "{} bytes", html.len());
+    assert!(html.contains("sweep simulate 'a small one.toml' --case 2"));
+    // What is seen without scripts.
+    assert!(html.contains("<td>bit_speed_peak_rpm</td>"));
+    let refused = place.sweep(&["explore", "a small one.toml", "--case", "6"]);
+    assert_eq!(refused.code, 2, "{}", refused.errors);
+    assert!(
+        refused.errors.contains("case 6: there are cases 0 to 5"),
+        "{}",
+        refused.errors
+    );
+}
+
+#[test]
+fn what_a_page_shows_at_last_is_what_its_command_simulates() {
+    held_to_its_command(SMALL);
+}
+
+/// Sliders are in other units then, and the command is not.
+#[test]
+fn so_it_is_in_field_units() {
+    let html = held_to_its_command(&format!("units = \"field\"\n{SMALL}"));
+    assert!(html.contains("Weight on bit W (klbf)") && html.contains("klbf ft"));
+}
+
+/// Between walls the lines of the map come with the page.
+#[test]
+fn the_limit_of_whirl_is_that_of_the_sweeps_map() {
+    let place = Workplace::new();
+    let base = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/fig12.toml");
+    let axes = "surface_speed_rpm = { from = 60, to = 120, count = 2 }\n\
+                friction = { from = 0.5, to = 2, count = 2 }";
+    let text = format!("base = '{base}'\n[design]\nkind = 'grid'\n[design.axes]\n{axes}\n");
+    std::fs::write(place.path("wall.toml"), text).unwrap();
+    let done = place.sweep(&["explore", "wall.toml"]);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
+    let data = html.split("id=\"data\">").nth(1).unwrap();
+    let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
+    assert_eq!(
+        data["map"]["axes"],
+        serde_json::json!(["surface_speed_rpm", "friction"])
+    );
+    let piece = data["map"]["lines"][0]["pieces"][0].as_array().unwrap();
+
+    let done = place.sweep(&["run", "wall.toml", "--out", "out"]);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let boundary = std::fs::read_to_string(place.path("out/boundary.csv")).unwrap();
+    assert!(piece.len() > 10, "{piece:?}");
+    for point in piece {
+        let row = format!("\n{},{},", point[0], point[1]).replace(".0,", ",");
+        assert!(boundary.contains(&row), "{row} is not in {boundary}");
+    }
+}
+
+/// Plays with the page of a sweep, which it gives, and simulates what it shows at last.
+fn held_to_its_command(text: &str) -> String {
+    let place = Workplace::new();
+    std::fs::write(place.path("small.toml"), text).unwrap();
+    let done = place.sweep(&["explore", "small.toml"]);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let html = std::fs::read_to_string(place.path("explore.html")).unwrap();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scripts/look-at-explore.mjs");
+    let looked = Command::new("node")
+        .arg(script)
+        .args([place.path("explore.html"), place.path("look")])
+        .output();
+    let Ok(looked) = looked else {
+        eprintln!("skipped: there is no Node to look at the page with");
+        return html;
+    };
+    let errors = String::from_utf8_lossy(&looked.stderr);
+    if looked.status.code() == Some(SKIPPED) && errors.contains("cannot be started") {
+        eprintln!("{errors}");
+        return html;
+    }
+    assert!(looked.status.success(), "{errors}");
+    println!("{}", String::from_utf8_lossy(&looked.stdout));
+
+    let shown = std::fs::read_to_string(place.path("look").join("history.json")).unwrap();
+    let shown: Value = serde_json::from_str(&shown).unwrap();
+    let command = shown["command"]
+        .as_str()
+        .unwrap()
+        .strip_prefix("sweep ")
+        .unwrap();
+    assert!(command.contains(" --set "), "{command}");
+    let arguments: Vec<&str> = command.split(' ').chain(["--out", "one"]).collect();
+    let done = place.sweep(&arguments);
+    assert_eq!(done.code, 0, "{}", done.errors);
+    let mut table = csv::Reader::from_path(place.path("one").join("history.csv")).unwrap();
+    let names = table.headers().unwrap().clone();
+    let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
+    let history = shown["history"].as_object().unwrap();
+    assert_eq!(history.len() + 2, names.len());
+    for (name, values) in history {
+        let place = names.iter().position(|other| other == name).unwrap();
+        let expected = rows.iter().map(|row| row[place].parse::<f64>().unwrap());
+        let size = expected
+            .clone()
+            .fold(0.0, |size: f64, value| size.max(value.abs()));
+        let found = values
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|value| value.as_f64().unwrap());
+        assert_eq!(found.len(), rows.len());
+        let off = found
+            .zip(expected)
+            .fold(0.0, |off: f64, (one, other)| off.max((one - other).abs()));
+        assert!(off <= 1e-9 * size, "{name} is off by {off} of {size}");
+    }
+    html
+}

@@ -1,0 +1,11 @@
+//! The repository itself: its structure, its dependencies and its guide.
+
+mod dependencies;
+mod guide;
+mod layout;
+mod snippets;
+mod structure;
+
+#[allow(dead_code, reason = "other test programs use more of it")]
+#[path = "../support/mod.rs"]
+mod support;

@@ -1,0 +1,18 @@
+//! What is computed, held to the paper, to closed forms and to other methods.
+
+mod axial_force;
+mod early_stop;
+mod forward_contact;
+mod found_sites;
+mod hole;
+mod paper_lateral;
+mod paper_torsion;
+mod string_friction;
+mod surface_torque;
+mod top_drive;
+mod tradeoff;
+mod whirl_limit;
+
+#[allow(dead_code, reason = "other test programs use more of it")]
+#[path = "../support/mod.rs"]
+mod support;
