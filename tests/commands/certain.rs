@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::support::{Answer, SMALL, Workplace, small_with_design, with};
 
 /// Columns that a run has only where it certifies.
-const CERTIFICATE: [&str; 7] = [
+const CERTIFICATE: [&str; 8] = [
     "finer_torsion",
     "finer_lateral",
     "finer_stick_slip_margin_rpm",
@@ -13,6 +13,7 @@ const CERTIFICATE: [&str; 7] = [
     "finer_precession_turns_per_s",
     "torsion_certified",
     "lateral_certified",
+    "nearby_torsion_agrees",
 ];
 
 const THREE: &str = "methods = [\"held\", \"hilbert\", \"finite-element\"]\n";
@@ -151,6 +152,51 @@ fn certificates_are_what_a_run_in_shorter_steps_says() {
         }
         // Of the bit's rotation some are and some are not.
         assert!((1..CASES).contains(&certain[0]), "{certain:?}");
+    }
+}
+
+/// A row of speeds 1.5 % apart, of a bit that was held: what the certificate says of nearby speeds is
+/// what the neighbours of the row say, and where it is false nothing is certain.
+#[test]
+fn a_label_that_changes_at_nearby_speeds_is_not_certain() {
+    const SPEEDS: usize = 60;
+    let design = format!(
+        "[design]\nkind = \"grid\"\n[design.axes]\nsurface_speed_rpm = {{ from = 0.5, to = {}, \
+         count = {SPEEDS}, spacing = \"log\" }}\nweight_on_bit_kn = {{ values = [60] }}\n",
+        0.5 * 1.015f64.powi(SPEEDS as i32 - 1)
+    );
+    let text = with(
+        &small_with_design(&design),
+        "sampling_frequency_hz = 100\n",
+        "",
+    );
+    let text = with(&text, "time_s = 12\n", "");
+    let pair = "methods = [\"held\", \"finite-element\"]\ncertify = true\n";
+    let text = with(&text, "methods = [\"quadrature\"]\n", pair);
+    let place = Workplace::new();
+    run(&place, &text, "results", &[]);
+    let table = read(&place, "results/labels.csv");
+    let of_held = |name: &str| -> Vec<String> {
+        let methods = column(&table, "method");
+        let rows = column(&table, name).into_iter().zip(methods);
+        let own = rows.filter(|(_, method)| *method == "held");
+        own.map(|(field, _)| field.to_owned()).collect()
+    };
+    let [labels, nearby, certain] =
+        ["torsion", "nearby_torsion_agrees", "torsion_certified"].map(of_held);
+    let (mut changed, mut kept) = (0, 0);
+    for row in 4..SPEEDS - 4 {
+        let neighbours = &labels[row - 3..=row + 3];
+        let agree = neighbours.iter().all(|label| *label == labels[row]);
+        if !agree && !nearby[row].is_empty() {
+            changed += 1;
+            assert_ne!(certain[row], "true", "{row}: {neighbours:?}");
+        }
+        kept += usize::from(nearby[row] == "true" && agree);
+    }
+    assert!(changed > 3 && kept > 20, "{changed} {kept}");
+    for (nearby, certain) in nearby.iter().zip(&certain) {
+        assert!(nearby != "false" || certain == "false");
     }
 }
 

@@ -26,7 +26,7 @@ pub fn answer(
     let mut motion = sweep.keeps_motion().then(Trajectory::default);
     let mut record = system.follow(case, method, options, sweep, motion.as_mut());
     if record.outcome.is_ok() {
-        record.finer = system.finer_verdict(case, options.stopping(case.index));
+        system.certify(case, options.stopping(case.index), sweep, &mut record);
     }
     record
 }

@@ -57,7 +57,7 @@ pub fn find_sites(
             Ok(Some(next)) => again = Some(next),
             Ok(None) => {
                 if record.outcome.is_ok() {
-                    record.finer = system.finer_verdict(case, options.stopping(case.index));
+                    system.certify(case, options.stopping(case.index), sweep, &mut record);
                 }
                 record.found = Some(found);
                 return record;

@@ -73,6 +73,10 @@ pub struct Record {
     /// that is to certify its label, and has an answer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub finer: Option<Verdict>,
+    /// Whether the bit has the same label at [nearby speeds](super::NEARBY_SPEEDS), where that is to
+    /// certify it and shorter steps agree with it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub agrees_nearby: Option<bool>,
     /// How the bit turns from each start of a case that begins both ways.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub by_start: Option<ByStart>,
@@ -104,6 +108,7 @@ impl Record {
             site_from_bit_m: None,
             misfits: Vec::new(),
             finer: None,
+            agrees_nearby: None,
             by_start: None,
             found: None,
             outcome: Err(reason),
@@ -112,15 +117,22 @@ impl Record {
 }
 
 /// What is certain of a case by the records of the methods at two places: each has one verdict
-/// and one by shorter steps, and one that is missing certifies nothing.
+/// and one by shorter steps, and one that is missing certifies nothing; nor does a label of the bit
+/// that changes at nearby speeds.
 pub fn certified(case: &[Record], places: [usize; 2]) -> Certified {
-    let verdicts = places.map(|place| {
-        let record = case.iter().find(|record| record.method == place);
+    let records = places.map(|place| case.iter().find(|record| record.method == place));
+    let verdicts = records.map(|record| {
         let verdict = record.map(Record::verdict).unwrap_or_default();
         let finer = record.and_then(|record| record.finer).unwrap_or_default();
         [verdict, finer]
     });
-    Certified::by(verdicts.as_flattened())
+    let certified = Certified::by(verdicts.as_flattened());
+    let changes = |record: &Record| record.agrees_nearby == Some(false);
+    let changes_nearby = records.into_iter().flatten().any(changes);
+    Certified {
+        torsion: certified.torsion.filter(|_| !changes_nearby),
+        ..certified
+    }
 }
 
 #[cfg(test)]
@@ -176,6 +188,12 @@ mod tests {
         let mut lacking = all.clone();
         lacking[2].finer = None;
         assert_eq!(certified(&lacking, [0, 2]).torsion, None);
+        lacking[2] = record(2);
+        lacking[0].agrees_nearby = Some(true);
+        assert_eq!(certified(&lacking, [0, 2]).torsion, found);
+        lacking[0].agrees_nearby = Some(false);
+        assert_eq!(certified(&lacking, [0, 2]).torsion, None);
+        lacking[0].agrees_nearby = None;
         lacking[2] = Record::failed(3, 2, Vec::new(), Failure::new("why"));
         assert_eq!(certified(&lacking, [0, 2]).torsion, None);
     }

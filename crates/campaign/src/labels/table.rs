@@ -53,7 +53,7 @@ const STRING_COLUMNS: [(&str, Kind); 2] = [
 
 /// Columns of what is certain, where labels are certified: what the method says by shorter
 /// steps, as far as it matters to that, and whether the labels of the row are certain.
-const CERTIFICATE_COLUMNS: [(&str, Kind); 7] = [
+const CERTIFICATE_COLUMNS: [(&str, Kind); 8] = [
     ("finer_torsion", Kind::Text),
     ("finer_lateral", Kind::Text),
     ("finer_stick_slip_margin_rpm", Kind::Number),
@@ -61,6 +61,7 @@ const CERTIFICATE_COLUMNS: [(&str, Kind); 7] = [
     ("finer_precession_turns_per_s", Kind::Number),
     ("torsion_certified", Kind::Flag),
     ("lateral_certified", Kind::Flag),
+    ("nearby_torsion_agrees", Kind::Flag),
 ];
 
 /// Columns of how the bit turns from each start, where cases begin in both ways.
@@ -222,6 +223,7 @@ impl<'a> LabelTable<'a> {
             row.add_finer(&record.finer.unwrap_or_default());
             row.add_optional(certainty.torsion);
             row.add_optional(certainty.lateral);
+            row.add_optional(record.agrees_nearby);
         }
         if self.shows_starts {
             let by_start = record.by_start;

@@ -70,6 +70,10 @@ fn of_no_map(name: &str, units: Units) -> Option<(&'static str, Unit)> {
             "Rate of precession by shorter steps",
             Unit::unchanged("turns/s"),
         ),
+        "nearby_torsion_agrees" => (
+            "Same label of torsion at speeds up to 5 % lower and higher",
+            plain(),
+        ),
         "torsion_certified" => ("Label of torsion is certain", plain()),
         "lateral_certified" => ("Label of lateral motion is certain", plain()),
         "torsion_from_stuck" => ("Torsion after the bit was held", plain()),

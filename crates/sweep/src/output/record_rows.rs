@@ -54,6 +54,7 @@ pub fn record_of(
         record.finer = fields.finer()?;
         certainty.torsion = fields.optional()?;
         certainty.lateral = fields.optional()?;
+        record.agrees_nearby = fields.optional()?;
     }
     if table.shows_starts && record.outcome.is_ok() {
         record.by_start = fields.by_start()?;

@@ -36,7 +36,7 @@ impl Kind {
     fn of(column: &str) -> Self {
         match column {
             "case" => Kind::Case,
-            "torsion_certified" | "lateral_certified" => Kind::Truth,
+            "torsion_certified" | "lateral_certified" | "nearby_torsion_agrees" => Kind::Truth,
             "method"
             | "torsion"
             | "lateral"

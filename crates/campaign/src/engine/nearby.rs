@@ -1,0 +1,47 @@
+//! Whether a label holds at surface speeds next to that of a case.
+//!
+//! Whether stick-slip lasts from the start of a case has a ragged edge in the surface speed, far
+//! from the limit of Eq. 74 where tool joints and collars send echoes: labels alternate there, and
+//! hang on details of the string that no method resolves.
+
+use linear::Method;
+use sim::{Stopping, TorsionRegime};
+
+use super::case::Case;
+use super::systems::MethodSystem;
+use crate::plan::Sweep;
+use crate::quantities::Axis;
+
+/// Surface speeds in parts of that of a case, at which a certain label is the same.
+pub const NEARBY_SPEEDS: [f64; 6] = [0.95, 0.97, 0.985, 1.015, 1.03, 1.05];
+
+/// Whether the method at a place of a sweep's list is the one that looks at nearby speeds: of the
+/// two that certify labels `held`, or the first.
+pub fn looks_nearby(sweep: &Sweep, method: usize) -> bool {
+    sweep.certifying.is_some_and(|places| {
+        let is_held = |place: &&usize| sweep.methods[**place] == Method::Held;
+        *places.iter().find(is_held).unwrap_or(&places[0]) == method
+    })
+}
+
+/// Whether the bit of a case has a regime at nearby speeds, too: false where a case there has
+/// another one, or no answer. Each lasts as long as the case does.
+pub fn agrees_nearby(
+    system: &MethodSystem,
+    case: &Case,
+    regime: TorsionRegime,
+    sweep: &Sweep,
+    stopping: Stopping,
+) -> bool {
+    NEARBY_SPEEDS.iter().all(|part| {
+        let speed = part * case.conditions.surface_speed_rpm.unwrap_or_default();
+        let conditions = case.conditions.with(Axis::SurfaceSpeedRpm, speed);
+        let values = case.values.clone();
+        let nearby = Case::under(sweep, &system.setting, case.index, values, &conditions);
+        let verdict = nearby.ok().and_then(|mut nearby| {
+            nearby.scene.timing = case.scene.timing;
+            system.verdict(&nearby, stopping)
+        });
+        verdict.is_some_and(|verdict| verdict.torsion == Some(regime))
+    })
+}
