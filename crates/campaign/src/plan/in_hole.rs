@@ -162,7 +162,7 @@ fn a_clearance_that_the_hole_cannot_leave_is_refused_with_its_line() {
         &with(well, "", ""),
         "clearance =",
         "wall.clearance",
-        "needs [well]",
+        "needs `well.hole_radius_m`",
     );
     let both = with(
         "clearance = \"hole\"",

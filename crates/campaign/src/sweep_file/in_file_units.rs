@@ -70,7 +70,8 @@ impl FileUnits {
     fn shown(&self, number: f64, unit: &str) -> Option<(&'static str, f64)> {
         let of_key = self.of_key.filter(|twin| twin.units[0] == unit);
         // Depths are in feet, whatever the key is in.
-        let of_key = of_key.filter(|_| unit != LENGTH.units[0] || number.abs() < MOST_ACROSS);
+        let is_across = |twin: &&Twin| twin.units == LENGTH.units || number.abs() < MOST_ACROSS;
+        let of_key = of_key.filter(|twin| unit != LENGTH.units[0] || is_across(twin));
         let of_file = TWINS
             .iter()
             .filter(|twin| self.are_field && twin.units[0] == unit);
