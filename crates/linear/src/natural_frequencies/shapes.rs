@@ -81,10 +81,7 @@ impl NaturalFrequencies {
         };
         let held: Vec<f64> = held.map_or_else(Vec::new, |held| held.depths(&self.string).collect());
         let top = held.first().copied().unwrap_or(0.0);
-        let even = (0..count).map(|index| {
-            let part = index as f64 / (count - 1) as f64;
-            top + (length - top) * part
-        });
+        let even = (0..count).map(|index| top + (length - top) * index as f64 / (count - 1) as f64);
         let is_beside = |depth: &f64| {
             let mut near = held.iter().map(|place| (place - depth).abs());
             near.any(|distance| distance <= NEXT_TO_PLACE * (length - top))

@@ -148,7 +148,7 @@ mod tests {
         std::fs::write(file.path(), format!("{header}\n{rows}")).expect("written");
         let axes = [Axis::SurfaceSpeedRpm, Axis::WeightOnBitKn];
         let sweep = toml::from_str(
-            "[string]\nshear_modulus_gpa = 1\ndensity_kg_m3 = 1\ntorsional_damping_nms_rad_m = 1",
+            "[string]\nshear_modulus_gpa = 1\ndensity_kg_m3 = 1\ntorsional_damping_nms_rad_m = 1\nsections = []",
         );
         let sweep = sweep.expect("a sweep");
         Extent::of(file.path(), axes, others, &sweep).expect("a table")
