@@ -4,6 +4,7 @@ use sim::Trajectory;
 
 use super::case::Case;
 use super::finding::find_sites;
+use super::nearby::certify;
 use super::record::Record;
 use super::run_options::RunOptions;
 use super::systems::MethodSystem;
@@ -26,7 +27,13 @@ pub fn answer(
     let mut motion = sweep.keeps_motion().then(Trajectory::default);
     let mut record = system.follow(case, method, options, sweep, motion.as_mut());
     if record.outcome.is_ok() {
-        system.certify(case, options.stopping(case.index), sweep, &mut record);
+        certify(
+            system,
+            case,
+            options.stopping(case.index),
+            sweep,
+            &mut record,
+        );
     }
     record
 }

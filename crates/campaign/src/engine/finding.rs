@@ -12,6 +12,7 @@ use sim::Trajectory;
 use super::case::Case;
 use super::case_error::CaseError;
 use super::clearances::{Beyond, Clearances};
+use super::nearby::certify;
 use super::record::{Failure, Found, Record};
 use super::run_options::RunOptions;
 use super::stepped::{MOST_BY_TAPS, stepped_by};
@@ -57,7 +58,13 @@ pub fn find_sites(
             Ok(Some(next)) => again = Some(next),
             Ok(None) => {
                 if record.outcome.is_ok() {
-                    system.certify(case, options.stopping(case.index), sweep, &mut record);
+                    certify(
+                        system,
+                        case,
+                        options.stopping(case.index),
+                        sweep,
+                        &mut record,
+                    );
                 }
                 record.found = Some(found);
                 return record;

@@ -8,6 +8,7 @@ use linear::Method;
 use sim::{Stopping, TorsionRegime};
 
 use super::case::Case;
+use super::record::Record;
 use super::systems::MethodSystem;
 use crate::plan::Sweep;
 use crate::quantities::Axis;
@@ -17,7 +18,7 @@ pub const NEARBY_SPEEDS: [f64; 6] = [0.95, 0.97, 0.985, 1.015, 1.03, 1.05];
 
 /// Whether the method at a place of a sweep's list is the one that looks at nearby speeds: of the
 /// two that certify labels `held`, or the first.
-pub fn looks_nearby(sweep: &Sweep, method: usize) -> bool {
+fn looks_nearby(sweep: &Sweep, method: usize) -> bool {
     sweep.certifying.is_some_and(|places| {
         let is_held = |place: &&usize| sweep.methods[**place] == Method::Held;
         *places.iter().find(is_held).unwrap_or(&places[0]) == method
@@ -26,7 +27,7 @@ pub fn looks_nearby(sweep: &Sweep, method: usize) -> bool {
 
 /// Whether the bit of a case has a regime at nearby speeds, too: false where a case there has
 /// another one, or no answer. Each lasts as long as the case does.
-pub fn agrees_nearby(
+fn agrees_nearby(
     system: &MethodSystem,
     case: &Case,
     regime: TorsionRegime,
@@ -44,4 +45,21 @@ pub fn agrees_nearby(
         });
         verdict.is_some_and(|verdict| verdict.torsion == Some(regime))
     })
+}
+
+/// Adds what is to certify the labels of a case to its record: what the method says in shorter
+/// steps and, where these agree with its own, of nearby speeds.
+pub fn certify(
+    system: &MethodSystem,
+    case: &Case,
+    stopping: Stopping,
+    sweep: &Sweep,
+    record: &mut Record,
+) {
+    record.finer = system.finer_verdict(case, stopping);
+    let agreed = record.finer.and_then(|finer| finer.torsion);
+    let regime = record.verdict().torsion.filter(|it| agreed == Some(*it));
+    record.agrees_nearby = regime
+        .filter(|_| looks_nearby(sweep, record.method))
+        .map(|regime| agrees_nearby(system, case, regime, sweep, stopping));
 }

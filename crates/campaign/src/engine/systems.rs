@@ -15,7 +15,6 @@ use super::case::Case;
 use super::case_error::CaseError;
 use super::front::{Front, WrongFront};
 use super::instability::{Instability, is_unstable};
-use super::nearby::{agrees_nearby, looks_nearby};
 use super::record::{ByStart, Failure, Record};
 use super::run_options::RunOptions;
 use super::verdict::Verdict;
@@ -256,25 +255,9 @@ impl MethodSystem {
         Ok(Some(ByStart { stuck, smooth }))
     }
 
-    /// Adds what is to certify the labels of a case to its record: what the method says in shorter
-    /// steps and, where these agree with its own, of nearby speeds.
-    pub(super) fn certify(
-        &self,
-        case: &Case,
-        stopping: Stopping,
-        sweep: &Sweep,
-        record: &mut Record,
-    ) {
-        let Some(finer) = &self.finer else {
-            return;
-        };
-        record.finer = finer.verdict(case, stopping);
-        let regime = record.verdict().torsion;
-        let agreed = record.finer.and_then(|finer| finer.torsion);
-        let regime = regime.filter(|regime| agreed == Some(*regime));
-        record.agrees_nearby = regime
-            .filter(|_| looks_nearby(sweep, record.method))
-            .map(|regime| agrees_nearby(self, case, regime, sweep, stopping));
+    /// The same by its shorter steps, where it has any.
+    pub(super) fn finer_verdict(&self, case: &Case, stopping: Stopping) -> Option<Verdict> {
+        self.finer.as_ref()?.verdict(case, stopping)
     }
 
     /// What it comes to of a case, as a run has it, at the sites that it was built for; `method`
