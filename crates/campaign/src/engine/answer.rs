@@ -27,13 +27,7 @@ pub fn answer(
     let mut motion = sweep.keeps_motion().then(Trajectory::default);
     let mut record = system.follow(case, method, options, sweep, motion.as_mut());
     if record.outcome.is_ok() {
-        certify(
-            system,
-            case,
-            options.stopping(case.index),
-            sweep,
-            &mut record,
-        );
+        certify(system, case, options, sweep, &mut record);
     }
     record
 }

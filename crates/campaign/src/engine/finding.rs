@@ -58,13 +58,7 @@ pub fn find_sites(
             Ok(Some(next)) => again = Some(next),
             Ok(None) => {
                 if record.outcome.is_ok() {
-                    certify(
-                        system,
-                        case,
-                        options.stopping(case.index),
-                        sweep,
-                        &mut record,
-                    );
+                    certify(system, case, options, sweep, &mut record);
                 }
                 record.found = Some(found);
                 return record;

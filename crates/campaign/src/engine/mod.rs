@@ -38,7 +38,6 @@ pub use idle_axis::why_idle;
 pub use instability::{Instability, is_unstable};
 pub use limit::{LimitPoint, stick_slip_limit};
 pub use memory::StringMemory;
-pub use nearby::NEARBY_SPEEDS;
 pub use record::{ByStart, Failure, Found, Record, certified};
 pub use run_options::RunOptions;
 pub use shard::Shard;

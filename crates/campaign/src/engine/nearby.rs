@@ -2,19 +2,20 @@
 //!
 //! Whether stick-slip lasts from the start of a case has a ragged edge in the surface speed, far
 //! from the limit of Eq. 74 where tool joints and collars send echoes: labels alternate there, and
-//! hang on details of the string that no method resolves.
+//! depend on details of the string that no method resolves.
 
 use linear::Method;
 use sim::{Stopping, TorsionRegime};
 
 use super::case::Case;
 use super::record::Record;
+use super::run_options::RunOptions;
 use super::systems::MethodSystem;
 use crate::plan::Sweep;
 use crate::quantities::Axis;
 
 /// Surface speeds in parts of that of a case, at which a certain label is the same.
-pub const NEARBY_SPEEDS: [f64; 6] = [0.95, 0.97, 0.985, 1.015, 1.03, 1.05];
+const NEARBY_SPEEDS: [f64; 6] = [0.95, 0.97, 0.985, 1.015, 1.03, 1.05];
 
 /// Whether the method at a place of a sweep's list is the one that looks at nearby speeds: of the
 /// two that certify labels `held`, or the first.
@@ -52,10 +53,11 @@ fn agrees_nearby(
 pub fn certify(
     system: &MethodSystem,
     case: &Case,
-    stopping: Stopping,
+    options: RunOptions,
     sweep: &Sweep,
     record: &mut Record,
 ) {
+    let stopping = options.stopping(case.index);
     record.finer = system.finer_verdict(case, stopping);
     let agreed = record.finer.and_then(|finer| finer.torsion);
     let regime = record.verdict().torsion.filter(|it| agreed == Some(*it));

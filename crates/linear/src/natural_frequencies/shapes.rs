@@ -71,8 +71,8 @@ impl NaturalFrequencies {
         })
     }
 
-    /// So many depths at equal distances from the top to the bit, and those of places that hold the
-    /// string.
+    /// Depths at equal distances from the top to the bit, `count` of them, and those of places that
+    /// hold the string.
     fn depths(&self, count: usize) -> Vec<f64> {
         let length = self.string.length();
         let held = match &self.motion {
