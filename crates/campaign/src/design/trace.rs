@@ -70,7 +70,7 @@ impl TraceDesign {
         })
     }
 
-    /// The trace over the two ranges of a grid; none of another design.
+    /// The trace over the two ranges of a grid; `None` for another design.
     pub fn equivalent_to_grid(table: &DesignTable) -> Option<Self> {
         let mut traced = table.clone();
         let ranges = traced.axes.values_mut();

@@ -9,6 +9,9 @@ const MOST_DIGITS: usize = 10;
 /// Metres of more than this are along the string, not across it.
 const MOST_ACROSS: f64 = 3.0;
 
+/// Numbers in a row that may have one unit.
+const MOST_IN_A_ROW: usize = 32;
+
 /// Digits of a number in the units of the file.
 const CONVERTED: usize = 5;
 
@@ -32,37 +35,40 @@ impl FileUnits {
     /// A message with its numbers and keys in these units.
     pub fn convert(&self, message: &str) -> String {
         let mut text = String::with_capacity(message.len());
-        let mut rest = message;
+        let (mut rest, mut is_quoted) = (message, false);
         while let Some(letter) = rest.chars().next() {
-            let follows_word = text.ends_with(|it: char| it.is_alphanumeric() || "_.".contains(it));
-            let is_quoted = text.matches('`').count() % 2 == 1;
-            let word = word_length(rest);
-            if !follows_word && word > 0 {
+            let word = length_of(rest, |it| it.is_ascii_alphanumeric() || "_.[]".contains(it));
+            let digits = length_of(rest, |it| it.is_ascii_digit() || ".e-".contains(it));
+            if letter.is_ascii_alphabetic() {
                 text += &self.key(&rest[..word]);
                 rest = &rest[word..];
-            } else if let Some((number, length)) = (!follows_word && !is_quoted)
-                .then(|| number(rest))
-                .flatten()
-            {
+            } else if let Some((number, length)) = number(rest).filter(|_| !is_quoted) {
                 let after = &rest[length..];
                 text += &self.number(number, &rest[..length], unit_after(after));
                 rest = self.after_number(number, after, &mut text);
             } else {
-                text.push(letter);
-                rest = &rest[letter.len_utf8()..];
+                // A run of digits that is no number, such as a date, at once.
+                let length = digits.max(word).max(letter.len_utf8());
+                is_quoted ^= letter == '`';
+                text += &rest[..length];
+                rest = &rest[length..];
             }
         }
         text
     }
 
-    /// A word, or as a key is called in these units.
+    /// A word, or as a key is called in these units; a full stop may follow it.
     fn key(&self, word: &str) -> String {
+        let (word, stop) = match word.strip_suffix('.') {
+            Some(word) => (word, "."),
+            None => (word, ""),
+        };
         let name = word.rsplit('.').next().unwrap_or(word);
         let twin =
             shown_as(name).filter(|_| KEYS.contains(&name) || Axis::from_name(name).is_some());
         match twin.filter(|_| self.are_field) {
-            Some(twin) => format!("{}{}", word.trim_end_matches(twin.si), twin.twin),
-            None => word.to_owned(),
+            Some(twin) => format!("{}{}{stop}", word.trim_end_matches(twin.si), twin.twin),
+            None => format!("{word}{stop}"),
         }
     }
 
@@ -119,21 +125,16 @@ fn written_as(key: &str) -> Option<&'static Twin> {
     })
 }
 
-/// How long the word with an underscore is that a text begins with; 0 where it begins with none.
-fn word_length(text: &str) -> usize {
-    let is_of_word = |letter: char| letter.is_ascii_alphanumeric() || "_.[]".contains(letter);
-    let word = text.split(|letter| !is_of_word(letter)).next();
-    let word = word.unwrap_or_default().trim_end_matches('.');
-    let is_word =
-        word.starts_with(|letter: char| letter.is_ascii_lowercase()) && word.contains('_');
-    if is_word { word.len() } else { 0 }
+/// How many bytes at the beginning of a text are letters of a kind.
+fn length_of(text: &str, is_of_kind: impl Fn(char) -> bool) -> usize {
+    text.find(|letter| !is_of_kind(letter))
+        .unwrap_or(text.len())
 }
 
 /// The number that a text begins with, and how long it is.
 fn number(text: &str) -> Option<(f64, usize)> {
-    let is_of_number = |letter: char| letter.is_ascii_digit() || ".e-".contains(letter);
-    let written = text.split(|letter| !is_of_number(letter)).next()?;
-    let written = written.trim_end_matches(['.', '-', 'e']);
+    let written = length_of(text, |it| it.is_ascii_digit() || ".e-".contains(it));
+    let written = text[..written].trim_end_matches(['.', '-', 'e']);
     let ends = text[written.len()..].chars().next();
     let is_alone = !ends.is_some_and(|letter| letter.is_alphanumeric() || letter == '_');
     let value = written.parse().ok().filter(|_| is_alone)?;
@@ -146,15 +147,18 @@ fn digits(number: &str) -> usize {
     digits.skip_while(|digit| *digit == '0').count()
 }
 
-/// The unit of a number that this follows: of some numbers in a row, that of the last.
-fn unit_after(text: &str) -> Option<&'static str> {
-    if let Some(unit) = unit_at(text) {
-        return Some(unit);
+/// The unit of a number that this follows: of a few numbers in a row, that of the last.
+fn unit_after(mut text: &str) -> Option<&'static str> {
+    for _ in 0..MOST_IN_A_ROW {
+        if let Some(unit) = unit_at(text) {
+            return Some(unit);
+        }
+        let mut joined = [" and ", " to ", ", "].into_iter();
+        let next = joined.find_map(|word| text.strip_prefix(word))?;
+        let (_, length) = number(next)?;
+        text = &next[length..];
     }
-    let mut joined = [" and ", " to ", ", "].into_iter();
-    let next = joined.find_map(|word| text.strip_prefix(word))?;
-    let (_, length) = number(next)?;
-    unit_after(&next[length..])
+    None
 }
 
 /// The unit that a text begins with, after a space.
@@ -204,6 +208,11 @@ mod tests {
                 "14.751 lbf ft, of 3 pieces, each 0.044962 lbf s/rad and 65.511 ppg",
             ),
             ("sites", "`0.5 m` and 12 times", "`0.5 m` and 12 times"),
+            (
+                "sites",
+                "on 2026-11-26: part_2 of m3 length_m.",
+                "on 2026-11-26: part_2 of m3 length_ft.",
+            ),
         ] {
             assert_eq!(FileUnits::new(true, key).convert(message), expected);
         }
@@ -219,5 +228,16 @@ mod tests {
             "50 mm of `length_m`"
         );
         assert_eq!(told("a", "case 3 of 1.5"), "case 3 of 1.5");
+    }
+    /// A file may name a key as long as it is itself.
+    #[test]
+    fn long_messages_take_no_longer_than_they_are() {
+        for piece in ["a", "a_", "1-", "1, ", "`", ".", "é", "_m "] {
+            let long = piece.repeat(1_000_000);
+            assert_eq!(
+                FileUnits::new(true, "sites").convert(&long).len(),
+                long.len()
+            );
+        }
     }
 }

@@ -33,12 +33,11 @@ const GAP: f64 = 20.0;
 const APART: f64 = 1.0;
 
 /// What was recorded in a column of a file that a `key` names, in the unit of a quantity; without
-/// the name of a column, in the only one that has such a unit.
+/// the name of a column, in the only one that has such a unit. With it comes what was ignored, in
+/// words.
 ///
 /// # Errors
 /// Where the file cannot be read, has no such column, or is no recording.
-///
-/// Returns it with what was passed over.
 pub fn read_series(
     source: &Source,
     key: &str,
@@ -90,8 +89,8 @@ pub fn read_series(
     Ok((recording, notes))
 }
 
-/// Rows of comments, and rows without a value in the column at a place, of which so many were
-/// `kept`.
+/// Rows of comments, and rows without a value in the column at a place, in words; `kept` is the
+/// number of rows that were read.
 fn passed_over(file: &str, table: &Table, (place, kept): (usize, usize)) -> Vec<String> {
     let comments = (!table.comments.is_empty()).then(|| comments_words(file, &table.comments));
     let (all, name) = (table.rows.len(), &table.headings[place].text);

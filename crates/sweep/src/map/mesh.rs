@@ -193,7 +193,7 @@ mod tests {
         assert_eq!(edges(&[], 9), [-0.5, 0.5]);
     }
 
-    /// Decades have cells as wide as one another, and places are told by them.
+    /// Decades have cells as wide as one another, in which places are found.
     #[test]
     fn values_even_in_the_logarithm_have_cells_even_in_it() {
         let values = vec![1e-3, 1e-2, 0.1];

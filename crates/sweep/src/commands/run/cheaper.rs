@@ -9,10 +9,10 @@ use campaign::words::{counted, short, wrapped};
 /// Nothing is said of what takes less, s.
 const LONG: f64 = 60.0;
 
-/// Steps, or cases, that are so many times fewer are worth a line.
+/// Steps, or cases, fewer by this factor are worth a line.
 const FEWER: f64 = 1.5;
 
-/// Lines on what the file may leave out or say otherwise; none of a sweep that is soon done.
+/// Lines on what the file may leave out or say otherwise; empty for a sweep that is soon done.
 pub fn cheaper(sweep: &Sweep, time: &WallTime) -> String {
     let is_long = match time {
         WallTime::About(seconds) => *seconds >= LONG,
@@ -74,7 +74,7 @@ fn methods(sweep: &Sweep) -> Option<String> {
 fn early_end(sweep: &Sweep) -> Option<String> {
     let is_given = matches!(sweep.content.time_s, AutoOr::Given(_));
     let may_end = is_given && sweep.setting.friction.is_none();
-    may_end.then(|| "`time_s = \"auto\"` ends a case when its regime can be told".to_owned())
+    may_end.then(|| "`time_s = \"auto\"` ends a case once its regime is determined".to_owned())
 }
 
 /// Methods and frequencies that are as near as is wanted.
