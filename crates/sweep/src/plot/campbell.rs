@@ -52,7 +52,8 @@ impl CampbellPanel {
         if !self.is_dense() {
             return self.title.clone();
         }
-        format!("{}: any speed meets one", self.title)
+        let count = self.natural.len();
+        format!("{}: {count} natural frequencies, as ticks", self.title)
     }
 }
 
