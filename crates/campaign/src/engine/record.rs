@@ -73,7 +73,7 @@ pub struct Record {
     /// that is to certify its label, and has an answer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub finer: Option<Verdict>,
-    /// Whether the bit has the same label at surface speeds up to 5 % off, where that is to certify
+    /// Whether the bit has the same label at surface speeds up to 10 % off, where that is to certify
     /// it and shorter steps agree with it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub agrees_nearby: Option<bool>,

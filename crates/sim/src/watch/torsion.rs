@@ -80,6 +80,32 @@ struct Cycle {
     travel: f64,
 }
 
+impl Cycle {
+    /// Whether another is the same to a step.
+    fn is_alike(&self, other: &Self) -> bool {
+        self.period.abs_diff(other.period) <= 1 && self.slipping.abs_diff(other.slipping) <= 1
+    }
+}
+
+/// Cycles that are the same to a step, one after the other.
+#[derive(Debug, Clone, Default)]
+struct Alike {
+    first: Cycle,
+    count: usize,
+}
+
+impl Alike {
+    fn see(&mut self, cycle: Cycle) {
+        if self.count == 0 || !self.first.is_alike(&cycle) {
+            *self = Self {
+                first: cycle,
+                count: 0,
+            };
+        }
+        self.count += 1;
+    }
+}
+
 /// Watches the bit step by step.
 #[derive(Debug, Clone)]
 pub(crate) struct BitWatch {
@@ -88,6 +114,7 @@ pub(crate) struct BitWatch {
     /// Steps: the closing window is no shorter than a cycle.
     longest_cycle: usize,
     cycles: [Cycle; AGREEING_CYCLES],
+    alike: Alike,
     /// Speeds since the last slip began, and of the cycle before.
     since_slip: Vec<f64>,
     last_cycle: Vec<f64>,
@@ -134,6 +161,7 @@ impl BitWatch {
             steps,
             longest_cycle: window + 1,
             cycles: Default::default(),
+            alike: Alike::default(),
             since_slip: Vec::new(),
             last_cycle: Vec::new(),
             recaptured_at: 0,
@@ -197,11 +225,13 @@ impl BitWatch {
 
     fn end_cycle(&mut self) {
         self.cycles.rotate_left(1);
-        self.cycles[AGREEING_CYCLES - 1] = Cycle {
+        let cycle = Cycle {
             period: self.step - self.last_slip,
             slipping: self.recaptured_at - self.last_slip,
             travel: self.since_slip.iter().sum(),
         };
+        self.cycles[AGREEING_CYCLES - 1] = cycle;
+        self.alike.see(cycle);
         std::mem::swap(&mut self.last_cycle, &mut self.since_slip);
     }
 
@@ -229,6 +259,12 @@ impl BitWatch {
             return false;
         }
         let cycles_left = (self.steps - self.step) as f64 / last.period as f64;
+        // Steps by which a period may change until the end, as it may have in all cycles that are
+        // alike, for a step is not seen.
+        let unseen = cycles_left / self.alike.count as f64;
+        if unseen > self.rules.settling_tolerance * last.period as f64 {
+            return false;
+        }
         let steady = |one: f64, other: f64, rounding: f64| {
             let change = ((one - other).abs() - rounding).max(0.0);
             change * cycles_left.max(1.0) <= self.rules.settling_tolerance * other
@@ -365,5 +401,31 @@ mod tests {
         let sticking = watched((0..100).map(|step| if step % 20 < 10 { 0.0 } else { 2.0 }));
         assert_eq!(sticking.measures(1.0).severity, Some(1.0));
         assert_eq!(sticking.measures(0.0).severity, None);
+    }
+
+    /// After how many of a hundred cycles of a number of steps, half of each in slipping, these have
+    /// settled.
+    fn settles_after(period: usize) -> usize {
+        let sampling = Sampling::new(1.0, 0.0);
+        let steps = 100 * period;
+        let mut watch = BitWatch::new(Rules::USUAL, sampling, steps, period as f64);
+        let settled = (0..steps).find(|step| {
+            let motion = match step % period < period / 2 {
+                true => BitMotion::Forward,
+                false => BitMotion::Stuck,
+            };
+            watch.see(motion, f64::from(motion == BitMotion::Forward));
+            watch.is_settled()
+        });
+        settled.expect("what repeats settles") / period
+    }
+
+    /// A change of a step in all the cycles seen is not seen; until the end it may grow to more than
+    /// what settled motion may change by.
+    #[test]
+    fn short_cycles_settle_once_a_change_of_a_step_would_have_been_seen() {
+        assert_eq!(settles_after(20_000), 3);
+        // (100 - n)/n = 0.01 · 20
+        assert!((83..=86).contains(&settles_after(20)));
     }
 }

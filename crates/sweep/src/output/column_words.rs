@@ -71,7 +71,7 @@ fn of_no_map(name: &str, units: Units) -> Option<(&'static str, Unit)> {
             Unit::unchanged("turns/s"),
         ),
         "nearby_torsion_agrees" => (
-            "Same label of torsion at speeds up to 5 % lower and higher",
+            "Same label of torsion at speeds up to 10 % lower and higher",
             plain(),
         ),
         "torsion_certified" => ("Label of torsion is certain", plain()),
