@@ -155,7 +155,6 @@ fn certificates_are_what_a_run_in_shorter_steps_says() {
     }
 }
 
-
 /// A case is simulated in the sweep at each of the speeds that its certificate looks at: what that
 /// says of nearby speeds is what the rows of these say.
 #[test]
