@@ -76,6 +76,7 @@ fn simulate(
         start: sim::Start::Rest,
         surface_speed: rpm * RPM,
         bit: Some(bit),
+        friction: Vec::new(),
         lateral: None,
         timing,
     };
@@ -187,6 +188,7 @@ fn scaling_speed_and_torque_together_changes_no_label() {
             start: sim::Start::Rest,
             surface_speed: rpm * RPM,
             bit: Some(bit(torque)),
+            friction: Vec::new(),
             lateral: None,
             timing,
         };
@@ -230,6 +232,7 @@ fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
             start: sim::Start::Rest,
             surface_speed: 0.1,
             bit: Some(bit(1e9)),
+            friction: Vec::new(),
             lateral: None,
             timing: Timing {
                 duration: 40.0,
@@ -351,6 +354,7 @@ fn roughness_while_stuck(method: &Method) -> f64 {
         start: sim::Start::Rest,
         surface_speed: 0.1 * RPM,
         bit: Some(bit(4000.0)),
+        friction: Vec::new(),
         lateral: None,
         timing: Timing {
             duration: 14.0,

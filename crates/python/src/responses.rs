@@ -151,6 +151,7 @@ impl Responses {
             start: sim::Start::Rest,
             surface_speed,
             bit: bit.map(|law| Bit::of(law, &raised)).transpose()?,
+            friction: Vec::new(),
             lateral,
             timing: Timing {
                 duration,
@@ -220,12 +221,13 @@ impl Responses {
                 motion.wall_torques[site].push(contact.torque);
             }
         }
-        motion.speeds = system.driven_speeds(
+        let driven = system.driven_speeds(
             scene.surface_speed,
             &scene.start,
             &motion.bit_torque,
             motion.times.len(),
         );
+        motion.speeds = driven.unwrap_or_default();
         for (site, own) in loads.into_iter().zip(speeds) {
             motion.speeds[site] = own;
         }

@@ -6,8 +6,8 @@ use linear::{Cascade, Method, Sites, responses};
 use problems::academic;
 use sim::convolution::{Convolution, Kernel, Kernels};
 use sim::{
-    CascadeScene, CascadeSimulator, EccentricMass, Impulse, Lateral, NodeTorque, PipeFriction,
-    Scene, Simulator, Stopping, SurfaceProfile, Timing, Wall,
+    EccentricMass, Impulse, Lateral, PipeFriction, Scene, Simulator, Stopping, SurfaceProfile,
+    Timing, Wall,
 };
 
 fn main() {
@@ -37,6 +37,7 @@ fn scene(sites: usize, friction: f64, duration: f64) -> Scene {
         start: sim::Start::Rest,
         surface_speed: SPEED,
         bit: None,
+        friction: Vec::new(),
         lateral: Some(Lateral {
             walls: vec![wall; sites],
             impulses: vec![Impulse {
@@ -150,18 +151,19 @@ fn string_friction(bencher: Bencher, pieces: usize) {
     let distances: Vec<f64> = (0..pieces).map(middle).chain([0.0]).collect();
     let nodes = Sites::new(&string, &distances).unwrap();
     let cascade = Cascade::new(&string, &Method::Quadrature, &nodes, 160.0, 60.0).unwrap();
-    let simulator = CascadeSimulator::new(&cascade, &SurfaceProfile::Rise(2.0), 0.0).unwrap();
+    let simulator = Simulator::in_pieces(&cascade, &SurfaceProfile::Rise(2.0), 0.0).unwrap();
     let friction = PipeFriction {
         torque_static: 60_000.0 / pieces as f64,
         torque_dynamic: 30_000.0 / pieces as f64,
         stribeck_speed: 0.5,
     };
-    let scene = CascadeScene {
+    let friction = vec![Some(friction); pieces];
+    let scene = Scene {
         surface_speed: 0.5 * SPEED,
-        torques: (0..pieces)
-            .map(|_| NodeTorque::Pipe(friction))
-            .chain([NodeTorque::None])
-            .collect(),
+        start: sim::Start::Rest,
+        bit: None,
+        friction: friction.into_iter().chain([None]).collect(),
+        lateral: None,
         timing: Timing {
             duration: 60.0,
             closing_window: 10.0,
@@ -169,7 +171,7 @@ fn string_friction(bencher: Bencher, pieces: usize) {
     };
     bencher.bench(|| {
         black_box(&simulator)
-            .simulate(black_box(&scene), None)
+            .simulate(black_box(&scene), Stopping::Full, None)
             .unwrap()
     });
 }

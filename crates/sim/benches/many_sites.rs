@@ -42,6 +42,7 @@ fn scene(sites: usize, touching: usize) -> Scene {
         start: sim::Start::Rest,
         surface_speed: std::f64::consts::TAU,
         bit: None,
+        friction: Vec::new(),
         lateral: Some(Lateral {
             walls: (0..sites)
                 .map(|site| wall(if touches(site) { 0.015 } else { 10.0 }))

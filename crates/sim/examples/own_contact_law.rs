@@ -34,6 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         start: sim::Start::Rest,
         surface_speed: 2.0,
         bit: Some(torque),
+        friction: Vec::new(),
         lateral: None,
         timing: Timing {
             duration: 10.0,

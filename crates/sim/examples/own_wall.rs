@@ -95,6 +95,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         start: sim::Start::Rest,
         surface_speed: 6.0,
         bit: None,
+        friction: Vec::new(),
         lateral: Some(Lateral {
             walls: vec![rubber],
             impulses: vec![impulse],

@@ -51,14 +51,20 @@ pub enum SimulationError {
         /// Number of sites.
         sites: usize,
     },
-    /// There are more torques than nodes, or fewer.
-    #[error("the scene has torques for {torques} nodes of the string, which has {nodes}")]
-    NotALawForEachNode {
-        /// Number of torques.
-        torques: usize,
-        /// Number of nodes.
-        nodes: usize,
+    /// There is friction along the string for more sites than may bear a torque, or fewer.
+    #[error("the scene has friction at {friction} sites for {sites} that a torque may act on")]
+    NotFrictionForEachSite {
+        /// Number of sites with or without friction.
+        friction: usize,
+        /// Number of sites that a torque may act on.
+        sites: usize,
     },
+    /// How far friction has wound up a string depends on all that it did before.
+    #[error("a case with friction along the string begins at rest")]
+    SteadyWithFriction,
+    /// A string turns and bends by other steps.
+    #[error("the responses in bending are sampled otherwise than the string in torsion")]
+    UnlikeSteps,
     /// Forces act at sites where no torque may act: friction would turn nothing.
     #[error("the responses in bending need a torque at each of their sites")]
     UnlikeChannels,

@@ -29,7 +29,7 @@
 //! | paper | here |
 //! |---|---|
 //! | Eqs. 16–17, 59–61: history and load lines | [`convolution`], [`stepper`] |
-//! | the same by stepping elements, for many sites | `channel.rs`, [`linear::SteppedString`] |
+//! | the same by stepping elements, for many sites | `line/`, [`linear::SteppedString`] |
 //! | Eqs. 59–60 at all sites of a step at once | `coupling/` |
 //! | Sections 2.2.2, 5.2.1: torque at the bit | [`laws::bit`] |
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
@@ -37,7 +37,7 @@
 //! | Section 5.2.1: stick-slip or smooth | [`watch::torsion`] |
 //! | Section 5.2.2: transient contact or whirl | [`watch::lateral`], its bound in [`steady_whirl`] |
 //! | Section 5: what a case is, and what disturbs it | [`scene`], [`excitation`] |
-//! | friction all along the string, piece by piece | [`cascade`] |
+//! | what a string is between its ports: responses, elements, pieces | `line/` |
 //! | one case from rest to its label | [`simulator`], [`Outcome`], [`trajectory`] |
 //! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`timing`] |
@@ -65,6 +65,7 @@
 //!     surface_speed: 0.5,
 //!     start: Start::Rest,
 //!     bit: Some(bit),
+//!     friction: Vec::new(),
 //!     lateral: None,
 //!     timing: sim::torsion_timing(&string, 0.5, &bit, &Start::Rest),
 //! };
@@ -73,8 +74,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod cascade;
-mod channel;
 pub mod convolution;
 pub mod cost;
 mod coupling;
@@ -82,15 +81,16 @@ pub mod diagnosis;
 mod error;
 pub mod excitation;
 pub mod laws;
+mod line;
 pub mod oscillator;
 mod outcome;
+mod port;
 mod ranges;
 mod recording;
 mod sampling;
 pub mod scene;
 mod shortcuts;
 pub mod simulator;
-mod site;
 mod start;
 pub mod steady_whirl;
 pub mod stepper;
@@ -102,7 +102,6 @@ pub mod trajectory;
 pub mod watch;
 mod words;
 
-pub use cascade::{CascadeScene, CascadeSimulator, NodeTorque};
 pub use error::SimulationError;
 pub use excitation::{EccentricMass, Impulse};
 pub use laws::bit::BitTorque;
@@ -111,6 +110,7 @@ pub use laws::pipe::PipeFriction;
 pub use laws::rock::Rock;
 pub use laws::torque::{LoadLine, TorqueLaw};
 pub use laws::wall::Wall;
+pub use line::torsion::SurfaceStep;
 pub use outcome::{Ended, Label, Outcome, Stopping};
 pub use ranges::SceneError;
 pub use recording::{Recording, RecordingError};

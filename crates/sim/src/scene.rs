@@ -3,6 +3,7 @@
 use crate::excitation::{EccentricMass, Impulse};
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::WallLaw;
+use crate::laws::pipe::PipeFriction;
 use crate::laws::torque::TorqueLaw;
 use crate::laws::wall::Wall;
 use crate::ranges::{SceneError, finite, known_site, not_negative, positive};
@@ -26,6 +27,9 @@ pub struct Scene<B = BitTorque, W = Wall> {
     pub start: Start,
     /// Torque at the bit; `None` leaves it free.
     pub bit: Option<B>,
+    /// Friction of the well on the pipe, at each site that a torque may act on, from the surface
+    /// down; empty where the string rubs nowhere. On the bit its own law acts instead.
+    pub friction: Vec<Option<PipeFriction>>,
     /// Lateral motion, where it is modelled.
     pub lateral: Option<Lateral<W>>,
     /// Time simulated and closing window.
@@ -35,36 +39,40 @@ pub struct Scene<B = BitTorque, W = Wall> {
 /// The lateral part of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lateral<W = Wall> {
-    /// The borehole wall at each site, from the surface down.
+    /// The borehole wall at each site that bends, from the surface down.
     pub walls: Vec<W>,
-    /// Disturbances.
+    /// Disturbances, at sites numbered as the walls are.
     pub impulses: Vec<Impulse>,
-    /// Eccentric masses.
+    /// Eccentric masses, at sites numbered as the walls are.
     pub eccentric_masses: Vec<EccentricMass>,
 }
 
 impl<B: TorqueLaw, W: WallLaw> Scene<B, W> {
     /// Checks that it can be simulated: every number in its range, everything at
-    /// one of the `sites`.
-    pub(crate) fn check(&self, sites: usize) -> Result<(), SceneError> {
+    /// one of the `sites`, of which a number may have walls.
+    pub(crate) fn check(&self, sites: usize, walls: usize) -> Result<(), SceneError> {
         finite("surface speed in rad/s", self.surface_speed)?;
         self.start.check(sites)?;
         not_negative("time simulated in s", self.timing.duration)?;
         not_negative("closing window in s", self.timing.closing_window)?;
         self.bit.iter().try_for_each(TorqueLaw::check)?;
+        self.friction
+            .iter()
+            .flatten()
+            .try_for_each(TorqueLaw::check)?;
         let Some(lateral) = &self.lateral else {
             return Ok(());
         };
         lateral.walls.iter().try_for_each(WallLaw::check)?;
         for impulse in &lateral.impulses {
-            known_site("an impulse", impulse.site, sites)?;
+            known_site("an impulse", impulse.site, walls)?;
             finite("amount of an impulse in N s", impulse.amount)?;
             finite("start of an impulse in s", impulse.start)?;
             finite("direction of an impulse in rad", impulse.direction)?;
             positive("duration of an impulse in s", impulse.duration)?;
         }
         for mass in &lateral.eccentric_masses {
-            known_site("an eccentric mass", mass.site, sites)?;
+            known_site("an eccentric mass", mass.site, walls)?;
             not_negative("eccentric mass in kg", mass.mass)?;
             finite("offset of an eccentric mass in m", mass.offset)?;
         }

@@ -1,6 +1,6 @@
 //! One case from rest to its regimes: the stepper, what is skipped, and who watches.
 
-use linear::{Responses, SteppedString};
+use linear::{Cascade, Responses, SteppedString};
 
 use crate::error::SimulationError;
 use crate::laws::bit::BitMotion;
@@ -12,9 +12,11 @@ use crate::stepper::{Step, Stepper};
 use crate::surface::SurfaceProfile;
 use crate::system::System;
 use crate::trajectory::Trajectory;
+use crate::watch::along::StringTorqueWatch;
 use crate::watch::lateral::WallWatch;
 use crate::watch::rules::Rules;
 use crate::watch::settling::Settling;
+use crate::watch::surface::SurfaceWatch;
 use crate::watch::torsion::{BitWatch, TorsionMeasures, TorsionRegime};
 
 /// A linear system with what is known of all its cases.
@@ -22,6 +24,7 @@ use crate::watch::torsion::{BitWatch, TorsionMeasures, TorsionRegime};
 pub struct Simulator {
     system: System,
     bit_alone: Option<BitAlone>,
+    follows_torque: bool,
 }
 
 impl Simulator {
@@ -44,7 +47,7 @@ impl Simulator {
         let system = System::started(responses, profile)?;
         Ok(Self {
             bit_alone: BitAlone::of(&system, responses),
-            system,
+            ..Self::of(system)
         })
     }
 
@@ -58,10 +61,38 @@ impl Simulator {
         responses: &Responses,
         profile: &SurfaceProfile,
     ) -> Result<Self, SimulationError> {
-        Ok(Self {
-            system: System::stepped(string, responses, profile)?,
+        System::stepped(string, responses, profile).map(Self::of)
+    }
+
+    /// Of a string in pieces, whose nodes torques may act on: for friction all along it.
+    ///
+    /// # Errors
+    /// As [`System::in_pieces`].
+    pub fn in_pieces(
+        cascade: &Cascade,
+        profile: &SurfaceProfile,
+        rotor_inertia: f64,
+    ) -> Result<Self, SimulationError> {
+        System::in_pieces(cascade, profile, rotor_inertia).map(Self::of)
+    }
+
+    /// Of any system.
+    pub fn of(system: System) -> Self {
+        Self {
+            system,
             bit_alone: None,
-        })
+            follows_torque: false,
+        }
+    }
+
+    /// The same, which follows the torque all along a string in pieces, or does not: that takes a
+    /// little more of each step.
+    #[must_use]
+    pub fn following_torque(self, follows_torque: bool) -> Self {
+        Self {
+            follows_torque,
+            ..self
+        }
     }
 
     /// What its cases are stepped against.
@@ -103,7 +134,7 @@ impl Simulator {
                 None => stopping,
             },
             alone: alone.map(|(alone, _)| alone),
-            watch: Watch::new(&self.system, scene, rules, &stepper),
+            watch: Watch::new(&self.system, scene, (rules, self.follows_torque), &stepper),
             stepper,
         };
         let ended = match record {
@@ -129,7 +160,11 @@ struct Case<'a> {
 /// Who watches a case.
 struct Watch {
     bit: Option<BitWatch>,
+    /// The lowest port that a law acts on, where that is not the bit.
+    rubs_at: Option<usize>,
     walls: Option<(WallWatch, Settling)>,
+    surface: Option<SurfaceWatch>,
+    along: Option<StringTorqueWatch>,
 }
 
 /// How a case came to its end.
@@ -143,31 +178,63 @@ struct End {
 }
 
 impl Watch {
-    fn new(system: &System, scene: &Scene, rules: Rules, stepper: &Stepper) -> Self {
+    fn new(
+        system: &System,
+        scene: &Scene,
+        (rules, follows_torque): (Rules, bool),
+        stepper: &Stepper,
+    ) -> Self {
         let (sampling, steps) = (system.sampling, stepper.steps());
         let window = scene.timing.closing_window;
-        let bit = scene.bit.map(|_| {
+        let lowest = stepper.lowest_law();
+        let bit = lowest.map(|_| {
             let mut watch = BitWatch::new(rules, sampling, steps, window);
             watch.skip_stuck(stepper.next_step().min(steps));
             watch
         });
         let walls = scene.lateral.as_ref().map(|_| {
-            let walls = WallWatch::new(rules, system.sites, sampling, steps, window);
+            let sites = system.walls.len();
+            let walls = WallWatch::new(rules, sites, sampling, steps, window);
             (
                 walls,
-                Settling::new(rules, system.sites, sampling.frequency, steps),
+                Settling::new(rules, sites, sampling.frequency, steps),
             )
         });
-        Self { bit, walls }
+        let is_in_pieces = system.torsion.whole().is_none();
+        Self {
+            bit,
+            rubs_at: lowest.filter(|_| scene.bit.is_none()),
+            walls,
+            surface: is_in_pieces.then(|| SurfaceWatch::new(sampling, steps, window)),
+            along: (is_in_pieces && follows_torque).then(StringTorqueWatch::default),
+        }
     }
 
-    fn see(&mut self, now: &Step<BitMotion>) {
-        if let (Some(watch), Some(bit)) = (&mut self.bit, &now.bit) {
-            watch.see(bit.state, bit.speed);
+    fn see(&mut self, stepper: &Stepper) {
+        let now = stepper.now();
+        match (&mut self.bit, &now.bit, self.rubs_at) {
+            (Some(watch), Some(bit), _) => watch.see(bit.state, bit.speed),
+            // What is stuck lowest holds a free bit but for its swinging.
+            (Some(watch), None, Some(port)) => {
+                let speed = now.speeds.last().copied().unwrap_or_default();
+                watch.see(now.rubbing[port].motion, speed);
+            }
+            _ => {}
         }
         if let Some((watch, _)) = &mut self.walls {
             watch.see(&now.contacts);
         }
+        if let (Some(watch), Some(surface)) = (&mut self.surface, now.surface) {
+            watch.see(surface.torque);
+        }
+        if let Some(watch) = &mut self.along {
+            watch.see(stepper.string_torques());
+        }
+    }
+
+    /// Whether nobody watches.
+    fn is_empty(&self) -> bool {
+        self.bit.is_none() && self.walls.is_none() && self.surface.is_none()
     }
 }
 
@@ -184,7 +251,7 @@ impl Case<'_> {
             predicted: None,
             settled: false,
         };
-        if self.watch.bit.is_none() && self.watch.walls.is_none() {
+        if self.watch.is_empty() {
             // Nothing acts, and nobody watches.
             return Ok(end);
         }
@@ -193,11 +260,11 @@ impl Case<'_> {
             if self.stopping != Stopping::Full && self.pass_free_block() {
                 continue;
             }
-            let Some(now) = self.stepper.step()? else {
+            if self.stepper.step()?.is_none() {
                 break;
-            };
-            self.watch.see(now);
-            each(now);
+            }
+            self.watch.see(&self.stepper);
+            each(self.stepper.now());
             last = self.stepper.next_step();
             if self.stopping == Stopping::Full {
                 continue;
@@ -271,8 +338,8 @@ impl Case<'_> {
                 .then_some(Label::Torsion(TorsionRegime::StickSlip));
         }
         let (lateral, step) = (self.scene.lateral.as_ref()?, self.stepper.next_step());
-        if self.scene.bit.is_some() || !is_left_alone(lateral, self.system.sampling.start_of(step))
-        {
+        let turns = self.scene.bit.is_some() || !self.scene.friction.is_empty();
+        if turns || !is_left_alone(lateral, self.system.sampling.start_of(step)) {
             return None;
         }
         let (watch, settling) = self.watch.walls.as_mut()?;
@@ -310,8 +377,9 @@ impl Case<'_> {
             ended: end.ended,
             predicted: end.predicted,
             torsion: self.torsion(),
-            surface: None,
-            string_torque: None,
+            surface: self.watch.surface.as_ref().map(SurfaceWatch::measures),
+            string_torque: (self.watch.along.as_ref())
+                .map(|along| along.measures(self.system.sites.distances_from_bit())),
             lateral,
         }
         .finite()

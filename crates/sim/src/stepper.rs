@@ -1,17 +1,19 @@
 //! Eqs. 59–61, step by step: what the past adds, the load lines that leaves, and the
 //! local laws that meet them.
 
-use crate::channel::{Bending, Past};
-use crate::coupling::{Coupling, Free, Solved, Unloaded};
+use linear::SteadyMotion;
+
+use crate::coupling::{Coupling, Free, Unloaded};
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
+use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
-use linear::SteadyMotion;
-
+use crate::line::torsion::SurfaceStep;
+use crate::line::{Bending, Past, Torsion, TorsionPast, Within};
+use crate::port::{LateralLine, PortLaws, PortTorque, Turned};
 use crate::scene::{Lateral, Scene};
-use crate::site::{LateralLine, Load, SiteLaws};
 use crate::start::Start;
 use crate::system::System;
 
@@ -26,6 +28,10 @@ pub struct Step<S> {
     pub contacts: Vec<Contact>,
     /// What the bit does, where a law acts there.
     pub bit: Option<TorqueStep<S>>,
+    /// How the pipe rubs at each site that a torque may act on; nothing where it rubs nowhere.
+    pub rubbing: Vec<PipeMotion>,
+    /// What turns the surface, where the string is in pieces.
+    pub surface: Option<SurfaceStep>,
 }
 
 /// A scene under way, one step after the other, against its linear system.
@@ -33,20 +39,25 @@ pub struct Step<S> {
 pub struct Stepper<'a, B: TorqueLaw = BitTorque, W: WallLaw = Wall> {
     system: &'a System,
     scene: &'a Scene<B, W>,
-    /// The law of the bit, and which of the loads is its.
+    /// The law of the bit, and its port.
     bit: Option<(&'a B, usize)>,
+    /// The friction of each port on its load lines; nothing where the string rubs nowhere.
+    friction: Vec<Option<OnLines>>,
     reference: Reference<'a>,
     /// The torque that holds the bit fast in this step, N m, where it is held.
     held: f64,
     /// The next step, and how many there are.
     next: usize,
     steps: usize,
-    torques: Past<'a, 1, 1>,
+    within: Within<'a>,
+    torsion: TorsionPast<'a>,
     lateral: Option<LateralMotion<'a, W>>,
     coupling: Coupling<'a>,
     bit_state: B::State,
-    /// Speeds of this step without its loads.
-    free_speeds: Vec<f64>,
+    /// How the pipe rubbed in the last step.
+    rubbed: Vec<PipeMotion>,
+    /// What the ports do in this step without its loads.
+    free: Vec<f64>,
     step_torques: Vec<f64>,
     now: Step<B::State>,
 }
@@ -64,11 +75,14 @@ enum Reference<'a> {
     Steady(&'a SteadyMotion),
 }
 
-/// The sites in two planes.
+/// The walls in two planes.
 #[derive(Debug)]
 struct LateralMotion<'a, W> {
     scene: &'a Lateral<W>,
     channel: &'a Bending,
+    /// The port of each wall, and the wall of each port.
+    ports: &'a [usize],
+    wall_of: Vec<Option<usize>>,
     /// Forces at the sites, along x and along y.
     forces: Past<'a, 2, 2>,
     /// The last step's state.
@@ -109,46 +123,57 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         reference: Reference<'a>,
         first: usize,
     ) -> Result<Self, SimulationError> {
-        scene.check(system.sites)?;
+        let (sites, loaded) = (system.sites.len(), system.torsion.loaded());
+        let bending = system.from_forces.as_ref();
+        scene.check(sites, bending.map_or(sites, |_| system.walls.len()))?;
         system.lasts_for(scene.timing.duration)?;
         let bit = match &scene.bit {
             None => None,
             Some(law) => {
-                let bit = system.bit_load().ok_or(SimulationError::NoTorqueInput)?;
-                Some((law, bit.load))
+                let port = system.bit_port().ok_or(SimulationError::NoTorqueInput)?;
+                Some((law, port))
             }
         };
+        let within = system.torsion.within();
         let steps = system.steps_of(scene.timing.duration);
         let lateral = (scene.lateral.as_ref())
             .map(|lateral| LateralMotion::new(system, lateral, steps))
             .transpose()?;
-        let count = system.loaded.len();
+        let friction = friction(scene, within)?;
         let walls = (scene.lateral.as_ref()).map_or(&[][..], |lateral| &lateral.walls);
         let radii: Vec<f64> = walls.iter().map(WallLaw::radius).collect();
         let speeds = match reference {
-            Reference::Free | Reference::Stuck(_) => vec![0.0; count],
-            Reference::Steady(motion) => of_sites(&system.loaded, &motion.speeds),
+            Reference::Free | Reference::Stuck(_) => vec![0.0; loaded.len()],
+            Reference::Steady(motion) => of_sites(loaded, &motion.speeds),
         };
-        let turned = bit.map(|(law, load)| law.turning_at(speeds[load]));
+        let turned = bit.map(|(law, port)| law.turning_at(speeds[port]));
+        let mut coupling = Coupling::new(within, bending, (&system.walls, &radii));
+        coupling.begin_at(&speeds);
+        let rubbed = vec![PipeMotion::default(); friction.len()];
         Ok(Self {
             system,
             scene,
             bit,
+            friction,
             reference,
             held: 0.0,
             next: first,
             steps,
-            torques: system.from_torques.past(steps - first.min(steps)),
+            within,
+            torsion: system.torsion.past(steps - first.min(steps)),
             lateral,
-            coupling: Coupling::new(&system.from_torques, system.from_forces.as_ref(), &radii),
+            coupling,
             bit_state: turned.unwrap_or_default(),
-            free_speeds: vec![0.0; count],
-            step_torques: vec![0.0; count],
+            rubbed: rubbed.clone(),
+            free: vec![0.0; loaded.len()],
+            step_torques: vec![0.0; loaded.len()],
             now: Step {
                 time: 0.0,
                 speeds,
                 contacts: vec![Contact::NONE; walls.len()],
                 bit: None,
+                rubbing: rubbed,
+                surface: None,
             },
         })
     }
@@ -175,127 +200,150 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         }
         self.now.time = self.system.sampling.time_of(self.next);
         self.find_free_motion();
-        match self.lateral {
-            None => self.meet_bit()?,
-            Some(_) => self.meet_walls()?,
+        match (self.within, &self.lateral) {
+            // No other port has to agree with the bit.
+            (Within::All(torsion), None) if self.friction.is_empty() => self.meet_bit(torsion)?,
+            _ => self.meet_all()?,
         }
         self.end_step();
         self.next += 1;
         Ok(Some(&self.now))
     }
 
-    /// Speeds and displacements of this step if no law answered.
+    /// What ports and walls do in this step if no law answered.
     #[inline]
     fn find_free_motion(&mut self) {
-        self.torques.write_past(&mut self.free_speeds);
         let (scene, step) = (self.scene, self.next);
+        let surface_speed = match self.reference {
+            Reference::Free => Some(scene.surface_speed),
+            Reference::Stuck(_) | Reference::Steady(_) => None,
+        };
+        self.torsion.write_free(step, surface_speed, &mut self.free);
         match self.reference {
-            Reference::Free => {
-                for (speed, site) in self.free_speeds.iter_mut().zip(&self.system.loaded) {
-                    *speed += scene.surface_speed * self.system.surface_response(*site, step);
-                }
-            }
+            Reference::Free => {}
             Reference::Stuck(stuck) => {
                 self.held = scene.surface_speed * stuck[step];
-                self.free_speeds[0] -= self.system.from_torques.instant(0, 0) * self.held;
+                self.free[0] -= self.within.compliance(0) * self.held;
             }
-            Reference::Steady(motion) => {
-                for (speed, site) in self.free_speeds.iter_mut().zip(&self.system.loaded) {
-                    *speed += motion.speeds[*site];
-                }
-                if let Some((_, load)) = self.bit {
-                    self.held = motion.at_bit.at(self.now.time);
-                    for (index, speed) in self.free_speeds.iter_mut().enumerate() {
-                        *speed -= self.system.from_torques.instant(index, load) * self.held;
-                    }
-                }
-            }
+            Reference::Steady(motion) => self.add_steady_motion(motion),
         }
         if let Some(lateral) = &mut self.lateral {
             lateral.find_free_motion(self.system, self.now.time, &self.now.speeds);
         }
     }
 
-    /// The bit's law, where there is no wall: no other site has to agree.
+    /// The motion that the scene began with, without the torque that holds or brakes the bit in it.
     #[inline]
-    fn meet_bit(&mut self) -> Result<(), SimulationError> {
-        let (from_torques, time) = (&self.system.from_torques, self.now.time);
+    fn add_steady_motion(&mut self, motion: &SteadyMotion) {
+        let loaded = self.system.torsion.loaded();
+        if self.bit.is_some() {
+            self.held = motion.at_bit.at(self.now.time);
+        }
+        match self.within {
+            Within::All(torsion) => {
+                for (speed, site) in self.free.iter_mut().zip(loaded) {
+                    *speed += motion.speeds[*site];
+                }
+                if let Some((_, port)) = self.bit {
+                    for (index, speed) in self.free.iter_mut().enumerate() {
+                        *speed -= torsion.instant(index, port) * self.held;
+                    }
+                }
+            }
+            Within::Chain(chain) => {
+                for (port, driving) in self.free.iter_mut().enumerate() {
+                    *driving += chain.taken(port, &motion.speeds);
+                }
+                if let Some((_, port)) = self.bit {
+                    self.free[port] -= self.held;
+                }
+            }
+        }
+    }
+
+    /// The bit's law, where nothing else acts.
+    #[inline]
+    fn meet_bit(&mut self, torsion: &Torsion) -> Result<(), SimulationError> {
+        let time = self.now.time;
         let speeds = &mut self.now.speeds;
         match self.bit {
-            None => speeds.copy_from_slice(&self.free_speeds),
-            Some((law, load)) => {
+            None => speeds.copy_from_slice(&self.free),
+            Some((law, port)) => {
                 let line = LoadLine {
                     time,
-                    free_speed: self.free_speeds[load],
-                    compliance: from_torques.instant(load, load),
+                    free_speed: self.free[port],
+                    compliance: torsion.instant(port, port),
                 };
                 let bit = law.meet(&self.bit_state, line);
-                let free = self.free_speeds.iter().enumerate();
+                let free = self.free.iter().enumerate();
                 for (speed, (index, free)) in speeds.iter_mut().zip(free) {
-                    *speed = free + from_torques.instant(index, load) * bit.torque;
+                    *speed = free + torsion.instant(index, port) * bit.torque;
                 }
-                speeds[load] = bit.speed;
-                self.coupling.set_torque(load, bit.torque);
+                speeds[port] = bit.speed;
+                self.coupling.set_torque(port, bit.torque);
                 self.now.bit = Some(bit);
             }
         }
         match speeds.iter().position(|speed| !speed.is_finite()) {
             None => Ok(()),
-            Some(index) => Err(self.system.not_finite(index, time)),
+            Some(port) => Err(self.system.not_finite(port, time)),
         }
     }
 
-    /// All sites and their walls at once.
-    fn meet_walls(&mut self) -> Result<(), SimulationError> {
+    /// All laws of all ports at once.
+    fn meet_all(&mut self) -> Result<(), SimulationError> {
         let Self {
             system,
             bit,
-            lateral: Some(lateral),
+            friction,
+            within,
+            lateral,
             coupling,
             bit_state,
-            free_speeds,
+            rubbed,
+            free,
             now,
             ..
-        } = self
-        else {
-            return Ok(());
-        };
-        let (system, lateral, time) = (*system, &*lateral, now.time);
+        } = self;
+        let (system, lateral, time) = (*system, lateral.as_ref(), now.time);
         let free = Free {
-            positions: &lateral.free_positions,
-            speeds: free_speeds,
+            positions: lateral.map_or(&[], |lateral| &lateral.free_positions),
+            turning: free,
         };
-        let settled = coupling.settle(free, |index, unloaded: Unloaded| {
-            let at_bit = bit.filter(|(_, load)| *load == index);
-            let laws = SiteLaws {
-                bit: at_bit.map(|(law, _)| (law, &*bit_state)),
-                wall: &lateral.scene.walls[index],
+        let settled = coupling.settle(free, |port, unloaded: Unloaded| {
+            let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_of[port]?)));
+            let laws = PortLaws {
+                torque: match (&*bit, friction.get(port)) {
+                    (Some((law, at)), _) if *at == port => PortTorque::Bit(*law, &*bit_state),
+                    (_, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
+                    _ => PortTorque::Free,
+                },
+                wall: wall.map(|(lateral, wall)| {
+                    let line = lateral.line(system, wall, unloaded.position);
+                    (&lateral.scene.walls[wall], line)
+                }),
             };
             let line = LoadLine {
                 time,
                 free_speed: unloaded.speed,
-                compliance: system.from_torques.instant(index, index),
+                compliance: within.compliance(port),
             };
-            let lateral_line = lateral.line(system, index, unloaded.position);
-            let found = laws
-                .meet(line, lateral_line)
-                .map_err(|error| SimulationError::of_contact(error, system.loaded[index], time))?;
-            let load = found.load();
-            let solved = Solved {
-                load,
-                normal_force: found.contact.normal_force,
-                slack: match load == Load::default() && at_bit.is_none() {
-                    true => lateral_line.slack(laws.wall.clearance()),
-                    false => 0.0,
-                },
-            };
-            if !(found.speed.is_finite() && load.torque.is_finite()) {
-                return Err(system.not_finite(index, time));
+            let guess = unloaded.guess.unwrap_or(now.speeds[port]);
+            let found = (laws.meet(line, guess)).map_err(|error| {
+                SimulationError::of_contact(error, system.torsion.loaded()[port], time)
+            })?;
+            let solved = laws.solved(&found);
+            if !(found.speed.is_finite() && solved.load.torque.is_finite()) {
+                return Err(system.not_finite(port, time));
             }
-            now.speeds[index] = found.speed;
-            now.contacts[index] = found.contact;
-            if found.bit.is_some() {
-                now.bit = found.bit;
+            now.speeds[port] = found.speed;
+            if let (Some(contact), Some((_, wall))) = (found.contact, wall) {
+                now.contacts[wall] = contact;
+            }
+            match found.turned {
+                Turned::Free => {}
+                Turned::Bit(bit) => now.bit = Some(bit),
+                Turned::Pipe(pipe) => now.rubbing[port] = pipe.state,
             }
             Ok(solved)
         })?;
@@ -312,16 +360,29 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         for (torque, load) in self.step_torques.iter_mut().zip(loads) {
             *torque = load.torque;
         }
-        if let Some((_, load)) = self.bit {
-            self.step_torques[load] -= self.held;
+        if let Some((_, port)) = self.bit {
+            self.step_torques[port] -= self.held;
         }
-        self.torques.add(&self.step_torques);
+        let steady = match self.reference {
+            Reference::Steady(motion) => Some(motion),
+            Reference::Free | Reference::Stuck(_) => None,
+        };
+        let speeds = steady.map(|motion| motion.speeds.as_slice());
+        (self.torsion).end_step(self.next, &self.step_torques, (&self.now.speeds, speeds));
+        self.now.surface = self.torsion.surface().map(|surface| match steady {
+            None => surface,
+            Some(motion) => SurfaceStep {
+                speed: surface.speed + self.scene.surface_speed,
+                torque: surface.torque + motion.at_surface.at(self.now.time),
+            },
+        });
         if let Some(lateral) = &mut self.lateral {
             lateral.end_step(self.system, &self.now);
         }
         if let Some(bit) = &self.now.bit {
             self.bit_state.clone_from(&bit.state);
         }
+        self.rubbed.copy_from_slice(&self.now.rubbing);
     }
 
     /// The motion that the scene begins with.
@@ -344,9 +405,32 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         &self.now.contacts
     }
 
-    /// All torques on a site so far, as the reference motion is left by them, N m.
-    pub(crate) fn torques(&self, index: usize) -> &[f64] {
-        self.torques.loads(0, index)
+    /// All torques on a port so far, as the reference motion is left by them, N m.
+    pub(crate) fn torques(&self, port: usize) -> &[f64] {
+        self.torsion.torques(port)
+    }
+
+    /// Torques in the string in the last step just above and just below each port, N m, positive
+    /// where what is above turns what is below; nothing unless it is in pieces.
+    pub(crate) fn string_torques(&self) -> impl Iterator<Item = [f64; 2]> {
+        let pieces = match &self.torsion {
+            TorsionPast::Whole(..) => None,
+            TorsionPast::Pieces(pieces) => Some(pieces),
+        };
+        let loads = || self.coupling.loads().iter().map(|load| load.torque);
+        let torques = pieces.map(|pieces| pieces.string_torques(&self.now.speeds, loads()));
+        torques.into_iter().flatten()
+    }
+
+    /// What the last step was.
+    pub(crate) fn now(&self) -> &Step<B::State> {
+        &self.now
+    }
+
+    /// The lowest port that a law of torsion acts on.
+    pub(crate) fn lowest_law(&self) -> Option<usize> {
+        let rubs = self.friction.iter().rposition(Option::is_some);
+        self.bit.map(|(_, port)| port).max(rubs)
     }
 
     /// All forces on a site so far along an axis, disturbances included, N.
@@ -378,7 +462,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     /// are at `positions`; of its steps only so many are the scene's.
     pub(crate) fn pass_block(&mut self, steps: usize, positions: &[[f64; 2]]) {
         self.coupling.clear();
-        self.torques.push_quiet_block();
+        self.torsion.push_quiet_block();
         if let Some(lateral) = &mut self.lateral {
             lateral.positions.copy_from_slice(positions);
             lateral.sliding_speeds.fill(None);
@@ -393,21 +477,47 @@ fn of_sites(sites: &[usize], all: &[f64]) -> Vec<f64> {
     sites.iter().map(|&site| all[site]).collect()
 }
 
+/// The friction of each port on its load lines.
+fn friction<B, W>(
+    scene: &Scene<B, W>,
+    within: Within,
+) -> Result<Vec<Option<OnLines>>, SimulationError> {
+    let (friction, sites) = (scene.friction.len(), within.ports());
+    if friction == 0 {
+        return Ok(Vec::new());
+    }
+    if friction != sites {
+        return Err(SimulationError::NotFrictionForEachSite { friction, sites });
+    }
+    if scene.start != Start::Rest {
+        return Err(SimulationError::SteadyWithFriction);
+    }
+    let on_lines = |(port, law): (usize, &Option<PipeFriction>)| {
+        law.map(|law| law.on_lines(within.compliance(port)))
+    };
+    Ok(scene.friction.iter().enumerate().map(on_lines).collect())
+}
+
 impl<'a, W: WallLaw> LateralMotion<'a, W> {
     fn new(
         system: &'a System,
         scene: &'a Lateral<W>,
         steps: usize,
     ) -> Result<Self, SimulationError> {
-        let sites = system.sites;
         let channel = (system.from_forces.as_ref()).ok_or(SimulationError::NoForceInput)?;
-        if scene.walls.len() != sites {
-            let walls = scene.walls.len();
+        let (walls, sites) = (scene.walls.len(), system.walls.len());
+        if walls != sites {
             return Err(SimulationError::NotAWallForEachSite { walls, sites });
+        }
+        let mut wall_of = vec![None; system.torsion.loaded().len()];
+        for (wall, &port) in system.walls.iter().enumerate() {
+            wall_of[port] = Some(wall);
         }
         Ok(Self {
             scene,
             channel,
+            ports: &system.walls,
+            wall_of,
             forces: channel.past(steps),
             positions: vec![[0.0; 2]; sites],
             sliding_speeds: vec![None; sites],
@@ -419,7 +529,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
     }
 
     fn find_free_motion(&mut self, system: &System, time: f64, last_speeds: &[f64]) {
-        let sites = system.sites;
+        let sites = self.positions.len();
         self.find_external_forces(system, time, last_speeds);
         self.forces.write_past(&mut self.free_positions);
         let planes = self.free_positions.chunks_exact_mut(sites);
@@ -450,7 +560,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
         }
         for mass in &self.scene.eccentric_masses {
             let [x, y] = self.positions[mass.site];
-            let speed = last_speeds[mass.site];
+            let speed = last_speeds[self.ports[mass.site]];
             let since = system.sampling.moment / system.sampling.frequency;
             let rotation = self.rotations[mass.site] + since * speed;
             add(mass.site, mass.force(x.hypot(y), rotation, speed));
@@ -470,7 +580,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
     }
 
     fn end_step<S>(&mut self, system: &System, now: &Step<S>) {
-        let sites = system.sites;
+        let sites = self.positions.len();
         for (site, contact) in now.contacts.iter().enumerate() {
             for axis in 0..2 {
                 let place = axis * sites + site;
@@ -480,7 +590,7 @@ impl<'a, W: WallLaw> LateralMotion<'a, W> {
                 .sampling
                 .end_of_step(contact.position, self.positions[site]);
             self.sliding_speeds[site] = contact.touches().then_some(contact.sliding_speed);
-            self.rotations[site] += now.speeds[site] / system.sampling.frequency;
+            self.rotations[site] += now.speeds[self.ports[site]] / system.sampling.frequency;
         }
         self.forces.add(&self.step_forces);
     }

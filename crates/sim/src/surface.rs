@@ -139,13 +139,22 @@ impl SurfaceResponse {
     }
 
     /// All steps until then.
-    pub(crate) fn until_settled(&self) -> impl DoubleEndedIterator<Item = f64> + ExactSizeIterator {
+    fn until_settled(&self) -> impl DoubleEndedIterator<Item = f64> + ExactSizeIterator {
         (0..self.settles()).map(|step| self.at(step))
     }
 
-    /// Where it stays.
-    pub(crate) fn last(&self) -> f64 {
-        self.last
+    /// Steps after which a wave from the surface arrives: the response is a part of its last value.
+    pub(crate) fn arrives(&self, part: f64) -> usize {
+        let least = part * self.last.abs();
+        let mut speeds = self.until_settled();
+        speeds.position(|speed| speed.abs() > least).unwrap_or(0)
+    }
+
+    /// Steps until it stays within a part of its last value.
+    pub(crate) fn is_steady_from(&self, part: f64) -> usize {
+        let is_off = |speed: f64| (speed - self.last).abs() > part * self.last.abs();
+        let mut speeds = self.until_settled();
+        speeds.rposition(is_off).map_or(0, |step| step + 1)
     }
 
     /// The response to a step, summed up to a time in steps.
@@ -235,7 +244,7 @@ mod tests {
                 let expected: f64 = taps.map(|(lag, tap)| tap * speed(step - lag)).sum();
                 assert!((response.at(step) - expected).abs() < 1e-12);
             }
-            assert!((response.last() - 0.5).abs() < 1e-12);
+            assert!((response.last - 0.5).abs() < 1e-12);
         }
     }
 

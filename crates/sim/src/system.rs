@@ -1,10 +1,11 @@
-//! The linear part as all cases share it: responses ready to step against.
+//! The linear part as all cases share it: lines ready to step against.
 
-use linear::{ChannelResponses, ResponseError, Responses, SteppedString};
+use linear::{Cascade, ChannelResponses, ResponseError, Responses, Sites, SteppedString};
 
-use crate::channel::{Bending, Channel, Torsion};
 use crate::convolution::Kernel;
 use crate::error::SimulationError;
+use crate::line::torsion::Whole;
+use crate::line::{Bending, Channel, TorsionLine};
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
 use crate::start::Start;
@@ -14,24 +15,20 @@ use crate::surface::{SurfaceProfile, SurfaceResponse};
 /// here once.
 #[derive(Debug, Clone)]
 pub struct System {
-    pub(crate) sites: usize,
-    /// The site that is the bit, where one is.
-    bit_site: Option<usize>,
+    pub(crate) sites: Sites,
     pub(crate) sampling: Sampling,
     /// The longest case, s.
     longest_time: f64,
-    /// Response of each site to a surface that comes to 1 rad/s.
-    surface: Vec<SurfaceResponse>,
-    /// The sites that a torque may act on.
-    pub(crate) loaded: Vec<usize>,
-    /// From torques to speeds, between loaded sites.
-    pub(crate) from_torques: Torsion,
-    /// From a torque at the bit to the speeds of the sites that bear none, which are only
-    /// looked at.
-    to_others: Vec<(usize, Kernel)>,
-    /// From forces to displacements, between all sites, where bending is modelled.
+    /// Torsion: of the sites that a torque may act on, its ports.
+    pub(crate) torsion: TorsionLine,
+    /// From forces to displacements, between the ports in `walls`, where bending is modelled.
     pub(crate) from_forces: Option<Bending>,
+    /// The port of each wall that there may be.
+    pub(crate) walls: Vec<usize>,
 }
+
+/// Distances from the bit, m, within which two sites are one.
+const SAME_PLACE: f64 = 1e-9;
 
 impl System {
     /// Prepares responses for cases as long as they were built for, whose surface turns at
@@ -54,19 +51,26 @@ impl System {
     ) -> Result<Self, SimulationError> {
         let torsion = checked_torsion(responses, profile)?;
         let sites = responses.sites.len();
-        let loaded = torsion.loads.clone();
         let bending = responses.bending();
         if let Some(bending) = bending
-            && !(bending.loads.iter().copied().eq(0..sites) && loaded == bending.loads)
+            && !(bending.loads.iter().copied().eq(0..sites) && torsion.loads == bending.loads)
         {
             return Err(SimulationError::UnlikeChannels);
         }
-        let to_others = to_others(torsion, responses.sites.bit_site());
-        let from_torques = Channel::of_taps(&torsion.driving_points());
-        let from_forces = bending.map(|bending| Channel::of_taps(&bending.from_loads));
+        let sampling = sampling(responses);
+        let whole = Whole {
+            loaded: torsion.loads.clone(),
+            from_torques: Channel::of_taps(&torsion.driving_points()),
+            surface: to_surface(torsion, profile, sampling),
+            to_others: to_others(torsion, responses.sites.bit_site()),
+        };
         Ok(Self {
-            to_others,
-            ..Self::of(responses, profile, (loaded, from_torques, from_forces))?
+            sites: responses.sites.clone(),
+            sampling,
+            longest_time: responses.longest_time,
+            walls: bending.map_or_else(Vec::new, |bending| bending.loads.clone()),
+            from_forces: bending.map(|bending| Channel::of_taps(&bending.from_loads)),
+            torsion: TorsionLine::Whole(whole),
         })
     }
 
@@ -84,98 +88,113 @@ impl System {
         if responses.sites.len() != sites {
             return Err(ResponseError::OtherSites.into());
         }
-        let from_torques = Channel::of_mesh(string.torsion());
-        let from_forces = Channel::of_mesh(string.bending());
-        let channels = ((0..sites).collect(), from_torques, Some(from_forces));
-        Self::of(responses, profile, channels)
-    }
-
-    /// From responses to the surface, and the channels between sites that loads act on.
-    fn of(
-        responses: &Responses,
-        profile: &SurfaceProfile,
-        (loaded, from_torques, from_forces): (Vec<usize>, Torsion, Option<Bending>),
-    ) -> Result<Self, SimulationError> {
         let torsion = checked_torsion(responses, profile)?;
-        let sampling = Sampling::new(responses.sampling_frequency, responses.method.moment());
+        let sampling = sampling(responses);
+        let whole = Whole {
+            loaded: (0..sites).collect(),
+            from_torques: Channel::of_mesh(string.torsion()),
+            surface: to_surface(torsion, profile, sampling),
+            to_others: Vec::new(),
+        };
         Ok(Self {
-            sites: responses.sites.len(),
-            bit_site: responses.sites.bit_site(),
+            sites: responses.sites.clone(),
             sampling,
             longest_time: responses.longest_time,
-            surface: (torsion.from_surface.iter())
-                .map(|taps| SurfaceResponse::new(taps, profile, sampling))
-                .collect(),
-            from_torques,
-            to_others: Vec::new(),
-            from_forces,
-            loaded,
+            torsion: TorsionLine::Whole(whole),
+            from_forces: Some(Channel::of_mesh(string.bending())),
+            walls: (0..sites).collect(),
+        })
+    }
+
+    /// Of a string in pieces between its nodes, at each of which a torque may act, for cases whose
+    /// surface turns by a profile. Where a motor holds the surface at its speed whatever it takes,
+    /// it has a rotor of this inertia, kg m²: what turns that is part of its torque. A top drive of
+    /// the string has its own.
+    ///
+    /// # Errors
+    /// Where the profile or the inertia is invalid.
+    pub fn in_pieces(
+        cascade: &Cascade,
+        profile: &SurfaceProfile,
+        rotor_inertia: f64,
+    ) -> Result<Self, SimulationError> {
+        Ok(Self {
+            sites: cascade.nodes.clone(),
+            sampling: Sampling::new(cascade.sampling_frequency, 0.0),
+            longest_time: cascade.longest_time,
+            torsion: TorsionLine::of_pieces(cascade, profile, rotor_inertia)?,
+            from_forces: None,
+            walls: Vec::new(),
+        })
+    }
+
+    /// The same, which bends by responses of some of its sites: there it may have walls.
+    ///
+    /// # Errors
+    /// Where these are not responses in bending by the same steps, or no torque may act at one of
+    /// their sites.
+    pub fn bending_by(self, responses: &Responses) -> Result<Self, SimulationError> {
+        responses.check()?;
+        let channel = linear::Channel::Bending;
+        let bending = (responses.bending()).ok_or(ResponseError::NoChannel { channel })?;
+        if sampling(responses) != self.sampling {
+            return Err(SimulationError::UnlikeSteps);
+        }
+        let ports = self.torsion.loaded();
+        let places = self.sites.distances_from_bit();
+        let port_at = |distance: f64| {
+            let is_there = |site: &usize| (places[*site] - distance).abs() <= SAME_PLACE;
+            ports.iter().position(is_there)
+        };
+        let own = responses.sites.distances_from_bit();
+        let walls: Option<Vec<usize>> = (bending.loads.iter())
+            .map(|&site| port_at(own[site]))
+            .collect();
+        Ok(Self {
+            walls: walls.ok_or(SimulationError::UnlikeChannels)?,
+            from_forces: Some(Channel::of_taps(&bending.driving_points())),
+            ..self
         })
     }
 
     /// Speeds of all sites, rad/s, in a number of steps: what a start and a surface that turns at
     /// `surface_speed` (rad/s) in the end make of them and, but for sites that bear torques
-    /// themselves, the torques on the bit (N m, positive with the rotation). Sites that are only looked at follow from these: whoever has simulated
-    /// a bit without them has their motion here.
+    /// themselves, the torques on the bit (N m, positive with the rotation). Sites that are only
+    /// looked at follow from these: whoever has simulated a bit without them has their motion here.
+    /// Nothing of a string in pieces, all sites of which are stepped.
     pub fn driven_speeds(
         &self,
         surface_speed: f64,
         start: &Start,
         bit_torque: &[f64],
         steps: usize,
-    ) -> Vec<Vec<f64>> {
+    ) -> Option<Vec<Vec<f64>>> {
+        let whole = self.torsion.whole()?;
         let at_start = start.steady();
         let speed = |site: usize, step: usize| match at_start {
-            None => surface_speed * self.surface_response(site, step),
+            None => surface_speed * whole.surface[site].at(step),
             Some(motion) => motion.speeds[site],
         };
         let of_surface = |site: usize| (0..steps).map(|step| speed(site, step)).collect();
-        let mut speeds: Vec<Vec<f64>> = (0..self.sites).map(of_surface).collect();
+        let mut speeds: Vec<Vec<f64>> = (0..self.sites.len()).map(of_surface).collect();
         let load = |(step, torque): (usize, &f64)| {
             let before = at_start.map_or(0.0, |it| it.at_bit.at(self.sampling.time_of(step)));
             torque - before
         };
         let loads: Vec<f64> = bit_torque.iter().enumerate().map(load).collect();
-        for (site, kernel) in &self.to_others {
+        for (site, kernel) in &whole.to_others {
             for (step, (speed, load)) in speeds[*site].iter_mut().zip(&loads).enumerate() {
                 *speed += kernel.past_sum(&loads[..step]) + kernel.instant() * load;
             }
         }
-        speeds
+        Some(speeds)
     }
 
-    /// Where the bit is, and which of the loads acts there; `None` where none does.
-    pub(crate) fn bit_load(&self) -> Option<BitLoad> {
-        let site = self.bit_site?;
-        let load = self.loaded.iter().position(|&loaded| loaded == site)?;
-        Some(BitLoad { site, load })
-    }
-
-    /// Speed of a site in a step, per unit surface speed, no torque acting.
-    #[inline]
-    pub(crate) fn surface_response(&self, site: usize, step: usize) -> f64 {
-        self.surface[site].at(step)
-    }
-
-    /// Steps until the response to the surface has settled.
-    pub(crate) fn surface_settles(&self, site: usize) -> usize {
-        self.surface[site].settles()
-    }
-
-    /// Steps after which a wave from the surface arrives at a site: the response to the
-    /// surface is a part of its last value.
-    pub(crate) fn surface_arrives(&self, site: usize, part: f64) -> usize {
-        let least = part * self.surface[site].last().abs();
-        let mut speeds = self.surface[site].until_settled();
-        speeds.position(|speed| speed.abs() > least).unwrap_or(0)
-    }
-
-    /// Steps until the response to the surface stays within a part of its last value.
-    pub(crate) fn surface_is_steady_from(&self, site: usize, part: f64) -> usize {
-        let last = self.surface[site].last();
-        let is_off = |speed: f64| (speed - last).abs() > part * last.abs();
-        let mut speeds = self.surface[site].until_settled();
-        speeds.rposition(is_off).map_or(0, |step| step + 1)
+    /// The port of the bit, where a torque may act there.
+    pub(crate) fn bit_port(&self) -> Option<usize> {
+        let site = self.sites.bit_site()?;
+        let mut loaded = self.torsion.loaded().iter();
+        loaded.position(|&loaded| loaded == site)
     }
 
     /// Steps of a case, that at its start included.
@@ -183,9 +202,9 @@ impl System {
         (duration * self.sampling.frequency).ceil() as usize + 1
     }
 
-    /// What is said where the motion of a loaded site is no number.
-    pub(crate) fn not_finite(&self, index: usize, time: f64) -> SimulationError {
-        let site = self.loaded[index];
+    /// What is said where the motion of a port is no number.
+    pub(crate) fn not_finite(&self, port: usize, time: f64) -> SimulationError {
+        let site = self.torsion.loaded()[port];
         SimulationError::NotFinite { site, time }
     }
 
@@ -200,11 +219,8 @@ impl System {
     }
 }
 
-/// The bit among the sites, and among the loads.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct BitLoad {
-    pub(crate) site: usize,
-    pub(crate) load: usize,
+fn sampling(responses: &Responses) -> Sampling {
+    Sampling::new(responses.sampling_frequency, responses.method.moment())
 }
 
 /// The responses in torsion of what is sound, with a start that there is.
@@ -217,6 +233,15 @@ fn checked_torsion<'a>(
     responses.check()?;
     let channel = linear::Channel::Torsion;
     Ok((responses.torsion()).ok_or(ResponseError::NoChannel { channel })?)
+}
+
+fn to_surface(
+    torsion: &ChannelResponses,
+    profile: &SurfaceProfile,
+    sampling: Sampling,
+) -> Vec<SurfaceResponse> {
+    let response = |taps: &Vec<f64>| SurfaceResponse::new(taps, profile, sampling);
+    torsion.from_surface.iter().map(response).collect()
 }
 
 fn to_others(torsion: &ChannelResponses, bit_site: Option<usize>) -> Vec<(usize, Kernel)> {

@@ -47,7 +47,7 @@ impl Trajectory {
             .map_or(0, |lateral| lateral.walls.len());
         *self = Self {
             times: Vec::new(),
-            speeds: vec![vec![0.0; held.len()]; system.loaded.len()],
+            speeds: vec![vec![0.0; held.len()]; system.torsion.loaded().len()],
             bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
             surface_torque: Vec::new(),
             surface_speed: Vec::new(),
@@ -73,6 +73,10 @@ impl Trajectory {
         }
         self.bit_torque
             .extend(now.bit.as_ref().map(|bit| bit.torque));
+        self.surface_torque
+            .extend(now.surface.map(|surface| surface.torque));
+        self.surface_speed
+            .extend(now.surface.map(|surface| surface.speed));
     }
 
     /// Adds the times, the speeds of the other sites, and the forces.
@@ -82,20 +86,25 @@ impl Trajectory {
             .map(|step| system.sampling.time_of(step))
             .collect();
         let loaded = std::mem::take(&mut self.speeds);
-        let is_stepped = scene.bit.is_some() || scene.lateral.is_some();
-        if is_stepped && loaded.len() == system.sites {
-            self.speeds = loaded;
-        } else {
-            self.speeds =
-                system.driven_speeds(scene.surface_speed, &scene.start, &self.bit_torque, steps);
-            for (site, speeds) in system.loaded.iter().zip(loaded).filter(|_| is_stepped) {
-                self.speeds[*site] = speeds;
+        let acts = scene.bit.is_some() || scene.lateral.is_some() || !scene.friction.is_empty();
+        let is_whole = acts && loaded.len() == system.sites.len();
+        let driven = (!is_whole).then(|| {
+            system.driven_speeds(scene.surface_speed, &scene.start, &self.bit_torque, steps)
+        });
+        self.speeds = match driven.flatten() {
+            None => loaded,
+            Some(mut speeds) => {
+                let sites = system.torsion.loaded().iter();
+                for (site, loaded) in sites.zip(loaded).filter(|_| acts) {
+                    speeds[*site] = loaded;
+                }
+                speeds
             }
-        }
+        };
         if scene.lateral.is_some() {
             self.forces = std::array::from_fn(|axis| {
                 let forces = |site| stepper.forces(axis, site).to_vec();
-                (0..system.sites).map(forces).collect()
+                (0..system.walls.len()).map(forces).collect()
             });
         }
     }

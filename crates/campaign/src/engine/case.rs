@@ -1,6 +1,6 @@
 //! One case: its values and its scene.
 
-use sim::{BitTorque, Lateral, NodeTorque, Scene, Start, Timing, torsion_timing};
+use sim::{BitTorque, Lateral, PipeFriction, Scene, Start, Timing, torsion_timing};
 
 use super::case_error::CaseError;
 use crate::plan::{Conditions, ImpulseAmount, LateralSettings, Setting, Starts, Sweep};
@@ -23,8 +23,6 @@ pub struct Case {
     is_begun_otherwise: bool,
     /// What is simulated.
     pub scene: Scene,
-    /// The torque at each node of a string that rubs along its well, that on the bit included.
-    pub along_string: Option<Vec<NodeTorque>>,
 }
 
 impl Case {
@@ -60,16 +58,16 @@ impl Case {
                 (Some(torque), Some(conditions.torques(torque)))
             }
         };
-        let torques = (setting.friction.as_ref())
-            .map(|friction| {
+        let friction = match &setting.friction {
+            None => Vec::new(),
+            Some(friction) => {
                 let coefficient = conditions.string_friction;
                 let coefficient =
                     coefficient.ok_or(CaseError::Missing("friction of the string"))?;
-                let at_bit = bit.map_or(NodeTorque::None, NodeTorque::Bit);
-                Ok::<_, CaseError>(friction.torques(conditions, coefficient, at_bit))
-            })
-            .transpose()?;
-        let all = torques.as_deref().map_or(bit, together);
+                friction.at_nodes(conditions, coefficient)
+            }
+        };
+        let all = together(bit, &friction);
         let start = sweep.starts.first(setting, surface_speed, bit.as_ref());
         let mut timing = all.map_or(BY_DEFAULT, |all| {
             torsion_timing(&setting.string, surface_speed, &all, &start)
@@ -90,13 +88,13 @@ impl Case {
             values,
             torque_dynamic_nm,
             conditions: conditions.clone(),
-            along_string: torques,
             starts: sweep.starts,
             is_begun_otherwise: false,
             scene: Scene {
                 surface_speed,
                 start,
                 bit,
+                friction,
                 lateral: (setting.lateral.as_ref())
                     .map(|settings| lateral_scene(settings, conditions))
                     .transpose()?,
@@ -138,14 +136,15 @@ impl Case {
 
 /// All torques of a string as one at its bit, where there are any: there they take longest to
 /// wind it up.
-fn together(torques: &[NodeTorque]) -> Option<BitTorque> {
-    let limits = |torque: &NodeTorque| match torque {
-        NodeTorque::None => None,
-        NodeTorque::Bit(bit) => Some((bit.torque_static, bit.torque_dynamic)),
-        NodeTorque::Pipe(pipe) => Some((pipe.torque_static, pipe.torque_dynamic)),
-    };
+fn together(bit: Option<BitTorque>, friction: &[Option<PipeFriction>]) -> Option<BitTorque> {
+    if friction.is_empty() {
+        return bit;
+    }
+    let of_pipe = |pipe: &PipeFriction| (pipe.torque_static, pipe.torque_dynamic);
+    let at_bit = bit.map(|bit| (bit.torque_static, bit.torque_dynamic));
+    let limits = friction.iter().flatten().map(of_pipe).chain(at_bit);
     let sum = |one: (f64, f64), other: (f64, f64)| (one.0 + other.0, one.1 + other.1);
-    let (torque_static, torque_dynamic) = torques.iter().filter_map(limits).reduce(sum)?;
+    let (torque_static, torque_dynamic) = limits.reduce(sum)?;
     Some(BitTorque {
         torque_static,
         torque_dynamic,

@@ -7,8 +7,8 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_response, largest_undershoot, stick_slip_speed_limit};
 use linear::{ChannelResponses, Method, Responses};
 use sim::{
-    CascadeScene, CascadeSimulator, Label, Outcome, Scene, SimulationError, Simulator, Stopping,
-    SurfaceTorque, TorsionRegime, Trajectory,
+    Label, Outcome, Scene, SimulationError, Simulator, Stopping, SurfaceTorque, TorsionRegime,
+    Trajectory,
 };
 
 use super::case::Case;
@@ -52,8 +52,6 @@ pub struct MethodSystem {
     simulator: Simulator,
     /// What turns the surface, where that is to be known of a string that is not in pieces.
     surface_torque: Option<SurfaceTorque>,
-    /// The string in pieces, where friction acts all along it.
-    cascade: Option<CascadeSimulator>,
     /// The same by steps that are shorter, where labels are certified.
     finer: Option<Box<MethodSystem>>,
 }
@@ -125,16 +123,8 @@ impl MethodSystem {
         &self,
         case: &Case,
         stopping: Stopping,
-        record: Option<&mut Trajectory>,
+        mut record: Option<&mut Trajectory>,
     ) -> Result<Outcome, SimulationError> {
-        if let Some((cascade, torques)) = self.cascade.as_ref().zip(case.along_string.as_ref()) {
-            let scene = CascadeScene {
-                surface_speed: case.scene.surface_speed,
-                torques: torques.clone(),
-                timing: case.scene.timing,
-            };
-            return self.rub(cascade, &scene, record);
-        }
         let mut scene = case.scene.clone();
         // A case may be of a setting with more sites, which are only looked at.
         scene.start = case.start_of(&self.setting);
@@ -146,17 +136,8 @@ impl MethodSystem {
                 impulse.amount *= clearance / self.reaches[index];
             }
         }
-        self.simulator.simulate(&scene, stopping, record)
-    }
-
-    /// A string that rubs along its well; of its nodes only the sites are recorded.
-    fn rub(
-        &self,
-        cascade: &CascadeSimulator,
-        scene: &CascadeScene,
-        mut record: Option<&mut Trajectory>,
-    ) -> Result<Outcome, SimulationError> {
-        let outcome = cascade.simulate(scene, record.as_deref_mut())?;
+        let outcome = (self.simulator).simulate(&scene, stopping, record.as_deref_mut())?;
+        // Of the nodes of a string that rubs only the sites are recorded.
         if let (Some(record), Some(friction)) = (record, &self.setting.friction) {
             let mut speeds = std::mem::take(&mut record.speeds);
             let sites = friction.looked_at.iter();
@@ -170,13 +151,13 @@ impl MethodSystem {
     /// Speeds of all sites, rad/s, in a motion of which the torque on the bit is known;
     /// where lateral motion is modelled, every site has been simulated, and `None`.
     pub fn driven_speeds(&self, case: &Case, motion: &Trajectory) -> Option<Vec<Vec<f64>>> {
-        if self.responses.bending().is_some() || self.cascade.is_some() {
+        if self.responses.bending().is_some() {
             return None;
         }
         let steps = motion.speeds.first().map_or(0, Vec::len);
         let (system, speed) = (self.simulator.system(), case.scene.surface_speed);
         let start = case.start_of(&self.setting);
-        Some(system.driven_speeds(speed, &start, &motion.bit_torque, steps))
+        system.driven_speeds(speed, &start, &motion.bit_torque, steps)
     }
 
     /// Makes the torque known that turns the surface, so that motions have it.

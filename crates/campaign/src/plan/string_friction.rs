@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use linear::well::{PressedBy, SideForce, WindingUp, least_pieces};
 use linear::{Drillstring, Mud, Sites};
-use sim::{NodeTorque, PipeFriction};
+use sim::PipeFriction;
 
 use super::conditions::{Conditions, RPM};
 use super::data::Data;
@@ -45,32 +45,24 @@ pub struct StringFriction {
 }
 
 impl StringFriction {
-    /// What acts at each node under a static coefficient, and at the bit.
-    pub fn torques(
-        &self,
-        conditions: &Conditions,
-        coefficient: f64,
-        at_bit: NodeTorque,
-    ) -> Vec<NodeTorque> {
+    /// The friction of each node under a static coefficient; none where nothing presses it on the
+    /// wall.
+    pub fn at_nodes(&self, conditions: &Conditions, coefficient: f64) -> Vec<Option<PipeFriction>> {
         let weight_on_bit = 1e3 * conditions.weight_on_bit_kn.unwrap_or(0.0);
         let pieces = (self.pieces, self.by_tolerance);
         let pressing = friction_torques(&self.force, pieces, weight_on_bit);
         let ratio = conditions.string_friction_ratio.unwrap_or(1.0);
         let stribeck_speed = RPM * conditions.string_friction_stribeck_rpm.unwrap_or(0.0);
-        let last = self.piece_of.len() - 1;
-        let torque = |(node, piece): (usize, &Option<usize>)| match piece {
-            Some(piece) if pressing[*piece] > 0.0 => {
-                let torque_static = coefficient * pressing[*piece];
-                NodeTorque::Pipe(PipeFriction {
-                    torque_static,
-                    torque_dynamic: ratio * torque_static,
-                    stribeck_speed,
-                })
-            }
-            _ if node == last => at_bit,
-            _ => NodeTorque::None,
+        let friction = |piece: &Option<usize>| {
+            let pressed = pressing[(*piece)?];
+            let torque_static = coefficient * pressed;
+            (pressed > 0.0).then_some(PipeFriction {
+                torque_static,
+                torque_dynamic: ratio * torque_static,
+                stribeck_speed,
+            })
         };
-        self.piece_of.iter().enumerate().map(torque).collect()
+        self.piece_of.iter().map(friction).collect()
     }
 
     /// What the hook carries above a bit off bottom, N.

@@ -1,6 +1,13 @@
 //! The loads of all sites, of which most bear none.
 
-use crate::site::Load;
+/// What acts on a port in a step.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Load {
+    /// Force, N.
+    pub(crate) force: [f64; 2],
+    /// Torque, N m.
+    pub(crate) torque: f64,
+}
 
 /// Loads by site; of many sites few bear one.
 #[derive(Debug)]
@@ -42,5 +49,11 @@ impl Loads {
     pub(super) fn besides(&self, site: usize) -> impl Iterator<Item = (usize, &Load)> {
         let others = self.acting.iter().filter(move |other| **other != site);
         others.map(|&other| (other, &self.all[other]))
+    }
+
+    /// The largest torque, N m.
+    pub(super) fn largest_torque(&self) -> f64 {
+        let torques = self.acting.iter().map(|&port| self.all[port].torque.abs());
+        torques.fold(0.0, f64::max)
     }
 }

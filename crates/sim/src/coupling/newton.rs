@@ -6,8 +6,9 @@
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-use super::sites::{Coupling, Free, Solved, Unloaded};
-use crate::site::Load;
+use super::loads::Load;
+use super::ports::{Coupling, Free, Solved, Unloaded};
+use crate::line::Torsion;
 
 /// A load has so many components: two of force, and torque.
 const COMPONENTS: usize = 3;
@@ -40,6 +41,7 @@ fn difference(one: Components, other: Components) -> Components {
 /// it does not bring them closer. A site without an answer is left to whoever solves it next.
 pub(super) fn step<E>(
     coupling: &mut Coupling,
+    torsion: &Torsion,
     free: Free,
     solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
 ) {
@@ -55,13 +57,14 @@ pub(super) fn step<E>(
     let Some(scales) = scales(&before) else {
         return;
     };
-    let Some((answers, slopes)) = differentiate(coupling, &sites, scales, free, solve) else {
+    let Some((answers, slopes)) = differentiate(coupling, torsion, (&sites, scales), free, solve)
+    else {
         return;
     };
     let misses: Vec<Components> = (answers.iter().zip(&before))
         .map(|(answer, load)| difference(*answer, *load))
         .collect();
-    let change = newton_change(coupling, &sites, &slopes, &misses);
+    let change = newton_change(coupling, torsion, &sites, (&slopes, &misses));
     let least = size(&misses, scales);
     for halvings in 0..HALVINGS {
         let part = 0.5f64.powi(halvings as i32);
@@ -115,8 +118,8 @@ fn size(misses: &[Components], [force, torque]: [f64; 2]) -> f64 {
 /// and y, and of speed, `[component][input]`.
 fn differentiate<E>(
     coupling: &Coupling,
-    sites: &[usize],
-    [force, torque]: [f64; 2],
+    torsion: &Torsion,
+    (sites, [force, torque]): (&[usize], [f64; 2]),
     free: Free,
     solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
 ) -> Option<(Vec<Components>, Vec<[Components; COMPONENTS]>)> {
@@ -126,11 +129,15 @@ fn differentiate<E>(
         let at = coupling.unloaded(site, free);
         let mut answer = |at| Some(components(solve(site, at).ok()?.load));
         let here = answer(at)?;
-        let moved = DIFFERENCE * force * coupling.bending?.instant(site, site);
-        let turned = DIFFERENCE * torque * coupling.torsion.instant(site, site);
+        let moved = DIFFERENCE * force * coupling.bends(site, site);
+        let turned = DIFFERENCE * torque * torsion.instant(site, site);
         let mut by_input = [[0.0; COMPONENTS]; COMPONENTS];
         for (input, by_input) in by_input.iter_mut().enumerate() {
             let (mut there, step) = (at, if input < 2 { moved } else { turned });
+            if step == 0.0 {
+                // It does not bend.
+                continue;
+            }
             match input {
                 2 => there.speed += step,
                 axis => there.position[axis] += step,
@@ -148,14 +155,14 @@ fn differentiate<E>(
 /// The change of all loads after which the laws would answer them, were they straight.
 fn newton_change(
     coupling: &Coupling,
+    torsion: &Torsion,
     sites: &[usize],
-    slopes: &[[Components; COMPONENTS]],
-    misses: &[Components],
+    (slopes, misses): (&[[Components; COMPONENTS]], &[Components]),
 ) -> Vec<Components> {
     let size = COMPONENTS * sites.len();
     let compliance = |output: usize, input: usize, component: usize| match component {
-        2 => coupling.torsion.instant(output, input),
-        _ => (coupling.bending).map_or(0.0, |bending| bending.instant(output, input)),
+        2 => torsion.instant(output, input),
+        _ => coupling.bends(output, input),
     };
     let matrix = Mat::from_fn(size, size, |row, column| {
         let (here, component) = (row / COMPONENTS, row % COMPONENTS);

@@ -5,15 +5,15 @@ use super::turns::{COUPLING_TOLERANCE, MOST_TURNS};
 use super::*;
 use crate::laws::contact::{Approach, Spin, WallLaw};
 use crate::laws::wall::Wall;
+use crate::line::Within;
 use crate::sampling::Sampling;
-use crate::site::Load;
 
 /// Taps of one step: what each site (row) does under a load at each.
-fn channel<const D: usize, const P: usize>(instants: &[Vec<f64>]) -> crate::channel::Channel<D, P> {
+fn channel<const D: usize, const P: usize>(instants: &[Vec<f64>]) -> crate::line::Channel<D, P> {
     let taps: Vec<Vec<[f64; 1]>> = (instants.iter())
         .map(|row| row.iter().map(|tap| [*tap]).collect())
         .collect();
-    crate::channel::Channel::of_taps(&taps)
+    crate::line::Channel::of_taps(&taps)
 }
 
 /// Three sites whose force along x is a function of where the others' forces bring them.
@@ -42,12 +42,16 @@ impl Forces {
             .map(|row| (0..3).map(|it| f64::from(u8::from(it == row))).collect())
             .collect();
         let (torsion, bending) = (channel(&identity), channel(&instants));
-        let mut coupling = Coupling::new(&torsion, Some(&bending), &[1.0; 3]);
+        let mut coupling = Coupling::new(
+            Within::All(&torsion),
+            Some(&bending),
+            (&[0, 1, 2], &[1.0; 3]),
+        );
         let mut positions = self.alone.to_vec();
         positions.resize(6, 0.0);
         let free = Free {
             positions: &positions,
-            speeds: &[0.0; 3],
+            turning: &[0.0; 3],
         };
         let mut solved = 0;
         let settled = coupling.settle(free, |_, unloaded| {
@@ -60,6 +64,8 @@ impl Forces {
                 },
                 normal_force: force.abs(),
                 slack: 0.0,
+                speed: 0.0,
+                fall: None,
             })
         });
         let forces = coupling.loads().iter().map(|load| load.force[0]);
@@ -194,12 +200,13 @@ impl Walls {
     fn settle(&self) -> Option<Vec<Load>> {
         let (torsion, bending) = (channel(&self.torsion), channel(&self.bending));
         let radii: Vec<f64> = self.walls.iter().map(WallLaw::radius).collect();
-        let mut coupling = Coupling::new(&torsion, Some(&bending), &radii);
+        let walls: Vec<usize> = (0..radii.len()).collect();
+        let mut coupling = Coupling::new(Within::All(&torsion), Some(&bending), (&walls, &radii));
         let axis = |axis: usize| self.positions.iter().map(move |position| position[axis]);
         let positions: Vec<f64> = axis(0).chain(axis(1)).collect();
         let free = Free {
             positions: &positions,
-            speeds: &self.speeds,
+            turning: &self.speeds,
         };
         let settled = coupling.settle(free, |site, unloaded| {
             let contact = self.walls[site].meet(&Approach {
@@ -221,6 +228,8 @@ impl Walls {
                 },
                 normal_force: contact.normal_force,
                 slack: 0.0,
+                speed: 0.0,
+                fall: None,
             })
         });
         (settled == Ok(true)).then(|| coupling.loads().to_vec())

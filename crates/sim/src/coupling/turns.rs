@@ -1,21 +1,36 @@
-//! The turns: one site after the other.
+//! The turns: one port after the other.
 
-use super::newton;
-use super::sites::{Coupling, Free, Solved, Unloaded};
+use super::ports::{Coupling, Free, Solved, Unloaded};
+use super::{newton, row};
+use crate::line::Within;
 
-/// A site is solved again if the others' loads have changed since by what changes its own
-/// force by more than this fraction of the largest: ten thousand times rounding, and a
+/// A port is solved again if the others' loads have changed since by what changes its own
+/// by more than this fraction of the largest: ten thousand times rounding, and a
 /// thousandth of what a wall's law is held to (`laws::obeyed`).
 pub(super) const COUPLING_TOLERANCE: f64 = 1e-12;
 
 /// Turns after which each is begun with a step of Newton's method.
 const PLAIN_TURNS: usize = 30;
 
-/// Turns after which sites that do not settle are given up.
+/// Turns after which ports that do not settle are given up.
 pub(super) const MOST_TURNS: usize = 200;
 
+/// The same of ports in a row, whose turns cost little.
+const MOST_TURNS_OF_ROW: usize = 10_000;
+
+/// Changes of load that no longer matter.
+#[derive(Debug, Clone, Copy)]
+struct Matters {
+    /// Of a force at a wall, N.
+    force: f64,
+    /// Of a torque elsewhere, N m.
+    torque: f64,
+    /// Of what drives a port in a row, N m.
+    driving: f64,
+}
+
 impl Coupling<'_> {
-    /// Solves a step by solving one site after the other, from the loads of the last
+    /// Solves a step by solving one port after the other, from the loads of the last
     /// step on. Gives whether they settled.
     #[inline]
     pub(crate) fn settle<E>(
@@ -25,51 +40,106 @@ impl Coupling<'_> {
     ) -> Result<bool, E> {
         if self.pending.len() == 1 {
             // There are no others to agree with.
-            self.solve_site(0, free, &mut solve)?;
+            self.solve_port(0, free, &mut solve)?;
             return Ok(true);
         }
         self.pending.fill(f64::INFINITY);
-        for turn in 0..MOST_TURNS {
-            let largest = self.normal_forces.iter().copied().fold(0.0, f64::max);
-            let matters = COUPLING_TOLERANCE * largest;
-            if !self.is_open(matters) {
+        self.row.solved_for.fill(f64::INFINITY);
+        let driving = COUPLING_TOLERANCE * self.largest_driving(free);
+        let most_turns = match self.within {
+            Within::All(_) => MOST_TURNS,
+            Within::Chain(_) => MOST_TURNS_OF_ROW,
+        };
+        for turn in 0..most_turns {
+            let matters = self.matters(driving);
+            let mut ports = 0..self.pending.len();
+            if !ports.any(|port| self.is_open(port, free, &matters)) {
                 // The others are told what has become of those that touch.
-                for site in 0..self.pending.len() {
-                    if self.pending[site] > matters {
-                        self.solve_site(site, free, &mut solve)?;
+                for port in 0..self.pending.len() {
+                    if self.pending[port] > self.matters_at(port, &matters) {
+                        self.solve_port(port, free, &mut solve)?;
                     }
                 }
                 return Ok(true);
             }
-            if turn >= PLAIN_TURNS {
-                newton::step(self, free, &mut solve);
+            match self.within {
+                Within::All(torsion) if turn >= PLAIN_TURNS => {
+                    newton::step(self, torsion, free, &mut solve);
+                }
+                Within::Chain(chain) if turn > 0 => row::correct(self, chain, free, turn),
+                _ => {}
             }
-            for site in 0..self.pending.len() {
-                if self.pending[site] > self.slack[site].max(matters) {
-                    self.solve_site(site, free, &mut solve)?;
+            for port in 0..self.pending.len() {
+                if self.is_open(port, free, &matters) {
+                    self.solve_port(port, free, &mut solve)?;
                 }
             }
         }
         Ok(false)
     }
 
-    /// Whether some site has to be solved again.
-    fn is_open(&self, matters: f64) -> bool {
-        let mut sites = self.pending.iter().zip(&self.slack);
-        sites.any(|(pending, slack)| *pending > slack.max(matters))
+    fn matters(&self, driving: f64) -> Matters {
+        let largest = self.normal_forces.iter().copied().fold(0.0, f64::max);
+        let torques = match self.walls.as_ref() {
+            // Every port has a wall, or will never be asked.
+            Some(walls) if walls.all() => 0.0,
+            _ => self.loads.largest_torque(),
+        };
+        Matters {
+            force: COUPLING_TOLERANCE * largest,
+            torque: COUPLING_TOLERANCE * torques,
+            driving,
+        }
+    }
+
+    /// The largest torque that drives ports in a row, N m.
+    fn largest_driving(&self, free: Free) -> f64 {
+        match self.within {
+            Within::All(_) => 0.0,
+            Within::Chain(_) => {
+                let torques = free.turning.iter();
+                torques.fold(0.0, |most: f64, torque| most.max(torque.abs()))
+            }
+        }
     }
 
     #[inline]
-    fn solve_site<E>(
+    fn matters_at(&self, port: usize, matters: &Matters) -> f64 {
+        match self.has_wall(port) {
+            true => matters.force,
+            false => matters.torque,
+        }
+    }
+
+    /// Whether a port has to be solved again.
+    #[inline]
+    fn is_open(&self, port: usize, free: Free, matters: &Matters) -> bool {
+        if self.pending[port] > self.slack[port].max(self.matters_at(port, matters)) {
+            return true;
+        }
+        let Some(solved_for) = self.row.solved_for.get(port) else {
+            return false;
+        };
+        (self.driven(port, free) - solved_for).abs() > matters.driving
+    }
+
+    #[inline]
+    fn solve_port<E>(
         &mut self,
-        site: usize,
+        port: usize,
         free: Free,
         solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
     ) -> Result<(), E> {
-        let solved = solve(site, self.unloaded(site, free))?;
-        self.normal_forces[site] = solved.normal_force;
-        self.slack[site] = solved.slack;
-        self.replace(site, solved.load);
+        let driven = self.driven(port, free);
+        let solved = solve(port, self.unloaded(port, free))?;
+        self.normal_forces[port] = solved.normal_force;
+        self.slack[port] = solved.slack;
+        self.replace(port, solved.load);
+        if let Within::Chain(_) = self.within {
+            self.row.solved_for[port] = driven;
+            self.row.speeds[port] = solved.speed;
+            self.row.falls[port] = solved.fall;
+        }
         Ok(())
     }
 }

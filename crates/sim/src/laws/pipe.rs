@@ -98,6 +98,11 @@ impl OnLines {
         (excess, 1.0 - self.compliance * self.law.fall(speed, left))
     }
 
+    /// How far the torque falls at most where it slips, N m.
+    pub fn largest_drop(&self) -> f64 {
+        self.law.largest_drop()
+    }
+
     /// By how much the torque against it falls with its speed, N m per rad/s.
     pub fn fall(&self, speed: f64) -> f64 {
         self.law.fall(speed, self.law.left(speed))

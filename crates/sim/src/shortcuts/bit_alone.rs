@@ -33,19 +33,23 @@ pub(crate) struct BitAlone {
 impl BitAlone {
     /// Of responses that let nothing act but a torque on the bit.
     pub(crate) fn of(system: &System, responses: &Responses) -> Option<Self> {
-        let bit = system.bit_load()?;
-        if system.from_forces.is_some() || system.loaded.len() > 1 {
+        system.bit_port()?;
+        let whole = system.torsion.whole()?;
+        let &[site] = whole.loaded.as_slice() else {
+            return None;
+        };
+        let kernels = whole.from_torques.kernels()?;
+        if system.from_forces.is_some() {
             return None;
         }
-        let kernels = system.from_torques.kernels()?;
-        let surface = |step: usize| system.surface_response(bit.site, step);
+        let surface = &whole.surface[site];
         let steps = system.steps_of(responses.longest_time);
         Some(Self {
-            stuck_torque: StuckTorque::new(kernels, surface, steps),
+            stuck_torque: StuckTorque::new(kernels, |step| surface.at(step), steps),
             look_ahead: LookAhead::new(responses.at_bit()?),
-            site: bit.site,
-            round_trip: 2 * system.surface_arrives(bit.site, ARRIVED),
-            steady_from: system.surface_is_steady_from(bit.site, Rules::USUAL.settling_tolerance),
+            site,
+            round_trip: 2 * surface.arrives(ARRIVED),
+            steady_from: surface.is_steady_from(Rules::USUAL.settling_tolerance),
         })
     }
 
@@ -126,7 +130,8 @@ impl BitAlone {
     /// The same in a case that began at rest, as soon as the surface will have settled by then.
     fn speeds_after_rest(&self, system: &System, stepper: &Stepper) -> Option<Vec<f64>> {
         let (step, memory) = (stepper.next_step(), self.look_ahead.memory());
-        if step + memory <= system.surface_settles(self.site) {
+        let surface = &system.torsion.whole()?.surface[self.site];
+        if step + memory <= surface.settles() {
             return None;
         }
         let (now, speed) = (stepper.bit_step()?, stepper.surface_speed());
@@ -138,7 +143,7 @@ impl BitAlone {
         let torques = since.map(|n| stepper.torques(0)[n - slip] + held(n));
         let mut speeds = (self.look_ahead).speeds(before.chain(torques), now.torque, 0.0);
         for (ahead, value) in speeds.iter_mut().enumerate() {
-            *value += speed * system.surface_response(self.site, step + ahead);
+            *value += speed * surface.at(step + ahead);
         }
         Some(speeds)
     }

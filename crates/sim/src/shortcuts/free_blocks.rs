@@ -20,7 +20,8 @@ pub(crate) fn pass_free_block(
 ) -> usize {
     let step = stepper.next_step();
     let count = FIRST_BLOCK.min(stepper.steps() - step);
-    let Some(lateral) = scene.lateral.as_ref().filter(|_| scene.bit.is_none()) else {
+    let turns_freely = scene.bit.is_none() && scene.friction.is_empty();
+    let Some(lateral) = scene.lateral.as_ref().filter(|_| turns_freely) else {
         return 0;
     };
     if count == 0

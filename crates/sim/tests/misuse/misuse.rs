@@ -60,6 +60,7 @@ fn cutting() -> Scene {
         start: sim::Start::Rest,
         surface_speed: 0.5,
         bit: Some(BIT),
+        friction: Vec::new(),
         lateral: None,
         timing: Timing {
             duration: LONGEST,

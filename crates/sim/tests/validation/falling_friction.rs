@@ -90,6 +90,7 @@ fn contacts(sampling_frequency: f64, wall: Wall) -> Vec<Contact> {
         start: sim::Start::Rest,
         surface_speed: SPEED,
         bit: None,
+        friction: Vec::new(),
         lateral: Some(Lateral {
             walls: vec![wall],
             impulses: vec![PUSH, KNOCK],
@@ -193,6 +194,7 @@ fn sliding_that_friction_may_shake_is_not_taken_as_settled() {
             start: sim::Start::Rest,
             surface_speed: std::f64::consts::TAU,
             bit: None,
+            friction: Vec::new(),
             lateral: Some(Lateral {
                 walls: vec![wall],
                 impulses: vec![Impulse {

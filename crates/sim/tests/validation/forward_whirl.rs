@@ -161,6 +161,7 @@ fn academic_whirl(
         start: sim::Start::Rest,
         surface_speed: SPEED,
         bit: None,
+        friction: Vec::new(),
         lateral: Some(Lateral {
             walls,
             impulses: vec![],

@@ -87,6 +87,7 @@ fn sharp_fronts_leave_the_limit_of_stick_slip_where_waves_have_it() {
                     start: sim::Start::Rest,
                     surface_speed: rpm(speed),
                     bit: Some(BIT),
+                    friction: Vec::new(),
                     lateral: None,
                     timing: torsion_timing(&string, rpm(speed), &BIT, &sim::Start::Rest),
                 };
@@ -150,6 +151,7 @@ impl Pushed {
             start: sim::Start::Rest,
             surface_speed: SPEED,
             bit: None,
+            friction: Vec::new(),
             lateral: Some(Lateral {
                 walls: vec![wall],
                 impulses: vec![self.impulse],

@@ -323,6 +323,7 @@ impl Shaken {
                 start: sim::Start::Rest,
                 surface_speed: self.surface_speed,
                 bit: None,
+                friction: Vec::new(),
                 lateral: Some(Lateral {
                     walls: walls.collect(),
                     impulses: impulses.clone(),

@@ -29,6 +29,7 @@ fn scene<B>(surface_speed: f64, bit: B) -> Scene<B, Wall> {
         start: sim::Start::Rest,
         surface_speed,
         bit: Some(bit),
+        friction: Vec::new(),
         lateral: None,
         timing: Timing {
             duration: DURATION,
@@ -173,6 +174,7 @@ fn positions<W: WallLaw>(system: &System, wall: W) -> (Vec<[f64; 2]>, usize) {
         start: sim::Start::Rest,
         surface_speed: 6.0,
         bit: None,
+        friction: Vec::new(),
         lateral: Some(Lateral {
             walls: vec![wall],
             impulses: vec![impulse(0.1, 0.0), impulse(0.5, 2.0)],

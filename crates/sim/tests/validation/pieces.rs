@@ -5,9 +5,7 @@
 use linear::well::{PressedBy, SideForce, WindingUp, least_pieces};
 use linear::{Cascade, Drillstring, Method, Mud, Sites, estimates};
 use problems::wells::{Draw, Well};
-use sim::{
-    CascadeScene, CascadeSimulator, NodeTorque, PipeFriction, SurfaceProfile, Timing, Trajectory,
-};
+use sim::{PipeFriction, Scene, Simulator, Start, Stopping, SurfaceProfile, Timing, Trajectory};
 
 /// More are not tried.
 const MOST_PIECES: usize = 2000;
@@ -66,25 +64,28 @@ impl Problem {
         let cascade =
             Cascade::new(&self.string, &Method::Quadrature, &nodes, frequency, time).unwrap();
         let profile = SurfaceProfile::Rise(rise);
-        let simulator = CascadeSimulator::new(&cascade, &profile, 0.0).unwrap();
+        let simulator = Simulator::in_pieces(&cascade, &profile, 0.0).unwrap();
         let torque = |pressing: f64| {
             let torque = self.coefficient * pressing;
-            NodeTorque::Pipe(PipeFriction {
+            Some(PipeFriction {
                 torque_static: torque,
                 torque_dynamic: torque,
                 stribeck_speed: 0.0,
             })
         };
-        let scene = CascadeScene {
+        let scene = Scene {
             surface_speed: speed,
-            torques: pressing.into_iter().map(torque).collect(),
+            start: Start::Rest,
+            bit: None,
+            friction: pressing.into_iter().map(torque).collect(),
+            lateral: None,
             timing: Timing {
                 duration: time,
                 closing_window: time,
             },
         };
         let mut record = Trajectory::default();
-        simulator.simulate(&scene, Some(&mut record)).unwrap();
+        (simulator.simulate(&scene, Stopping::Full, Some(&mut record))).unwrap();
         record.surface_torque
     }
 

@@ -70,6 +70,7 @@ impl Problem {
             surface_speed: SPEED,
             start,
             bit: Some(bit),
+            friction: Vec::new(),
             lateral: None,
             timing: Timing {
                 duration,
@@ -210,6 +211,7 @@ fn cases_that_end_early_have_the_labels_of_those_that_do_not() {
                 timing: torsion_timing(&string, speed, &bit, &start),
                 start,
                 bit: Some(bit),
+                friction: Vec::new(),
                 lateral: None,
             }
         });
@@ -254,6 +256,7 @@ fn deviations(string: &Drillstring, frequency: f64, bit: BitTorque, speed: f64) 
         surface_speed: speed,
         start: Start::Steady(rotation(string, &request.sites, speed, torque)),
         bit: Some(bit),
+        friction: Vec::new(),
         lateral: None,
         timing: Timing {
             duration: request.longest_time,

@@ -62,6 +62,7 @@ impl Both {
             start: sim::Start::Rest,
             surface_speed: std::f64::consts::TAU,
             bit,
+            friction: Vec::new(),
             lateral: Some(Lateral {
                 walls: vec![wall; self.sites],
                 impulses: disturbed.iter().map(impulse).collect(),

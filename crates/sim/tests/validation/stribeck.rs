@@ -22,6 +22,7 @@ fn measures(method: Method, sampling_frequency: f64, decay_rpm: f64) -> TorsionM
             torque_dynamic: 4000.0,
             decay_speed: decay_rpm * RPM,
         }),
+        friction: Vec::new(),
         lateral: None,
         timing: Timing {
             duration: 60.0,

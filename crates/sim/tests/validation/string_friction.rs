@@ -5,8 +5,8 @@ use linear::{Cascade, ChannelRequest, Drillstring, Method, Request, Sites, TopDr
 use problems::academic;
 use problems::pipes;
 use sim::{
-    BitTorque, CascadeScene, CascadeSimulator, LoadLine, NodeTorque, PipeFriction, Recording,
-    Scene, Simulator, Stopping, SurfaceProfile, SurfaceTorque, Timing, TorqueLaw, Trajectory,
+    BitTorque, LoadLine, PipeFriction, Recording, Scene, Simulator, Start, Stopping,
+    SurfaceProfile, SurfaceTorque, Timing, TorqueLaw, Trajectory,
 };
 
 fn timing(duration: f64) -> Timing {
@@ -16,12 +16,35 @@ fn timing(duration: f64) -> Timing {
     }
 }
 
-fn friction(torque_static: f64, ratio: f64, stribeck_speed: f64) -> NodeTorque {
-    NodeTorque::Pipe(PipeFriction {
+fn friction(torque_static: f64, ratio: f64, stribeck_speed: f64) -> Option<PipeFriction> {
+    Some(PipeFriction {
         torque_static,
         torque_dynamic: ratio * torque_static,
         stribeck_speed,
     })
+}
+
+/// From rest, with friction at the nodes and a bit that cuts or does not.
+fn rubbing(
+    surface_speed: f64,
+    friction: Vec<Option<PipeFriction>>,
+    bit: Option<BitTorque>,
+    duration: f64,
+) -> Scene {
+    Scene {
+        surface_speed,
+        start: Start::Rest,
+        bit,
+        friction,
+        lateral: None,
+        timing: timing(duration),
+    }
+}
+
+fn recorded(simulator: &Simulator, scene: &Scene) -> (sim::Outcome, Trajectory) {
+    let mut record = Trajectory::default();
+    let outcome = simulator.simulate(scene, Stopping::Full, Some(&mut record));
+    (outcome.unwrap(), record)
 }
 
 /// The middles of equal pieces, and the bit.
@@ -38,9 +61,9 @@ fn cascade(
     nodes: &Sites,
     frequency: f64,
     time: f64,
-) -> CascadeSimulator {
+) -> Simulator {
     let cascade = Cascade::new(string, &method, nodes, frequency, time).unwrap();
-    CascadeSimulator::new(&cascade, &SurfaceProfile::default(), 0.0).unwrap()
+    Simulator::in_pieces(&cascade, &SurfaceProfile::default(), 0.0).unwrap()
 }
 
 /// Two sections of joints and collars, a drive or none.
@@ -88,6 +111,7 @@ fn pieces_one_by_one_are_the_whole_string() {
                 start: sim::Start::Rest,
                 surface_speed: 1.0,
                 bit: Some(law),
+                friction: Vec::new(),
                 lateral: None,
                 timing: timing(time),
             };
@@ -100,16 +124,9 @@ fn pieces_one_by_one_are_the_whole_string() {
             let profile = SurfaceProfile::default();
             let torque = SurfaceTorque::new(&responses, &taps, &profile, 0.0).unwrap();
             let at_surface = torque.of(1.0, &sim::Start::Rest, &expected);
-            let mut torques = vec![NodeTorque::None; pieces];
-            torques.push(NodeTorque::Bit(law));
-            let scene = CascadeScene {
-                surface_speed: 1.0,
-                torques,
-                timing: timing(time),
-            };
-            let mut found = Trajectory::default();
+            let scene = rubbing(1.0, Vec::new(), Some(law), time);
             let simulator = cascade(string, method, &nodes, frequency, time);
-            let of_pieces = simulator.simulate(&scene, Some(&mut found)).unwrap();
+            let (of_pieces, found) = recorded(&simulator, &scene);
             let largest = |one: &[f64], other: &[f64]| {
                 assert_eq!(one.len(), other.len());
                 std::iter::zip(one, other).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
@@ -133,14 +150,10 @@ fn the_torque_that_keeps_it_turning_is_the_sum_of_all() {
     let pieces = 20;
     let nodes = middles(&string, pieces);
     let mut torques = vec![friction(400.0, 1.0, 0.0); pieces];
-    torques.push(NodeTorque::None);
-    let scene = CascadeScene {
-        surface_speed: 0.3,
-        torques,
-        timing: timing(120.0),
-    };
+    torques.push(None);
+    let scene = rubbing(0.3, torques, None, 120.0);
     let simulator = cascade(&string, Method::Quadrature, &nodes, 32.0, 120.0);
-    let measures = simulator.simulate(&scene, None).unwrap().surface.unwrap();
+    let measures = recorded(&simulator, &scene).0.surface.unwrap();
     let against = 400.0 * pieces as f64 + 1.0 * 0.3 * string.length();
     for torque in [
         measures.least_torque,
@@ -157,18 +170,11 @@ fn what_does_not_act_changes_nothing() {
     let string = academic::string();
     let nodes = middles(&string, 5);
     let simulator = cascade(&string, Method::Quadrature, &nodes, 64.0, 10.0);
-    let run = |of_pieces: NodeTorque| {
-        let torques = vec![of_pieces; 6];
-        let mut record = Trajectory::default();
-        let scene = CascadeScene {
-            surface_speed: 1.0,
-            torques,
-            timing: timing(10.0),
-        };
-        simulator.simulate(&scene, Some(&mut record)).unwrap();
-        record
+    let run = |of_pieces: Option<PipeFriction>| {
+        let scene = rubbing(1.0, vec![of_pieces; 6], None, 10.0);
+        recorded(&simulator, &scene).1
     };
-    let (free, weightless) = (run(NodeTorque::None), run(friction(0.0, 1.0, 0.0)));
+    let (free, weightless) = (run(None), run(friction(0.0, 1.0, 0.0)));
     for (one, other) in free.speeds.iter().zip(&weightless.speeds) {
         for (one, other) in one.iter().zip(other) {
             assert!((one - other).abs() < 1e-12);
@@ -200,16 +206,11 @@ fn a_string_breaks_loose_and_swings_by_twice_what_friction_falls() {
     let surface = Recording::new(vec![0.0, wound_up, wound_up + 5.0], vec![slow, slow, 0.2]);
     let cascade = Cascade::new(&string, &Method::Quadrature, &nodes, 16.0, time).unwrap();
     let profile = SurfaceProfile::Recorded(surface.unwrap());
-    let simulator = CascadeSimulator::new(&cascade, &profile, 0.0).unwrap();
+    let simulator = Simulator::in_pieces(&cascade, &profile, 0.0).unwrap();
     for ratio in [0.5, 0.8] {
         let torques = vec![friction(total / pieces as f64, ratio, 0.3); pieces];
-        let scene = CascadeScene {
-            surface_speed: 1.0,
-            torques: torques.into_iter().chain([NodeTorque::None]).collect(),
-            timing: timing(time),
-        };
-        let mut record = Trajectory::default();
-        simulator.simulate(&scene, Some(&mut record)).unwrap();
+        let torques = torques.into_iter().chain([None]).collect();
+        let (_, record) = recorded(&simulator, &rubbing(1.0, torques, None, time));
         let before = (wound_up * 16.0) as usize;
         let sliding = record.surface_torque[before];
         assert!((sliding / total - 1.0).abs() < 1e-3, "{sliding}");
@@ -285,15 +286,10 @@ fn errors_of_start(total: f64, stribeck_speed: f64) -> Vec<f64> {
         let nodes = middles(&string, pieces);
         let cascade = Cascade::new(&string, &method, &nodes, frequency, time).unwrap();
         let profile = SurfaceProfile::Rise(rise);
-        let simulator = CascadeSimulator::new(&cascade, &profile, 0.0).unwrap();
-        let torques = vec![NodeTorque::Pipe(friction_of(pieces)); pieces];
-        let scene = CascadeScene {
-            surface_speed: speed,
-            torques: torques.into_iter().chain([NodeTorque::None]).collect(),
-            timing: timing(time),
-        };
-        let mut record = Trajectory::default();
-        simulator.simulate(&scene, Some(&mut record)).unwrap();
+        let simulator = Simulator::in_pieces(&cascade, &profile, 0.0).unwrap();
+        let torques = vec![Some(friction_of(pieces)); pieces];
+        let torques = torques.into_iter().chain([None]).collect();
+        let (_, record) = recorded(&simulator, &rubbing(speed, torques, None, time));
         let every = (frequency / 32.0) as usize;
         let found = record.surface_torque.iter().step_by(every);
         let square = |(one, other): (&f64, &f64)| (one - other).powi(2);
@@ -374,16 +370,11 @@ fn a_string_that_sticks_and_slips_has_the_period_of_winding_up_and_of_a_round_tr
         let (expected, stribeck_speed) = (angle / surface_speed + round_trip, part * greatest);
         let (time, frequency) = (8.0 * expected, 200.0 / round_trip);
         let mut torques = vec![friction(total / pieces as f64, ratio, stribeck_speed); pieces];
-        torques.push(NodeTorque::None);
-        let scene = CascadeScene {
-            surface_speed,
-            torques,
-            timing: timing(time),
-        };
+        torques.push(None);
+        let scene = rubbing(surface_speed, torques, None, time);
         let nodes = middles(&string, pieces);
         let simulator = cascade(&string, Method::Quadrature, &nodes, frequency, time);
-        let mut record = Trajectory::default();
-        simulator.simulate(&scene, Some(&mut record)).unwrap();
+        let (_, record) = recorded(&simulator, &scene);
         // When the lowest piece becomes faster than ω_s, and when it stops after that.
         let (mut slips, mut stops) = (Vec::new(), Vec::new());
         for (step, &speed) in record.speeds[pieces - 1].iter().enumerate() {
@@ -410,22 +401,16 @@ fn a_string_that_sticks_and_slips_has_the_period_of_winding_up_and_of_a_round_tr
 /// The torques of a scene from rest: what the string's greatest is, where, and its record.
 fn greatest_torque(
     string: &Drillstring,
-    (pieces, torques): (usize, Vec<NodeTorque>),
+    (torques, bit): (Vec<Option<PipeFriction>>, Option<BitTorque>),
     (surface_speed, rise): (f64, f64),
     (frequency, time): (f64, f64),
 ) -> (sim::StringTorque, Trajectory) {
-    let nodes = middles(string, pieces);
+    let nodes = middles(string, torques.len() - 1);
     let cascade = Cascade::new(string, &Method::Quadrature, &nodes, frequency, time).unwrap();
     let profile = SurfaceProfile::Rise(rise);
-    let simulator = CascadeSimulator::new(&cascade, &profile, 0.0).unwrap();
-    let scene = CascadeScene {
-        surface_speed,
-        torques,
-        timing: timing(time),
-    };
-    let mut record = Trajectory::default();
-    let simulator = simulator.following_torque(true);
-    let outcome = simulator.simulate(&scene, Some(&mut record)).unwrap();
+    let simulator = Simulator::in_pieces(&cascade, &profile, 0.0).unwrap();
+    let scene = rubbing(surface_speed, torques, bit, time);
+    let (outcome, record) = recorded(&simulator.following_torque(true), &scene);
     (outcome.string_torque.unwrap(), record)
 }
 
@@ -437,8 +422,8 @@ fn a_string_that_is_turned_slowly_is_twisted_most_at_the_surface() {
     let pieces = 20;
     let slow = (0.005, 20.0);
     let mut torques = vec![friction(450.0, 1.0, 0.0); pieces];
-    torques.push(NodeTorque::None);
-    let (greatest, record) = greatest_torque(&string, (pieces, torques), slow, (16.0, 300.0));
+    torques.push(None);
+    let (greatest, record) = greatest_torque(&string, (torques, None), slow, (16.0, 300.0));
     let at_surface = record.surface_torque.iter().copied().fold(0.0, f64::max);
     assert!((at_surface / 9000.0 - 1.0).abs() < 0.01, "{at_surface}");
     let off = greatest.peak_torque / at_surface - 1.0;
@@ -451,8 +436,8 @@ fn a_string_that_is_turned_slowly_is_twisted_most_at_the_surface() {
         decay_speed: 0.0,
     };
     let mut torques = vec![friction(1.0, 1.0, 0.0); pieces];
-    torques.push(NodeTorque::Bit(bit));
-    let (greatest, record) = greatest_torque(&string, (pieces, torques), slow, (16.0, 600.0));
+    torques.push(None);
+    let (greatest, record) = greatest_torque(&string, (torques, Some(bit)), slow, (16.0, 600.0));
     let at_surface = record.surface_torque.iter().copied().fold(0.0, f64::max);
     assert!((at_surface / 9020.0 - 1.0).abs() < 0.01, "{at_surface}");
     let off = greatest.peak_torque / at_surface - 1.0;
@@ -476,9 +461,9 @@ fn the_greatest_torque_of_a_start_is_that_of_masses_and_springs() {
         let (_, springs) = masses_and_springs(friction_of(250), length, damping, surface, start);
         let most = springs.iter().copied().fold(0.0, f64::max);
         let pieces = 80;
-        let mut torques = vec![NodeTorque::Pipe(friction_of(pieces)); pieces];
-        torques.push(NodeTorque::None);
-        let all = (pieces, torques);
+        let mut torques = vec![Some(friction_of(pieces)); pieces];
+        torques.push(None);
+        let all = (torques, None);
         let (found, _) = greatest_torque(&string, all, (speed, rise), (256.0, time));
         let off = found.peak_torque / most - 1.0;
         assert!(off.abs() < 0.02, "{found:?} {most}");
@@ -494,13 +479,14 @@ fn the_torque_in_a_string_that_turns_is_the_sum_of_all_below() {
     let string = pipes::row(200, 0.0);
     let (pieces, bit) = (8, 5000.0);
     let of = |index: usize| 100.0 * (index + 1) as f64;
-    let mut torques: Vec<NodeTorque> = (0..pieces).map(|it| friction(of(it), 1.0, 0.0)).collect();
-    torques.push(NodeTorque::Bit(BitTorque {
+    let mut torques: Vec<_> = (0..pieces).map(|it| friction(of(it), 1.0, 0.0)).collect();
+    torques.push(None);
+    let cuts = BitTorque {
         torque_static: bit,
         torque_dynamic: bit,
         decay_speed: 0.0,
-    }));
-    let all = (pieces, torques);
+    };
+    let all = (torques, Some(cuts));
     let (greatest, _) = greatest_torque(&string, all, (0.01, 100.0), (16.0, 400.0));
     let sum = bit + (0..pieces).map(of).sum::<f64>();
     let off = greatest.peak_torque / sum - 1.0;

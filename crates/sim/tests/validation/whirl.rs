@@ -75,6 +75,7 @@ impl Case {
             start: sim::Start::Rest,
             surface_speed,
             bit: None,
+            friction: Vec::new(),
             lateral: Some(lateral),
             timing: Timing {
                 duration: DURATION,
@@ -312,6 +313,7 @@ fn the_bit_cuts_and_touches_the_wall_at_once() {
             start: sim::Start::Rest,
             surface_speed: SPEED,
             bit: Some(bit),
+            friction: Vec::new(),
             lateral: Some(case.at_bit(ratio, wall(friction))),
             timing: Timing {
                 duration: DURATION,
@@ -554,6 +556,7 @@ mod oscillator {
             start: sim::Start::Rest,
             surface_speed: SPEED,
             bit: None,
+            friction: Vec::new(),
             lateral: Some(Lateral {
                 walls: vec![wall(0.5)],
                 impulses: impulses.iter().map(impulse).collect(),

@@ -7,7 +7,7 @@ use linear::{
     Responses, parallel, responses, responses_after, responses_with,
 };
 use sim::excitation::reach_of_impulse;
-use sim::{CascadeSimulator, Sampling, Simulator};
+use sim::{Sampling, Simulator};
 
 use super::MethodSystem;
 use crate::engine::finer::finer_frequency;
@@ -164,10 +164,10 @@ impl MethodSystem {
         };
         let frequency = setting.sampling_frequency;
         let cascade = Cascade::new(string, &method, &friction.nodes, frequency, longest_time)?;
-        let simulator = CascadeSimulator::new(&cascade, &setting.profile, setting.rotor_inertia)?;
+        let simulator = Simulator::in_pieces(&cascade, &setting.profile, setting.rotor_inertia)?;
         Ok(Self {
             build_seconds: start.seconds(),
-            cascade: Some(simulator.following_torque(friction.follows_torque)),
+            simulator: simulator.following_torque(friction.follows_torque),
             ..system
         })
     }
@@ -201,7 +201,6 @@ impl MethodSystem {
             undershoot: responses.at_bit().map(largest_undershoot),
             simulator,
             surface_torque: None,
-            cascade: None,
             finer: None,
             responses,
         })

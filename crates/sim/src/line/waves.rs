@@ -4,14 +4,14 @@ use crate::convolution::Kernel;
 
 /// Inputs to a response as far back as it looks.
 #[derive(Debug)]
-pub struct Past {
+pub(super) struct Waves {
     values: Vec<f64>,
     reach: usize,
 }
 
-impl Past {
+impl Waves {
     /// Nothing yet, of an input that is looked at by these.
-    pub fn empty(kernels: &[&Kernel]) -> Self {
+    pub(super) fn none(kernels: &[&Kernel]) -> Self {
         let reach = kernels.iter().map(|kernel| kernel.memory()).max();
         let reach = reach.unwrap_or(0);
         Self {
@@ -25,7 +25,7 @@ impl Past {
         4 * reach + 64
     }
 
-    pub fn push(&mut self, value: f64) {
+    pub(super) fn push(&mut self, value: f64) {
         if self.values.len() == Self::room(self.reach) {
             self.values.drain(..self.values.len() - self.reach);
         }
@@ -33,29 +33,29 @@ impl Past {
     }
 
     /// What came last.
-    pub fn last(&self) -> f64 {
+    pub(super) fn last(&self) -> f64 {
         self.values.last().copied().unwrap_or(0.0)
     }
 
     /// What the past adds to a response.
-    pub fn sum(&self, kernel: &Kernel) -> f64 {
+    pub(super) fn sum(&self, kernel: &Kernel) -> f64 {
         kernel.past_sum(&self.values)
     }
 }
 
 /// A piece between two nodes: what comes out at its ends.
 #[derive(Debug, Clone)]
-pub struct LinkKernels {
-    pub impedance: f64,
-    pub top: Kernel,
-    pub across: Kernel,
-    pub bottom: Kernel,
+pub(super) struct LinkKernels {
+    pub(super) impedance: f64,
+    pub(super) top: Kernel,
+    pub(super) across: Kernel,
+    pub(super) bottom: Kernel,
     /// (1 + S(0))⁻¹, which is symmetric: `[top, across, bottom]`.
     inverse: [f64; 3],
 }
 
 impl LinkKernels {
-    pub fn new(link: &linear::cascade::Link) -> Self {
+    pub(super) fn new(link: &linear::cascade::Link) -> Self {
         let [top, across, bottom] =
             [&link.top, &link.across, &link.bottom].map(|taps| Kernel::new(taps));
         let [s, m, t] = [&top, &across, &bottom].map(Kernel::instant);
@@ -75,7 +75,7 @@ impl LinkKernels {
 
     /// Torques per speed within a step: at the top, between both ends, at the bottom. From
     /// f = Z v − 2 b and a + b = Z v they are Z (2 (1 + S(0))⁻¹ − 1).
-    pub fn stiffness(&self) -> [f64; 3] {
+    pub(super) fn stiffness(&self) -> [f64; 3] {
         let [top, across, bottom] = self.inverse;
         let z = self.impedance;
         [
@@ -86,7 +86,7 @@ impl LinkKernels {
     }
 
     /// (1 + S(0))⁻¹ of a pair.
-    pub fn solved(&self, [at_top, at_bottom]: [f64; 2]) -> [f64; 2] {
+    pub(super) fn solved(&self, [at_top, at_bottom]: [f64; 2]) -> [f64; 2] {
         let [top, across, bottom] = self.inverse;
         [
             top * at_top + across * at_bottom,
@@ -97,13 +97,13 @@ impl LinkKernels {
 
 /// What ends the string at a node.
 #[derive(Debug, Clone)]
-pub struct EndKernel {
-    pub impedance: f64,
-    pub reflection: Kernel,
+pub(super) struct EndKernel {
+    pub(super) impedance: f64,
+    pub(super) reflection: Kernel,
 }
 
 impl EndKernel {
-    pub fn new(impedance: f64, reflection: &[f64]) -> Self {
+    pub(super) fn new(impedance: f64, reflection: &[f64]) -> Self {
         Self {
             impedance,
             reflection: Kernel::new(reflection),
@@ -111,12 +111,12 @@ impl EndKernel {
     }
 
     /// (1 + S(0))⁻¹.
-    pub fn inverse(&self) -> f64 {
+    pub(super) fn inverse(&self) -> f64 {
         1.0 / (1.0 + self.reflection.instant())
     }
 
     /// Torque per speed within a step.
-    pub fn stiffness(&self) -> f64 {
+    pub(super) fn stiffness(&self) -> f64 {
         self.impedance * (2.0 * self.inverse() - 1.0)
     }
 }

@@ -1,0 +1,298 @@
+//! The ports of a step: where they would be, their loads, and what these are worth to one another.
+
+use super::loads::{Load, Loads};
+use crate::line::{Bending, Torsion, Within};
+
+/// The loads of all ports that may bear one.
+#[derive(Debug)]
+pub(crate) struct Coupling<'a> {
+    pub(super) within: Within<'a>,
+    pub(super) walls: Option<Walled<'a>>,
+    pub(super) loads: Loads,
+    pub(super) normal_forces: Vec<f64>,
+    /// What the others' loads have changed by since a port was solved, as load at it: force, N, at
+    /// a wall and torque, N m, elsewhere.
+    pub(super) pending: Vec<f64>,
+    /// What of that leaves a port without a load as it was solved last, N.
+    pub(super) slack: Vec<f64>,
+    /// What the load of a port is worth at every other, port by port; nothing where ports feel no
+    /// more than their neighbours.
+    shares: Vec<Share>,
+    pub(super) row: Row,
+}
+
+/// The ports that have walls.
+#[derive(Debug)]
+pub(super) struct Walled<'a> {
+    bending: &'a Bending,
+    /// The port of each wall.
+    ports: &'a [usize],
+    /// The wall of each port, where it has one.
+    wall_of: Vec<Option<usize>>,
+}
+
+/// What ports in a row have of a step.
+#[derive(Debug)]
+pub(super) struct Row {
+    /// Speeds, rad/s.
+    pub(super) speeds: Vec<f64>,
+    /// What drove each port when it was solved last, N m.
+    pub(super) solved_for: Vec<f64>,
+    /// By how much the torque against a port falls with its speed, N m per rad/s; `None` where it
+    /// is held.
+    pub(super) falls: Vec<Option<f64>>,
+    /// Of a correction, from above: how a port's change depends on the next one's, and its own.
+    pub(super) changes: Vec<(f64, f64)>,
+}
+
+/// Where ports would be in a step, and how they would turn, if none bore a load.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Free<'a> {
+    /// x of all walls and then y, m.
+    pub(crate) positions: &'a [f64],
+    /// Speeds, rad/s, or, of ports in a row, the torques that drive them, N m.
+    pub(crate) turning: &'a [f64],
+}
+
+/// The same of one port under the loads of all others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Unloaded {
+    /// m.
+    pub(crate) position: [f64; 2],
+    /// rad/s.
+    pub(crate) speed: f64,
+    /// The speed that it was solved for last, rad/s, where that is known.
+    pub(crate) guess: Option<f64>,
+}
+
+/// A port solved within a step, the loads of the others given. Its two numbers stand apart: side by
+/// side they are written one by one and read as a pair, for which the processor waits.
+pub(crate) struct Solved {
+    /// N.
+    pub(crate) normal_force: f64,
+    pub(crate) load: Load,
+    /// The force at the port, N, that the loads of others have to change by before it may bear
+    /// one; zero where it does.
+    pub(crate) slack: f64,
+    /// rad/s.
+    pub(crate) speed: f64,
+    /// By how much the torque against it falls with its speed, N m per rad/s; `None` where it is
+    /// held.
+    pub(crate) fall: Option<f64>,
+}
+
+/// The load at a port that a load at another is worth. A port gives way by its own response,
+/// or turns by it.
+#[derive(Debug, Clone, Copy)]
+struct Share {
+    /// Of a force.
+    of_force: f64,
+    /// Of a torque.
+    of_torque: f64,
+}
+
+impl Walled<'_> {
+    /// Whether every port has a wall.
+    pub(super) fn all(&self) -> bool {
+        self.ports.len() == self.wall_of.len()
+    }
+}
+
+impl<'a> Coupling<'a> {
+    /// Of the loads of a string whose ports feel one another like this; those at `walls` bend,
+    /// too, and have these radii, m.
+    pub(crate) fn new(
+        within: Within<'a>,
+        bending: Option<&'a Bending>,
+        (walls, radii): (&'a [usize], &[f64]),
+    ) -> Self {
+        let count = within.ports();
+        let walled = bending.filter(|_| !radii.is_empty()).map(|bending| {
+            let mut wall_of = vec![None; count];
+            for (wall, &port) in walls.iter().enumerate() {
+                wall_of[port] = Some(wall);
+            }
+            Walled {
+                bending,
+                ports: walls,
+                wall_of,
+            }
+        });
+        let in_row = match within {
+            Within::All(_) => 0,
+            Within::Chain(chain) => chain.own.len(),
+        };
+        Self {
+            shares: match within {
+                Within::All(torsion) => shares(torsion, walled.as_ref(), radii),
+                Within::Chain(_) => Vec::new(),
+            },
+            within,
+            walls: walled,
+            loads: Loads::none(count),
+            normal_forces: vec![0.0; count],
+            pending: vec![0.0; count],
+            slack: vec![0.0; count],
+            row: Row {
+                speeds: vec![0.0; in_row],
+                solved_for: vec![0.0; in_row],
+                falls: vec![None; in_row],
+                changes: vec![(0.0, 0.0); in_row],
+            },
+        }
+    }
+
+    /// The loads of the step solved last.
+    pub(crate) fn loads(&self) -> &[Load] {
+        &self.loads.all
+    }
+
+    /// Forgets what acted in the last step.
+    pub(crate) fn clear(&mut self) {
+        self.loads.clear();
+    }
+
+    /// Gives ports in a row the speeds that a case begins with, rad/s.
+    pub(crate) fn begin_at(&mut self, speeds: &[f64]) {
+        if let Within::Chain(_) = self.within {
+            self.row.speeds.copy_from_slice(speeds);
+        }
+    }
+
+    /// The torque on the one port that bears a load.
+    pub(crate) fn set_torque(&mut self, port: usize, torque: f64) {
+        let load = Load {
+            torque,
+            ..self.loads.all[port]
+        };
+        self.loads.replace(port, load);
+    }
+
+    /// Displacement per force between two ports within a step, m/N; none where either does not
+    /// bend.
+    #[inline]
+    pub(super) fn bends(&self, port: usize, other: usize) -> f64 {
+        let walls = self.walls.as_ref();
+        walls.map_or(0.0, |walls| {
+            match (walls.wall_of[port], walls.wall_of[other]) {
+                (Some(wall), Some(other)) => walls.bending.instant(wall, other),
+                _ => 0.0,
+            }
+        })
+    }
+
+    /// Whether a port has a wall.
+    #[inline]
+    pub(super) fn has_wall(&self, port: usize) -> bool {
+        (self.walls.as_ref()).is_some_and(|walls| walls.wall_of[port].is_some())
+    }
+
+    /// Where the loads of all others bring a port.
+    #[inline]
+    pub(super) fn unloaded(&self, port: usize, free: Free) -> Unloaded {
+        let walls = self.walls.as_ref();
+        let wall = walls.and_then(|walls| walls.wall_of[port]);
+        let mut position = wall.map_or([0.0; 2], |wall| {
+            let walls = free.positions.len() / 2;
+            [0, 1].map(|axis| free.positions[axis * walls + wall])
+        });
+        let torsion = match self.within {
+            Within::All(torsion) => Some(torsion),
+            Within::Chain(_) => None,
+        };
+        let mut speed = free.turning[port];
+        if torsion.is_some() || wall.is_some() {
+            for (other, load) in self.loads.besides(port) {
+                if wall.is_some() {
+                    let compliance = self.bends(port, other);
+                    for (position, force) in position.iter_mut().zip(load.force) {
+                        *position += compliance * force;
+                    }
+                }
+                if let Some(torsion) = torsion {
+                    speed += torsion.instant(port, other) * load.torque;
+                }
+            }
+        }
+        let mut guess = None;
+        if let Within::Chain(chain) = self.within {
+            let left = speed - chain.taken_by_neighbours(port, &self.row.speeds);
+            (speed, guess) = (left / chain.own[port], Some(self.row.speeds[port]));
+        }
+        Unloaded {
+            position,
+            speed,
+            guess,
+        }
+    }
+
+    /// What drives a port in a row under the speeds of its neighbours, N m; zero of others.
+    #[inline]
+    pub(super) fn driven(&self, port: usize, free: Free) -> f64 {
+        match self.within {
+            Within::All(_) => 0.0,
+            Within::Chain(chain) => {
+                free.turning[port] - chain.taken_by_neighbours(port, &self.row.speeds)
+            }
+        }
+    }
+
+    /// The load of a port that has been solved, and what it changes for the others.
+    #[inline]
+    pub(super) fn replace(&mut self, port: usize, load: Load) {
+        let before = self.loads.replace(port, load);
+        let [x, y] = [0, 1].map(|axis| (load.force[axis] - before.force[axis]).abs());
+        let torque = (load.torque - before.torque).abs();
+        match self.within {
+            Within::All(_) if x + y + torque != 0.0 => {
+                let shares = self.shares.chunks_exact(self.pending.len()).nth(port);
+                let shares = shares.into_iter().flatten();
+                for (pending, share) in self.pending.iter_mut().zip(shares) {
+                    *pending += share.of_force * (x + y);
+                    *pending += share.of_torque * torque;
+                }
+            }
+            Within::Chain(_) if x + y != 0.0 => self.tell_walls(port, x + y),
+            _ => {}
+        }
+        self.pending[port] = 0.0;
+    }
+
+    /// What a change of the force at a port is worth at the walls of the others.
+    fn tell_walls(&mut self, port: usize, force: f64) {
+        let Some(walls) = &self.walls else { return };
+        let Some(wall) = walls.wall_of[port] else {
+            return;
+        };
+        for (other, &at) in walls.ports.iter().enumerate() {
+            self.pending[at] += walls.bending.share(other, wall) * force;
+        }
+    }
+}
+
+/// Of the loads of all ports at all others.
+fn shares(torsion: &Torsion, walls: Option<&Walled>, radii: &[f64]) -> Vec<Share> {
+    let count = torsion.sites();
+    let wall_of = |port: usize| walls.and_then(|walls| Some((walls, walls.wall_of[port]?)));
+    let share = |port: usize, loaded: usize| {
+        let turned = torsion.share(port, loaded);
+        let Some((walls, wall)) = wall_of(port) else {
+            return Share {
+                of_force: 0.0,
+                of_torque: turned,
+            };
+        };
+        let bent = wall_of(loaded).map_or(0.0, |(_, other)| walls.bending.share(wall, other));
+        Share {
+            of_force: bent,
+            of_torque: if turned == 0.0 {
+                0.0
+            } else {
+                turned / radii[wall]
+            },
+        }
+    };
+    // A string without walls whose only torque is the bit's is never solved in turns.
+    let of_load = |loaded| (0..count).map(move |port| share(port, loaded));
+    (0..count).flat_map(of_load).collect()
+}

@@ -1,0 +1,198 @@
+//! The laws that act at one port, coupled: friction at a wall turns the bit that the rock
+//! holds (Eq. 36).
+
+use crate::coupling::{Load, Solved};
+use crate::laws::contact::{Approach, Contact, ContactError, Resistance, Spin, WallLaw};
+use crate::laws::pipe::{OnLines, PipeMotion};
+use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
+use crate::sampling::Sampling;
+
+/// What a step leaves open in bending, the loads of other sites given: the position is
+/// `free_position + compliance × force`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LateralLine {
+    pub(crate) free_position: [f64; 2],
+    pub(crate) previous_position: [f64; 2],
+    pub(crate) previous_sliding_speed: Option<f64>,
+    pub(crate) compliance: f64,
+    pub(crate) sampling: Sampling,
+}
+
+impl LateralLine {
+    /// The force, N, that a site without a load may be pushed by before it reaches its wall.
+    pub(crate) fn slack(&self, clearance: f64) -> f64 {
+        let [x, y] = self.free_position;
+        ((clearance - x.hypot(y)) / self.compliance).max(0.0)
+    }
+}
+
+/// The law of the torque on a port, with what it remembers of the last step.
+#[derive(Debug)]
+pub(crate) enum PortTorque<'a, B: TorqueLaw> {
+    /// None acts.
+    Free,
+    /// That of the bit.
+    Bit(&'a B, &'a B::State),
+    /// Friction of the pipe along its well.
+    Pipe(&'a OnLines, &'a PipeMotion),
+}
+
+/// What came of the law of the torque on a port.
+#[derive(Debug, Clone)]
+pub(crate) enum Turned<S> {
+    Free,
+    Bit(TorqueStep<S>),
+    Pipe(TorqueStep<PipeMotion>),
+}
+
+/// The laws at a port.
+#[derive(Debug)]
+pub(crate) struct PortLaws<'a, B: TorqueLaw, W> {
+    pub(crate) torque: PortTorque<'a, B>,
+    /// The wall, where there is one, and how the port comes to it.
+    pub(crate) wall: Option<(&'a W, LateralLine)>,
+}
+
+/// One step of one port.
+#[derive(Debug, Clone)]
+pub(crate) struct PortStep<S> {
+    /// Nothing without a wall.
+    pub(crate) contact: Option<Contact>,
+    /// Rotation speed, rad/s.
+    pub(crate) speed: f64,
+    pub(crate) turned: Turned<S>,
+}
+
+impl<S> Turned<S> {
+    /// Its torque, N m.
+    fn torque(&self) -> f64 {
+        match self {
+            Self::Free => 0.0,
+            Self::Bit(step) => step.torque,
+            Self::Pipe(step) => step.torque,
+        }
+    }
+
+    /// The speed that it leaves, where a law acts, rad/s.
+    fn speed(&self) -> Option<f64> {
+        match self {
+            Self::Free => None,
+            Self::Bit(step) => Some(step.speed),
+            Self::Pipe(step) => Some(step.speed),
+        }
+    }
+}
+
+impl<S> PortStep<S> {
+    /// What all laws do to the string.
+    pub(crate) fn load(&self) -> Load {
+        let (force, torque) = self
+            .contact
+            .map_or(([0.0; 2], 0.0), |contact| (contact.force, contact.torque));
+        Load {
+            force,
+            torque: torque + self.turned.torque(),
+        }
+    }
+}
+
+impl<B: TorqueLaw> PortTorque<'_, B> {
+    /// Meets the load line; a `guess` of the speed (rad/s) saves time.
+    #[inline]
+    fn meet(&self, line: LoadLine, guess: f64) -> Turned<B::State> {
+        match self {
+            Self::Free => Turned::Free,
+            Self::Bit(law, before) => Turned::Bit(law.meet(before, line)),
+            Self::Pipe(law, before) => Turned::Pipe(law.meet(before, line.free_speed, guess.abs())),
+        }
+    }
+
+    /// How far the torque falls at most where it slips, N m.
+    fn largest_drop(&self) -> Option<f64> {
+        match self {
+            Self::Free => None,
+            Self::Bit(law, _) => Some(law.largest_drop()),
+            Self::Pipe(law, _) => Some(law.largest_drop()),
+        }
+    }
+
+    /// By how much the torque against a port falls with its speed, N m per rad/s; that of the bit
+    /// as if it stayed.
+    fn fall(&self, speed: f64) -> f64 {
+        match self {
+            Self::Free | Self::Bit(..) => 0.0,
+            Self::Pipe(law, _) => law.fall(speed.abs()),
+        }
+    }
+}
+
+impl<B: TorqueLaw, W: WallLaw> PortLaws<'_, B, W> {
+    /// Meets all load lines; a `guess` of the speed (rad/s) saves time.
+    #[inline]
+    pub(crate) fn meet(
+        &self,
+        line: LoadLine,
+        guess: f64,
+    ) -> Result<PortStep<B::State>, ContactError> {
+        let turned = |free_speed: f64| self.torque.meet(LoadLine { free_speed, ..line }, guess);
+        let speed = |free: f64| turned(free).speed().unwrap_or(free);
+        let Some((wall, lateral)) = &self.wall else {
+            let turned = turned(line.free_speed);
+            return Ok(PortStep {
+                contact: None,
+                speed: turned.speed().unwrap_or(line.free_speed),
+                turned,
+            });
+        };
+        let resistance = self.torque.largest_drop().map(|drop| Resistance {
+            speed: &speed,
+            jump: line.compliance * drop,
+        });
+        let contact = wall.meet(&Approach {
+            free_position: lateral.free_position,
+            previous_position: lateral.previous_position,
+            previous_sliding_speed: lateral.previous_sliding_speed,
+            compliance: lateral.compliance,
+            spin: Spin {
+                free_speed: line.free_speed,
+                compliance: line.compliance,
+                resistance,
+            },
+            sampling: lateral.sampling,
+        })?;
+        let free_speed = line.free_speed + line.compliance * contact.torque;
+        let turned = turned(free_speed);
+        Ok(PortStep {
+            contact: Some(contact),
+            speed: turned.speed().unwrap_or(free_speed),
+            turned,
+        })
+    }
+
+    /// What the others have to know of a port that has been solved.
+    #[inline]
+    pub(crate) fn solved(&self, step: &PortStep<B::State>) -> Solved {
+        let load = step.load();
+        let slack = match &self.wall {
+            Some((wall, line)) if load == Load::default() && self.is_free() => {
+                line.slack(wall.clearance())
+            }
+            _ => 0.0,
+        };
+        let touches = step.contact.is_some_and(|contact| contact.touches());
+        // What touches a wall, or is held, turns as that lets it.
+        let is_held = touches || (step.speed == 0.0 && !self.is_free());
+        Solved {
+            load,
+            normal_force: step.contact.map_or(0.0, |contact| contact.normal_force),
+            slack,
+            speed: step.speed,
+            fall: (!is_held).then(|| self.torque.fall(step.speed)),
+        }
+    }
+
+    /// Whether no torque acts but that of the wall.
+    fn is_free(&self) -> bool {
+        matches!(self.torque, PortTorque::Free)
+    }
+}
