@@ -45,22 +45,13 @@ pub(crate) enum Turned<S> {
     Pipe(TorqueStep<PipeMotion>),
 }
 
-/// The laws at a port.
-#[derive(Debug)]
-pub(crate) struct PortLaws<'a, B: TorqueLaw, W> {
-    pub(crate) torque: PortTorque<'a, B>,
-    /// The wall, where there is one, and how the port comes to it.
-    pub(crate) wall: Option<(&'a W, LateralLine)>,
-}
-
-/// One step of one port.
+/// How a port turns in a step, under all torques on it.
 #[derive(Debug, Clone)]
-pub(crate) struct PortStep<S> {
-    /// Nothing without a wall.
-    pub(crate) contact: Option<Contact>,
+pub(crate) struct PortTurn<S> {
     /// Rotation speed, rad/s.
     pub(crate) speed: f64,
-    pub(crate) turned: Turned<S>,
+    /// What its own law answered.
+    pub(crate) law: Turned<S>,
 }
 
 impl<S> Turned<S> {
@@ -79,19 +70,6 @@ impl<S> Turned<S> {
             Self::Free => None,
             Self::Bit(step) => Some(step.speed),
             Self::Pipe(step) => Some(step.speed),
-        }
-    }
-}
-
-impl<S> PortStep<S> {
-    /// What all laws do to the string.
-    pub(crate) fn load(&self) -> Load {
-        let (force, torque) = self
-            .contact
-            .map_or(([0.0; 2], 0.0), |contact| (contact.force, contact.torque));
-        Load {
-            force,
-            torque: torque + self.turned.torque(),
         }
     }
 }
@@ -124,27 +102,29 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
             Self::Pipe(law, _) => law.fall(speed.abs()),
         }
     }
-}
 
-impl<B: TorqueLaw, W: WallLaw> PortLaws<'_, B, W> {
-    /// Meets all load lines; a `guess` of the speed (rad/s) saves time.
+    /// Meets the load line where there is no wall; a `guess` of the speed (rad/s) saves time.
     #[inline]
-    pub(crate) fn meet(
+    pub(crate) fn turn(&self, line: LoadLine, guess: f64) -> PortTurn<B::State> {
+        let turned = self.meet(line, guess);
+        PortTurn {
+            speed: turned.speed().unwrap_or(line.free_speed),
+            law: turned,
+        }
+    }
+
+    /// Meets all load lines of a port at a wall; gives what the wall does, too.
+    #[inline]
+    pub(crate) fn turn_at_wall<W: WallLaw>(
         &self,
+        wall: &W,
+        lateral: &LateralLine,
         line: LoadLine,
         guess: f64,
-    ) -> Result<PortStep<B::State>, ContactError> {
-        let turned = |free_speed: f64| self.torque.meet(LoadLine { free_speed, ..line }, guess);
+    ) -> Result<(Contact, PortTurn<B::State>), ContactError> {
+        let turned = |free_speed: f64| self.meet(LoadLine { free_speed, ..line }, guess);
         let speed = |free: f64| turned(free).speed().unwrap_or(free);
-        let Some((wall, lateral)) = &self.wall else {
-            let turned = turned(line.free_speed);
-            return Ok(PortStep {
-                contact: None,
-                speed: turned.speed().unwrap_or(line.free_speed),
-                turned,
-            });
-        };
-        let resistance = self.torque.largest_drop().map(|drop| Resistance {
+        let resistance = self.largest_drop().map(|drop| Resistance {
             speed: &speed,
             jump: line.compliance * drop,
         });
@@ -161,38 +141,34 @@ impl<B: TorqueLaw, W: WallLaw> PortLaws<'_, B, W> {
             sampling: lateral.sampling,
         })?;
         let free_speed = line.free_speed + line.compliance * contact.torque;
-        let turned = turned(free_speed);
-        Ok(PortStep {
-            contact: Some(contact),
-            speed: turned.speed().unwrap_or(free_speed),
-            turned,
-        })
+        let turn = self.turn(LoadLine { free_speed, ..line }, guess);
+        Ok((contact, turn))
     }
 
-    /// What the others have to know of a port that has been solved.
+    /// What the others have to know of a port that has been solved, what its wall does given.
     #[inline]
-    pub(crate) fn solved(&self, step: &PortStep<B::State>) -> Solved {
-        let load = step.load();
-        let slack = match &self.wall {
-            Some((wall, line)) if load == Load::default() && self.is_free() => {
-                line.slack(wall.clearance())
-            }
-            _ => 0.0,
-        };
-        let touches = step.contact.is_some_and(|contact| contact.touches());
+    pub(crate) fn solved(&self, turn: &PortTurn<B::State>, at_wall: Option<&Contact>) -> Solved {
+        let (force, torque, normal_force) = at_wall.map_or(([0.0; 2], 0.0, 0.0), |contact| {
+            (contact.force, contact.torque, contact.normal_force)
+        });
         // What touches a wall, or is held, turns as that lets it.
-        let is_held = touches || (step.speed == 0.0 && !self.is_free());
+        let touches = at_wall.is_some_and(Contact::touches);
+        let is_held = touches || (turn.speed == 0.0 && !self.is_free());
         Solved {
-            load,
-            normal_force: step.contact.map_or(0.0, |contact| contact.normal_force),
-            slack,
-            speed: step.speed,
-            fall: (!is_held).then(|| self.torque.fall(step.speed)),
+            load: Load {
+                force,
+                torque: torque + turn.law.torque(),
+            },
+            normal_force,
+            slack: 0.0,
+            speed: turn.speed,
+            fall: (!is_held).then(|| self.fall(turn.speed)),
         }
     }
 
-    /// Whether no torque acts but that of the wall.
-    fn is_free(&self) -> bool {
-        matches!(self.torque, PortTorque::Free)
+    /// Whether no torque acts but that of a wall.
+    #[inline]
+    pub(crate) fn is_free(&self) -> bool {
+        matches!(self, PortTorque::Free)
     }
 }

@@ -3,7 +3,7 @@
 
 use linear::SteadyMotion;
 
-use crate::coupling::{Coupling, Free, Unloaded};
+use crate::coupling::{Coupling, Free, Load, Unloaded};
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
@@ -12,7 +12,7 @@ use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
 use crate::line::torsion::SurfaceStep;
 use crate::line::{Bending, Past, Torsion, TorsionPast, Within};
-use crate::port::{LateralLine, PortLaws, PortTorque, Turned};
+use crate::port::{LateralLine, PortTorque, Turned};
 use crate::scene::{Lateral, Scene};
 use crate::start::Start;
 use crate::system::System;
@@ -311,17 +311,10 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             turning: free,
         };
         let settled = coupling.settle(free, |port, unloaded: Unloaded| {
-            let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_of[port]?)));
-            let laws = PortLaws {
-                torque: match (&*bit, friction.get(port)) {
-                    (Some((law, at)), _) if *at == port => PortTorque::Bit(*law, &*bit_state),
-                    (_, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
-                    _ => PortTorque::Free,
-                },
-                wall: wall.map(|(lateral, wall)| {
-                    let line = lateral.line(system, wall, unloaded.position);
-                    (&lateral.scene.walls[wall], line)
-                }),
+            let torque = match (&*bit, friction.get(port)) {
+                (Some((law, at)), _) if *at == port => PortTorque::Bit(*law, &*bit_state),
+                (_, Some(Some(law))) => PortTorque::Pipe(law, &rubbed[port]),
+                _ => PortTorque::Free,
             };
             let line = LoadLine {
                 time,
@@ -329,18 +322,33 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 compliance: within.compliance(port),
             };
             let guess = unloaded.guess.unwrap_or(now.speeds[port]);
-            let found = (laws.meet(line, guess)).map_err(|error| {
-                SimulationError::of_contact(error, system.torsion.loaded()[port], time)
-            })?;
-            let solved = laws.solved(&found);
-            if !(found.speed.is_finite() && solved.load.torque.is_finite()) {
+            let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_of[port]?)));
+            let (turn, solved) = match wall {
+                None => {
+                    let turn = torque.turn(line, guess);
+                    let solved = torque.solved(&turn, None);
+                    (turn, solved)
+                }
+                Some((lateral, at)) => {
+                    let wall = &lateral.scene.walls[at];
+                    let lateral_line = lateral.line(system, at, unloaded.position);
+                    let met = torque.turn_at_wall(wall, &lateral_line, line, guess);
+                    let (contact, turn) = met.map_err(|error| {
+                        SimulationError::of_contact(error, system.torsion.loaded()[port], time)
+                    })?;
+                    let mut solved = torque.solved(&turn, Some(&contact));
+                    if solved.load == Load::default() && torque.is_free() {
+                        solved.slack = lateral_line.slack(wall.clearance());
+                    }
+                    now.contacts[at] = contact;
+                    (turn, solved)
+                }
+            };
+            if !(turn.speed.is_finite() && solved.load.torque.is_finite()) {
                 return Err(system.not_finite(port, time));
             }
-            now.speeds[port] = found.speed;
-            if let (Some(contact), Some((_, wall))) = (found.contact, wall) {
-                now.contacts[wall] = contact;
-            }
-            match found.turned {
+            now.speeds[port] = turn.speed;
+            match turn.law {
                 Turned::Free => {}
                 Turned::Bit(bit) => now.bit = Some(bit),
                 Turned::Pipe(pipe) => now.rubbing[port] = pipe.state,

@@ -1,7 +1,7 @@
 //! The ports of a step: where they would be, their loads, and what these are worth to one another.
 
 use super::loads::{Load, Loads};
-use crate::line::{Bending, Torsion, Within};
+use crate::line::{Bending, Chain, Torsion, Within};
 
 /// The loads of all ports that may bear one.
 #[derive(Debug)]
@@ -29,6 +29,8 @@ pub(super) struct Walled<'a> {
     ports: &'a [usize],
     /// The wall of each port, where it has one.
     wall_of: Vec<Option<usize>>,
+    /// Whether that is its own number.
+    is_same: bool,
 }
 
 /// What ports in a row have of a step.
@@ -94,7 +96,16 @@ struct Share {
 impl Walled<'_> {
     /// Whether every port has a wall.
     pub(super) fn all(&self) -> bool {
-        self.ports.len() == self.wall_of.len()
+        self.is_same
+    }
+
+    /// The wall of a port, where it has one.
+    #[inline]
+    fn at(&self, port: usize) -> Option<usize> {
+        match self.is_same {
+            true => Some(port),
+            false => self.wall_of[port],
+        }
     }
 }
 
@@ -115,6 +126,7 @@ impl<'a> Coupling<'a> {
             Walled {
                 bending,
                 ports: walls,
+                is_same: walls.iter().copied().eq(0..count),
                 wall_of,
             }
         });
@@ -173,51 +185,53 @@ impl<'a> Coupling<'a> {
     #[inline]
     pub(super) fn bends(&self, port: usize, other: usize) -> f64 {
         let walls = self.walls.as_ref();
-        walls.map_or(0.0, |walls| {
-            match (walls.wall_of[port], walls.wall_of[other]) {
-                (Some(wall), Some(other)) => walls.bending.instant(wall, other),
-                _ => 0.0,
-            }
+        walls.map_or(0.0, |walls| match (walls.at(port), walls.at(other)) {
+            (Some(wall), Some(other)) => walls.bending.instant(wall, other),
+            _ => 0.0,
         })
     }
 
     /// Whether a port has a wall.
     #[inline]
     pub(super) fn has_wall(&self, port: usize) -> bool {
-        (self.walls.as_ref()).is_some_and(|walls| walls.wall_of[port].is_some())
+        (self.walls.as_ref()).is_some_and(|walls| walls.at(port).is_some())
     }
 
     /// Where the loads of all others bring a port.
     #[inline]
     pub(super) fn unloaded(&self, port: usize, free: Free) -> Unloaded {
-        let walls = self.walls.as_ref();
-        let wall = walls.and_then(|walls| walls.wall_of[port]);
-        let mut position = wall.map_or([0.0; 2], |wall| {
-            let walls = free.positions.len() / 2;
-            [0, 1].map(|axis| free.positions[axis * walls + wall])
-        });
-        let torsion = match self.within {
-            Within::All(torsion) => Some(torsion),
-            Within::Chain(_) => None,
-        };
-        let mut speed = free.turning[port];
-        if torsion.is_some() || wall.is_some() {
-            for (other, load) in self.loads.besides(port) {
-                if wall.is_some() {
-                    let compliance = self.bends(port, other);
-                    for (position, force) in position.iter_mut().zip(load.force) {
-                        *position += compliance * force;
-                    }
+        let mut position = [0.0; 2];
+        let wall = (self.walls.as_ref()).and_then(|walls| Some((walls, walls.at(port)?)));
+        if let Some((walls, wall)) = wall {
+            position = [0, 1].map(|axis| free.positions[axis * walls.ports.len() + wall]);
+        }
+        let (mut speed, guess) = match self.within {
+            Within::All(_) => (free.turning[port], None),
+            Within::Chain(chain) => {
+                let speed = self.driven(chain, port, free) / chain.own[port];
+                let guess = Some(self.row.speeds[port]);
+                if wall.is_none() {
+                    return Unloaded {
+                        position,
+                        speed,
+                        guess,
+                    };
                 }
-                if let Some(torsion) = torsion {
-                    speed += torsion.instant(port, other) * load.torque;
+                (speed, guess)
+            }
+        };
+        for (other, load) in self.loads.besides(port) {
+            if let Some((walls, wall)) = wall
+                && let Some(other) = walls.at(other)
+            {
+                let compliance = walls.bending.instant(wall, other);
+                for (position, force) in position.iter_mut().zip(load.force) {
+                    *position += compliance * force;
                 }
             }
-        }
-        let mut guess = None;
-        if let Within::Chain(chain) = self.within {
-            let left = speed - chain.taken_by_neighbours(port, &self.row.speeds);
-            (speed, guess) = (left / chain.own[port], Some(self.row.speeds[port]));
+            if let Within::All(torsion) = self.within {
+                speed += torsion.instant(port, other) * load.torque;
+            }
         }
         Unloaded {
             position,
@@ -226,15 +240,10 @@ impl<'a> Coupling<'a> {
         }
     }
 
-    /// What drives a port in a row under the speeds of its neighbours, N m; zero of others.
+    /// What drives a port in a row under the speeds of its neighbours, N m.
     #[inline]
-    pub(super) fn driven(&self, port: usize, free: Free) -> f64 {
-        match self.within {
-            Within::All(_) => 0.0,
-            Within::Chain(chain) => {
-                free.turning[port] - chain.taken_by_neighbours(port, &self.row.speeds)
-            }
-        }
+    pub(super) fn driven(&self, chain: &Chain, port: usize, free: Free) -> f64 {
+        free.turning[port] - chain.taken_by_neighbours(port, &self.row.speeds)
     }
 
     /// The load of a port that has been solved, and what it changes for the others.

@@ -44,7 +44,6 @@ impl Coupling<'_> {
             return Ok(true);
         }
         self.pending.fill(f64::INFINITY);
-        self.row.solved_for.fill(f64::INFINITY);
         let driving = COUPLING_TOLERANCE * self.largest_driving(free);
         let most_turns = match self.within {
             Within::All(_) => MOST_TURNS,
@@ -52,8 +51,7 @@ impl Coupling<'_> {
         };
         for turn in 0..most_turns {
             let matters = self.matters(driving);
-            let mut ports = 0..self.pending.len();
-            if !ports.any(|port| self.is_open(port, free, &matters)) {
+            if !self.any_is_open(free, &matters) {
                 // The others are told what has become of those that touch.
                 for port in 0..self.pending.len() {
                     if self.pending[port] > self.matters_at(port, &matters) {
@@ -103,7 +101,7 @@ impl Coupling<'_> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn matters_at(&self, port: usize, matters: &Matters) -> f64 {
         match self.has_wall(port) {
             true => matters.force,
@@ -111,16 +109,31 @@ impl Coupling<'_> {
         }
     }
 
+    /// Whether some port has to be solved again.
+    #[inline(always)]
+    fn any_is_open(&self, free: Free, matters: &Matters) -> bool {
+        let mut ports = 0..self.pending.len();
+        ports.any(|port| self.is_open(port, free, matters))
+    }
+
     /// Whether a port has to be solved again.
-    #[inline]
+    #[inline(always)]
     fn is_open(&self, port: usize, free: Free, matters: &Matters) -> bool {
-        if self.pending[port] > self.slack[port].max(self.matters_at(port, matters)) {
-            return true;
+        let matters_here = self.matters_at(port, matters);
+        let by_load = self.pending[port] > self.slack[port].max(matters_here);
+        by_load || self.is_driven_anew(port, free, matters.driving)
+    }
+
+    /// Whether what drives a port in a row has changed since it was solved.
+    #[inline(always)]
+    fn is_driven_anew(&self, port: usize, free: Free, matters: f64) -> bool {
+        match self.within {
+            Within::All(_) => false,
+            Within::Chain(chain) => {
+                let change = self.driven(chain, port, free) - self.row.solved_for[port];
+                change.abs() > matters
+            }
         }
-        let Some(solved_for) = self.row.solved_for.get(port) else {
-            return false;
-        };
-        (self.driven(port, free) - solved_for).abs() > matters.driving
     }
 
     #[inline]
@@ -130,13 +143,12 @@ impl Coupling<'_> {
         free: Free,
         solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
     ) -> Result<(), E> {
-        let driven = self.driven(port, free);
         let solved = solve(port, self.unloaded(port, free))?;
         self.normal_forces[port] = solved.normal_force;
         self.slack[port] = solved.slack;
         self.replace(port, solved.load);
-        if let Within::Chain(_) = self.within {
-            self.row.solved_for[port] = driven;
+        if let Within::Chain(chain) = self.within {
+            self.row.solved_for[port] = self.driven(chain, port, free);
             self.row.speeds[port] = solved.speed;
             self.row.falls[port] = solved.fall;
         }
