@@ -4,6 +4,7 @@ mod energy;
 mod falling_friction;
 mod forward_whirl;
 mod held;
+mod lines;
 mod many_sites;
 mod own_law;
 mod pieces;
