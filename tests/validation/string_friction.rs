@@ -186,6 +186,63 @@ fn a_sweep_over_friction_has_what_turning_takes() {
     assert_eq!(again, table);
 }
 
+/// A bit that cuts below a drive, on a string that rubs along its well and whirls at a wall: by waves
+/// between all pieces, by pieces one after the other and by pieces of elements, which share no
+/// code that steps a string.
+#[test]
+fn friction_a_wall_a_bit_and_a_drive_go_together_by_three_methods() {
+    let sweep = SWEEP
+        .replace("time_s = 20", "time_s = 60")
+        .replace("sampling_frequency_hz = 40", "sampling_frequency_hz = 200")
+        .replace("[\"quadrature\",", "[\"held\", \"quadrature\",")
+        .replace(
+            "_rad_m = 0.05\n[[",
+            "_rad_m = 0.2\nbending = { youngs_modulus_gpa = 210, damping_ns_m2 = 200 }\n[[",
+        )
+        .replace("pieces = 8", "pieces = 4\nstatic_coefficient = 0.2")
+        .replace(
+            "[mud]\ndensity_ppg = 10\n",
+            "[top_drive]\ninertia_kg_m2 = 2900\ncontroller = \"stiff\"\n\
+             [bit]\ntorque_static_ratio = 1.6\n\
+             [wall]\nclearance_mm = 30\nfriction = 0.8\nstiffness_gn_m15 = 1\n\
+             [[sites]]\ndistance_from_bit_m = 20\n[[sites]]\ndistance_from_bit_m = 0\n\
+             [[impulses]]\ndistance_from_bit_m = 20\namount_ns = 1000\nduration_s = 0.05\nstart_s = 12\n",
+        );
+    let design =
+        "surface_speed_rpm = { values = [15, 150] }\ntorque_dynamic_nm = { values = [6000] }\n";
+    let (setting, _) = sweep.split_once("string_friction = {").unwrap();
+    let table = place_of(&format!("{setting}{design}"), &[]);
+    let rows = rows(&table);
+    assert_eq!(rows.len(), 6);
+    let text = |row: &[(String, String)], column: &str| {
+        let cell = row.iter().find(|(name, _)| name == column);
+        cell.unwrap().1.clone()
+    };
+    for of_case in rows.chunks(3) {
+        for row in &of_case[1..] {
+            for column in ["torsion", "lateral"] {
+                assert_eq!(text(row, column), text(&of_case[0], column), "{column}");
+            }
+            for (column, tolerance) in [
+                ("first_slip_s", 0.1),
+                ("first_contact_s", 0.01),
+                ("surface_torque_mean_nm", 0.05),
+            ] {
+                let [one, other] = [row, &of_case[0]].map(|row| number(row, column));
+                let off = (one / other - 1.0).abs();
+                assert!(off < tolerance, "{column}: {one} {other}");
+            }
+        }
+    }
+    let labels: Vec<String> = rows
+        .iter()
+        .step_by(3)
+        .map(|row| text(row, "torsion"))
+        .collect();
+    assert_eq!(labels, ["stick_slip", "smooth"]);
+    assert_ne!(text(&rows[3], "lateral"), "no_contact");
+}
+
 fn place_of(sweep: &str, more: &[&str]) -> String {
     let place = place(sweep);
     let output = run(&place, more);
@@ -353,11 +410,6 @@ fn what_is_wrong_is_refused_with_its_place() {
             "`well.survey`: the survey ends at 2743",
         ),
         (
-            with("\"quadrature\"", "\"held\""),
-            "",
-            "sweep.toml:5: `methods[0]`: friction along",
-        ),
-        (
             with("density_ppg = 10", "density_ppg = 80"),
             "",
             "`mud.density_ppg`: ",
@@ -401,18 +453,11 @@ fn what_is_wrong_is_refused_with_its_place() {
             "`mud`: what moves with a string that bends",
         ),
         (
-            with("[mud]\ndensity_ppg = 10\n", "")
-                .replace(
-                    "_rad_m = 0.05",
-                    "_rad_m = 0.05\nbending = { youngs_modulus_gpa = 210, damping_ns_m2 = 9 }",
-                )
-                .replace(
-                    "[string_friction]\n",
-                    "[wall]\nclearance_mm = 9\nfriction = 1\n[[sites]]\n\
-                     distance_from_bit_m = 0\n[string_friction]\n",
-                ),
+            with("pieces = 8", "pieces = 8\ntorque_along_string = true")
+                .replace("\"quadrature\", ", "\"held\", "),
             "",
-            "`wall`: lateral motion and friction along the string",
+            "sweep.toml:21: `string_friction.torque_along_string`: the torque along the string is \
+             followed where that is in pieces",
         ),
         (
             SWEEP.to_owned(),

@@ -85,8 +85,18 @@ const PAST: f64 = 4.0;
 const OF_PIECE: f64 = 3.0;
 const SET: f64 = 8.0;
 
-/// What a [`crate::CascadeSimulator`] of so many nodes keeps, of responses of so many taps, for so
-/// many steps.
+/// What a simulator takes of a string that rubs at a number of nodes, each of which feels every
+/// other by responses of a number of taps; and what a case takes that is stepped against it.
+pub fn rubbing(nodes: usize, taps: f64, steps: f64) -> (Memory, f64) {
+    let from_surface = REAL * nodes as f64 * taps;
+    let shares = 3.0 * REAL * (nodes * nodes) as f64;
+    let kept = from_surface + kernels_memory(nodes, taps) + shares;
+    let case = convolution_memory(nodes, 1, taps, steps) + shares + REAL * WATCH * steps;
+    (Memory::lasting(kept), case)
+}
+
+/// What [`crate::Simulator::in_pieces`] keeps of a number of nodes, of responses of a number of
+/// taps, for a number of steps.
 pub fn cascade(nodes: usize, taps: f64, steps: f64) -> f64 {
     REAL * (OF_PIECE * (nodes + 2) as f64 * taps + SET * steps)
 }

@@ -3,12 +3,11 @@
 use linear::{Cascade, Responses, SteppedString};
 
 use crate::error::SimulationError;
-use crate::laws::bit::BitMotion;
 use crate::outcome::{Ended, Label, Outcome, Stopping};
 use crate::scene::{Lateral, Scene};
 use crate::shortcuts::{BitAlone, pass_free_block};
 use crate::start::Start;
-use crate::stepper::{Step, Stepper};
+use crate::stepper::Stepper;
 use crate::surface::SurfaceProfile;
 use crate::system::System;
 use crate::trajectory::Trajectory;
@@ -241,10 +240,7 @@ impl Watch {
 impl Case<'_> {
     /// Steps to the end, or until the rest is certain or settled; `each` sees every step
     /// that is stepped.
-    fn step_through(
-        &mut self,
-        mut each: impl FnMut(&Step<BitMotion>),
-    ) -> Result<End, SimulationError> {
+    fn step_through(&mut self, mut each: impl FnMut(&Stepper)) -> Result<End, SimulationError> {
         let mut end = End {
             ended: Ended::End,
             last: self.stepper.steps() - 1,
@@ -264,7 +260,7 @@ impl Case<'_> {
                 break;
             }
             self.watch.see(&self.stepper);
-            each(self.stepper.now());
+            each(&self.stepper);
             last = self.stepper.next_step();
             if self.stopping == Stopping::Full {
                 continue;
@@ -296,7 +292,7 @@ impl Case<'_> {
         // Cases that begin with a steady motion leave none out.
         let held = (self.alone).map(|alone| &alone.stuck_torque()[..slip]);
         record.begin(self.system, self.scene, held.unwrap_or_default());
-        let end = self.step_through(|now| record.push(now))?;
+        let end = self.step_through(|stepper| record.push(stepper))?;
         record.finish(self.system, self.scene, &self.stepper);
         Ok(end)
     }

@@ -430,6 +430,11 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         torques.into_iter().flatten()
     }
 
+    /// What acted on each port in the last step.
+    pub(crate) fn loads(&self) -> &[Load] {
+        self.coupling.loads()
+    }
+
     /// What the last step was.
     pub(crate) fn now(&self) -> &Step<B::State> {
         &self.now

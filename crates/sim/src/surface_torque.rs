@@ -82,9 +82,14 @@ impl SurfaceTorque {
                 loads.map(|(step, load)| load - before(step)).collect(),
             )
         });
-        let at_walls =
-            (motion.wall_torques.iter().enumerate()).map(|(site, loads)| (site, loads.clone()));
-        for (site, loads) in at_bit.into_iter().chain(at_walls) {
+        // Where the string rubs along its well all torques on it are known, site by site.
+        let rubs = !motion.site_torques.is_empty();
+        let at_sites = match rubs {
+            true => &motion.site_torques,
+            false => &motion.wall_torques,
+        };
+        let at_sites = at_sites.iter().cloned().enumerate();
+        for (site, loads) in at_bit.filter(|_| !rubs).into_iter().chain(at_sites) {
             let loads: Vec<f64> = loads;
             let come_up = convolved(&self.from_sites[site], &loads);
             for (torque, from_below) in torques.iter_mut().zip(come_up) {

@@ -1,9 +1,8 @@
 //! The time history of one case, kept only where it is asked for.
 
-use crate::laws::bit::BitMotion;
 use crate::laws::contact::Touch;
 use crate::scene::Scene;
-use crate::stepper::{Step, Stepper};
+use crate::stepper::Stepper;
 use crate::system::System;
 
 /// One entry a step; sites from the surface down.
@@ -19,6 +18,9 @@ pub struct Trajectory {
     /// Torque with which the surface is turned, below a top drive that of its motor, N m; empty
     /// unless it is asked for ([`crate::SurfaceTorque`]).
     pub surface_torque: Vec<f64>,
+    /// Torque of all laws on each site that one may act on, N m; empty unless the string rubs along
+    /// its well.
+    pub site_torques: Vec<Vec<f64>>,
     /// Speed of the surface, rad/s; empty where it is not followed.
     pub surface_speed: Vec<f64>,
     /// Position of each site's centre, m; empty without lateral motion.
@@ -50,6 +52,7 @@ impl Trajectory {
             speeds: vec![vec![0.0; held.len()]; system.torsion.loaded().len()],
             bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
             surface_torque: Vec::new(),
+            site_torques: vec![Vec::new(); scene.friction.len()],
             surface_speed: Vec::new(),
             positions: vec![Vec::new(); walls],
             wall_forces: vec![Vec::new(); walls],
@@ -60,7 +63,11 @@ impl Trajectory {
         };
     }
 
-    pub(crate) fn push(&mut self, now: &Step<BitMotion>) {
+    pub(crate) fn push(&mut self, stepper: &Stepper) {
+        let now = stepper.now();
+        for (torques, load) in self.site_torques.iter_mut().zip(stepper.loads()) {
+            torques.push(load.torque);
+        }
         for (speeds, speed) in self.speeds.iter_mut().zip(&now.speeds) {
             speeds.push(*speed);
         }

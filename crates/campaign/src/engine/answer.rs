@@ -24,7 +24,8 @@ pub fn answer(
         return find_sites(system, finding, case, method, options, sweep);
     }
     // What is measured of a motion, or held against a recording, is followed to the end.
-    let mut motion = sweep.keeps_motion().then(Trajectory::default);
+    let is_kept = sweep.keeps_motion() || system.needs_motion();
+    let mut motion = is_kept.then(Trajectory::default);
     let mut record = system.follow(case, method, options, sweep, motion.as_mut());
     if record.outcome.is_ok() {
         certify(system, case, options, sweep, &mut record);

@@ -58,15 +58,7 @@ impl Case {
                 (Some(torque), Some(conditions.torques(torque)))
             }
         };
-        let friction = match &setting.friction {
-            None => Vec::new(),
-            Some(friction) => {
-                let coefficient = conditions.string_friction;
-                let coefficient =
-                    coefficient.ok_or(CaseError::Missing("friction of the string"))?;
-                friction.at_nodes(conditions, coefficient)
-            }
-        };
+        let friction = friction_along(setting, conditions)?;
         let all = together(bit, &friction);
         let start = sweep.starts.first(setting, surface_speed, bit.as_ref());
         let mut timing = all.map_or(BY_DEFAULT, |all| {
@@ -112,6 +104,7 @@ impl Case {
         let lateral = lateral.map(|settings| lateral_scene(settings, &self.conditions));
         let mut case = self.clone();
         case.scene.lateral = lateral.transpose()?;
+        case.scene.friction = friction_along(setting, &self.conditions)?;
         Ok(case)
     }
 
@@ -132,6 +125,19 @@ impl Case {
             ..self.clone()
         })
     }
+}
+
+/// The friction of each node of a string that rubs along its well.
+fn friction_along(
+    setting: &Setting,
+    conditions: &Conditions,
+) -> Result<Vec<Option<PipeFriction>>, CaseError> {
+    let Some(friction) = &setting.friction else {
+        return Ok(Vec::new());
+    };
+    let coefficient = conditions.string_friction;
+    let coefficient = coefficient.ok_or(CaseError::Missing("friction of the string"))?;
+    Ok(friction.at_nodes(conditions, coefficient))
 }
 
 /// All torques of a string as one at its bit, where there are any: there they take longest to

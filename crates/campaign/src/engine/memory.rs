@@ -8,9 +8,10 @@ use sim::cost::Taps;
 
 use super::finding::most_sites;
 use super::finer::finer_frequency;
+use super::rubbing;
 use super::stepped::{looked_at, stepped_by};
 use super::systems::request;
-use crate::plan::{Setting, Sweep};
+use crate::plan::{Setting, StringFriction, Sweep};
 
 /// Memory of one string by all methods, bytes: upper bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -65,6 +66,7 @@ impl StringMemory {
             bending: built.bending_taps,
         };
         let loads = match &setting.lateral {
+            _ if setting.friction.is_some() => 0,
             Some(_) => sites,
             None => usize::from(cuts),
         };
@@ -80,13 +82,12 @@ impl StringMemory {
         let mut recorded = sites;
         if let Some(friction) = &setting.friction {
             recorded = friction.nodes.len();
-            let (frequency, nodes) = (setting.sampling_frequency, &friction.nodes);
-            let (taps, built) = cost::cascade(&setting.string, nodes, frequency, longest_time);
-            let kept = sim::cost::cascade(recorded, taps, steps);
-            systems = systems
-                .then(passing(built.peak + kept))
-                .then(Memory::lasting(kept));
-            case = case.max(sim::cost::cascade_case(recorded, taps, steps));
+            let (added, of_case) = of_friction(setting, friction, method, longest_time);
+            systems = systems.then(added);
+            case += of_case;
+            if !rubbing::is_in_pieces(method) {
+                case += sim::cost::trajectory(2 * recorded, setting.lateral.is_some(), steps);
+            }
         }
         Self {
             systems,
@@ -145,6 +146,31 @@ impl StringMemory {
         }
         self
     }
+}
+
+/// What friction along the string takes, and a case of it, bytes.
+fn of_friction(
+    setting: &Setting,
+    friction: &StringFriction,
+    method: &Method,
+    longest_time: f64,
+) -> (Memory, f64) {
+    let (frequency, nodes) = (setting.sampling_frequency, friction.nodes.len());
+    let steps = sim::cost::steps(longest_time, frequency);
+    if rubbing::is_in_pieces(method) {
+        let (taps, built) =
+            cost::cascade(&setting.string, &friction.nodes, frequency, longest_time);
+        let kept = sim::cost::cascade(nodes, taps, steps);
+        let built = passing(built.peak + kept).then(Memory::lasting(kept));
+        return (built, sim::cost::cascade_case(nodes, taps, steps));
+    }
+    let request = rubbing::request(setting, friction, longest_time);
+    let built = cost::responses(&setting.string, method, &request);
+    let (prepared, case) = sim::cost::rubbing(nodes, built.torsion_taps, steps);
+    let surface = sim::cost::surface_torque(nodes, built.torsion_taps);
+    let finding = sim::cost::surface_torque_of(built.torsion_taps, steps);
+    let memory = built.memory.then(prepared).then(Memory::lasting(surface));
+    (memory, case + finding)
 }
 
 /// A setting with as many sites as may be found, where they are looked for, wherever they are.

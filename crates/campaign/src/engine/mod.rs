@@ -18,6 +18,7 @@ mod limit;
 mod memory;
 mod nearby;
 mod record;
+mod rubbing;
 mod run_options;
 mod shard;
 mod simulation;

@@ -22,7 +22,9 @@ pub fn stepped_by<'a>(
     let lateral = setting.lateral.as_ref()?;
     // Sites that are found are other ones in every case, whose taps none would use again.
     let are_many = setting.sites.len() > MOST_BY_TAPS || lateral.finding.is_some();
-    let is_stepped = are_many && setting.string.top_drive().is_none();
+    // A string that rubs is stepped in pieces, and bends by taps.
+    let is_in_pieces = setting.friction.is_some();
+    let is_stepped = are_many && !is_in_pieces && setting.string.top_drive().is_none();
     is_stepped.then_some((lateral, *parameters))
 }
 

@@ -151,13 +151,19 @@ impl MethodSystem {
     /// Speeds of all sites, rad/s, in a motion of which the torque on the bit is known;
     /// where lateral motion is modelled, every site has been simulated, and `None`.
     pub fn driven_speeds(&self, case: &Case, motion: &Trajectory) -> Option<Vec<Vec<f64>>> {
-        if self.responses.bending().is_some() {
+        if self.responses.bending().is_some() || self.setting.friction.is_some() {
             return None;
         }
         let steps = motion.speeds.first().map_or(0, Vec::len);
         let (system, speed) = (self.simulator.system(), case.scene.surface_speed);
         let start = case.start_of(&self.setting);
         system.driven_speeds(speed, &start, &motion.bit_torque, steps)
+    }
+
+    /// Whether what is measured of a case follows from its motion: the torque that turns a string
+    /// which rubs along its well, where it is not in pieces.
+    pub(super) fn needs_motion(&self) -> bool {
+        self.setting.friction.is_some() && self.surface_torque.is_some()
     }
 
     /// Makes the torque known that turns the surface, so that motions have it.
@@ -267,17 +273,17 @@ impl MethodSystem {
             Ok::<_, SimulationError>(outcome)
         }));
         let friction = self.setting.friction.as_ref();
-        let sites = friction.map_or(&self.setting.sites, |friction| &friction.nodes);
-        let distances = sites.distances_from_bit();
+        let walls = self.setting.sites.distances_from_bit();
+        let ports = friction.map_or(walls, |friction| friction.nodes.distances_from_bit());
         let mut record = failed(CaseError::Panicked);
         record.torque_dynamic_nm = case.torque_dynamic_nm;
         record.by_start = by_start;
         if let Ok(simulated) = simulated {
             let lateral = simulated.as_ref().ok().and_then(|outcome| outcome.lateral);
-            record.site_from_bit_m = lateral.map(|lateral| distances[lateral.site]);
+            record.site_from_bit_m = lateral.map(|lateral| walls[lateral.site]);
             record.outcome = simulated.map_err(|error| {
                 let site = error.site();
-                let site = site.and_then(|site| Some((site, *distances.get(site)?)));
+                let site = site.and_then(|site| Some((site, *ports.get(site)?)));
                 Failure::new(CaseError::Simulation { error, site })
             });
             if record.outcome.is_ok() {
@@ -285,7 +291,7 @@ impl MethodSystem {
             }
             if let (Ok(outcome), Some(motion)) = (&mut record.outcome, motion) {
                 self.add_surface_torque(case, motion);
-                let is_measured = sweep.measures_surface_torque();
+                let is_measured = sweep.measures_surface_torque() || self.needs_motion();
                 if let Some(torque) = self.surface_torque.as_ref().filter(|_| is_measured) {
                     let window = case.scene.timing.closing_window;
                     outcome.surface = Some(torque.measures(&motion.surface_torque, window));

@@ -68,14 +68,15 @@ pub(super) fn by_rule(string: &Drillstring, needs: &Needs) -> f64 {
 
 /// Steps per travel time by the rule.
 fn steps(string: &Drillstring, needs: &Needs) -> f64 {
-    if let Some(friction) = needs.friction {
-        return STEPS_WITH_FRICTION.max(STEPS_OF_PIECE * friction.pieces() as f64);
-    }
     let of_wall = needs.lateral.map(|lateral| {
         let shortest = lateral.impulses.iter().map(|impulse| impulse.duration);
         let of_impulse = SAMPLES_OF_IMPULSE / shortest.fold(f64::INFINITY, f64::min);
         sampling::steps_at(string, WITH_WALL.max(of_impulse))
     });
+    if let Some(friction) = needs.friction {
+        let of_pieces = STEPS_WITH_FRICTION.max(STEPS_OF_PIECE * friction.pieces() as f64);
+        return of_pieces.max(of_wall.unwrap_or_default());
+    }
     if needs.cuts {
         // A string whose lattice does not fit in memory damps its fronts away.
         let of_fronts = Steps::for_fronts(string).map_or(FEWEST_STEPS, |steps| steps.per_travel);

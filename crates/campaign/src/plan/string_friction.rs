@@ -190,26 +190,23 @@ fn weights_on_bit(conditions: &Conditions, design: &Design) -> Vec<f64> {
     (0..WEIGHTS).map(weight).collect()
 }
 
-/// What is not stepped together with friction along the string.
+/// What is not known together with friction along the string.
 fn refuse_others(source: &Source, content: &FileContent) -> Result<(), SweepFileError> {
-    let message = "lateral motion and friction along the string are not simulated together";
-    source.refuse_if(content.wall.is_some(), "wall", message)?;
     let message = "no accuracy is promised with friction along the string: leave it out";
     source.refuse_if(content.accuracy.is_some(), "accuracy", message)?;
-    for (index, method) in content.methods.iter().enumerate() {
-        let is_able = matches!(method, MethodName::Quadrature | MethodName::FiniteElement);
+    let follows = content.string_friction.as_ref();
+    if !follows.is_some_and(|table| table.torque_along_string) {
+        return Ok(());
+    }
+    for method in &content.methods {
+        let is_in_pieces = matches!(method, MethodName::Quadrature | MethodName::FiniteElement);
+        let key = "string_friction.torque_along_string";
         let message = format!(
-            "friction along the string is stepped by quadrature or finite-element, not by {}: \
-             give `methods`",
+            "the torque along the string is followed where that is in pieces, by quadrature or \
+             finite-element, and not by {}: leave one of both out",
             method.name()
         );
-        let given = source.gives("methods");
-        let key = if given {
-            format!("methods[{index}]")
-        } else {
-            "string_friction".to_owned()
-        };
-        source.refuse_if(!is_able, &key, message)?;
+        source.refuse_if(!is_in_pieces, key, message)?;
     }
     Ok(())
 }

@@ -3,14 +3,15 @@
 use anyhow::{Context, Result, bail};
 use linear::estimates::largest_undershoot;
 use linear::{
-    BuildError, Cascade, ChannelRequest, Drillstring, Earlier, ImpulseTrains, Method, Request,
-    Responses, parallel, responses, responses_after, responses_with,
+    BuildError, ChannelRequest, Drillstring, Earlier, ImpulseTrains, Method, Request, Responses,
+    parallel, responses, responses_after, responses_with,
 };
 use sim::excitation::reach_of_impulse;
 use sim::{Sampling, Simulator};
 
 use super::MethodSystem;
 use crate::engine::finer::finer_frequency;
+use crate::engine::rubbing;
 use crate::engine::stepped::{self, stepped_by};
 use crate::engine::stopwatch::Stopwatch;
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
@@ -158,17 +159,14 @@ impl MethodSystem {
             return Self::with(setting, responses, simulator, start);
         }
         let (string, request) = (&setting.string, request(setting, cuts, longest_time));
-        let system = Self::of(setting, responses(string, &method, &request)?, start)?;
+        let responses = responses(string, &method, &request)?;
         let Some(friction) = &setting.friction else {
-            return Ok(system);
+            return Self::of(setting, responses, start);
         };
-        let frequency = setting.sampling_frequency;
-        let cascade = Cascade::new(string, &method, &friction.nodes, frequency, longest_time)?;
-        let simulator = Simulator::in_pieces(&cascade, &setting.profile, setting.rotor_inertia)?;
+        let (simulator, surface) = rubbing::build(setting, friction, longest_time, &responses)?;
         Ok(Self {
-            build_seconds: start.seconds(),
-            simulator: simulator.following_torque(friction.follows_torque),
-            ..system
+            surface_torque: surface,
+            ..Self::with(setting, responses, simulator, start)?
         })
     }
 
@@ -233,10 +231,11 @@ impl MethodSystem {
 pub(in crate::engine) fn request(setting: &Setting, cuts: bool, longest_time: f64) -> Request {
     let sites = setting.sites.len();
     let torques = match &setting.lateral {
+        // Where the string rubs along its well, torques act on its nodes.
+        _ if setting.friction.is_some() => Vec::new(),
         // Friction turns the string wherever it touches the wall.
         Some(_) => (0..sites).collect(),
-        // Where the string rubs, torques act on its pieces.
-        None if cuts && setting.friction.is_none() => vec![sites - 1],
+        None if cuts => vec![sites - 1],
         None => Vec::new(),
     };
     let in_bending = (setting.lateral.as_ref()).map(|lateral| ChannelRequest::Bending {
