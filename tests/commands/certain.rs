@@ -159,8 +159,8 @@ fn certificates_are_what_a_run_in_shorter_steps_says() {
 /// says of nearby speeds is what the rows of these say.
 #[test]
 fn a_label_that_changes_at_nearby_speeds_is_not_certain() {
-    const FRACTIONS: [f64; 11] = [
-        1.0, 0.9, 0.93, 0.95, 0.97, 0.985, 1.015, 1.03, 1.05, 1.07, 1.1,
+    const FRACTIONS: [f64; 15] = [
+        1.0, 0.9, 0.93, 0.95, 0.97, 0.98, 0.99, 0.995, 1.005, 1.01, 1.02, 1.03, 1.05, 1.07, 1.1,
     ];
     const CENTRES: usize = 12;
     let speeds = (0..CENTRES).flat_map(|centre| {

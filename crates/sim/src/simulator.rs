@@ -15,7 +15,8 @@ use crate::watch::along::StringTorqueWatch;
 use crate::watch::lateral::WallWatch;
 use crate::watch::rules::Rules;
 use crate::watch::settling::Settling;
-use crate::watch::surface::SurfaceWatch;
+use crate::watch::rubbing::RubbingWatch;
+use crate::watch::surface::SurfaceMeasures;
 use crate::watch::torsion::{BitWatch, TorsionMeasures, TorsionRegime};
 
 /// A linear system with what is known of all its cases.
@@ -162,7 +163,9 @@ struct Watch {
     /// The lowest port that a law acts on, where that is not the bit.
     rubs_at: Option<usize>,
     walls: Option<(WallWatch, Settling)>,
-    surface: Option<SurfaceWatch>,
+    rubbing: Option<RubbingWatch>,
+    /// What turned the surface in each step, N m.
+    surface: Option<Vec<f64>>,
     along: Option<StringTorqueWatch>,
 }
 
@@ -204,7 +207,12 @@ impl Watch {
             bit,
             rubs_at: lowest.filter(|_| scene.bit.is_none()),
             walls,
-            surface: is_in_pieces.then(|| SurfaceWatch::new(sampling, steps, window)),
+            rubbing: (!scene.friction.is_empty() && scene.lateral.is_none()).then(|| {
+                let steady_from = system.torsion.steady_from(rules.settling_tolerance);
+                let window = (window * sampling.frequency).round() as usize;
+                RubbingWatch::new(rules, scene.surface_speed, steady_from, window)
+            }),
+            surface: is_in_pieces.then(|| Vec::with_capacity(steps)),
             along: (is_in_pieces && follows_torque).then(StringTorqueWatch::default),
         }
     }
@@ -224,7 +232,10 @@ impl Watch {
             watch.see(&now.contacts);
         }
         if let (Some(watch), Some(surface)) = (&mut self.surface, now.surface) {
-            watch.see(surface.torque);
+            watch.push(surface.torque);
+        }
+        if let (Some(watch), Some(bit)) = (&mut self.rubbing, &self.bit) {
+            watch.see(&now.speeds, stepper.is_any_stuck(), bit);
         }
         if let Some(watch) = &mut self.along {
             watch.see(stepper.string_torques());
@@ -273,7 +284,7 @@ impl Case<'_> {
                 && let Some(label) = self.settles()
             {
                 if self.stopping == Stopping::Early {
-                    self.take_as_settled();
+                    self.take_as_settled(label);
                     (end.ended, end.last, end.settled) = (Ended::Settled, last - 1, true);
                     return Ok(end);
                 }
@@ -333,6 +344,9 @@ impl Case<'_> {
                 .repeats(&self.scene.start, self.stepper.next_step(), watch)
                 .then_some(Label::Torsion(TorsionRegime::StickSlip));
         }
+        if let (Some(rubbing), Some(bit)) = (&self.watch.rubbing, &self.watch.bit) {
+            return rubbing.settled(bit).map(Label::Torsion);
+        }
         let (lateral, step) = (self.scene.lateral.as_ref()?, self.stepper.next_step());
         let turns = self.scene.bit.is_some() || !self.scene.friction.is_empty();
         if turns || !is_left_alone(lateral, self.system.sampling.start_of(step)) {
@@ -344,9 +358,14 @@ impl Case<'_> {
     }
 
     /// The rest of the time as what has settled goes on.
-    fn take_as_settled(&mut self) {
-        if let (Some(_), Some(watch)) = (self.alone, &mut self.watch.bit) {
-            watch.repeat_last_cycle();
+    fn take_as_settled(&mut self, label: Label) {
+        let Some(watch) = &mut self.watch.bit else {
+            return;
+        };
+        match label {
+            Label::Torsion(TorsionRegime::StickSlip) => watch.repeat_last_cycle(),
+            Label::Torsion(_) => watch.turn_on(&[self.scene.surface_speed]),
+            Label::Lateral(_) => {}
         }
     }
 
@@ -373,7 +392,10 @@ impl Case<'_> {
             ended: end.ended,
             predicted: end.predicted,
             torsion: self.torsion(),
-            surface: self.watch.surface.as_ref().map(SurfaceWatch::measures),
+            surface: (self.watch.surface.as_ref()).map(|torques| {
+                let window = self.scene.timing.closing_window;
+                SurfaceMeasures::of(torques, self.system.sampling, window)
+            }),
             string_torque: (self.watch.along.as_ref())
                 .map(|along| along.measures(self.system.sites.distances_from_bit())),
             lateral,

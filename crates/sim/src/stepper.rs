@@ -430,6 +430,14 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         torques.into_iter().flatten()
     }
 
+    /// Whether a law of torsion holds a port in the last step.
+    pub(crate) fn is_any_stuck(&self) -> bool {
+        let at_bit = self.bit.map(|(_, port)| port);
+        let rubs = self.friction.iter().enumerate();
+        let mut ports = rubs.filter_map(|(port, law)| law.map(|_| port)).chain(at_bit);
+        ports.any(|port| self.now.speeds[port] == 0.0)
+    }
+
     /// What acted on each port in the last step.
     pub(crate) fn loads(&self) -> &[Load] {
         self.coupling.loads()

@@ -15,8 +15,11 @@ use crate::plan::Sweep;
 use crate::quantities::Axis;
 
 /// Surface speeds as fractions of that of a case, at which a certain label is the same. Edges that
-/// methods put as much as 8 % apart are not missed, nor are labels that alternate every 2 %.
-const NEARBY_SPEEDS: [f64; 10] = [0.9, 0.93, 0.95, 0.97, 0.985, 1.015, 1.03, 1.05, 1.07, 1.1];
+/// methods put as much as 8 % apart are not missed, nor are labels that alternate every 2 %; of
+/// pockets that are narrower some are.
+const NEARBY_SPEEDS: [f64; 14] = [
+    0.9, 0.93, 0.95, 0.97, 0.98, 0.99, 0.995, 1.005, 1.01, 1.02, 1.03, 1.05, 1.07, 1.1,
+];
 
 /// Whether the method at a place of a sweep's list is the one that looks at nearby speeds: of the
 /// two that certify labels `held`, or the first.

@@ -28,6 +28,8 @@ pub(crate) struct Pieces {
     /// Torque that turns the surface, but for what waves from below add.
     torque: Vec<f64>,
     torque_by_wave: Kernel,
+    /// The speed that the surface is set to.
+    set: Vec<f64>,
     /// Speed of the surface, but for what waves from below add.
     speed: Vec<f64>,
     speed_by_wave: Option<Kernel>,
@@ -84,12 +86,20 @@ impl Pieces {
             sent: convolved_with(&cascade.top.sent, &set),
             torque,
             torque_by_wave: Kernel::new(&cascade.top.torque_by_wave),
+            set,
             speed,
             speed_by_wave,
             top,
             links,
             end,
         })
+    }
+
+    /// Steps until the speed that the surface is set to stays within a part of its last.
+    pub(crate) fn steady_from(&self, part: f64) -> usize {
+        let last = self.set.last().copied().unwrap_or(0.0);
+        let is_off = |speed: &f64| (speed - last).abs() > part * last.abs();
+        self.set.iter().rposition(is_off).map_or(0, |step| step + 1)
     }
 }
 

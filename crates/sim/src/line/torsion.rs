@@ -82,6 +82,15 @@ impl TorsionLine {
         }
     }
 
+    /// Steps until the surface stays within a part of the speed that it comes to, as far as the
+    /// lowest site feels it.
+    pub(crate) fn steady_from(&self, part: f64) -> usize {
+        match self {
+            Self::Whole(whole) => (whole.surface.last()).map_or(0, |it| it.is_steady_from(part)),
+            Self::Pieces(pieces) => pieces.steady_from(part),
+        }
+    }
+
     /// Of a string in pieces.
     pub(crate) fn of_pieces(
         cascade: &Cascade,

@@ -3,6 +3,7 @@
 
 pub mod along;
 pub mod lateral;
+pub(crate) mod rubbing;
 pub mod rules;
 pub(crate) mod settling;
 pub mod surface;

@@ -20,53 +20,14 @@ pub struct SurfaceMeasures {
 impl SurfaceMeasures {
     /// Of a torque in every step, of which the last seconds are the closing window.
     pub(crate) fn of(torques: &[f64], sampling: Sampling, closing_window: f64) -> Self {
-        let mut watch = SurfaceWatch::new(sampling, torques.len(), closing_window);
-        torques.iter().for_each(|torque| watch.see(*torque));
-        watch.measures()
-    }
-}
-
-/// Watches the torque step by step.
-#[derive(Debug, Clone)]
-pub(crate) struct SurfaceWatch {
-    closing_from: usize,
-    step: usize,
-    sum: f64,
-    measures: SurfaceMeasures,
-}
-
-impl SurfaceWatch {
-    pub(crate) fn new(sampling: Sampling, steps: usize, closing_window: f64) -> Self {
-        let window = ((closing_window * sampling.frequency).round() as usize).min(steps);
+        let window = ((closing_window * sampling.frequency).round() as usize).max(1);
+        let closing = &torques[torques.len().saturating_sub(window)..];
+        let greatest = |torques: &[f64]| torques.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         Self {
-            closing_from: steps.saturating_sub(window.max(1)),
-            step: 0,
-            sum: 0.0,
-            measures: SurfaceMeasures {
-                peak_torque: f64::NEG_INFINITY,
-                least_torque: f64::INFINITY,
-                mean_torque: 0.0,
-                greatest_torque: f64::NEG_INFINITY,
-            },
-        }
-    }
-
-    pub(crate) fn see(&mut self, torque: f64) {
-        let measures = &mut self.measures;
-        measures.peak_torque = measures.peak_torque.max(torque);
-        if self.step >= self.closing_from {
-            measures.least_torque = measures.least_torque.min(torque);
-            measures.greatest_torque = measures.greatest_torque.max(torque);
-            self.sum += torque;
-        }
-        self.step += 1;
-    }
-
-    pub(crate) fn measures(&self) -> SurfaceMeasures {
-        let seen = self.step.saturating_sub(self.closing_from).max(1);
-        SurfaceMeasures {
-            mean_torque: self.sum / seen as f64,
-            ..self.measures
+            peak_torque: greatest(torques),
+            least_torque: closing.iter().copied().fold(f64::INFINITY, f64::min),
+            mean_torque: closing.iter().sum::<f64>() / closing.len().max(1) as f64,
+            greatest_torque: greatest(closing),
         }
     }
 }

@@ -243,6 +243,11 @@ impl BitWatch {
         }
     }
 
+    /// Whether a slip has just begun.
+    pub(crate) fn has_just_slipped(&self) -> bool {
+        self.since_slip.len() == 1
+    }
+
     /// How long the last cycles took together that have to agree, steps.
     pub(crate) fn agreeing_steps(&self) -> usize {
         self.cycles.iter().map(|cycle| cycle.period).sum()
@@ -253,8 +258,7 @@ impl BitWatch {
     pub(crate) fn is_settled(&self) -> bool {
         let [first, second, last] = self.cycles;
         let is_whole = self.last_cycle.len() == last.period;
-        let has_just_slipped = self.since_slip.len() == 1;
-        if !is_whole || !has_just_slipped || first.period == 0 || self.sticks < self.rules.repeated
+        if !is_whole || !self.has_just_slipped() || first.period == 0 || self.sticks < self.rules.repeated
         {
             return false;
         }

@@ -2,6 +2,7 @@
 //! Pieces that hand on waves, responses of the whole string and elements that are stepped share no
 //! code that steps, and have the same motion where they are of one method.
 
+use linear::estimates::torsional_travel_time;
 use linear::method::FiniteElement;
 use linear::{
     Cascade, ChannelRequest, Drillstring, Method, Request, Sites, SteppedString, SurfaceSupport,
@@ -9,9 +10,10 @@ use linear::{
 };
 use problems::academic::{self, BENDING};
 use problems::oracles::relative_difference;
+use problems::wells::{Draw, Well};
 use sim::{
-    BitTorque, Impulse, Lateral, Outcome, PipeFriction, Scene, Simulator, Start, Stopping,
-    SurfaceProfile, System, Timing, Trajectory, Wall,
+    BitTorque, Ended, Impulse, Lateral, Outcome, PipeFriction, Scene, Simulator, Start, Stopping,
+    SurfaceProfile, System, Timing, TorsionRegime, Trajectory, Wall,
 };
 
 const FREQUENCY: f64 = 160.0;
@@ -278,4 +280,63 @@ fn a_stepped_mesh_rubs_as_pieces_of_elements_do() {
     let (_, other) = motion(&pieces(with, &Method::FiniteElement(parameters)), with);
     let off = difference(&one, &other);
     assert!(off < 1e-6, "{off}");
+}
+
+/// On random strings that rub, below slow and fast surfaces, with a bit and without: what has settled
+/// has the label, and to a hundredth the torque at the surface, that it has at the end.
+#[test]
+fn strings_that_rub_and_end_early_have_the_labels_of_those_that_do_not() {
+    let mut settled = [0; 2];
+    let mut stepped = [0.0; 2];
+    for number in 0..60 {
+        let mut draw = Draw::new(number);
+        let string = Well::draw(number, &mut draw).string;
+        let pieces = 2 + number % 5;
+        let piece = string.length() / pieces as f64;
+        let middles = (0..pieces).map(|index| (index as f64 + 0.5) * piece);
+        let nodes = Sites::new(&string, &middles.chain([0.0]).collect::<Vec<_>>()).unwrap();
+        let total = draw.log_uniform(500.0, 20_000.0);
+        let friction = PipeFriction {
+            torque_static: total / pieces as f64,
+            torque_dynamic: total / pieces as f64 * draw.uniform(0.5, 1.0),
+            stribeck_speed: draw.uniform(0.1, 2.0),
+        };
+        let torque = draw.uniform(500.0, 4000.0);
+        let bit = (number % 3 > 0).then_some(BitTorque {
+            torque_static: torque * draw.uniform(1.1, 1.6),
+            torque_dynamic: torque,
+            decay_speed: 0.0,
+        });
+        let travel = torsional_travel_time(&string);
+        let duration = 60.0 + 60.0 * travel;
+        let scene = Scene {
+            surface_speed: draw.log_uniform(1.0, 15.0),
+            start: Start::Rest,
+            bit,
+            friction: std::iter::repeat_n(Some(friction), pieces).chain([None]).collect(),
+            lateral: None,
+            timing: Timing {
+                duration,
+                closing_window: 0.15 * duration,
+            },
+        };
+        let frequency = (40.0 / travel).min(200.0);
+        let cascade =
+            Cascade::new(&string, &Method::Quadrature, &nodes, frequency, duration).unwrap();
+        let simulator =
+            Simulator::in_pieces(&cascade, &SurfaceProfile::Rise(2.0), 0.0).unwrap();
+        let run = |stopping| simulator.simulate(&scene, stopping, None).unwrap();
+        let (early, full) = (run(Stopping::Early), run(Stopping::Full));
+        let regime = full.torsion.unwrap().regime;
+        assert_eq!(early.torsion.unwrap().regime, regime, "{number}");
+        stepped[0] += early.simulated;
+        stepped[1] += full.simulated;
+        if early.ended == Ended::Settled {
+            settled[usize::from(regime == TorsionRegime::StickSlip)] += 1;
+            let [one, other] = [early, full].map(|it| it.surface.unwrap().mean_torque);
+            assert!((one / other - 1.0).abs() < 0.01, "{number}: {one} {other}");
+        }
+    }
+    println!("settled {settled:?}, seconds stepped {stepped:?}");
+    assert!(settled[0] > 5, "{settled:?}");
 }
