@@ -13,9 +13,9 @@ use crate::system::System;
 use crate::trajectory::Trajectory;
 use crate::watch::along::StringTorqueWatch;
 use crate::watch::lateral::WallWatch;
+use crate::watch::rubbing::RubbingWatch;
 use crate::watch::rules::Rules;
 use crate::watch::settling::Settling;
-use crate::watch::rubbing::RubbingWatch;
 use crate::watch::surface::SurfaceMeasures;
 use crate::watch::torsion::{BitWatch, TorsionMeasures, TorsionRegime};
 

@@ -434,7 +434,9 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     pub(crate) fn is_any_stuck(&self) -> bool {
         let at_bit = self.bit.map(|(_, port)| port);
         let rubs = self.friction.iter().enumerate();
-        let mut ports = rubs.filter_map(|(port, law)| law.map(|_| port)).chain(at_bit);
+        let mut ports = rubs
+            .filter_map(|(port, law)| law.map(|_| port))
+            .chain(at_bit);
         ports.any(|port| self.now.speeds[port] == 0.0)
     }
 

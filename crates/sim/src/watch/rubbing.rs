@@ -24,12 +24,7 @@ pub(crate) struct RubbingWatch {
 }
 
 impl RubbingWatch {
-    pub(crate) fn new(
-        rules: Rules,
-        surface_speed: f64,
-        steady_from: usize,
-        window: usize,
-    ) -> Self {
+    pub(crate) fn new(rules: Rules, surface_speed: f64, steady_from: usize, window: usize) -> Self {
         Self {
             rules,
             surface_speed,

@@ -258,7 +258,10 @@ impl BitWatch {
     pub(crate) fn is_settled(&self) -> bool {
         let [first, second, last] = self.cycles;
         let is_whole = self.last_cycle.len() == last.period;
-        if !is_whole || !self.has_just_slipped() || first.period == 0 || self.sticks < self.rules.repeated
+        if !is_whole
+            || !self.has_just_slipped()
+            || first.period == 0
+            || self.sticks < self.rules.repeated
         {
             return false;
         }

@@ -313,7 +313,9 @@ fn strings_that_rub_and_end_early_have_the_labels_of_those_that_do_not() {
             surface_speed: draw.log_uniform(1.0, 15.0),
             start: Start::Rest,
             bit,
-            friction: std::iter::repeat_n(Some(friction), pieces).chain([None]).collect(),
+            friction: std::iter::repeat_n(Some(friction), pieces)
+                .chain([None])
+                .collect(),
             lateral: None,
             timing: Timing {
                 duration,
@@ -323,8 +325,7 @@ fn strings_that_rub_and_end_early_have_the_labels_of_those_that_do_not() {
         let frequency = (40.0 / travel).min(200.0);
         let cascade =
             Cascade::new(&string, &Method::Quadrature, &nodes, frequency, duration).unwrap();
-        let simulator =
-            Simulator::in_pieces(&cascade, &SurfaceProfile::Rise(2.0), 0.0).unwrap();
+        let simulator = Simulator::in_pieces(&cascade, &SurfaceProfile::Rise(2.0), 0.0).unwrap();
         let run = |stopping| simulator.simulate(&scene, stopping, None).unwrap();
         let (early, full) = (run(Stopping::Early), run(Stopping::Full));
         let regime = full.torsion.unwrap().regime;
