@@ -2,18 +2,19 @@
 //! linear responses, each case ending in a regime.
 //!
 //! After T. Butlin and R. S. Langley, *An efficient model of drillstring
-//! dynamics*, Journal of Sound and Vibration (2015). This crate sees taps, never how
-//! they were made; of strings that may touch at many sites, elements that it steps.
+//! dynamics*, Journal of Sound and Vibration (2015). This crate sees a string as lines, one of
+//! each motion: impulse responses (the paper's), elements, or pieces that hand on waves.
 //!
 //! ```text
-//!   Responses from `linear`        Scene: surface speed, bit, walls, impulses, time
+//!   Responses, elements or pieces  Scene: surface speed, bit, friction, walls,
+//!          from `linear`                  impulses, time
 //!          │                                      │
 //!       System, Simulator                         │
 //!   (once for all cases)                          │
 //!          └──────────────────┬───────────────────┘
-//!   stepper, every step:  convolution  what the past adds (Eq. 17): the load lines
-//!                         site         the laws of each site meet them: rock, wall
-//!                         coupling     until all sites agree
+//!   stepper, every step:  line         what the past adds (Eq. 17): the load lines
+//!                         port         the laws of each port meet them: rock, pipe, wall
+//!                         coupling     until all ports agree
 //!   simulator:            shortcuts    what need not be stepped
 //!                         watch        regimes; whether the rest is settled
 //!                             │
@@ -29,15 +30,15 @@
 //! | paper | here |
 //! |---|---|
 //! | Eqs. 16–17, 59–61: history and load lines | [`convolution`], [`stepper`] |
-//! | the same by stepping elements, for many sites | `line/`, [`linear::SteppedString`] |
+//! | the same by stepping elements, or pieces | `line/`, [`linear::SteppedString`], [`linear::Cascade`] |
 //! | Eqs. 59–60 at all sites of a step at once | `coupling/` |
+//! | friction along the string | [`laws::pipe`], [`Scene`] |
 //! | Sections 2.2.2, 5.2.1: torque at the bit | [`laws::bit`] |
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`watch::torsion`] |
 //! | Section 5.2.2: transient contact or whirl | [`watch::lateral`], its bound in [`steady_whirl`] |
 //! | Section 5: what a case is, and what disturbs it | [`scene`], [`excitation`] |
-//! | what a string is between its ports: responses, elements, pieces | `line/` |
 //! | one case from rest to its label | [`simulator`], [`Outcome`], [`trajectory`] |
 //! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`timing`] |
