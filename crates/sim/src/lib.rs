@@ -111,7 +111,7 @@ pub use laws::pipe::PipeFriction;
 pub use laws::rock::Rock;
 pub use laws::torque::{LoadLine, TorqueLaw};
 pub use laws::wall::Wall;
-pub use line::torsion::SurfaceStep;
+pub use line::pieces::SurfaceStep;
 pub use outcome::{Ended, Label, Outcome, Stopping};
 pub use ranges::SceneError;
 pub use recording::{Recording, RecordingError};

@@ -10,7 +10,7 @@ use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
-use crate::line::torsion::SurfaceStep;
+use crate::line::pieces::SurfaceStep;
 use crate::line::{Bending, Past, Torsion, TorsionPast, Within};
 use crate::port::{LateralLine, PortTorque, Turned};
 use crate::scene::{Lateral, Scene};

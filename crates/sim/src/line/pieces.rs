@@ -4,7 +4,6 @@
 use linear::Cascade;
 
 use super::chain::Chain;
-use super::torsion::SurfaceStep;
 use super::waves::{EndKernel, LinkKernels, Waves};
 use crate::convolution::Kernel;
 use crate::error::SimulationError;
@@ -33,6 +32,15 @@ pub(crate) struct Pieces {
     /// Speed of the surface, but for what waves from below add.
     speed: Vec<f64>,
     speed_by_wave: Option<Kernel>,
+}
+
+/// What turns the surface in a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfaceStep {
+    /// Its speed, rad/s.
+    pub speed: f64,
+    /// The torque that turns it, below a top drive that of its motor, N m.
+    pub torque: f64,
 }
 
 /// The waves of a case.

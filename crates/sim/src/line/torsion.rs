@@ -4,7 +4,7 @@ use linear::Cascade;
 
 use super::chain::Chain;
 use super::channel::{Past, Torsion};
-use super::pieces::{Pieces, PiecesPast};
+use super::pieces::{Pieces, PiecesPast, SurfaceStep};
 use crate::convolution::Kernel;
 use crate::error::SimulationError;
 use crate::surface::{SurfaceProfile, SurfaceResponse};
@@ -46,15 +46,6 @@ pub(crate) enum Within<'a> {
 pub(crate) enum TorsionPast<'a> {
     Whole(&'a Whole, Past<'a, 1, 1>),
     Pieces(PiecesPast<'a>),
-}
-
-/// What turns the surface in a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SurfaceStep {
-    /// Its speed, rad/s.
-    pub speed: f64,
-    /// The torque that turns it, below a top drive that of its motor, N m.
-    pub torque: f64,
 }
 
 impl TorsionLine {
