@@ -63,7 +63,7 @@ pub enum SimulationError {
     #[error("a case with friction along the string begins at rest")]
     SteadyWithFriction,
     /// A string turns and bends by other steps.
-    #[error("the responses in bending are sampled otherwise than the string in torsion")]
+    #[error("the responses in bending have another sampling frequency than the string in torsion")]
     UnlikeSteps,
     /// Forces act at sites where no torque may act: friction would turn nothing.
     #[error("the responses in bending need a torque at each of their sites")]

@@ -81,6 +81,7 @@ mod coupling;
 pub mod diagnosis;
 mod error;
 pub mod excitation;
+mod lateral_motion;
 pub mod laws;
 mod line;
 pub mod oscillator;

@@ -242,7 +242,7 @@ impl Watch {
         }
     }
 
-    /// Whether nobody watches.
+    /// Whether nothing is watched.
     fn is_empty(&self) -> bool {
         self.bit.is_none() && self.walls.is_none() && self.surface.is_none()
     }

@@ -5,15 +5,16 @@ use linear::SteadyMotion;
 
 use crate::coupling::{Coupling, Free, Load, Unloaded};
 use crate::error::SimulationError;
+use crate::lateral_motion::LateralMotion;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
 use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
 use crate::line::pieces::SurfaceStep;
-use crate::line::{Bending, Past, Torsion, TorsionPast, Within};
-use crate::port::{LateralLine, PortTorque, Turned};
-use crate::scene::{Lateral, Scene};
+use crate::line::{Torsion, TorsionPast, Within};
+use crate::port::{PortTorque, Turned};
+use crate::scene::Scene;
 use crate::start::Start;
 use crate::system::System;
 
@@ -73,27 +74,6 @@ enum Reference<'a> {
     Stuck(&'a [f64]),
     /// No speed changes. The load of the bit is what its torque differs by.
     Steady(&'a SteadyMotion),
-}
-
-/// The walls in two planes.
-#[derive(Debug)]
-struct LateralMotion<'a, W> {
-    scene: &'a Lateral<W>,
-    channel: &'a Bending,
-    /// The port of each wall, and the wall of each port.
-    ports: &'a [usize],
-    wall_of: Vec<Option<usize>>,
-    /// Forces at the sites, along x and along y.
-    forces: Past<'a, 2, 2>,
-    /// The last step's state.
-    positions: Vec<[f64; 2]>,
-    sliding_speeds: Vec<Option<f64>>,
-    rotations: Vec<f64>,
-    /// This step without contact: forces of disturbances, and displacements; x of all
-    /// sites and then y.
-    external: Vec<f64>,
-    free_positions: Vec<f64>,
-    step_forces: Vec<f64>,
 }
 
 impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
@@ -228,7 +208,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             Reference::Steady(motion) => self.add_steady_motion(motion),
         }
         if let Some(lateral) = &mut self.lateral {
-            lateral.find_free_motion(self.system, self.now.time, &self.now.speeds);
+            lateral.find_free_motion(self.now.time, &self.now.speeds);
         }
     }
 
@@ -307,7 +287,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         } = self;
         let (system, lateral, time) = (*system, lateral.as_ref(), now.time);
         let free = Free {
-            positions: lateral.map_or(&[], |lateral| &lateral.free_positions),
+            positions: lateral.map_or(&[], LateralMotion::free_positions),
             turning: free,
         };
         let settled = coupling.settle(free, |port, unloaded: Unloaded| {
@@ -322,16 +302,15 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                 compliance: within.compliance(port),
             };
             let guess = unloaded.guess.unwrap_or(now.speeds[port]);
-            let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_of[port]?)));
+            let wall = lateral.and_then(|lateral| Some((lateral, lateral.wall_at(port)?)));
             let (turn, solved) = match wall {
                 None => {
                     let turn = torque.turn(line, guess);
                     let solved = torque.solved(&turn, None);
                     (turn, solved)
                 }
-                Some((lateral, at)) => {
-                    let wall = &lateral.scene.walls[at];
-                    let lateral_line = lateral.line(system, at, unloaded.position);
+                Some((lateral, (at, wall))) => {
+                    let lateral_line = lateral.line(at, unloaded.position);
                     let met = torque.turn_at_wall(wall, &lateral_line, line, guess);
                     let (contact, turn) = met.map_err(|error| {
                         SimulationError::of_contact(error, system.torsion.loaded()[port], time)
@@ -385,7 +364,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             },
         });
         if let Some(lateral) = &mut self.lateral {
-            lateral.end_step(self.system, &self.now);
+            lateral.end_step(&self.now.contacts, &self.now.speeds);
         }
         if let Some(bit) = &self.now.bit {
             self.bit_state.clone_from(&bit.state);
@@ -458,19 +437,19 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
 
     /// All forces on a site so far along an axis, disturbances included, N.
     pub(crate) fn forces(&self, axis: usize, site: usize) -> &[f64] {
-        (self.lateral.as_ref()).map_or(&[], |lateral| lateral.forces.loads(axis, site))
+        (self.lateral.as_ref()).map_or(&[], |lateral| lateral.forces(axis, site))
     }
 
     /// At the beginning of a block, displacements of all sites through it, x of all sites
     /// and then y, as long as nothing acts.
     pub(crate) fn free_block(&self) -> Option<&[f64]> {
-        self.lateral.as_ref()?.forces.next_block()
+        self.lateral.as_ref()?.free_block()
     }
 
     /// Where the sites are at the end of a block in which they are at `x` and `y`, a block
     /// each.
     pub(crate) fn end_of_block(&self, x: &[f64], y: &[f64], block: usize) -> Vec<[f64; 2]> {
-        let beginnings = self.lateral.iter().flat_map(|lateral| &lateral.positions);
+        let beginnings = self.lateral.iter().flat_map(LateralMotion::positions);
         let sites = x.chunks_exact(block).zip(y.chunks_exact(block));
         let end = |(beginning, (x, y)): (&[f64; 2], (&[f64], &[f64]))| {
             let positions = x.iter().zip(y).map(|(x, y)| [*x, *y]);
@@ -487,9 +466,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
         self.coupling.clear();
         self.torsion.push_quiet_block();
         if let Some(lateral) = &mut self.lateral {
-            lateral.positions.copy_from_slice(positions);
-            lateral.sliding_speeds.fill(None);
-            lateral.forces.push_quiet_block();
+            lateral.pass_block(positions);
         }
         self.next += steps;
     }
@@ -519,102 +496,4 @@ fn friction<B, W>(
         law.map(|law| law.on_lines(within.compliance(port)))
     };
     Ok(scene.friction.iter().enumerate().map(on_lines).collect())
-}
-
-impl<'a, W: WallLaw> LateralMotion<'a, W> {
-    fn new(
-        system: &'a System,
-        scene: &'a Lateral<W>,
-        steps: usize,
-    ) -> Result<Self, SimulationError> {
-        let channel = (system.from_forces.as_ref()).ok_or(SimulationError::NoForceInput)?;
-        let (walls, sites) = (scene.walls.len(), system.walls.len());
-        if walls != sites {
-            return Err(SimulationError::NotAWallForEachSite { walls, sites });
-        }
-        let mut wall_of = vec![None; system.torsion.loaded().len()];
-        for (wall, &port) in system.walls.iter().enumerate() {
-            wall_of[port] = Some(wall);
-        }
-        Ok(Self {
-            scene,
-            channel,
-            ports: &system.walls,
-            wall_of,
-            forces: channel.past(steps),
-            positions: vec![[0.0; 2]; sites],
-            sliding_speeds: vec![None; sites],
-            rotations: vec![0.0; sites],
-            external: vec![0.0; 2 * sites],
-            free_positions: vec![0.0; 2 * sites],
-            step_forces: vec![0.0; 2 * sites],
-        })
-    }
-
-    fn find_free_motion(&mut self, system: &System, time: f64, last_speeds: &[f64]) {
-        let sites = self.positions.len();
-        self.find_external_forces(system, time, last_speeds);
-        self.forces.write_past(&mut self.free_positions);
-        let planes = self.free_positions.chunks_exact_mut(sites);
-        for (positions, external) in planes.zip(self.external.chunks_exact(sites)) {
-            let acting = external
-                .iter()
-                .enumerate()
-                .filter(|(_, force)| **force != 0.0);
-            for (input, force) in acting {
-                for (site, position) in positions.iter_mut().enumerate() {
-                    *position += self.channel.instant(site, input) * force;
-                }
-            }
-        }
-    }
-
-    /// Disturbances of this step; an eccentric mass pulls as the last step
-    /// left it.
-    fn find_external_forces(&mut self, system: &System, time: f64, last_speeds: &[f64]) {
-        let sites = self.positions.len();
-        self.external.fill(0.0);
-        let mut add = |site: usize, [x, y]: [f64; 2]| {
-            self.external[site] += x;
-            self.external[sites + site] += y;
-        };
-        for impulse in &self.scene.impulses {
-            add(impulse.site, impulse.force(time));
-        }
-        for mass in &self.scene.eccentric_masses {
-            let [x, y] = self.positions[mass.site];
-            let speed = last_speeds[self.ports[mass.site]];
-            let since = system.sampling.moment / system.sampling.frequency;
-            let rotation = self.rotations[mass.site] + since * speed;
-            add(mass.site, mass.force(x.hypot(y), rotation, speed));
-        }
-    }
-
-    /// The load line of a site that would be at a position without its own load.
-    #[inline]
-    fn line(&self, system: &System, site: usize, free_position: [f64; 2]) -> LateralLine {
-        LateralLine {
-            free_position,
-            previous_position: self.positions[site],
-            previous_sliding_speed: self.sliding_speeds[site],
-            compliance: self.channel.instant(site, site),
-            sampling: system.sampling,
-        }
-    }
-
-    fn end_step<S>(&mut self, system: &System, now: &Step<S>) {
-        let sites = self.positions.len();
-        for (site, contact) in now.contacts.iter().enumerate() {
-            for axis in 0..2 {
-                let place = axis * sites + site;
-                self.step_forces[place] = self.external[place] + contact.force[axis];
-            }
-            self.positions[site] = system
-                .sampling
-                .end_of_step(contact.position, self.positions[site]);
-            self.sliding_speeds[site] = contact.touches().then_some(contact.sliding_speed);
-            self.rotations[site] += now.speeds[self.ports[site]] / system.sampling.frequency;
-        }
-        self.forces.add(&self.step_forces);
-    }
 }

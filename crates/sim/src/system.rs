@@ -4,8 +4,9 @@ use linear::{Cascade, ChannelResponses, ResponseError, Responses, Sites, Stepped
 
 use crate::convolution::Kernel;
 use crate::error::SimulationError;
+use crate::line::pieces::Pieces;
 use crate::line::torsion::Whole;
-use crate::line::{Bending, Channel, TorsionLine};
+use crate::line::{Bending, Channel, TorsionLine, WallPorts};
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
 use crate::start::Start;
@@ -23,8 +24,8 @@ pub struct System {
     pub(crate) torsion: TorsionLine,
     /// From forces to displacements, between the ports in `walls`, where bending is modelled.
     pub(crate) from_forces: Option<Bending>,
-    /// The port of each wall that there may be.
-    pub(crate) walls: Vec<usize>,
+    /// The ports that may have walls.
+    pub(crate) walls: WallPorts,
 }
 
 /// Distances from the bit, m, within which two sites are one.
@@ -58,6 +59,7 @@ impl System {
             return Err(SimulationError::UnlikeChannels);
         }
         let sampling = sampling(responses);
+        let ports = torsion.loads.len();
         let whole = Whole {
             loaded: torsion.loads.clone(),
             from_torques: Channel::of_taps(&torsion.driving_points()),
@@ -68,7 +70,7 @@ impl System {
             sites: responses.sites.clone(),
             sampling,
             longest_time: responses.longest_time,
-            walls: bending.map_or_else(Vec::new, |bending| bending.loads.clone()),
+            walls: WallPorts::new(bending.map_or_else(Vec::new, |it| it.loads.clone()), ports),
             from_forces: bending.map(|bending| Channel::of_taps(&bending.from_loads)),
             torsion: TorsionLine::Whole(whole),
         })
@@ -102,7 +104,7 @@ impl System {
             longest_time: responses.longest_time,
             torsion: TorsionLine::Whole(whole),
             from_forces: Some(Channel::of_mesh(string.bending())),
-            walls: (0..sites).collect(),
+            walls: WallPorts::new((0..sites).collect(), sites),
         })
     }
 
@@ -122,9 +124,9 @@ impl System {
             sites: cascade.nodes.clone(),
             sampling: Sampling::new(cascade.sampling_frequency, 0.0),
             longest_time: cascade.longest_time,
-            torsion: TorsionLine::of_pieces(cascade, profile, rotor_inertia)?,
+            torsion: TorsionLine::Pieces(Pieces::new(cascade, profile, rotor_inertia)?),
             from_forces: None,
-            walls: Vec::new(),
+            walls: WallPorts::new(Vec::new(), cascade.nodes.len()),
         })
     }
 
@@ -151,7 +153,7 @@ impl System {
             .map(|&site| port_at(own[site]))
             .collect();
         Ok(Self {
-            walls: walls.ok_or(SimulationError::UnlikeChannels)?,
+            walls: WallPorts::new(walls.ok_or(SimulationError::UnlikeChannels)?, ports.len()),
             from_forces: Some(Channel::of_taps(&bending.driving_points())),
             ..self
         })
@@ -159,8 +161,8 @@ impl System {
 
     /// Speeds of all sites, rad/s, in a number of steps: what a start and a surface that turns at
     /// `surface_speed` (rad/s) in the end make of them and, but for sites that bear torques
-    /// themselves, the torques on the bit (N m, positive with the rotation). Sites that are only
-    /// looked at follow from these: whoever has simulated a bit without them has their motion here.
+    /// themselves, the torques on the bit (N m, positive with the rotation). The motion of sites that are
+    /// only looked at follows from a bit that was simulated without them.
     /// Nothing of a string in pieces, all sites of which are stepped.
     pub fn driven_speeds(
         &self,

@@ -19,7 +19,7 @@ pub struct Trajectory {
     /// unless it is asked for ([`crate::SurfaceTorque`]).
     pub surface_torque: Vec<f64>,
     /// Torque of all laws on each site that one may act on, N m; empty unless the string rubs along
-    /// its well.
+    /// its well by responses of the whole string, from which the surface torque then follows.
     pub site_torques: Vec<Vec<f64>>,
     /// Speed of the surface, rad/s; empty where it is not followed.
     pub surface_speed: Vec<f64>,
@@ -47,12 +47,14 @@ impl Trajectory {
             .lateral
             .as_ref()
             .map_or(0, |lateral| lateral.walls.len());
+        // Of pieces the torque that turns the surface is known without these.
+        let followed = system.torsion.whole().map_or(0, |_| scene.friction.len());
         *self = Self {
             times: Vec::new(),
             speeds: vec![vec![0.0; held.len()]; system.torsion.loaded().len()],
             bit_torque: held.iter().map(|held| scene.surface_speed * held).collect(),
             surface_torque: Vec::new(),
-            site_torques: vec![Vec::new(); scene.friction.len()],
+            site_torques: vec![Vec::new(); followed],
             surface_speed: Vec::new(),
             positions: vec![Vec::new(); walls],
             wall_forces: vec![Vec::new(); walls],

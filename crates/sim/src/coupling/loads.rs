@@ -1,4 +1,4 @@
-//! The loads of all sites, of which most bear none.
+//! The loads of all ports, of which most bear none.
 
 /// What acts on a port in a step.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -9,45 +9,45 @@ pub(crate) struct Load {
     pub(crate) torque: f64,
 }
 
-/// Loads by site; of many sites few bear one.
+/// Loads by port; of many ports few bear one.
 #[derive(Debug)]
 pub(crate) struct Loads {
     pub(super) all: Vec<Load>,
-    /// The sites whose load is not zero, in rising order.
+    /// The ports whose load is not zero, in rising order.
     pub(super) acting: Vec<usize>,
 }
 
 impl Loads {
-    pub(super) fn none(sites: usize) -> Self {
+    pub(super) fn none(ports: usize) -> Self {
         Self {
-            all: vec![Load::default(); sites],
-            acting: Vec::with_capacity(sites),
+            all: vec![Load::default(); ports],
+            acting: Vec::with_capacity(ports),
         }
     }
 
     pub(super) fn clear(&mut self) {
-        for site in self.acting.drain(..) {
-            self.all[site] = Load::default();
+        for port in self.acting.drain(..) {
+            self.all[port] = Load::default();
         }
     }
 
-    /// Gives a site a load, and what it was before.
-    pub(super) fn replace(&mut self, site: usize, load: Load) -> Load {
-        let before = std::mem::replace(&mut self.all[site], load);
+    /// Gives a port a load, and what it was before.
+    pub(super) fn replace(&mut self, port: usize, load: Load) -> Load {
+        let before = std::mem::replace(&mut self.all[port], load);
         let [did, does] = [before, load].map(|load| load != Load::default());
         if did != does {
-            match self.acting.binary_search(&site) {
+            match self.acting.binary_search(&port) {
                 Ok(place) => drop(self.acting.remove(place)),
-                Err(place) => self.acting.insert(place, site),
+                Err(place) => self.acting.insert(place, port),
             }
         }
         before
     }
 
-    /// Those that act on other sites than this one.
+    /// Those that act on other ports than this one.
     #[inline]
-    pub(super) fn besides(&self, site: usize) -> impl Iterator<Item = (usize, &Load)> {
-        let others = self.acting.iter().filter(move |other| **other != site);
+    pub(super) fn besides(&self, port: usize) -> impl Iterator<Item = (usize, &Load)> {
+        let others = self.acting.iter().filter(move |other| **other != port);
         others.map(|&other| (other, &self.all[other]))
     }
 

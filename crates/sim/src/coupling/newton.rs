@@ -1,7 +1,7 @@
-//! Newton's method on the loads of all sites that bear one or may: where each would be if the
+//! Newton's method on the loads of all ports that bear one or may: where each would be if the
 //! others bore theirs follows from the first taps, and what its laws then answer is
 //! differentiated numerically. Between sticking and sliding, touching and not, the answer has
-//! kinks; a step that leaves the sites further apart is shortened, or not taken.
+//! kinks; a step that leaves the ports further apart is shortened, or not taken.
 
 use faer::Mat;
 use faer::linalg::solvers::Solve;
@@ -37,46 +37,46 @@ fn difference(one: Components, other: Components) -> Components {
     std::array::from_fn(|component| one[component] - other[component])
 }
 
-/// A step on the loads of a coupling, after which all sites have to be solved again; none where
-/// it does not bring them closer. A site without an answer is left to whoever solves it next.
+/// A step on the loads of a coupling, after which all ports have to be solved again; none where
+/// it does not bring them closer. A port without an answer is left to whoever solves it next.
 pub(super) fn step<E>(
     coupling: &mut Coupling,
     torsion: &Torsion,
     free: Free,
     solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
 ) {
-    let open = |site: &usize| coupling.pending[*site] > coupling.slack[*site];
-    let bears = |site: &usize| coupling.loads.all[*site] != Load::default();
-    let sites: Vec<usize> = (0..coupling.pending.len())
-        .filter(|site| open(site) || bears(site))
+    let open = |port: &usize| coupling.pending[*port] > coupling.slack[*port];
+    let bears = |port: &usize| coupling.loads.all[*port] != Load::default();
+    let ports: Vec<usize> = (0..coupling.pending.len())
+        .filter(|port| open(port) || bears(port))
         .collect();
     coupling.pending.fill(f64::INFINITY);
-    let before: Vec<Components> = (sites.iter())
-        .map(|&site| components(coupling.loads.all[site]))
+    let before: Vec<Components> = (ports.iter())
+        .map(|&port| components(coupling.loads.all[port]))
         .collect();
     let Some(scales) = scales(&before) else {
         return;
     };
-    let Some((answers, slopes)) = differentiate(coupling, torsion, (&sites, scales), free, solve)
+    let Some((answers, slopes)) = differentiate(coupling, torsion, (&ports, scales), free, solve)
     else {
         return;
     };
     let misses: Vec<Components> = (answers.iter().zip(&before))
         .map(|(answer, load)| difference(*answer, *load))
         .collect();
-    let change = newton_change(coupling, torsion, &sites, (&slopes, &misses));
+    let change = newton_change(coupling, torsion, &ports, (&slopes, &misses));
     let least = size(&misses, scales);
     for halvings in 0..HALVINGS {
         let part = 0.5f64.powi(halvings as i32);
-        for ((&site, before), change) in sites.iter().zip(&before).zip(&change) {
+        for ((&port, before), change) in ports.iter().zip(&before).zip(&change) {
             let load = std::array::from_fn(|it| before[it] + part * change[it]);
-            coupling.loads.replace(site, load_of(load));
+            coupling.loads.replace(port, load_of(load));
         }
-        let misses = sites.iter().map(|&site| {
-            let answer = solve(site, coupling.unloaded(site, free)).ok()?;
+        let misses = ports.iter().map(|&port| {
+            let answer = solve(port, coupling.unloaded(port, free)).ok()?;
             Some(difference(
                 components(answer.load),
-                components(coupling.loads.all[site]),
+                components(coupling.loads.all[port]),
             ))
         });
         let misses: Option<Vec<Components>> = misses.collect();
@@ -84,8 +84,8 @@ pub(super) fn step<E>(
             return;
         }
     }
-    for (&site, before) in sites.iter().zip(before) {
-        coupling.loads.replace(site, load_of(before));
+    for (&port, before) in ports.iter().zip(before) {
+        coupling.loads.replace(port, load_of(before));
     }
 }
 
@@ -102,9 +102,9 @@ fn scales(loads: &[Components]) -> Option<[f64; 2]> {
 
 /// How far loads are from what the laws answer them, in parts of the largest.
 fn size(misses: &[Components], [force, torque]: [f64; 2]) -> f64 {
-    let of_site = |[x, y, miss]: &Components| (x.hypot(*y) / force).max(miss.abs() / torque);
+    let of_port = |[x, y, miss]: &Components| (x.hypot(*y) / force).max(miss.abs() / torque);
     // No number is no small miss.
-    let sizes = misses.iter().map(of_site);
+    let sizes = misses.iter().map(of_port);
     sizes.fold(0.0, |most, size| {
         if size > most || size.is_nan() {
             size
@@ -114,23 +114,23 @@ fn size(misses: &[Components], [force, torque]: [f64; 2]) -> f64 {
     })
 }
 
-/// What the laws of each site answer, and by how much more to a unit of displacement along x
+/// What the laws of each port answer, and by how much more to a unit of displacement along x
 /// and y, and of speed, `[component][input]`.
 fn differentiate<E>(
     coupling: &Coupling,
     torsion: &Torsion,
-    (sites, [force, torque]): (&[usize], [f64; 2]),
+    (ports, [force, torque]): (&[usize], [f64; 2]),
     free: Free,
     solve: &mut impl FnMut(usize, Unloaded) -> Result<Solved, E>,
 ) -> Option<(Vec<Components>, Vec<[Components; COMPONENTS]>)> {
-    let mut slopes = Vec::with_capacity(sites.len());
-    let mut answers = Vec::with_capacity(sites.len());
-    for &site in sites {
-        let at = coupling.unloaded(site, free);
-        let mut answer = |at| Some(components(solve(site, at).ok()?.load));
+    let mut slopes = Vec::with_capacity(ports.len());
+    let mut answers = Vec::with_capacity(ports.len());
+    for &port in ports {
+        let at = coupling.unloaded(port, free);
+        let mut answer = |at| Some(components(solve(port, at).ok()?.load));
         let here = answer(at)?;
-        let moved = DIFFERENCE * force * coupling.bends(site, site);
-        let turned = DIFFERENCE * torque * torsion.instant(site, site);
+        let moved = DIFFERENCE * force * coupling.bends(port, port);
+        let turned = DIFFERENCE * torque * torsion.instant(port, port);
         let mut by_input = [[0.0; COMPONENTS]; COMPONENTS];
         for (input, by_input) in by_input.iter_mut().enumerate() {
             let (mut there, step) = (at, if input < 2 { moved } else { turned });
@@ -156,10 +156,10 @@ fn differentiate<E>(
 fn newton_change(
     coupling: &Coupling,
     torsion: &Torsion,
-    sites: &[usize],
+    ports: &[usize],
     (slopes, misses): (&[[Components; COMPONENTS]], &[Components]),
 ) -> Vec<Components> {
-    let size = COMPONENTS * sites.len();
+    let size = COMPONENTS * ports.len();
     let compliance = |output: usize, input: usize, component: usize| match component {
         2 => torsion.instant(output, input),
         _ => coupling.bends(output, input),
@@ -170,12 +170,12 @@ fn newton_change(
         let own = if row == column { 1.0 } else { 0.0 };
         let felt = match here == there {
             true => 0.0,
-            false => compliance(sites[here], sites[there], input),
+            false => compliance(ports[here], ports[there], input),
         };
         own - slopes[here][component][input] * felt
     });
     let right = Mat::from_fn(size, 1, |row, _| misses[row / COMPONENTS][row % COMPONENTS]);
     let change = matrix.partial_piv_lu().solve(&right);
-    let of_site = |site: usize| std::array::from_fn(|it| change[(COMPONENTS * site + it, 0)]);
-    (0..sites.len()).map(of_site).collect()
+    let of_port = |port: usize| std::array::from_fn(|it| change[(COMPONENTS * port + it, 0)]);
+    (0..ports.len()).map(of_port).collect()
 }

@@ -1,13 +1,13 @@
 //! The ports of a step: where they would be, their loads, and what these are worth to one another.
 
 use super::loads::{Load, Loads};
-use crate::line::{Bending, Chain, Torsion, Within};
+use crate::line::{Bending, Chain, Torsion, WallPorts, Within};
 
 /// The loads of all ports that may bear one.
 #[derive(Debug)]
 pub(crate) struct Coupling<'a> {
     pub(super) within: Within<'a>,
-    pub(super) walls: Option<Walled<'a>>,
+    pub(super) walled: Option<Walled<'a>>,
     pub(super) loads: Loads,
     pub(super) normal_forces: Vec<f64>,
     /// What the others' loads have changed by since a port was solved, as load at it: force, N, at
@@ -21,16 +21,11 @@ pub(crate) struct Coupling<'a> {
     pub(super) row: Row,
 }
 
-/// The ports that have walls.
+/// How the ports that have walls bend.
 #[derive(Debug)]
 pub(super) struct Walled<'a> {
     bending: &'a Bending,
-    /// The port of each wall.
-    ports: &'a [usize],
-    /// The wall of each port, where it has one.
-    wall_of: Vec<Option<usize>>,
-    /// Whether that is its own number.
-    is_same: bool,
+    walls: &'a WallPorts,
 }
 
 /// What ports in a row have of a step.
@@ -67,8 +62,7 @@ pub(crate) struct Unloaded {
     pub(crate) guess: Option<f64>,
 }
 
-/// A port solved within a step, the loads of the others given. Its two numbers stand apart: side by
-/// side they are written one by one and read as a pair, for which the processor waits.
+/// A port solved within a step, the loads of the others given.
 pub(crate) struct Solved {
     /// N.
     pub(crate) normal_force: f64,
@@ -93,43 +87,17 @@ struct Share {
     of_torque: f64,
 }
 
-impl Walled<'_> {
-    /// Whether every port has a wall.
-    pub(super) fn all(&self) -> bool {
-        self.is_same
-    }
-
-    /// The wall of a port, where it has one.
-    #[inline]
-    fn at(&self, port: usize) -> Option<usize> {
-        match self.is_same {
-            true => Some(port),
-            false => self.wall_of[port],
-        }
-    }
-}
-
 impl<'a> Coupling<'a> {
     /// Of the loads of a string whose ports feel one another like this; those at `walls` bend,
-    /// too, and have these radii, m.
+    /// too, and have these radii, m, or none where the scene has no walls.
     pub(crate) fn new(
         within: Within<'a>,
         bending: Option<&'a Bending>,
-        (walls, radii): (&'a [usize], &[f64]),
+        (walls, radii): (&'a WallPorts, &[f64]),
     ) -> Self {
         let count = within.ports();
-        let walled = bending.filter(|_| !radii.is_empty()).map(|bending| {
-            let mut wall_of = vec![None; count];
-            for (wall, &port) in walls.iter().enumerate() {
-                wall_of[port] = Some(wall);
-            }
-            Walled {
-                bending,
-                ports: walls,
-                is_same: walls.iter().copied().eq(0..count),
-                wall_of,
-            }
-        });
+        let bending = bending.filter(|_| !radii.is_empty());
+        let walled = bending.map(|bending| Walled { bending, walls });
         let in_row = match within {
             Within::All(_) => 0,
             Within::Chain(chain) => chain.own.len(),
@@ -140,7 +108,7 @@ impl<'a> Coupling<'a> {
                 Within::Chain(_) => Vec::new(),
             },
             within,
-            walls: walled,
+            walled,
             loads: Loads::none(count),
             normal_forces: vec![0.0; count],
             pending: vec![0.0; count],
@@ -184,26 +152,31 @@ impl<'a> Coupling<'a> {
     /// bend.
     #[inline]
     pub(super) fn bends(&self, port: usize, other: usize) -> f64 {
-        let walls = self.walls.as_ref();
-        walls.map_or(0.0, |walls| match (walls.at(port), walls.at(other)) {
-            (Some(wall), Some(other)) => walls.bending.instant(wall, other),
-            _ => 0.0,
-        })
+        let compliance = |walled: &Walled| {
+            let (wall, other) = (walled.walls.at(port)?, walled.walls.at(other)?);
+            Some(walled.bending.instant(wall, other))
+        };
+        self.walled.as_ref().and_then(compliance).unwrap_or(0.0)
+    }
+
+    /// Whether every port has a wall.
+    pub(super) fn has_walls_only(&self) -> bool {
+        (self.walled.as_ref()).is_some_and(|walled| walled.walls.is_every_port())
     }
 
     /// Whether a port has a wall.
     #[inline]
     pub(super) fn has_wall(&self, port: usize) -> bool {
-        (self.walls.as_ref()).is_some_and(|walls| walls.at(port).is_some())
+        (self.walled.as_ref()).is_some_and(|walled| walled.walls.at(port).is_some())
     }
 
     /// Where the loads of all others bring a port.
     #[inline]
     pub(super) fn unloaded(&self, port: usize, free: Free) -> Unloaded {
         let mut position = [0.0; 2];
-        let wall = (self.walls.as_ref()).and_then(|walls| Some((walls, walls.at(port)?)));
-        if let Some((walls, wall)) = wall {
-            position = [0, 1].map(|axis| free.positions[axis * walls.ports.len() + wall]);
+        let wall = (self.walled.as_ref()).and_then(|it| Some((it, it.walls.at(port)?)));
+        if let Some((walled, wall)) = wall {
+            position = [0, 1].map(|axis| free.positions[axis * walled.walls.len() + wall]);
         }
         let (mut speed, guess) = match self.within {
             Within::All(_) => (free.turning[port], None),
@@ -221,10 +194,10 @@ impl<'a> Coupling<'a> {
             }
         };
         for (other, load) in self.loads.besides(port) {
-            if let Some((walls, wall)) = wall
-                && let Some(other) = walls.at(other)
+            if let Some((walled, wall)) = wall
+                && let Some(other) = walled.walls.at(other)
             {
-                let compliance = walls.bending.instant(wall, other);
+                let compliance = walled.bending.instant(wall, other);
                 for (position, force) in position.iter_mut().zip(load.force) {
                     *position += compliance * force;
                 }
@@ -269,29 +242,31 @@ impl<'a> Coupling<'a> {
 
     /// What a change of the force at a port is worth at the walls of the others.
     fn tell_walls(&mut self, port: usize, force: f64) {
-        let Some(walls) = &self.walls else { return };
-        let Some(wall) = walls.wall_of[port] else {
+        let Some(Walled { bending, walls }) = &self.walled else {
             return;
         };
-        for (other, &at) in walls.ports.iter().enumerate() {
-            self.pending[at] += walls.bending.share(other, wall) * force;
+        let Some(wall) = walls.at(port) else {
+            return;
+        };
+        for (other, &at) in walls.ports().iter().enumerate() {
+            self.pending[at] += bending.share(other, wall) * force;
         }
     }
 }
 
 /// Of the loads of all ports at all others.
-fn shares(torsion: &Torsion, walls: Option<&Walled>, radii: &[f64]) -> Vec<Share> {
+fn shares(torsion: &Torsion, walled: Option<&Walled>, radii: &[f64]) -> Vec<Share> {
     let count = torsion.sites();
-    let wall_of = |port: usize| walls.and_then(|walls| Some((walls, walls.wall_of[port]?)));
+    let wall_of = |port: usize| walled.and_then(|it| Some((it.bending, it.walls.at(port)?)));
     let share = |port: usize, loaded: usize| {
         let turned = torsion.share(port, loaded);
-        let Some((walls, wall)) = wall_of(port) else {
+        let Some((bending, wall)) = wall_of(port) else {
             return Share {
                 of_force: 0.0,
                 of_torque: turned,
             };
         };
-        let bent = wall_of(loaded).map_or(0.0, |(_, other)| walls.bending.share(wall, other));
+        let bent = wall_of(loaded).map_or(0.0, |(_, other)| bending.share(wall, other));
         Share {
             of_force: bent,
             of_torque: if turned == 0.0 {
@@ -301,7 +276,6 @@ fn shares(torsion: &Torsion, walls: Option<&Walled>, radii: &[f64]) -> Vec<Share
             },
         }
     };
-    // A string without walls whose only torque is the bit's is never solved in turns.
     let of_load = |loaded| (0..count).map(move |port| share(port, loaded));
     (0..count).flat_map(of_load).collect()
 }

@@ -5,7 +5,7 @@ use super::turns::{COUPLING_TOLERANCE, MOST_TURNS};
 use super::*;
 use crate::laws::contact::{Approach, Spin, WallLaw};
 use crate::laws::wall::Wall;
-use crate::line::Within;
+use crate::line::{WallPorts, Within};
 use crate::sampling::Sampling;
 
 /// Taps of one step: what each site (row) does under a load at each.
@@ -42,11 +42,9 @@ impl Forces {
             .map(|row| (0..3).map(|it| f64::from(u8::from(it == row))).collect())
             .collect();
         let (torsion, bending) = (channel(&identity), channel(&instants));
-        let mut coupling = Coupling::new(
-            Within::All(&torsion),
-            Some(&bending),
-            (&[0, 1, 2], &[1.0; 3]),
-        );
+        let walls = WallPorts::new(vec![0, 1, 2], 3);
+        let mut coupling =
+            Coupling::new(Within::All(&torsion), Some(&bending), (&walls, &[1.0; 3]));
         let mut positions = self.alone.to_vec();
         positions.resize(6, 0.0);
         let free = Free {
@@ -200,7 +198,7 @@ impl Walls {
     fn settle(&self) -> Option<Vec<Load>> {
         let (torsion, bending) = (channel(&self.torsion), channel(&self.bending));
         let radii: Vec<f64> = self.walls.iter().map(WallLaw::radius).collect();
-        let walls: Vec<usize> = (0..radii.len()).collect();
+        let walls = WallPorts::new((0..radii.len()).collect(), radii.len());
         let mut coupling = Coupling::new(Within::All(&torsion), Some(&bending), (&walls, &radii));
         let axis = |axis: usize| self.positions.iter().map(move |position| position[axis]);
         let positions: Vec<f64> = axis(0).chain(axis(1)).collect();

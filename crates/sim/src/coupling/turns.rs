@@ -78,10 +78,10 @@ impl Coupling<'_> {
 
     fn matters(&self, driving: f64) -> Matters {
         let largest = self.normal_forces.iter().copied().fold(0.0, f64::max);
-        let torques = match self.walls.as_ref() {
-            // Every port has a wall, or will never be asked.
-            Some(walls) if walls.all() => 0.0,
-            _ => self.loads.largest_torque(),
+        let torques = match self.has_walls_only() {
+            // No port is asked for it.
+            true => 0.0,
+            false => self.loads.largest_torque(),
         };
         Matters {
             force: COUPLING_TOLERANCE * largest,

@@ -14,8 +14,10 @@ pub(crate) mod chain;
 pub(crate) mod channel;
 pub(crate) mod pieces;
 pub(crate) mod torsion;
+pub(crate) mod walls;
 mod waves;
 
 pub(crate) use chain::Chain;
 pub(crate) use channel::{Bending, Channel, Past, Torsion};
 pub(crate) use torsion::{TorsionLine, TorsionPast, Within};
+pub(crate) use walls::WallPorts;

@@ -1,13 +1,10 @@
 //! The line of torsion: from torques at its ports, and a surface that turns, to speeds.
 
-use linear::Cascade;
-
 use super::chain::Chain;
 use super::channel::{Past, Torsion};
 use super::pieces::{Pieces, PiecesPast, SurfaceStep};
 use crate::convolution::Kernel;
-use crate::error::SimulationError;
-use crate::surface::{SurfaceProfile, SurfaceResponse};
+use crate::surface::SurfaceResponse;
 
 /// The line of torsion as all cases share it.
 #[derive(Debug, Clone)]
@@ -25,7 +22,7 @@ pub(crate) struct Whole {
     pub(crate) loaded: Vec<usize>,
     /// From torques to speeds, between these.
     pub(crate) from_torques: Torsion,
-    /// Response of each site to a surface that comes to 1 rad/s.
+    /// Response of each site to a surface whose final speed is 1 rad/s.
     pub(crate) surface: Vec<SurfaceResponse>,
     /// From a torque at the bit to the speeds of the sites that bear none, which are only
     /// looked at.
@@ -73,22 +70,13 @@ impl TorsionLine {
         }
     }
 
-    /// Steps until the surface stays within a part of the speed that it comes to, as far as the
+    /// Steps until the surface stays within a fraction of its final speed, as far as the
     /// lowest site feels it.
     pub(crate) fn steady_from(&self, part: f64) -> usize {
         match self {
             Self::Whole(whole) => (whole.surface.last()).map_or(0, |it| it.is_steady_from(part)),
             Self::Pieces(pieces) => pieces.steady_from(part),
         }
-    }
-
-    /// Of a string in pieces.
-    pub(crate) fn of_pieces(
-        cascade: &Cascade,
-        profile: &SurfaceProfile,
-        rotor_inertia: f64,
-    ) -> Result<Self, SimulationError> {
-        Ok(Self::Pieces(Pieces::new(cascade, profile, rotor_inertia)?))
     }
 
     /// The empty past of a case of a number of steps.

@@ -6,14 +6,14 @@ use linear::estimates::torsional_travel_time;
 use linear::method::FiniteElement;
 use linear::{
     Cascade, ChannelRequest, Drillstring, Method, Request, Sites, SteppedString, SurfaceSupport,
-    TopDrive,
+    TopDrive, steady,
 };
 use problems::academic::{self, BENDING};
 use problems::oracles::relative_difference;
 use problems::wells::{Draw, Well};
 use sim::{
     BitTorque, Ended, Impulse, Lateral, Outcome, PipeFriction, Scene, Simulator, Start, Stopping,
-    SurfaceProfile, System, Timing, TorsionRegime, Trajectory, Wall,
+    SurfaceProfile, SurfaceTorque, System, Timing, TorsionRegime, Trajectory, Wall,
 };
 
 const FREQUENCY: f64 = 160.0;
@@ -21,8 +21,9 @@ const TIME: f64 = 30.0;
 const SPEED: f64 = 6.0;
 const PIECES: usize = 6;
 
-/// Where there are walls, m from the bit.
-const WALLS: [f64; 2] = [40.0, 0.0];
+/// Where there are walls, m from the bit: some so near to one another that they feel it within a
+/// step.
+const WALLS: [f64; 4] = [40.0, 2.0, 1.0, 0.0];
 
 /// What of a scene there is.
 #[derive(Debug, Clone, Copy)]
@@ -71,7 +72,7 @@ impl With {
             radius: 0.15,
         };
         let impulse = Impulse {
-            site: 1,
+            site: 2,
             amount: 3000.0,
             start: 12.0,
             duration: 0.05,
@@ -241,6 +242,56 @@ fn pieces_and_responses_of_the_whole_string_have_one_motion() {
             let touching = touches.filter(|it| **it != sim::laws::contact::Touch::Free);
             assert!(touching.count() > 20, "the walls do nothing");
         }
+    }
+}
+
+/// A string that turns steadily, or is held at the bit while it winds up: pieces begin with what
+/// differs from that, too.
+#[test]
+fn pieces_begin_with_a_steady_motion_as_the_whole_string_does() {
+    let with = With {
+        bit: true,
+        ..ALL[2]
+    };
+    let with = With {
+        walls: false,
+        ..with
+    };
+    let string = with.string();
+    let nodes = with.nodes(&string);
+    let rest = with.scene(&nodes);
+    let bit = rest.bit.unwrap();
+    let starts = [
+        // Not at the torque at which it slips, or rounding would say in which step.
+        steady::winding(&string, &nodes, SPEED, 0.99 * bit.torque_static),
+        steady::rotation(&string, &nodes, SPEED, 0.9 * bit.torque_dynamic),
+    ];
+    let method = Method::Quadrature;
+    let request = request(&nodes, in_torsion);
+    let taps = linear::surface_torque(&string, &method, &request).unwrap();
+    let responses = linear::responses(&string, &method, &request).unwrap();
+    let profile = SurfaceProfile::default();
+    let torque = SurfaceTorque::new(&responses, &taps, &profile, 0.0).unwrap();
+    let cascade = Cascade::new(&string, &method, &nodes, FREQUENCY, TIME).unwrap();
+    let simulators = [
+        Simulator::in_pieces(&cascade, &profile, 0.0).unwrap(),
+        Simulator::new(&responses).unwrap(),
+    ];
+    for start in starts {
+        let scene = Scene {
+            start: Start::Steady(start),
+            ..rest.clone()
+        };
+        let [of_pieces, of_whole] = simulators.each_ref().map(|simulator| {
+            let mut record = Trajectory::default();
+            (simulator.simulate(&scene, Stopping::Full, Some(&mut record))).unwrap();
+            record
+        });
+        let off = difference(&of_pieces, &of_whole);
+        assert!(off < 1e-6, "{off}");
+        let at_surface = torque.of(SPEED, &scene.start, &of_whole);
+        let off = relative_difference(&of_pieces.surface_torque, &at_surface);
+        assert!(off < 1e-6, "surface: {off}");
     }
 }
 

@@ -1,0 +1,166 @@
+//! The ports that bend, in two planes: what disturbs them, where that and the past bring them, and
+//! where their walls leave them.
+
+use crate::error::SimulationError;
+use crate::laws::contact::{Contact, WallLaw};
+use crate::line::{Bending, Past, WallPorts};
+use crate::port::LateralLine;
+use crate::scene::Lateral;
+use crate::system::System;
+
+/// The motion at the walls, in two planes.
+#[derive(Debug)]
+pub(crate) struct LateralMotion<'a, W> {
+    system: &'a System,
+    scene: &'a Lateral<W>,
+    channel: &'a Bending,
+    /// Which ports have these.
+    walls: &'a WallPorts,
+    /// Forces at the sites, along x and along y.
+    forces: Past<'a, 2, 2>,
+    /// The last step's state.
+    positions: Vec<[f64; 2]>,
+    sliding_speeds: Vec<Option<f64>>,
+    rotations: Vec<f64>,
+    /// This step without contact: forces of disturbances, and displacements; x of all
+    /// sites and then y.
+    external: Vec<f64>,
+    free_positions: Vec<f64>,
+    step_forces: Vec<f64>,
+}
+
+impl<'a, W: WallLaw> LateralMotion<'a, W> {
+    /// At rest in the middle.
+    ///
+    /// # Errors
+    /// Where the string does not bend, or has other walls.
+    pub(crate) fn new(
+        system: &'a System,
+        scene: &'a Lateral<W>,
+        steps: usize,
+    ) -> Result<Self, SimulationError> {
+        let channel = (system.from_forces.as_ref()).ok_or(SimulationError::NoForceInput)?;
+        let (walls, sites) = (scene.walls.len(), system.walls.len());
+        if walls != sites {
+            return Err(SimulationError::NotAWallForEachSite { walls, sites });
+        }
+        Ok(Self {
+            system,
+            scene,
+            channel,
+            walls: &system.walls,
+            forces: channel.past(steps),
+            positions: vec![[0.0; 2]; sites],
+            sliding_speeds: vec![None; sites],
+            rotations: vec![0.0; sites],
+            external: vec![0.0; 2 * sites],
+            free_positions: vec![0.0; 2 * sites],
+            step_forces: vec![0.0; 2 * sites],
+        })
+    }
+
+    /// What a step does without contact, the speeds of all ports in the last step given, rad/s.
+    pub(crate) fn find_free_motion(&mut self, time: f64, last_speeds: &[f64]) {
+        let sites = self.positions.len();
+        self.find_external_forces(time, last_speeds);
+        self.forces.write_past(&mut self.free_positions);
+        let planes = self.free_positions.chunks_exact_mut(sites);
+        for (positions, external) in planes.zip(self.external.chunks_exact(sites)) {
+            let acting = external
+                .iter()
+                .enumerate()
+                .filter(|(_, force)| **force != 0.0);
+            for (input, force) in acting {
+                for (site, position) in positions.iter_mut().enumerate() {
+                    *position += self.channel.instant(site, input) * force;
+                }
+            }
+        }
+    }
+
+    /// Disturbances of this step; an eccentric mass pulls as the last step
+    /// left it.
+    fn find_external_forces(&mut self, time: f64, last_speeds: &[f64]) {
+        let sampling = self.system.sampling;
+        let sites = self.positions.len();
+        self.external.fill(0.0);
+        let mut add = |site: usize, [x, y]: [f64; 2]| {
+            self.external[site] += x;
+            self.external[sites + site] += y;
+        };
+        for impulse in &self.scene.impulses {
+            add(impulse.site, impulse.force(time));
+        }
+        for mass in &self.scene.eccentric_masses {
+            let [x, y] = self.positions[mass.site];
+            let speed = last_speeds[self.walls.ports()[mass.site]];
+            let since = sampling.moment / sampling.frequency;
+            let rotation = self.rotations[mass.site] + since * speed;
+            add(mass.site, mass.force(x.hypot(y), rotation, speed));
+        }
+    }
+
+    /// Where the walls would be without contact, x of all and then y, m.
+    #[inline]
+    pub(crate) fn free_positions(&self) -> &[f64] {
+        &self.free_positions
+    }
+
+    /// The wall of a port, where it has one, with its number.
+    #[inline]
+    pub(crate) fn wall_at(&self, port: usize) -> Option<(usize, &'a W)> {
+        let wall = self.walls.at(port)?;
+        Some((wall, &self.scene.walls[wall]))
+    }
+
+    /// The load line at a wall that would be at a position without its own load.
+    #[inline]
+    pub(crate) fn line(&self, site: usize, free_position: [f64; 2]) -> LateralLine {
+        LateralLine {
+            free_position,
+            previous_position: self.positions[site],
+            previous_sliding_speed: self.sliding_speeds[site],
+            compliance: self.channel.instant(site, site),
+            sampling: self.system.sampling,
+        }
+    }
+
+    /// Ends a step with what all walls did and the speeds of all ports, rad/s.
+    pub(crate) fn end_step(&mut self, contacts: &[Contact], speeds: &[f64]) {
+        let (sites, sampling) = (self.positions.len(), self.system.sampling);
+        let ports = contacts.iter().zip(self.walls.ports());
+        for (site, (contact, &port)) in ports.enumerate() {
+            for axis in 0..2 {
+                let place = axis * sites + site;
+                self.step_forces[place] = self.external[place] + contact.force[axis];
+            }
+            self.positions[site] = sampling.end_of_step(contact.position, self.positions[site]);
+            self.sliding_speeds[site] = contact.touches().then_some(contact.sliding_speed);
+            self.rotations[site] += speeds[port] / sampling.frequency;
+        }
+        self.forces.add(&self.step_forces);
+    }
+
+    /// All forces at a wall so far along an axis, disturbances included, N.
+    pub(crate) fn forces(&self, axis: usize, site: usize) -> &[f64] {
+        self.forces.loads(axis, site)
+    }
+
+    /// At the beginning of a block, displacements through it, x of all walls and then y, as long as
+    /// nothing acts.
+    pub(crate) fn free_block(&self) -> Option<&[f64]> {
+        self.forces.next_block()
+    }
+
+    /// Where the string was at each wall at the end of the last step, m.
+    pub(crate) fn positions(&self) -> &[[f64; 2]] {
+        &self.positions
+    }
+
+    /// Passes a block in which nothing acts, at the end of which the string is at `positions`.
+    pub(crate) fn pass_block(&mut self, positions: &[[f64; 2]]) {
+        self.positions.copy_from_slice(positions);
+        self.sliding_speeds.fill(None);
+        self.forces.push_quiet_block();
+    }
+}
