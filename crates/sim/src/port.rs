@@ -147,19 +147,15 @@ impl<B: TorqueLaw> PortTorque<'_, B> {
 
     /// What the others have to know of a port that has been solved, what its wall does given.
     #[inline]
-    pub(crate) fn solved(&self, turn: &PortTurn<B::State>, at_wall: Option<&Contact>) -> Solved {
-        let (force, torque, normal_force) = at_wall.map_or(([0.0; 2], 0.0, 0.0), |contact| {
-            (contact.force, contact.torque, contact.normal_force)
-        });
+    pub(crate) fn solved(&self, turn: &PortTurn<B::State>, at_wall: &Contact) -> Solved {
         // What touches a wall, or is held, turns as that lets it.
-        let touches = at_wall.is_some_and(Contact::touches);
-        let is_held = touches || (turn.speed == 0.0 && !self.is_free());
+        let is_held = at_wall.touches() || (turn.speed == 0.0 && !self.is_free());
         Solved {
             load: Load {
-                force,
-                torque: torque + turn.law.torque(),
+                force: at_wall.force,
+                torque: at_wall.torque + turn.law.torque(),
             },
-            normal_force,
+            normal_force: at_wall.normal_force,
             slack: 0.0,
             speed: turn.speed,
             fall: (!is_held).then(|| self.fall(turn.speed)),

@@ -306,7 +306,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
             let (turn, solved) = match wall {
                 None => {
                     let turn = torque.turn(line, guess);
-                    let solved = torque.solved(&turn, None);
+                    let solved = torque.solved(&turn, &Contact::NONE);
                     (turn, solved)
                 }
                 Some((lateral, (at, wall))) => {
@@ -315,7 +315,7 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
                     let (contact, turn) = met.map_err(|error| {
                         SimulationError::of_contact(error, system.torsion.loaded()[port], time)
                     })?;
-                    let mut solved = torque.solved(&turn, Some(&contact));
+                    let mut solved = torque.solved(&turn, &contact);
                     if solved.load == Load::default() && torque.is_free() {
                         solved.slack = lateral_line.slack(wall.clearance());
                     }
