@@ -38,9 +38,10 @@ impl Coupling<'_> {
         free: Free,
         mut solve: impl FnMut(usize, Unloaded) -> Result<Solved, E>,
     ) -> Result<bool, E> {
-        if self.pending.len() == 1 {
+        if let (Within::All(_), 1) = (self.within, self.pending.len()) {
             // There are no others to agree with.
-            self.solve_port(0, free, &mut solve)?;
+            let solved = solve(0, self.unloaded(0, free))?;
+            self.loads.replace(0, solved.load);
             return Ok(true);
         }
         self.pending.fill(f64::INFINITY);
