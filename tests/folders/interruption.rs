@@ -17,7 +17,12 @@ mod signals;
 use crate::support::{Answer, SMALL, Workplace, with};
 
 /// The tables of results, which hold nothing of threads, times or machines.
-const TABLES: [&str; 3] = ["labels.csv", "failures.csv", "boundary.csv"];
+const TABLES: [&str; 4] = [
+    "labels.csv",
+    "failures.csv",
+    "boundary.csv",
+    "records.jsonl.gz",
+];
 
 /// A sweep of 300 cases by two methods that takes a second or two, if each case is
 /// simulated to its end.

@@ -83,7 +83,7 @@ fn simulate(
     simulator
         .simulate(&scene, Stopping::Full, None)
         .unwrap()
-        .torsion
+        .torsion()
         .unwrap()
 }
 
@@ -195,7 +195,7 @@ fn scaling_speed_and_torque_together_changes_no_label() {
         simulator
             .simulate(&scene, Stopping::Full, None)
             .unwrap()
-            .torsion
+            .torsion()
             .unwrap()
     };
     for ratio in [0.02, 0.05, 0.057, 0.058, 0.1, 0.5, 3.0] {
@@ -243,7 +243,7 @@ fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
         let outcome = simulator
             .simulate(&scene, Stopping::Full, Some(&mut trajectory))
             .unwrap();
-        assert_eq!(outcome.torsion.unwrap().regime, TorsionRegime::Stuck);
+        assert_eq!(outcome.torsion().unwrap().regime, TorsionRegime::Stuck);
         let torque =
             |time: f64| trajectory.bit_torque[(time * academic::SAMPLING_FREQUENCY) as usize];
         let rate = (torque(20.0) - torque(39.0)) / 19.0;

@@ -6,10 +6,11 @@ use linear::{Method, parallel};
 use serde::{Deserialize, Serialize};
 
 use crate::engine::{
-    Case, FINER, MethodSystem, Record, RunOptions, Shard, StringMemory, answer, has_case,
-    setting_of,
+    Case, MethodSystem, RunOptions, Shard, StringMemory, answer, has_case, setting_of,
 };
-use crate::labels::Labels;
+
+use crate::results::{FINER, Record};
+
 use crate::plan::{Setting, Starts, Sweep};
 use crate::sweep_file::StartName;
 use crate::words::{counted, short};
@@ -358,7 +359,7 @@ fn is_worth_building(sweep: &Sweep, setting: &Setting, longest: f64) -> bool {
 fn differing(some: &Records, others: &Records) -> [usize; 2] {
     let labels = |record: &Option<Record>| {
         let outcome = record.as_ref()?.outcome.as_ref().ok()?;
-        Some(Labels::of(outcome))
+        Some(outcome.labels())
     };
     let pairs = some.iter().zip(others);
     let both: Vec<_> = pairs

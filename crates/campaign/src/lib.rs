@@ -8,7 +8,8 @@
 //!                    │
 //!                  engine    linear systems built once ───────────────> crate `linear`
 //!                    │       cases over all cores, each handed on ────> crate `sim`
-//!                  labels    what is told of each
+//!                  results   what became of each, and the table of its columns
+//!                  labels    the rows of `labels.csv`
 //! ```
 //!
 //! There is no equation here: the string is the business of `linear`, its motion that of
@@ -31,6 +32,7 @@ pub mod plan;
 pub mod printable;
 pub mod quantities;
 pub mod random;
+pub mod results;
 pub mod rounds;
 pub mod run;
 pub mod sweep_file;

@@ -4,8 +4,9 @@
 use std::sync::{Mutex, PoisonError};
 
 use crate::design::TraceDesign;
-use crate::engine::Record;
-use crate::labels::{Labels, Motion};
+use crate::results::Record;
+use sim::{Labels, Motion, Outcome};
+
 use crate::trace::{Class, Known, Lattice, Next, next};
 
 /// What is known of a trace.
@@ -30,7 +31,11 @@ impl Rounds {
 
     /// Notes a case that is done.
     pub fn note(&self, record: &Record) {
-        let labels = record.outcome.as_ref().map(Labels::of).unwrap_or_default();
+        let labels = record
+            .outcome
+            .as_ref()
+            .map(Outcome::labels)
+            .unwrap_or_default();
         note_labels(&mut self.known(), record.case, record.method, labels);
     }
 

@@ -2,12 +2,13 @@
 
 use anyhow::{Context, Result, anyhow};
 use campaign::engine::{
-    Case, Choice, ChosenCase, Failure, FollowedMethod, LimitPoint, MethodSystem, Record,
-    RunOptions, answer, common_setting, stick_slip_limit,
+    Case, Choice, ChosenCase, FollowedMethod, LimitPoint, MethodSystem, RunOptions, answer,
+    common_setting, stick_slip_limit,
 };
-use campaign::labels::{Certainty, LabelTable, history_columns};
+use campaign::labels::{LabelTable, history_columns};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use campaign::results::{Certainty, Failure, Record};
 use campaign::sweep_file::MethodName;
 use linear::estimates::largest_undershoot;
 use serde_json::{Map, Value, json};

@@ -6,7 +6,8 @@ use std::sync::{Mutex, PoisonError};
 
 use anyhow::{Result, bail};
 use campaign::design::Design;
-use campaign::engine::{Record, RunOptions, Shard, Survey, Work, pairs_of};
+use campaign::engine::{RunOptions, Shard, Survey, Work, pairs_of};
+use campaign::results::Record;
 use campaign::labels::LabelTable;
 use campaign::memory::{Limit, Size};
 use campaign::plan::Sweep as Plan;

@@ -3,10 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use campaign::engine::{
-    Choice, ChoiceError, ChosenCase, Failure, FollowedMethod, MethodSystem, Record, RunOptions,
-    Survey, answer, common_setting,
-};
+use campaign::engine::{Choice, ChoiceError, ChosenCase, FollowedMethod, MethodSystem, RunOptions, Survey, answer, common_setting};
+
+use campaign::results::{Failure, Record};
 use campaign::labels::LabelTable;
 use campaign::memory::{Limit, Purpose, admit};
 use campaign::plan::Sweep as Plan;

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use campaign::engine::Record;
-use campaign::labels::{Certainty, Field, Kind, LabelTable};
+use campaign::results::{Certainty, Field, Kind, Record};
+use campaign::labels::LabelTable;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyNone, PyString};

@@ -71,7 +71,7 @@
 //!     timing: sim::torsion_timing(&string, 0.5, &bit, &Start::Rest),
 //! };
 //! let outcome = simulator.simulate(&scene, sim::Stopping::Early, None)?;
-//! assert_eq!(outcome.torsion.map(|torsion| torsion.regime), Some(TorsionRegime::Smooth));
+//! assert_eq!(outcome.torsion().map(|torsion| torsion.regime), Some(TorsionRegime::Smooth));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -81,9 +81,11 @@ mod coupling;
 pub mod diagnosis;
 mod error;
 pub mod excitation;
+mod label;
 mod lateral_motion;
 pub mod laws;
 mod line;
+mod motion;
 pub mod oscillator;
 mod outcome;
 mod port;
@@ -106,6 +108,7 @@ mod words;
 
 pub use error::SimulationError;
 pub use excitation::{EccentricMass, Impulse};
+pub use label::{Label, Labels};
 pub use laws::bit::BitTorque;
 pub use laws::contact::WallLaw;
 pub use laws::pipe::PipeFriction;
@@ -113,7 +116,8 @@ pub use laws::rock::Rock;
 pub use laws::torque::{LoadLine, TorqueLaw};
 pub use laws::wall::Wall;
 pub use line::pieces::SurfaceStep;
-pub use outcome::{Ended, Label, Outcome, Stopping};
+pub use motion::{Motion, PerMotion};
+pub use outcome::{Ended, Measures, Outcome, Stopping};
 pub use ranges::SceneError;
 pub use recording::{Recording, RecordingError};
 pub use sampling::Sampling;

@@ -1,14 +1,14 @@
 //! What a simulation may leave out, and what it answers.
 
-use std::cmp::Ordering;
-
 use serde::{Deserialize, Serialize};
 
 use crate::error::SimulationError;
+use crate::label::{Label, Labels};
+use crate::motion::{Motion, PerMotion};
 use crate::watch::along::StringTorque;
-use crate::watch::lateral::{LateralMeasures, LateralRegime};
+use crate::watch::lateral::LateralMeasures;
 use crate::watch::surface::SurfaceMeasures;
-use crate::watch::torsion::{TorsionMeasures, TorsionRegime};
+use crate::watch::torsion::TorsionMeasures;
 use crate::words::with_words;
 
 /// What a simulation may leave out.
@@ -36,53 +36,31 @@ with_words! {
     }
 }
 
-/// A regime of either motion, in the order of their words, which all differ.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+/// What was measured of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
-pub enum Label {
+pub enum Measures {
     /// Of the bit's rotation.
-    Torsion(TorsionRegime),
+    Torsion(TorsionMeasures),
     /// Of lateral motion.
-    Lateral(LateralRegime),
+    Lateral(LateralMeasures),
 }
 
-impl Label {
-    /// The label in result files.
-    pub fn name(self) -> &'static str {
+impl Measures {
+    /// The regime.
+    pub fn label(&self) -> Label {
         match self {
-            Label::Torsion(regime) => regime.name(),
-            Label::Lateral(regime) => regime.name(),
+            Measures::Torsion(torsion) => torsion.regime.into(),
+            Measures::Lateral(lateral) => lateral.regime.into(),
         }
     }
 
-    /// The one that a word means.
-    pub fn of_name(name: &str) -> Option<Self> {
-        let torsion = TorsionRegime::of_name(name).map(Label::Torsion);
-        torsion.or_else(|| LateralRegime::of_name(name).map(Label::Lateral))
-    }
-}
-
-impl From<TorsionRegime> for Label {
-    fn from(regime: TorsionRegime) -> Self {
-        Label::Torsion(regime)
-    }
-}
-
-impl From<LateralRegime> for Label {
-    fn from(regime: LateralRegime) -> Self {
-        Label::Lateral(regime)
-    }
-}
-
-impl Ord for Label {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.name().cmp(other.name())
-    }
-}
-
-impl PartialOrd for Label {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
+    /// What may be no number, with its name.
+    fn numbers(&self) -> Vec<(&'static str, f64)> {
+        match self {
+            Measures::Torsion(torsion) => torsion.numbers().to_vec(),
+            Measures::Lateral(lateral) => lateral.numbers().to_vec(),
+        }
     }
 }
 
@@ -97,43 +75,48 @@ pub struct Outcome {
     /// same.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub predicted: Option<Label>,
-    /// Regime and measures of the bit, where it meets rock.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub torsion: Option<TorsionMeasures>,
+    /// Regime and measures of each motion that is modelled: of the bit, where it meets rock, and
+    /// of lateral motion.
+    #[serde(flatten)]
+    pub measures: PerMotion<Option<Measures>>,
     /// What turns the surface, where that is followed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surface: Option<SurfaceMeasures>,
     /// The greatest torque along the string, where that is followed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub string_torque: Option<StringTorque>,
-    /// Regime and measures of the lateral motion, where it is modelled.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub lateral: Option<LateralMeasures>,
 }
 
 impl Outcome {
+    /// What was measured of the bit, where it meets rock.
+    pub fn torsion(&self) -> Option<TorsionMeasures> {
+        match self.measures[Motion::Torsion] {
+            Some(Measures::Torsion(torsion)) => Some(torsion),
+            _ => None,
+        }
+    }
+
+    /// What was measured of the lateral motion, where it is modelled.
+    pub fn lateral(&self) -> Option<LateralMeasures> {
+        match self.measures[Motion::Lateral] {
+            Some(Measures::Lateral(lateral)) => Some(lateral),
+            _ => None,
+        }
+    }
+
+    /// The regime of each motion.
+    pub fn labels(&self) -> Labels {
+        Labels::from_fn(|motion| self.measures[motion].as_ref().map(Measures::label))
+    }
+
     /// Itself, unless what was measured is no number: squares and sums of finite
     /// motion may be none.
     pub(crate) fn finite(self) -> Result<Self, SimulationError> {
-        let of_torsion = self.torsion.iter().flat_map(TorsionMeasures::numbers);
-        let of_bending = self.lateral.iter().flat_map(LateralMeasures::numbers);
-        let mut all = of_torsion.chain(of_bending);
+        let measures = self.measures.iter().filter_map(|(_, of)| of.as_ref());
+        let mut all = measures.flat_map(Measures::numbers);
         match all.find(|(_, value)| !value.is_finite()) {
             Some((measure, _)) => Err(SimulationError::NotMeasured { measure }),
             None => Ok(self),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_label_has_a_word_of_its_own() {
-        let torsion = TorsionRegime::ALL.map(Label::Torsion).into_iter();
-        for label in torsion.chain(LateralRegime::ALL.map(Label::Lateral)) {
-            assert_eq!(Label::of_name(label.name()), Some(label));
         }
     }
 }

@@ -3,7 +3,9 @@
 use linear::{Cascade, Responses, SteppedString};
 
 use crate::error::SimulationError;
-use crate::outcome::{Ended, Label, Outcome, Stopping};
+use crate::label::Label;
+use crate::motion::{Motion, PerMotion};
+use crate::outcome::{Ended, Measures, Outcome, Stopping};
 use crate::scene::{Lateral, Scene};
 use crate::shortcuts::{BitAlone, pass_free_block};
 use crate::start::Start;
@@ -391,14 +393,16 @@ impl Case<'_> {
             simulated: self.system.sampling.start_of(end.last),
             ended: end.ended,
             predicted: end.predicted,
-            torsion: self.torsion(),
+            measures: PerMotion::from_fn(|motion| match motion {
+                Motion::Torsion => self.torsion().map(Measures::Torsion),
+                Motion::Lateral => lateral.map(Measures::Lateral),
+            }),
             surface: (self.watch.surface.as_ref()).map(|torques| {
                 let window = self.scene.timing.closing_window;
                 SurfaceMeasures::of(torques, self.system.sampling, window)
             }),
             string_torque: (self.watch.along.as_ref())
                 .map(|along| along.measures(self.system.sites.distances_from_bit())),
-            lateral,
         }
         .finite()
     }

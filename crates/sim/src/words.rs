@@ -7,8 +7,8 @@ macro_rules! with_words {
         $(#[$about:meta])*
         pub enum $name:ident { $($(#[$doc:meta])* $variant:ident = $word:literal,)* }
     ) => {
-        $(#[$about])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+        $(#[$about])*
         pub enum $name {
             $($(#[$doc])* #[serde(rename = $word)] $variant,)*
         }

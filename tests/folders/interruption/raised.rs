@@ -1,5 +1,7 @@
 //! More random cases: what is done stays, and the result is that of a fresh run.
 
+use std::io::Read;
+
 use crate::interruption::{logged, same_tables};
 use crate::support::{Answer, SMALL, Workplace, small_with_design, with};
 
@@ -232,40 +234,61 @@ fn fewer_cases_or_other_ones_are_refused() {
 }
 
 #[test]
-fn results_that_are_not_what_was_written_are_not_raised() {
+fn records_that_are_not_what_was_written_are_not_raised() {
     let place = Workplace::new();
     run(&place, 40, "results", &[]);
-    // Without checksums, as version 0.1.0 kept none.
-    let manifest = std::fs::read(place.path("results/manifest.json")).unwrap();
-    let mut manifest: serde_json::Value = serde_json::from_slice(&manifest).unwrap();
-    manifest.as_object_mut().unwrap().remove("files").unwrap();
-    place.write("results/manifest.json", manifest.to_string());
-    let labels = std::fs::read_to_string(place.path("results/labels.csv")).unwrap();
-    let row = labels.lines().nth(5).unwrap();
-    let cut = labels.trim_end().rfind('\n').unwrap() + 1;
-    for (damaged, why) in [
-        (labels[..cut].to_owned(), "it has 79 rows, not 80"),
-        (
-            with(&labels, row, &row.replacen("2,", "3,", 1)),
-            "line 6 is no row of it",
-        ),
-        (labels.replace(",status", ",state"), "it has other columns"),
-    ] {
-        place.write("results/labels.csv", damaged);
-        place.write("small.toml", random(90));
+    place.write("small.toml", random(90));
+    let refused = |why: &str| {
         let before = place.files();
         let answer = place.sweep(&["run", "small.toml", "--quiet", "--out", "results"]);
         assert_eq!(answer.code, 1, "{answer:?}");
-        let meant = format!("results/labels.csv is not what the run has written: {why}");
+        let meant = format!("{why}; begin anew with --fresh, or choose another --out");
         assert!(answer.errors.contains(&meant), "{answer:?}");
         assert!(place.files() == before);
-    }
-    // A reason that is gone.
-    place.write("results/labels.csv", labels);
-    place.write("results/failures.csv", "case,method,reason,repeat_with\n");
+    };
+    let records = std::fs::read(place.path("results/records.jsonl.gz")).unwrap();
+    let mut damaged = records.clone();
+    damaged[records.len() / 2] ^= 1;
+    place.write("results/records.jsonl.gz", &damaged);
+    refused("records.jsonl.gz is damaged: its SHA-256 is not that of the one that was written");
+    place.write("results/records.jsonl.gz", &records[..records.len() / 2]);
+    refused(&format!("and the one that was written {}", records.len()));
+    std::fs::remove_file(place.path("results/records.jsonl.gz")).unwrap();
+    refused("results/records.jsonl.gz is missing");
+    // By an earlier version, which kept none.
+    let manifest = std::fs::read(place.path("results/manifest.json")).unwrap();
+    let mut manifest: serde_json::Value = serde_json::from_slice(&manifest).unwrap();
+    let files = manifest["files"].as_object_mut().unwrap();
+    files.remove("records.jsonl.gz").unwrap();
+    place.write("results/manifest.json", manifest.to_string());
+    refused("results holds no records.jsonl.gz, by which it could go on");
+}
+
+/// A line of it is a record, whose numbers are those of the case to the last bit.
+#[test]
+fn the_records_of_a_run_stay_in_its_folder() {
+    let place = Workplace::with_small(SMALL);
     let answer = place.sweep(&["run", "small.toml", "--quiet", "--out", "results"]);
-    assert_eq!(answer.code, 1, "{answer:?}");
-    assert!(answer.errors.contains("is no row of it"), "{answer:?}");
+    assert_eq!(answer.code, 0, "{answer:?}");
+    let file = std::fs::File::open(place.path("results/records.jsonl.gz")).unwrap();
+    let mut text = String::new();
+    flate2::read::GzDecoder::new(file)
+        .read_to_string(&mut text)
+        .unwrap();
+    let labels = std::fs::read_to_string(place.path("results/labels.csv")).unwrap();
+    let mut rows = csv::Reader::from_reader(labels.as_bytes());
+    let names = rows.headers().unwrap().clone();
+    let rows: Vec<csv::StringRecord> = rows.records().map(Result::unwrap).collect();
+    assert_eq!(text.lines().count(), rows.len());
+    for (line, row) in text.lines().zip(&rows) {
+        let record: serde_json::Value = serde_json::from_str(line).unwrap();
+        let field = |name: &str| &row[names.iter().position(|it| it == name).unwrap()];
+        assert_eq!(record["case"].to_string(), field("case"));
+        let torsion = &record["outcome"]["Ok"]["torsion"];
+        assert_eq!(torsion["regime"], field("torsion"));
+        let rpm = torsion["peak_speed"].as_f64().unwrap() / (std::f64::consts::TAU / 60.0);
+        assert_eq!(rpm.to_string(), field("bit_speed_peak_rpm"));
+    }
 }
 
 /// A number that is read back a digit off would make another sweep of it.

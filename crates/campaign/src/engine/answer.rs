@@ -5,10 +5,10 @@ use sim::Trajectory;
 use super::case::Case;
 use super::finding::find_sites;
 use super::nearby::certify;
-use super::record::Record;
 use super::run_options::RunOptions;
 use super::systems::MethodSystem;
 use crate::plan::Sweep;
+use crate::results::Record;
 
 /// What a run with these options comes to of a case; `method` is the place of the system's in
 /// the sweep's list. A case that panics is one without an answer, and not the end of the sweep.

@@ -13,11 +13,11 @@ use super::case::Case;
 use super::case_error::CaseError;
 use super::clearances::{Beyond, Clearances};
 use super::nearby::certify;
-use super::record::{Failure, Found, Record};
 use super::run_options::RunOptions;
 use super::stepped::{MOST_BY_TAPS, stepped_by};
 use super::systems::MethodSystem;
 use crate::plan::{Finding, Setting, Sweep};
+use crate::results::{Failure, Found, Record};
 
 /// Sites are told to a millimetre, in so many parts of a metre.
 const TOLD_TO: f64 = 1e3;

@@ -5,11 +5,11 @@ use sim::{Outcome, Stopping, Trajectory};
 
 use super::answer::answer;
 use super::case::Case;
-use super::record::Record;
 use super::run_options::RunOptions;
 use super::simulation::Simulation;
 use super::systems::MethodSystem;
 use crate::plan::Sweep;
+use crate::results::Record;
 use crate::words::short;
 
 /// The linear systems of one method.

@@ -17,7 +17,6 @@ mod instability;
 mod limit;
 mod memory;
 mod nearby;
-mod record;
 mod rubbing;
 mod run_options;
 mod shard;
@@ -26,7 +25,6 @@ mod stepped;
 mod stopwatch;
 mod survey;
 mod systems;
-mod verdict;
 
 pub use answer::answer;
 pub use case::Case;
@@ -39,14 +37,12 @@ pub use idle_axis::why_idle;
 pub use instability::{Instability, is_unstable};
 pub use limit::{LimitPoint, stick_slip_limit};
 pub use memory::StringMemory;
-pub use record::{ByStart, Failure, Found, Record, certified};
 pub use run_options::RunOptions;
 pub use shard::Shard;
 pub use simulation::Simulation;
 pub use stopwatch::Stopwatch;
 pub use survey::{Survey, longest_beside, setting_of, survey};
 pub use systems::{MethodSystem, add_finer, compare_fronts};
-pub use verdict::{Certified, FINER, LateralVerdict, Verdict};
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -56,6 +52,7 @@ use linear::parallel;
 
 use crate::design::Design;
 use crate::plan::Sweep;
+use crate::results::{Failure, Record};
 
 /// What becomes of a record.
 pub type Keep<'a> = &'a (dyn Fn(Record) -> Result<()> + Sync);

@@ -5,14 +5,14 @@
 //! depend on details of the string that no method resolves.
 
 use linear::Method;
-use sim::{Stopping, TorsionRegime};
+use sim::{Label, Motion, Stopping};
 
 use super::case::Case;
-use super::record::Record;
 use super::run_options::RunOptions;
 use super::systems::MethodSystem;
 use crate::plan::Sweep;
 use crate::quantities::Axis;
+use crate::results::{Record, Verdict};
 
 /// Surface speeds as fractions of that of a case, at which a certain label is the same. Edges that
 /// methods put as much as 8 % apart are not missed, nor are labels that alternate every 2 %; of
@@ -30,12 +30,12 @@ fn looks_nearby(sweep: &Sweep, method: usize) -> bool {
     })
 }
 
-/// Whether the bit of a case has a regime at nearby speeds, too: false where a case there has
+/// Whether the bit of a case has a label at nearby speeds, too: false where a case there has
 /// another one, or no answer. Each lasts as long as the case does.
 fn agrees_nearby(
     system: &MethodSystem,
     case: &Case,
-    regime: TorsionRegime,
+    label: Label,
     sweep: &Sweep,
     stopping: Stopping,
 ) -> bool {
@@ -48,7 +48,8 @@ fn agrees_nearby(
             nearby.scene.timing = case.scene.timing;
             system.verdict(&nearby, stopping)
         });
-        verdict.is_some_and(|verdict| verdict.torsion == Some(regime))
+        let of_bit = verdict.and_then(|verdict| verdict[Motion::Torsion]);
+        of_bit.is_some_and(|verdict| verdict.label() == label)
     })
 }
 
@@ -63,9 +64,10 @@ pub fn certify(
 ) {
     let stopping = options.stopping(case.index);
     record.finer = system.finer_verdict(case, stopping);
-    let agreed = record.finer.and_then(|finer| finer.torsion);
-    let regime = record.verdict().torsion.filter(|it| agreed == Some(*it));
-    record.agrees_nearby = regime
+    let of_bit = |verdict: Verdict| verdict[Motion::Torsion].map(|it| it.label());
+    let agreed = record.finer.and_then(of_bit);
+    let label = of_bit(record.verdict()).filter(|it| agreed == Some(*it));
+    record.agrees_nearby = label
         .filter(|_| looks_nearby(sweep, record.method))
-        .map(|regime| agrees_nearby(system, case, regime, sweep, stopping));
+        .map(|label| agrees_nearby(system, case, label, sweep, stopping));
 }

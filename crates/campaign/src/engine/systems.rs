@@ -7,18 +7,17 @@ use linear::deviation::exact_undershoot;
 use linear::estimates::{largest_response, largest_undershoot, stick_slip_speed_limit};
 use linear::{ChannelResponses, Method, Responses};
 use sim::{
-    Label, Outcome, Scene, SimulationError, Simulator, Stopping, SurfaceTorque, TorsionRegime,
-    Trajectory,
+    Label, Measures, Motion, Outcome, Scene, SimulationError, Simulator, Stopping, SurfaceTorque,
+    TorsionRegime, Trajectory,
 };
 
 use super::case::Case;
 use super::case_error::CaseError;
 use super::front::{Front, WrongFront};
 use super::instability::{Instability, is_unstable};
-use super::record::{ByStart, Failure, Record};
 use super::run_options::RunOptions;
-use super::verdict::Verdict;
 use crate::plan::{Setting, Sweep};
+use crate::results::{ByStart, Failure, Record, Verdict, verdict};
 
 mod building;
 
@@ -212,7 +211,7 @@ impl MethodSystem {
             Ok::<_, SimulationError>(outcome)
         });
         let outcome = catch_unwind(simulate).ok()?.ok()?;
-        Some(Verdict::of(&outcome, self.above_limit(&case.scene)))
+        Some(verdict(&outcome, self.above_limit(&case.scene)))
     }
 
     /// Simulates a case that begins both ways from its other start, too: the label of what came
@@ -230,7 +229,8 @@ impl MethodSystem {
             return Ok(None);
         };
         let other = self.simulate(&other, stopping, None)?;
-        let (Some(torsion), Some(other)) = (&mut outcome.torsion, other.torsion) else {
+        let of_bit = &mut outcome.measures[Motion::Torsion];
+        let (Some(Measures::Torsion(torsion)), Some(other)) = (of_bit, other.torsion()) else {
             return Ok(None);
         };
         let (stuck, smooth) = (torsion.regime, other.regime);
@@ -279,7 +279,7 @@ impl MethodSystem {
         record.torque_dynamic_nm = case.torque_dynamic_nm;
         record.by_start = by_start;
         if let Ok(simulated) = simulated {
-            let lateral = simulated.as_ref().ok().and_then(|outcome| outcome.lateral);
+            let lateral = simulated.as_ref().ok().and_then(Outcome::lateral);
             record.site_from_bit_m = lateral.map(|lateral| walls[lateral.site]);
             record.outcome = simulated.map_err(|error| {
                 let site = error.site();

@@ -3,8 +3,7 @@
 use linear::Sites;
 use sim::Trajectory;
 
-use super::table::to_mm;
-use crate::plan::to_rpm;
+use crate::results::{to_mm, to_rpm};
 
 /// One of them.
 pub struct Column {

@@ -1,16 +1,9 @@
-//! What is told of a case by a method in a row of `labels.csv`.
+//! `labels.csv`: the columns and rows of a sweep.
 
-mod certainty;
-mod field;
+mod certified_by;
 mod history;
-mod motion;
 mod table;
 
-pub use certainty::{Certainty, CertifiedBy};
-pub use field::{Field, Kind};
+pub use certified_by::CertifiedBy;
 pub use history::{Column, history_columns};
-pub use motion::{Labels, Motion, is_sustained};
-pub use table::{
-    FAILED, FOUND_COLUMNS, LATERAL_COLUMNS, LabelTable, TORSION_COLUMNS, shows_found,
-    shows_string_torque, shows_surface, shows_torque, to_kn, to_mm, to_turns,
-};
+pub use table::{LabelTable, shows_found, shows_string_torque, shows_surface, shows_torque};

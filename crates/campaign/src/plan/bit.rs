@@ -4,7 +4,8 @@ use sim::laws::rock::{CuttingLaw, PoorCleaning, RockError};
 use sim::{BitTorque, Rock};
 use thiserror::Error;
 
-use super::conditions::{Conditions, RPM};
+use super::conditions::Conditions;
+use crate::quantities::RPM;
 use crate::quantities::{Axis, RockConstant};
 use crate::sweep_file::{BitTable, LawTable, RockName, Source, SweepFileError};
 

@@ -2,7 +2,7 @@
 
 use sim::{Recording, Trajectory};
 
-use super::conditions::to_rpm;
+use crate::results::to_rpm;
 use crate::sweep_file::{
     AutoOr, CompareTable, Extreme, FileContent, Source, SweepFileError, TextOf, TraceName,
     read_series,

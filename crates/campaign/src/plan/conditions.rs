@@ -3,11 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::design::Design;
-use crate::quantities::{Axis, WallQuantity};
+use crate::quantities::{Axis, RPM, WallQuantity};
 use crate::sweep_file::{FileContent, LawTable, Source, SweepFileError};
-
-/// One turn a minute, rad/s.
-pub const RPM: f64 = std::f64::consts::TAU / 60.0;
 
 /// Operating conditions of a case, in the units of their names.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -112,11 +109,6 @@ impl Conditions {
     pub fn has(&self, axis: Axis, design: &Design) -> bool {
         self.value(axis).is_some() || design.axes().contains(&axis)
     }
-}
-
-/// A radian per second in rpm.
-pub fn to_rpm(speed: f64) -> f64 {
-    speed / RPM
 }
 
 /// What the file says of the conditions; where the surface was recorded, its speed is in parts

@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::bit::Bit;
 use super::setting::Setting;
 use crate::design::Design;
-use crate::quantities::{Axis, Measure, Needs};
+use crate::quantities::Axis;
+use crate::results::{Measure, Needs};
 use crate::sweep_file::{FileContent, MarkTable, Source, SweepFileError};
 
 /// How the regime map is drawn.
@@ -85,7 +86,10 @@ fn is_measured(
     measure: Measure,
 ) -> Result<(), SweepFileError> {
     let friction = content.string_friction.as_ref();
-    let (is_there, what) = match measure.needs() {
+    let Some(needs) = measure.needs() else {
+        return Ok(());
+    };
+    let (is_there, what) = match needs {
         Needs::Bit => (content.bit.is_some(), "a torque at the bit: `[bit]`"),
         Needs::Wall => (setting.lateral.is_some(), "a wall: `[wall]`"),
         Needs::SurfaceTorque => (

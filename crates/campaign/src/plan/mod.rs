@@ -41,7 +41,7 @@ mod well_course;
 pub use bit::{Bit, TorqueError};
 pub use choice::{Candidate, Choice, Tried};
 pub use compare::Comparison;
-pub use conditions::{Conditions, to_rpm};
+pub use conditions::Conditions;
 pub use data::Data;
 pub use finding::Finding;
 pub use impulses::{ImpulseAmount, ImpulseSettings, LARGEST_IMPULSE};

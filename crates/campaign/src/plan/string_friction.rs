@@ -6,11 +6,12 @@ use linear::well::{PressedBy, SideForce, WindingUp, least_pieces};
 use linear::{Drillstring, Mud, Sites};
 use sim::PipeFriction;
 
-use super::conditions::{Conditions, RPM};
+use super::conditions::Conditions;
 use super::data::Data;
 use super::hole::survey_along;
 use crate::design::Design;
 use crate::quantities::Axis;
+use crate::quantities::RPM;
 use crate::sweep_file::{FileContent, MethodName, PressedByName, Source, SweepFileError};
 
 /// More pieces than a string has joints make nothing better.

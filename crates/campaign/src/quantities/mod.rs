@@ -4,7 +4,6 @@
 
 mod axis;
 mod field_units;
-mod measure;
 mod numbered;
 mod range;
 mod table;
@@ -15,7 +14,6 @@ pub use field_units::{
     FOOT, FORCE, IMPULSE, INCH, INERTIA, INTEGRAL_GAIN, LENGTH, POUND, POUND_FORCE,
     PROPORTIONAL_GAIN, TORQUE, TWINS, Twin, WIDTH, in_si, shown_as,
 };
-pub use measure::{Measure, Needs};
 pub use range::{in_digits, within};
 pub use table::LONGEST_STRING;
-pub use units::{Unit, Units};
+pub use units::{RPM, Unit, Units};

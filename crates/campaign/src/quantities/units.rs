@@ -4,6 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::field_units::{Twin, shown_as};
 
+/// One turn a minute, rad/s.
+pub const RPM: f64 = std::f64::consts::TAU / 60.0;
+
 /// Digits of a number that was converted.
 const CONVERTED: usize = 5;
 
@@ -46,7 +49,7 @@ impl Units {
     }
 
     /// The twin that a name in SI units has in these, if it has another one.
-    pub(super) fn twin_of(self, name: &str) -> Option<&'static Twin> {
+    pub(crate) fn twin_of(self, name: &str) -> Option<&'static Twin> {
         match self {
             Self::Si => None,
             Self::Field => shown_as(name),

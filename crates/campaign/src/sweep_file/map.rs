@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::quantities::{Axis, Measure};
+use crate::quantities::Axis;
+use crate::results::Measure;
 
 /// How the regime map is drawn.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

@@ -105,7 +105,7 @@ fn the_bit_is_the_site_at_the_bit() {
         run(&simulator.unwrap(), &cutting())
     };
     let [alone, after, before] = [vec![1], vec![0, 1], vec![1, 0]].map(|torques| {
-        let torsion = at_bit(torques).unwrap().torsion.unwrap();
+        let torsion = at_bit(torques).unwrap().torsion().unwrap();
         (torsion.regime, torsion.sticks, torsion.peak_speed)
     });
     // A bit alone is stepped from its first slip on.
@@ -140,7 +140,7 @@ fn a_scene_that_does_not_fit_its_responses_is_refused() {
     let expected = SimulationError::NotAWallForEachSite { walls: 1, sites: 2 };
     assert_eq!(run(&two, &touching()), Err(expected));
     let [cutting_alone, cutting_there] = [&alone, &two].map(|simulator| {
-        let torsion = run(simulator, &cutting()).unwrap().torsion.unwrap();
+        let torsion = run(simulator, &cutting()).unwrap().torsion().unwrap();
         (torsion.regime, torsion.sticks)
     });
     assert_eq!(cutting_alone, cutting_there);
@@ -378,8 +378,8 @@ proptest! {
         for stopping in [Stopping::Full, Stopping::Early] {
             match SIMULATOR.simulate(&scene, stopping, None) {
                 Ok(outcome) => {
-                    let lateral = outcome.lateral.unwrap();
-                    let torsion = outcome.torsion.map_or(0.0, |torsion| torsion.peak_speed);
+                    let lateral = outcome.lateral().unwrap();
+                    let torsion = outcome.torsion().map_or(0.0, |torsion| torsion.peak_speed);
                     let numbers = [
                         lateral.peak_radius,
                         lateral.mean_radius,

@@ -213,7 +213,7 @@ fn sliding_that_friction_may_shake_is_not_taken_as_settled() {
             },
         };
         let outcome = simulator.simulate(&scene, Stopping::Early, None).unwrap();
-        let rolls = outcome.lateral.unwrap().rolling_fraction;
+        let rolls = outcome.lateral().unwrap().rolling_fraction;
         (outcome.ended, rolls > 0.5)
     };
     let (rolling, sliding) = ([1000.0, 0.0], [0.0, 1000.0]);

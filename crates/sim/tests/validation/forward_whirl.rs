@@ -174,7 +174,7 @@ fn academic_whirl(
     };
     let simulator = Simulator::new(&responses).unwrap();
     let outcome = simulator.simulate(&scene, Stopping::Full, None).unwrap();
-    (found, outcome.lateral.unwrap())
+    (found, outcome.lateral().unwrap())
 }
 
 /// Fig. 15: 3.5 kN at 15.23 mm.

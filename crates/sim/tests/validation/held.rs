@@ -92,7 +92,7 @@ fn sharp_fronts_leave_the_limit_of_stick_slip_where_waves_have_it() {
                     timing: torsion_timing(&string, rpm(speed), &BIT, &sim::Start::Rest),
                 };
                 let outcome = simulator.simulate(&scene, Stopping::Full, None).unwrap();
-                outcome.torsion.unwrap().regime == TorsionRegime::StickSlip
+                outcome.torsion().unwrap().regime == TorsionRegime::StickSlip
             });
             assert_close(found, by_waves, 0.015);
         }
@@ -163,7 +163,7 @@ impl Pushed {
             },
         };
         let outcome = self.simulator.simulate(&scene, Stopping::Full, None);
-        outcome.unwrap().lateral.unwrap()
+        outcome.unwrap().lateral().unwrap()
     }
 
     /// The least friction with which whirl goes on.

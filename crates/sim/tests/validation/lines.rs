@@ -230,12 +230,12 @@ fn pieces_and_responses_of_the_whole_string_have_one_motion() {
         println!("{with:?} {} {off:e}", method.name());
         assert!(off < 1e-6, "{with:?} {}: {off}", method.name());
         assert_eq!(
-            one.torsion.map(|it| it.regime),
-            other.torsion.map(|it| it.regime)
+            one.torsion().map(|it| it.regime),
+            other.torsion().map(|it| it.regime)
         );
         assert_eq!(
-            one.lateral.map(|it| it.regime),
-            other.lateral.map(|it| it.regime)
+            one.lateral().map(|it| it.regime),
+            other.lateral().map(|it| it.regime)
         );
         if with.walls {
             let touches = of_whole.touches.iter().flatten();
@@ -301,7 +301,7 @@ fn held_waves_have_the_motion_of_quadrature_where_it_is_smooth() {
     let with = ALL[0];
     let (one, _) = motion(&whole(with, &Method::Held), with);
     let (other, _) = motion(&pieces(with, &Method::Quadrature), with);
-    let [one, other] = [one, other].map(|outcome| outcome.torsion.unwrap());
+    let [one, other] = [one, other].map(|outcome| outcome.torsion().unwrap());
     assert_eq!(one.regime, other.regime);
     let slips = [one, other].map(|it| it.first_slip.unwrap());
     assert!((slips[0] / slips[1] - 1.0).abs() < 0.01, "{slips:?}");
@@ -379,8 +379,8 @@ fn strings_that_rub_and_end_early_have_the_labels_of_those_that_do_not() {
         let simulator = Simulator::in_pieces(&cascade, &SurfaceProfile::Rise(2.0), 0.0).unwrap();
         let run = |stopping| simulator.simulate(&scene, stopping, None).unwrap();
         let (early, full) = (run(Stopping::Early), run(Stopping::Full));
-        let regime = full.torsion.unwrap().regime;
-        assert_eq!(early.torsion.unwrap().regime, regime, "{number}");
+        let regime = full.torsion().unwrap().regime;
+        assert_eq!(early.torsion().unwrap().regime, regime, "{number}");
         stepped[0] += early.simulated;
         stepped[1] += full.simulated;
         if early.ended == Ended::Settled {

@@ -335,7 +335,7 @@ impl Shaken {
                 },
             };
             let outcome = simulator.simulate(&scene, Stopping::Full, None).unwrap();
-            let found = outcome.lateral.unwrap();
+            let found = outcome.lateral().unwrap();
             // A bent string may lean on its walls while it straightens, for minutes, and friction
             // then takes it round a little; that is no steady whirl.
             let goes_round = found.precession_rate.abs() * CLOSING_WINDOW > TAU;

@@ -226,7 +226,7 @@ fn cases_that_end_early_have_the_labels_of_those_that_do_not() {
         for scene in scenes {
             let regime = |stopping| {
                 let outcome = simulator.simulate(&scene, stopping, None).unwrap();
-                (outcome.torsion.unwrap().regime, outcome.ended)
+                (outcome.torsion().unwrap().regime, outcome.ended)
             };
             let ((early, how), (full, _)) = (regime(Stopping::Early), regime(Stopping::Full));
             assert_eq!(early, full, "{number}: {how:?}");

@@ -123,7 +123,7 @@ fn a_mesh_that_is_stepped_moves_as_its_taps_do() {
             positions < 1e-6 && speeds < 1e-6,
             "{friction}: {positions} {speeds}"
         );
-        let [one, other] = [&taps.0, &mesh.0].map(|outcome| outcome.lateral.unwrap());
+        let [one, other] = [&taps.0, &mesh.0].map(|outcome| outcome.lateral().unwrap());
         assert_eq!(one.regime, other.regime, "{friction}");
         let first = one.first_contact.unwrap();
         assert!(
@@ -157,6 +157,6 @@ fn so_it_does_where_the_bit_cuts_too() {
     let [taps, mesh] = both.followed(&both.scene(&[2], 0.3, Some(bit)));
     let [positions, speeds] = apart([&taps.1, &mesh.1], 1.5);
     assert!(positions < 1e-6 && speeds < 1e-6, "{positions} {speeds}");
-    let regimes = [&taps.0, &mesh.0].map(|outcome| outcome.torsion.unwrap().regime);
+    let regimes = [&taps.0, &mesh.0].map(|outcome| outcome.torsion().unwrap().regime);
     assert_eq!(regimes[0], regimes[1]);
 }

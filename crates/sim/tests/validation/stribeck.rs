@@ -31,7 +31,7 @@ fn measures(method: Method, sampling_frequency: f64, decay_rpm: f64) -> TorsionM
     };
     let simulator = Simulator::new(&responses).unwrap();
     let outcome = simulator.simulate(&scene, Stopping::Full, None).unwrap();
-    outcome.torsion.unwrap()
+    outcome.torsion().unwrap()
 }
 
 #[track_caller]

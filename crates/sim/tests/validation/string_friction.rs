@@ -137,7 +137,7 @@ fn pieces_one_by_one_are_the_whole_string() {
             }
             let off = largest(&found.surface_torque, &at_surface);
             assert!(off < 1e-3, "{pieces} {method:?}: {off:e} N m");
-            let (one, other) = (of_pieces.torsion.unwrap(), outcome.torsion.unwrap());
+            let (one, other) = (of_pieces.torsion().unwrap(), outcome.torsion().unwrap());
             assert_eq!((one.regime, one.sticks), (other.regime, other.sticks));
         }
     }

@@ -83,7 +83,7 @@ impl Case {
             },
         };
         let outcome = self.simulator.simulate(&scene, Stopping::Full, record);
-        outcome.unwrap().lateral.unwrap()
+        outcome.unwrap().lateral().unwrap()
     }
 
     fn impulse(&self, site: usize, ratio: f64) -> Impulse {
@@ -327,15 +327,15 @@ fn the_bit_cuts_and_touches_the_wall_at_once() {
     let (smooth, frictionless) = run(0.0, 3.0);
     let (undisturbed, quiet) = run(2.0, 0.0);
     assert_eq!(frictionless.speeds, quiet.speeds);
-    assert_eq!(smooth.torsion, undisturbed.torsion);
+    assert_eq!(smooth.torsion(), undisturbed.torsion());
     assert_eq!(
-        undisturbed.lateral.unwrap().regime,
+        undisturbed.lateral().unwrap().regime,
         LateralRegime::NoContact
     );
 
     let (both, trajectory) = run(2.0, 3.0);
-    assert_eq!(both.lateral.unwrap().regime, LateralRegime::BackwardWhirl);
-    assert_eq!(both.torsion.unwrap().regime, sim::TorsionRegime::Smooth);
+    assert_eq!(both.lateral().unwrap().regime, LateralRegime::BackwardWhirl);
+    assert_eq!(both.torsion().unwrap().regime, sim::TorsionRegime::Smooth);
     for (speed, torque) in trajectory.speeds[0].iter().zip(&trajectory.bit_torque) {
         let slides = *speed > 0.0 && *torque == -2000.0 || *speed < 0.0 && *torque == 2000.0;
         let sticks = *speed == 0.0 && torque.abs() <= 2400.0;
@@ -569,7 +569,7 @@ mod oscillator {
         };
         let simulator = Simulator::new(&responses).unwrap();
         let outcome = simulator.simulate(&scene, Stopping::Full, None);
-        let lateral = outcome.unwrap().lateral.unwrap();
+        let lateral = outcome.unwrap().lateral().unwrap();
         assert_eq!(lateral.regime, LateralRegime::NoContact);
         assert!(lateral.peak_radius > 0.1 * CLEARANCE);
         lateral.precession_rate / TAU

@@ -1,31 +1,28 @@
 //! The blocks of cases of a sensitivity design as a run has answered them, read one by one.
 
 use anyhow::Result;
-use sim::Label;
+use sim::{Label, Motion};
 
 use super::indices::{Block, Blocks};
-use crate::output::{CaseRows, LabelRow, Motion, ResultTables, read_measured_cases};
+use crate::output::{CaseRows, LabelRow, ResultTables, read_measured_cases};
 use campaign::design::{Member, cases_of_block};
-use campaign::quantities::Measure;
-
-/// How severe a case's motion is.
-const SEVERITIES: [Measure; 2] = [Measure::StickSlipSeverity, Measure::ContactFraction];
+use campaign::results::Measure;
 
 /// What varies from case to case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
     /// Whether a case has a regime: 1 or 0.
     Regime(Label),
-    /// A measure by its place among those that are read.
-    Measure(usize),
+    /// How severe its motion is.
+    Severity(Measure),
 }
 
 impl Quantity {
     fn all() -> Vec<Self> {
-        let labels = Motion::ALL.into_iter().flat_map(Motion::labels);
+        let labels = Motion::ALL.into_iter().flat_map(Label::all);
         let regimes = labels.map(Quantity::Regime);
         regimes
-            .chain((0..SEVERITIES.len()).map(Quantity::Measure))
+            .chain(Measure::severities().map(Quantity::Severity))
             .collect()
     }
 
@@ -33,7 +30,7 @@ impl Quantity {
     pub fn name(self) -> &'static str {
         match self {
             Quantity::Regime(label) => label.name(),
-            Quantity::Measure(place) => SEVERITIES[place].column(),
+            Quantity::Severity(measure) => measure.column(),
         }
     }
 
@@ -45,10 +42,13 @@ impl Quantity {
     fn of(self, row: &LabelRow) -> Option<f64> {
         match self {
             Quantity::Regime(label) => {
-                let found = row.labels.get(Motion::of(label))?;
+                let found = row.labels[label.motion()]?;
                 Some(f64::from(u8::from(found == label)))
             }
-            Quantity::Measure(place) => row.measures[place],
+            Quantity::Severity(measure) => {
+                let place = Measure::severities().position(|read| read == measure)?;
+                row.measures[place]
+            }
         }
     }
 }
@@ -101,10 +101,11 @@ pub fn blocks_of(
 
 /// The cases of all tables in the order of their numbers.
 fn in_order(tables: &[ResultTables]) -> Result<impl Iterator<Item = Result<CaseRows>>> {
+    let severities: Vec<Measure> = Measure::severities().collect();
     let mut sources = (tables.iter())
         .map(|tables| {
             let labels = tables.folder.join("labels.csv");
-            Ok(read_measured_cases(&labels, &[], &SEVERITIES)?.peekable())
+            Ok(read_measured_cases(&labels, &[], &severities)?.peekable())
         })
         .collect::<Result<Vec<_>>>()?;
     Ok(std::iter::from_fn(move || {
@@ -141,7 +142,7 @@ impl MethodBlocks {
             let Quantity::Regime(label) = quantity else {
                 return true;
             };
-            let occurring = self.occurring(Motion::of(*label));
+            let occurring = self.occurring(label.motion());
             occurring.len() != 2 || occurring[0] != *label
         })
     }
@@ -152,7 +153,7 @@ impl MethodBlocks {
             let Quantity::Regime(label) = quantity else {
                 return None;
             };
-            (Motion::of(*label) == motion && blocks.vary()).then_some(*label)
+            (label.motion() == motion && blocks.vary()).then_some(*label)
         });
         labels.collect()
     }

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use anyhow::Result;
-use sim::Label;
+use sim::{Label, Motion};
 
 use super::bins::Bins;
-use crate::output::{Motion, ResultTables, is_sustained, read_cases};
+use crate::output::{ResultTables, read_cases};
 
 /// Rows by method and motion, and cells of some axes; without axes there is one cell.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +46,7 @@ impl Group {
     pub fn sustained(&self) -> Vec<[usize; 2]> {
         let mut cells = vec![[0; 2]; self.all.len()];
         for (label, counts) in &self.labels {
-            let Some(is_sustained) = is_sustained(*label) else {
+            let Some(is_sustained) = label.is_sustained() else {
                 continue;
             };
             for ([sustained, told], count) in cells.iter_mut().zip(counts) {
@@ -149,7 +149,7 @@ impl Counts {
     }
 
     fn add(&mut self, method: usize, label: Label, cell: usize) {
-        let motion = match Motion::of(label) {
+        let motion = match label.motion() {
             Motion::Torsion => 0,
             Motion::Lateral => 1,
         };

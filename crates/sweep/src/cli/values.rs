@@ -2,9 +2,8 @@
 
 use std::path::PathBuf;
 
-use sim::Label;
+use sim::{Label, Motion};
 
-use crate::output;
 use crate::studies::tradeoff::Measure;
 use campaign::quantities::Axis;
 use campaign::sweep_file::{axis_in_units, axis_named};
@@ -132,8 +131,8 @@ pub fn parse_range(text: &str) -> Result<AxisRange, String> {
 /// # Errors
 /// What is wrong with it.
 pub fn parse_regime(name: &str) -> Result<Label, String> {
-    let motions = output::Motion::ALL.into_iter();
-    let known: Vec<Label> = motions.flat_map(output::Motion::labels).collect();
+    let motions = Motion::ALL.into_iter();
+    let known: Vec<Label> = motions.flat_map(Label::all).collect();
     let found = known.iter().find(|label| label.name() == name);
     found.copied().ok_or_else(|| {
         let names: Vec<&str> = known.iter().map(|label| label.name()).collect();

@@ -9,10 +9,11 @@ use super::progress::Progress;
 use super::terminal::Terminal;
 use super::warnings::warn_of_unstable;
 use campaign::design::{Design, List};
-use campaign::engine::{Keep, MethodSystem, Record, RunOptions, Shard, Work};
+use campaign::engine::{Keep, MethodSystem, RunOptions, Shard, Work};
 use campaign::memory::{Limit, Purpose, admit};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use campaign::results::Record;
 
 /// A sweep with a list of cases, and what they are run with.
 pub struct Listed {

@@ -1,12 +1,13 @@
 //! What came out of a sweep: how its run ends, and in a few lines.
 
+use sim::Motion;
 use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::Result;
 
 use super::status::Status;
-use crate::output::{Manifest, Motion, Tally, TraceSummary};
+use crate::output::{Manifest, Tally, TraceSummary};
 use campaign::dependence::Dependence;
 use campaign::words::{counted, together, wrapped};
 

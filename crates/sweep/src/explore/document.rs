@@ -6,10 +6,10 @@ use std::path::Path;
 use anyhow::Result;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use campaign::engine::Record;
-use campaign::labels::{Certainty, LabelTable};
+use campaign::labels::LabelTable;
 use campaign::plan::Sweep;
 use campaign::quantities::{Axis, TORQUE, WIDTH};
+use campaign::results::{Certainty, Record};
 use campaign::words::shell_word;
 use serde_json::json;
 

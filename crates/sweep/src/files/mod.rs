@@ -66,14 +66,7 @@ impl AtomicFile {
     /// # Errors
     /// Where it cannot be written.
     pub fn write(&mut self, content: &[u8]) -> Result<()> {
-        let mut attempt = || {
-            self.sum.write_all(content)?;
-            match &mut self.writer {
-                Writer::File(_, file) => file.write_all(content),
-                Writer::Stream(stream) => stream.write_all(content),
-            }
-        };
-        attempt().with_context(|| unwritable(&self.path))
+        Ok(self.write_all(content)?)
     }
 
     /// Puts it on the disk, without its name yet.
@@ -137,6 +130,26 @@ impl SealedFile {
         };
         attempt().with_context(|| unwritable(&self.path))?;
         Ok(self.checksum)
+    }
+}
+
+/// Its errors name the file.
+impl Write for AtomicFile {
+    fn write(&mut self, content: &[u8]) -> io::Result<usize> {
+        let written = match &mut self.writer {
+            Writer::File(_, file) => file.write(content),
+            Writer::Stream(stream) => stream.write(content),
+        };
+        let written = written.map_err(|error| {
+            io::Error::new(error.kind(), format!("{}: {error}", unwritable(&self.path)))
+        })?;
+        self.sum.write_all(&content[..written])?;
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        // It reaches the disk when it is sealed.
+        Ok(())
     }
 }
 

@@ -7,9 +7,11 @@ use anyhow::Result;
 use linear::elements::reconstruction::Reconstruction;
 use sim::{Ended, Outcome};
 
-use campaign::engine::{Beyond, Case, Clearances, Found, Simulation};
-use campaign::plan::{Sweep, to_rpm};
+use campaign::engine::{Beyond, Case, Clearances, Simulation};
+
+use campaign::plan::Sweep;
 use campaign::quantities::{FORCE, LENGTH, TORQUE, Units, WIDTH};
+use campaign::results::{Found, to_rpm};
 use campaign::words::{counted, decimals, short, site_title, together, wrapped};
 
 /// The sites that were found, every case with what a run answers to it by each method, what came
@@ -113,7 +115,7 @@ fn answer_lines(sweep: &Sweep, simulation: &Simulation) -> String {
         .collect();
     let followed = &simulation.followed;
     let distances = sweep.setting.sites.distances_from_bit();
-    let site = followed.lateral.map(|lateral| distances[lateral.site]);
+    let site = followed.lateral().map(|lateral| distances[lateral.site]);
     let to_end = measures(followed, site, units);
     if to_end != answers {
         let why = match simulation.answer.ended {
@@ -141,7 +143,7 @@ fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>, units: Units) -> Ve
         let measures: Vec<String> = measures.iter().map(|words| together(words)).collect();
         found.push(measures.join(", "));
     };
-    if let (Some(lateral), Some(distance)) = (outcome.lateral, site_from_bit_m) {
+    if let (Some(lateral), Some(distance)) = (outcome.lateral(), site_from_bit_m) {
         let turns = lateral.precession_rate / std::f64::consts::TAU;
         let told = |twin, value| {
             let unit = units.of(twin);
@@ -160,7 +162,7 @@ fn measures(outcome: &Outcome, site_from_bit_m: Option<f64>, units: Units) -> Ve
             format!("F_N = {}", told(&FORCE, 1e-3 * lateral.mean_normal_force)),
         ]);
     }
-    if let Some(torsion) = outcome.torsion {
+    if let Some(torsion) = outcome.torsion() {
         let seconds = |value: Option<f64>| {
             value.map_or_else(|| "–".to_owned(), |value| format!("{value:.3} s"))
         };

@@ -8,8 +8,9 @@ use super::known::{has_surface_speed, has_surface_torque, has_torque};
 use super::marks::{each_once, ink, level, shown_clearances};
 use crate::plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 use campaign::engine::{Case, Simulation};
-use campaign::plan::{Comparison, Sweep, to_rpm};
+use campaign::plan::{Comparison, Sweep};
 use campaign::quantities::{TORQUE, Unit, Units, WIDTH};
+use campaign::results::to_rpm;
 use campaign::sweep_file::TraceName;
 use campaign::words::site_title;
 

@@ -6,9 +6,10 @@ use anyhow::Result;
 use sim::laws::contact::Touch;
 
 use crate::output::{Certainty, LabelTable};
-use campaign::engine::{Record, Simulation};
+use campaign::engine::Simulation;
 use campaign::labels::{Column, history_columns};
 use campaign::plan::Sweep;
+use campaign::results::Record;
 
 /// `history.csv`: a row a step, method and case; of the torque and speed at the surface what is
 /// known of all.

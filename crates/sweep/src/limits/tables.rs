@@ -1,6 +1,7 @@
 //! What a traced design delivers: `limits.csv`, the lines of its limits, and `bands.csv`,
 //! how large a part of a tile has the regime where a limit is no line.
 
+use sim::Motion;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -8,7 +9,7 @@ use anyhow::{Context, Result};
 
 use crate::analysis::wilson;
 use crate::files::write_with_checksum;
-use crate::output::{LimitSummary, Manifest, Motion, TraceSummary, read_cases};
+use crate::output::{LimitSummary, Manifest, TraceSummary, read_cases};
 use campaign::design::TraceDesign;
 use campaign::rounds::{layer, note_labels, nothing_known};
 use campaign::trace::{Band, Class, Known, Line, Next, Tile, Traced, contours, next};
@@ -104,7 +105,7 @@ impl<'a> TracedLimits<'a> {
                 for &[column, row] in points {
                     let (x, x_within) = between(x, column);
                     let (y, y_within) = between(y, row);
-                    let key = motion.key();
+                    let key = motion.name();
                     writeln!(text, "{name},{key},{line},{x},{y},{x_within},{y_within}")?;
                 }
             }
@@ -131,7 +132,7 @@ impl<'a> TracedLimits<'a> {
                 write!(
                     text,
                     "{name},{},{left},{right},{bottom},{top},",
-                    motion.key()
+                    motion.name()
                 )?;
                 write!(text, "{},{},{},", motion.regimes()[0], band.told, band.with)?;
                 writeln!(text, "{},{},{}", part.value, part.low, part.high)?;
@@ -148,7 +149,7 @@ impl<'a> TracedLimits<'a> {
             let area: usize = bands.iter().map(|band| band.tile.side.pow(2)).sum();
             LimitSummary {
                 method: name.to_owned(),
-                motion: motion.key().to_owned(),
+                motion: motion.name().to_owned(),
                 lines: self.lines(method, motion).len(),
                 tiles: bands.len(),
                 ragged_part: area as f64 * steps[0] * steps[1],

@@ -9,7 +9,7 @@ use super::about::parse_about;
 use super::error::{LogError, file_error};
 use super::header::{Header, Place};
 use super::line::{Scan, parse_record};
-use campaign::engine::Record;
+use campaign::results::Record;
 
 /// Cases whose records are put in order at once, in memory.
 const CASES_PER_BLOCK: usize = 1 << 14;

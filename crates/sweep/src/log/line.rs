@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 
-use campaign::engine::Record;
+use campaign::results::Record;
 
 /// A line longer than this is none of ours, bytes.
 pub(super) const LONGEST_LINE: u64 = 1 << 26;
@@ -30,7 +30,12 @@ pub(super) fn parse_line(line: &[u8]) -> Option<&str> {
 /// # Errors
 /// None that a case could cause.
 pub fn record_line(record: &Record) -> serde_json::Result<String> {
-    Ok(checked(&serde_json::to_string(record)?))
+    Ok(logged(&serde_json::to_string(record)?))
+}
+
+/// The line of a record by its JSON.
+pub fn logged(json: &str) -> String {
+    checked(json)
 }
 
 /// What a line says, if it is a whole record.

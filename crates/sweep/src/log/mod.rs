@@ -21,7 +21,7 @@ pub use about::read_about;
 pub use content::LogView;
 pub use error::LogError;
 pub use header::{Header, Place, log_place, read_header};
-pub use line::record_line;
+pub use line::{logged, record_line};
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -34,7 +34,7 @@ use content::Counts;
 use error::file_error;
 
 use crate::files::{refuse_irregular, write_atomically};
-use campaign::engine::Record;
+use campaign::results::Record;
 
 /// What is written reaches the disk at least this often. Less than this is lost
 /// when the power goes; nothing when only the program goes.

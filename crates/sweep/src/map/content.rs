@@ -1,6 +1,7 @@
 //! What the cases of one map are drawn as: symbols, cells of what most of them are, or
 //! cells of how large a part has the regime.
 
+use sim::Motion;
 use std::path::Path;
 
 use anyhow::Result;
@@ -9,7 +10,7 @@ use super::cells::Cells;
 use super::extent::Extent;
 use super::fractions::Fractions;
 use super::symbol::drawn_symbol_of;
-use crate::output::{CaseRows, Motion, read_cases};
+use crate::output::{CaseRows, read_cases};
 use crate::plot::{Ground, MapCell, MapPoint, Symbol};
 
 /// Where a sheet would have more symbols than this, cells are drawn.

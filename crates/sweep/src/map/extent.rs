@@ -1,13 +1,14 @@
 //! What the cases of a results folder span: the range of a map's axes, which motions
 //! have labels, and which values the axes take that are not on the map.
 
+use sim::Motion;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use anyhow::Result;
 
-use crate::output::{Motion, read_cases};
+use crate::output::read_cases;
 use campaign::quantities::{Axis, Units};
 use campaign::sweep_file::{FileContent, Spacing};
 

@@ -4,10 +4,11 @@
 use super::extent::Extent;
 use super::mesh::around;
 use super::words::{ends, quantity};
-use crate::output::{Curve, Motion};
+use crate::output::Curve;
 use crate::plot::{Band, Ink, Series, is_within};
 use campaign::quantities::{Axis, Units};
 use campaign::sweep_file::Spacing;
+use sim::Motion;
 
 /// The limit on a map.
 #[derive(Default)]

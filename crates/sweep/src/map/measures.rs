@@ -7,9 +7,9 @@ use anyhow::Result;
 use super::extent::Extent;
 use super::mesh::Mesh;
 use super::scale::Classes;
-use crate::output::{Manifest, Motion, label_rows};
+use crate::output::{Manifest, label_rows};
 use crate::plot::{Ground, Ink, MapGroup, MapPanel, Series};
-use campaign::quantities::{Measure, Needs};
+use campaign::results::Measure;
 
 /// Cells to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [130, 100];
@@ -33,10 +33,7 @@ pub fn group(
         Mesh::of_cases(extent, MOST_CELLS, CASES_PER_CELL)
     };
     let methods = manifest.method_names();
-    let motion = match measure.needs() {
-        Needs::Wall => Motion::Lateral,
-        Needs::Bit | Needs::SurfaceTorque | Needs::StringTorque => extent.motions[0],
-    };
+    let motion = measure.motion().unwrap_or(extent.motions[0]);
     let [columns, rows] = mesh.size();
     let mut fields: Vec<Field> = (methods.iter())
         .map(|_| Field::empty(columns * rows))

@@ -1,5 +1,6 @@
 //! What is drawn of a results folder: its maps with their legends and notes.
 
+use sim::Motion;
 use std::path::PathBuf;
 
 use anyhow::Result;
@@ -12,7 +13,7 @@ use super::traced::TracedMap;
 use super::words;
 use super::{measures, misfits};
 use crate::limits::TracedLimits;
-use crate::output::{Curve, Manifest, Motion, ResultTables};
+use crate::output::{Curve, Manifest, ResultTables};
 use crate::plot::{MapGroup, MapPanel, MapSheet, Mark};
 use campaign::plan::MapMark;
 use campaign::quantities::Axis;

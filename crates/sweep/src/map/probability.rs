@@ -2,13 +2,13 @@
 //! with the lines of a few probabilities.
 
 use anyhow::Result;
-use sim::Label;
+use sim::{Label, Motion};
 
 use super::contour::contour;
 use super::mesh::Mesh;
 use super::shown::{plot_axis, show_in};
 use crate::analysis::{Bins, Counts, Interval, wilson};
-use crate::output::Motion;
+
 use crate::plot::{
     self, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series,
     map_sheet, panels,
@@ -55,7 +55,7 @@ type OfMethod<'a> = (&'a str, Vec<[usize; 2]>);
 impl Probabilities<'_> {
     /// The motions that have the regime, with its counts by each method.
     fn motions(&self) -> Vec<(Motion, Vec<OfMethod<'_>>)> {
-        let is_asked = |motion: &Motion| self.regime.is_none_or(|it| Motion::of(it) == *motion);
+        let is_asked = |motion: &Motion| self.regime.is_none_or(|it| it.motion() == *motion);
         let of_motion = |motion: Motion| {
             let groups = self.counts.groups.iter();
             let own = groups.filter(move |(_, other, _)| *other == motion);

@@ -1,8 +1,8 @@
 //! The symbol of a case.
 
-use sim::{Label, TorsionRegime};
+use sim::{Label, Motion, TorsionRegime};
 
-use crate::output::{CaseRows, Motion};
+use crate::output::CaseRows;
 use crate::plot::Symbol;
 
 /// The paper's symbols for a motion: a circle where every method finds sustained
@@ -13,7 +13,7 @@ pub fn symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     let (mut sustained, mut bistable) = (0, 0);
     for row in &case.rows {
         sustained += usize::from(row.labels.is_sustained(motion)?);
-        bistable += usize::from(row.labels.get(motion) == Some(BISTABLE));
+        bistable += usize::from(row.labels[motion] == Some(BISTABLE));
     }
     let methods = case.rows.len();
     Some(match bistable {
@@ -29,7 +29,7 @@ const BISTABLE: Label = Label::Torsion(TorsionRegime::Bistable);
 pub fn drawn_symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     let symbol = symbol_of(case, motion)?;
     let mut rows = case.rows.iter();
-    let is_certain = rows.any(|row| row.certainty.get(motion) == Some(true));
+    let is_certain = rows.any(|row| row.certainty[motion] == Some(true));
     Some(if is_certain {
         symbol.certified()
     } else {

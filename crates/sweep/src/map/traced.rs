@@ -1,6 +1,7 @@
 //! A map of a traced design: regions up to its limits, and tiles of how large a part has the
 //! regime where a limit is no line.
 
+use sim::Motion;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::cells::Cells;
@@ -8,7 +9,7 @@ use super::content::{Content, SYMBOLS_ACROSS};
 use super::mesh::{Mesh, around};
 use super::symbol::symbol_of_counts;
 use crate::limits::TracedLimits;
-use crate::output::Motion;
+
 use crate::plot::{Ground, MapCell, MapPoint, Part, Symbol};
 use campaign::sweep_file::Spacing;
 use campaign::trace::{Band, Class, Tile};

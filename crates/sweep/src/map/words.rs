@@ -1,10 +1,11 @@
 //! The words of a map: its legend, which names only what is on it, and its notes.
 
 use super::content::Content;
-use crate::output::{Manifest, Motion, TraceSummary};
+use crate::output::{Manifest, TraceSummary};
 use crate::plot::{Ground, Part, Symbol};
 use campaign::plan::MapMark;
 use campaign::quantities::{Axis, Units};
+use sim::Motion;
 
 /// Digits of a value that is one of a few, and exact but for rounding.
 const EXACT: usize = 10;

@@ -15,8 +15,9 @@ use super::many_sites_limit::many_sites_limit;
 use super::sliding_together::sliding_together;
 use super::whirl_limit::{WhirlPoint, whirl_limit};
 use campaign::engine::{MethodSystem, stick_slip_limit};
-use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError, to_rpm};
+use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError};
 use campaign::quantities::{Axis, WallQuantity};
+use campaign::results::to_rpm;
 use campaign::text_file::unreadable;
 
 /// Points of the line between the ends of an axis.

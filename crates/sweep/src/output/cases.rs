@@ -5,8 +5,9 @@ use std::path::Path;
 use anyhow::Result;
 
 use super::label_rows::{LabelRow, label_rows};
-use campaign::labels::Motion;
-use campaign::quantities::{Axis, Measure};
+use campaign::quantities::Axis;
+use campaign::results::Measure;
+use sim::Motion;
 
 /// The rows of one case.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +31,7 @@ impl CaseRows {
 
     /// Whether a method has a label of a motion.
     pub fn has(&self, motion: Motion) -> bool {
-        (self.rows.iter()).any(|row| row.labels.get(motion).is_some())
+        (self.rows.iter()).any(|row| row.labels[motion].is_some())
     }
 }
 

@@ -3,9 +3,9 @@
 
 use super::boundary::{Boundary, StickSlipPoint, TorsionLimit};
 use super::whirl_limit::{WhirlMotion, WhirlPoint, branches, inside, rolling_envelope};
-use campaign::labels::Motion;
 use campaign::quantities::{Axis, LENGTH, Units};
 use campaign::words::short;
+use sim::Motion;
 
 /// What the curves of whirl are. Several sites together may whirl below those of one.
 const ROLLING: &str = "steady rolling whirl at one site";

@@ -14,10 +14,11 @@ use sim::steady_whirl::EccentricString;
 
 use super::boundary::{position, range_of_axis};
 use super::curves::{Curve, each_once, places};
-use campaign::labels::Motion;
-use campaign::plan::{LateralSettings, Sweep, to_rpm};
+use campaign::plan::{LateralSettings, Sweep};
 use campaign::quantities::{Axis, LENGTH, StringAxis, Units, WallQuantity};
+use campaign::results::to_rpm;
 use campaign::words::short;
+use sim::Motion;
 
 /// Values along an axis, between its ends.
 const STEPS: usize = 40;

@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, anyhow};
-use sim::{Label, LateralRegime, TorsionRegime};
+use sim::{Label, Labels, Motion, PerMotion};
 
-use campaign::labels::{Certainty, FAILED, FOUND_COLUMNS, Labels};
-use campaign::quantities::{Axis, Measure};
+use campaign::results::{Certainty, FAILED, FOUND_ROUNDS, FOUND_SITES, Measure, ResultColumn};
+
+use campaign::quantities::Axis;
 use campaign::sweep_file::nearest;
 use campaign::tables::hand_table::{HandTable, Mistake, NumberError, number};
 use campaign::text_file::{LARGEST_TABLE, read_text, unreadable};
@@ -47,10 +48,7 @@ impl LabelRow {
             case: 0,
             method: method.to_owned(),
             values: Vec::new(),
-            labels: Labels {
-                torsion: TorsionRegime::of_name(regime),
-                lateral: None,
-            },
+            labels: Labels::from_fn(|_| Label::of_name(regime)),
             predicted: None,
             misfits: Vec::new(),
             measures: Vec::new(),
@@ -82,12 +80,11 @@ pub struct LabelColumns {
     case: usize,
     method: usize,
     values: Vec<(Axis, usize)>,
-    torsion: usize,
-    lateral: Option<usize>,
+    labels: PerMotion<Option<usize>>,
     predicted: Option<usize>,
     misfits: Vec<usize>,
     measures: Vec<usize>,
-    certified: [Option<usize>; 2],
+    certainty: PerMotion<Option<usize>>,
     found: [Option<usize>; 2],
     status: Option<usize>,
 }
@@ -147,14 +144,22 @@ impl LabelColumns {
         };
         let no_column = |name: &str| LabelError::MissingColumn(name.to_owned());
         let column = |name: &str| place(name)?.ok_or_else(|| no_column(name));
+        // What every table has.
+        column(ResultColumn::label_of(Motion::Torsion))?;
+        let of_motions = |name: fn(Motion) -> &'static str| {
+            let mut places = PerMotion::default();
+            for motion in Motion::ALL {
+                places[motion] = place(name(motion))?;
+            }
+            Ok(places)
+        };
         Ok(Self {
             case: column("case")?,
             method: column("method")?,
             values: (axes.iter())
                 .map(|&axis| column(&axis.name()).map(|place| (axis, place)))
                 .collect::<Result<_, _>>()?,
-            torsion: column("torsion")?,
-            lateral: place("lateral")?,
+            labels: of_motions(ResultColumn::label_of)?,
             // As version 0.1.0 called it.
             predicted: place("predicted")?.or(place("foretold")?),
             misfits: (header.clone().enumerate())
@@ -164,8 +169,8 @@ impl LabelColumns {
             measures: (measures.iter())
                 .map(|measure| column(measure.column()))
                 .collect::<Result<_, _>>()?,
-            certified: [place("torsion_certified")?, place("lateral_certified")?],
-            found: [place(FOUND_COLUMNS[0].0)?, place(FOUND_COLUMNS[1].0)?],
+            certainty: of_motions(ResultColumn::certainty_of)?,
+            found: [place(FOUND_SITES)?, place(FOUND_ROUNDS)?],
             status: place("status")?,
         })
     }
@@ -191,9 +196,12 @@ impl LabelColumns {
                     number(field(column)).map_err(|error| LabelError::Value { axis, error })
                 })
                 .collect::<Result<_, _>>()?,
-            labels: Labels {
-                torsion: regime("torsion", field(self.torsion), &TorsionRegime::ALL)?,
-                lateral: regime("lateral", optional(self.lateral), &LateralRegime::ALL)?,
+            labels: {
+                let mut labels = Labels::default();
+                for motion in Motion::ALL {
+                    labels[motion] = label(motion, optional(self.labels[motion]))?;
+                }
+                labels
             },
             predicted: match optional(self.predicted) {
                 "" => None,
@@ -209,10 +217,7 @@ impl LabelColumns {
             measures: (self.measures.iter())
                 .map(|&column| number(field(column)).ok())
                 .collect(),
-            certainty: {
-                let [torsion, lateral] = self.certified.map(|column| optional(column).parse().ok());
-                Certainty { torsion, lateral }
-            },
+            certainty: Certainty::from_fn(|motion| optional(self.certainty[motion]).parse().ok()),
             found: {
                 let [sites, rounds] = self.found.map(optional);
                 let sites = sites.split(';').filter(|site| !site.is_empty()).count();
@@ -223,27 +228,26 @@ impl LabelColumns {
     }
 }
 
-/// A regime of a motion, or none. A word that is no regime is an error, not a label that
+/// A label of a motion, or none. A word that is no regime is an error, not a label that
 /// differs.
-fn regime<Regime: Copy + Into<Label>>(
-    column: &'static str,
-    word: &str,
-    all: &[Regime],
-) -> Result<Option<Regime>, LabelError> {
-    let name = |regime: Regime| regime.into().name();
+fn label(motion: Motion, word: &str) -> Result<Option<Label>, LabelError> {
     if word.is_empty() {
         return Ok(None);
     }
-    if let Some(regime) = all.iter().find(|regime| name(**regime) == word) {
-        return Ok(Some(*regime));
+    let all = Label::all(motion);
+    if let Some(label) = all.iter().find(|label| label.name() == word) {
+        return Ok(Some(*label));
     }
-    let known: Vec<&str> = all.iter().map(|regime| name(*regime)).collect();
+    let known: Vec<&str> = all.iter().map(|label| label.name()).collect();
     let hint = nearest(word, &known).map_or_else(
         || format!("known: {}", known.join(", ")),
         |known| format!("did you mean `{known}`?"),
     );
-    let word = word.to_owned();
-    Err(LabelError::Regime { column, word, hint })
+    Err(LabelError::Regime {
+        column: ResultColumn::label_of(motion),
+        word: word.to_owned(),
+        hint,
+    })
 }
 
 /// Reads labels that a person may have written or exported from a spreadsheet.

@@ -7,7 +7,8 @@ use linear::{Complex64, DrillstringError};
 use sim::{SitesWhirl, WhirlingSites};
 
 use super::whirl_limit::{WhirlMotion, WhirlPoint};
-use campaign::plan::{LateralSettings, Setting, to_rpm};
+use campaign::plan::{LateralSettings, Setting};
+use campaign::results::to_rpm;
 
 /// With more sites it would take longer than the ten seconds that these take over threefold surface
 /// speeds, as the cube of their number.

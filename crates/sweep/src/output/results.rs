@@ -1,4 +1,4 @@
-//! Writes the tables of a results folder from the records of its run, row by row.
+//! Writes the tables of a results folder from the records of its run, row by row, and keeps these.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,12 +8,11 @@ use rayon::prelude::*;
 
 use super::about::About;
 use super::failures::{FAILURES_HEADER, failures_row, repeat_command};
+use super::records::{RECORDS, RecordWriter};
 use super::tally::Tally;
 use crate::files::{AtomicFile, Checksum};
-use campaign::engine::Record;
-use campaign::labels::Certainty;
 use campaign::labels::LabelTable;
-use campaign::labels::Labels;
+use campaign::results::{Certainty, Record};
 
 /// Rows that all threads together format at once.
 const ROWS_AT_ONCE: usize = 1 << 12;
@@ -24,6 +23,7 @@ pub struct TableWriter<'a> {
     table: LabelTable<'a>,
     labels: AtomicFile,
     failures: AtomicFile,
+    records: RecordWriter,
     tally: Tally,
 }
 
@@ -43,6 +43,7 @@ impl<'a> TableWriter<'a> {
             table,
             labels,
             failures,
+            records: RecordWriter::create(folder)?,
             tally: Tally::default(),
         })
     }
@@ -59,6 +60,10 @@ impl<'a> TableWriter<'a> {
                 .map(|(record, certainty)| self.table.row(record, *certainty) + "\n")
                 .collect();
             self.labels.write(rows.concat().as_bytes())?;
+            let lines: Vec<String> = (records.par_iter())
+                .map(|record| Ok(serde_json::to_string(record)? + "\n"))
+                .collect::<Result<_>>()?;
+            self.records.write(&lines.concat())?;
             let mut rows = records.iter().zip(certainties);
             rows.try_for_each(|(record, certainty)| self.count(record, *certainty))?;
         }
@@ -68,7 +73,7 @@ impl<'a> TableWriter<'a> {
     fn count(&mut self, record: &Record, certainty: Certainty) -> Result<()> {
         let method = self.table.methods[record.method];
         let (labels, predicted) = match &record.outcome {
-            Ok(outcome) => (Labels::of(outcome), outcome.predicted),
+            Ok(outcome) => (outcome.labels(), outcome.predicted),
             Err(reason) => {
                 let command = repeat_command(self.about, record.case, method);
                 let row = failures_row(record.case, method, reason.text(), &command)?;
@@ -89,7 +94,7 @@ impl<'a> TableWriter<'a> {
         Ok(())
     }
 
-    /// Puts both tables in their place: what is in them, and their checksums by name.
+    /// Puts the tables and records in their place: what is in them, and their checksums by name.
     ///
     /// # Errors
     /// Where they cannot be written.
@@ -97,6 +102,7 @@ impl<'a> TableWriter<'a> {
         let files = [
             ("labels.csv", self.labels.finish()?),
             ("failures.csv", self.failures.finish()?),
+            (RECORDS, self.records.seal()?.publish()?),
         ];
         let files = files.map(|(name, sum)| (name.to_owned(), sum));
         Ok((self.tally, files.into()))

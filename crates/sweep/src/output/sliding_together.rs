@@ -8,7 +8,8 @@ use sim::steady_whirl::WhirlTogether;
 
 use super::many_sites_limit::whirling_sites;
 use super::whirl_limit::{WhirlMotion, WhirlPoint};
-use campaign::plan::{LateralSettings, Setting, to_rpm};
+use campaign::plan::{LateralSettings, Setting};
+use campaign::results::to_rpm;
 
 /// With more sites it takes more than two seconds at a surface speed.
 const MOST_SITES: usize = 32;

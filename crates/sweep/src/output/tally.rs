@@ -5,8 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 use sim::Label;
 
-use campaign::labels::{Certainty, Labels, Motion};
+use campaign::results::Certainty;
+
 use campaign::words::counted;
+use sim::{Labels, Motion};
 
 /// What came out, counted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -76,7 +78,7 @@ impl Tally {
         for label in labels.each() {
             let of_method = self.labels.entry(method.to_owned()).or_default();
             *of_method.entry(label).or_default() += 1;
-            if certainty.get(Motion::of(label)) == Some(true) {
+            if certainty[label.motion()] == Some(true) {
                 let of_method = self.certified.entry(method.to_owned()).or_default();
                 *of_method.entry(label).or_default() += 1;
             }
@@ -102,7 +104,7 @@ impl Tally {
     /// The motions that have labels; that of torsion where no case has any.
     pub fn motions(&self) -> Vec<Motion> {
         let labels = self.labels.values().flat_map(BTreeMap::keys);
-        let found: BTreeSet<Motion> = labels.map(|label| Motion::of(*label)).collect();
+        let found: BTreeSet<Motion> = labels.map(|label| label.motion()).collect();
         if found.is_empty() {
             vec![Motion::Torsion]
         } else {
@@ -114,9 +116,7 @@ impl Tally {
     /// certifies them, of which no method has more.
     pub fn certified(&self, motion: Motion) -> usize {
         let of_method = |labels: &BTreeMap<Label, usize>| {
-            let of_motion = labels
-                .iter()
-                .filter(|(label, _)| Motion::of(**label) == motion);
+            let of_motion = labels.iter().filter(|(label, _)| label.motion() == motion);
             of_motion.map(|(_, count)| count).sum()
         };
         self.certified.values().map(of_method).max().unwrap_or(0)
@@ -128,7 +128,7 @@ impl Tally {
         let list = |motion: Motion| -> Vec<(&'static str, usize)> {
             let labels = self.labels.get(method).into_iter().flatten();
             labels
-                .filter(|(label, _)| Motion::of(**label) == motion)
+                .filter(|(label, _)| label.motion() == motion)
                 .map(|(label, count)| (label.name(), *count))
                 .collect()
         };

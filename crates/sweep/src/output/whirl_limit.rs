@@ -14,7 +14,8 @@ use sim::steady_whirl::MOST_FRICTION;
 use sim::{SteadyWhirl, WhirlingSite};
 
 use super::envelope::Envelope;
-use campaign::plan::{LateralSettings, Setting, to_rpm};
+use campaign::plan::{LateralSettings, Setting};
+use campaign::results::to_rpm;
 
 /// How the surfaces meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]

@@ -1,8 +1,9 @@
 //! Whether the methods agree.
 
 use crate::map::symbol_of;
-use crate::output::{CaseRows, Motion};
+use crate::output::CaseRows;
 use crate::plot::Symbol;
+use sim::Motion;
 
 /// Cases on which methods differ that are kept to be listed.
 const MOST_LISTED: usize = 30;

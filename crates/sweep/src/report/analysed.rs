@@ -1,5 +1,7 @@
 //! How often each regime occurs, how sure that is and which axis decides, in words and tables.
 
+use sim::Label;
+
 use super::deciding;
 use super::document::{Block, Section, Table};
 use crate::analysis::{Bins, Counts, Interval, MethodBlocks, cases_for, wilson};
@@ -79,7 +81,7 @@ fn regimes(counts: &Counts, width: Option<f64>) -> Vec<Block> {
     }
     let mut table = Table::new("How often, with 95 % intervals", header);
     for (method, motion, group) in &counts.groups {
-        for label in motion.labels() {
+        for label in Label::all(*motion) {
             let Some(count) = group.labels.get(&label).map(|cells| cells[0]) else {
                 continue;
             };

@@ -1,7 +1,8 @@
 //! A regime map in characters.
 
 use crate::map::{Cells, Extent, meanings};
-use crate::output::Motion;
+use sim::Motion;
+
 use crate::plot::{Ground, Symbol};
 use campaign::quantities::Axis;
 use campaign::sweep_file::Spacing;

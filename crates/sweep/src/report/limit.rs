@@ -1,10 +1,8 @@
 //! Where the simulated boundary lies against the analytic limit.
 
-use sim::LateralRegime;
+use sim::{Label, LateralRegime, Motion};
 
-use crate::output::{
-    Boundary, CaseRows, Envelope, LabelRow, Motion, StickSlipPoint, rolling_envelope,
-};
+use crate::output::{Boundary, CaseRows, Envelope, LabelRow, StickSlipPoint, rolling_envelope};
 use campaign::quantities::Axis;
 
 /// How one method's labels lie about its limit. A case's place is its value in
@@ -106,7 +104,8 @@ impl Limited {
         match self {
             Limited::StickSlip => row.labels.is_sustained(Motion::Torsion),
             Limited::Whirl => {
-                (row.labels.lateral).map(|regime| regime == LateralRegime::BackwardWhirl)
+                let whirl = Label::from(LateralRegime::BackwardWhirl);
+                Some(row.labels[Motion::Lateral]? == whirl)
             }
         }
     }

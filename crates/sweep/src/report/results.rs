@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use sim::Label;
+use sim::{Label, Motion};
 
 use super::agreement::Agreement;
 use super::character_map::character_map;
@@ -12,7 +12,7 @@ use super::limit::Limits;
 use super::live_map::{LiveMap, live_map};
 use crate::analysis::{Counts, MethodBlocks, blocks, count_cases};
 use crate::map::{Cells, Extent, symbol_of};
-use crate::output::{CaseRows, Manifest, Motion, ResultTables, read_cases};
+use crate::output::{CaseRows, Manifest, ResultTables, read_cases};
 use campaign::quantities::Axis;
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.

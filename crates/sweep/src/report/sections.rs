@@ -1,6 +1,6 @@
 //! Results folders in words and tables, section by section.
 
-use sim::Label;
+use sim::{Label, Motion};
 
 use super::analysed::analysed_sections;
 use super::comparison::{Compared, Unlike};
@@ -8,7 +8,7 @@ use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, 
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
-use crate::output::{Manifest, Motion};
+use crate::output::Manifest;
 use campaign::words::{counted, short};
 
 /// Everything there is to say of one folder, or of several side by side;
@@ -152,7 +152,7 @@ fn regimes_of(all: &[Results], motion: Motion, caption: &str) -> Table {
             methods.any(|method| results.count(method, *label) > 0)
         })
     };
-    let labels: Vec<Label> = motion.labels().into_iter().filter(is_found).collect();
+    let labels: Vec<Label> = Label::all(motion).into_iter().filter(is_found).collect();
     let words: Vec<String> = (labels.iter())
         .map(|label| label.name().replace('_', " "))
         .collect();

@@ -60,7 +60,8 @@ pub fn near_resonances(all: &[Resonance], [_, [low, high]]: [[f64; 2]; 2]) -> St
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::Motion;
+    use sim::Motion;
+
     use campaign::quantities::Axis;
 
     fn curve(ends: [[f64; 2]; 2]) -> Curve {

@@ -1,11 +1,12 @@
 //! Limits by simulated cases: at the points of a lattice, or in ranges of random cases.
 
 use anyhow::{Result, bail};
+use sim::Motion;
 
 use super::standing::Standing;
 use crate::analysis::{Bins, Counts, count_cases, wilson};
 use crate::limits::TracedLimits;
-use crate::output::{Manifest, Motion, ResultTables, read_cases};
+use crate::output::{Manifest, ResultTables, read_cases};
 use campaign::quantities::Axis;
 use campaign::sweep_file::DesignKind;
 use campaign::trace::Class;
@@ -144,7 +145,7 @@ fn points(tables: &ResultTables, motion: Motion) -> Result<Points> {
         let case = case?;
         let mut at = Found::default();
         for row in &case.rows {
-            at.uncertain |= row.certainty.get(motion) == Some(false);
+            at.uncertain |= row.certainty[motion] == Some(false);
             match row.labels.is_sustained(motion) {
                 Some(true) => at.with = true,
                 Some(false) => at.without = true,

@@ -1,7 +1,7 @@
 //! The picture of how likely a regime is.
 
 use anyhow::{Result, bail};
-use sim::Label;
+use sim::{Label, Motion};
 
 use crate::analysis::Counts;
 use crate::cli::{AnalyseArguments, PictureFile};
@@ -9,7 +9,7 @@ use crate::commands::status::UsageError;
 use crate::commands::terminal::say;
 use crate::files::write_atomically;
 use crate::map::{Probabilities, probability_picture};
-use crate::output::{Manifest, Motion};
+use crate::output::Manifest;
 
 /// A picture has the axes of one `--by`.
 pub fn refuse_several(arguments: &AnalyseArguments) -> Result<()> {
@@ -25,10 +25,10 @@ pub fn refuse_several(arguments: &AnalyseArguments) -> Result<()> {
 pub fn refuse_absent(regime: Option<Label>, counts: &Counts) -> Result<()> {
     let has = |motion: Motion| counts.groups.iter().any(|(_, other, _)| *other == motion);
     match regime {
-        Some(label) if !has(Motion::of(label)) => bail!(UsageError(format!(
+        Some(label) if !has(label.motion()) => bail!(UsageError(format!(
             "--regime {}: no case has a {} label",
             label.name(),
-            Motion::of(label).adjective()
+            label.motion().adjective()
         ))),
         _ if counts.groups.is_empty() => bail!(UsageError(
             "--picture: no case has an answer to draw yet".to_owned()

@@ -30,7 +30,7 @@ pub fn counts_csv(all: &[Counts]) -> String {
                 // Of a label that only cases with two starts have, where there are any.
                 let is_listed =
                     |label: &Label| *label != BISTABLE || group.labels.contains_key(label);
-                for label in motion.labels().into_iter().filter(is_listed) {
+                for label in Label::all(*motion).into_iter().filter(is_listed) {
                     let in_cell = group.labels.get(&label).map_or(0, |cells| cells[cell]);
                     let Some(part) = wilson(in_cell, of) else {
                         continue;

@@ -3,12 +3,13 @@
 use std::collections::BTreeMap;
 
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
-use sim::Label;
+use sim::{Label, Motion};
 
-use crate::output::{LabelRow, Labels, Motion, rolling_bound};
-use campaign::engine::{MethodSystem, Record};
+use crate::output::{LabelRow, rolling_bound};
+use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use campaign::results::Record;
 
 /// Rows by the reference's numbers of cases and by method.
 pub type Found = BTreeMap<(usize, &'static str), Record>;
@@ -43,7 +44,7 @@ pub fn compare(
         };
         // A label that the reference leaves out is not checked.
         for expected_label in expected.labels.each() {
-            let motion = Motion::of(expected_label);
+            let motion = expected_label.motion();
             let label = label(record, motion);
             let differs = label != expected_label.name();
             let difference =
@@ -64,7 +65,7 @@ pub fn compare(
 fn label(record: &Record, motion: Motion) -> String {
     match &record.outcome {
         Ok(outcome) => {
-            let label = Labels::of(outcome).get(motion);
+            let label = outcome.labels()[motion];
             label.map_or("none", Label::name).to_owned()
         }
         Err(reason) => format!("failed ({reason})"),
@@ -89,7 +90,7 @@ fn difference(
     label: &str,
 ) -> String {
     // Each string has a limit of its own, and none but that of the file is at hand.
-    let distance = match Motion::of(expected_label) {
+    let distance = match expected_label.motion() {
         _ if sweep.design.varies_string() => None,
         Motion::Torsion => distance_in_torsion(sweep, systems, expected, record),
         Motion::Lateral => distance_of_whirl(sweep, expected),

@@ -74,7 +74,7 @@ pub fn junit_of_error(reference: &Path, error: &str) -> Result<String> {
 type Xml = Writer<Vec<u8>>;
 
 fn write_test(writer: &mut Xml, reference: &str, label: &Compared) -> Result<()> {
-    let motion = label.motion.key();
+    let motion = label.motion.name();
     let name = format!(
         "case {} by {}, {motion}: {}",
         label.case, label.method, label.values

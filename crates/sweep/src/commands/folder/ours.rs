@@ -10,7 +10,7 @@ use anyhow::{Context, Result, bail};
 use super::names::{LOG, MANIFEST, REPORT};
 use crate::commands::status::UsageError;
 use crate::log::{Header, Place, log_place};
-use crate::output::{Manifest, OF_TRACE, PAPER_MAP, PICTURES, TABLES};
+use crate::output::{Manifest, OF_TRACE, PAPER_MAP, PICTURES, RECORDS, TABLES};
 use crate::report::is_page;
 use campaign::text_file::unreadable;
 
@@ -63,9 +63,9 @@ impl Ours {
         // A run that was killed while it finished has left some of its tables.
         let may_be_half = matches!(self.log, Place::Log(_) | Place::OtherFormat(_));
         let derived = PICTURES.into_iter().chain([PAPER_MAP]).chain(OF_TRACE);
-        let all = [MANIFEST].into_iter().chain(TABLES).chain(derived);
+        let all = [MANIFEST, RECORDS].into_iter().chain(TABLES).chain(derived);
         for name in all {
-            let is_table = name == MANIFEST || TABLES.contains(&name);
+            let is_table = [MANIFEST, RECORDS].contains(&name) || TABLES.contains(&name);
             if self.of_manifest.contains(name) || may_be_half && is_table {
                 remove(&folder.join(name))?;
             }
@@ -97,7 +97,7 @@ fn names_of(manifest: Manifest) -> BTreeSet<String> {
 fn promised(with_map: bool, is_trace: bool) -> impl Iterator<Item = &'static str> {
     let pictures = PICTURES.into_iter().filter(move |_| with_map);
     let of_trace = OF_TRACE.into_iter().filter(move |_| is_trace);
-    [MANIFEST]
+    [MANIFEST, RECORDS]
         .into_iter()
         .chain(TABLES)
         .chain(pictures)

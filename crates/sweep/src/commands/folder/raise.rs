@@ -1,21 +1,18 @@
 //! More random cases than a folder holds: a point depends on seed and number alone,
 //! so that the cases that are done stay, and only the others are run.
 
-use std::collections::HashMap;
-use std::io::{BufRead, BufReader};
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Result, anyhow, bail};
 
 use super::names::LOG;
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_broken_lines;
 use crate::files::AtomicFile;
-use crate::log::{Header, Log, record_line};
-use crate::output::{LabelTable, Manifest, record_of};
+use crate::log::{Header, Log, logged, record_line};
+use crate::output::{Manifest, RECORDS, read_records};
 use campaign::plan::Sweep;
-use campaign::text_file::unreadable;
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
 /// ours; any other is returned as it is.
@@ -70,62 +67,29 @@ pub fn raise_log(path: &Path, header: &Header, sweep: &Sweep, terminal: Terminal
     Ok(())
 }
 
-/// Makes the log of a stopped run of the results of one that had fewer cases. The
+/// Makes the log of a stopped run of the records of one that had fewer cases. The
 /// results stay until the run is finished.
 ///
 /// # Errors
-/// Where the results are not what such a run has written.
-pub fn log_of_results(
-    folder: &Path,
-    manifest: &Manifest,
-    header: &Header,
-    sweep: &Sweep,
-) -> Result<()> {
-    let path = folder.join("labels.csv");
-    let reasons = read_reasons(&folder.join("failures.csv"))?;
-    let not_written = |why: String| {
-        let path = path.display();
-        anyhow!("{path} is not what the run has written: {why}; begin anew with --fresh")
-    };
+/// Where the records are not those that the run has written.
+pub fn log_of_results(folder: &Path, manifest: &Manifest, header: &Header) -> Result<()> {
+    let not_written =
+        |why: &str| anyhow!("{why}; begin anew with --fresh, or choose another --out");
+    if !manifest.files.contains_key(RECORDS) {
+        let why = format!(
+            "{} holds no {RECORDS}, by which it could go on",
+            folder.display()
+        );
+        bail!(not_written(&why));
+    }
+    if let Some(damage) = manifest.damage(folder, &[RECORDS])?.first() {
+        bail!(not_written(&damage.words));
+    }
     let mut log = AtomicFile::create(&folder.join(LOG))?;
     log.write(header.line()?.as_bytes())?;
-    let file = std::fs::File::open(&path).with_context(|| unreadable(&path))?;
-    let mut lines = BufReader::new(file).lines();
-    let table = LabelTable::of(sweep);
-    if lines
-        .next()
-        .transpose()
-        .with_context(|| unreadable(&path))?
-        != Some(table.header())
-    {
-        bail!(not_written("it has other columns".to_owned()));
-    }
-    let mut rows = 0;
-    for line in lines {
-        let row = line.with_context(|| unreadable(&path))?;
-        let reason = |case, method: &str| reasons.get(&(case, method.to_owned())).cloned();
-        let record = record_of(sweep, &table, &row, reason)
-            .ok_or_else(|| not_written(format!("line {} is no row of it", rows + 2)))?;
-        log.write(record_line(&record)?.as_bytes())?;
-        rows += 1;
-    }
-    let expected = manifest.tally.rows;
-    if rows != expected {
-        bail!(not_written(format!("it has {rows} rows, not {expected}")));
+    for line in read_records(folder)? {
+        log.write(logged(&line?).as_bytes())?;
     }
     log.finish()?;
     Ok(())
-}
-
-/// Why a case has no answer by a method.
-type Reasons = HashMap<(usize, String), String>;
-
-fn read_reasons(path: &Path) -> Result<Reasons> {
-    let read = || -> csv::Result<Reasons> {
-        let mut reader = csv::Reader::from_path(path)?;
-        let rows = reader.deserialize::<(usize, String, String, String)>();
-        rows.map(|row| row.map(|(case, method, reason, _)| ((case, method), reason)))
-            .collect()
-    };
-    read().with_context(|| unreadable(path))
 }

@@ -9,7 +9,7 @@ use crate::commands::folder::{LOG, MANIFEST, header_of, in_words, tell_if_unveri
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::log::{Header, read_header};
-use crate::output::{Manifest, TABLES, differences};
+use crate::output::{Manifest, RECORDS, TABLES, differences};
 use campaign::engine::Shard;
 use campaign::words::shell_word;
 
@@ -31,7 +31,10 @@ pub fn refuse_damaged_parts(parts: &[Part], terminal: Terminal) -> Result<()> {
     let mut command = String::new();
     for Part { folder, manifest } in parts {
         tell_if_unverified(manifest, folder, terminal);
-        let found = manifest.damage(folder, &TABLES)?;
+        // Shards of earlier versions have kept no records.
+        let records = manifest.files.contains_key(RECORDS).then_some(RECORDS);
+        let files: Vec<&str> = TABLES.into_iter().chain(records).collect();
+        let found = manifest.damage(folder, &files)?;
         if let (false, Some(file)) = (found.is_empty(), &manifest.sweep_file) {
             let [file, folder] = [file, folder].map(|path| shell_word(&path.display().to_string()));
             let Shard { index, of } = manifest.shard();

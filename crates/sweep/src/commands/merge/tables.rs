@@ -6,10 +6,11 @@ use std::iter::Peekable;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, bail};
+use serde::Deserialize;
 
 use super::parts::Part;
 use crate::files::{AtomicFile, SealedFile};
-use crate::output::{FAILURES_HEADER, LabelColumns, Tally};
+use crate::output::{FAILURES_HEADER, LabelColumns, RECORDS, RecordWriter, Tally, read_records};
 use campaign::text_file::unreadable;
 
 /// Joins the tables of shards, for a folder: by name, on the disk, without their names
@@ -17,13 +18,14 @@ use campaign::text_file::unreadable;
 ///
 /// # Errors
 /// Where they do not fit together, or a file cannot be read or written.
-pub fn join_tables(parts: &[Part], out: &Path) -> Result<([(&'static str, SealedFile); 3], Tally)> {
+pub fn join_tables(parts: &[Part], out: &Path) -> Result<(Vec<(&'static str, SealedFile)>, Tally)> {
     let (labels, tally) = join_labels(parts, out)?;
-    let tables = [
+    let mut tables = vec![
         ("labels.csv", labels),
         ("failures.csv", join_failures(parts, out)?),
         ("boundary.csv", copy_boundary(parts, out)?),
     ];
+    tables.extend(join_records(parts, out)?.map(|records| (RECORDS, records)));
     Ok((tables, tally))
 }
 
@@ -58,6 +60,25 @@ impl Table {
         Ok((header.unwrap_or_default(), Self { path, rows }))
     }
 
+    /// Opens the records of a shard.
+    fn of_records(folder: &Path) -> Result<Self> {
+        #[derive(Deserialize)]
+        struct OfCase {
+            case: usize,
+        }
+        let path = folder.join(RECORDS);
+        let name = path.display().to_string();
+        let rows = read_records(folder)?.map(move |line| {
+            let line = line?;
+            let of_case: OfCase =
+                serde_json::from_str(&line).with_context(|| format!("{name} is damaged"))?;
+            Ok((of_case.case, line))
+        });
+        let rows: Box<dyn Iterator<Item = _>> = Box::new(rows);
+        let rows = rows.peekable();
+        Ok(Self { path, rows })
+    }
+
     /// The case of the next row; a mistake comes before any.
     fn next_case(&mut self) -> Option<usize> {
         let next = self.rows.peek()?;
@@ -81,16 +102,10 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
     let columns = LabelColumns::find(headers[0].split(','), &[], &[])
         .map_err(|reason| anyhow!("the shards' labels.csv {reason}"))?;
     file.write(format!("{}\n", headers[0]).as_bytes())?;
-    while let Some((_, table)) = (tables.iter_mut())
-        .filter_map(|table| Some((table.next_case()?, table)))
-        .min_by_key(|(case, _)| *case)
-    {
-        let Some((_, line)) = table.rows.next().transpose()? else {
-            continue;
-        };
+    while let Some((path, line)) = next_row(&mut tables)? {
         let fields: Vec<&str> = line.split(',').collect();
         let row = columns.row(tally.rows, |column| fields.get(column).copied());
-        let row = row.map_err(|reason| anyhow!("{}: `{line}`: {reason}", table.path.display()))?;
+        let row = row.map_err(|reason| anyhow!("{}: `{line}`: {reason}", path.display()))?;
         tally.add(
             &row.method,
             row.failed,
@@ -111,6 +126,38 @@ fn join_labels(parts: &[Part], out: &Path) -> Result<(SealedFile, Tally)> {
         );
     }
     Ok((file.seal()?, tally))
+}
+
+/// The records of all shards in the order of their cases; none where a shard has kept none.
+///
+/// # Errors
+/// Where they cannot be read or written.
+fn join_records(parts: &[Part], out: &Path) -> Result<Option<SealedFile>> {
+    if !parts
+        .iter()
+        .all(|part| part.manifest.files.contains_key(RECORDS))
+    {
+        return Ok(None);
+    }
+    let opened = parts.iter().map(|part| Table::of_records(&part.folder));
+    let mut tables = opened.collect::<Result<Vec<_>>>()?;
+    let mut records = RecordWriter::create(out)?;
+    while let Some((_, line)) = next_row(&mut tables)? {
+        records.write(&format!("{line}\n"))?;
+    }
+    records.seal().map(Some)
+}
+
+/// The next row of some tables in the order of their cases.
+fn next_row(tables: &mut [Table]) -> Result<Option<(PathBuf, String)>> {
+    let first = (tables.iter_mut())
+        .filter_map(|table| Some((table.next_case()?, table)))
+        .min_by_key(|(case, _)| *case);
+    let Some((_, table)) = first else {
+        return Ok(None);
+    };
+    let row = table.rows.next().transpose()?;
+    Ok(row.map(|(_, line)| (table.path.clone(), line)))
 }
 
 /// Failures are few: all at once.

@@ -4,6 +4,7 @@
 mod beside;
 mod table;
 
+use sim::Outcome;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -19,11 +20,11 @@ use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::ReferenceArguments;
 use crate::files::write_atomically;
-use crate::output::{CaseRows, Labels, Manifest, differences, fingerprint, read_cases};
+use crate::output::{CaseRows, Manifest, differences, fingerprint, read_cases};
 use beside::{Beside, beside};
-use campaign::engine::Record;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use campaign::results::Record;
 use campaign::sweep_file::per_cent;
 use campaign::text_file::read_text;
 use campaign::words::counted;
@@ -176,7 +177,7 @@ fn keeping_their_labels(
         let row = cases[case].rows.iter().find(|row| row.method == method);
         let row =
             row.with_context(|| format!("case {} has no row of {method}", cases[case].case))?;
-        let found = record.outcome.as_ref().map(Labels::of);
+        let found = record.outcome.as_ref().map(Outcome::labels);
         if !found.is_ok_and(|found| found == row.labels) {
             changes[case].store(true, Ordering::Relaxed);
         }

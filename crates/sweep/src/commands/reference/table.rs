@@ -1,10 +1,10 @@
 //! The reference as it is written.
 
 use anyhow::Result;
-use sim::Label;
+use sim::{Label, Motion};
 
 use crate::commands::margin::margin_line;
-use crate::output::{CaseRows, Manifest, Motion};
+use crate::output::{CaseRows, Manifest};
 use campaign::printable::printable;
 
 /// How a reference begins.
@@ -30,12 +30,12 @@ pub fn reference_table(
     let mut writer = csv::Writer::from_writer(comments.into_bytes());
     let mut header = vec!["case".to_owned(), "method".to_owned()];
     header.extend(manifest.axes.iter().map(|axis| axis.name()));
-    header.extend(Motion::ALL.map(|motion| motion.key().to_owned()));
+    header.extend(Motion::ALL.map(|motion| motion.name().to_owned()));
     writer.write_record(&header)?;
     for row in cases.iter().flat_map(|case| &case.rows) {
         let mut fields = vec![row.case.to_string(), row.method.clone()];
         fields.extend(row.values.iter().map(f64::to_string));
-        let label = |motion| row.labels.get(motion).map_or("", Label::name).to_owned();
+        let label = |motion| row.labels[motion].map_or("", Label::name).to_owned();
         fields.extend(Motion::ALL.map(label));
         writer.write_record(&fields)?;
     }

@@ -22,7 +22,8 @@ use crate::log::Log;
 use crate::output::{About, Manifest, TableWriter, boundary_csv};
 use campaign::dependence::dependences;
 use campaign::design::{Design, TraceDesign};
-use campaign::engine::{Record, Work};
+use campaign::engine::Work;
+use campaign::results::Record;
 use campaign::rounds::Rounds;
 use campaign::words::counted;
 

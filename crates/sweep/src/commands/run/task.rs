@@ -101,7 +101,7 @@ impl<'a> Task<'a> {
             Found::Unfinished { had_fewer: true } => {
                 raise_log(&log, header, sweep, self.terminal)?;
             }
-            Found::Fewer(manifest) => log_of_results(folder, &manifest, header, sweep)?,
+            Found::Fewer(manifest) => log_of_results(folder, &manifest, header)?,
             Found::Complete(manifest) => return Ok(Some(manifest)),
         }
         Ok(None)

@@ -7,8 +7,9 @@ use crate::cli::SimulateArguments;
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use campaign::engine::ChosenCase;
-use campaign::engine::{Record, answer};
+use campaign::engine::answer;
 use campaign::plan::Sweep;
+use campaign::results::Record;
 
 /// The row of every case and method of a sweep whose sites are found; none of another.
 ///

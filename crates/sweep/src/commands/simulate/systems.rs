@@ -9,9 +9,10 @@ use crate::commands::prepare::build_systems;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_unstable;
 use campaign::engine::ChosenCase;
-use campaign::engine::{Failure, MethodSystem, Record, RunOptions};
 use campaign::engine::{FollowedMethod, Simulation};
+use campaign::engine::{MethodSystem, RunOptions};
 use campaign::plan::Sweep;
+use campaign::results::{Failure, Record};
 
 /// The row of every case and method, as a run has it, and the motion of each that has
 /// an answer.

@@ -15,8 +15,9 @@ use crate::histories::{
 };
 use crate::output::write_atomically;
 use crate::plot::Picture;
-use campaign::engine::{Case, Record, Simulation};
+use campaign::engine::{Case, Simulation};
 use campaign::plan::Sweep;
+use campaign::results::Record;
 
 /// Simulated cases, and where their files are written.
 pub struct Written<'a> {

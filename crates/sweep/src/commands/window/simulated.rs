@@ -1,12 +1,13 @@
 //! The limits that results folders hold: of simulated cases, and Eq. 74.
 
+use sim::Motion;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
 use crate::cli::WindowArguments;
 use crate::commands::status::UsageError;
-use crate::output::{Boundary, Curve, Manifest, Motion, ResultTables, exact_stick_slip_limit};
+use crate::output::{Boundary, Curve, Manifest, ResultTables, exact_stick_slip_limit};
 use crate::window::{AXES, Drawn, Simulated, Source, below_curves, simulated};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;

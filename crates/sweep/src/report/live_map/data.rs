@@ -1,5 +1,6 @@
 //! The cases of a map as a page holds them: once, by columns, numbers as they are in the table.
 
+use sim::Motion;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -9,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::opening::opening;
 use crate::map::Drawing;
-use crate::output::{Manifest, Motion, ResultTables, column_words};
+use crate::output::{Manifest, ResultTables, column_words};
 use crate::plot::{MapAxis, map_axes};
 use campaign::quantities::{Axis, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;

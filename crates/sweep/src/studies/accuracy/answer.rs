@@ -32,7 +32,7 @@ pub struct Difference {
 /// Whether a case is in the regime that a limit bounds: whirl, where there is a wall,
 /// else stick-slip.
 pub fn is_inside(outcome: &Outcome) -> bool {
-    match (outcome.lateral, outcome.torsion) {
+    match (outcome.lateral(), outcome.torsion()) {
         (Some(lateral), _) => is_whirl(lateral.regime),
         (None, Some(torsion)) => torsion.regime == TorsionRegime::StickSlip,
         (None, None) => false,
@@ -48,8 +48,8 @@ fn is_whirl(regime: LateralRegime) -> bool {
 
 /// The regimes of a case.
 pub fn regimes(outcome: &Outcome) -> String {
-    let torsion = outcome.torsion.map(|torsion| torsion.regime.name());
-    let lateral = outcome.lateral.map(|lateral| lateral.regime.name());
+    let torsion = outcome.torsion().map(|torsion| torsion.regime.name());
+    let lateral = outcome.lateral().map(|lateral| lateral.regime.name());
     let both: Vec<&str> = torsion.into_iter().chain(lateral).collect();
     both.join(" and ")
 }
@@ -62,13 +62,13 @@ pub fn regimes(outcome: &Outcome) -> String {
 /// begins.
 pub fn measures(outcome: &Outcome, sites: usize) -> Vec<(&'static str, f64)> {
     let mut found = Vec::new();
-    if let Some(torsion) = outcome.torsion {
+    if let Some(torsion) = outcome.torsion() {
         found.extend(torsion.first_slip.map(|time| ("first slip", time)));
-        if torsion.regime == TorsionRegime::StickSlip && outcome.lateral.is_none() {
+        if torsion.regime == TorsionRegime::StickSlip && outcome.lateral().is_none() {
             found.extend(torsion.period.map(|period| ("period", period)));
         }
     }
-    if let Some(lateral) = outcome.lateral {
+    if let Some(lateral) = outcome.lateral() {
         if is_whirl(lateral.regime) && sites == 1 {
             found.extend([
                 ("radius", lateral.mean_radius),

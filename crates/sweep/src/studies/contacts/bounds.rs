@@ -5,7 +5,7 @@ use linear::estimates::bending_decay_rate;
 
 use super::subject::Subject;
 use crate::output::{WhirlMotion, many_sites_limit, whirl_limit};
-use campaign::plan::to_rpm;
+use campaign::results::to_rpm;
 
 /// Friction that steady whirl needs at least.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

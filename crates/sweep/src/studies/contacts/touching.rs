@@ -91,7 +91,7 @@ impl<'a> Touching<'a> {
         let outcome = self.system.simulate(case, Stopping::Early, None)?;
         let window = case.scene.timing.closing_window;
         let places = self.system.setting.sites.distances_from_bit();
-        let backward = outcome.lateral.filter(|it| {
+        let backward = outcome.lateral().filter(|it| {
             it.regime == LateralRegime::BackwardWhirl
                 && -it.precession_rate * window >= LEAST_TURNS * TAU
         });

@@ -12,8 +12,9 @@ use super::{of_each, stick_slip, whirl};
 use crate::studies::accuracy::is_inside;
 use crate::studies::stick_slip::exact;
 use crate::studies::trial;
-use campaign::engine::{self, MethodSystem, Record, RunOptions, certified};
+use campaign::engine::{self, MethodSystem, RunOptions};
 use campaign::plan::Sweep;
+use campaign::results::{Record, certified};
 
 /// Cases of a string: each at most so far from its limit, as a natural logarithm.
 const NEAR: [f64; 6] = [0.02, 0.05, 0.05, 0.15, 0.15, 0.3];
@@ -139,8 +140,8 @@ fn of_string(problem: &Problem, draw: &mut Draw) -> Result<Vec<Tested>> {
             value,
             label: is_inside(outcome),
             is_certain: match problem.motion {
-                Motion::StickSlip => certified.torsion.is_some(),
-                Motion::Whirl => certified.lateral.is_some(),
+                Motion::StickSlip => certified[sim::Motion::Torsion].is_some(),
+                Motion::Whirl => certified[sim::Motion::Lateral].is_some(),
             },
             truth: (said[0]).filter(|first| said.iter().all(|other| *other == Some(*first))),
         });

@@ -10,8 +10,9 @@ use linear::estimates::{first_mode, stick_slip_speed_limit, torsional_wave_left}
 use linear::{Drillstring, Material};
 
 use super::draw::{Draw, FAMILIES, FIELD, SHAPES, SURFACES, Shape, Sizes, Surface, WIDE, sections};
-use campaign::plan::{Sweep, to_rpm};
+use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use campaign::results::to_rpm;
 use campaign::sweep_file::StartName;
 
 /// Which limit is looked for.

@@ -43,7 +43,7 @@ pub fn examine(cell: &Cell, method: Method) -> Result<Findings> {
     // Other strings have another stick-slip.
     if cell.sections.is_none() {
         match outcome(&sweep, &system, &sweep.conditions, Stopping::Full) {
-            Ok(outcome) => findings.recaptures = outcome.torsion.map(|torsion| torsion.sticks),
+            Ok(outcome) => findings.recaptures = outcome.torsion().map(|torsion| torsion.sticks),
             Err(error) => findings.no_answer = Some(error.to_string()),
         }
     }

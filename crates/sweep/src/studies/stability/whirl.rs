@@ -66,7 +66,7 @@ fn watch(
     steady: &[SteadyWhirl],
     findings: &mut Findings,
 ) {
-    let whirl = (outcome.lateral).filter(|it| it.regime == LateralRegime::BackwardWhirl);
+    let whirl = (outcome.lateral()).filter(|it| it.regime == LateralRegime::BackwardWhirl);
     let (Some(whirl), Some(forces)) = (whirl, record.wall_forces.last()) else {
         return;
     };

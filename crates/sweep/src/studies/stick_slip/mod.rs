@@ -10,8 +10,9 @@ use sim::{Stopping, TorsionRegime};
 use super::limit::{Truth, limit_between, nearest};
 use super::trial;
 use campaign::engine::MethodSystem;
-use campaign::plan::{Sweep, to_rpm};
+use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use campaign::results::to_rpm;
 use campaign::sweep_file::AutoOr;
 
 /// A limit is looked for between these parts of Eq. 74's.
@@ -63,7 +64,7 @@ fn is_smooth(sweep: &Sweep, system: &MethodSystem, speed: f64) -> Option<bool> {
     let sweep = until_regime_is_told(sweep);
     let conditions = sweep.conditions.with(Axis::SurfaceSpeedRpm, speed);
     let outcome = trial::outcome(&sweep, system, &conditions, Stopping::Early).ok()?;
-    Some(outcome.torsion?.regime == TorsionRegime::Smooth)
+    Some(outcome.torsion()?.regime == TorsionRegime::Smooth)
 }
 
 /// The longest time that a case takes in a bracket (rpm), s.

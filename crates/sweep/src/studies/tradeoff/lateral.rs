@@ -108,7 +108,7 @@ fn number(
     measure: Measure,
 ) -> Option<f64> {
     let whirl = outcome
-        .and_then(|outcome| outcome.lateral)
+        .and_then(|outcome| outcome.lateral())
         .filter(|lateral| lateral.regime == LateralRegime::BackwardWhirl);
     match measure {
         Measure::WhirlRadius => Some(whirl?.mean_radius),
@@ -124,6 +124,6 @@ fn whirl_limit(sweep: &Sweep, system: &MethodSystem) -> Option<f64> {
     limit_between(LIMIT_BRACKET, |friction| {
         let conditions = sweep.conditions.with(Axis::FRICTION, friction);
         let outcome = trial::outcome(sweep, system, &conditions, Stopping::Early).ok()?;
-        Some(outcome.lateral?.regime == LateralRegime::BackwardWhirl)
+        Some(outcome.lateral()?.regime == LateralRegime::BackwardWhirl)
     })
 }

@@ -135,7 +135,7 @@ pub fn number(
     outcome: Option<Outcome>,
     measure: Measure,
 ) -> Option<f64> {
-    let bit = outcome.and_then(|outcome| outcome.torsion);
+    let bit = outcome.and_then(|outcome| outcome.torsion());
     match measure {
         Measure::SteadySpeed => Some(system.responses.torsion()?.from_surface[0].iter().sum()),
         Measure::StaticStiffness => {

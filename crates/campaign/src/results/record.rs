@@ -3,10 +3,10 @@
 use std::fmt::Display;
 
 use serde::{Deserialize, Serialize};
-use sim::{Outcome, TorsionRegime};
+use sim::{Labels, Motion, Outcome, TorsionRegime};
 use thiserror::Error;
 
-use super::verdict::{Certified, Verdict};
+use super::verdict::{Verdict, certified_by, verdict};
 
 /// Why a case has no answer, in a line of text. It is no enum: most of it are the words
 /// of a linear method, of the simulator or of the sweep file, and a log is read long after
@@ -91,10 +91,7 @@ impl Record {
     /// What it says of the case; nothing where it has no answer.
     pub fn verdict(&self) -> Verdict {
         let outcome = self.outcome.as_ref();
-        outcome.map_or_else(
-            |_| Verdict::default(),
-            |it| Verdict::of(it, self.above_limit),
-        )
+        outcome.map_or_else(|_| Verdict::default(), |it| verdict(it, self.above_limit))
     }
 
     /// Of a case without an answer.
@@ -119,26 +116,26 @@ impl Record {
 /// What is certain of a case by the records of the methods at two places: each has one verdict
 /// and one by shorter steps, and one that is missing certifies nothing; nor does a label of the bit
 /// that changes at nearby speeds.
-pub fn certified(case: &[Record], places: [usize; 2]) -> Certified {
+pub fn certified(case: &[Record], places: [usize; 2]) -> Labels {
     let records = places.map(|place| case.iter().find(|record| record.method == place));
     let verdicts = records.map(|record| {
         let verdict = record.map(Record::verdict).unwrap_or_default();
         let finer = record.and_then(|record| record.finer).unwrap_or_default();
         [verdict, finer]
     });
-    let certified = Certified::by(verdicts.as_flattened());
+    let mut certified = certified_by(verdicts.as_flattened());
     let changes = |record: &Record| record.agrees_nearby == Some(false);
-    let changes_nearby = records.into_iter().flatten().any(changes);
-    Certified {
-        torsion: certified.torsion.filter(|_| !changes_nearby),
-        ..certified
+    if records.into_iter().flatten().any(changes) {
+        certified[Motion::Torsion] = None;
     }
+    certified
 }
 
 #[cfg(test)]
 mod tests {
-    use sim::{Ended, TorsionMeasures};
+    use sim::{Ended, Measures, PerMotion, TorsionMeasures};
 
+    use super::super::verdict::MotionVerdict;
     use super::*;
 
     const SMOOTH: TorsionRegime = TorsionRegime::Smooth;
@@ -158,17 +155,18 @@ mod tests {
         };
         Record {
             above_limit: Some(5.0),
-            finer: Some(Verdict {
-                torsion: Some(SMOOTH),
-                above_limit: Some(5.5),
-                lateral: None,
-            }),
+            finer: Some(Verdict::only(
+                Motion::Torsion,
+                MotionVerdict::Torsion {
+                    regime: SMOOTH,
+                    above_limit: Some(5.5),
+                },
+            )),
             outcome: Ok(Outcome {
                 simulated: 9.0,
                 ended: Ended::End,
                 predicted: None,
-                torsion: Some(torsion),
-                lateral: None,
+                measures: PerMotion::only(Motion::Torsion, Measures::Torsion(torsion)),
                 string_torque: None,
                 surface: None,
             }),
@@ -179,22 +177,22 @@ mod tests {
     #[test]
     fn a_case_is_certain_by_both_methods_and_both_frequencies() {
         let all = [record(0), record(1), record(2)];
-        let found = certified(&all, [0, 2]).torsion;
-        assert_eq!(found, Some(SMOOTH));
+        let found = certified(&all, [0, 2])[Motion::Torsion];
+        assert_eq!(found, Some(SMOOTH.into()));
         // What the other method says does not matter; what one of the two lacks does.
         let without_other = [record(0), record(2)];
-        assert_eq!(certified(&without_other, [0, 2]).torsion, found);
-        assert_eq!(certified(&all[..2], [0, 2]).torsion, None);
+        assert_eq!(certified(&without_other, [0, 2])[Motion::Torsion], found);
+        assert_eq!(certified(&all[..2], [0, 2])[Motion::Torsion], None);
         let mut lacking = all.clone();
         lacking[2].finer = None;
-        assert_eq!(certified(&lacking, [0, 2]).torsion, None);
+        assert_eq!(certified(&lacking, [0, 2])[Motion::Torsion], None);
         lacking[2] = record(2);
         lacking[0].agrees_nearby = Some(true);
-        assert_eq!(certified(&lacking, [0, 2]).torsion, found);
+        assert_eq!(certified(&lacking, [0, 2])[Motion::Torsion], found);
         lacking[0].agrees_nearby = Some(false);
-        assert_eq!(certified(&lacking, [0, 2]).torsion, None);
+        assert_eq!(certified(&lacking, [0, 2])[Motion::Torsion], None);
         lacking[0].agrees_nearby = None;
         lacking[2] = Record::failed(3, 2, Vec::new(), Failure::new("why"));
-        assert_eq!(certified(&lacking, [0, 2]).torsion, None);
+        assert_eq!(certified(&lacking, [0, 2])[Motion::Torsion], None);
     }
 }

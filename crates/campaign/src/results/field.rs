@@ -72,3 +72,9 @@ impl From<bool> for Field<'_> {
         Field::Flag(flag)
     }
 }
+
+impl<'a, T: Into<Field<'a>>> From<Option<T>> for Field<'a> {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Field::Nothing, Into::into)
+    }
+}

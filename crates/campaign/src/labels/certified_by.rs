@@ -1,11 +1,11 @@
-//! Which labels of a case are certain, where a run certifies them.
+//! What certifies the labels of a run.
 
 use linear::Method;
 use serde::{Deserialize, Serialize};
 
-use super::motion::{Labels, Motion};
-use crate::engine::{Certified, FINER, finer_frequency};
+use crate::engine::finer_frequency;
 use crate::plan::Sweep;
+use crate::results::FINER;
 use crate::words::short;
 
 /// What certifies the labels of a run.
@@ -44,60 +44,5 @@ impl CertifiedBy {
             format!(" ({held}: {} Hz)", short(finest))
         });
         format!("{first} and {second} Hz{finest}")
-    }
-}
-
-/// Whether the labels of a row are certain: none of a motion without a label, and none where
-/// a run does not certify.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Certainty {
-    /// That of the bit's rotation.
-    pub torsion: Option<bool>,
-    /// That of lateral motion.
-    pub lateral: Option<bool>,
-}
-
-impl Certainty {
-    /// Of a row with these labels: those that the case is certain to have.
-    pub fn of(labels: Labels, certified: Certified) -> Self {
-        Self {
-            torsion: (labels.torsion).map(|label| certified.torsion == Some(label)),
-            lateral: (labels.lateral).map(|label| certified.lateral == Some(label)),
-        }
-    }
-
-    /// Of the label of a motion.
-    pub fn get(self, motion: Motion) -> Option<bool> {
-        match motion {
-            Motion::Torsion => self.torsion,
-            Motion::Lateral => self.lateral,
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use sim::TorsionRegime;
-
-    use super::*;
-
-    const SMOOTH: TorsionRegime = TorsionRegime::Smooth;
-
-    #[test]
-    fn a_row_is_certain_where_its_own_label_is() {
-        let certified = Certified {
-            torsion: Some(SMOOTH),
-            lateral: None,
-        };
-        let of = |regime| {
-            let labels = Labels {
-                torsion: regime,
-                lateral: None,
-            };
-            Certainty::of(labels, certified)
-        };
-        assert_eq!(of(Some(SMOOTH)).torsion, Some(true));
-        assert_eq!(of(Some(TorsionRegime::StickSlip)).torsion, Some(false));
-        assert_eq!(of(None), Certainty::default());
     }
 }

@@ -1,0 +1,589 @@
+//! The columns of results, each in one row of one table: its name with the unit, what it holds,
+//! its words for people, what it measures, and how it follows from a record.
+
+use std::f64::consts::TAU;
+
+use sim::{
+    Label, LateralMeasures, Motion, Outcome, StringTorque, SurfaceMeasures, TorsionMeasures,
+};
+
+use super::field::{Field, Kind};
+use super::record::Record;
+use super::verdict::{Certainty, MotionVerdict};
+use crate::quantities::{RPM, Unit, Units};
+
+/// Columns that a table has together, or not at all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Group {
+    /// In every table.
+    Always,
+    /// Torque at the surface, where that is followed.
+    Surface,
+    /// The greatest torque along the string, where that is followed.
+    String,
+    /// What is certain, where labels are certified: what the method says by shorter steps, as far
+    /// as it matters to that, and whether the labels of the row are certain.
+    Certificate,
+    /// How the bit turns from each start, where cases begin in both ways.
+    Starts,
+    /// The sites that a case was found to have besides those of the file, with `;` between them,
+    /// and how often it was run again for them.
+    Found,
+}
+
+/// What has to be modelled for a column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Needs {
+    /// A torque at the bit.
+    Bit,
+    /// A borehole wall.
+    Wall,
+    /// The torque at the surface.
+    SurfaceTorque,
+    /// The torque along the string.
+    StringTorque,
+}
+
+/// A column of results.
+#[derive(Debug)]
+pub struct ResultColumn {
+    /// Its name, which ends in the unit of its numbers.
+    pub name: &'static str,
+    /// What it holds.
+    pub kind: Kind,
+    /// As a person reads it.
+    pub words: &'static str,
+    /// The motion that it is about, where it is about one.
+    pub motion: Option<Motion>,
+    /// Which columns it comes with.
+    pub group: Group,
+    /// Whether a map may have it as colour.
+    pub is_measure: bool,
+    /// Whether it says how severe its motion is.
+    pub is_severity: bool,
+    /// The unit of its numbers; empty where they have none.
+    unit: &'static str,
+    field: fn(&Row) -> Field<'static>,
+}
+
+/// A record, with what is certain of it.
+pub struct Row<'a> {
+    record: &'a Record,
+    outcome: Option<&'a Outcome>,
+    certainty: Certainty,
+}
+
+/// All columns of results, in their order. Those of what cases are held against, which a sweep
+/// names itself, follow [`Group::String`].
+pub static COLUMNS: &[ResultColumn] = &[
+    text("torsion", "Torsion", |row| row.label(Motion::Torsion)).of(Motion::Torsion),
+    text("lateral", "Lateral motion", |row| {
+        row.label(Motion::Lateral)
+    })
+    .of(Motion::Lateral),
+    number("first_slip_s", "s", "First slip at", |row| {
+        row.torsion().and_then(|it| it.first_slip).into()
+    })
+    .of(Motion::Torsion),
+    number("period_s", "s", "Period of stick-slip", |row| {
+        row.torsion().and_then(|it| it.period).into()
+    })
+    .of(Motion::Torsion)
+    .measure(),
+    number("slip_time_s", "s", "Time slipping in a period", |row| {
+        row.torsion().and_then(|it| it.slip_time).into()
+    })
+    .of(Motion::Torsion),
+    count("sticks", "Times the bit stuck", |row| {
+        row.torsion().map(|it| it.sticks).into()
+    })
+    .of(Motion::Torsion)
+    .measure(),
+    number("bit_speed_peak_rpm", "rpm", "Greatest bit speed", |row| {
+        row.torsion().map(|it| to_rpm(it.peak_speed)).into()
+    })
+    .of(Motion::Torsion)
+    .measure(),
+    number(
+        "bit_speed_closing_rpm",
+        "rpm",
+        "Mean bit speed in the closing window",
+        |row| row.torsion().map(|it| to_rpm(it.closing_speed)).into(),
+    )
+    .of(Motion::Torsion)
+    .measure(),
+    number("stick_slip_severity", "", "Severity of stick-slip", |row| {
+        row.torsion().and_then(|it| it.severity).into()
+    })
+    .of(Motion::Torsion)
+    .measure()
+    .severity(),
+    number(
+        "stick_slip_margin_rpm",
+        "rpm",
+        "Speed above the limit of stick-slip",
+        |row| row.record.above_limit.map(to_rpm).into(),
+    )
+    .of(Motion::Torsion)
+    .measure(),
+    number(
+        "site_from_bit_m",
+        "m",
+        "Site that decides, from the bit",
+        |row| row.lateral().and(row.record.site_from_bit_m).into(),
+    )
+    .of(Motion::Lateral),
+    number("first_contact_s", "s", "First contact at", |row| {
+        row.lateral().and_then(|it| it.first_contact).into()
+    })
+    .of(Motion::Lateral),
+    number("peak_radius_mm", "mm", "Greatest radius", |row| {
+        row.lateral().map(|it| to_mm(it.peak_radius)).into()
+    })
+    .of(Motion::Lateral)
+    .measure(),
+    number(
+        "mean_radius_mm",
+        "mm",
+        "Mean radius in the closing window",
+        |row| row.lateral().map(|it| to_mm(it.mean_radius)).into(),
+    )
+    .of(Motion::Lateral)
+    .measure(),
+    number(
+        "contact_fraction",
+        "",
+        "Share of the closing window in contact",
+        |row| row.lateral().map(|it| it.contact_fraction).into(),
+    )
+    .of(Motion::Lateral)
+    .measure()
+    .severity(),
+    number(
+        "rolling_fraction",
+        "",
+        "Share of that contact in rolling",
+        |row| row.lateral().map(|it| it.rolling_fraction).into(),
+    )
+    .of(Motion::Lateral)
+    .measure(),
+    number(
+        "precession_turns_per_s",
+        "turns/s",
+        "Rate of precession, backward below zero",
+        |row| row.lateral().map(|it| to_turns(it.precession_rate)).into(),
+    )
+    .of(Motion::Lateral)
+    .measure(),
+    number(
+        "normal_force_mean_kn",
+        "kN",
+        "Mean contact force while in contact",
+        |row| row.lateral().map(|it| to_kn(it.mean_normal_force)).into(),
+    )
+    .of(Motion::Lateral)
+    .measure(),
+    count(
+        "ambiguous_steps",
+        "Steps with more than one answer",
+        |row| row.lateral().map(|it| it.ambiguous_steps).into(),
+    )
+    .of(Motion::Lateral),
+    text("predicted", "Label predicted when it had settled", |row| {
+        let predicted = row.outcome.and_then(|outcome| outcome.predicted);
+        predicted.map(Label::name).into()
+    }),
+    number("simulated_s", "s", "Simulated", |row| {
+        row.outcome.map(|outcome| outcome.simulated).into()
+    }),
+    text("ended", "Ended", |row| {
+        row.outcome.map(|outcome| outcome.ended.name()).into()
+    }),
+    text("status", "Status", |row| {
+        row.outcome.map_or(FAILED, |_| DONE).into()
+    }),
+    number(
+        "surface_torque_peak_nm",
+        "N m",
+        "Greatest torque at the surface",
+        |row| row.surface().map(|it| it.peak_torque).into(),
+    )
+    .group(Group::Surface)
+    .measure(),
+    number(
+        "surface_torque_least_nm",
+        "N m",
+        "Least torque at the surface in the closing window",
+        |row| row.surface().map(|it| it.least_torque).into(),
+    )
+    .group(Group::Surface),
+    number(
+        "surface_torque_mean_nm",
+        "N m",
+        "Mean torque at the surface in the closing window",
+        |row| row.surface().map(|it| it.mean_torque).into(),
+    )
+    .group(Group::Surface),
+    number(
+        "surface_torque_greatest_nm",
+        "N m",
+        "Greatest torque at the surface in the closing window",
+        |row| row.surface().map(|it| it.greatest_torque).into(),
+    )
+    .group(Group::Surface)
+    .measure(),
+    number(
+        "string_torque_peak_nm",
+        "N m",
+        "Greatest torque along the string",
+        |row| row.string_torque().map(|it| it.peak_torque).into(),
+    )
+    .group(Group::String)
+    .measure(),
+    number(
+        "string_torque_peak_from_bit_m",
+        "m",
+        "Place of the greatest torque along the string, from the bit",
+        |row| row.string_torque().map(|it| it.from_bit).into(),
+    )
+    .group(Group::String),
+    text("finer_torsion", "Torsion by shorter steps", |row| {
+        row.finer_label(Motion::Torsion)
+    })
+    .of(Motion::Torsion)
+    .group(Group::Certificate),
+    text("finer_lateral", "Lateral motion by shorter steps", |row| {
+        row.finer_label(Motion::Lateral)
+    })
+    .of(Motion::Lateral)
+    .group(Group::Certificate),
+    number(
+        "finer_stick_slip_margin_rpm",
+        "rpm",
+        "Speed above the limit of stick-slip by shorter steps",
+        |row| match row.finer(Motion::Torsion) {
+            Some(MotionVerdict::Torsion { above_limit, .. }) => above_limit.map(to_rpm).into(),
+            _ => Field::Nothing,
+        },
+    )
+    .of(Motion::Torsion)
+    .group(Group::Certificate),
+    number(
+        "finer_contact_fraction",
+        "",
+        "Share of the closing window in contact by shorter steps",
+        |row| match row.finer(Motion::Lateral) {
+            Some(MotionVerdict::Lateral {
+                contact_fraction, ..
+            }) => contact_fraction.into(),
+            _ => Field::Nothing,
+        },
+    )
+    .of(Motion::Lateral)
+    .group(Group::Certificate),
+    number(
+        "finer_precession_turns_per_s",
+        "turns/s",
+        "Rate of precession by shorter steps",
+        |row| match row.finer(Motion::Lateral) {
+            Some(MotionVerdict::Lateral {
+                precession_rate, ..
+            }) => to_turns(precession_rate).into(),
+            _ => Field::Nothing,
+        },
+    )
+    .of(Motion::Lateral)
+    .group(Group::Certificate),
+    flag("torsion_certified", "Label of torsion is certain", |row| {
+        row.certainty[Motion::Torsion].into()
+    })
+    .of(Motion::Torsion)
+    .group(Group::Certificate),
+    flag(
+        "lateral_certified",
+        "Label of lateral motion is certain",
+        |row| row.certainty[Motion::Lateral].into(),
+    )
+    .of(Motion::Lateral)
+    .group(Group::Certificate),
+    flag(
+        "nearby_torsion_agrees",
+        "Same label of torsion at speeds up to 10 % lower and higher",
+        |row| row.record.agrees_nearby.into(),
+    )
+    .of(Motion::Torsion)
+    .group(Group::Certificate),
+    text(
+        "torsion_from_stuck",
+        "Torsion after the bit was held",
+        |row| row.record.by_start.map(|it| it.stuck.name()).into(),
+    )
+    .of(Motion::Torsion)
+    .group(Group::Starts),
+    text(
+        "torsion_from_smooth",
+        "Torsion after smooth rotation",
+        |row| row.record.by_start.map(|it| it.smooth.name()).into(),
+    )
+    .of(Motion::Torsion)
+    .group(Group::Starts),
+    text(FOUND_SITES, "Sites found, m from the bit", |row| {
+        row.found_sites()
+    })
+    .group(Group::Found),
+    count(FOUND_ROUNDS, "Times run again for sites", |row| {
+        row.record.found.as_ref().map(|found| found.rounds).into()
+    })
+    .group(Group::Found),
+];
+
+/// The column of the sites that were found.
+pub const FOUND_SITES: &str = "found_sites_from_bit_m";
+/// That of how often a case was run again for them.
+pub const FOUND_ROUNDS: &str = "found_rounds";
+
+/// The status of a case with an answer.
+const DONE: &str = "ok";
+/// That of one without.
+pub const FAILED: &str = "failed";
+
+type FieldOf = fn(&Row) -> Field<'static>;
+
+const fn column(
+    name: &'static str,
+    (kind, unit): (Kind, &'static str),
+    words: &'static str,
+    field: FieldOf,
+) -> ResultColumn {
+    ResultColumn {
+        name,
+        kind,
+        words,
+        motion: None,
+        group: Group::Always,
+        is_measure: false,
+        is_severity: false,
+        unit,
+        field,
+    }
+}
+
+const fn number(
+    name: &'static str,
+    unit: &'static str,
+    words: &'static str,
+    field: FieldOf,
+) -> ResultColumn {
+    column(name, (Kind::Number, unit), words, field)
+}
+
+const fn count(name: &'static str, words: &'static str, field: FieldOf) -> ResultColumn {
+    column(name, (Kind::Count, ""), words, field)
+}
+
+const fn text(name: &'static str, words: &'static str, field: FieldOf) -> ResultColumn {
+    column(name, (Kind::Text, ""), words, field)
+}
+
+const fn flag(name: &'static str, words: &'static str, field: FieldOf) -> ResultColumn {
+    column(name, (Kind::Flag, ""), words, field)
+}
+
+impl ResultColumn {
+    const fn of(mut self, motion: Motion) -> Self {
+        self.motion = Some(motion);
+        self
+    }
+
+    const fn group(mut self, group: Group) -> Self {
+        self.group = group;
+        self
+    }
+
+    const fn measure(mut self) -> Self {
+        self.is_measure = true;
+        self
+    }
+
+    const fn severity(mut self) -> Self {
+        self.is_severity = true;
+        self
+    }
+
+    /// The column of a name.
+    pub fn named(name: &str) -> Option<&'static Self> {
+        COLUMNS.iter().find(|column| column.name == name)
+    }
+
+    /// The column of a motion's label.
+    pub fn label_of(motion: Motion) -> &'static str {
+        motion.name()
+    }
+
+    /// The column of whether that label is certain.
+    pub fn certainty_of(motion: Motion) -> &'static str {
+        match motion {
+            Motion::Torsion => "torsion_certified",
+            Motion::Lateral => "lateral_certified",
+        }
+    }
+
+    /// What a row has in it.
+    pub fn field(&self, row: &Row) -> Field<'static> {
+        (self.field)(row)
+    }
+
+    /// The unit in which its numbers are shown.
+    pub fn unit(&self, units: Units) -> Unit {
+        let twin = (units.twin_of(self.name)).filter(|twin| twin.units[0] == self.unit);
+        twin.map_or_else(|| Unit::unchanged(self.unit), |twin| units.of(twin))
+    }
+
+    /// What has to be modelled for it.
+    pub fn needs(&self) -> Option<Needs> {
+        match (self.group, self.motion) {
+            (Group::Surface, _) => Some(Needs::SurfaceTorque),
+            (Group::String, _) => Some(Needs::StringTorque),
+            (_, Some(Motion::Torsion)) => Some(Needs::Bit),
+            (_, Some(Motion::Lateral)) => Some(Needs::Wall),
+            (_, None) => None,
+        }
+    }
+}
+
+impl<'a> Row<'a> {
+    /// Of a record.
+    pub fn new(record: &'a Record, certainty: Certainty) -> Self {
+        Self {
+            record,
+            outcome: record.outcome.as_ref().ok(),
+            certainty,
+        }
+    }
+
+    fn label(&self, motion: Motion) -> Field<'static> {
+        let label = self.outcome.and_then(|outcome| outcome.labels()[motion]);
+        label.map(Label::name).into()
+    }
+
+    fn torsion(&self) -> Option<TorsionMeasures> {
+        self.outcome.and_then(Outcome::torsion)
+    }
+
+    fn lateral(&self) -> Option<LateralMeasures> {
+        self.outcome.and_then(Outcome::lateral)
+    }
+
+    fn surface(&self) -> Option<SurfaceMeasures> {
+        self.outcome.and_then(|outcome| outcome.surface)
+    }
+
+    fn string_torque(&self) -> Option<StringTorque> {
+        self.outcome.and_then(|outcome| outcome.string_torque)
+    }
+
+    fn finer(&self, motion: Motion) -> Option<MotionVerdict> {
+        self.record.finer.and_then(|finer| finer[motion])
+    }
+
+    fn finer_label(&self, motion: Motion) -> Field<'static> {
+        self.finer(motion).map(|it| it.label().name()).into()
+    }
+
+    fn found_sites(&self) -> Field<'static> {
+        let found = self.record.found.as_ref();
+        let sites = found.map(|found| found.sites.iter().map(f64::to_string));
+        let sites: Vec<String> = sites.into_iter().flatten().collect();
+        sites.join(";").into()
+    }
+}
+
+/// A metre in mm.
+pub fn to_mm(length: f64) -> f64 {
+    1e3 * length
+}
+
+/// A newton in kN.
+pub fn to_kn(force: f64) -> f64 {
+    1e-3 * force
+}
+
+/// A radian per second in turns per second.
+pub fn to_turns(rate: f64) -> f64 {
+    rate / TAU
+}
+
+/// A radian per second in rpm.
+pub fn to_rpm(speed: f64) -> f64 {
+    speed / RPM
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_is_that_of_one_column() {
+        for column in COLUMNS {
+            let named = ResultColumn::named(column.name).unwrap();
+            assert!(std::ptr::eq(named, column), "{}", column.name);
+        }
+    }
+
+    #[test]
+    fn every_motion_has_a_label_and_a_certainty() {
+        for motion in Motion::ALL {
+            for name in [ResultColumn::label_of, ResultColumn::certainty_of].map(|of| of(motion)) {
+                assert_eq!(ResultColumn::named(name).unwrap().motion, Some(motion));
+            }
+        }
+    }
+
+    /// A number is written in the unit that its name ends in.
+    #[test]
+    fn names_end_in_units() {
+        for column in COLUMNS.iter().filter(|column| !column.unit.is_empty()) {
+            let ending = match column.unit {
+                "N m" => "nm".to_owned(),
+                unit => unit.to_lowercase().replace('/', "_per_"),
+            };
+            let stem = column.name.strip_suffix(&ending);
+            assert!(
+                stem.is_some_and(|stem| stem.ends_with('_')),
+                "{}",
+                column.name
+            );
+        }
+    }
+
+    /// What the words say of each is what its name says; a test of motions holds the names.
+    #[test]
+    fn words_say_what_names_say() {
+        for column in COLUMNS {
+            for (part, word) in [
+                ("peak_rpm", "greatest"),
+                ("peak_nm", "greatest"),
+                ("peak_radius", "greatest"),
+                ("greatest", "greatest"),
+                ("least", "least"),
+                ("mean", "mean"),
+                ("closing", "mean"),
+                ("fraction", "share"),
+                ("severity", "severity"),
+            ] {
+                let says = column.words.to_lowercase().contains(word);
+                assert!(!column.name.contains(part) || says, "{}", column.name);
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_are_in_the_units_that_are_shown() {
+        let unit = |name| ResultColumn::named(name).unwrap().unit(Units::Field);
+        let place = unit("string_torque_peak_from_bit_m");
+        assert_eq!(place.name, "ft");
+        assert!((place.number(1.0) - 1.0 / 0.3048).abs() < 1e-12);
+        assert_eq!(unit("stick_slip_margin_rpm").name, "rpm");
+        assert_eq!(unit("contact_fraction").name, "");
+    }
+}

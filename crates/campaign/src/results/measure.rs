@@ -1,0 +1,74 @@
+//! What is measured of a case and may be the colour of a map.
+
+use std::sync::LazyLock;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use sim::Motion;
+
+use super::columns::{COLUMNS, Needs, ResultColumn};
+use crate::quantities::{Unit, Units};
+
+/// A measure of a case: one of the columns of results that a map may have as colour.
+#[derive(Debug, Clone, Copy)]
+pub struct Measure(&'static ResultColumn);
+
+/// The names of all measures.
+static NAMES: LazyLock<Vec<&str>> = LazyLock::new(|| all().map(Measure::column).collect());
+
+fn all() -> impl Iterator<Item = Measure> {
+    let measures = COLUMNS.iter().filter(|column| column.is_measure);
+    measures.map(Measure)
+}
+
+impl Measure {
+    /// Those that say how severe a motion is.
+    pub fn severities() -> impl Iterator<Item = Self> {
+        all().filter(|measure| measure.0.is_severity)
+    }
+
+    /// Its column in `labels.csv`.
+    pub fn column(self) -> &'static str {
+        self.0.name
+    }
+
+    /// As a person reads it.
+    pub fn words(self) -> &'static str {
+        self.0.words
+    }
+
+    /// The unit in which it is shown.
+    pub fn unit(self, units: Units) -> Unit {
+        self.0.unit(units)
+    }
+
+    /// The motion that it is about, where it is about one.
+    pub fn motion(self) -> Option<Motion> {
+        self.0.motion
+    }
+
+    /// What has to be modelled for it.
+    pub fn needs(self) -> Option<Needs> {
+        self.0.needs()
+    }
+}
+
+impl PartialEq for Measure {
+    fn eq(&self, other: &Self) -> bool {
+        self.column() == other.column()
+    }
+}
+
+impl Serialize for Measure {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.column())
+    }
+}
+
+impl<'de> Deserialize<'de> for Measure {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        let measure = all().find(|measure| measure.column() == name);
+        measure.ok_or_else(|| D::Error::unknown_variant(&name, &NAMES))
+    }
+}

@@ -1,0 +1,252 @@
+//! What a simulation says of a case, and what several of them make certain.
+
+use serde::{Deserialize, Serialize};
+use sim::watch::rules::Rules;
+use sim::{
+    Label, Labels, LateralMeasures, LateralRegime, Measures, Outcome, PerMotion, TorsionRegime,
+};
+
+/// Labels are certified by simulations at the sampling frequency of the sweep and at this
+/// many times that.
+pub const FINER: f64 = 2.0;
+
+/// What a simulation says of each motion that is modelled.
+pub type Verdict = PerMotion<Option<MotionVerdict>>;
+
+/// The label of a motion, and the measures that show how near it is to another.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum MotionVerdict {
+    /// How the bit turned.
+    Torsion {
+        /// The label.
+        regime: TorsionRegime,
+        /// How far above the analytic limit of stick-slip (Eq. 74) the surface turns, rad/s.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        above_limit: Option<f64>,
+    },
+    /// How the string moved laterally, at the site that decides the label.
+    Lateral {
+        /// The label.
+        regime: LateralRegime,
+        /// Part of the closing window in contact.
+        contact_fraction: f64,
+        /// Rate at which the centre goes round in the closing window, rad/s.
+        precession_rate: f64,
+    },
+}
+
+/// That of an outcome, `above_limit` (rad/s) the analytic limit of stick-slip.
+pub fn verdict(outcome: &Outcome, above_limit: Option<f64>) -> Verdict {
+    Verdict::from_fn(|motion| {
+        let of = outcome.measures[motion].as_ref()?;
+        Some(MotionVerdict::of(of, above_limit))
+    })
+}
+
+/// What verdicts on one case make certain, by whatever methods and sampling frequencies: that
+/// all have the same label of a motion, and that each measure which decides it is further on its
+/// side of where the label changes than they differ in it.
+pub fn certified_by(verdicts: &[Verdict]) -> Labels {
+    Labels::from_fn(|motion| {
+        let of_motion: Option<Vec<MotionVerdict>> =
+            verdicts.iter().map(|verdict| verdict[motion]).collect();
+        certain_label(&of_motion?)
+    })
+}
+
+/// Whether the label of each motion is certain: `None` of one without a label, and where a run
+/// does not certify.
+pub type Certainty = PerMotion<Option<bool>>;
+
+/// Of a row with these labels: those that the case is certain to have.
+pub fn certainty(labels: Labels, certified: Labels) -> Certainty {
+    let is_certain = |motion| Some(certified[motion] == Some(labels[motion]?));
+    Certainty::from_fn(is_certain)
+}
+
+impl MotionVerdict {
+    fn of(measures: &Measures, above_limit: Option<f64>) -> Self {
+        match *measures {
+            Measures::Torsion(torsion) => Self::Torsion {
+                regime: torsion.regime,
+                above_limit,
+            },
+            Measures::Lateral(LateralMeasures {
+                regime,
+                contact_fraction,
+                precession_rate,
+                ..
+            }) => Self::Lateral {
+                regime,
+                contact_fraction,
+                precession_rate,
+            },
+        }
+    }
+
+    /// The label.
+    pub fn label(&self) -> Label {
+        match *self {
+            Self::Torsion { regime, .. } => regime.into(),
+            Self::Lateral { regime, .. } => regime.into(),
+        }
+    }
+
+    /// How far each measure that decides the label is on its side of where the label changes;
+    /// `None` where nothing makes it certain.
+    ///
+    /// Stick-slip is certain below its limit, from one start or from any; smooth drilling above. A
+    /// case that was too short for the bit to turn is undetermined. Contact is that of whirl
+    /// where it lasts for most of the closing window, and whirl goes round one way.
+    fn distances(&self) -> Option<Vec<f64>> {
+        match *self {
+            Self::Torsion {
+                regime,
+                above_limit,
+            } => match regime {
+                TorsionRegime::StickSlip | TorsionRegime::Bistable => Some(vec![-above_limit?]),
+                TorsionRegime::Smooth => Some(vec![above_limit?]),
+                TorsionRegime::Stuck => None,
+            },
+            Self::Lateral {
+                regime,
+                contact_fraction,
+                precession_rate,
+            } => {
+                let lasting = contact_fraction - Rules::USUAL.mostly;
+                Some(match regime {
+                    // No site has anything to measure.
+                    LateralRegime::NoContact => Vec::new(),
+                    LateralRegime::TransientContact => vec![-lasting],
+                    LateralRegime::BackwardWhirl => vec![lasting, -precession_rate],
+                    LateralRegime::ForwardWhirl => vec![lasting, precession_rate],
+                })
+            }
+        }
+    }
+}
+
+/// The label of one motion that verdicts on it make certain.
+fn certain_label(verdicts: &[MotionVerdict]) -> Option<Label> {
+    let label = verdicts.first()?.label();
+    if verdicts.iter().any(|verdict| verdict.label() != label) {
+        return None;
+    }
+    let distances: Option<Vec<Vec<f64>>> = verdicts.iter().map(MotionVerdict::distances).collect();
+    let distances = distances?;
+    let is_certain = (0..distances[0].len())
+        .all(|measure| is_beyond_spread(distances.iter().map(|of| of[measure])));
+    is_certain.then_some(label)
+}
+
+/// Whether the least of some distances is greater than what they differ by, which is how
+/// well they are known.
+fn is_beyond_spread(distances: impl Iterator<Item = f64>) -> bool {
+    let ends = distances.map(|distance| [distance; 2]);
+    let ends = ends.reduce(|[least, most], [next, _]| [least.min(next), most.max(next)]);
+    ends.is_some_and(|[least, most]| least > most - least)
+}
+
+#[cfg(test)]
+mod tests {
+    use sim::Motion;
+
+    use super::*;
+
+    fn turning(regime: TorsionRegime, above_limit: Option<f64>) -> Verdict {
+        let of_bit = MotionVerdict::Torsion {
+            regime,
+            above_limit,
+        };
+        Verdict::only(Motion::Torsion, of_bit)
+    }
+
+    fn touching(regime: LateralRegime, contact_fraction: f64, precession_rate: f64) -> Verdict {
+        let sideways = MotionVerdict::Lateral {
+            regime,
+            contact_fraction,
+            precession_rate,
+        };
+        Verdict::only(Motion::Lateral, sideways)
+    }
+
+    /// At limits 1 ± 0.1 rad/s: as far from the nearest of them as they are apart.
+    #[test]
+    fn torsion_is_certain_further_from_the_limit_than_it_is_known() {
+        let limits = [0.9, 1.1, 1.0, 1.05];
+        let certified = |regime, speed: f64| {
+            let verdicts = limits.map(|limit| turning(regime, Some(speed - limit)));
+            certified_by(&verdicts)[Motion::Torsion]
+        };
+        let (smooth, stick_slip) = (TorsionRegime::Smooth, TorsionRegime::StickSlip);
+        assert_eq!(certified(smooth, 1.31), Some(smooth.into()));
+        assert_eq!(certified(smooth, 1.29), None);
+        assert_eq!(certified(stick_slip, 0.69), Some(stick_slip.into()));
+        assert_eq!(certified(stick_slip, 0.71), None);
+        // On the wrong side of the limit, and too short to tell.
+        assert_eq!(certified(smooth, 0.1), None);
+        assert_eq!(certified(stick_slip, 9.0), None);
+        assert_eq!(certified(TorsionRegime::Stuck, 0.1), None);
+    }
+
+    #[test]
+    fn one_that_differs_or_has_no_answer_leaves_nothing_certain() {
+        let smooth = turning(TorsionRegime::Smooth, Some(5.0));
+        let others = [
+            turning(TorsionRegime::StickSlip, Some(5.0)),
+            turning(TorsionRegime::Smooth, None),
+            Verdict::default(),
+        ];
+        assert!(certified_by(&[smooth; 4]).is_answer());
+        for other in others {
+            for place in 0..4 {
+                let mut verdicts = [smooth; 4];
+                verdicts[place] = other;
+                assert_eq!(certified_by(&verdicts), Labels::default());
+            }
+        }
+        assert_eq!(certified_by(&[]), Labels::default());
+    }
+
+    #[test]
+    fn whirl_is_certain_where_contact_and_precession_are() {
+        let backward = LateralRegime::BackwardWhirl;
+        let certified = |regime, others: [f64; 2]| {
+            let [fraction, rate] = others;
+            let verdicts = [
+                touching(regime, 1.0, -9.0),
+                touching(regime, fraction, rate),
+            ];
+            certified_by(&verdicts)[Motion::Lateral]
+        };
+        assert_eq!(certified(backward, [0.8, -8.0]), Some(backward.into()));
+        assert_eq!(certified(backward, [0.74, -8.0]), None, "contact");
+        assert_eq!(certified(backward, [0.8, -4.0]), None, "precession");
+        assert_eq!(certified(LateralRegime::ForwardWhirl, [0.8, -8.0]), None);
+        let transient = LateralRegime::TransientContact;
+        let short = [
+            touching(transient, 0.0, 1.0),
+            touching(transient, 0.2, -1.0),
+        ];
+        assert_eq!(
+            certified_by(&short)[Motion::Lateral],
+            Some(transient.into())
+        );
+        let free = touching(LateralRegime::NoContact, 0.0, 0.3);
+        assert_eq!(
+            certified_by(&[free; 4])[Motion::Lateral],
+            Some(LateralRegime::NoContact.into())
+        );
+    }
+
+    #[test]
+    fn a_row_is_certain_where_its_own_label_is() {
+        let labels = |regime: TorsionRegime| Labels::only(Motion::Torsion, regime.into());
+        let certified = labels(TorsionRegime::Smooth);
+        let of = |labels| certainty(labels, certified)[Motion::Torsion];
+        assert_eq!(of(labels(TorsionRegime::Smooth)), Some(true));
+        assert_eq!(of(labels(TorsionRegime::StickSlip)), Some(false));
+        assert_eq!(of(Labels::default()), None);
+    }
+}

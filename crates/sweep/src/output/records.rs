@@ -1,0 +1,59 @@
+//! The records of a finished run: what its log held, compressed, in the order of its cases. A run
+//! with more cases begins with them.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Write};
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use flate2::Compression;
+use flate2::read::GzDecoder;
+use flate2::write::GzEncoder;
+
+use crate::files::{AtomicFile, SealedFile};
+use campaign::text_file::unreadable;
+
+/// The file of a results folder: the JSON of a record a line.
+pub const RECORDS: &str = "records.jsonl.gz";
+
+/// Records being written. The same records give the same bytes.
+pub struct RecordWriter(GzEncoder<AtomicFile>);
+
+impl RecordWriter {
+    /// A file without a record, in a folder.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn create(folder: &Path) -> Result<Self> {
+        let file = AtomicFile::create(&folder.join(RECORDS))?;
+        Ok(Self(GzEncoder::new(file, Compression::fast())))
+    }
+
+    /// Adds lines, each the JSON of a record.
+    ///
+    /// # Errors
+    /// Where they cannot be written.
+    pub fn write(&mut self, lines: &str) -> Result<()> {
+        Ok(self.0.write_all(lines.as_bytes())?)
+    }
+
+    /// Puts it on the disk, without its name yet.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn seal(self) -> Result<SealedFile> {
+        self.0.finish()?.seal()
+    }
+}
+
+/// The lines of the records of a folder; only a few are in memory at a time.
+///
+/// # Errors
+/// Where they cannot be read.
+pub fn read_records(folder: &Path) -> Result<impl Iterator<Item = Result<String>> + use<>> {
+    let path = folder.join(RECORDS);
+    let cannot_be_read = unreadable(&path);
+    let file = File::open(&path).with_context(|| cannot_be_read.clone())?;
+    let lines = BufReader::new(GzDecoder::new(BufReader::new(file))).lines();
+    Ok(lines.map(move |line: io::Result<String>| line.with_context(|| cannot_be_read.clone())))
+}
