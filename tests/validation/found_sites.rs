@@ -11,7 +11,7 @@ use crate::support::{Workplace, with};
 
 /// The string of the paper, shortened, with two sites, after a knock that makes it whirl.
 const WHIRLING: &str = r#"
-time_s = 6
+time_s = 3
 surface_speed_rpm = 60
 sampling_frequency_hz = 640
 methods = ["finite-element"]
