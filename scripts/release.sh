@@ -28,6 +28,8 @@ name=drillstring-sweep-$version-x86_64-linux
 [[ $(rustc --print host-tuple) == "$target" ]] || refuse "the program is built on $target only"
 [[ -f $(cc -print-file-name=libc.a) ]] ||
     refuse "there is no libc.a to link with: it is in libc6-dev on Debian, glibc-static on Fedora"
+# Of a release, the engine of the pages has to be made from its sources.
+scripts/renew-page-engine.sh --check
 cargo rustc --release --locked -p sweep --bin sweep -- \
     -C target-feature=+crt-static -C strip=symbols
 sweep=${CARGO_TARGET_DIR:-target}/release/sweep

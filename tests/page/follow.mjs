@@ -1,23 +1,30 @@
-// Follows cases with the engine of a page, as the page does, and prints their histories as
-// JSON: node follow.mjs FOLDER_OF_THE_ENGINE OPENING.json, which is
-// { opening, cases: [{ case, set, method }] }.
+// Opens sweeps with the engine of a page, as the page does, follows cases of each, and prints what
+// it answers as JSON: node follow.mjs FOLDER_OF_THE_ENGINE ASKED.json, which is
+// [{ opening, cases: [{ case, set, method }] }].
 import { readFileSync } from "node:fs";
 import vm from "node:vm";
 
 const [folder, asked] = process.argv.slice(2);
 vm.runInThisContext(readFileSync(`${folder}/engine.js`, "utf8"));
-const { opening, cases } = JSON.parse(readFileSync(asked, "utf8"));
 const engine = await startEngine(readFileSync(`${folder}/engine.wasm.gz`).toString("base64"));
-const sweep = await engine.open(opening);
-const answers = [];
-for (const one of cases) {
+const answered = async (ask) => {
   try {
-    const { row, columns, milliseconds } = await engine.simulate(one);
-    const plain = Object.entries(columns).map(([name, values]) => [name, [...values]]);
-    answers.push({ row, columns: Object.fromEntries(plain), milliseconds });
+    return await ask();
   } catch (error) {
-    answers.push({ error: error.message });
+    return { error: error.message };
   }
+};
+const follow = async (one) => {
+  const { row, columns } = await engine.simulate(one);
+  const plain = Object.entries(columns).map(([name, values]) => [name, [...values]]);
+  return { row, columns: Object.fromEntries(plain) };
+};
+const answers = [];
+for (const { opening, cases } of JSON.parse(readFileSync(asked, "utf8"))) {
+  const opened = await answered(async () => ({ ok: await engine.open(opening) }));
+  const followed = [];
+  for (const one of cases) followed.push(await answered(() => follow(one)));
+  answers.push({ opened, followed });
 }
-console.log(JSON.stringify({ sweep, answers }));
+console.log(JSON.stringify(answers));
 engine.close();

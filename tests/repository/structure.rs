@@ -57,8 +57,9 @@ impl Crate {
     fn read_file(&mut self, text: &str, module: Module) {
         let mut file = SourceFile::default();
         file.visit_file(&syn::parse_file(text).unwrap());
-        self.imports.insert(module.clone(), file.imports);
-        self.reexports.insert(module, file.reexports);
+        // A library and its program are one root.
+        (self.imports.entry(module.clone()).or_default()).extend(file.imports);
+        (self.reexports.entry(module).or_default()).extend(file.reexports);
     }
 
     /// The module in which a path, written in a module, is defined; none if it leads out

@@ -11,7 +11,7 @@ use crate::support::{Workplace, with};
 
 /// The string of the paper, shortened, with two sites, after a knock that makes it whirl.
 const WHIRLING: &str = r#"
-time_s = 6
+time_s = 3
 surface_speed_rpm = 60
 sampling_frequency_hz = 640
 methods = ["finite-element"]
@@ -255,7 +255,7 @@ fn scenes() -> impl Strategy<Value = String> {
             None => (String::new(), 0.7),
         };
         format!(
-            "surface_speed_rpm = {speed}\ntime_s = 8\nsampling_frequency_hz = 1280\n\
+            "surface_speed_rpm = {speed}\ntime_s = 4\nsampling_frequency_hz = 1280\n\
              methods = [\"finite-element\"]\nmethod.finite-element.gamma = {gamma}\n\
              [string]\nshear_modulus_gpa = 80\ndensity_kg_m3 = 7850\n\
              torsional_damping_nms_rad_m = 10\n\

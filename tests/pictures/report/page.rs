@@ -277,10 +277,11 @@ fn a_failed_case_is_there_with_its_reason_and_its_command() {
     assert!(summary.contains("sweep simulate small.toml --case 0"));
 }
 
-/// In a real browser, where there is one: nothing asked for, nothing on the console,
+/// In a real browser: nothing asked for, nothing on the console,
 /// not wider than a phone; what is told of a case is what labels.csv says, and its motion,
 /// simulated in the page, is that of `sweep simulate` to 1e-9.
 #[test]
+#[ignore = "needs Node and Chromium"]
 fn a_browser_finds_no_fault() {
     let place = with_results();
     report(&place, &["results", "results"]);
@@ -296,12 +297,7 @@ fn a_browser_finds_no_fault() {
         .args([place.path("results"), place.path("results")])
         .env("SWEEP", assert_cmd::cargo::cargo_bin!("sweep"))
         .current_dir(place.path("."))
-        .output();
-    match looked {
-        Err(error) => println!("skipped: node cannot be started ({error})"),
-        Ok(output) if output.status.code() == Some(3) => {
-            println!("{}", String::from_utf8_lossy(&output.stderr));
-        }
-        Ok(output) => assert!(output.status.success(), "{output:?}"),
-    }
+        .output()
+        .expect("Node");
+    assert!(looked.status.success(), "{looked:?}");
 }
