@@ -73,7 +73,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         return Ok(Status::SomeFailed);
     };
     let controls = controls(&sweep, &case);
-    let picture = history_picture(&Look::default(), &sweep, &[case], &[simulation])?;
+    let picture = history_picture(&Look::default(), &sweep, &[case], &[simulation]);
     let html = page(&Explored {
         file,
         sweep: &sweep,

@@ -1,6 +1,5 @@
 //! The picture of contact: when each site touches the wall, how hard, and whether it rolls.
 
-use anyhow::Result;
 use sim::Trajectory;
 use sim::laws::contact::Touch;
 
@@ -14,7 +13,7 @@ use campaign::words::short;
 ///
 /// # Errors
 /// Where it cannot be drawn.
-pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -> Result<Picture> {
+pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -> Picture {
     let units = sweep.content.units;
     let [length, force] = [&LENGTH, &FORCE].map(|twin| units.of(twin));
     let frequency = sweep.setting.sampling_frequency;

@@ -1,6 +1,5 @@
 //! The film of a string in its hole.
 
-use anyhow::Result;
 use linear::elements::reconstruction::Reconstruction;
 use sim::laws::contact::Touch;
 
@@ -30,7 +29,7 @@ pub fn film_picture(
     simulation: &Simulation,
     whole: &Reconstruction,
     steps: &[usize],
-) -> Result<Picture> {
+) -> Picture {
     let [length, width] = [&LENGTH, &WIDTH].map(|twin| sweep.content.units.of(twin));
     let string_length = sweep.setting.string.length();
     let above_bit = |depth: f64| length.number(string_length - depth);

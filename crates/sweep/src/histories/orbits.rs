@@ -1,7 +1,5 @@
 //! The picture of the paths of sites across the borehole.
 
-use anyhow::Result;
-
 use super::marks::{ink, shown_clearances};
 use crate::plot::{Axis, Look, Orbit, Picture, Series, orbits};
 use campaign::engine::{Case, Simulation};
@@ -22,7 +20,7 @@ pub fn orbit_picture(
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
-) -> Result<Picture> {
+) -> Picture {
     let units = sweep.content.units;
     let width = units.of(&WIDTH);
     let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();

@@ -1,6 +1,5 @@
 //! The picture of motion over time.
 
-use anyhow::Result;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
@@ -24,7 +23,7 @@ pub fn history_picture(
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
-) -> Result<Picture> {
+) -> Picture {
     let histories = Histories {
         sweep,
         cases,

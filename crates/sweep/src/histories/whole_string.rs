@@ -56,7 +56,7 @@ pub fn string_picture(
     cases: &[Case],
     simulations: &[Simulation],
     wholes: &[Reconstruction],
-) -> Result<Picture> {
+) -> Picture {
     let [length, width] = [&LENGTH, &WIDTH].map(|twin| sweep.content.units.of(twin));
     let peaks = wholes.iter().flat_map(|whole| &whole.peaks);
     let furthest = peaks.copied().fold(0.0, f64::max);

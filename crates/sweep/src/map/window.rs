@@ -1,8 +1,6 @@
 //! An operating window: how far each part of weight and speed is from its limits, the safe
 //! regions by their names, and the best point.
 
-use anyhow::Result;
-
 use super::contour::contour;
 use super::mesh::Mesh;
 use super::shown::show_in;
@@ -46,7 +44,7 @@ pub struct WindowSheet<'a> {
 ///
 /// # Errors
 /// Where letters cannot be drawn.
-pub fn window_picture(of: &WindowSheet) -> Result<Picture> {
+pub fn window_picture(of: &WindowSheet) -> Picture {
     let chart = of.chart;
     let mesh = Mesh::between(chart.edges.clone());
     let best = of.best.iter().map(|best| Mark {

@@ -6,13 +6,12 @@ use super::colours::BANDS;
 use super::frame::{Frame, align_left};
 use super::geometry::Rect;
 use super::legend::{Key, Legend};
+use super::lettering::Align;
 use super::look::{Look, is_narrow};
 use super::numbers::{linear_label, nice_step, power};
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
 use super::text::{Block, LABEL_SIZE};
-use anyhow::Result;
-use plotters::style::text_anchor::HPos;
 
 /// The most bars beside each other that all have a pixel of their own.
 pub const COLUMNS: usize = 500;
@@ -80,15 +79,15 @@ pub struct BandChart {
 }
 
 /// Draws a chart of bands.
-pub fn band_chart(look: &Look, chart: &BandChart) -> Result<Picture> {
-    let title = Title::new(look, &chart.title, WIDTH, MARGIN)?;
+pub fn band_chart(look: &Look, chart: &BandChart) -> Picture {
+    let title = Title::new(look, &chart.title, WIDTH, MARGIN);
     let classes = Classes::of(chart);
-    let legend = legend(chart, &classes)?;
+    let legend = legend(chart, &classes);
     let top = title.bottom();
     let height = panel_height(chart);
     let stacked = chart.panels.len() as f64 * height;
     let (legend, place, right, bottom) = if is_narrow(title.width) {
-        let legend = legend.in_rows(title.width - 2.0 * MARGIN)?;
+        let legend = legend.in_rows(title.width - 2.0 * MARGIN);
         let (right, below) = (title.width - MARGIN - LABEL_ROOM, top + stacked);
         let bottom = below + legend.height();
         (legend, (MARGIN, below), right, bottom)
@@ -97,10 +96,10 @@ pub fn band_chart(look: &Look, chart: &BandChart) -> Result<Picture> {
         let bottom = top + stacked.max(legend.height());
         (legend, (left, top), left - LEGEND_GAP, bottom)
     };
-    let frames = frames(look, chart, [top, height], right)?;
+    let frames = frames(look, chart, [top, height], right);
     draw_titled(&title, bottom + MARGIN, |canvas| {
         for (panel, frame) in chart.panels.iter().zip(&frames) {
-            draw_panel(canvas, panel, frame, &classes)?;
+            draw_panel(canvas, panel, frame, &classes);
         }
         legend.draw(canvas, place.0, place.1)
     })
@@ -114,12 +113,7 @@ fn panel_height(chart: &BandChart) -> f64 {
     TITLE_HEIGHT + rows.min(share).clamp(low, high) + AXIS_HEIGHT
 }
 
-fn frames(
-    look: &Look,
-    chart: &BandChart,
-    [top, height]: [f64; 2],
-    right: f64,
-) -> Result<Vec<Frame>> {
+fn frames(look: &Look, chart: &BandChart, [top, height]: [f64; 2], right: f64) -> Vec<Frame> {
     let x = Scale::with_ends(
         look.ranges[0],
         chart.axes[0].logarithmic,
@@ -134,22 +128,17 @@ fn frames(
             right,
             bottom: top + height,
         };
-        frames.push(Frame::of_rows(outer, &chart.axes, x, &chart.rows)?);
+        frames.push(Frame::of_rows(outer, &chart.axes, x, &chart.rows));
     }
     align_left(&mut frames, 1);
-    Ok(frames)
+    frames
 }
 
-fn draw_panel(
-    canvas: &mut Canvas,
-    panel: &BandPanel,
-    frame: &Frame,
-    classes: &Classes,
-) -> Result<()> {
-    frame.draw(canvas)?;
-    let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width())?;
+fn draw_panel(canvas: &mut Canvas, panel: &BandPanel, frame: &Frame, classes: &Classes) {
+    frame.draw(canvas);
+    let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width());
     let above = frame.area.top - 0.5 * TITLE_HEIGHT;
-    canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
+    canvas.text(&title, frame.area.centre().0, above, Align::Centre);
     let count = panel.rows.len();
     for (row, bars) in panel.rows.iter().enumerate() {
         let below = (count - 1 - row) as f64;
@@ -173,10 +162,9 @@ fn draw_panel(
                 right,
                 bottom,
             };
-            canvas.polygon(&area.corners(), BANDS[classes.of_value(bar.value)])?;
+            canvas.polygon(&area.corners(), BANDS[classes.of_value(bar.value)]);
         }
     }
-    Ok(())
 }
 
 /// Pixels of places, each whole in the finer picture, so that neighbours meet without a seam.
@@ -260,7 +248,7 @@ impl Classes {
     }
 }
 
-fn legend(chart: &BandChart, classes: &Classes) -> Result<Legend> {
+fn legend(chart: &BandChart, classes: &Classes) -> Legend {
     let texts = classes.texts(&chart.unit);
     let colours = BANDS.iter().rev().map(|&colour| Key::Bar(colour, 1.0));
     let middle = BANDS[BANDS.len() / 2];
@@ -277,7 +265,7 @@ fn legend(chart: &BandChart, classes: &Classes) -> Result<Legend> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::canvas::tests::assert_text_inside;
+    use super::super::picture::tests::assert_text_inside;
     use super::*;
 
     fn bar(from: f64, value: f64, is_full: bool) -> Bar {
@@ -340,14 +328,13 @@ mod tests {
         let keys = 7;
         for (rows, panels) in [(1, 1), (3, 2), (40, 1), (300, 2)] {
             let chart = chart(rows, panels, &bars);
-            let picture = band_chart(&Look::default(), &chart).expect("drawn");
+            let picture = band_chart(&Look::default(), &chart);
             assert_text_inside(&picture);
-            let polygons = picture.svg.matches("<polygon").count();
+            let polygons = picture.svg().matches("<polygon").count();
             assert_eq!(polygons, 2 * rows * panels + keys, "{rows} {panels}");
-            let frame = &frames(&Look::default(), &chart, [0.0, panel_height(&chart)], 700.0)
-                .expect("laid out")[0];
-            let written =
-                (0..rows).filter(|row| picture.svg.contains(&format!(">\n{}\n</text>", 30 * row)));
+            let frame = &frames(&Look::default(), &chart, [0.0, panel_height(&chart)], 700.0)[0];
+            let written = (0..rows)
+                .filter(|row| picture.svg().contains(&format!(">{}</text>", 30 * row)));
             let room = frame.area.height() / written.count() as f64;
             assert!(rows == 1 || room > 14.0, "{rows}: {room}");
         }
@@ -358,8 +345,7 @@ mod tests {
     #[test]
     fn a_low_bar_is_lower_however_many_rows_there_are() {
         let chart = chart(300, 1, &[]);
-        let frame = &frames(&Look::default(), &chart, [0.0, panel_height(&chart)], 700.0)
-            .expect("laid out")[0];
+        let frame = &frames(&Look::default(), &chart, [0.0, panel_height(&chart)], 700.0)[0];
         for row in 0..300 {
             let edges = [1.0 - ROW_GAP, LOW, ROW_GAP].map(|edge| f64::from(row) + edge);
             let [high, low, bottom] = along(edges, |edge| frame.pixel_y(edge)).expect("seen");
@@ -372,10 +358,9 @@ mod tests {
 
     #[test]
     fn a_chart_without_a_bar_is_drawn_and_the_same_data_give_the_same_bytes() {
-        assert_text_inside(&band_chart(&Look::default(), &chart(2, 1, &[])).expect("drawn"));
-        let draw =
-            || band_chart(&Look::default(), &chart(3, 1, &[bar(1.0, 2.0, true)])).expect("drawn");
+        assert_text_inside(&band_chart(&Look::default(), &chart(2, 1, &[])));
+        let draw = || band_chart(&Look::default(), &chart(3, 1, &[bar(1.0, 2.0, true)]));
         let (first, second) = (draw(), draw());
-        assert!(first.svg == second.svg && first.png().ok() == second.png().ok());
+        assert!(first == second && first.png().ok() == second.png().ok());
     }
 }

@@ -1,19 +1,19 @@
 //! Campbell diagrams: natural frequencies across, multiples of the speed upwards, and a mark
 //! wherever they meet.
 
-use super::canvas::{Canvas, Stroke, Title, draw_titled};
+use super::canvas::{Canvas, Title, draw_titled};
 use super::colours::GREY;
 use super::frame::{Frame, align_left};
 use super::geometry::Rect;
 use super::inks::{Ink, Series, distinct_inks, markers, place_among, strokes};
 use super::legend::{Key, Legend};
+use super::lettering::Align;
 use super::look::{Look, is_narrow};
 use super::picture::Picture;
 use super::scale::{Axis, Scale, visible};
+use super::shapes::Stroke;
 use super::symbols::{Marker, draw_marker};
 use super::text::{Block, LABEL_SIZE, SMALL_SIZE};
-use anyhow::Result;
-use plotters::style::text_anchor::HPos;
 
 const WIDTH: f64 = 900.0;
 const PANEL_HEIGHT: f64 = 380.0;
@@ -59,12 +59,7 @@ impl CampbellPanel {
 
 /// Draws panels one below another, with one title and one legend, in which all natural
 /// frequencies have a name.
-pub fn campbell(
-    look: &Look,
-    title: &str,
-    natural: &str,
-    panels: &[CampbellPanel],
-) -> Result<Picture> {
+pub fn campbell(look: &Look, title: &str, natural: &str, panels: &[CampbellPanel]) -> Picture {
     let inks = distinct_inks(panels.iter().flat_map(|panel| &panel.orders));
     let strokes: Vec<Stroke> = strokes(&inks).into_iter().map(of_order).collect();
     let lines = (inks.iter().zip(&strokes))
@@ -78,12 +73,12 @@ pub fn campbell(
         .collect();
     let texts: Vec<String> = entries.iter().map(|(_, text)| text.clone()).collect();
     let keys = entries.into_iter().map(|(key, _)| key);
-    let legend = Legend::new(keys.zip(texts.iter().map(String::as_str)))?;
-    let title = Title::new(look, title, WIDTH, MARGIN)?;
+    let legend = Legend::new(keys.zip(texts.iter().map(String::as_str)));
+    let title = Title::new(look, title, WIDTH, MARGIN);
     let top = title.bottom();
     let stacked = panels.len() as f64 * PANEL_HEIGHT;
     let (legend, place, right, height) = if is_narrow(title.width) {
-        let legend = legend.in_rows(title.width - 2.0 * MARGIN)?;
+        let legend = legend.in_rows(title.width - 2.0 * MARGIN);
         let height = top + stacked + legend.height();
         (
             legend,
@@ -97,10 +92,10 @@ pub fn campbell(
         (legend, (left, top), left - NUMBERS, height)
     };
     let height = height + MARGIN;
-    let frames = frames(panels, top, right)?;
+    let frames = frames(panels, top, right);
     draw_titled(&title, height, |canvas| {
         for (panel, frame) in panels.iter().zip(&frames) {
-            draw_panel(canvas, panel, frame, (&inks, &strokes, &markers))?;
+            draw_panel(canvas, panel, frame, (&inks, &strokes, &markers));
         }
         legend.draw(canvas, place.0, place.1)
     })
@@ -114,7 +109,7 @@ fn of_order(stroke: Stroke) -> Stroke {
     }
 }
 
-fn frames(panels: &[CampbellPanel], top: f64, right: f64) -> Result<Vec<Frame>> {
+fn frames(panels: &[CampbellPanel], top: f64, right: f64) -> Vec<Frame> {
     let all = panels.iter().flat_map(shown).map(|(x, _)| x);
     let x = Scale::new(false, all);
     let mut frames = Vec::with_capacity(panels.len());
@@ -131,10 +126,10 @@ fn frames(panels: &[CampbellPanel], top: f64, right: f64) -> Result<Vec<Frame>> 
             false,
             shown.chain([0.0]).chain(panel.natural.iter().copied()),
         );
-        frames.push(Frame::new(outer, &panel.axes, [x, y])?);
+        frames.push(Frame::new(outer, &panel.axes, [x, y]));
     }
     align_left(&mut frames, 1);
-    Ok(frames)
+    frames
 }
 
 fn shown(panel: &CampbellPanel) -> impl Iterator<Item = (f64, f64)> {
@@ -147,29 +142,28 @@ fn draw_panel(
     panel: &CampbellPanel,
     frame: &Frame,
     (inks, strokes, markers): (&[(&str, Ink)], &[Stroke], &[Marker]),
-) -> Result<()> {
-    frame.draw(canvas)?;
-    let title = Block::new(&panel.titled(), LABEL_SIZE, frame.area.width())?;
+) {
+    frame.draw(canvas);
+    let title = Block::new(&panel.titled(), LABEL_SIZE, frame.area.width());
     let above = frame.area.top - GAP / 2.0 - 2.0;
-    canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
-    draw_natural(canvas, panel, frame)?;
+    canvas.text(&title, frame.area.centre().0, above, Align::Centre);
+    draw_natural(canvas, panel, frame);
     for order in &panel.orders {
         let stroke = strokes[place_among(&order.name, inks)];
         for piece in frame.curve(&order.points) {
-            canvas.line(&piece, stroke)?;
+            canvas.line(&piece, stroke);
         }
     }
     for order in panel.crossings.iter().filter(|_| !panel.is_dense()) {
         let marker = markers[place_among(&order.name, inks)];
         for pixel in order.points.iter().filter_map(|&point| frame.pixel(point)) {
-            draw_marker(canvas, marker, pixel, MARKER_RADIUS)?;
+            draw_marker(canvas, marker, pixel, MARKER_RADIUS);
         }
     }
-    Ok(())
 }
 
 /// Lines of natural frequencies, numbered where there is room.
-fn draw_natural(canvas: &mut Canvas, panel: &CampbellPanel, frame: &Frame) -> Result<()> {
+fn draw_natural(canvas: &mut Canvas, panel: &CampbellPanel, frame: &Frame) {
     let Rect { left, right, .. } = frame.area;
     let left = if panel.is_dense() { right - TICK } else { left };
     let mut free_below = f64::INFINITY;
@@ -177,19 +171,18 @@ fn draw_natural(canvas: &mut Canvas, panel: &CampbellPanel, frame: &Frame) -> Re
         let Some(y) = frame.pixel_y(frequency) else {
             continue;
         };
-        canvas.line(&[(left, y), (right, y)], NATURAL)?;
+        canvas.line(&[(left, y), (right, y)], NATURAL);
         if y <= free_below && !panel.is_dense() {
-            let number = Block::new(&(index + 1).to_string(), SMALL_SIZE, NUMBERS)?;
-            canvas.text(&number, right + GAP / 2.0, y, HPos::Left)?;
+            let number = Block::new(&(index + 1).to_string(), SMALL_SIZE, NUMBERS);
+            canvas.text(&number, right + GAP / 2.0, y, Align::Left);
             free_below = y - 1.2 * SMALL_SIZE;
         }
     }
-    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::canvas::tests::assert_text_inside;
+    use super::super::picture::tests::assert_text_inside;
     use super::*;
 
     #[test]
@@ -204,12 +197,11 @@ mod tests {
         };
         let dense = (1..=200).map(|index| 0.01 * f64::from(index)).collect();
         let panels = [panel(vec![0.4, 1.2]), panel(dense)];
-        let picture =
-            campbell(&Look::default(), "A string", "natural frequency", &panels).expect("drawn");
+        let picture = campbell(&Look::default(), "A string", "natural frequency", &panels);
         assert_text_inside(&picture);
         // None in the dense panel, and one in the legend.
-        assert_eq!(picture.svg.matches("<circle").count(), 2 + 1);
-        let numbers = picture.svg.matches("<text").count();
+        assert_eq!(picture.svg().matches("<circle").count(), 2 + 1);
+        let numbers = picture.svg().matches("<text").count();
         assert!((15..60).contains(&numbers), "{numbers}");
     }
 }

@@ -1,18 +1,18 @@
 //! A film of a string in its hole: frames of the same scale, in rows. In each the string
 //! stands upright; its displacement is along x and y, and its radius is shaded to both sides.
 
-use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
+use super::canvas::{Canvas, Title, draw_titled};
 use super::colours::{BLUE, CLEARANCE, ORANGE_GROUND, SKY};
 use super::frame::Frame;
 use super::geometry::{Pixel, Rect, thin};
 use super::legend::{Key, Legend};
+use super::lettering::Align;
 use super::look::Look;
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
+use super::shapes::{DASHES, Stroke};
 use super::symbols::draw_site;
 use super::text::{Block, LABEL_SIZE};
-use anyhow::Result;
-use plotters::style::text_anchor::HPos;
 
 const WIDTH: f64 = 1180.0;
 const FRAME_HEIGHT: f64 = 350.0;
@@ -82,23 +82,23 @@ pub struct FilmSite {
 }
 
 /// Draws a film.
-pub fn film(look: &Look, film: &Film) -> Result<Picture> {
-    let title = Title::new(look, &film.title, WIDTH, MARGIN)?;
-    let legend = legend(film)?.in_rows(title.width - 2.0 * MARGIN)?;
+pub fn film(look: &Look, film: &Film) -> Picture {
+    let title = Title::new(look, &film.title, WIDTH, MARGIN);
+    let legend = legend(film).in_rows(title.width - 2.0 * MARGIN);
     let columns = columns(title.width);
     let top = title.bottom();
     let rows = film.frames.len().div_ceil(columns);
     let legend_top = top + rows as f64 * FRAME_HEIGHT;
-    let frames = frames(film, top, (title.width, columns))?;
+    let frames = frames(film, top, (title.width, columns));
     draw_titled(&title, legend_top + legend.height() + MARGIN, |canvas| {
         for (shown, frame) in film.frames.iter().zip(&frames) {
-            draw_frame(canvas, film, shown, frame)?;
+            draw_frame(canvas, film, shown, frame);
         }
         legend.draw(canvas, MARGIN, legend_top)
     })
 }
 
-fn legend(film: &Film) -> Result<Legend> {
+fn legend(film: &Film) -> Legend {
     let string = [
         (Key::Line(X), "x"),
         (Key::Line(Y), "y"),
@@ -123,7 +123,7 @@ fn columns(width: f64) -> usize {
 }
 
 /// The frames in rows; the vertical axis has its title at the first of each row.
-fn frames(film: &Film, top: f64, (full, columns): (f64, usize)) -> Result<Vec<Frame>> {
+fn frames(film: &Film, top: f64, (full, columns): (f64, usize)) -> Vec<Frame> {
     let shapes = film.frames.iter().flat_map(|frame| &frame.shape);
     let radii = shapes.map(|[x, y]| x.hypot(*y));
     let reach = (radii.chain(film.wall_at_sites.iter().map(|(distance, _)| *distance)))
@@ -144,7 +144,7 @@ fn frames(film: &Film, top: f64, (full, columns): (f64, usize)) -> Result<Vec<Fr
     };
     let all = full - 2.0 * MARGIN;
     // The room that titles and numbers of the vertical axis take at the first of each row.
-    let room = Frame::new(at(0, 0.0, all), &film.axes, scales)?.area.left;
+    let room = Frame::new(at(0, 0.0, all), &film.axes, scales).area.left;
     let width = (all - room + COLUMN_GAP) / columns as f64;
     let of_index = |index: usize| {
         let left = MARGIN + room + (index % columns) as f64 * width;
@@ -153,20 +153,20 @@ fn frames(film: &Film, top: f64, (full, columns): (f64, usize)) -> Result<Vec<Fr
                 at(index, MARGIN, room + width - COLUMN_GAP),
                 &film.axes,
                 scales,
-            )?,
-            _ => Frame::beside(at(index, left, width - COLUMN_GAP), &film.axes[0], scales)?,
+            ),
+            _ => Frame::beside(at(index, left, width - COLUMN_GAP), &film.axes[0], scales),
         };
         frame.area.left = left;
-        Ok(frame)
+        frame
     };
     (0..film.frames.len()).map(of_index).collect()
 }
 
-fn draw_frame(canvas: &mut Canvas, film: &Film, shown: &FilmFrame, frame: &Frame) -> Result<()> {
-    frame.draw(canvas)?;
-    let title = Block::new(&shown.title, LABEL_SIZE, frame.area.width())?;
+fn draw_frame(canvas: &mut Canvas, film: &Film, shown: &FilmFrame, frame: &Frame) {
+    frame.draw(canvas);
+    let title = Block::new(&shown.title, LABEL_SIZE, frame.area.width());
     let above = frame.area.top - 0.5 * GAP - 2.0;
-    canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
+    canvas.text(&title, frame.area.centre().0, above, Align::Centre);
     let curve = |along: &dyn Fn(&[f64; 2]) -> f64| {
         let points = shown
             .shape
@@ -177,22 +177,21 @@ fn draw_frame(canvas: &mut Canvas, film: &Film, shown: &FilmFrame, frame: &Frame
     };
     let mut shaded = curve(&|[x, y]| x.hypot(*y));
     shaded.extend(curve(&|[x, y]| -x.hypot(*y)).iter().rev());
-    canvas.polygon(&shaded, SKY)?;
-    draw_wall(canvas, film, frame)?;
-    canvas.line(&curve(&|[x, _]| *x), X)?;
-    canvas.line(&curve(&|[_, y]| *y), Y)?;
+    canvas.polygon(&shaded, SKY);
+    draw_wall(canvas, film, frame);
+    canvas.line(&curve(&|[x, _]| *x), X);
+    canvas.line(&curve(&|[_, y]| *y), Y);
     let radius = RADIUS
         .min(0.5 * closest(&shown.sites, frame))
         .max(LEAST_RADIUS);
     for site in &shown.sites {
         if let Some(centre) = frame.pixel((site.radius, site.place)) {
-            draw_site(canvas, site.touches, centre, radius)?;
+            draw_site(canvas, site.touches, centre, radius);
         }
     }
-    Ok(())
 }
 
-fn draw_wall(canvas: &mut Canvas, film: &Film, frame: &Frame) -> Result<()> {
+fn draw_wall(canvas: &mut Canvas, film: &Film, frame: &Frame) {
     for side in [-1.0, 1.0] {
         let on_side = |wall: &[(f64, f64)]| -> Vec<Vec<Pixel>> {
             let points: Vec<_> = wall.iter().map(|(at, place)| (side * at, *place)).collect();
@@ -200,17 +199,16 @@ fn draw_wall(canvas: &mut Canvas, film: &Film, frame: &Frame) -> Result<()> {
         };
         for piece in on_side(&film.wall) {
             for part in frame.area.clip(&piece) {
-                canvas.line(&part, WALL)?;
+                canvas.line(&part, WALL);
             }
         }
         for (x, y) in on_side(&film.wall_at_sites).concat() {
             let bar = [(x, y - REACH), (x, y + REACH)];
             for part in frame.area.clip(&bar) {
-                canvas.line(&part, WALL_AT_SITE)?;
+                canvas.line(&part, WALL_AT_SITE);
             }
         }
     }
-    Ok(())
 }
 
 /// The least distance between neighbouring sites, pixels.
@@ -230,7 +228,7 @@ fn thin_upright(curve: Vec<Pixel>) -> Vec<Pixel> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::canvas::tests::assert_text_inside;
+    use super::super::picture::tests::assert_text_inside;
     use super::*;
 
     fn of_sites(count: usize, wall: bool) -> Film {
@@ -271,18 +269,18 @@ mod tests {
     /// in that which does not; the same once in the legend.
     #[test]
     fn every_frame_has_its_sites_and_those_that_touch_are_filled() {
-        let picture = film(&Look::default(), &of_sites(2, true)).expect("drawn");
+        let picture = film(&Look::default(), &of_sites(2, true));
         assert_text_inside(&picture);
-        assert_eq!(picture.svg.matches("<circle").count(), 8 * 3 + 3);
-        assert!(picture.svg.contains("t = 7.25 s"));
+        assert_eq!(picture.svg().matches("<circle").count(), 8 * 3 + 3);
+        assert!(picture.svg().contains("t = 7.25 s"));
     }
 
     /// The two dashed lines of the wall, and the dashed line of y.
     #[test]
     fn a_wall_that_is_far_away_is_not_drawn() {
         let dashed = |wall| {
-            let picture = film(&Look::default(), &of_sites(3, wall)).expect("drawn");
-            picture.svg.matches("dasharray").count()
+            let picture = film(&Look::default(), &of_sites(3, wall));
+            picture.svg().matches("dasharray").count()
         };
         assert_eq!(dashed(true), 8 * 3 + 2);
         assert_eq!(dashed(false), 8 + 1);
@@ -290,10 +288,10 @@ mod tests {
 
     #[test]
     fn a_fine_mesh_makes_no_large_file() {
-        let picture = film(&Look::default(), &of_sites(100, true)).expect("drawn");
+        let picture = film(&Look::default(), &of_sites(100, true));
         // Of which the font is 60 kB.
-        assert!(picture.svg.len() < 1_000_000, "{}", picture.svg.len());
-        let again = film(&Look::default(), &of_sites(100, true)).expect("drawn");
-        assert!(picture.svg == again.svg && picture.png().ok() == again.png().ok());
+        assert!(picture.svg().len() < 1_000_000, "{}", picture.svg().len());
+        let again = film(&Look::default(), &of_sites(100, true));
+        assert!(picture == again && picture.png().ok() == again.png().ok());
     }
 }

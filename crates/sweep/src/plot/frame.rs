@@ -1,13 +1,12 @@
 //! The axes around a plotting area.
 
-use super::canvas::{Canvas, Stroke};
-use super::colours::GRID;
+use super::canvas::Canvas;
+use super::colours::{BLACK, GRID};
 use super::geometry::{Pixel, Rect};
+use super::lettering::Align;
 use super::scale::{Axis, Scale, Tick};
+use super::shapes::Stroke;
 use super::text::{self, Block, LABEL_SIZE, SMALL_SIZE};
-use anyhow::Result;
-use plotters::style::BLACK;
-use plotters::style::text_anchor::HPos;
 
 const MAJOR_TICK: f64 = 6.0;
 const MINOR_TICK: f64 = 3.0;
@@ -34,30 +33,30 @@ pub(super) struct Frame {
 
 impl Frame {
     /// A frame that fills `outer` with its plotting area, ticks and titles.
-    pub fn new(outer: Rect, axes: &[Axis; 2], scales: [Scale; 2]) -> Result<Frame> {
+    pub fn new(outer: Rect, axes: &[Axis; 2], scales: [Scale; 2]) -> Frame {
         Self::laid_out(outer, axes, scales, |height| {
-            roomy_ticks(&scales[1], height, |_| Ok(SMALL_SIZE))
+            roomy_ticks(&scales[1], height, |_| SMALL_SIZE)
         })
     }
 
     /// The same to the right of one with the same vertical axis, which it shows without title and
     /// numbers.
-    pub fn beside(outer: Rect, x: &Axis, scales: [Scale; 2]) -> Result<Frame> {
+    pub fn beside(outer: Rect, x: &Axis, scales: [Scale; 2]) -> Frame {
         let axes = [Axis::linear(x.label.as_str()), Axis::linear("")];
         Self::laid_out(outer, &axes, scales, |height| {
-            let ticks = roomy_ticks(&scales[1], height, |_| Ok(SMALL_SIZE))?.into_iter();
+            let ticks = roomy_ticks(&scales[1], height, |_| SMALL_SIZE).into_iter();
             let without_number = |tick: Tick| Tick {
                 label: tick.label.map(|_| String::new()),
                 ..tick
             };
-            Ok(ticks.map(without_number).collect())
+            ticks.map(without_number).collect()
         })
     }
 
     /// The same over rows with names, from top to bottom: the last one is from 0 to 1 along the
     /// vertical axis, that above it from 1 to 2. Where not all names have room, the last one's
     /// and that of every so many above it are written.
-    pub fn of_rows(outer: Rect, axes: &[Axis; 2], x: Scale, names: &[String]) -> Result<Frame> {
+    pub fn of_rows(outer: Rect, axes: &[Axis; 2], x: Scale, names: &[String]) -> Frame {
         let rows = Scale::new(false, [0.0, names.len() as f64].into_iter());
         Self::laid_out(outer, axes, [x, rows], |height| {
             let needed = (SMALL_SIZE + ROW_GAP) * names.len() as f64;
@@ -69,7 +68,7 @@ impl Frame {
                     label: Some(name.clone()),
                 })
             });
-            Ok(ticks.collect())
+            ticks.collect()
         })
     }
 
@@ -78,28 +77,28 @@ impl Frame {
         outer: Rect,
         axes: &[Axis; 2],
         scales: [Scale; 2],
-        y_ticks: impl FnOnce(f64) -> Result<Vec<Tick>>,
-    ) -> Result<Frame> {
+        y_ticks: impl FnOnce(f64) -> Vec<Tick>,
+    ) -> Frame {
         // The left margin is not known yet; the title may be a bit narrower.
-        let x_title = Block::new(&axes[0].label, LABEL_SIZE, 0.75 * outer.width())?;
+        let x_title = Block::new(&axes[0].label, LABEL_SIZE, 0.75 * outer.width());
         let below = MAJOR_TICK + SMALL_SIZE + 2.0 * GAP + x_title.height();
         let mut area = Rect {
             bottom: outer.bottom - below,
             ..outer
         };
-        let y_title = Block::new(&axes[1].label, LABEL_SIZE, area.height())?;
-        let y_ticks = y_ticks(area.height())?;
+        let y_title = Block::new(&axes[1].label, LABEL_SIZE, area.height());
+        let y_ticks = y_ticks(area.height());
         let y_labels = y_ticks.iter().filter_map(|tick| tick.label.as_ref());
-        let y_labels = text::widest(y_labels, SMALL_SIZE)?;
+        let y_labels = text::widest(y_labels, SMALL_SIZE);
         area.left += y_title.height() + y_labels + MAJOR_TICK + 2.0 * GAP;
-        Ok(Frame {
+        Frame {
             area,
             scales,
             x_title,
             y_title,
             y_ticks,
             y_labels,
-        })
+        }
     }
 
     /// The pixel of a data point, which may lie outside the plotting area;
@@ -134,7 +133,7 @@ impl Frame {
     }
 
     /// Draws the grid, the border, the ticks and the titles.
-    pub fn draw(&self, canvas: &mut Canvas) -> Result<()> {
+    pub fn draw(&self, canvas: &mut Canvas) {
         let Rect {
             left,
             top,
@@ -143,44 +142,44 @@ impl Frame {
         } = self.area;
         let x_ticks = roomy_ticks(&self.scales[0], self.area.width(), |label| {
             text::width(label, SMALL_SIZE)
-        })?;
+        });
         // The line across the area, the tick outwards from it and where its label is.
         let upright = x_ticks.iter().map(|tick| {
             let x = self.along_x(tick.fraction);
             let outwards = [(x, bottom), (x, bottom + tick_length(tick))];
             let below = (x, bottom + MAJOR_TICK + GAP + SMALL_SIZE / 2.0);
             let across = [(x, top), (x, bottom)];
-            (tick, across, outwards, (below, HPos::Center))
+            (tick, across, outwards, (below, Align::Centre))
         });
         let level = self.y_ticks.iter().map(|tick| {
             let y = self.along_y(tick.fraction);
             let outwards = [(left, y), (left - tick_length(tick), y)];
             let beside = (left - MAJOR_TICK - GAP, y);
             let across = [(left, y), (right, y)];
-            (tick, across, outwards, (beside, HPos::Right))
+            (tick, across, outwards, (beside, Align::Right))
         });
         let ticks: Vec<_> = upright.chain(level).collect();
         for (_, across, ..) in ticks.iter().filter(|(tick, ..)| tick.label.is_some()) {
-            canvas.line(across, Stroke::solid(GRID, 1.0))?;
+            canvas.line(across, Stroke::solid(GRID, 1.0));
         }
-        canvas.outline(self.area, Stroke::solid(BLACK, 1.0))?;
+        canvas.outline(self.area, Stroke::solid(BLACK, 1.0));
         for (tick, _, outwards, ((x, y), align)) in ticks {
-            canvas.line(&outwards, Stroke::solid(BLACK, 1.0))?;
+            canvas.line(&outwards, Stroke::solid(BLACK, 1.0));
             if let Some(label) = &tick.label {
-                let label = Block::new(label, SMALL_SIZE, f64::INFINITY)?;
-                canvas.text(&label, x, y, align)?;
+                let label = Block::new(label, SMALL_SIZE, f64::INFINITY);
+                canvas.text(&label, x, y, align);
             }
         }
         self.draw_titles(canvas)
     }
 
-    fn draw_titles(&self, canvas: &mut Canvas) -> Result<()> {
+    fn draw_titles(&self, canvas: &mut Canvas) {
         let (x, y) = self.area.centre();
         let below = self.area.bottom + MAJOR_TICK + SMALL_SIZE + 2.0 * GAP;
         let first_row = below + self.x_title.line_height() / 2.0;
         // Not beyond the right end, where a long title upwards leaves little width.
         let middle = x.min(self.area.right - self.x_title.width / 2.0);
-        canvas.text(&self.x_title, middle, first_row, HPos::Center)?;
+        canvas.text(&self.x_title, middle, first_row, Align::Centre);
         let labels = MAJOR_TICK + 2.0 * GAP + self.y_labels;
         let first_column =
             self.area.left - labels - self.y_title.height() + self.y_title.line_height() / 2.0;
@@ -218,32 +217,28 @@ fn tick_length(tick: &Tick) -> f64 {
 
 /// The most ticks whose labels, of the given extents along an axis of `length`
 /// pixels, do not run into one another.
-fn roomy_ticks(
-    scale: &Scale,
-    length: f64,
-    extent: impl Fn(&str) -> Result<f64>,
-) -> Result<Vec<Tick>> {
+fn roomy_ticks(scale: &Scale, length: f64, extent: impl Fn(&str) -> f64) -> Vec<Tick> {
     for most in (2..=MOST_TICKS).rev() {
         let ticks = scale.ticks(most);
-        if have_room(&ticks, length, &extent)? {
-            return Ok(ticks);
+        if have_room(&ticks, length, &extent) {
+            return ticks;
         }
     }
-    Ok(scale.ticks(1))
+    scale.ticks(1)
 }
 
-fn have_room(ticks: &[Tick], length: f64, extent: impl Fn(&str) -> Result<f64>) -> Result<bool> {
+fn have_room(ticks: &[Tick], length: f64, extent: impl Fn(&str) -> f64) -> bool {
     let mut free_from = f64::NEG_INFINITY;
     for tick in ticks {
         let Some(label) = &tick.label else { continue };
         let middle = tick.fraction * length;
-        let half = extent(label)? / 2.0;
+        let half = extent(label) / 2.0;
         if middle - half < free_from {
-            return Ok(false);
+            return false;
         }
         free_from = middle + half + LABEL_GAP;
     }
-    Ok(true)
+    true
 }
 
 #[cfg(test)]
@@ -259,7 +254,7 @@ mod tests {
         };
         let scale = |high| Scale::new(false, [0.0, high].into_iter());
         let axes = ["Time t (s)", label].map(Axis::linear);
-        Frame::new(outer, &axes, [50.0, 0.5].map(scale)).expect("laid out")
+        Frame::new(outer, &axes, [50.0, 0.5].map(scale))
     }
 
     #[test]
@@ -287,9 +282,9 @@ mod tests {
     fn tick_labels_keep_their_distance() {
         let scale = Scale::new(false, [0.0, 0.001_234].into_iter());
         let extent = |label: &str| text::width(label, SMALL_SIZE);
-        let wide = roomy_ticks(&scale, 600.0, extent).expect("ticks");
-        let narrow = roomy_ticks(&scale, 200.0, extent).expect("ticks");
-        assert!(have_room(&wide, 600.0, extent).expect("measured"));
+        let wide = roomy_ticks(&scale, 600.0, extent);
+        let narrow = roomy_ticks(&scale, 200.0, extent);
+        assert!(have_room(&wide, 600.0, extent));
         assert!(narrow.len() < wide.len() && narrow.len() >= 2);
     }
 }

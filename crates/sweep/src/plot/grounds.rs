@@ -1,15 +1,14 @@
 //! The grounds of a map's cells: told apart by how light they are, so that neither
 //! colour vision nor colour print is needed.
 
-use super::canvas::{Canvas, Stroke};
+use super::canvas::Canvas;
 use super::colours::{
-    BLUE_GROUND, CERTAIN_BLUE_GROUND, CERTAIN_GREY_GROUND, CERTAIN_PURPLE_GROUND, GREY_GROUND,
-    NO_CASE, ORANGE_GROUND, PARTS, PURPLE_GROUND, SAFETY,
+    BLUE_GROUND, CERTAIN_BLUE_GROUND, CERTAIN_GREY_GROUND, CERTAIN_PURPLE_GROUND, Colour,
+    GREY_GROUND, NO_CASE, ORANGE_GROUND, PARTS, PURPLE_GROUND, SAFETY,
 };
 use super::geometry::Rect;
+use super::shapes::Stroke;
 use super::symbols::Symbol;
-use anyhow::Result;
-use plotters::style::RGBColor;
 
 /// Distance of strokes through what has no case, along either axis.
 const STEP: f64 = 8.0;
@@ -70,13 +69,13 @@ impl Part {
     }
 
     /// From light to dark.
-    fn colour(self) -> RGBColor {
+    fn colour(self) -> Colour {
         PARTS[self.0]
     }
 }
 
 /// Fills a part of a map.
-pub(super) fn draw_ground(canvas: &mut Canvas, ground: Ground, area: Rect) -> Result<()> {
+pub(super) fn draw_ground(canvas: &mut Canvas, ground: Ground, area: Rect) {
     let colour = match ground {
         Ground::Symbol(Symbol::Circle) => BLUE_GROUND,
         Ground::Symbol(Symbol::Cross) => GREY_GROUND,
@@ -94,7 +93,7 @@ pub(super) fn draw_ground(canvas: &mut Canvas, ground: Ground, area: Rect) -> Re
 
 /// Slanted strokes that go on from one cell to the next; across a cell that none of them meets,
 /// one of its own.
-fn draw_strokes(canvas: &mut Canvas, area: Rect) -> Result<()> {
+fn draw_strokes(canvas: &mut Canvas, area: Rect) {
     let stroke = Stroke::solid(NO_CASE, 0.8);
     // Where right and down are so many steps in all.
     let [first, last] = [area.left + area.top, area.right + area.bottom];
@@ -109,7 +108,7 @@ fn draw_strokes(canvas: &mut Canvas, area: Rect) -> Result<()> {
     if parts.is_empty() {
         parts.push(vec![(area.left, area.bottom), (area.right, area.top)]);
     }
-    parts.iter().try_for_each(|part| canvas.line(part, stroke))
+    parts.iter().for_each(|part| canvas.line(part, stroke))
 }
 
 #[cfg(test)]
@@ -118,7 +117,7 @@ mod tests {
 
     /// Lightness of CIELAB, the gamma of sRGB taken as 2.2: what is left without colour. A
     /// difference of 9 is plain between neighbours.
-    fn lightness(RGBColor(red, green, blue): RGBColor) -> f64 {
+    fn lightness(Colour(red, green, blue): Colour) -> f64 {
         let linear = |value: u8| (f64::from(value) / 255.0).powf(2.2);
         let luminance = 0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue);
         116.0 * luminance.powf(1.0 / 3.0) - 16.0

@@ -1,9 +1,9 @@
 //! The hatching of a range, and lines that may lie on a dark ground.
 
-use super::canvas::{Canvas, Stroke};
+use super::canvas::Canvas;
+use super::colours::{BLACK, WHITE};
 use super::geometry::{Pixel, Rect};
-use anyhow::Result;
-use plotters::style::{BLACK, WHITE};
+use super::shapes::Stroke;
 
 /// Distance between the strokes of a hatching.
 const STEP: f64 = 9.0;
@@ -14,7 +14,7 @@ const OUTLINE: f64 = 1.2;
 pub(super) const RIM: f64 = 1.5;
 
 /// Hatches an area and draws a line around it, clipped to `within`.
-pub(super) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Rect) -> Result<()> {
+pub(super) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Rect) {
     let shown = Rect {
         left: area.left.max(within.left),
         top: area.top.max(within.top),
@@ -22,23 +22,22 @@ pub(super) fn draw_hatching(canvas: &mut Canvas, area: Rect, within: Rect) -> Re
         bottom: area.bottom.min(within.bottom),
     };
     if shown.left >= shown.right || shown.top > shown.bottom {
-        return Ok(());
+        return;
     }
     let strokes = (shown.width() + shown.height()) / STEP;
     for stroke in 1..=strokes as usize {
         let along = shown.left + stroke as f64 * STEP;
         let across = [(along - shown.height(), shown.bottom), (along, shown.top)];
         for part in shown.clip(&across) {
-            draw_rimmed(canvas, &part, WIDTH)?;
+            draw_rimmed(canvas, &part, WIDTH);
         }
     }
     for part in within.clip(&area.outline()) {
-        draw_rimmed(canvas, &part, OUTLINE)?;
+        draw_rimmed(canvas, &part, OUTLINE);
     }
-    Ok(())
 }
 
-fn draw_rimmed(canvas: &mut Canvas, line: &[Pixel], width: f64) -> Result<()> {
-    canvas.line(line, Stroke::solid(WHITE, width + RIM))?;
+fn draw_rimmed(canvas: &mut Canvas, line: &[Pixel], width: f64) {
+    canvas.line(line, Stroke::solid(WHITE, width + RIM));
     canvas.line(line, Stroke::solid(BLACK, width))
 }

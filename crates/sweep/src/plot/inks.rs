@@ -1,16 +1,17 @@
 //! Curves, and which colour and dash each has. A method has one colour in every picture.
 
-use super::canvas::{DASHES, Stroke};
-use super::colours::{BLUE, COLOURS, DARK_GREY, GREEN, ORANGE, PURPLE, RED, SKY_BLUE};
+use super::colours::{
+    BLACK, BLUE, COLOURS, Colour, DARK_GREY, GREEN, ORANGE, PURPLE, RED, SKY_BLUE,
+};
+use super::shapes::{DASHES, Stroke};
 use super::symbols::Marker;
-use plotters::style::{BLACK, RGBColor};
 
 const FIRST_WIDTH: f64 = 2.4;
 const LATER_WIDTH: f64 = 1.8;
 
 /// The colours of methods, and of exact responses. Those of the four that draw limits on maps are
 /// none of the colours of their symbols.
-const METHODS: [(&str, RGBColor); 8] = [
+const METHODS: [(&str, Colour); 8] = [
     ("held", BLACK),
     ("quadrature", GREEN),
     ("finite-element", RED),
@@ -24,7 +25,7 @@ const METHODS: [(&str, RGBColor); 8] = [
 /// Colour and dash of a curve; what is not given follows from its place among the others.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Ink {
-    colour: Option<RGBColor>,
+    colour: Option<Colour>,
     dash: Option<usize>,
 }
 
@@ -59,7 +60,7 @@ impl Ink {
     }
 
     /// The colour, if it is given.
-    pub(super) fn colour(self) -> Option<RGBColor> {
+    pub(super) fn colour(self) -> Option<Colour> {
         self.colour
     }
 }
@@ -99,7 +100,7 @@ pub(super) fn distinct_inks<'a>(series: impl Iterator<Item = &'a Series>) -> Vec
             found.push((&series.name, series.ink));
         }
     }
-    let taken: Vec<RGBColor> = found.iter().filter_map(|(_, ink)| ink.colour).collect();
+    let taken: Vec<Colour> = found.iter().filter_map(|(_, ink)| ink.colour).collect();
     let mut free = COLOURS
         .into_iter()
         .filter(|colour| !taken.contains(colour))

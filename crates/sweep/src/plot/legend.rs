@@ -1,14 +1,14 @@
 //! The legend beside a plot.
 
-use super::canvas::{Canvas, Stroke};
+use super::canvas::Canvas;
+use super::colours::{BLACK, Colour};
 use super::geometry::Rect;
 use super::grounds::{Ground, draw_ground};
 use super::hatching::draw_hatching;
+use super::lettering::Align;
+use super::shapes::Stroke;
 use super::symbols::{Marker, Symbol, draw_marker, draw_rim, draw_site, draw_symbol};
 use super::text::{Block, SMALL_SIZE};
-use anyhow::Result;
-use plotters::style::text_anchor::HPos;
-use plotters::style::{BLACK, RGBColor};
 
 /// Width of the line or symbol before an entry's text.
 const KEY_WIDTH: f64 = 42.0;
@@ -38,7 +38,7 @@ pub(super) enum Key {
     /// The rim around what is pointed out.
     Rim,
     /// A bar of a colour, which fills this part of the height of its band.
-    Bar(RGBColor, f64),
+    Bar(Colour, f64),
     /// The mark of a site, which touches the wall or does not.
     Site(bool),
 }
@@ -53,45 +53,45 @@ pub(super) struct Legend {
 
 impl Legend {
     /// A legend of the given keys and texts, top to bottom.
-    pub fn new<'a>(entries: impl IntoIterator<Item = (Key, &'a str)>) -> Result<Legend> {
+    pub fn new<'a>(entries: impl IntoIterator<Item = (Key, &'a str)>) -> Legend {
         let entries = entries
             .into_iter()
             .map(|(key, text)| {
                 let width = TEXT_WIDTH + KEY_WIDTH + KEY_GAP - indent(&key);
-                Ok((key, Block::new(text, SMALL_SIZE, width)?))
+                (key, Block::new(text, SMALL_SIZE, width))
             })
-            .collect::<Result<_>>()?;
-        Ok(Legend {
+            .collect();
+        Legend {
             entries,
             columns: 1,
             room: 0.0,
-        })
+        }
     }
 
     /// The same in as many columns of a width as make it lowest, its texts broken for them.
-    pub fn in_rows(self, room: f64) -> Result<Legend> {
+    pub fn in_rows(self, room: f64) -> Legend {
         let least = KEY_WIDTH + LEAST_TEXT_WIDTH + 3.0 * KEY_GAP;
         let most = ((room / least) as usize).clamp(1, self.entries.len().max(1));
-        let mut lowest = self.in_columns(1, room)?;
+        let mut lowest = self.in_columns(1, room);
         for columns in 2..=most {
-            let legend = self.in_columns(columns, room)?;
+            let legend = self.in_columns(columns, room);
             if legend.height() < lowest.height() {
                 lowest = legend;
             }
         }
-        Ok(lowest)
+        lowest
     }
 
-    fn in_columns(&self, columns: usize, room: f64) -> Result<Legend> {
+    fn in_columns(&self, columns: usize, room: f64) -> Legend {
         let column = room / columns as f64 - 2.0 * KEY_GAP;
         let entries = (self.entries.iter())
-            .map(|(key, text)| Ok((*key, text.broken_at(column - indent(key))?)))
-            .collect::<Result<_>>()?;
-        Ok(Legend {
+            .map(|(key, text)| (*key, text.broken_at(column - indent(key))))
+            .collect();
+        Legend {
             entries,
             columns,
             room,
-        })
+        }
     }
 
     /// Width of the widest entry in pixels; zero for an empty legend.
@@ -107,18 +107,17 @@ impl Legend {
     }
 
     /// Draws the legend with its upper left corner at the given place.
-    pub fn draw(&self, canvas: &mut Canvas, left: f64, top: f64) -> Result<()> {
+    pub fn draw(&self, canvas: &mut Canvas, left: f64, top: f64) {
         let mut top = top;
         for row in self.entries.chunks(self.columns) {
             for (column, (key, text)) in row.iter().enumerate() {
                 let left = left + column as f64 * self.room / self.columns as f64;
                 let middle = top + text.line_height() / 2.0;
-                draw_key(canvas, key, left, middle)?;
-                canvas.text(text, left + indent(key), middle, HPos::Left)?;
+                draw_key(canvas, key, left, middle);
+                canvas.text(text, left + indent(key), middle, Align::Left);
             }
             top += tallest(row);
         }
-        Ok(())
     }
 }
 
@@ -149,13 +148,13 @@ fn tallest(row: &[(Key, Block)]) -> f64 {
     heights.fold(0.0, f64::max) + ENTRY_GAP
 }
 
-fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) -> Result<()> {
+fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) {
     let centre = (left + KEY_WIDTH / 2.0, y);
     let cell = Rect::centred(centre, 2.0 * CELL_HEIGHT, CELL_HEIGHT);
     match key {
         Key::Symbol(symbol) => draw_symbol(canvas, *symbol, centre, SYMBOL_RADIUS),
         Key::Cell(ground) => {
-            draw_ground(canvas, *ground, cell)?;
+            draw_ground(canvas, *ground, cell);
             match ground {
                 Ground::Symbol(symbol) => {
                     draw_symbol(canvas, *symbol, cell.centre(), SYMBOL_RADIUS)
@@ -167,13 +166,13 @@ fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) -> Result<()> {
             }
         }
         Key::Hatching => draw_hatching(canvas, cell, cell),
-        Key::Nothing => Ok(()),
+        Key::Nothing => {}
         Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY_WIDTH, y)], *stroke),
         Key::Marker(kind) => draw_marker(canvas, *kind, centre, SYMBOL_RADIUS),
         Key::Rim => draw_rim(canvas, centre, 1.5 * SYMBOL_RADIUS),
         Key::Bar(colour, part) => {
             let top = cell.bottom - part * cell.height();
-            canvas.polygon(&Rect { top, ..cell }.corners(), *colour)?;
+            canvas.polygon(&Rect { top, ..cell }.corners(), *colour);
             canvas.outline(cell, Stroke::solid(BLACK, 0.5))
         }
         Key::Site(touches) => draw_site(canvas, *touches, centre, SYMBOL_RADIUS),
@@ -186,7 +185,7 @@ mod tests {
 
     fn legend(texts: &[&'static str]) -> Legend {
         let key = |&text| (Key::Symbol(Symbol::Circle), text);
-        Legend::new(texts.iter().map(key)).expect("measured")
+        Legend::new(texts.iter().map(key))
     }
 
     #[test]
@@ -202,8 +201,8 @@ mod tests {
             "every one of the three methods finds stick-slip here",
             "all",
         ];
-        let wide = legend(&texts).in_rows(1300.0).expect("measured");
-        let narrow = legend(&texts).in_rows(200.0).expect("measured");
+        let wide = legend(&texts).in_rows(1300.0);
+        let narrow = legend(&texts).in_rows(200.0);
         assert_eq!(wide.height(), legend(&["all"]).height());
         assert!(narrow.width() <= 200.0 && narrow.height() > wide.height());
     }

@@ -1,15 +1,15 @@
 //! Small multiples: one curve a panel, in a grid.
 
-use super::canvas::{Stroke, Title, draw_titled};
+use super::canvas::{Title, draw_titled};
 use super::colours::{BLUE, REFERENCE};
 use super::frame::{Frame, align_left};
 use super::geometry::Rect;
+use super::lettering::Align;
 use super::look::Look;
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
+use super::shapes::Stroke;
 use super::text::{Block, LABEL_SIZE};
-use anyhow::Result;
-use plotters::style::text_anchor::HPos;
 
 const WIDTH: f64 = 1180.0;
 const PANEL_HEIGHT: f64 = 190.0;
@@ -32,35 +32,29 @@ pub struct Multiple {
 
 /// Draws panels with the same vertical axis in a grid, row by row, each over its own range of the
 /// horizontal one and with a line where the vertical one is zero.
-pub fn multiples(
-    look: &Look,
-    title: &str,
-    axes: &[Axis; 2],
-    panels: &[Multiple],
-) -> Result<Picture> {
-    let title = Title::new(look, title, WIDTH, MARGIN)?;
+pub fn multiples(look: &Look, title: &str, axes: &[Axis; 2], panels: &[Multiple]) -> Picture {
+    let title = Title::new(look, title, WIDTH, MARGIN);
     let columns = ((title.width / LEAST_WIDTH) as usize).clamp(1, COLUMNS);
     let top = title.bottom();
     let rows = panels.len().div_ceil(columns);
-    let frames = frames(axes, panels, top, (title.width, columns))?;
+    let frames = frames(axes, panels, top, (title.width, columns));
     draw_titled(
         &title,
         top + rows as f64 * PANEL_HEIGHT + MARGIN,
         |canvas| {
             for (panel, frame) in panels.iter().zip(&frames) {
-                frame.draw(canvas)?;
-                let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width())?;
+                frame.draw(canvas);
+                let title = Block::new(&panel.title, LABEL_SIZE, frame.area.width());
                 let above = frame.area.top - GAP / 2.0 - 2.0;
-                canvas.text(&title, frame.area.centre().0, above, HPos::Center)?;
+                canvas.text(&title, frame.area.centre().0, above, Align::Centre);
                 if let Some(y) = frame.pixel_y(0.0) {
                     let Rect { left, right, .. } = frame.area;
-                    canvas.line(&[(left, y), (right, y)], AT_REST)?;
+                    canvas.line(&[(left, y), (right, y)], AT_REST);
                 }
                 for piece in frame.curve(&panel.points) {
-                    canvas.line(&piece, CURVE)?;
+                    canvas.line(&piece, CURVE);
                 }
             }
-            Ok(())
         },
     )
 }
@@ -70,7 +64,7 @@ fn frames(
     panels: &[Multiple],
     top: f64,
     (full, columns): (f64, usize),
-) -> Result<Vec<Frame>> {
+) -> Vec<Frame> {
     let points = panels.iter().flat_map(|panel| &panel.points);
     let y = Scale::new(axes[1].logarithmic, points.map(|point| point.1));
     let width = (full - 2.0 * MARGIN) / columns as f64;
@@ -86,15 +80,15 @@ fn frames(
             right: left + width - GAP,
             bottom: top + PANEL_HEIGHT - GAP,
         };
-        frames.push(Frame::new(outer, axes, [x, y])?);
+        frames.push(Frame::new(outer, axes, [x, y]));
     }
     align_left(&mut frames, columns);
-    Ok(frames)
+    frames
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::canvas::tests::assert_text_inside;
+    use super::super::picture::tests::assert_text_inside;
     use super::*;
 
     #[test]
@@ -105,9 +99,9 @@ mod tests {
         };
         let panels: Vec<Multiple> = (0..5).map(panel).collect();
         let axes = ["Depth (m)", "Amplitude"].map(Axis::linear);
-        let picture = multiples(&Look::default(), "Mode shapes", &axes, &panels).expect("drawn");
+        let picture = multiples(&Look::default(), "Mode shapes", &axes, &panels);
         assert_text_inside(&picture);
-        assert_eq!(picture.svg.matches("#0072B2").count(), 5);
-        assert_eq!(picture.svg.matches("#555555").count(), 5);
+        assert_eq!(picture.svg().matches("#0072B2").count(), 5);
+        assert_eq!(picture.svg().matches("#555555").count(), 5);
     }
 }

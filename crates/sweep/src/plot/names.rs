@@ -1,11 +1,10 @@
 //! Names inside a plotting area.
 
 use super::canvas::Canvas;
+use super::colours::WHITE;
 use super::geometry::{Pixel, Rect};
+use super::lettering::Align;
 use super::text::{Block, SMALL_SIZE};
-use anyhow::Result;
-use plotters::style::text_anchor::HPos;
-use plotters::style::{Color, WHITE};
 
 /// Opacity of the ground that keeps a name legible above data.
 const GROUND: f64 = 0.8;
@@ -30,19 +29,19 @@ impl Names {
     }
 
     /// Breaks a name so that it fits into the plotting area.
-    pub fn block(&self, name: &str) -> Result<Block> {
+    pub fn block(&self, name: &str) -> Block {
         Block::new(name, SMALL_SIZE, 0.4 * self.within.width())
     }
 
     /// Writes a name centred at the best of `centres`, earlier ones first.
-    pub fn write(&mut self, canvas: &mut Canvas, name: &Block, centres: &[Pixel]) -> Result<()> {
+    pub fn write(&mut self, canvas: &mut Canvas, name: &Block, centres: &[Pixel]) {
         let Some(place) = self.best_place(name, centres) else {
-            return Ok(());
+            return;
         };
         self.taken.push(place);
-        canvas.polygon(&place.corners(), WHITE.mix(GROUND))?;
+        canvas.polygon(&place.corners(), WHITE.at(GROUND));
         let first_row = place.top + name.line_height() / 2.0;
-        canvas.text(name, place.centre().0, first_row, HPos::Center)
+        canvas.text(name, place.centre().0, first_row, Align::Centre)
     }
 
     /// The place with the fewest conflicts and then the least data below it.
@@ -95,7 +94,7 @@ mod tests {
     const CENTRES: [Pixel; 2] = [(100.0, 50.0), (300.0, 50.0)];
 
     fn best(names: &Names, centres: &[Pixel]) -> Pixel {
-        let name = names.block("8(a)").expect("measured");
+        let name = names.block("8(a)");
         names.best_place(&name, centres).expect("a place").centre()
     }
 
@@ -116,7 +115,7 @@ mod tests {
     #[test]
     fn a_name_never_leaves_the_area() {
         let names = Names::new(AREA, Vec::new(), Vec::new());
-        let name = names.block("8(a)").expect("measured");
+        let name = names.block("8(a)");
         let place = names.best_place(&name, &[(399.0, -5.0)]).expect("a place");
         assert!(place.right <= 400.0 + 1e-9 && place.top >= -1e-9);
     }

@@ -1,8 +1,8 @@
 //! Orbits: curves in a plane with the same scale both ways, side by side, each
 //! with the circles it may not leave where it comes near those.
 
-use super::canvas::{Canvas, DASHES, Stroke, Title, draw_titled};
-use super::colours::CLEARANCE;
+use super::canvas::{Canvas, Title, draw_titled};
+use super::colours::{BLACK, CLEARANCE, Colour};
 use super::frame::Frame;
 use super::geometry::{Pixel, Rect};
 use super::inks::{Ink, Series, distinct_inks, place_among, strokes};
@@ -10,8 +10,7 @@ use super::legend::{Key, Legend};
 use super::look::Look;
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
-use anyhow::Result;
-use plotters::style::{BLACK, RGBColor};
+use super::shapes::{DASHES, Stroke};
 
 const MARGIN: f64 = 14.0;
 /// Side of the square each orbit is drawn in, its labels included.
@@ -53,7 +52,7 @@ pub struct Orbit {
 
 /// Draws orbits side by side, in rows where the picture has no room for all, with one title and
 /// one legend.
-pub fn orbits(look: &Look, title: &str, orbits: &[Orbit]) -> Result<Picture> {
+pub fn orbits(look: &Look, title: &str, orbits: &[Orbit]) -> Picture {
     let inks = distinct_inks(orbits.iter().flat_map(|orbit| &orbit.series));
     let strokes = strokes(&inks);
     let curves = inks.iter().zip(&strokes);
@@ -62,9 +61,9 @@ pub fn orbits(look: &Look, title: &str, orbits: &[Orbit]) -> Result<Picture> {
     let circle = has_circle.then_some((Key::Line(CIRCLE), "clearance"));
     let has_last = orbits.iter().any(|orbit| !orbit.last.is_empty());
     let last = has_last.then_some((Key::Line(LAST), LAST_WORDS));
-    let legend = Legend::new(curves.chain(circle).chain(last))?;
+    let legend = Legend::new(curves.chain(circle).chain(last));
     let beside = MARGIN + orbits.len() as f64 * SIDE + LEGEND_GAP + legend.width() + MARGIN;
-    let title = Title::new(look, title, beside, MARGIN)?;
+    let title = Title::new(look, title, beside, MARGIN);
     let columns = if title.width < beside {
         (((title.width - 2.0 * MARGIN) / LEAST_SIDE) as usize).clamp(1, orbits.len().max(1))
     } else {
@@ -74,7 +73,7 @@ pub fn orbits(look: &Look, title: &str, orbits: &[Orbit]) -> Result<Picture> {
     let (side, legend, place) = if title.width < beside {
         let side = ((title.width - 2.0 * MARGIN) / columns as f64).min(SIDE);
         let rows = orbits.len().div_ceil(columns) as f64;
-        let legend = legend.in_rows(title.width - 2.0 * MARGIN)?;
+        let legend = legend.in_rows(title.width - 2.0 * MARGIN);
         (side, legend, (MARGIN, top + rows * side + ROW_GAP))
     } else {
         let left = title.width - MARGIN - legend.width();
@@ -98,7 +97,7 @@ pub fn orbits(look: &Look, title: &str, orbits: &[Orbit]) -> Result<Picture> {
                 right: left + side - ORBIT_GAP,
                 bottom: top + side,
             };
-            draw_orbit(canvas, orbit, outer, (&inks, &strokes))?;
+            draw_orbit(canvas, orbit, outer, (&inks, &strokes));
         }
         legend.draw(canvas, place.0, place.1)
     })
@@ -117,17 +116,17 @@ fn draw_orbit(
     orbit: &Orbit,
     outer: Rect,
     (inks, strokes): (&[(&str, Ink)], &[Stroke]),
-) -> Result<()> {
+) {
     let reach = reach(orbit);
     let scale = Scale::new(false, [-reach, reach].into_iter());
-    let mut frame = Frame::new(outer, &orbit.axes, [scale; 2])?;
+    let mut frame = Frame::new(outer, &orbit.axes, [scale; 2]);
     let side = frame.area.width().min(frame.area.height());
     frame.area.right = frame.area.left + side;
     frame.area.top = frame.area.bottom - side;
-    frame.draw(canvas)?;
+    frame.draw(canvas);
     for radius in &orbit.circles {
         for piece in frame.curve(&circle(*radius)) {
-            canvas.line(&piece, CIRCLE)?;
+            canvas.line(&piece, CIRCLE);
         }
     }
     let curves = orbit.series.iter().enumerate().map(|(index, series)| {
@@ -144,7 +143,7 @@ fn draw_orbit(
         };
         let before = series.points.len().min(begins + 1);
         for piece in frame.curve(&series.points[..before]) {
-            canvas.line(&piece, Stroke { colour, ..stroke })?;
+            canvas.line(&piece, Stroke { colour, ..stroke });
         }
     }
     for (series, stroke, begins) in curves {
@@ -156,28 +155,27 @@ fn draw_orbit(
                     width: 1.8,
                     ..stroke
                 },
-            )?;
+            );
         }
-        draw_arrows(canvas, &end.concat(), stroke.colour)?;
+        draw_arrows(canvas, &end.concat(), stroke.colour);
     }
-    Ok(())
 }
 
 /// The colour of what was before the last seconds.
-fn faint(RGBColor(red, green, blue): RGBColor) -> RGBColor {
+fn faint(Colour(red, green, blue): Colour) -> Colour {
     let [red, green, blue] = [red, green, blue].map(|part| 255 - (255 - part) / 5 * 2);
-    RGBColor(red, green, blue)
+    Colour(red, green, blue)
 }
 
 /// Arrow heads along the end of a path, where it is long enough to see which way it goes.
-fn draw_arrows(canvas: &Canvas, path: &[Pixel], colour: RGBColor) -> Result<()> {
+fn draw_arrows(canvas: &mut Canvas, path: &[Pixel], colour: Colour) {
     let steps = path
         .windows(2)
         .map(|side| (side[1].0 - side[0].0).hypot(side[1].1 - side[0].1));
     let length: f64 = steps.clone().sum();
     // A path of a few pixels, of a site that rests, has no direction that can be seen.
     if length < 4.0 * ARROW {
-        return Ok(());
+        return;
     }
     let each = (length / ARROWS as f64).min(MOST_APART);
     let mut next = 0.5 * each;
@@ -200,11 +198,10 @@ fn draw_arrows(canvas: &Canvas, path: &[Pixel], colour: RGBColor) -> Result<()> 
             )
         };
         let head = [corner(0.6, 0.0), corner(-0.6, 0.5), corner(-0.6, -0.5)];
-        canvas.polygon(&head, colour)?;
+        canvas.polygon(&head, colour);
         next = gone + each;
         drawn += 1;
     }
-    Ok(())
 }
 
 /// The furthest that anything drawn is from the origin, along either axis.
@@ -227,7 +224,7 @@ fn circle(radius: f64) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::canvas::tests::assert_text_inside;
+    use super::super::picture::tests::assert_text_inside;
     use super::*;
 
     #[test]
@@ -244,6 +241,6 @@ mod tests {
         };
         assert_eq!(reach(&orbit()), 20.0);
         let picture = orbits(&Look::default(), "Orbits", &[orbit(), orbit()]);
-        assert_text_inside(&picture.expect("drawn"));
+        assert_text_inside(&picture);
     }
 }

@@ -107,7 +107,7 @@ mod tests {
             bottom: 300.0,
         };
         let scales = [10.0, 1.0].map(|high| Scale::new(false, [0.0, high].into_iter()));
-        let frame = Frame::new(outer, &["x", "y"].map(Axis::linear), scales).expect("laid out");
+        let frame = Frame::new(outer, &["x", "y"].map(Axis::linear), scales);
         let wave = |offset: f64| {
             let points = (0..1000).map(|step| {
                 let x = 0.01 * f64::from(step);

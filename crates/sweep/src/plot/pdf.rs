@@ -1,101 +1,109 @@
-//! A picture as a PDF file: the paths of its outlines, one after another, on a page of its size.
+//! A picture as a PDF file: its shapes, one after another, on a page of its size.
 
-use anyhow::{Context, Result, bail};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
-use pdf_writer::types::{LineCapStyle, LineJoinStyle};
+use pdf_writer::types::LineJoinStyle;
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref};
-use resvg::tiny_skia::PathSegment;
-use resvg::usvg;
-use std::io::Write;
-use usvg::{FillRule, Group, LineCap, LineJoin, Node, Paint, Path};
+use skrifa::outline::pen::PathElement;
+use std::io::{self, Write};
 
-/// Points to a CSS pixel.
-const POINT: f32 = 0.75;
+use super::colours::{BLACK, Colour, Fill, WHITE};
+use super::geometry::Pixel;
+use super::picture::Picture;
+use super::shapes::{Shape, Stroke};
 
-/// The page of a document of paths.
-pub(super) fn pdf_file(tree: &usvg::Tree) -> Result<Vec<u8>> {
-    let [width, height] = [tree.size().width(), tree.size().height()].map(|size| POINT * size);
+/// Points to a pixel of a screen, and to a millimetre.
+const PER_PIXEL: f64 = 0.75;
+const PER_MM: f64 = 72.0 / 25.4;
+
+/// How far the inner points of a cubic curve are from its ends that is a quarter of a circle, in
+/// radii.
+const QUARTER: f32 = 0.552_284_8;
+
+/// The page of a picture.
+pub(super) fn pdf_file(picture: &Picture) -> io::Result<Vec<u8>> {
+    let points = (picture.paper).map_or(PER_PIXEL, |paper| PER_MM * paper.pixel_mm());
+    let [width, height] = picture.size.map(|length| (points * length) as f32);
     let mut page = Page {
         content: Content::new(),
         opacities: Vec::new(),
     };
+    let content = &mut page.content;
+    set_fill(content, WHITE);
+    content.rect(0.0, 0.0, width, height).fill_nonzero();
     // From the lower left corner upwards, as PDF counts.
-    page.content
-        .transform([POINT, 0.0, 0.0, -POINT, 0.0, height]);
-    page.group(tree.root(), 1.0)?;
+    let points = points as f32;
+    content.transform([points, 0.0, 0.0, -points, 0.0, height]);
+    content.set_line_join(LineJoinStyle::RoundJoin);
+    for shape in &picture.shapes {
+        page.draw(shape);
+    }
     page.file([width, height])
 }
 
 /// What is drawn, and the opacities that it needs.
 struct Page {
     content: Content,
-    opacities: Vec<[f32; 2]>,
+    opacities: Vec<f64>,
 }
 
 impl Page {
-    fn group(&mut self, group: &Group, opacity: f32) -> Result<()> {
-        if group.clip_path().is_some() || group.mask().is_some() || !group.filters().is_empty() {
-            bail!("the plot has what a PDF is not written with");
+    fn draw(&mut self, shape: &Shape) {
+        match shape {
+            Shape::Line { points, stroke } => self.stroke(*stroke, |content| {
+                add_points(content, points);
+            }),
+            Shape::Polygon { corners, fill } => self.fill(*fill, |content| {
+                add_points(content, corners);
+                content.close_path();
+            }),
+            Shape::Ring {
+                centre,
+                radius,
+                stroke,
+            } => self.stroke(*stroke, |content| add_circle(content, *centre, *radius)),
+            Shape::Disc {
+                centre,
+                radius,
+                colour,
+            } => self.fill((*colour).into(), |content| {
+                add_circle(content, *centre, *radius);
+            }),
+            Shape::Text(line) => self.fill(BLACK.into(), |content| {
+                add_outlines(content, &line.outlines());
+            }),
         }
-        let opacity = opacity * group.opacity().get();
-        for node in group.children() {
-            match node {
-                Node::Group(inner) => self.group(inner, opacity)?,
-                Node::Path(path) => self.path(path, opacity)?,
-                Node::Image(_) | Node::Text(_) => {
-                    bail!("the plot has what a PDF is not written with")
-                }
-            }
-        }
-        Ok(())
     }
 
-    fn path(&mut self, path: &Path, opacity: f32) -> Result<()> {
-        let [fill, stroke] = [
-            path.fill().map(|fill| fill.opacity().get()),
-            path.stroke().map(|stroke| stroke.opacity().get()),
-        ];
-        let opacities = [fill, stroke].map(|own| opacity * own.unwrap_or(1.0));
-        let name = self.opacity(opacities);
-        let content = &mut self.content;
-        content.save_state();
-        content.set_parameters(Name(name.as_bytes()));
-        let at = path.abs_transform();
-        content.transform([at.sx, at.ky, at.kx, at.sy, at.tx, at.ty]);
-        if let Some(fill) = path.fill() {
-            let [red, green, blue] = colour(fill.paint())?;
-            content.set_fill_rgb(red, green, blue);
-        }
-        if let Some(stroke) = path.stroke() {
-            let [red, green, blue] = colour(stroke.paint())?;
-            content.set_stroke_rgb(red, green, blue);
-            set_stroke(content, stroke);
-        }
-        add_segments(content, path);
-        match (path.fill().map(usvg::Fill::rule), path.stroke()) {
-            (Some(FillRule::NonZero), Some(_)) => content.fill_nonzero_and_stroke(),
-            (Some(FillRule::EvenOdd), Some(_)) => content.fill_even_odd_and_stroke(),
-            (Some(FillRule::NonZero), None) => content.fill_nonzero(),
-            (Some(FillRule::EvenOdd), None) => content.fill_even_odd(),
-            (None, Some(_)) => content.stroke(),
-            (None, None) => content.end_path(),
-        };
-        content.restore_state();
-        Ok(())
+    fn fill(&mut self, fill: Fill, path: impl FnOnce(&mut Content)) {
+        let name = self.opacity(fill.opacity);
+        self.content.set_parameters(Name(name.as_bytes()));
+        set_fill(&mut self.content, fill.colour);
+        path(&mut self.content);
+        self.content.fill_nonzero();
     }
 
-    /// The name of the opacities of fill and stroke.
-    fn opacity(&mut self, opacities: [f32; 2]) -> String {
-        let known = self.opacities.iter().position(|other| *other == opacities);
-        let place = known.unwrap_or_else(|| {
-            self.opacities.push(opacities);
+    fn stroke(&mut self, stroke: Stroke, path: impl FnOnce(&mut Content)) {
+        let [red, green, blue] = parts(stroke.colour);
+        let dash = stroke.dash.iter().map(|&length| length as f32);
+        (self.content)
+            .set_stroke_rgb(red, green, blue)
+            .set_line_width(stroke.width as f32)
+            .set_dash_pattern(dash, 0.0);
+        path(&mut self.content);
+        self.content.stroke();
+    }
+
+    /// The name of an opacity.
+    fn opacity(&mut self, opacity: f64) -> String {
+        let known = self.opacities.iter().position(|other| *other == opacity);
+        name(known.unwrap_or_else(|| {
+            self.opacities.push(opacity);
             self.opacities.len() - 1
-        });
-        name(place)
+        }))
     }
 
-    fn file(self, [width, height]: [f32; 2]) -> Result<Vec<u8>> {
+    fn file(self, [width, height]: [f32; 2]) -> io::Result<Vec<u8>> {
         let [catalog, pages, page, content] = [1, 2, 3, 4].map(Ref::new);
         let mut pdf = Pdf::new();
         pdf.catalog(catalog).pages(pages);
@@ -105,86 +113,101 @@ impl Page {
         shown.parent(pages).contents(content);
         let mut resources = shown.resources();
         let mut states = resources.ext_g_states();
-        for (place, [fill, stroke]) in self.opacities.into_iter().enumerate() {
+        for (place, opacity) in self.opacities.into_iter().enumerate() {
             let mut state = states.insert(Name(name(place).as_bytes())).start();
-            set_opacities(&mut state, fill, stroke);
+            set_opacity(&mut state, opacity as f32);
         }
         states.finish();
         resources.finish();
         shown.finish();
         let mut packed = ZlibEncoder::new(Vec::new(), Compression::default());
-        let packed = (packed.write_all(&self.content.finish()))
-            .and_then(|()| packed.finish())
-            .context("the plot cannot become a PDF")?;
-        pdf.stream(content, &packed).filter(Filter::FlateDecode);
+        packed.write_all(&self.content.finish())?;
+        pdf.stream(content, &packed.finish()?)
+            .filter(Filter::FlateDecode);
         Ok(pdf.finish())
     }
 }
 
-fn set_opacities(state: &mut pdf_writer::writers::ExtGraphicsState, fill: f32, stroke: f32) {
-    state.non_stroking_alpha(fill).stroking_alpha(stroke);
+fn set_opacity(state: &mut pdf_writer::writers::ExtGraphicsState, opacity: f32) {
+    state.non_stroking_alpha(opacity);
 }
 
 fn name(place: usize) -> String {
     format!("o{place}")
 }
 
-fn colour(paint: &Paint) -> Result<[f32; 3]> {
-    match paint {
-        Paint::Color(colour) => {
-            Ok([colour.red, colour.green, colour.blue].map(|part| f32::from(part) / 255.0))
+fn parts(Colour(red, green, blue): Colour) -> [f32; 3] {
+    [red, green, blue].map(|part| f32::from(part) / 255.0)
+}
+
+fn set_fill(content: &mut Content, colour: Colour) {
+    let [red, green, blue] = parts(colour);
+    content.set_fill_rgb(red, green, blue);
+}
+
+fn add_points(content: &mut Content, points: &[Pixel]) {
+    for (place, &(x, y)) in points.iter().enumerate() {
+        let (x, y) = (x as f32, y as f32);
+        if place == 0 {
+            content.move_to(x, y);
+        } else {
+            content.line_to(x, y);
         }
-        _ => bail!("the plot has what a PDF is not written with"),
     }
 }
 
-fn set_stroke(content: &mut Content, stroke: &usvg::Stroke) {
-    content.set_line_width(stroke.width().get());
-    content.set_line_cap(match stroke.linecap() {
-        LineCap::Butt => LineCapStyle::ButtCap,
-        LineCap::Round => LineCapStyle::RoundCap,
-        LineCap::Square => LineCapStyle::ProjectingSquareCap,
-    });
-    content.set_line_join(match stroke.linejoin() {
-        LineJoin::Miter | LineJoin::MiterClip => LineJoinStyle::MiterJoin,
-        LineJoin::Round => LineJoinStyle::RoundJoin,
-        LineJoin::Bevel => LineJoinStyle::BevelJoin,
-    });
-    let dashes = stroke.dasharray().unwrap_or_default();
-    content.set_dash_pattern(dashes.iter().copied(), stroke.dashoffset());
+/// Four quarters, from the right one on.
+fn add_circle(content: &mut Content, (x, y): Pixel, radius: f64) {
+    let (x, y, radius) = (x as f32, y as f32, radius as f32);
+    content.move_to(x + radius, y);
+    for [right, down] in [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]] {
+        // From here a quarter on, where right is what down was, and down what left was.
+        let at = |along: f32, on: f32| {
+            (
+                x + radius * (along * right - on * down),
+                y + radius * (along * down + on * right),
+            )
+        };
+        let (one, two, end) = (at(1.0, QUARTER), at(QUARTER, 1.0), at(0.0, 1.0));
+        content.cubic_to(one.0, one.1, two.0, two.1, end.0, end.1);
+    }
+    content.close_path();
 }
 
 /// A quadratic curve is the cubic one whose inner points are two thirds of the way to its own.
-fn add_segments(content: &mut Content, path: &Path) {
-    let mut at = [0.0; 2];
-    for segment in path.data().segments() {
-        match segment {
-            PathSegment::MoveTo(to) => {
-                content.move_to(to.x, to.y);
-                at = [to.x, to.y];
+fn add_outlines(content: &mut Content, letters: &[PathElement]) {
+    let mut at = (0.0, 0.0);
+    for element in letters {
+        match *element {
+            PathElement::MoveTo { x, y } => {
+                content.move_to(x, y);
+                at = (x, y);
             }
-            PathSegment::LineTo(to) => {
-                content.line_to(to.x, to.y);
-                at = [to.x, to.y];
+            PathElement::LineTo { x, y } => {
+                content.line_to(x, y);
+                at = (x, y);
             }
-            PathSegment::QuadTo(by, to) => {
+            PathElement::QuadTo { cx0, cy0, x, y } => {
                 let inner = |from: f32, by: f32| from + 2.0 / 3.0 * (by - from);
-                let [first, last] = [at, [to.x, to.y]];
-                content.cubic_to(
-                    inner(first[0], by.x),
-                    inner(first[1], by.y),
-                    inner(last[0], by.x),
-                    inner(last[1], by.y),
-                    to.x,
-                    to.y,
+                let (one, two) = (
+                    (inner(at.0, cx0), inner(at.1, cy0)),
+                    (inner(x, cx0), inner(y, cy0)),
                 );
-                at = last;
+                content.cubic_to(one.0, one.1, two.0, two.1, x, y);
+                at = (x, y);
             }
-            PathSegment::CubicTo(one, two, to) => {
-                content.cubic_to(one.x, one.y, two.x, two.y, to.x, to.y);
-                at = [to.x, to.y];
+            PathElement::CurveTo {
+                cx0,
+                cy0,
+                cx1,
+                cy1,
+                x,
+                y,
+            } => {
+                content.cubic_to(cx0, cy0, cx1, cy1, x, y);
+                at = (x, y);
             }
-            PathSegment::Close => {
+            PathElement::Close => {
                 content.close_path();
             }
         }
@@ -193,29 +216,54 @@ fn add_segments(content: &mut Content, path: &Path) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::look::Paper;
     use super::*;
 
-    fn pdf_of(body: &str) -> Result<Vec<u8>> {
-        let svg = format!(
-            "<svg width=\"90mm\" height=\"60mm\" viewBox=\"0 0 900 600\" \
-             xmlns=\"http://www.w3.org/2000/svg\">{body}</svg>"
-        );
-        let tree = usvg::Tree::from_str(&svg, &usvg::Options::default()).expect("valid");
-        pdf_file(&tree)
+    fn picture(paper: Option<Paper>) -> Picture {
+        Picture {
+            size: [446.5, 300.0],
+            paper,
+            shapes: vec![Shape::Disc {
+                centre: (100.0, 50.0),
+                radius: 10.0,
+                colour: BLACK,
+            }],
+        }
     }
 
     /// 90 mm are 255.118 points.
     #[test]
     fn a_page_is_as_large_as_its_picture() {
-        let file = pdf_of("<path d=\"M0 0Q9 9 20 0\" stroke=\"#123456\" fill=\"none\"/>");
-        let file = String::from_utf8_lossy(&file.expect("written")).into_owned();
-        assert!(file.contains("/MediaBox [0 0 255.1181 170.0787"), "{file}");
+        let page = |paper| {
+            let file = pdf_file(&picture(paper)).expect("written");
+            String::from_utf8_lossy(&file).into_owned()
+        };
+        let paper = Paper::new(90.0, 8.0).expect("room");
+        let on_paper = page(Some(paper));
+        assert!(on_paper.contains("/MediaBox [0 0 255.14"), "{on_paper}");
+        let on_screen = page(None);
+        assert!(
+            on_screen.contains("/MediaBox [0 0 334.875 225]"),
+            "{on_screen}"
+        );
     }
 
+    /// Each quarter begins where the one before ends, and a circle ends where it begins.
     #[test]
-    fn what_is_no_path_is_refused() {
-        let clipped = "<clipPath id=\"c\"><path d=\"M0 0H9V9z\"/></clipPath>\
-                       <path clip-path=\"url(#c)\" d=\"M0 0H20V20z\"/>";
-        assert!(pdf_of(clipped).is_err());
+    fn a_circle_goes_round_its_centre() {
+        let mut content = Content::new();
+        add_circle(&mut content, (100.0, 50.0), 10.0);
+        let written = content.finish();
+        let written = String::from_utf8_lossy(&written);
+        let ends: Vec<&str> = (written.lines())
+            .filter_map(|line| line.strip_suffix(" c"))
+            .filter_map(|curve| {
+                curve
+                    .match_indices(' ')
+                    .nth(3)
+                    .map(|(at, _)| &curve[at + 1..])
+            })
+            .collect();
+        assert_eq!(ends, ["100 60", "90 50", "100 40", "110 50"], "{written}");
     }
 }

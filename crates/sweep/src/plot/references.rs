@@ -1,11 +1,11 @@
 //! Reference lines of panels.
 
-use super::canvas::{Canvas, Stroke};
+use super::canvas::Canvas;
 use super::colours;
 use super::frame::Frame;
 use super::geometry::{Pixel, Rect};
 use super::names::Names;
-use anyhow::Result;
+use super::shapes::Stroke;
 
 /// Distance between a reference line and its name.
 const NAME_GAP: f64 = 3.0;
@@ -49,7 +49,7 @@ pub(super) fn draw_references(
     frame: &Frame,
     curves: Vec<Vec<Pixel>>,
     references: &[Reference],
-) -> Result<()> {
+) {
     let mut names = Names::new(frame.area, Vec::new(), curves);
     let Rect {
         left,
@@ -58,7 +58,7 @@ pub(super) fn draw_references(
         bottom,
     } = frame.area;
     for line in references {
-        let name = names.block(&line.name)?;
+        let name = names.block(&line.name);
         let [width, height] = [name.width, name.height()].map(|size| size / 2.0 + NAME_GAP);
         let (ends, centres): (_, Vec<Pixel>) = match line.across {
             Across::X => {
@@ -80,10 +80,9 @@ pub(super) fn draw_references(
                 ([(left, y), (right, y)], beside.collect())
             }
         };
-        canvas.line(&ends, REFERENCE)?;
-        names.write(canvas, &name, &centres)?;
+        canvas.line(&ends, REFERENCE);
+        names.write(canvas, &name, &centres);
     }
-    Ok(())
 }
 
 /// Places to try along a reference line, the preferred end first.

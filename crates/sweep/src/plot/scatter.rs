@@ -1,19 +1,19 @@
 //! A grid of panels of points with their Pareto fronts, such as error over cost.
 
-use super::canvas::{Canvas, Stroke, Title, draw_titled};
+use super::canvas::{Canvas, Title, draw_titled};
+use super::colours::BLACK;
 use super::frame::{Frame, align_left};
 use super::geometry::{Pixel, Rect};
 use super::inks::{Ink, Series, distinct_inks, markers, place_among};
 use super::legend::{Key, Legend};
+use super::lettering::Align;
 use super::look::Look;
 use super::picture::Picture;
 use super::references::REFERENCE;
 use super::scale::{Axis, Scale, visible};
+use super::shapes::Stroke;
 use super::symbols::{Marker, draw_marker, draw_rim};
 use super::text::{Block, LABEL_SIZE};
-use anyhow::Result;
-use plotters::style::BLACK;
-use plotters::style::text_anchor::HPos;
 
 const WIDTH: f64 = 860.0;
 const PANEL_HEIGHT: f64 = 270.0;
@@ -50,10 +50,10 @@ pub fn scatter_grid(
     title: &str,
     [front, floor, rim]: [&str; 3],
     panels: &[ScatterPanel],
-) -> Result<Picture> {
+) -> Picture {
     let inks = distinct_inks(panels.iter().flat_map(|panel| &panel.kinds));
     let markers = markers(&inks);
-    let title = Title::new(&Look::default(), title, WIDTH, MARGIN)?;
+    let title = Title::new(&Look::default(), title, WIDTH, MARGIN);
     let entries = (inks.iter().zip(&markers))
         .map(|((name, _), marker)| (Key::Marker(*marker), *name))
         .chain([
@@ -61,22 +61,22 @@ pub fn scatter_grid(
             (Key::Line(REFERENCE), floor),
             (Key::Rim, rim),
         ]);
-    let legend = Legend::new(entries)?.in_rows(WIDTH - 2.0 * MARGIN)?;
+    let legend = Legend::new(entries).in_rows(WIDTH - 2.0 * MARGIN);
     let top = title.bottom();
     let rows = panels.len().div_ceil(COLUMNS);
     let legend_top = top + rows as f64 * PANEL_HEIGHT;
     let height = legend_top + legend.height() + MARGIN;
-    let frames = frames(panels, top)?;
+    let frames = frames(panels, top);
     draw_titled(&title, height, |canvas| {
         for (panel, frame) in panels.iter().zip(&frames) {
-            draw_panel(canvas, panel, frame, (&inks, &markers))?;
+            draw_panel(canvas, panel, frame, (&inks, &markers));
         }
         legend.draw(canvas, MARGIN, legend_top)
     })
 }
 
 /// The frames of all panels, the sides of each column aligned.
-fn frames(panels: &[ScatterPanel], top: f64) -> Result<Vec<Frame>> {
+fn frames(panels: &[ScatterPanel], top: f64) -> Vec<Frame> {
     let all = panels.iter().flat_map(shown_points).map(|(x, _)| x);
     let x = Scale::new(true, all);
     let mut frames = Vec::with_capacity(panels.len());
@@ -92,10 +92,10 @@ fn frames(panels: &[ScatterPanel], top: f64) -> Result<Vec<Frame>> {
         };
         let shown = shown_points(panel).map(|(_, y)| y);
         let y = Scale::new(panel.axes[1].logarithmic, shown.chain(panel.floor));
-        frames.push(Frame::new(outer, &panel.axes, [x, y])?);
+        frames.push(Frame::new(outer, &panel.axes, [x, y]));
     }
     align_left(&mut frames, COLUMNS);
-    Ok(frames)
+    frames
 }
 
 fn shown_points(panel: &ScatterPanel) -> impl Iterator<Item = (f64, f64)> {
@@ -108,27 +108,26 @@ fn draw_panel(
     panel: &ScatterPanel,
     frame: &Frame,
     (inks, markers): (&[(&str, Ink)], &[Marker]),
-) -> Result<()> {
-    frame.draw(canvas)?;
-    let title = Block::new(&panel.title, LABEL_SIZE, PANEL_WIDTH)?;
+) {
+    frame.draw(canvas);
+    let title = Block::new(&panel.title, LABEL_SIZE, PANEL_WIDTH);
     if let Some(y) = panel.floor.and_then(|floor| frame.pixel_y(floor)) {
         let Rect { left, right, .. } = frame.area;
-        canvas.line(&[(left, y), (right, y)], REFERENCE)?;
+        canvas.line(&[(left, y), (right, y)], REFERENCE);
     }
     let above = frame.area.top - GAP / 2.0 - 2.0;
     let middle = frame.area.right - PANEL_WIDTH / 2.0;
-    canvas.text(&title, middle, above, HPos::Center)?;
+    canvas.text(&title, middle, above, Align::Centre);
     for kind in &panel.kinds {
         let marker = markers[place_among(&kind.name, inks)];
         for pixel in kind.points.iter().filter_map(|&point| frame.pixel(point)) {
-            draw_marker(canvas, marker, pixel, MARKER_RADIUS)?;
+            draw_marker(canvas, marker, pixel, MARKER_RADIUS);
         }
     }
-    canvas.line(&steps(frame, &panel.front), FRONT)?;
+    canvas.line(&steps(frame, &panel.front), FRONT);
     for pixel in panel.rims.iter().filter_map(|&point| frame.pixel(point)) {
-        draw_rim(canvas, pixel, RIM_RADIUS)?;
+        draw_rim(canvas, pixel, RIM_RADIUS);
     }
-    Ok(())
 }
 
 /// A front as steps: at each cost the least error so far, to the end of the frame.
@@ -149,7 +148,7 @@ fn steps(frame: &Frame, front: &[(f64, f64)]) -> Vec<Pixel> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::canvas::tests::assert_text_inside;
+    use super::super::picture::tests::assert_text_inside;
     use super::*;
 
     const LONGEST_TITLE: &str = "Limit of stick-slip, uniform tube";
@@ -175,9 +174,9 @@ mod tests {
         ];
         let panels = [(); 4].map(|()| panel(points.clone()));
         let picture = scatter_grid("Accuracy against speed", keys, &panels);
-        let picture = picture.expect("drawn");
+        let picture = picture;
         assert_text_inside(&picture);
         // There is room for one line above a panel.
-        assert_eq!(picture.svg.matches(LONGEST_TITLE).count(), 4);
+        assert_eq!(picture.svg().matches(LONGEST_TITLE).count(), 4);
     }
 }

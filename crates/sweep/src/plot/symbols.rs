@@ -2,11 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::canvas::{Canvas, Stroke};
-use super::colours::{BLUE, GREY, ORANGE, PLUM};
+use super::canvas::Canvas;
+use super::colours::{BLACK, BLUE, Colour, GREY, ORANGE, PLUM, WHITE};
 use super::geometry::{Pixel, Rect};
-use anyhow::Result;
-use plotters::style::{BLACK, RGBColor, WHITE};
+use super::shapes::Stroke;
 
 /// Distance of a mark's corners from its centre.
 pub(super) const MARK_RADIUS: f64 = 7.0;
@@ -56,12 +55,7 @@ impl Symbol {
 }
 
 /// Draws one symbol as one SVG element.
-pub(super) fn draw_symbol(
-    canvas: &mut Canvas,
-    symbol: Symbol,
-    (x, y): Pixel,
-    r: f64,
-) -> Result<()> {
+pub(super) fn draw_symbol(canvas: &mut Canvas, symbol: Symbol, (x, y): Pixel, r: f64) {
     match symbol {
         Symbol::Circle => canvas.ring((x, y), r, Stroke::solid(BLUE, 0.28 * r)),
         Symbol::Cross => draw_cross(canvas, (x, y), 0.85 * r, Stroke::solid(GREY, 0.26 * r)),
@@ -90,7 +84,7 @@ pub(super) fn draw_symbol(
 #[derive(Clone, Copy)]
 pub(super) struct Marker {
     pub kind: usize,
-    pub colour: RGBColor,
+    pub colour: Colour,
 }
 
 /// Draws a marker.
@@ -99,7 +93,7 @@ pub(super) fn draw_marker(
     Marker { kind, colour }: Marker,
     (x, y): Pixel,
     r: f64,
-) -> Result<()> {
+) {
     let far = 1.3 * r;
     match kind % 6 {
         0 => canvas.disc((x, y), r, colour),
@@ -112,29 +106,29 @@ pub(super) fn draw_marker(
 }
 
 /// Both diagonals of a square of side 2r, as one line.
-pub(super) fn draw_cross(canvas: &mut Canvas, centre: Pixel, r: f64, stroke: Stroke) -> Result<()> {
+pub(super) fn draw_cross(canvas: &mut Canvas, centre: Pixel, r: f64, stroke: Stroke) {
     let [first, second, third, fourth] = Rect::centred(centre, 2.0 * r, 2.0 * r).corners();
     canvas.line(&[first, third, centre, second, fourth], stroke)
 }
 
 /// The mark of a site: filled where it touches the wall, else open.
-pub(super) fn draw_site(canvas: &Canvas, touches: bool, centre: Pixel, radius: f64) -> Result<()> {
-    canvas.disc(centre, radius, BLACK)?;
+pub(super) fn draw_site(canvas: &mut Canvas, touches: bool, centre: Pixel, radius: f64) {
+    canvas.disc(centre, radius, BLACK);
     if touches {
-        return Ok(());
+        return;
     }
     canvas.disc(centre, 0.7 * radius, WHITE)
 }
 
 /// A ring around a point.
-pub(super) fn draw_rim(canvas: &Canvas, centre: Pixel, radius: f64) -> Result<()> {
+pub(super) fn draw_rim(canvas: &mut Canvas, centre: Pixel, radius: f64) {
     canvas.ring(centre, radius, Stroke::solid(BLACK, 1.4))
 }
 
 /// A black triangle with a white halo.
-pub(super) fn draw_triangle(canvas: &Canvas, centre: Pixel) -> Result<()> {
+pub(super) fn draw_triangle(canvas: &mut Canvas, centre: Pixel) {
     // The halo is twice as far at the corners as along the sides.
-    canvas.polygon(&triangle(centre, MARK_RADIUS + 2.0 * HALO), WHITE)?;
+    canvas.polygon(&triangle(centre, MARK_RADIUS + 2.0 * HALO), WHITE);
     canvas.polygon(&triangle(centre, MARK_RADIUS), BLACK)
 }
 

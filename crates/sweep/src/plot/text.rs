@@ -1,15 +1,7 @@
 //! Measuring text and breaking it into lines.
 
-use anyhow::{Result, anyhow, ensure};
-use plotters::style::{FontDesc, FontStyle, IntoFont, register_font};
-use std::sync::LazyLock;
-
+use super::font;
 use campaign::printable::is_noncharacter;
-
-/// The embedded font: Latin-1, Greek, sub- and superscripts of DejaVu Sans.
-pub(super) static FONT: &[u8] = include_bytes!("fonts/DejaVuSans.ttf");
-/// The family name inside [`FONT`].
-pub(super) const FAMILY: &str = "DejaVu Sans";
 
 /// Size of plot titles.
 pub(super) const TITLE_SIZE: f64 = 16.0;
@@ -20,32 +12,20 @@ pub(super) const SMALL_SIZE: f64 = 14.0;
 /// Distance between lines of text, in font sizes.
 const LINE_HEIGHT: f64 = 1.3;
 
-/// plotters divides a font's size by this factor before writing it to SVG.
-const PLOTTERS_SIZE_FACTOR: f64 = 1.24;
-/// Sub-pixel resolution of [`width`], as plotters returns whole numbers.
-const MEASURE_SCALE: f64 = 10.0;
+/// Widths are so much more than those of the embedded font: a program that does not read it sets
+/// text in another one, which may be a little wider.
+const ROOM: f64 = 1.065;
 
-static REGISTERED: LazyLock<bool> =
-    LazyLock::new(|| register_font(FAMILY, FontStyle::Normal, FONT).is_ok());
-
-/// The font whose SVG `font-size` is `size`.
-pub(super) fn font(size: f64) -> Result<FontDesc<'static>> {
-    ensure!(*REGISTERED, "the embedded font cannot be read");
-    Ok((FAMILY, size * PLOTTERS_SIZE_FACTOR).into_font())
-}
-
-/// The width of a line of text in pixels, overestimated by a few per cent.
-pub(super) fn width(text: &str, size: f64) -> Result<f64> {
-    let (extent, _) = font(size * MEASURE_SCALE)?
-        .box_size(text)
-        .map_err(|error| anyhow!("cannot measure '{text}': {error}"))?;
-    Ok(f64::from(extent) / MEASURE_SCALE)
+/// The width that there has to be for a line of text, pixels.
+pub(super) fn width(text: &str, size: f64) -> f64 {
+    let width: f32 = text.chars().map(font::advance).sum();
+    ROOM * size * f64::from(width)
 }
 
 /// The width of the widest of several lines.
-pub(super) fn widest<'a>(lines: impl IntoIterator<Item = &'a String>, size: f64) -> Result<f64> {
-    let mut lines = lines.into_iter();
-    lines.try_fold(0.0, |widest: f64, line| Ok(widest.max(width(line, size)?)))
+pub(super) fn widest<'a>(lines: impl IntoIterator<Item = &'a String>, size: f64) -> f64 {
+    let widths = lines.into_iter().map(|line| width(line, size));
+    widths.fold(0.0, f64::max)
 }
 
 /// A text broken into lines that fit a width.
@@ -60,19 +40,19 @@ pub(super) struct Block {
 
 impl Block {
     /// Breaks `text` so that no line is wider than `max_width`.
-    pub fn new(text: &str, size: f64, max_width: f64) -> Result<Block> {
+    pub fn new(text: &str, size: f64, max_width: f64) -> Block {
         // XML forbids these.
         let is_forbidden = |letter: char| letter.is_control() || is_noncharacter(letter);
-        let lines = wrap(&text.replace(is_forbidden, " "), size, max_width)?;
-        Ok(Block {
-            width: widest(&lines, size)?,
+        let lines = wrap(&text.replace(is_forbidden, " "), size, max_width);
+        Block {
+            width: widest(&lines, size),
             lines,
             size,
-        })
+        }
     }
 
     /// The same text broken anew.
-    pub fn broken_at(&self, max_width: f64) -> Result<Block> {
+    pub fn broken_at(&self, max_width: f64) -> Block {
         Block::new(&self.lines.join(" "), self.size, max_width)
     }
 
@@ -87,45 +67,26 @@ impl Block {
     }
 }
 
-/// A text in pieces, each with the index of the torque T_s or T_d that ends it; that of the last is
-/// empty.
-pub fn split_at_indices(text: &str) -> Vec<(&str, &str)> {
-    let mut pieces = Vec::new();
-    let mut begin = 0;
-    let is_torque = |place: &usize| {
-        let mut letters = text[place + 2..].chars();
-        letters.next().is_some_and(|letter| "sd".contains(letter))
-            && !letters.next().is_some_and(char::is_alphanumeric)
-    };
-    let places = text.match_indices("T_").map(|(place, _)| place);
-    for place in places.filter(is_torque) {
-        pieces.push((&text[begin..place + 1], &text[place + 2..place + 3]));
-        begin = place + 3;
-    }
-    pieces.push((&text[begin..], ""));
-    pieces
-}
-
 /// Breaks between words, and inside a word only if it is too wide by itself.
-fn wrap(text: &str, size: f64, max_width: f64) -> Result<Vec<String>> {
+fn wrap(text: &str, size: f64, max_width: f64) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();
     for word in words(text) {
         let longer = format!("{line} {word}");
         let longer = longer.trim_start();
-        if width(longer, size)? <= max_width {
+        if width(longer, size) <= max_width {
             line = longer.to_owned();
             continue;
         }
         if !line.is_empty() {
             lines.push(std::mem::take(&mut line));
         }
-        line = break_word(&word, size, max_width, &mut lines)?;
+        line = break_word(&word, size, max_width, &mut lines);
     }
     if !line.is_empty() {
         lines.push(line);
     }
-    Ok(lines)
+    lines
 }
 
 /// The words of a text; the number of an equation stays with what it is of.
@@ -141,16 +102,16 @@ fn words(text: &str) -> Vec<String> {
 }
 
 /// Pushes the full lines of a word to `lines` and returns its last piece.
-fn break_word(word: &str, size: f64, max_width: f64, lines: &mut Vec<String>) -> Result<String> {
+fn break_word(word: &str, size: f64, max_width: f64, lines: &mut Vec<String>) -> String {
     let mut piece = String::new();
     for letter in word.chars() {
         let longer = format!("{piece}{letter}");
-        if !piece.is_empty() && width(&longer, size)? > max_width {
+        if !piece.is_empty() && width(&longer, size) > max_width {
             lines.push(std::mem::take(&mut piece));
         }
         piece.push(letter);
     }
-    Ok(piece)
+    piece
 }
 
 #[cfg(test)]
@@ -159,14 +120,14 @@ mod tests {
 
     #[test]
     fn longer_text_is_wider() {
-        let short = width("bit", SMALL_SIZE).expect("measured");
-        let long = width("bit speed", SMALL_SIZE).expect("measured");
+        let short = width("bit", SMALL_SIZE);
+        let long = width("bit speed", SMALL_SIZE);
         assert!(short > 5.0 && long > 2.0 * short);
     }
 
     #[test]
     fn lines_break_between_words_and_fit() {
-        let block = Block::new("every method finds stick-slip", 14.0, 120.0).expect("wrapped");
+        let block = Block::new("every method finds stick-slip", 14.0, 120.0);
         assert!(block.lines.len() > 1);
         assert!(block.width <= 120.0);
         assert_eq!(block.lines.join(" "), "every method finds stick-slip");
@@ -175,16 +136,16 @@ mod tests {
     #[test]
     fn an_overlong_word_is_broken() {
         let word = "unbreakable".repeat(10);
-        let block = Block::new(&word, 14.0, 100.0).expect("wrapped");
+        let block = Block::new(&word, 14.0, 100.0);
         assert!(block.width <= 100.0);
         assert_eq!(block.lines.concat(), word);
     }
 
     #[test]
     fn control_characters_and_empty_text_are_harmless() {
-        let block = Block::new("a\u{0}b\u{ffff}c", 14.0, 100.0).expect("wrapped");
+        let block = Block::new("a\u{0}b\u{ffff}c", 14.0, 100.0);
         assert_eq!(block.lines, ["a b c"]);
-        let empty = Block::new("", 14.0, 100.0).expect("wrapped");
+        let empty = Block::new("", 14.0, 100.0);
         assert_eq!(empty.height(), 0.0);
     }
 }

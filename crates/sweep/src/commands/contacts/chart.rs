@@ -1,7 +1,5 @@
 //! Limits and bounds over the number of contacts, a panel for each string.
 
-use anyhow::Result;
-
 use super::table::blow_name;
 use crate::commands::prepare::unique;
 use crate::plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
@@ -20,7 +18,7 @@ const BOUNDS: [Bound; 3] = [
 ///
 /// # Errors
 /// Where they cannot be drawn.
-pub fn chart(rows: &[Row], lowest: f64) -> Result<Picture> {
+pub fn chart(rows: &[Row], lowest: f64) -> Picture {
     let names: Vec<&str> = rows.iter().map(|row| row.string.as_str()).collect();
     let methods: Vec<&str> = rows.iter().map(|row| row.method.name()).collect();
     let several = unique(&methods).len() > 1;

@@ -23,7 +23,7 @@ type Curve = Vec<(f64, f64)>;
 ///
 /// # Errors
 /// Where they cannot be drawn.
-pub fn response_picture(look: &Look, sweep: &Sweep, responses: &[Panel]) -> Result<Picture> {
+pub fn response_picture(look: &Look, sweep: &Sweep, responses: &[Panel]) -> Picture {
     let title = format!("{}: linear responses", sweep.title);
     panels(look, &title, responses)
 }

@@ -121,7 +121,7 @@ impl<'a> DriveView<'a> {
     ///
     /// # Errors
     /// Where it cannot be drawn.
-    pub fn picture(&self, look: &Look, title: &str, shown: &[Panel]) -> Result<Picture> {
+    pub fn picture(&self, look: &Look, title: &str, shown: &[Panel]) -> Picture {
         let title = format!("{title}: what comes back from the top drive");
         panels(look, &title, shown)
     }

@@ -56,14 +56,14 @@ impl Written<'_> {
         self.table("history.csv", &history_csv(sweep, simulations)?)?;
         self.table("case.csv", case_csv(sweep, self.rows).as_bytes())?;
         let look = &self.drawing.look;
-        let history = history_picture(look, sweep, cases, simulations)?;
+        let history = history_picture(look, sweep, cases, simulations);
         self.picture("history", &history)?;
         if lateral.is_some() {
             self.lateral(&wholes)?;
         }
         if !steps.is_empty() {
             let look = look.with_own_ranges();
-            let film = film_picture(&look, sweep, cases, &simulations[0], &wholes[0], &steps)?;
+            let film = film_picture(&look, sweep, cases, &simulations[0], &wholes[0], &steps);
             self.picture("film", &film)?;
             self.table("film.csv", &film_csv(&simulations[0], &wholes[0], &steps)?)?;
         }
@@ -112,16 +112,13 @@ impl Written<'_> {
         let over_time = self.drawing.look.with_own_heights();
         let look = self.drawing.look.with_own_ranges();
         self.table("contacts.csv", &contacts_csv(sweep, simulations)?)?;
-        self.picture(
-            "contacts",
-            &contact_picture(&over_time, sweep, simulations)?,
-        )?;
-        self.picture("orbit", &orbit_picture(&look, sweep, cases, simulations)?)?;
+        self.picture("contacts", &contact_picture(&over_time, sweep, simulations))?;
+        self.picture("orbit", &orbit_picture(&look, sweep, cases, simulations))?;
         self.table(
             "string.csv",
             &string_csv(sweep, cases, simulations, wholes)?,
         )?;
-        let string = string_picture(&look, sweep, cases, simulations, wholes)?;
+        let string = string_picture(&look, sweep, cases, simulations, wholes);
         self.picture("string", &string)
     }
 }

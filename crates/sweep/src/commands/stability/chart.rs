@@ -1,7 +1,5 @@
 //! The atlas as panels of cells.
 
-use anyhow::Result;
-
 use crate::plot::{CellPanel, ChartCell, Picture, Seen, cell_chart};
 use crate::studies::stability::{Entry, Family, Symptom};
 
@@ -9,7 +7,7 @@ use crate::studies::stability::{Entry, Family, Symptom};
 ///
 /// # Errors
 /// Where they cannot be drawn.
-pub fn chart(entries: &[Entry]) -> Result<Picture> {
+pub fn chart(entries: &[Entry]) -> Picture {
     let panels = Family::all().iter().map(|&family| {
         let of_family = entries.iter().filter(|entry| entry.cell.family == family);
         panel(family, &of_family.collect::<Vec<_>>())

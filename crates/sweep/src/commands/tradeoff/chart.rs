@@ -1,7 +1,5 @@
 //! The chart of accuracy against speed.
 
-use anyhow::Result;
-
 use super::table::measures;
 use crate::commands::prepare::unique;
 use crate::plot::{Axis, Ink, Picture, ScatterPanel, Series, scatter_grid};
@@ -14,7 +12,7 @@ const SMALLEST_DRAWN: f64 = 1e-9;
 ///
 /// # Errors
 /// Where it cannot be drawn.
-pub fn chart(rows: &[Row]) -> Result<Picture> {
+pub fn chart(rows: &[Row]) -> Picture {
     let panels = (measures(rows).into_iter())
         .enumerate()
         .map(|(index, measure)| panel(rows, measure, index % 3 == 0));

@@ -1,7 +1,8 @@
 //! One map of a sheet.
 
 use super::{MapCell, MapGroup, MapPanel, MapSheet, Mark};
-use crate::plot::canvas::{Canvas, DASHES, Stroke};
+use crate::plot::canvas::Canvas;
+use crate::plot::colours::{BLACK, WHITE};
 use crate::plot::frame::Frame;
 use crate::plot::geometry::{Pixel, Rect};
 use crate::plot::grounds::{Ground, draw_ground};
@@ -9,9 +10,8 @@ use crate::plot::hatching::{RIM, draw_hatching};
 use crate::plot::inks::{Ink, place_among};
 use crate::plot::names::Names;
 use crate::plot::scale::{Scale, visible};
+use crate::plot::shapes::{DASHES, Stroke};
 use crate::plot::symbols::{HALO, MARK_RADIUS, draw_symbol, draw_triangle};
-use anyhow::Result;
-use plotters::style::{BLACK, WHITE};
 
 /// Widths of lines, one for each of [`DASHES`]: where lines coincide, wider
 /// dashes and dots still show on top of the thin solid line.
@@ -56,8 +56,8 @@ pub(super) fn draw_panel(
     marks: &[Mark],
     group: &MapGroup,
     panel: &MapPanel,
-) -> Result<()> {
-    frame.draw(canvas)?;
+) {
+    frame.draw(canvas);
     for cell in &panel.cells {
         if let Some(area) = area(frame, cell.ends).and_then(|area| area.within(frame.area)) {
             // Ends on whole pixels leave no seam between neighbours.
@@ -67,21 +67,21 @@ pub(super) fn draw_panel(
                 right: area.right.round(),
                 bottom: area.bottom.round(),
             };
-            draw_ground(canvas, cell.ground, area)?;
+            draw_ground(canvas, cell.ground, area);
         }
     }
     for band in &panel.bands {
         if let Some(area) = area(frame, band.ends) {
-            draw_hatching(canvas, area, frame.area)?;
+            draw_hatching(canvas, area, frame.area);
         }
     }
     let radius = symbol_radius(frame.area, panel.points.len());
     for point in &panel.points {
         if let Some(centre) = frame.pixel_inside(point.at) {
-            draw_symbol(canvas, point.symbol, centre, radius)?;
+            draw_symbol(canvas, point.symbol, centre, radius);
         }
     }
-    draw_lines(canvas, frame, &group.lines(), panel)?;
+    draw_lines(canvas, frame, &group.lines(), panel);
     draw_marks(canvas, frame, marks, panel)
 }
 
@@ -104,12 +104,7 @@ fn symbol_radius(area: Rect, count: usize) -> f64 {
 }
 
 /// On grounds that may be dark, a white rim sets the lines off.
-fn draw_lines(
-    canvas: &mut Canvas,
-    frame: &Frame,
-    lines: &[(&str, Ink)],
-    panel: &MapPanel,
-) -> Result<()> {
+fn draw_lines(canvas: &mut Canvas, frame: &Frame, lines: &[(&str, Ink)], panel: &MapPanel) {
     let mut grounds = panel.cells.iter().map(|cell| cell.ground);
     let may_be_dark = grounds.any(|ground| matches!(ground, Ground::Part(_) | Ground::Safety(_)));
     for line in &panel.lines {
@@ -118,21 +113,20 @@ fn draw_lines(
         for piece in frame.curve(&line.points) {
             for part in frame.area.clip(&piece) {
                 if may_be_dark {
-                    canvas.line(&part, Stroke::solid(WHITE, stroke.width + RIM))?;
+                    canvas.line(&part, Stroke::solid(WHITE, stroke.width + RIM));
                 }
-                canvas.line(&part, stroke)?;
+                canvas.line(&part, stroke);
             }
         }
     }
-    Ok(())
 }
 
-fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPanel) -> Result<()> {
+fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPanel) {
     let places = marks.iter();
     let places = places.filter_map(|mark| Some((mark, frame.pixel_inside(mark.at)?)));
     let places: Vec<_> = places.collect();
     for &(_, centre) in &places {
-        draw_triangle(canvas, centre)?;
+        draw_triangle(canvas, centre);
     }
     let size = 2.0 * MARK_RADIUS;
     let centres = places.iter().map(|&(_, centre)| centre);
@@ -140,12 +134,12 @@ fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPan
     let mut names = Names::new(frame.area, taken.collect(), drawn_lines(frame, panel));
     for name in &panel.names {
         if let Some(centre) = frame.pixel_inside(name.at) {
-            let text = names.block(&name.name)?;
-            names.write(canvas, &text, &[centre])?;
+            let text = names.block(&name.name);
+            names.write(canvas, &text, &[centre]);
         }
     }
     for (mark, (x, y)) in places {
-        let name = names.block(&mark.name)?;
+        let name = names.block(&mark.name);
         let beside = MARK_RADIUS + HALO + 2.0 + name.width / 2.0;
         let above = MARK_RADIUS + HALO + name.height() / 2.0;
         let centres = [
@@ -154,9 +148,8 @@ fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &[Mark], panel: &MapPan
             (x, y - above),
             (x, y + above),
         ];
-        names.write(canvas, &name, &centres)?;
+        names.write(canvas, &name, &centres);
     }
-    Ok(())
 }
 
 /// What the names of marks should not hide: the lines, and the symbols as

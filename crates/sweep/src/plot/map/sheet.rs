@@ -9,12 +9,11 @@ use crate::plot::frame::Frame;
 use crate::plot::geometry::Rect;
 use crate::plot::grounds::Ground;
 use crate::plot::legend::{Key, Legend, distinct};
+use crate::plot::lettering::Align;
 use crate::plot::look::{Look, is_narrow};
 use crate::plot::picture::Picture;
 use crate::plot::scale::Scale;
 use crate::plot::text::{Block, LABEL_SIZE, SMALL_SIZE, TITLE_SIZE};
-use anyhow::Result;
-use plotters::style::text_anchor::HPos;
 
 const MARGIN: f64 = 14.0;
 
@@ -42,7 +41,7 @@ const LEAST_WIDTH: f64 = 300.0;
 ///
 /// The axes span the cells, the points and the marks; a sheet without points spans
 /// its lines and marks, an empty one 0 to 1.
-pub fn map_sheet(look: &Look, sheet: &MapSheet) -> Result<Picture> {
+pub fn map_sheet(look: &Look, sheet: &MapSheet) -> Picture {
     match &sheet.groups[..] {
         [group] if group.panels.len() == 1 && !is_narrow(look.width(WIDTH_ALONE)) => {
             alone(look, sheet, group)
@@ -70,16 +69,16 @@ fn keys(group: &MapGroup) -> Vec<(Key, &str)> {
     keys
 }
 
-fn alone(look: &Look, sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
-    let title = Title::new(look, &sheet.title, WIDTH_ALONE, MARGIN)?;
+fn alone(look: &Look, sheet: &MapSheet, group: &MapGroup) -> Picture {
+    let title = Title::new(look, &sheet.title, WIDTH_ALONE, MARGIN);
     let text = |text| (Key::Nothing, text);
     let scale = group.scale.iter().map(String::as_str).map(text);
     let notes = group.notes.iter().map(String::as_str).map(text);
-    let legend = Legend::new(scale.chain(keys(group)).chain(notes))?;
+    let legend = Legend::new(scale.chain(keys(group)).chain(notes));
     let top = title.bottom();
-    let below = (group.below.iter())
+    let below: Vec<Block> = (group.below.iter())
         .map(|text| Block::new(text, SMALL_SIZE, title.width - 2.0 * MARGIN))
-        .collect::<Result<Vec<_>>>()?;
+        .collect();
     let bottom = (HEIGHT_ALONE - MARGIN).max(top + legend.height());
     let texts: f64 = below.iter().map(|text| text.height() + TEXT_GAP).sum();
     let height = bottom + texts + MARGIN;
@@ -90,19 +89,18 @@ fn alone(look: &Look, sheet: &MapSheet, group: &MapGroup) -> Result<Picture> {
         right: legend_left - LEGEND_GAP,
         bottom,
     };
-    let frame = Frame::new(outer, &sheet.axes, scales(sheet, look.ranges))?;
+    let frame = Frame::new(outer, &sheet.axes, scales(sheet, look.ranges));
     draw_titled(&title, height, |canvas| {
         for panel in &group.panels {
-            draw_panel(canvas, &frame, &sheet.marks, group, panel)?;
+            draw_panel(canvas, &frame, &sheet.marks, group, panel);
         }
-        legend.draw(canvas, legend_left, top)?;
-        write(canvas, &below, MARGIN, bottom + TEXT_GAP)?;
-        Ok(())
+        legend.draw(canvas, legend_left, top);
+        write(canvas, &below, MARGIN, bottom + TEXT_GAP);
     })
 }
 
-fn arranged(look: &Look, sheet: &MapSheet, groups: &[MapGroup]) -> Result<Picture> {
-    let title = Title::new(look, &sheet.title, WIDTH, MARGIN)?;
+fn arranged(look: &Look, sheet: &MapSheet, groups: &[MapGroup]) -> Picture {
+    let title = Title::new(look, &sheet.title, WIDTH, MARGIN);
     let all_alone = groups.iter().all(|group| group.panels.len() == 1);
     let columns = if all_alone && !is_narrow(title.width) {
         groups.len().max(1)
@@ -115,7 +113,7 @@ fn arranged(look: &Look, sheet: &MapSheet, groups: &[MapGroup]) -> Result<Pictur
     let (mut blocks, mut bottom) = (Vec::new(), title.bottom());
     let (mut left, mut top) = (MARGIN, bottom);
     for group in groups {
-        let (end, draw) = group_block(sheet, scales, group, [left, top, width])?;
+        let (end, draw) = group_block(sheet, scales, group, [left, top, width]);
         bottom = bottom.max(end);
         if columns > 1 {
             left += width + GAP;
@@ -125,7 +123,7 @@ fn arranged(look: &Look, sheet: &MapSheet, groups: &[MapGroup]) -> Result<Pictur
         blocks.push(draw);
     }
     draw_titled(&title, bottom + MARGIN, |canvas| {
-        blocks.iter().try_for_each(|draw| draw(canvas))
+        blocks.iter().for_each(|draw| draw(canvas))
     })
 }
 
@@ -136,46 +134,45 @@ fn group_block<'a>(
     scales: [Scale; 2],
     group: &'a MapGroup,
     [left, top, width]: [f64; 3],
-) -> Result<(f64, impl Fn(&mut Canvas) -> Result<()> + 'a)> {
-    let heading = Block::new(&group.heading, TITLE_SIZE, width)?;
+) -> (f64, impl Fn(&mut Canvas) + 'a) {
+    let heading = Block::new(&group.heading, TITLE_SIZE, width);
     let maps_top = top + heading.height() + 0.3 * GAP;
-    let (frames, texts_top) = frames(sheet, scales, group, [left, maps_top, width])?;
-    let legend = Legend::new(keys(group))?.in_rows(width)?;
+    let (frames, texts_top) = frames(sheet, scales, group, [left, maps_top, width]);
+    let legend = Legend::new(keys(group)).in_rows(width);
     let small = |text: &String| Block::new(text, SMALL_SIZE, width);
-    let notes: Vec<Block> = group.notes.iter().map(small).collect::<Result<_>>()?;
-    let scale = group.scale.as_ref().map(small).transpose()?;
-    let below: Vec<Block> = group.below.iter().map(small).collect::<Result<_>>()?;
+    let notes: Vec<Block> = group.notes.iter().map(small).collect();
+    let scale = group.scale.as_ref().map(small);
+    let below: Vec<Block> = group.below.iter().map(small).collect();
     let texts = scale.iter().chain(&notes).chain(&below);
     let texts: f64 = texts.map(|text| text.height() + TEXT_GAP).sum();
     let bottom = texts_top + legend.height() + texts + 0.5 * GAP;
     let draw = move |canvas: &mut Canvas| {
         let heading_row = top + 0.5 * heading.line_height();
-        canvas.text(&heading, left + 0.5 * width, heading_row, HPos::Center)?;
+        canvas.text(&heading, left + 0.5 * width, heading_row, Align::Centre);
         for ((title, frame), panel) in frames.iter().zip(&group.panels) {
             let first_row = frame.area.top - 0.3 * GAP - title.height() + 0.5 * title.line_height();
             // Above the plotting area, but not beyond its right end.
             let furthest = frame.area.right - 0.5 * title.width;
             let middle = frame.area.centre().0.min(furthest);
-            canvas.text(title, middle, first_row, HPos::Center)?;
-            draw_panel(canvas, frame, &sheet.marks, group, panel)?;
+            canvas.text(title, middle, first_row, Align::Centre);
+            draw_panel(canvas, frame, &sheet.marks, group, panel);
         }
-        let row = write(canvas, scale.as_slice(), left, texts_top)?;
-        legend.draw(canvas, left, row)?;
-        let row = write(canvas, &notes, left, row + legend.height())?;
-        write(canvas, &below, left, row)?;
-        Ok(())
+        let row = write(canvas, scale.as_slice(), left, texts_top);
+        legend.draw(canvas, left, row);
+        let row = write(canvas, &notes, left, row + legend.height());
+        write(canvas, &below, left, row);
     };
-    Ok((bottom, draw))
+    (bottom, draw)
 }
 
 /// Writes texts below one another and returns where the last ends.
-fn write(canvas: &mut Canvas, texts: &[Block], left: f64, mut row: f64) -> Result<f64> {
+fn write(canvas: &mut Canvas, texts: &[Block], left: f64, mut row: f64) -> f64 {
     for text in texts {
         let first_row = row + 0.5 * text.line_height();
-        canvas.text(text, left, first_row, HPos::Left)?;
+        canvas.text(text, left, first_row, Align::Left);
         row += text.height() + TEXT_GAP;
     }
-    Ok(row)
+    row
 }
 
 /// The maps of a group in rows, each with its title above, and where the last row ends.
@@ -184,7 +181,7 @@ fn frames(
     scales: [Scale; 2],
     group: &MapGroup,
     [left, top, width]: [f64; 3],
-) -> Result<(Vec<(Block, Frame)>, f64)> {
+) -> (Vec<(Block, Frame)>, f64) {
     let columns = match group.panels.len() {
         0 | 1 => 1,
         2 | 4 => 2,
@@ -197,7 +194,7 @@ fn frames(
     for row in group.panels.chunks(columns) {
         let titles: Vec<Block> = (row.iter())
             .map(|panel| Block::new(&panel.title, LABEL_SIZE, map_width))
-            .collect::<Result<_>>()?;
+            .collect();
         let title_height = titles.iter().map(Block::height).fold(0.0, f64::max);
         let bottom = row_top + title_height + HEIGHTS[columns - 1].min(HIGHEST * map_width);
         for (column, title) in titles.into_iter().enumerate() {
@@ -208,9 +205,9 @@ fn frames(
                 right: left + map_width - LABEL_ROOM,
                 bottom: bottom - 0.5 * GAP,
             };
-            frames.push((title, Frame::new(outer, &sheet.axes, scales)?));
+            frames.push((title, Frame::new(outer, &sheet.axes, scales)));
         }
         row_top = bottom;
     }
-    Ok((frames, row_top))
+    (frames, row_top)
 }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::plot::canvas::tests::assert_text_inside;
+use crate::plot::picture::tests::assert_text_inside;
 use crate::plot::scale::Scale;
 use crate::plot::{Ink, Look, Part};
 
@@ -58,8 +58,8 @@ fn scale(sheet: &MapSheet) -> Scale {
 
 /// Circles in the map without the one in the legend.
 fn circles(map: &MapSheet) -> usize {
-    let picture = map_sheet(&Look::default(), map).expect("drawn");
-    picture.svg.matches("<circle").count() - 1
+    let picture = map_sheet(&Look::default(), map);
+    picture.svg().matches("<circle").count() - 1
 }
 
 #[test]
@@ -84,7 +84,7 @@ fn maps_without_range_are_drawn() {
         &[(f64::INFINITY, 1.0)],
     ] {
         for logarithmic in [false, true] {
-            let picture = map_sheet(&Look::default(), &map(places, logarithmic)).expect("drawn");
+            let picture = map_sheet(&Look::default(), &map(places, logarithmic));
             assert_text_inside(&picture);
         }
     }
@@ -113,9 +113,9 @@ fn cells_fill_the_map_and_its_legend() {
             ground: Ground::Symbol(symbol),
         })
         .collect();
-    let picture = map_sheet(&Look::default(), &map).expect("drawn");
+    let picture = map_sheet(&Look::default(), &map);
     // Both cells, and a key for each of the three symbols.
-    assert_eq!(picture.svg.matches("<polygon").count(), 5);
+    assert_eq!(picture.svg().matches("<polygon").count(), 5);
     assert_text_inside(&picture);
 }
 
@@ -161,7 +161,7 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
 #[test]
 fn long_texts_and_many_lines_stay_inside_however_many_maps_there_are() {
     for (panels, groups) in [(1, 1), (1, 2), (4, 1), (6, 2)] {
-        assert_text_inside(&map_sheet(&Look::default(), &crowded(panels, groups)).expect("drawn"));
+        assert_text_inside(&map_sheet(&Look::default(), &crowded(panels, groups)));
     }
 }
 
@@ -188,10 +188,10 @@ fn lines_of_a_name_look_alike_in_every_map_and_have_one_key() {
         ..panel(&[(0.0, 0.0), (1.0, 1.0)])
     };
     let panels = vec![with(&["one", "other"]), with(&["other"])];
-    let picture = map_sheet(&Look::default(), &sheet(vec![group(panels)], false)).expect("drawn");
-    assert_eq!(picture.svg.matches(">\nother\n").count(), 1);
+    let picture = map_sheet(&Look::default(), &sheet(vec![group(panels)], false));
+    assert_eq!(picture.svg().matches(">other<").count(), 1);
     // The dashed line in both maps and its key.
-    assert_eq!(picture.svg.matches("dasharray").count(), 3);
+    assert_eq!(picture.svg().matches("dasharray").count(), 3);
 }
 
 #[test]
@@ -203,8 +203,8 @@ fn a_range_is_cut_off_at_the_edge_of_the_map() {
     };
     only_panel(&mut map).bands.push(hatched([0.2, 0.4]));
     let strokes = |map: &MapSheet| {
-        let picture = map_sheet(&Look::default(), map).expect("drawn");
-        picture.svg.matches("<polyline").count()
+        let picture = map_sheet(&Look::default(), map);
+        picture.svg().matches("<polyline").count()
     };
     let inside = strokes(&map);
     only_panel(&mut map).bands[0] = hatched([5.0, 9.0]);

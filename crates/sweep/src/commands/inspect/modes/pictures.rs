@@ -1,7 +1,5 @@
 //! The modes as pictures: a Campbell diagram, and shapes side by side.
 
-use anyhow::Result;
-
 use super::found::Modes;
 use super::speeds::{Excitation, frequency};
 use crate::plot::{Axis, CampbellPanel, Look, Multiple, Picture, Series, campbell, multiples};
@@ -21,7 +19,7 @@ pub fn campbell_picture(
     title: &str,
     found: &[Modes],
     excitation: &Excitation,
-) -> Result<Picture> {
+) -> Picture {
     let panels: Vec<_> = (found.iter().map(|modes| panel(modes, excitation))).collect();
     let title = format!("{title}: critical speeds (Campbell diagram)");
     campbell(look, &title, "natural frequency, with its number", &panels)
@@ -58,7 +56,7 @@ fn panel(modes: &Modes, excitation: &Excitation) -> CampbellPanel {
 ///
 /// # Errors
 /// Where they cannot be drawn.
-pub fn shape_picture(look: &Look, title: &str, found: &[Modes], units: Units) -> Result<Picture> {
+pub fn shape_picture(look: &Look, title: &str, found: &[Modes], units: Units) -> Picture {
     let length = units.of(&LENGTH);
     let panels = found.iter().flat_map(|modes| {
         let titled = titled(modes.of.short_words());
