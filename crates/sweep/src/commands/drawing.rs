@@ -9,7 +9,7 @@ use super::status::UsageError;
 use crate::cli::{PictureArguments, PictureFormat, RangeArguments};
 use crate::map;
 use crate::output::{Manifest, ResultTables, write_atomically};
-use crate::plot::{Look, Panel, Paper, Picture, map_sheet};
+use plot::{Look, Panel, Paper, Picture, map_sheet};
 
 /// How pictures look, and the formats that they are written in.
 pub struct Drawing {

@@ -3,16 +3,13 @@
 use sim::Trajectory;
 use sim::laws::contact::Touch;
 
-use crate::plot::{Axis, BandChart, BandPanel, Bar, COLUMNS, Look, Picture, band_chart};
 use campaign::engine::Simulation;
 use campaign::plan::Sweep;
 use campaign::quantities::{FORCE, LENGTH, Unit};
 use campaign::words::short;
+use plot::{Axis, BandChart, BandPanel, Bar, COLUMNS, Look, Picture, band_chart};
 
 /// A panel for each case and method; in it a band for each site, from the surface down.
-///
-/// # Errors
-/// Where it cannot be drawn.
 pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -> Picture {
     let units = sweep.content.units;
     let [length, force] = [&LENGTH, &FORCE].map(|twin| units.of(twin));

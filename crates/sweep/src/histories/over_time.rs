@@ -5,19 +5,16 @@ use sim::{BitTorque, Trajectory};
 
 use super::known::{has_surface_speed, has_surface_torque, has_torque};
 use super::marks::{each_once, ink, level, shown_clearances};
-use crate::plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 use campaign::engine::{Case, Simulation};
 use campaign::plan::{Comparison, Sweep, to_rpm};
 use campaign::quantities::{TORQUE, Unit, Units, WIDTH};
 use campaign::sweep_file::TraceName;
 use campaign::words::site_title;
+use plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
 /// speed and the torque on the bit; the torque that turns the surface where it is followed. As in the paper, the difference between the
 /// first two methods is beneath.
-///
-/// # Errors
-/// Where it cannot be drawn.
 pub fn history_picture(
     look: &Look,
     sweep: &Sweep,

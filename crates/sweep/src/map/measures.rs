@@ -8,8 +8,8 @@ use super::extent::Extent;
 use super::mesh::Mesh;
 use super::scale::Classes;
 use crate::output::{Manifest, Motion, label_rows};
-use crate::plot::{Ground, Ink, MapGroup, MapPanel, Series};
 use campaign::quantities::{Measure, Needs};
+use plot::{Ground, Ink, MapGroup, MapPanel, Series};
 
 /// Cells to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [130, 100];

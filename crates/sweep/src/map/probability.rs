@@ -8,13 +8,13 @@ use super::mesh::Mesh;
 use super::shown::{plot_axis, show_in};
 use crate::analysis::{Bins, Counts, Interval, wilson};
 use crate::output::Motion;
-use crate::plot::{
-    self, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series,
-    map_sheet, panels,
-};
 use campaign::plan::{MapMark, MapSettings};
 use campaign::quantities::Units;
 use campaign::words::counted;
+use plot::{
+    self, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series,
+    map_sheet, panels,
+};
 
 /// Cells whose 95 % interval is wider have too few cases: of half and half, those of fewer than 21.
 const WIDEST_INTERVAL: f64 = 0.4;
@@ -37,9 +37,6 @@ pub struct Probabilities<'a> {
 }
 
 /// Draws probabilities: over two axes as maps, over one as curves.
-///
-/// # Errors
-/// Where letters cannot be drawn.
 pub fn probability_picture(of: &Probabilities) -> Picture {
     match &of.counts.bins[..] {
         [x, y] => of.sheet([x, y]),

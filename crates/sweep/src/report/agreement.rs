@@ -2,7 +2,7 @@
 
 use crate::map::symbol_of;
 use crate::output::{CaseRows, Motion};
-use crate::plot::Symbol;
+use plot::Symbol;
 
 /// Cases on which methods differ that are kept to be listed.
 const MOST_LISTED: usize = 30;

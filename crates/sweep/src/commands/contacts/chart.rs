@@ -2,8 +2,9 @@
 
 use super::table::blow_name;
 use crate::commands::prepare::unique;
-use crate::plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
+use crate::method_inks::method_ink;
 use crate::studies::contacts::{Bounds, Row};
+use plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
 
 /// A bound by its name.
 type Bound = (&'static str, fn(&Bounds) -> Option<f64>);
@@ -15,9 +16,6 @@ const BOUNDS: [Bound; 3] = [
 ];
 
 /// Draws the limits that were found: by several methods, those of each.
-///
-/// # Errors
-/// Where they cannot be drawn.
 pub fn chart(rows: &[Row], lowest: f64) -> Picture {
     let names: Vec<&str> = rows.iter().map(|row| row.string.as_str()).collect();
     let methods: Vec<&str> = rows.iter().map(|row| row.method.name()).collect();
@@ -59,7 +57,7 @@ fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
         if several {
             let method = row.method.name();
             name += &format!(", {method}");
-            ink = Ink::of_method(method);
+            ink = method_ink(method);
         }
         let lasts = row.limit.as_ref().ok().and_then(|limit| limit.lasts);
         add(name, ink, row, lasts.map(|(friction, _)| friction));

@@ -14,9 +14,9 @@ use crate::histories::{
     history_picture, orbit_picture, string_csv, string_picture, whole_strings,
 };
 use crate::output::write_atomically;
-use crate::plot::Picture;
 use campaign::engine::{Case, Record, Simulation};
 use campaign::plan::Sweep;
+use plot::Picture;
 
 /// Simulated cases, and where their files are written.
 pub struct Written<'a> {

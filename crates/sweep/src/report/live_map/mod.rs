@@ -16,7 +16,7 @@ use serde_json::Value;
 use super::escaping::{escaped, with_index};
 use crate::map::{Drawing, drawing};
 use crate::output::ResultTables;
-use crate::plot::{MapGroup, map_axes};
+use plot::{MapGroup, map_axes};
 
 pub use data::shown;
 pub use look::DEFINITIONS;
