@@ -22,11 +22,12 @@ pub use data::shown;
 pub use look::DEFINITIONS;
 
 /// The looks of maps.
-pub const STYLE: &str = include_str!("map.css");
+pub const STYLE: &str = concat!(include_str!("../../page/plot.css"), include_str!("map.css"));
 
-/// What makes maps answer: the engine's client, a case's motion, and the maps.
+/// What makes maps answer: the engine's client, charts, a case's motion, and the maps.
 pub const SCRIPT: &str = concat!(
     include_str!("../../page/engine.js"),
+    include_str!("../../page/plot.js"),
     include_str!("history.js"),
     include_str!("map.js")
 );
