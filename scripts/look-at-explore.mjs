@@ -57,7 +57,7 @@ for (const axis of axes) {
   console.log(`${axis}: ${times.map((time) => time.toFixed(1)).join(", ")} ms a case`);
 }
 if (await evaluate("data.map !== null")) {
-  const here = "document.querySelector('.plot-here').outerHTML";
+  const here = "document.querySelector('.dot').outerHTML";
   const was = await evaluate(here);
   await evaluate(`document.getElementById("map").focus()`);
   for (const type of ["keyDown", "keyUp"]) await page("Input.dispatchKeyEvent", { type, key: "ArrowUp", code: "ArrowUp" });

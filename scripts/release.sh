@@ -41,7 +41,7 @@ folder=$work/$name
 mkdir -p "$folder"/{bin,completions,man/man1,scripts}
 cp "$sweep" "$folder/bin/"
 cp README.md CHANGELOG.md LICENSE-* "$folder/"
-cp crates/sweep/src/plot/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
+cp crates/plot/src/fonts/LICENSE* "$folder/LICENSE-DEJAVU"
 cp -R docs sweeps "$folder/"
 cp scripts/slurm.sh "$folder/scripts/"
 # What the program is built from asks to be named with its licence.

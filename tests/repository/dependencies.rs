@@ -28,7 +28,7 @@ const ACCEPTED: [(&str, &str, &str); 7] = [
     ("equator-macro", "0.2", "equator 0.2"),
     ("getrandom", "0.2", "const-random, below parquet"),
     ("getrandom", "0.3", "ahash, below parquet"),
-    ("miniz_oxide", "0.8", "png, below resvg"),
+    ("miniz_oxide", "0.8", "png"),
     ("r-efi", "5", "getrandom 0.3"),
     ("syn", "2", "equator-macro 0.2 and others; only to build"),
 ];

@@ -217,7 +217,9 @@ fn between_neighbours(arrows: &Arrows, folder: &Module) -> BTreeSet<(String, Str
 #[test]
 fn imports_run_one_way() {
     let mut found = Vec::new();
-    for name in ["linear", "sim", "campaign", "page", "python", "sweep"] {
+    for name in [
+        "linear", "sim", "campaign", "page", "plot", "python", "sweep",
+    ] {
         let modules = Crate::read(name);
         let arrows = modules.arrows();
         assert!(arrows.len() > 3, "{name} was not read: {arrows:?}");

@@ -7,7 +7,7 @@
 //!                    │
 //!                  output    labels.csv, boundary.csv, manifest.json, failures.csv
 //!                    │
-//!                map, plot  map.svg, map.png; `report` tells what is in the folder,
+//!                map         map.svg, map.png, by the crate `plot`; `report` tells what is in the folder,
 //!                           `analysis` counts how often and how surely, `window` says
 //!                           where no limit is near
 //! ```
@@ -34,8 +34,8 @@ mod histories;
 mod limits;
 mod log;
 mod map;
+mod method_inks;
 mod output;
-mod plot;
 mod program;
 mod report;
 mod studies;

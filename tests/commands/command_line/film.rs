@@ -114,7 +114,7 @@ fn a_film_is_drawn_of_the_first_method_and_is_the_same_again() {
         is_png(&place, &format!("{out}/film.png"));
         text(&place, &format!("{out}/film.svg"))
     };
-    let frames = |svg: &str| svg.matches("\nt = ").count();
+    let frames = |svg: &str| svg.matches(">t = ").count();
     let first = film("one", &[]);
     assert_eq!(frames(&first), 12);
     assert!(first.contains("finite-element") && first.contains("t = 2.50 s"));

@@ -9,7 +9,7 @@ use super::status::UsageError;
 use crate::cli::{PictureArguments, PictureFormat, RangeArguments};
 use crate::map;
 use crate::output::{Manifest, ResultTables, write_atomically};
-use crate::plot::{Look, Panel, Paper, Picture, map_sheet};
+use plot::{Look, Panel, Paper, Picture, map_sheet};
 
 /// How pictures look, and the formats that they are written in.
 pub struct Drawing {
@@ -73,7 +73,7 @@ impl Drawing {
     pub fn save(&self, folder: &Path, name: &str, picture: &Picture) -> Result<()> {
         for (format, file) in self.formats.iter().zip(self.files(name)) {
             let content = match format {
-                PictureFormat::Svg => picture.svg.clone().into_bytes(),
+                PictureFormat::Svg => picture.svg().into_bytes(),
                 PictureFormat::Png => picture.png()?,
                 PictureFormat::Pdf => picture.pdf()?,
             };
@@ -135,7 +135,7 @@ pub fn draw_map(tables: &ResultTables, folder: &Path, drawing: &Drawing) -> Resu
         let message = format!("{option}: a logarithmic axis begins above zero");
         ensure!(has_place, UsageError(message));
     }
-    drawing.save(folder, "map", &map_sheet(&drawing.look, &map.sheet)?)?;
+    drawing.save(folder, "map", &map_sheet(&drawing.look, &map.sheet))?;
     Ok(true)
 }
 

@@ -16,13 +16,13 @@ use crate::cli::ExploreArguments;
 use crate::explore::{Explored, controls, page, whirl_lines};
 use crate::files::write_atomically;
 use crate::histories::history_picture;
-use crate::plot::Look;
 use campaign::engine::{
     Choice, ChosenCase, FollowedMethod, MethodSystem, RunOptions, Survey, common_setting,
 };
 use campaign::memory::{Purpose, admit};
 use campaign::plan::Sweep;
 use campaign::text_file::read_text;
+use plot::Look;
 
 /// Simulates a case and writes the page that begins with it.
 pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Status> {
@@ -73,7 +73,7 @@ pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Statu
         return Ok(Status::SomeFailed);
     };
     let controls = controls(&sweep, &case);
-    let picture = history_picture(&Look::default(), &sweep, &[case], &[simulation])?;
+    let picture = history_picture(&Look::default(), &sweep, &[case], &[simulation]);
     let html = page(&Explored {
         file,
         sweep: &sweep,

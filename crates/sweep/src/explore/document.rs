@@ -17,8 +17,9 @@ use super::controls::Control;
 use super::whirl::{self, LimitLine};
 use crate::report::{Table, escaped, shown, table};
 
-const STYLE: [&str; 2] = [
+const STYLE: [&str; 3] = [
     include_str!("../report/page.css"),
+    include_str!("../page/plot.css"),
     include_str!("../page/explore.css"),
 ];
 const SCRIPTS: [&str; 3] = [
@@ -82,11 +83,9 @@ const LIVE: &str = r#"<div id="live" hidden>
 <div class="explore">
 <section aria-label="What can be changed"><div id="controls"></div>
 <p><button id="reset" type="button">As in the file</button></p>
-<svg id="map" role="application" tabindex="0" aria-label="The limit, with the place of this case: drag it, or move it by arrow keys"></svg>
+<div id="map" role="application" tabindex="0" aria-label="The limit, with the place of this case: drag it, or move it by arrow keys"></div>
 <p id="lines" class="note" hidden></p></section>
-<section aria-label="Its motion"><svg id="speed" role="img" aria-label="Speed of the bit over time"></svg>
-<svg id="torque" role="img" aria-label="Torque on the bit over time"></svg>
-<svg id="orbit" role="img" aria-label="Orbit in the hole" hidden></svg></section>
+<section id="motion" class="charts" aria-label="Its motion"></section>
 </div>
 <p><label for="command">The same in a terminal</label> <input id="command" readonly>
 <button id="copy" type="button">Copy as command</button></p>

@@ -1,20 +1,16 @@
 //! The picture of contact: when each site touches the wall, how hard, and whether it rolls.
 
-use anyhow::Result;
 use sim::Trajectory;
 use sim::laws::contact::Touch;
 
-use crate::plot::{Axis, BandChart, BandPanel, Bar, COLUMNS, Look, Picture, band_chart};
 use campaign::engine::Simulation;
 use campaign::plan::Sweep;
 use campaign::quantities::{FORCE, LENGTH, Unit};
 use campaign::words::short;
+use plot::{Axis, BandChart, BandPanel, Bar, COLUMNS, Look, Picture, band_chart};
 
 /// A panel for each case and method; in it a band for each site, from the surface down.
-///
-/// # Errors
-/// Where it cannot be drawn.
-pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -> Result<Picture> {
+pub fn contact_picture(look: &Look, sweep: &Sweep, simulations: &[Simulation]) -> Picture {
     let units = sweep.content.units;
     let [length, force] = [&LENGTH, &FORCE].map(|twin| units.of(twin));
     let frequency = sweep.setting.sampling_frequency;

@@ -1,16 +1,15 @@
 //! The film of a string in its hole.
 
-use anyhow::Result;
 use linear::elements::reconstruction::Reconstruction;
 use sim::laws::contact::Touch;
 
 use super::marks::CLEARANCE_SHOWN;
 use super::whole_string::wall_line;
-use crate::plot::{Axis, Film, FilmFrame, FilmSite, Look, Picture, film};
 use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::Sweep;
 use campaign::quantities::{LENGTH, WIDTH};
 use campaign::words::decimals;
+use plot::{Axis, Film, FilmDot, FilmFrame, FilmWords, Look, Picture, film};
 
 /// The string is shown from where its peak displacement is this part of the largest.
 const SHOWN_FROM: f64 = 0.05;
@@ -18,11 +17,16 @@ const SHOWN_FROM: f64 = 0.05;
 /// The most decimals of a time, s.
 const MOST_DECIMALS: f64 = 5.0;
 
+/// What is drawn, in the legend.
+const WORDS: FilmWords = FilmWords {
+    curves: ["x", "y"],
+    radius: "radius r, to both sides",
+    dots: ["site that touches the wall", "site that does not"],
+    walls: ["wall at a site", "between sites"],
+};
+
 /// The shapes that were kept of a simulation, at their steps; what moves less than a twentieth
 /// of the most, above the rest, is left out.
-///
-/// # Errors
-/// Where it cannot be drawn.
 pub fn film_picture(
     look: &Look,
     sweep: &Sweep,
@@ -30,7 +34,7 @@ pub fn film_picture(
     simulation: &Simulation,
     whole: &Reconstruction,
     steps: &[usize],
-) -> Result<Picture> {
+) -> Picture {
     let [length, width] = [&LENGTH, &WIDTH].map(|twin| sweep.content.units.of(twin));
     let string_length = sweep.setting.string.length();
     let above_bit = |depth: f64| length.number(string_length - depth);
@@ -43,10 +47,10 @@ pub fn film_picture(
     let frames = steps.iter().zip(&whole.shapes).map(|(&step, [x, y])| {
         let site = |(site, &distance): (usize, &f64)| {
             let [x, y] = motion.positions[site][step];
-            FilmSite {
+            FilmDot {
                 place: length.number(distance),
                 radius: across(x.hypot(y)),
-                touches: motion.touches[site][step] != Touch::Free,
+                filled: motion.touches[site][step] != Touch::Free,
             }
         };
         FilmFrame {
@@ -54,7 +58,7 @@ pub fn film_picture(
             shape: (x[first..].iter().zip(&y[first..]))
                 .map(|(x, y)| [across(*x), across(*y)])
                 .collect(),
-            sites: (distances.iter().enumerate())
+            dots: (distances.iter().enumerate())
                 .filter(|(_, distance)| **distance <= highest)
                 .map(site)
                 .collect(),
@@ -97,7 +101,8 @@ pub fn film_picture(
             .map(above_bit)
             .collect(),
         wall: drawn(&line),
-        wall_at_sites: drawn(&at_sites),
+        wall_at_dots: drawn(&at_sites),
+        words: WORDS,
         notes: cut.into_iter().collect(),
         frames: frames.collect(),
     };

@@ -1,9 +1,10 @@
 //! What pictures of motion have in common: levels, and whether the wall is shown.
 
-use crate::plot::{Across, Ink, Reference};
+use crate::method_inks::method_ink;
 use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::Sweep;
 use campaign::quantities::Unit;
+use plot::{Across, Ink, Reference};
 
 /// The clearance is drawn where motion reaches this part of it.
 pub const CLEARANCE_SHOWN: f64 = 0.2;
@@ -53,8 +54,8 @@ pub fn ink(of: &Simulation, all: &[Simulation]) -> Ink {
     let cases = each(all.iter().map(|simulation| simulation.case));
     let methods = each(all.iter().map(|simulation| simulation.method));
     match &cases[..] {
-        [] | [_] => Ink::of_method(of.method),
-        _ => Ink::of_case(place(of.case, &cases), place(of.method, &methods)),
+        [] | [_] => method_ink(of.method),
+        _ => Ink::numbered(place(of.case, &cases), place(of.method, &methods)),
     }
 }
 

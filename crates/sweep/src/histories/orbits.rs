@@ -1,28 +1,26 @@
 //! The picture of the paths of sites across the borehole.
 
-use anyhow::Result;
-
 use super::marks::{ink, shown_clearances};
-use crate::plot::{Axis, Look, Orbit, Picture, Series, orbits};
 use campaign::engine::{Case, Simulation};
 use campaign::plan::Sweep;
 use campaign::quantities::WIDTH;
 use campaign::words::site_title;
+use plot::{Axis, Look, Orbit, Picture, Series, orbits};
 
 /// A lateral label is of so many seconds, the last ones: they are marked.
 const LAST: f64 = 2.0;
 
+/// What circles and the dark ends of paths are, in the legend.
+const WORDS: [&str; 2] = ["clearance", "the last seconds, dark; before, faint"];
+
 /// The path of every site's centre, with the circle of its clearance in each case where it comes
 /// near that.
-///
-/// # Errors
-/// Where it cannot be drawn.
 pub fn orbit_picture(
     look: &Look,
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
-) -> Result<Picture> {
+) -> Picture {
     let units = sweep.content.units;
     let width = units.of(&WIDTH);
     let distances = sweep.setting.sites.distances_from_bit().iter().enumerate();
@@ -51,7 +49,7 @@ pub fn orbit_picture(
                 .collect(),
         }
     });
-    orbits(look, &sweep.title, &of_sites.collect::<Vec<_>>())
+    orbits(look, &sweep.title, WORDS, &of_sites.collect::<Vec<_>>())
 }
 
 /// How many steps the last seconds take.

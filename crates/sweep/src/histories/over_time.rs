@@ -1,31 +1,27 @@
 //! The picture of motion over time.
 
-use anyhow::Result;
 use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
 use super::known::{has_surface_speed, has_surface_torque, has_torque};
 use super::marks::{each_once, ink, level, shown_clearances};
-use crate::plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 use campaign::engine::{Case, Simulation};
 use campaign::plan::{Comparison, Sweep};
 use campaign::quantities::{TORQUE, Unit, Units, WIDTH};
 use campaign::results::to_rpm;
 use campaign::sweep_file::TraceName;
 use campaign::words::site_title;
+use plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 
 /// With lateral motion, the radius of every site (Figs. 10 to 16); else its
 /// speed and the torque on the bit; the torque that turns the surface where it is followed. As in the paper, the difference between the
 /// first two methods is beneath.
-///
-/// # Errors
-/// Where it cannot be drawn.
 pub fn history_picture(
     look: &Look,
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
-) -> Result<Picture> {
+) -> Picture {
     let histories = Histories {
         sweep,
         cases,

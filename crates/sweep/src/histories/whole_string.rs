@@ -4,10 +4,10 @@ use anyhow::Result;
 use linear::elements::reconstruction::{Reconstruction, WholeString};
 
 use super::marks::{CLEARANCE_SHOWN, each_clearance, ink};
-use crate::plot::{Axis, Look, Panel, Picture, Series, Wall, panels};
 use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::{LateralSettings, Sweep};
 use campaign::quantities::{LENGTH, Unit, WIDTH};
+use plot::{Axis, Look, Panel, Picture, Series, Wall, panels};
 
 /// The part of the string above the uppermost site, in that below it, that is shown around the
 /// sites; and the part of the string that they are within, where they are shown apart.
@@ -47,16 +47,13 @@ pub fn whole_strings(
 
 /// Fig. 13: the peak displacement of whole strings, with the clearance at their sites; where
 /// these are in the lower half, that part again.
-///
-/// # Errors
-/// Where it cannot be drawn.
 pub fn string_picture(
     look: &Look,
     sweep: &Sweep,
     cases: &[Case],
     simulations: &[Simulation],
     wholes: &[Reconstruction],
-) -> Result<Picture> {
+) -> Picture {
     let [length, width] = [&LENGTH, &WIDTH].map(|twin| sweep.content.units.of(twin));
     let peaks = wholes.iter().flat_map(|whole| &whole.peaks);
     let furthest = peaks.copied().fold(0.0, f64::max);
@@ -114,6 +111,7 @@ fn wall(clearances: &Clearances, from: f64, units: [&Unit; 2]) -> Wall {
         shown(&depths, &clearances, from, units)
     };
     Wall {
+        name: "clearance, sites as rings".to_owned(),
         line: points(&wall_line(clearances, from)),
         known: points(clearances.sites()),
     }

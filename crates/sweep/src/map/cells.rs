@@ -3,7 +3,7 @@
 
 use super::extent::Extent;
 use super::mesh::Mesh;
-use crate::plot::{Ground, MapCell, Symbol};
+use plot::{Ground, MapCell, Symbol};
 
 /// Symbols counted in cells.
 pub struct Cells {

@@ -11,7 +11,7 @@ use super::extent::Extent;
 use super::fractions::Fractions;
 use super::symbol::drawn_symbol_of;
 use crate::output::{CaseRows, read_cases};
-use crate::plot::{Ground, MapCell, MapPoint, Symbol};
+use plot::{Ground, MapCell, MapPoint, Symbol};
 
 /// Where a sheet would have more symbols than this, cells are drawn.
 const MOST_SYMBOLS: usize = 4000;

@@ -3,7 +3,7 @@
 
 use super::extent::Extent;
 use super::mesh::Mesh;
-use crate::plot::{Ground, MapCell, Part};
+use plot::{Ground, MapCell, Part};
 
 /// Cells to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [60, 45];

@@ -4,10 +4,11 @@
 use super::extent::Extent;
 use super::mesh::around;
 use super::words::{ends, quantity};
+use crate::method_inks::method_ink;
 use crate::output::Curve;
-use crate::plot::{Band, Ink, Series, is_within};
 use campaign::quantities::{Axis, Units};
 use campaign::sweep_file::Spacing;
+use plot::{Band, Ink, Series, is_within};
 use sim::Motion;
 
 /// The limit on a map.
@@ -164,7 +165,7 @@ impl Limits {
 /// A limit by a method has its colour.
 fn ink(curve: &Curve) -> Ink {
     let method = curve.method.as_deref();
-    method.map_or_else(Ink::default, Ink::of_method)
+    method.map_or_else(Ink::default, method_ink)
 }
 
 /// A curve that never reaches what is held: `shown` is the quantity on the map.

@@ -8,8 +8,8 @@ use super::extent::Extent;
 use super::mesh::Mesh;
 use super::scale::Classes;
 use crate::output::{Manifest, label_rows};
-use crate::plot::{Ground, Ink, MapGroup, MapPanel, Series};
 use campaign::results::Measure;
+use plot::{Ground, Ink, MapGroup, MapPanel, Series};
 
 /// Cells to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [130, 100];

@@ -2,8 +2,8 @@
 
 use super::extent::Extent;
 use crate::analysis::Bins;
-use crate::plot::{Ground, MapCell};
 use campaign::sweep_file::Spacing;
+use plot::{Ground, MapCell};
 
 /// Cells over two axes, column by column.
 pub struct Mesh {

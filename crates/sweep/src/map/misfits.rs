@@ -7,8 +7,8 @@ use anyhow::Result;
 use super::extent::Extent;
 use super::mesh::Mesh;
 use crate::output::{column_words, misfit_columns, read_cases};
-use crate::plot::{Ground, MapGroup, MapPanel, Part};
 use campaign::words::short;
+use plot::{Ground, MapGroup, MapPanel, Part};
 
 /// Cells to the right and upwards at most, and where cases lie anywhere.
 const MOST_CELLS: [usize; 2] = [60, 45];

@@ -14,9 +14,9 @@ use super::words;
 use super::{measures, misfits};
 use crate::limits::TracedLimits;
 use crate::output::{Curve, Manifest, ResultTables};
-use crate::plot::{MapGroup, MapPanel, MapSheet, Mark};
 use campaign::plan::MapMark;
 use campaign::quantities::Axis;
+use plot::{MapGroup, MapPanel, MapSheet, Mark};
 
 /// What is drawn of a results folder, and which cases each of its maps has.
 pub struct Drawing {

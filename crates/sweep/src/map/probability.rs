@@ -1,7 +1,6 @@
 //! How likely a regime is over ranges of one axis or of two: curves with their intervals, or cells
 //! with the lines of a few probabilities.
 
-use anyhow::Result;
 use sim::{Label, Motion};
 
 use super::contour::contour;
@@ -9,13 +8,13 @@ use super::mesh::Mesh;
 use super::shown::{plot_axis, show_in};
 use crate::analysis::{Bins, Counts, Interval, wilson};
 
-use crate::plot::{
-    self, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series,
-    map_sheet, panels,
-};
 use campaign::plan::{MapMark, MapSettings};
 use campaign::quantities::Units;
 use campaign::words::counted;
+use plot::{
+    self, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series,
+    map_sheet, panels,
+};
 
 /// Cells whose 95 % interval is wider have too few cases: of half and half, those of fewer than 21.
 const WIDEST_INTERVAL: f64 = 0.4;
@@ -38,10 +37,7 @@ pub struct Probabilities<'a> {
 }
 
 /// Draws probabilities: over two axes as maps, over one as curves.
-///
-/// # Errors
-/// Where letters cannot be drawn.
-pub fn probability_picture(of: &Probabilities) -> Result<Picture> {
+pub fn probability_picture(of: &Probabilities) -> Picture {
     match &of.counts.bins[..] {
         [x, y] => of.sheet([x, y]),
         [x] => of.curves(x),
@@ -74,7 +70,7 @@ impl Probabilities<'_> {
         }
     }
 
-    fn sheet(&self, bins: [&Bins; 2]) -> Result<Picture> {
+    fn sheet(&self, bins: [&Bins; 2]) -> Picture {
         let motions = self.motions();
         let is_alone = motions.len() == 1;
         let groups = motions.iter().map(|(motion, methods)| {
@@ -181,7 +177,7 @@ impl Probabilities<'_> {
     }
 
     /// Curves over one axis, below each other, with the ends of the 95 % intervals.
-    fn curves(&self, bins: &Bins) -> Result<Picture> {
+    fn curves(&self, bins: &Bins) -> Picture {
         let unit = bins.axis.unit(self.units);
         let place = |cell: usize| unit.number(bins.middle(cell));
         let mut all = Vec::new();

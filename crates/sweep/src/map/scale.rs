@@ -1,7 +1,7 @@
 //! Classes of a quantity between round numbers, told apart by shade.
 
-use crate::plot::Part;
 use campaign::words::short;
+use plot::Part;
 
 /// As many classes as there are shades.
 const CLASSES: usize = Part::EVERY.len();

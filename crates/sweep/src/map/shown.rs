@@ -1,8 +1,8 @@
 //! A sheet of maps in the units that people read.
 
-use crate::plot::{self, MapSheet};
 use campaign::quantities::{Axis, Unit, Units};
 use campaign::sweep_file::Spacing;
+use plot::{self, MapSheet};
 
 /// An axis of a map as it is drawn: logarithmic where values are spread evenly in the logarithm.
 pub fn plot_axis(axis: Axis, spacing: Spacing, units: Units) -> plot::Axis {
@@ -36,9 +36,9 @@ pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::{Band, Ground, MapCell, MapGroup, MapPanel, MapPoint, Mark};
-    use crate::plot::{Ink, Series, Symbol};
     use campaign::quantities::FORCE;
+    use plot::{Band, Ground, MapCell, MapGroup, MapPanel, MapPoint, Mark};
+    use plot::{Ink, Series, Symbol};
 
     /// 4.4482216152605 kN are one klbf.
     #[test]

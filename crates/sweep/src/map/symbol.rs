@@ -3,7 +3,7 @@
 use sim::{Label, Motion, TorsionRegime};
 
 use crate::output::CaseRows;
-use crate::plot::Symbol;
+use plot::Symbol;
 
 /// The paper's symbols for a motion: a circle where every method finds sustained
 /// vibration, a cross where none does, a square where they differ; and a diamond where by
@@ -30,11 +30,7 @@ pub fn drawn_symbol_of(case: &CaseRows, motion: Motion) -> Option<Symbol> {
     let symbol = symbol_of(case, motion)?;
     let mut rows = case.rows.iter();
     let is_certain = rows.any(|row| row.certainty[motion] == Some(true));
-    Some(if is_certain {
-        symbol.certified()
-    } else {
-        symbol
-    })
+    Some(if is_certain { symbol.filled() } else { symbol })
 }
 
 /// The symbol where so many of all methods find sustained vibration.

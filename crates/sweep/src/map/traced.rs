@@ -10,9 +10,9 @@ use super::mesh::{Mesh, around};
 use super::symbol::symbol_of_counts;
 use crate::limits::TracedLimits;
 
-use crate::plot::{Ground, MapCell, MapPoint, Part, Symbol};
 use campaign::sweep_file::Spacing;
 use campaign::trace::{Band, Class, Tile};
+use plot::{Ground, MapCell, MapPoint, Part, Symbol};
 
 /// Cells of a map to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [400, 400];

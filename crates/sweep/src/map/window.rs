@@ -1,19 +1,17 @@
 //! An operating window: how far each part of weight and speed is from its limits, the safe
 //! regions by their names, and the best point.
 
-use anyhow::Result;
-
 use super::contour::contour;
 use super::mesh::Mesh;
 use super::shown::show_in;
 use super::words;
-use crate::plot::{
-    self, Band, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety, Series,
-    map_sheet,
-};
 use crate::window::{AXES, Best, Chart, Drawn, Limit, Region, Room, Standing};
 use campaign::quantities::Units;
 use campaign::words::short;
+use plot::{
+    self, Band, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety, Series,
+    map_sheet,
+};
 
 /// Safe regions that are a smaller part of the map have no name.
 const LEAST_SHARE: f64 = 0.005;
@@ -43,10 +41,7 @@ pub struct WindowSheet<'a> {
 }
 
 /// Draws an operating window.
-///
-/// # Errors
-/// Where letters cannot be drawn.
-pub fn window_picture(of: &WindowSheet) -> Result<Picture> {
+pub fn window_picture(of: &WindowSheet) -> Picture {
     let chart = of.chart;
     let mesh = Mesh::between(chart.edges.clone());
     let best = of.best.iter().map(|best| Mark {

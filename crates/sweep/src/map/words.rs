@@ -2,9 +2,9 @@
 
 use super::content::Content;
 use crate::output::{Manifest, TraceSummary};
-use crate::plot::{Ground, Part, Symbol};
 use campaign::plan::MapMark;
 use campaign::quantities::{Axis, Units};
+use plot::{Ground, Part, Symbol};
 use sim::Motion;
 
 /// Digits of a value that is one of a few, and exact but for rounding.
@@ -123,7 +123,7 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Gr
 /// The meanings of symbols where it is told of each case if it is certain.
 fn by_certainty(meanings: [(Symbol, String); 4]) -> Vec<(Symbol, String)> {
     let of_symbol = |(symbol, meaning): (Symbol, String)| {
-        let certain = symbol.certified();
+        let certain = symbol.filled();
         if certain == symbol {
             return vec![(symbol, meaning)];
         }

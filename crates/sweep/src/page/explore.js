@@ -8,7 +8,7 @@ const values = Object.fromEntries(data.controls.map(({ axis, value }) => [axis, 
 let engine;
 let wanted = null;
 let busy = false;
-let map = null;
+let mapEnds = null;
 
 /** A value that is shown, in the unit of its axis' name: in as many digits as it was shown with. */
 const named = (axis, value) => {
@@ -53,23 +53,42 @@ async function limitLines(request) {
   return [{ pieces: [Array.from(limit.value, (value, at) => [value, limit.speed[at]])] }];
 }
 
-/** How the lines of a map are drawn: those of whirl are three at most. */
-const LOOKS = ["solid", "dashed", "dotted"];
+/** How the lines of a map are drawn, in a class and in words: those of whirl are three at most. */
+const LOOKS = [["curve", "solid"], ["curve second", "dashed"], ["curve third", "dotted"]];
 
 function showMap(lines) {
   const axes = data.map.axes.map(control);
   // Friction from nothing on: limits may lie below what its slider has.
   if (data.map.lines) axes[1] = { ...axes[1], least: 0 };
-  const shown = (point) => point.map((value, at) => value / axes[at].size);
-  const inUnits = lines.map(({ pieces }) => pieces.map((piece) => piece.map(shown)));
+  const ends = axes.map(({ least, most }) => [least, most > least ? most : least + 1]);
+  const along = (piece, at) => piece.map((point) => point[at] / axes[at].size);
+  const curves = lines.flatMap(({ pieces }, at) =>
+    pieces.map((piece) => ({ x: along(piece, 0), y: along(piece, 1), look: LOOKS[at][0] })));
   const title = data.map.lines ? "Limit of backward whirl" : "Limit of stick-slip (Eq. 74)";
-  map = plotMap(byId("map"), { title, axes, lines: inUnits, here: axes.map(({ axis }) => values[axis]) });
-  const names = lines.filter(({ name }) => name).map(({ name }, at) => `${LOOKS[at]}: ${name}`);
+  const words = axes.map((axis) => axis.title);
+  const here = axes.map(({ axis }) => values[axis]);
+  byId("map").replaceChildren(chart({ title, words, ends, lines: curves, here, shape: 2 }));
+  mapEnds = ends;
+  const names = lines.filter(({ name }) => name).map(({ name }, at) => `${LOOKS[at][1]}: ${name}`);
   byId("lines").hidden = names.length === 0;
   byId("lines").textContent = `Of the string as it is in the file; ${names.join("; ")}.`;
 }
 
 const number = (value) => (typeof value === "number" ? String(Number(value.toPrecision(4))) : String(value).replace(/_/g, " "));
+
+/** The charts of a motion: of orbits that of the site nearest to the bit. */
+function charts({ time, speed, torque, positions }) {
+  const found = [];
+  if (speed) found.push(overTime("Speed of the bit", time, speed, { unit: "Bit speed (rpm)", size: 1 }, 0));
+  const { unit, size } = data.torque;
+  if (torque) found.push(overTime("Torque on the bit", time, torque, { unit: `Torque (${unit})`, size: 1e3 * size }, 0));
+  if (positions.length > 0) {
+    const last = positions.length - 1;
+    const title = `Orbit, ${positions[last].site.replace(/_/g, " ")}; heavy: the last ${CLOSING} s; dashed: the wall`;
+    found.push(orbit(title, positions[last], data.width, data.clearances?.[last], closingOf(time)));
+  }
+  return found;
+}
 
 function show(answer, lines, method, isQuick) {
   const { row, time, speed, torque, positions, milliseconds } = answer;
@@ -77,30 +96,14 @@ function show(answer, lines, method, isQuick) {
     ? `By ${method} while you drag; by ${data.method} when you let go. ${Math.round(milliseconds)} ms.`
     : `By ${method}, as sweep simulate has it. ${Math.round(milliseconds)} ms.`;
   byId("regime").textContent = number(row.torsion ?? row.lateral ?? "");
-  byId("row").innerHTML = "";
+  byId("row").replaceChildren();
   for (const [name, value] of Object.entries(row)) {
     if (value === null || ["case", "method", "torsion", "lateral"].includes(name) || name in values) continue;
     const line = byId("row").insertRow();
     line.insertCell().textContent = name;
     line.insertCell().textContent = number(value);
   }
-  byId("speed").toggleAttribute("hidden", !speed);
-  byId("torque").toggleAttribute("hidden", !torque);
-  if (speed) plotHistory(byId("speed"), { title: "Speed of the bit", time, values: speed, unit: "Bit speed (rpm)" });
-  if (torque) plotHistory(byId("torque"), { title: "Torque on the bit", time, values: torque.map((it) => it / 1e3 / data.torque.size), unit: `Torque (${data.torque.unit})` });
-  byId("orbit").toggleAttribute("hidden", positions.length === 0);
-  if (positions.length > 0) {
-    const last = positions.length - 1;
-    const { site, x, y } = positions[last];
-    const across = (value) => value / data.width.size;
-    plotOrbit(byId("orbit"), {
-      title: `Orbit, ${site.replace(/_/g, " ")}`,
-      x: x.map(across),
-      y: y.map(across),
-      unit: data.width.unit,
-      clearance: data.clearances?.map(across)[last],
-    });
-  }
+  byId("motion").replaceChildren(...charts({ time, speed, torque, positions }));
   if (lines) showMap(lines);
   const set = Object.entries(changes()).map(([axis, value]) => ` --set ${axis}=${value}`).join("");
   byId("command").value = `${data.command}${set}`;
@@ -124,14 +127,11 @@ const rounded = (axis, value) => {
 
 function controls() {
   for (const { axis, title, value, least, most } of data.controls) {
-    const field = document.createElement("fieldset");
-    field.innerHTML = `<label for="range-${axis}"></label>
-      <input type="range" id="range-${axis}" min="${least}" max="${most}" step="any">
-      <input type="number" id="number-${axis}" step="any">`;
-    field.querySelector("label").textContent = title;
+    const field = make("fieldset");
+    const range = make("input", { type: "range", id: `range-${axis}`, min: least, max: most, step: "any" });
+    const typed = make("input", { type: "number", id: `number-${axis}`, step: "any", "aria-label": title });
+    field.append(make("label", { for: range.id }, title), range, typed);
     byId("controls").append(field);
-    const [range, typed] = field.querySelectorAll("input");
-    typed.setAttribute("aria-label", title);
     // Steps of the keyboard.
     range.step = (most - least) / 500;
     const moved = (quick) => { values[axis] = rounded(axis, range.valueAsNumber); typed.value = values[axis]; redraw(quick); };
@@ -148,22 +148,22 @@ function controls() {
 }
 
 function mapControls() {
-  const svg = byId("map");
+  const map = byId("map");
   const { axes } = data.map;
   const go = (places, quick) => {
     axes.forEach((axis, at) => put(axis, rounded(axis, places[at])));
     redraw(quick);
   };
-  svg.addEventListener("pointerdown", (event) => {
-    svg.setPointerCapture(event.pointerId);
-    if (map) go(map.place(event), true);
+  map.addEventListener("pointerdown", (event) => {
+    map.setPointerCapture(event.pointerId);
+    if (mapEnds) go(placeIn(map, mapEnds, event), true);
   });
-  svg.addEventListener("pointermove", (event) => {
-    if (map && svg.hasPointerCapture(event.pointerId)) go(map.place(event), true);
+  map.addEventListener("pointermove", (event) => {
+    if (mapEnds && map.hasPointerCapture(event.pointerId)) go(placeIn(map, mapEnds, event), true);
   });
-  svg.addEventListener("pointerup", () => redraw(false));
+  map.addEventListener("pointerup", () => redraw(false));
   const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
-  svg.addEventListener("keydown", (event) => {
+  map.addEventListener("keydown", (event) => {
     const step = steps[event.key];
     if (!step) return;
     event.preventDefault();
@@ -172,7 +172,7 @@ function mapControls() {
       return Math.min(most, Math.max(least, values[axis] + (step[at] * (most - least)) / 100));
     }), true);
   });
-  svg.addEventListener("keyup", (event) => { if (steps[event.key]) redraw(false); });
+  map.addEventListener("keyup", (event) => { if (steps[event.key]) redraw(false); });
 }
 
 byId("copy").addEventListener("click", async () => {

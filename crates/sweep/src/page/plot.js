@@ -1,136 +1,151 @@
-"use strict";
-// Small plots of a page, in SVG, whose colours are the style sheet's variables --ink, --rule,
-// --line and --accent.
+// Charts of the pages of `sweep report` and `sweep explore`: an SVG of lines that fills the room
+// there is, with words around it that keep their size. `plot.css` has their looks.
 //
-//   plotHistory(svg, { title, time, values, unit, marks })   a quantity over time, s
-//   plotOrbit(svg, { title, x, y, unit, clearance })         an orbit in its hole
-//   plotMap(svg, { title, axes: [x, y], lines, here })       limits over two axes, and a dot
-//       axes: { title, least, most }; lines: each of pieces [[x, y], …]; here: [x, y]; gives
-//       { place(event) }, the values under a pointer.
+//   chart({ title, words, ends, lines, shape, circle, here })   a chart
+//       words: what is along x and along y; ends: [[low, high], [low, high]]; lines:
+//       [{ x, y, look }], whose look is a class; shape: width over height; circle: the radius of
+//       a wall around the origin; here: a place [x, y] with a dot.
+//   overTime(title, time, values, { unit, size }, also)         a quantity over time, s
+//   orbit(title, { x, y }, { unit, size }, clearance, closing)  an orbit in its hole, heavy from
+//       the step `closing` on
+//   placeIn(element, ends, event)                               the values under a pointer
+//       size: how much of the values' unit the unit that is shown is; also: a value that the axis
+//       has room for.
 
-const PLOT = { width: 480, height: 260, left: 62, right: 14, top: 26, bottom: 42 };
+const SVG = "http://www.w3.org/2000/svg";
 
-/** Round numbers between two, about so many. */
-function plotTicks(least, most, count) {
-  const rough = (most - least) / count;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((part) => part * power).find((size) => size >= rough);
-  const ticks = [];
-  for (let at = Math.ceil(least / step - 1e-9); at * step <= most + 1e-9 * step; at += 1) {
-    ticks.push(at * step);
+/** An element with attributes and content. Text is only ever put in as text. */
+const make = (name, attributes = {}, ...content) => {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.append(...content);
+  return element;
+};
+
+const draw = (name, attributes) => {
+  const element = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  return element;
+};
+
+/** A number in digits that are read, all of them where one looks closer. */
+const readable = (value) => {
+  const rounded = Number(value.toPrecision(4));
+  return rounded.toString().replace("-", "−");
+};
+
+/** Round numbers between two ends. */
+const ticksOf = (low, high, most) => {
+  const rough = (high - low) / most || 1;
+  const decade = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map((digit) => digit * decade).find((size) => size >= rough);
+  const first = Math.ceil(low / step);
+  const count = Math.max(0, Math.floor(high / step) - first + 1);
+  return Array.from({ length: count }, (_, place) => Number(((first + place) * step).toPrecision(12)));
+};
+
+/** Ends of an axis that has all of some values and another one, with room. */
+const endsOf = (values, also) => {
+  let [low, high] = also === undefined ? [Infinity, -Infinity] : [also, also];
+  for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  const room = 0.04 * (high - low) || Math.abs(high) || 1;
+  return [low - room, high + room];
+};
+
+/** Points of a line: where many lie within a third of a unit of the last, they are left out, as are those that are none. */
+const thinned = (x, y, across, down) => {
+  const points = [];
+  let [left, top] = [NaN, NaN];
+  for (let place = 0; place < x.length; place += 1) {
+    const [here, there] = [across(x[place]), down(y[place])];
+    if (!Number.isFinite(here + there)) continue;
+    if (Math.abs(here - left) < 0.3 && Math.abs(there - top) < 0.3) continue;
+    [left, top] = [here, there];
+    points.push(`${here.toFixed(1)} ${there.toFixed(1)}`);
   }
-  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return ticks.map((value) => ({ value, text: value.toFixed(Math.min(digits, 9)) }));
-}
+  return points;
+};
 
-/** The frame with its ticks and titles, and how values become places in it. */
-function plotFrame(svg, title, [x, y], size = PLOT) {
-  const { width, height, left, right, top, bottom } = size;
-  const span = ({ least, most }) => (most > least ? most - least : 1);
-  const px = (value) => left + ((value - x.least) / span(x)) * (width - left - right);
-  const py = (value) => height - bottom - ((value - y.least) / span(y)) * (height - top - bottom);
-  const text = (at, content, more = "") =>
-    `<text x="${at[0]}" y="${at[1]}" ${more}>${content.replace(/&/g, "&amp;").replace(/</g, "&lt;")}</text>`;
-  let inside = text([left, 16], title, 'class="plot-title"');
-  for (const { value, text: label } of plotTicks(x.least, x.least + span(x), 6)) {
-    inside += `<path class="plot-rule" d="M${px(value)} ${top}V${height - bottom}"/>`
-      + text([px(value), height - bottom + 16], label, 'text-anchor="middle"');
+/** What is inside the frame of a chart; `place` gives a value's place along an axis, from 0 to 1. */
+const drawn = ({ title, ends, lines, shape, circle }, ticks, place) => {
+  const [width, height] = [600, 600 / shape];
+  const across = (value) => place(0, value) * width;
+  const down = (value) => (1 - place(1, value)) * height;
+  const svg = draw("svg", { viewBox: `0 0 ${width} ${height}`, preserveAspectRatio: "none", role: "img", "aria-label": title });
+  const upright = ticks[0].map((value) => `M${across(value).toFixed(1)} 0v${height}`);
+  const level = ticks[1].map((value) => `M0 ${down(value).toFixed(1)}h${width}`);
+  svg.append(draw("path", { class: "grid", d: upright.concat(level).join("") }));
+  if (circle) {
+    const [rx, ry] = [0, 1].map((axis) => (circle / (ends[axis][1] - ends[axis][0])) * [width, height][axis]);
+    svg.append(draw("ellipse", { class: "wall", cx: across(0), cy: down(0), rx, ry }));
   }
-  for (const { value, text: label } of plotTicks(y.least, y.least + span(y), 4)) {
-    inside += `<path class="plot-rule" d="M${left} ${py(value)}H${width - right}"/>`
-      + text([left - 6, py(value) + 4], label, 'text-anchor="end"');
+  for (const { x, y, look } of lines) {
+    const points = thinned(x, y, across, down);
+    if (points.length > 0) svg.append(draw("path", { class: look, d: `M${points.join("L")}` }));
   }
-  inside += text([(left + width - right) / 2, height - 6], x.title, 'text-anchor="middle"')
-    + text([0, 0], y.title, `text-anchor="middle" transform="translate(13 ${(top + height - bottom) / 2}) rotate(-90)"`);
-  svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-  return { px, py, inside };
-}
+  return svg;
+};
 
-function plotRange(values) {
-  let [least, most] = [0, 0];
-  for (const value of values) {
-    if (value < least) least = value;
-    if (value > most) most = value;
+const chart = (asked) => {
+  const { title, words, ends, shape, here } = asked;
+  const place = (axis, value) => (value - ends[axis][0]) / (ends[axis][1] - ends[axis][0]);
+  const ticks = ends.map(([low, high], axis) => ticksOf(low, high, axis ? 4 : 6));
+  const spans = (axis, side) =>
+    ticks[axis].map((value) => {
+      const span = make("span", {}, readable(value));
+      span.style[side] = `${100 * place(axis, value)}%`;
+      return span;
+    });
+  const widest = ticks[1].map(readable).reduce((one, other) => (other.length > one.length ? other : one), "");
+  const area = make("div", { class: "area" }, drawn(asked, ticks, place));
+  area.style.aspectRatio = shape;
+  if (here) {
+    const dot = make("span", { class: "dot" });
+    dot.style.left = `${100 * place(0, here[0])}%`;
+    dot.style.bottom = `${100 * place(1, here[1])}%`;
+    area.append(dot);
   }
-  const margin = 0.05 * (most - least) || 1;
-  return { least: least < 0 ? least - margin : 0, most: most + margin };
-}
+  return make(
+    "div",
+    { class: "panel" },
+    make("h4", {}, title),
+    make(
+      "div",
+      { class: "plot" },
+      make("div", { class: "title-y" }, make("span", {}, words[1])),
+      make("div", { class: "axis-y" }, make("i", { "aria-hidden": "true" }, widest), ...spans(1, "bottom")),
+      area,
+      make("div", { class: "axis-x" }, ...spans(0, "left")),
+      make("div", { class: "title-x" }, words[0]),
+    ),
+  );
+};
 
-/** A line over time: of every column of pixels the first, least, greatest and last value. */
-function plotPath(time, values, px, py) {
-  let path = "";
-  let column = null;
-  const put = ({ x, first, least, most, last }) => {
-    const at = (value) => `L${x.toFixed(1)} ${py(value).toFixed(1)}`;
-    path += at(first) + at(least) + at(most) + at(last);
-  };
-  for (let step = 0; step < time.length; step += 1) {
-    const x = Math.round(px(time[step]) * 2) / 2;
-    const value = values[step];
-    if (!column || column.x !== x) {
-      if (column) put(column);
-      column = { x, first: value, least: value, most: value, last: value };
-    }
-    column.least = Math.min(column.least, value);
-    column.most = Math.max(column.most, value);
-    column.last = value;
-  }
-  if (column) put(column);
-  return path.replace("L", "M");
-}
+const overTime = (title, time, values, { unit, size }, also) => {
+  const y = values.map((value) => value / size);
+  const lines = [{ x: time, y, look: "curve" }];
+  const ends = [[time[0], time.at(-1)], endsOf(y, also)];
+  return chart({ title, words: ["Time (s)", unit], ends, lines, shape: 3 });
+};
 
-function plotHistory(svg, { title, time, values, unit, marks = [] }) {
-  const x = { least: 0, most: time[time.length - 1], title: "Time t (s)" };
-  const y = { ...plotRange(values), title: unit };
-  const { px, py, inside } = plotFrame(svg, title, [x, y]);
-  const mark = (value) => `<path class="plot-mark" d="M${px(x.least)} ${py(value)}H${px(x.most)}"/>`;
-  svg.innerHTML = inside + marks.map(mark).join("")
-    + `<path class="plot-line" d="${plotPath(time, values, px, py)}"/>`;
-}
+const orbit = (title, path, { unit, size }, clearance, closing) => {
+  const [x, y] = [path.x, path.y].map((values) => values.map((value) => value / size));
+  const circle = clearance && clearance / size;
+  const reach = 1.08 * Math.max(circle || 0, ...[x, y].map((values) => Math.max(...endsOf(values).map(Math.abs))));
+  const lines = [
+    { x, y, look: "curve before" },
+    { x: x.subarray(closing), y: y.subarray(closing), look: "curve" },
+  ];
+  const ends = [0, 1].map(() => [-reach, reach]);
+  return chart({ title, words: [`x (${unit})`, `y (${unit})`], ends, lines, circle, shape: 1 });
+};
 
-function plotOrbit(svg, { title, x, y, unit, clearance }) {
-  let reach = clearance ?? 0;
-  for (let step = 0; step < x.length; step += 1) reach = Math.max(reach, Math.hypot(x[step], y[step]));
-  reach *= 1.05;
-  const side = (name) => ({ least: -reach, most: reach, title: `${name} (${unit})` });
-  const size = { ...PLOT, width: 380, height: 372 };
-  const { px, py, inside } = plotFrame(svg, title, [side("x"), side("y")], size);
-  let path = "";
-  let last = null;
-  for (let step = 0; step < x.length; step += 1) {
-    const place = `${px(x[step]).toFixed(1)} ${py(y[step]).toFixed(1)}`;
-    if (place !== last) path += `${path ? "L" : "M"}${place}`;
-    last = place;
-  }
-  const wall = clearance === undefined ? "" : `<ellipse class="plot-mark" cx="${px(0)}" cy="${py(0)}"
-    rx="${px(clearance) - px(0)}" ry="${py(0) - py(clearance)}"/>`;
-  svg.innerHTML = `${inside}${wall}<path class="plot-line plot-orbit" d="${path}"/>`;
-}
+/** How long the end of an orbit is that is heavy, s, and the first step of it. */
+const CLOSING = 2;
+const closingOf = (time) => time.findIndex((moment) => moment > time.at(-1) - CLOSING);
 
-function plotMap(svg, { title, axes, lines, here }) {
-  const { px, py, inside } = plotFrame(svg, title, axes);
-  const within = ([x, y]) => x >= axes[0].least && x <= axes[0].most && y >= axes[1].least && y <= axes[1].most;
-  // What leaves the frame is not joined to where it comes back.
-  const joined = (piece) => piece.map((point, at) => {
-    if (!within(point)) return "";
-    const command = at > 0 && within(piece[at - 1]) ? "L" : "M";
-    return `${command}${px(point[0]).toFixed(1)} ${py(point[1]).toFixed(1)}`;
-  }).join("");
-  const drawn = lines.map((pieces, at) => {
-    const path = pieces.map(joined).join("");
-    return path && `<path class="plot-line look-${at}" d="${path}"/>`;
-  });
-  svg.innerHTML = `${inside}${drawn.join("")}
-    <circle class="plot-here" cx="${px(here[0])}" cy="${py(here[1])}" r="7"/>`;
-  return {
-    place(event) {
-      const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-      const value = ({ least, most }, from, to, where) =>
-        Math.min(most, Math.max(least, least + ((where - from) / (to - from)) * (most - least)));
-      return [
-        value(axes[0], px(axes[0].least), px(axes[0].most), at.x),
-        value(axes[1], py(axes[1].least), py(axes[1].most), at.y),
-      ];
-    },
-  };
-}
+const placeIn = (element, ends, { clientX, clientY }) => {
+  const { left, top, width, height } = element.querySelector("svg").getBoundingClientRect();
+  const parts = [(clientX - left) / width, 1 - (clientY - top) / height];
+  return ends.map(([low, high], axis) => low + Math.min(1, Math.max(0, parts[axis])) * (high - low));
+};

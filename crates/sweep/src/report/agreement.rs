@@ -2,7 +2,7 @@
 
 use crate::map::symbol_of;
 use crate::output::CaseRows;
-use crate::plot::Symbol;
+use plot::Symbol;
 use sim::Motion;
 
 /// Cases on which methods differ that are kept to be listed.

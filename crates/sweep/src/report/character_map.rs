@@ -3,10 +3,10 @@
 use crate::map::{Cells, Extent, meanings};
 use sim::Motion;
 
-use crate::plot::{Ground, Symbol};
 use campaign::quantities::Axis;
 use campaign::sweep_file::Spacing;
 use campaign::words::short;
+use plot::{Ground, Symbol};
 
 /// The map with its axes and what the characters mean.
 pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Axis; 2]) -> String {

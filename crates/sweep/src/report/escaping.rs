@@ -1,7 +1,7 @@
 //! Texts as they stand in HTML. Every text is escaped when it is put in, and only then.
 
-use crate::plot::split_at_indices;
 use campaign::printable::steers;
+use plot::split_at_indices;
 
 /// A text as it stands in HTML, between tags or in a quoted attribute.
 pub fn escaped(text: &str) -> String {

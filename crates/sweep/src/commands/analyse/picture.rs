@@ -51,9 +51,9 @@ pub fn draw(
         regime,
         units: manifest.sweep.units,
         map: manifest.map.as_ref(),
-    })?;
+    });
     let (path, bytes) = match file {
-        PictureFile::Svg(path) => (path, picture.svg.into_bytes()),
+        PictureFile::Svg(path) => (path, picture.svg().into_bytes()),
         PictureFile::Png(path) => (path, picture.png()?),
     };
     write_atomically(path, &bytes)?;

@@ -1,11 +1,10 @@
 //! Limits and bounds over the number of contacts, a panel for each string.
 
-use anyhow::Result;
-
 use super::table::blow_name;
 use crate::commands::prepare::unique;
-use crate::plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
+use crate::method_inks::method_ink;
 use crate::studies::contacts::{Bounds, Row};
+use plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
 
 /// A bound by its name.
 type Bound = (&'static str, fn(&Bounds) -> Option<f64>);
@@ -17,10 +16,7 @@ const BOUNDS: [Bound; 3] = [
 ];
 
 /// Draws the limits that were found: by several methods, those of each.
-///
-/// # Errors
-/// Where they cannot be drawn.
-pub fn chart(rows: &[Row], lowest: f64) -> Result<Picture> {
+pub fn chart(rows: &[Row], lowest: f64) -> Picture {
     let names: Vec<&str> = rows.iter().map(|row| row.string.as_str()).collect();
     let methods: Vec<&str> = rows.iter().map(|row| row.method.name()).collect();
     let several = unique(&methods).len() > 1;
@@ -61,7 +57,7 @@ fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
         if several {
             let method = row.method.name();
             name += &format!(", {method}");
-            ink = Ink::of_method(method);
+            ink = method_ink(method);
         }
         let lasts = row.limit.as_ref().ok().and_then(|limit| limit.lasts);
         add(name, ink, row, lasts.map(|(friction, _)| friction));

@@ -42,7 +42,7 @@ pub fn contacts(arguments: &ContactsArguments, terminal: Terminal) -> Result<Sta
         &csv_table(rows.iter().map(columns))?,
     )?;
     let lowest = arguments.from_m;
-    save_picture(&arguments.out, "contacts_limit", &chart(&rows, lowest)?)?;
+    save_picture(&arguments.out, "contacts_limit", &chart(&rows, lowest))?;
     if !arguments.quiet {
         let place = format!(
             "\ncontacts.csv, contacts_limit.svg and contacts_limit.png are in {}\n",

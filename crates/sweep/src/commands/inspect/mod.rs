@@ -69,7 +69,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
     drawing.save(
         &folder,
         "inspect",
-        &response_picture(look, &sweep, &responses)?,
+        &response_picture(look, &sweep, &responses),
     )?;
     write_atomically(&folder.join("inspect.csv"), &panels_csv(&responses)?)?;
     let drive = DriveView::of(&sweep.setting.string)?;
@@ -82,7 +82,7 @@ pub fn inspect(arguments: &InspectArguments, terminal: Terminal) -> Result<Statu
         drawing.save(
             &folder,
             "top_drive",
-            &drive.picture(look, &sweep.title, &panels)?,
+            &drive.picture(look, &sweep.title, &panels),
         )?;
         write_atomically(&folder.join("top_drive.csv"), &panels_csv(&panels)?)?;
         let shown = folder.join(drawing.shown("top_drive"));

@@ -7,11 +7,12 @@ use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 use linear::{DrillstringError, Sites};
 
-use crate::plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
+use crate::method_inks::method_ink;
 use campaign::engine::MethodSystem;
 use campaign::plan::{LateralSettings, Sweep};
 use campaign::quantities::{FORCE, IMPULSE, LENGTH, TORQUE, Unit};
 use campaign::words::site_title;
+use plot::{Axis, Look, Panel, Picture, Series, panels};
 
 /// Points of the frequency response drawn.
 const FREQUENCIES: usize = 4000;
@@ -20,10 +21,7 @@ const FREQUENCIES: usize = 4000;
 type Curve = Vec<(f64, f64)>;
 
 /// The exact responses, and those of each method.
-///
-/// # Errors
-/// Where they cannot be drawn.
-pub fn response_picture(look: &Look, sweep: &Sweep, responses: &[Panel]) -> Result<Picture> {
+pub fn response_picture(look: &Look, sweep: &Sweep, responses: &[Panel]) -> Picture {
     let title = format!("{}: linear responses", sweep.title);
     panels(look, &title, responses)
 }
@@ -80,7 +78,7 @@ fn time_panel(
     let of_method = |system: &MethodSystem| {
         Some(Series {
             name: system.method.name().to_owned(),
-            ink: Ink::of_method(system.method.name()),
+            ink: method_ink(system.method.name()),
             points: points(system)?,
         })
     };
@@ -137,7 +135,7 @@ fn exact_panel(label: &str, sweep: &Sweep, response: &dyn Fn(f64) -> f64) -> Pan
         axes: [Axis::linear("Frequency f (Hz)"), Axis::logarithmic(label)],
         series: vec![Series {
             name: "exact".to_owned(),
-            ink: Ink::of_method("exact"),
+            ink: method_ink("exact"),
             points: points.collect(),
         }],
         references: Vec::new(),

@@ -9,9 +9,9 @@ use linear::modes::{TorsionalMode, torsional_modes};
 use linear::{Drillstring, TopDrive};
 
 use super::description::row;
-use crate::plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 use campaign::quantities::{INERTIA, INTEGRAL_GAIN, PROPORTIONAL_GAIN, Units};
 use campaign::words::short;
+use plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};
 
 /// Modes that are shown.
 const MODES: usize = 5;
@@ -118,10 +118,7 @@ impl<'a> DriveView<'a> {
     }
 
     /// The reflection over frequency, and the damping of the modes below it.
-    ///
-    /// # Errors
-    /// Where it cannot be drawn.
-    pub fn picture(&self, look: &Look, title: &str, shown: &[Panel]) -> Result<Picture> {
+    pub fn picture(&self, look: &Look, title: &str, shown: &[Panel]) -> Picture {
         let title = format!("{title}: what comes back from the top drive");
         panels(look, &title, shown)
     }

@@ -14,10 +14,10 @@ use crate::histories::{
     history_picture, orbit_picture, string_csv, string_picture, whole_strings,
 };
 use crate::output::write_atomically;
-use crate::plot::Picture;
 use campaign::engine::{Case, Simulation};
 use campaign::plan::Sweep;
 use campaign::results::Record;
+use plot::Picture;
 
 /// Simulated cases, and where their files are written.
 pub struct Written<'a> {
@@ -57,14 +57,14 @@ impl Written<'_> {
         self.table("history.csv", &history_csv(sweep, simulations)?)?;
         self.table("case.csv", case_csv(sweep, self.rows).as_bytes())?;
         let look = &self.drawing.look;
-        let history = history_picture(look, sweep, cases, simulations)?;
+        let history = history_picture(look, sweep, cases, simulations);
         self.picture("history", &history)?;
         if lateral.is_some() {
             self.lateral(&wholes)?;
         }
         if !steps.is_empty() {
             let look = look.with_own_ranges();
-            let film = film_picture(&look, sweep, cases, &simulations[0], &wholes[0], &steps)?;
+            let film = film_picture(&look, sweep, cases, &simulations[0], &wholes[0], &steps);
             self.picture("film", &film)?;
             self.table("film.csv", &film_csv(&simulations[0], &wholes[0], &steps)?)?;
         }
@@ -113,16 +113,13 @@ impl Written<'_> {
         let over_time = self.drawing.look.with_own_heights();
         let look = self.drawing.look.with_own_ranges();
         self.table("contacts.csv", &contacts_csv(sweep, simulations)?)?;
-        self.picture(
-            "contacts",
-            &contact_picture(&over_time, sweep, simulations)?,
-        )?;
-        self.picture("orbit", &orbit_picture(&look, sweep, cases, simulations)?)?;
+        self.picture("contacts", &contact_picture(&over_time, sweep, simulations))?;
+        self.picture("orbit", &orbit_picture(&look, sweep, cases, simulations))?;
         self.table(
             "string.csv",
             &string_csv(sweep, cases, simulations, wholes)?,
         )?;
-        let string = string_picture(&look, sweep, cases, simulations, wholes)?;
+        let string = string_picture(&look, sweep, cases, simulations, wholes);
         self.picture("string", &string)
     }
 }

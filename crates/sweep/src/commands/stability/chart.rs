@@ -1,15 +1,25 @@
 //! The atlas as panels of cells.
 
-use anyhow::Result;
-
-use crate::plot::{CellPanel, ChartCell, Picture, Seen, cell_chart};
 use crate::studies::stability::{Entry, Family, Symptom};
+use plot::{CellPanel, CellWords, ChartCell, Picture, Seen, cell_chart};
+
+const WORDS: CellWords = CellWords {
+    predicted: [
+        "predicted: stable",
+        "predicted: unstable",
+        "the margin says nothing of it",
+    ],
+    seen: [
+        "nothing wrong was seen",
+        "fails under a load tuned to the margin",
+        "failed in an ordinary scene",
+    ],
+    framed: "framed: not as predicted",
+    number: "number: the smallest margin, or where it says nothing the relative error",
+};
 
 /// Draws all families that have cells, each in a panel.
-///
-/// # Errors
-/// Where they cannot be drawn.
-pub fn chart(entries: &[Entry]) -> Result<Picture> {
+pub fn chart(entries: &[Entry]) -> Picture {
     let panels = Family::all().iter().map(|&family| {
         let of_family = entries.iter().filter(|entry| entry.cell.family == family);
         panel(family, &of_family.collect::<Vec<_>>())
@@ -17,7 +27,7 @@ pub fn chart(entries: &[Entry]) -> Result<Picture> {
     let panels: Vec<_> = panels.filter(|panel| !panel.cells.is_empty()).collect();
     cell_chart(
         "Where methods fail, and whether their positive-real margin predicts it",
-        "number: the smallest margin, or where it says nothing the relative error",
+        &WORDS,
         &panels,
     )
 }

@@ -34,7 +34,7 @@ pub fn stability(arguments: &StabilityArguments, terminal: Terminal) -> Result<S
     let entries = entries?;
     let table = csv_table(entries.iter().map(columns))?;
     write_atomically(&arguments.out.join("stability.csv"), &table)?;
-    save_picture(&arguments.out, "stability", &chart(&entries)?)?;
+    save_picture(&arguments.out, "stability", &chart(&entries))?;
     if !arguments.quiet {
         say(&summary(&entries))?;
     }

@@ -1,20 +1,16 @@
 //! The chart of accuracy against speed.
 
-use anyhow::Result;
-
 use super::table::measures;
 use crate::commands::prepare::unique;
-use crate::plot::{Axis, Ink, Picture, ScatterPanel, Series, scatter_grid};
+use crate::method_inks::method_ink;
 use crate::studies::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
+use plot::{Axis, Picture, ScatterPanel, Series, scatter_grid};
 
 /// Smaller errors are drawn here: they are rounding.
 const SMALLEST_DRAWN: f64 = 1e-9;
 
 /// Draws each measure's configurations.
-///
-/// # Errors
-/// Where it cannot be drawn.
-pub fn chart(rows: &[Row]) -> Result<Picture> {
+pub fn chart(rows: &[Row]) -> Picture {
     let panels = (measures(rows).into_iter())
         .enumerate()
         .map(|(index, measure)| panel(rows, measure, index % 3 == 0));
@@ -39,7 +35,7 @@ fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
     let families = unique(&known().map(family).collect::<Vec<_>>());
     let kinds = families.into_iter().map(|name| Series {
         name: name.to_owned(),
-        ink: Ink::of_method(name),
+        ink: method_ink(name),
         points: (known().filter(|row| family(row) == name))
             .filter_map(point)
             .collect(),

@@ -39,7 +39,7 @@ pub fn tradeoff(arguments: &TradeoffArguments, terminal: Terminal) -> Result<Sta
     progress.finish();
     let rows = studied?;
     write_atomically(&arguments.out.join("tradeoff.csv"), &table(&rows)?)?;
-    save_picture(&arguments.out, "tradeoff", &chart(&rows)?)?;
+    save_picture(&arguments.out, "tradeoff", &chart(&rows))?;
     if !arguments.quiet {
         say(&[
             describe_orders(&rows)?,

@@ -53,7 +53,7 @@ pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status>
     let folder = arguments.out.clone().unwrap_or_else(|| all[0].0.clone());
     make_folder(&folder)?;
     write_atomically(&folder.join("window.csv"), &tables::window(&chart)?)?;
-    save_picture(&folder, "window", &window_picture(&sheet)?)?;
+    save_picture(&folder, "window", &window_picture(&sheet))?;
     say(&words::describe(&sheet, &folder))?;
     Ok(Status::Complete)
 }

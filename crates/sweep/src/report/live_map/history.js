@@ -1,85 +1,5 @@
 // A case's motion, simulated in the page.
 
-/** Round numbers between two ends. */
-const ticksOf = (low, high, most) => {
-  const rough = (high - low) / most || 1;
-  const decade = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((digit) => digit * decade).find((size) => size >= rough);
-  const first = Math.ceil(low / step);
-  const count = Math.max(0, Math.floor(high / step) - first + 1);
-  return Array.from({ length: count }, (_, place) => Number(((first + place) * step).toPrecision(12)));
-};
-
-/** Ends of an axis that has all of some values, with room. */
-const endsOf = (values) => {
-  let [low, high] = [Infinity, -Infinity];
-  for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)];
-  const room = 0.04 * (high - low) || Math.abs(high) || 1;
-  return [low - room, high + room];
-};
-
-const SVG = "http://www.w3.org/2000/svg";
-const draw = (name, attributes) => {
-  const element = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  return element;
-};
-
-/** A chart of lines `{ x, y, look }`: drawn in whatever room there is, with words that keep their size. */
-const chart = ({ title, words, ends, lines, circle, shape }) => {
-  const [width, height] = [600, 600 / shape];
-  const place = (axis, value) => (value - ends[axis][0]) / (ends[axis][1] - ends[axis][0]);
-  const svg = draw("svg", { viewBox: `0 0 ${width} ${height}`, preserveAspectRatio: "none", role: "img", "aria-label": title });
-  const ticks = ends.map(([low, high], axis) => ticksOf(low, high, axis ? 4 : 6));
-  const across = ticks[0].map((value) => `M${(place(0, value) * width).toFixed(1)} 0v${height}`);
-  const level = ticks[1].map((value) => `M0 ${((1 - place(1, value)) * height).toFixed(1)}h${width}`);
-  svg.append(draw("path", { class: "grid", d: across.concat(level).join("") }));
-  if (circle) {
-    const [rx, ry] = [0, 1].map((axis) => (circle / (ends[axis][1] - ends[axis][0])) * [width, height][axis]);
-    svg.append(draw("ellipse", { class: "wall", cx: place(0, 0) * width, cy: (1 - place(1, 0)) * height, rx, ry }));
-  }
-  for (const { x, y, look } of lines) {
-    const points = thinned(x, y, (value) => place(0, value) * width, (value) => (1 - place(1, value)) * height);
-    svg.append(draw("path", { class: look, d: `M${points.join("L")}` }));
-  }
-  const spans = (axis, side) =>
-    ticks[axis].map((value) => {
-      const span = make("span", {}, readable(value));
-      span.style[side] = `${100 * place(axis, value)}%`;
-      return span;
-    });
-  const widest = ticks[1].map(readable).reduce((one, other) => (other.length > one.length ? other : one), "");
-  const area = make("div", { class: "area" }, svg);
-  area.style.aspectRatio = shape;
-  return make(
-    "div",
-    { class: "panel" },
-    make("h4", {}, title),
-    make(
-      "div",
-      { class: "plot" },
-      make("div", { class: "title-y" }, make("span", {}, words[1])),
-      make("div", { class: "axis-y" }, make("i", { "aria-hidden": "true" }, widest), ...spans(1, "bottom")),
-      area,
-      make("div", { class: "axis-x" }, ...spans(0, "left")),
-      make("div", { class: "title-x" }, words[0]),
-    ),
-  );
-};
-
-/** Points of a line: where many lie within a tenth of a unit of the last, they are left out. */
-const thinned = (x, y, across, down) => {
-  const points = [];
-  let [left, top] = [NaN, NaN];
-  for (let place = 0; place < x.length; place += 1) {
-    const [here, there] = [across(x[place]), down(y[place])];
-    if (Math.abs(here - left) < 0.3 && Math.abs(there - top) < 0.3) continue;
-    [left, top] = [here, there];
-    points.push(`${here.toFixed(1)} ${there.toFixed(1)}`);
-  }
-  return points;
-};
-
 /** The engine of the page, with one sweep open at a time. */
 class PageEngine {
   constructor(element) {
@@ -121,37 +41,18 @@ class PageEngine {
 
 const engine = new PageEngine(document.getElementById("engine"));
 
-/** How long the end of an orbit is that is set off, s. */
-const CLOSING = 2;
-
 /** The charts of a motion: bit speed, torque on bit and, with a wall, the orbit of the site that decides. */
 const charts = (cases, { row, time, speed, torque, positions, description }) => {
   const found = [];
-  const overTime = (values, title, { unit, size }) => {
-    if (!values) return;
-    const y = values.map((value) => value / size);
-    const lines = [{ x: time, y, look: "curve" }];
-    found.push(chart({ title, words: ["Time (s)", unit], ends: [[time[0], time.at(-1)], endsOf(y)], lines, shape: 3 }));
-  };
-  overTime(speed, "Bit speed", { unit: "rpm", size: 1 });
-  overTime(torque, "Torque on bit", cases.shown.torque);
+  if (speed) found.push(overTime("Bit speed", time, speed, { unit: "rpm", size: 1 }));
+  if (torque) found.push(overTime("Torque on bit", time, torque, cases.shown.torque));
   const from = row.site_from_bit_m ?? 0;
   const site = from === 0 ? "bit" : `${from}m_above_bit`;
-  const orbit = positions.find((one) => one.site === site);
-  if (!orbit) return found;
-  const { unit, size } = cases.shown.width;
-  const [x, y] = [orbit.x, orbit.y].map((values) => values.map((value) => value / size));
-  const place = description.sites_from_bit_m.indexOf(from);
-  const clearance = description.clearances_mm?.[place] / size;
-  const reach = 1.08 * Math.max(clearance || 0, ...[x, y].map((values) => Math.max(...endsOf(values).map(Math.abs))));
-  const closing = time.findIndex((moment) => moment > time.at(-1) - CLOSING);
-  const lines = [
-    { x, y, look: "curve before" },
-    { x: x.subarray(closing), y: y.subarray(closing), look: "curve" },
-  ];
+  const path = positions.find((one) => one.site === site);
+  if (!path) return found;
+  const clearance = description.clearances_mm?.[description.sites_from_bit_m.indexOf(from)];
   const title = `Orbit ${from === 0 ? "of the bit" : `${from} m above the bit`}; heavy: the last ${CLOSING} s; dashed: the wall`;
-  const ends = [0, 1].map(() => [-reach, reach]);
-  found.push(chart({ title, words: [`x (${unit})`, `y (${unit})`], ends, lines, circle: clearance, shape: 1 }));
+  found.push(orbit(title, path, cases.shown.width, clearance, closingOf(time)));
   return found;
 };
 

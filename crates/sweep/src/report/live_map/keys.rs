@@ -1,8 +1,8 @@
 //! The legend of maps: a list of the page.
 
 use super::look::{LINES, class_of_ground, class_of_symbol, symbol_path};
-use crate::plot::{Ground, MapGroup, Symbol};
 use crate::report::escaping::{escaped, with_index};
+use plot::{Ground, MapGroup, Symbol};
 
 /// The middle of a key, and the radius of its symbol.
 const MIDDLE: (f64, f64) = (20.0, 8.0);

@@ -1,6 +1,6 @@
 //! What a style sheet colours, and the shapes of symbols.
 
-use crate::plot::{Ground, Part, Symbol};
+use plot::{Ground, Part, Symbol};
 
 /// Dash patterns of lines in the style sheet, `l0` and on.
 pub const LINES: usize = 6;

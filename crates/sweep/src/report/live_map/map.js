@@ -1,19 +1,5 @@
 // Maps that answer: pointing at a case tells its values, opening it tells all of them. A case
-// is found by where it is, not by an element of its own. Text is only ever put in as text.
-
-/** An element with attributes and content. */
-const make = (name, attributes = {}, ...content) => {
-  const element = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  element.append(...content);
-  return element;
-};
-
-/** A number in digits that are read, all of them where one looks closer. */
-const readable = (value) => {
-  const rounded = Number(value.toPrecision(4));
-  return rounded.toString().replace("-", "−");
-};
+// is found by where it is, not by an element of its own.
 
 /** The cases of a results folder, as the page holds them. */
 class Cases {

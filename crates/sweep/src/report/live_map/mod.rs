@@ -16,17 +16,18 @@ use serde_json::Value;
 use super::escaping::{escaped, with_index};
 use crate::map::{Drawing, drawing};
 use crate::output::ResultTables;
-use crate::plot::{MapGroup, map_axes};
+use plot::{MapGroup, map_axes};
 
 pub use data::shown;
 pub use look::DEFINITIONS;
 
 /// The looks of maps.
-pub const STYLE: &str = include_str!("map.css");
+pub const STYLE: &str = concat!(include_str!("../../page/plot.css"), include_str!("map.css"));
 
-/// What makes maps answer: the engine's client, a case's motion, and the maps.
+/// What makes maps answer: the engine's client, charts, a case's motion, and the maps.
 pub const SCRIPT: &str = concat!(
     include_str!("../../page/engine.js"),
+    include_str!("../../page/plot.js"),
     include_str!("history.js"),
     include_str!("map.js")
 );

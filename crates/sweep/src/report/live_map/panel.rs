@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::look::{LINES, class_of_ground, class_of_symbol, short, symbol_path};
-use crate::plot::{MapAxis, MapCell, MapPanel, Mark, Series, Symbol};
 use crate::report::escaping::{escaped, with_index};
+use plot::{MapAxis, MapCell, MapPanel, Mark, Series, Symbol};
 
 /// Size of the drawing in its own units.
 const SIZE: [f64; 2] = [600.0, 450.0];

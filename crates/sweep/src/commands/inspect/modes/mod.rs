@@ -34,9 +34,9 @@ pub fn show_modes(
     let found = find(sweep, count, &excitation)?;
     write_found(&found, &excitation, folder)?;
     let (look, units) = (&drawing.look, sweep.content.units);
-    let campbell = campbell_picture(look, &sweep.title, &found, &excitation)?;
+    let campbell = campbell_picture(look, &sweep.title, &found, &excitation);
     drawing.save(folder, "campbell", &campbell)?;
-    let shapes = shape_picture(look, &sweep.title, &found, units)?;
+    let shapes = shape_picture(look, &sweep.title, &found, units);
     drawing.save(folder, "mode_shapes", &shapes)?;
     let mut text = words::describe(sweep, &found, &excitation, count);
     for name in ["campbell", "mode_shapes"] {

@@ -1,30 +1,26 @@
 //! The modes as pictures: a Campbell diagram, and shapes side by side.
 
-use anyhow::Result;
-
 use super::found::Modes;
 use super::speeds::{Excitation, frequency};
-use crate::plot::{Axis, CampbellPanel, Look, Multiple, Picture, Series, campbell, multiples};
 use campaign::quantities::{LENGTH, Units};
 use campaign::words::short;
+use plot::{Axis, CampbellPanel, Look, Multiple, Picture, Series, campbell, multiples};
 
 /// How much higher than the lowest mode the diagram of one whose modes all are above the
 /// excitation is.
 const ROOM: f64 = 1.1;
 
 /// Natural frequencies and multiples of the surface speed.
-///
-/// # Errors
-/// Where it cannot be drawn.
 pub fn campbell_picture(
     look: &Look,
     title: &str,
     found: &[Modes],
     excitation: &Excitation,
-) -> Result<Picture> {
+) -> Picture {
     let panels: Vec<_> = (found.iter().map(|modes| panel(modes, excitation))).collect();
     let title = format!("{title}: critical speeds (Campbell diagram)");
-    campbell(look, &title, "natural frequency, with its number", &panels)
+    let words = ["natural frequency, with its number", "critical"];
+    campbell(look, &title, words, &panels)
 }
 
 fn panel(modes: &Modes, excitation: &Excitation) -> CampbellPanel {
@@ -55,10 +51,7 @@ fn panel(modes: &Modes, excitation: &Excitation) -> CampbellPanel {
 }
 
 /// Shapes of the lowest modes along the string.
-///
-/// # Errors
-/// Where they cannot be drawn.
-pub fn shape_picture(look: &Look, title: &str, found: &[Modes], units: Units) -> Result<Picture> {
+pub fn shape_picture(look: &Look, title: &str, found: &[Modes], units: Units) -> Picture {
     let length = units.of(&LENGTH);
     let panels = found.iter().flat_map(|modes| {
         let titled = titled(modes.of.short_words());

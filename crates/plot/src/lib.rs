@@ -1,0 +1,63 @@
+//! Pictures of plain data: maps over two parameters, curves, bands, orbits, tables of cells.
+//!
+//! A picture is drawn once, as a list of shapes, and each file is written from that list: SVG
+//! with its text as text, PNG, and PDF with its text as paths. The font is embedded, in the SVG too: no font or library of
+//! the machine is used, and the same data always gives the same bytes.
+//!
+//! [`map_sheet`] draws symbols and cells over two parameters, [`panels()`] draws stacked
+//! curves. Each kind takes plain data, words of its legend among them, and returns a
+//! [`Picture`]; writing files is left to the caller.
+
+mod bands;
+mod campbell;
+mod canvas;
+mod cells;
+pub mod colours;
+mod film;
+mod font;
+mod frame;
+mod geometry;
+mod grounds;
+mod hatching;
+mod inks;
+mod legend;
+mod lettering;
+mod look;
+mod map;
+mod multiples;
+mod names;
+mod numbers;
+mod orbits;
+mod overlaid;
+mod panels;
+mod pdf;
+mod picture;
+mod raster;
+mod references;
+mod scale;
+mod scatter;
+mod shapes;
+mod svg;
+mod symbols;
+mod text;
+
+pub use bands::{BandChart, BandPanel, Bar, COLUMNS, band_chart};
+pub use campbell::{CampbellPanel, campbell};
+pub use cells::{CellPanel, CellWords, ChartCell, Seen, cell_chart};
+pub use film::{Film, FilmDot, FilmFrame, FilmWords, film};
+pub use grounds::{Ground, Part, Safety};
+pub use inks::{Ink, Series};
+pub use lettering::split_at_indices;
+pub use look::{Look, Paper};
+pub use map::{
+    Band, MapAxis, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_axes,
+    map_sheet,
+};
+pub use multiples::{Multiple, multiples};
+pub use orbits::{Orbit, orbits};
+pub use panels::{Panel, Wall, panels};
+pub use picture::{Picture, PictureError};
+pub use references::{Across, Reference};
+pub use scale::Axis;
+pub use scatter::{ScatterPanel, scatter_grid};
+pub use symbols::Symbol;

@@ -1,0 +1,46 @@
+//! The axes of a sheet in numbers, for a page that draws its maps itself.
+
+use super::MapSheet;
+use super::panel::scales;
+use crate::scale::Scale;
+
+/// An axis of all maps of a sheet.
+pub struct MapAxis {
+    /// Its title, with the unit.
+    pub title: String,
+    scale: Scale,
+    /// Marks at round numbers: the place between the ends, from 0 to 1, and the number.
+    pub ticks: Vec<(f64, String)>,
+}
+
+impl MapAxis {
+    /// The place of a value, from 0 to 1 between the ends; none where the axis has none for it.
+    pub fn fraction(&self, value: f64) -> Option<f64> {
+        self.scale.fraction(value)
+    }
+
+    /// The values at its ends.
+    pub fn ends(&self) -> [f64; 2] {
+        self.scale.ends()
+    }
+
+    /// Whether it is even in the logarithm.
+    pub fn is_logarithmic(&self) -> bool {
+        self.scale.logarithmic
+    }
+}
+
+/// The axes of a sheet, as its picture has them, each with about `most` numbers.
+pub fn map_axes(sheet: &MapSheet, most: usize) -> [MapAxis; 2] {
+    let scales = scales(sheet, [None; 2]);
+    [0, 1].map(|axis| {
+        let ticks = scales[axis].ticks(most).into_iter();
+        MapAxis {
+            title: sheet.axes[axis].label.clone(),
+            scale: scales[axis],
+            ticks: ticks
+                .filter_map(|tick| Some((tick.fraction, tick.label?)))
+                .collect(),
+        }
+    })
+}

@@ -1,0 +1,45 @@
+//! The ink of methods: one has the same colour in every picture.
+
+use plot::Ink;
+use plot::colours::{BLACK, BLUE, Colour, DARK_GREY, GREEN, ORANGE, PURPLE, RED, SKY_BLUE};
+
+/// The colours of methods, and of exact responses. Those of the four that draw limits on maps are
+/// none of the colours of their symbols.
+const METHODS: [(&str, Colour); 8] = [
+    ("held", BLACK),
+    ("quadrature", GREEN),
+    ("finite-element", RED),
+    ("hilbert", PURPLE),
+    ("trapezoidal", SKY_BLUE),
+    ("direct-idft", ORANGE),
+    ("radau-quadrature", BLUE),
+    ("exact", DARK_GREY),
+];
+
+/// The ink of a method, by what a name begins with up to a comma or a space. Of an unknown one it
+/// follows from its place among the others of a picture.
+pub fn method_ink(name: &str) -> Ink {
+    let method = name.split([',', ' ']).next();
+    let known = METHODS
+        .into_iter()
+        .find(|(known, _)| Some(*known) == method);
+    known.map_or_else(Ink::default, |(_, colour)| Ink::coloured(colour))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_method_has_its_colour_whatever_follows_its_name() {
+        assert_eq!(method_ink("hilbert, γ = 0.5"), method_ink("hilbert"));
+        assert_eq!(method_ink("recorded"), Ink::default());
+    }
+
+    #[test]
+    fn methods_differ_in_colour() {
+        for (index, (_, colour)) in METHODS.iter().enumerate() {
+            assert!(METHODS[..index].iter().all(|(_, other)| other != colour));
+        }
+    }
+}
