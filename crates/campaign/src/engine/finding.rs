@@ -6,12 +6,12 @@
 
 use anyhow::Result;
 use linear::Method;
-use linear::elements::reconstruction::WholeString;
 use sim::Trajectory;
 
 use super::case::Case;
 use super::case_error::CaseError;
 use super::clearances::{Beyond, Clearances};
+use super::memory::whole_string;
 use super::nearby::certify;
 use super::record::{Failure, Found, Record};
 use super::run_options::RunOptions;
@@ -156,16 +156,8 @@ fn bulges(
     sweep: &Sweep,
 ) -> Result<Vec<Beyond>, CaseError> {
     let setting = &system.setting;
-    let Some(lateral) = &setting.lateral else {
+    let Some(whole) = whole_string(sweep, setting) else {
         return Ok(Vec::new());
-    };
-    let whole = WholeString {
-        string: &setting.string,
-        bending: &lateral.bending,
-        support: lateral.support,
-        sites: &setting.sites,
-        sampling_frequency: setting.sampling_frequency,
-        parameters: sweep.content.method.finite_element,
     };
     let whole = whole.reconstruct(&motion.forces, &[]);
     let whole = whole.map_err(|error| CaseError::Responses(error.into()))?;

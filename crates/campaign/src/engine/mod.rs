@@ -25,6 +25,7 @@ mod simulation;
 mod stepped;
 mod stopwatch;
 mod survey;
+mod system_plan;
 mod systems;
 mod verdict;
 
@@ -38,7 +39,7 @@ pub use follow::FollowedMethod;
 pub use idle_axis::why_idle;
 pub use instability::{Instability, is_unstable};
 pub use limit::{LimitPoint, stick_slip_limit};
-pub use memory::StringMemory;
+pub use memory::{StringMemory, whole_string};
 pub use record::{ByStart, Failure, Found, Record, certified};
 pub use run_options::RunOptions;
 pub use shard::Shard;
