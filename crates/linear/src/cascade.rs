@@ -101,7 +101,7 @@ pub struct End {
     pub reflection: Vec<f64>,
 }
 
-/// Responses last at most so many times as long as is tried first: up to 37 times on random
+/// Responses last at most this many times as long as is tried first: up to 37 times on random
 /// strings.
 const LASTS: f64 = 64.0;
 

@@ -11,12 +11,12 @@ use sim::Trajectory;
 use super::case::Case;
 use super::case_error::CaseError;
 use super::clearances::{Beyond, Clearances};
-use super::memory::whole_string;
 use super::nearby::certify;
 use super::record::{Failure, Found, Record};
 use super::run_options::RunOptions;
 use super::stepped::{MOST_BY_TAPS, stepped_by};
 use super::systems::MethodSystem;
+use super::whole_string::whole_string;
 use crate::plan::{Finding, Setting, Sweep};
 
 /// Sites are told to a millimetre, in so many parts of a metre.

@@ -2,13 +2,14 @@
 //! them: a dry run of what builds them.
 
 use linear::budget::{Budget, Need};
-use linear::elements::reconstruction::WholeString;
 use linear::{BuildError, Method, Sites, SurfaceTorquePlan};
 use sim::SurfaceTorque;
 
+use super::dry_run::ask;
 use super::finding::most_sites;
 use super::finer::finer_frequency;
 use super::system_plan::SystemPlan;
+use super::whole_string::whole_string;
 use crate::plan::{Setting, Sweep};
 
 /// Memory of one string by all methods, bytes: upper bounds.
@@ -76,7 +77,7 @@ impl StringMemory {
 /// What a system takes, and a case that is stepped against it.
 fn dry_run(sweep: &Sweep, plan: &SystemPlan) -> Result<(Need, f64), BuildError> {
     let budget = Budget::unlimited();
-    let stepping = plan.ask(&budget)?;
+    let stepping = ask(plan, &budget)?;
     let lateral = plan.setting.lateral.as_ref();
     let finds_sites = lateral.is_some_and(|lateral| lateral.finding.is_some());
     let mut case = stepping.case_bytes(sweep.keeps_motion() || finds_sites);
@@ -91,19 +92,6 @@ fn dry_run(sweep: &Sweep, plan: &SystemPlan) -> Result<(Need, f64), BuildError> 
         case += SurfaceTorque::bytes_of_motion(stepping.taps, plan.steps());
     }
     Ok((budget.need(), case))
-}
-
-/// The whole string of a setting that bends, as it is looked at.
-pub fn whole_string<'a>(sweep: &Sweep, setting: &'a Setting) -> Option<WholeString<'a>> {
-    let lateral = setting.lateral.as_ref()?;
-    Some(WholeString {
-        string: &setting.string,
-        bending: &lateral.bending,
-        support: lateral.support,
-        sites: &setting.sites,
-        sampling_frequency: setting.sampling_frequency,
-        parameters: sweep.content.method.finite_element,
-    })
 }
 
 /// A setting with as many sites as may be found, where they are looked for, wherever they are.

@@ -1,12 +1,9 @@
-//! The linear system of a method before it is built: what it asks for, in the order in which it is
-//! built, and what a case takes that is stepped against it.
+//! The linear system of a method before it is built, and what a case takes that is stepped against
+//! it.
 
-use linear::budget::{Budget, Need};
-use linear::{BuildError, ChannelRequest, MarginPlan, Method, Request, ResponsePlan};
+use linear::{ChannelRequest, Method, Request};
 use sim::{SimulatorPlan, plan};
 
-use super::rubbing;
-use super::stepped::{self, stepped_by};
 use crate::plan::Setting;
 
 /// The linear system of one method before it is built.
@@ -36,54 +33,6 @@ pub(super) struct Stepping {
 }
 
 impl SystemPlan<'_> {
-    /// What building it takes.
-    ///
-    /// # Errors
-    /// Where the method cannot treat the string, or responses would be too long.
-    pub fn need(&self) -> Result<Need, BuildError> {
-        let budget = Budget::unlimited();
-        self.ask(&budget)?;
-        Ok(budget.need())
-    }
-
-    /// Asks for what building takes.
-    ///
-    /// # Errors
-    /// As [`SystemPlan::need`], and where it is more than is left.
-    pub(super) fn ask(&self, budget: &Budget) -> Result<Stepping, BuildError> {
-        if let Some((lateral, parameters)) = stepped_by(self.setting, self.method) {
-            return stepped::ask(self, lateral, &parameters, budget);
-        }
-        let request = self.request();
-        let responses = ResponsePlan::new(&self.setting.string, self.method, &request)?;
-        responses.ask(budget)?;
-        let (sites, loads) = (request.sites.len(), loads(&request));
-        let (taps, bending_taps) = (responses.torsion_taps(), responses.bending_taps());
-        let bends = |simulator: SimulatorPlan| match self.setting.lateral {
-            None => simulator,
-            Some(_) => simulator.bending_by(sites, bending_taps),
-        };
-        let stepping = match &self.setting.friction {
-            Some(friction) => rubbing::ask(self, friction, bends, budget)?,
-            None => {
-                let simulator = SimulatorPlan::by_responses(sites, loads, taps, self.steps());
-                let simulator = bends(simulator);
-                simulator.ask(budget)?;
-                Stepping {
-                    simulator,
-                    recorded: sites,
-                    taps,
-                    follows_surface: false,
-                }
-            }
-        };
-        MarginPlan::in_torsion(loads, taps).ask(budget)?;
-        if self.setting.lateral.is_some() {
-            MarginPlan::in_bending(sites, bending_taps).ask(budget)?;
-        }
-        Ok(stepping)
-    }
-
     /// Steps of its longest case.
     pub(super) fn steps(&self) -> f64 {
         plan::steps(self.longest_time, self.setting.sampling_frequency)
@@ -122,13 +71,4 @@ impl Stepping {
         let keeps_motion = keeps_motion || self.follows_surface;
         self.simulator.case_bytes() + if keeps_motion { motion } else { 0.0 }
     }
-}
-
-/// Torques that act.
-fn loads(request: &Request) -> usize {
-    let of_channel = |channel: &ChannelRequest| match channel {
-        ChannelRequest::Torsion { torques } => torques.len(),
-        ChannelRequest::Bending { .. } => 0,
-    };
-    request.channels.iter().map(of_channel).sum()
 }

@@ -19,8 +19,8 @@ const ROUNDING: f64 = 1e-12;
 const OF_ROUNDING: f64 = 2.0;
 
 /// Responses are built as long as they should last, though nothing looks so far, where that
-/// is no more than so many times as long: what is told of a whole response needs no
-/// allowance for its end.
+/// is no more than this many times as long: the margin of a whole response needs no allowance for
+/// its end.
 const WORTH_WHILE: f64 = 2.2;
 
 /// Time constants until a response counts as decayed, and has been quiet for a quarter of its

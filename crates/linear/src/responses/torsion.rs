@@ -65,8 +65,8 @@ impl<'a> TorsionPlan<'a> {
         let channels = wanted.count(request.sites.len());
         let on_thread = working_bytes(request.sites.len(), 1);
         let rounds = |ring: bool| {
-            let ring = (Sampling::Close, ring);
-            Rounds::new(string, request, ring, (channels, on_thread)).map(Lengths::Rounds)
+            let goes_on = (Sampling::Close, ring);
+            Rounds::new(string, request, goes_on, (channels, on_thread)).map(Lengths::Rounds)
         };
         let lengths = match (method, trains) {
             (Method::Held, Some(trains)) => {

@@ -4,7 +4,7 @@ use linear::method::FiniteElement;
 use linear::passivity::Ending;
 use linear::{
     Bending, Budget, BuildError, CascadePlan, ChannelRequest, Drillstring, Method, Request,
-    ResponsePlan, Section, Sites, SurfaceSupport, Tube, responses,
+    ResponsePlan, Section, Sites, SurfaceSupport, TopDrive, Tube, responses,
 };
 use problems::academic;
 use problems::wells::{Draw, Well};
@@ -107,6 +107,49 @@ proptest! {
                     prop_assert!(off < 3e-8, "{}: {off}", method.name());
                 }
             }
+        }
+    }
+}
+
+/// Builders ask for no more than their dry run: on any string in a well, below a drive or none.
+#[test]
+fn responses_take_no_more_than_their_plan() {
+    for number in 0..90 {
+        let mut draw = Draw::new(number);
+        let string = Well::draw(number, &mut draw).string;
+        let drive = TopDrive {
+            inertia: draw.log_uniform(200.0, 5000.0),
+            proportional_gain: draw.log_uniform(50.0, 20_000.0),
+            integral_gain: draw.log_uniform(10.0, 20_000.0),
+        };
+        let string = match number % 2 {
+            0 => string,
+            _ => string.with_top_drive(drive).unwrap(),
+        };
+        let (frequency, time) = (draw.log_uniform(20.0, 300.0), draw.log_uniform(1.0, 100.0));
+        let request = request(&string, time, frequency);
+        for method in methods() {
+            let plan = ResponsePlan::new(&string, &method, &request).unwrap();
+            let dry = Budget::unlimited();
+            plan.ask(&dry).unwrap();
+            let budget = Budget::new(dry.need().peak);
+            let name = method.name();
+            let built = plan
+                .build(&budget)
+                .unwrap_or_else(|error| panic!("{number} {name}: {error}"));
+            assert!(
+                built.torsion().unwrap().taps() <= plan.torsion_taps(),
+                "{number} {name}"
+            );
+            assert!(budget.need().kept <= dry.need().kept, "{number} {name}");
+            // Half of it is refused before it is taken.
+            let half = Budget::new(0.5 * budget.need().peak);
+            let refused = plan.build(&half);
+            assert!(
+                matches!(refused, Err(BuildError::OutOfBudget(_))),
+                "{number} {name}"
+            );
+            assert_eq!(half.need().kept, 0.0);
         }
     }
 }

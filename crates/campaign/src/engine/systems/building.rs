@@ -10,6 +10,7 @@ use sim::excitation::reach_of_impulse;
 use sim::{Sampling, Simulator, SimulatorPlan};
 
 use super::MethodSystem;
+use crate::engine::dry_run::need;
 use crate::engine::finer::finer_frequency;
 use crate::engine::rubbing;
 use crate::engine::stepped::{self, stepped_by};
@@ -181,7 +182,7 @@ impl MethodSystem {
     ) -> Result<Self> {
         let start = Stopwatch::start();
         let (setting, method, longest_time) = (plan.setting, plan.method, plan.longest_time);
-        let budget = Budget::new(plan.need()?.peak);
+        let budget = Budget::new(need(plan)?.peak);
         if let Some((lateral, parameters)) = stepped_by(setting, method) {
             let (responses, simulator) =
                 stepped::build(setting, lateral, &parameters, longest_time, &budget)?;
