@@ -18,13 +18,15 @@ use crate::assembly::nodes::{Link as _, Relation};
 use crate::assembly::number::Number;
 use crate::assembly::scattering::{Scattered, Uppermost, reflection, uppermost};
 use crate::assembly::torsion::{Drive, DynamicStiffness};
+use crate::assembly::working_bytes;
+use crate::budget::{Budget, Need, OutOfBudget, REAL, What};
 use crate::channel::Channel;
 use crate::drillstring::{Drillstring, Section};
 use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
 use crate::error::BuildError;
 use crate::estimates::torsional_impedance;
-use crate::filters::quadrature::{Formula, Sampling, series};
+use crate::filters::quadrature::{Formula, Sampling, buffers, series};
 use crate::method::Method;
 use crate::responses::length::{MOST_TAPS, needed_taps, too_many, transformable};
 use crate::sites::Sites;
@@ -99,18 +101,21 @@ pub struct End {
     pub reflection: Vec<f64>,
 }
 
+/// Responses last at most this many times as long as is tried first: up to 37 times on random
+/// strings.
+const LASTS: f64 = 64.0;
+
 /// Responses of the uppermost piece.
-pub(crate) const AT_TOP: usize = 6;
+const AT_TOP: usize = 6;
 
 /// Responses of a link.
-pub(crate) const AT_LINK: usize = 3;
+const AT_LINK: usize = 3;
 
 impl Cascade {
-    /// Cuts a string at its nodes.
+    /// Cuts a string at its nodes, however much memory that takes ([`CascadePlan`] asks for it).
     ///
     /// # Errors
-    /// Where the method is none by which pieces can be stepped one by one, a parameter is out of
-    /// range, or these are not places of the string.
+    /// As [`CascadePlan::new`] and [`CascadePlan::build`].
     pub fn new(
         string: &Drillstring,
         method: &Method,
@@ -118,6 +123,64 @@ impl Cascade {
         sampling_frequency: f64,
         longest_time: f64,
     ) -> Result<Self, BuildError> {
+        CascadePlan::new(string, method, nodes, sampling_frequency, longest_time)?
+            .build(&Budget::unlimited())
+    }
+
+    /// Taps of the longest response.
+    pub fn longest_response(&self) -> usize {
+        let links = self.links.iter();
+        let of_links = links.flat_map(|link| [&link.top, &link.across, &link.bottom]);
+        let top = &self.top;
+        let of_top = [
+            &top.reflection,
+            &top.sent,
+            &top.torque_by_set,
+            &top.torque_by_wave,
+        ];
+        let of_ends = self.end.iter().map(|end| &end.reflection);
+        let all = (of_links.chain(of_top))
+            .chain(top.speed.iter().flatten())
+            .chain(of_ends);
+        all.map(Vec::len).max().unwrap_or(0)
+    }
+}
+
+/// A string in pieces before it is cut.
+#[derive(Debug)]
+pub struct CascadePlan<'a> {
+    string: &'a Drillstring,
+    method: &'a Method,
+    nodes: &'a Sites,
+    sampling_frequency: f64,
+    longest_time: f64,
+    pieces: Pieces,
+    lengths: Lengths,
+}
+
+impl<'a> CascadePlan<'a> {
+    /// Of a string that is cut at nodes.
+    ///
+    /// # Errors
+    /// Where the method is none by which pieces can be stepped one by one, these are not places of
+    /// the string, or responses would be too long.
+    pub fn new(
+        string: &'a Drillstring,
+        method: &'a Method,
+        nodes: &'a Sites,
+        sampling_frequency: f64,
+        longest_time: f64,
+    ) -> Result<Self, BuildError> {
+        if !matches!(method, Method::Quadrature | Method::FiniteElement(_)) {
+            let method = method.name();
+            return Err(BuildError::NotInPieces { method });
+        }
+        let first = first_taps(string, nodes, sampling_frequency);
+        let most = needed_taps(longest_time, sampling_frequency);
+        let longest = (LASTS * first).min(most);
+        if longest > MOST_TAPS as f64 {
+            return Err(too_many(longest));
+        }
         let pieces = Pieces {
             impedances: (string.spans(nodes)?.iter())
                 .map(|span| impedance(string, span))
@@ -125,51 +188,77 @@ impl Cascade {
             has_drive: string.top_drive().is_some(),
             nodes: nodes.len(),
         };
-        let lengths = Lengths {
-            first: first_taps(string, nodes, sampling_frequency),
-            most: needed_taps(longest_time, sampling_frequency),
-        };
-        let taps = match method {
-            Method::Quadrature => {
-                let network = TorsionNetwork::new(string, nodes)?;
-                let response = |zeta: Lanes, waves: &mut [Lanes]| {
-                    let s =
-                        Formula::BackwardDifferences.generating_function(zeta) * sampling_frequency;
-                    pieces.write(network.pieces(s), network.drive(s), s, waves);
-                };
-                lengths.taps(&pieces.scales(), &response)?
-            }
-            Method::FiniteElement(parameters) => {
-                let weights = Weights::new(parameters, sampling_frequency)?;
-                let chain = ElementChain::new(
-                    string,
-                    Channel::Torsion,
-                    nodes,
-                    parameters.elements_per_cell,
-                    weights,
-                )?;
-                let response = |zeta: Lanes, waves: &mut [Lanes]| {
-                    let (rows, drive) = chain.rows_and_drive(zeta);
-                    pieces.write(rows, drive, Lanes::real(1.0), waves);
-                };
-                lengths.taps(&pieces.scales(), &response)?
-            }
-            _ => {
-                return Err(BuildError::NotInPieces {
-                    method: method.name(),
-                });
-            }
+        Ok(Self {
+            string,
+            method,
+            nodes,
+            sampling_frequency,
+            longest_time,
+            lengths: Lengths {
+                first: first.min(most),
+                most,
+                longest: transformable(longest.ceil() as usize),
+                channels: pieces.scales().len(),
+                on_thread: working_bytes(nodes.len(), 1),
+            },
+            pieces,
+        })
+    }
+
+    /// Taps of each response, at most.
+    pub fn taps(&self) -> usize {
+        self.lengths.longest
+    }
+
+    /// What cutting takes of a budget.
+    ///
+    /// # Errors
+    /// Where that is more than is left.
+    pub fn ask(&self, budget: &Budget) -> Result<(), OutOfBudget> {
+        budget.pass(self.lengths.need_of(self.lengths.longest), What::Pieces)
+    }
+
+    /// Cuts the string.
+    ///
+    /// # Errors
+    /// Where a parameter is out of range, responses are not finite or too long, or they ask for
+    /// more memory than is left.
+    pub fn build(&self, budget: &Budget) -> Result<Cascade, BuildError> {
+        let (string, nodes, pieces) = (self.string, self.nodes, &self.pieces);
+        let frequency = self.sampling_frequency;
+        let scales = pieces.scales();
+        let taps = if let Method::FiniteElement(parameters) = self.method {
+            let weights = Weights::new(parameters, frequency)?;
+            let chain = ElementChain::new(
+                string,
+                Channel::Torsion,
+                nodes,
+                parameters.elements_per_cell,
+                weights,
+            )?;
+            let response = |zeta: Lanes, waves: &mut [Lanes]| {
+                let (rows, drive) = chain.rows_and_drive(zeta);
+                pieces.write(rows, drive, Lanes::real(1.0), waves);
+            };
+            self.lengths.taps(&scales, budget, &response)?
+        } else {
+            let network = TorsionNetwork::new(string, nodes)?;
+            let response = |zeta: Lanes, waves: &mut [Lanes]| {
+                let s = Formula::BackwardDifferences.generating_function(zeta) * frequency;
+                pieces.write(network.pieces(s), network.drive(s), s, waves);
+            };
+            self.lengths.taps(&scales, budget, &response)?
         };
         if !taps.iter().flatten().all(|tap| tap.is_finite()) {
-            return Err(BuildError::NotFinite {
-                method: method.name(),
-            });
+            let method = self.method.name();
+            return Err(BuildError::NotFinite { method });
         }
-        Ok(pieces.cascade(taps, nodes, sampling_frequency, longest_time))
+        Ok(pieces.cascade(taps, nodes, frequency, self.longest_time))
     }
 }
 
 /// What is known of the pieces before their taps.
+#[derive(Debug)]
 struct Pieces {
     /// Reference impedances, N m s/rad.
     impedances: Vec<f64>,
@@ -298,7 +387,7 @@ fn impedance(string: &Drillstring, span: &Span) -> f64 {
 }
 
 /// Taps in which a wave passes twice through the longest piece, and some.
-pub(crate) fn first_taps(string: &Drillstring, nodes: &Sites, sampling_frequency: f64) -> f64 {
+fn first_taps(string: &Drillstring, nodes: &Sites, sampling_frequency: f64) -> f64 {
     let from_bit = nodes.distances_from_bit();
     let ends = std::iter::once(string.length())
         .chain(from_bit.iter().copied())
@@ -310,35 +399,51 @@ pub(crate) fn first_taps(string: &Drillstring, nodes: &Sites, sampling_frequency
 }
 
 /// How many taps are built.
+#[derive(Debug)]
 struct Lengths {
     first: f64,
     /// Nothing looks further.
     most: f64,
+    /// They last no longer.
+    longest: usize,
+    /// Responses that are made side by side.
+    channels: usize,
+    /// Bytes on each thread while they are sampled.
+    on_thread: f64,
 }
 
 impl Lengths {
+    /// What a number of taps of each response takes.
+    fn need_of(&self, taps: usize) -> Need {
+        buffers(taps, self.channels, Sampling::Close).need(self.on_thread)
+    }
+
     /// Taps until they have decayed, or nothing looks at them.
     fn taps(
         &self,
         scales: &[f64],
+        budget: &Budget,
         response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
     ) -> Result<Vec<Vec<f64>>, BuildError> {
-        let mut length = self.first.min(self.most);
+        let mut length = self.first;
         loop {
             if length > MOST_TAPS as f64 {
                 return Err(too_many(length));
             }
             let count = transformable(length.ceil() as usize);
+            let working = budget.begin(self.need_of(count), What::Pieces)?;
             let mut taps = series(count, scales.len(), Sampling::Close, response);
             let lengths: Vec<usize> = std::iter::zip(&taps, scales)
                 .map(|(taps, &scale)| decayed(taps, scale))
                 .collect();
             let most = lengths.iter().copied().max().unwrap_or(0);
             if most as f64 <= (1.0 - QUIET_PART) * count as f64 || length >= self.most {
+                let kept: usize = lengths.iter().sum();
                 for (taps, length) in taps.iter_mut().zip(lengths) {
                     taps.truncate(length);
                     taps.shrink_to_fit();
                 }
+                working.kept(REAL * kept as f64).keep();
                 return Ok(taps);
             }
             length = (2.0 * length).min(self.most);

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::budget::OutOfBudget;
 use crate::channel::Channel;
 
 /// Why a drillstring or a set of sites is refused.
@@ -252,6 +253,9 @@ pub enum BuildError {
         /// The most that are kept.
         most: usize,
     },
+    /// They would need more memory than is left.
+    #[error(transparent)]
+    OutOfBudget(#[from] OutOfBudget),
     /// The real part of a response without damping is zero between its
     /// resonances and infinite at them: no samples describe it.
     #[error(

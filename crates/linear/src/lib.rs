@@ -47,7 +47,7 @@
 //! | steady rotation, and steady winding of a held bit | [`steady`] |
 //! | steady rotation under a torque that falls with speed | [`falling_torque`] |
 //! | transforms, for whoever convolves with the taps | [`fft`] |
-//! | memory, before it is taken | [`cost`] |
+//! | memory, asked for before it is taken | [`budget`] |
 //! | how far responses are from the exact ones | [`deviation`] |
 //! | the string in pieces, for torques at many places | [`cascade`] |
 //! | the well, how the string presses on its wall, and what pulls it | [`well`] |
@@ -83,11 +83,11 @@ extern crate self as linear;
 
 mod assembly;
 pub mod bending_modes;
+pub mod budget;
 pub mod cascade;
 mod channel;
 mod checks;
 pub mod controllers;
-pub mod cost;
 mod derivative;
 pub mod deviation;
 pub mod drillstring;
@@ -116,7 +116,8 @@ mod validation;
 pub mod waves;
 pub mod well;
 
-pub use cascade::Cascade;
+pub use budget::Budget;
+pub use cascade::{Cascade, CascadePlan};
 pub use channel::{Channel, Port};
 pub use drillstring::{Bending, Drillstring, Material, Section, StringId, SurfaceSupport, Tube};
 pub use error::{BuildError, DrillstringError, ResponseError};
@@ -124,11 +125,11 @@ pub use method::Method;
 pub use num_complex::Complex64;
 pub use pulse::RaisedCosine;
 pub use responses::{
-    ChannelRequest, ChannelResponses, Earlier, ImpulseTrains, Request, Responses, responses,
-    responses_after, responses_with, surface_torque,
+    ChannelRequest, ChannelResponses, Earlier, ImpulseTrains, MarginPlan, Request, ResponsePlan,
+    Responses, SurfaceTorquePlan, responses, surface_torque,
 };
 pub use sites::Sites;
 pub use steady::{GrowingTorque, SteadyMotion};
-pub use stepped::SteppedString;
+pub use stepped::{SteppedPlan, SteppedString};
 pub use surroundings::{AxialForce, Hole, HoleSection, Mud};
 pub use top_drive::TopDrive;

@@ -23,6 +23,7 @@ use faer::{Mat, Side};
 use num_complex::Complex64;
 use realfft::RealToComplex;
 
+use crate::budget::COMPLEX;
 use crate::error::{BuildError, ResponseError};
 use crate::fft;
 
@@ -32,7 +33,11 @@ pub const STABLE_MARGIN: f64 = -1e-4;
 
 /// The transform is this many times longer than the taps, so that their
 /// spectrum is seen between its own samples too.
-pub(crate) const REFINEMENT: usize = 8;
+const REFINEMENT: usize = 8;
+
+/// Bytes that a transform holds for each of its samples: its input, its output and its plan.
+/// Measured, and rounded up.
+const TRANSFORM: f64 = 40.0;
 
 /// Differences of the taps that rid the upper half of the band of the lower: a
 /// vibration at a twentieth of f_s is reduced 3 million times.
@@ -117,7 +122,7 @@ pub fn worst_point<'a>(
     }
     let instant = (0..inputs).map(|input| taps(input, input)[0]);
     let scale = instant.fold(0.0, f64::max);
-    let length = REFINEMENT * count.next_power_of_two();
+    let length = transform_length(count);
     let hermitian = HermitianPart::of(inputs, &Spectrometer::new(length, ending), taps);
     let (smallest, place) = hermitian.smallest_eigenvalue()?;
     Ok(WorstPoint {
@@ -125,6 +130,21 @@ pub fn worst_point<'a>(
         angle: std::f64::consts::TAU * place as f64 / length as f64,
         direction: worst_direction(&hermitian.at(place))?,
     })
+}
+
+/// Samples of the transform of a number of taps.
+fn transform_length(taps: usize) -> usize {
+    REFINEMENT * taps.next_power_of_two()
+}
+
+/// Memory, bytes, that the margin of a number of inputs takes, of responses of a number of taps.
+pub(crate) fn bytes(inputs: usize, taps: usize) -> f64 {
+    if inputs == 0 {
+        return 0.0;
+    }
+    let length = transform_length(taps) as f64;
+    let entries = (inputs * (inputs + 1) / 2) as f64;
+    entries * 0.5 * COMPLEX * length + TRANSFORM * length
 }
 
 /// The Hermitian part of a square of responses, at frequencies up to Nyquist.

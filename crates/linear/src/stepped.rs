@@ -6,10 +6,12 @@
 //! length of the string, not on the sites, and loads cost where they act alone. It gives what
 //! [`crate::responses()`] give by [`Method::FiniteElement`], up to rounding.
 
+use crate::budget::{Budget, Need, REAL, What};
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, StringId, SurfaceSupport};
+use crate::elements::mesh::most_elements;
 use crate::elements::newmark::Weights;
-use crate::elements::stepped::{SteppedChannel, SurfaceElement, bent, turned};
+use crate::elements::stepped::{ASSEMBLED, SteppedChannel, SurfaceElement, bent, turned};
 use crate::error::BuildError;
 use crate::method::{FiniteElement, Method};
 use crate::passivity::Ending;
@@ -29,13 +31,136 @@ pub struct SteppedString {
     bending: SteppedChannel<2, 2>,
 }
 
-impl SteppedString {
-    /// Divides a string into elements, its surface turned as prescribed.
+/// The same before it is divided.
+#[derive(Debug, Clone, Copy)]
+pub struct SteppedPlan<'a> {
+    string: &'a Drillstring,
+    bending: &'a Bending,
+    support: SurfaceSupport,
+    sites: &'a Sites,
+    parameters: &'a FiniteElement,
+    sampling_frequency: f64,
+    /// Nodes, at most.
+    nodes: f64,
+}
+
+impl<'a> SteppedPlan<'a> {
+    /// Of a string that is divided into elements, its surface turned as prescribed.
+    ///
+    /// # Errors
+    /// Where a top drive turns the string ([`BuildError::SteppedBelowDrive`]).
+    pub fn new(
+        string: &'a Drillstring,
+        (bending, support): (&'a Bending, SurfaceSupport),
+        sites: &'a Sites,
+        parameters: &'a FiniteElement,
+        sampling_frequency: f64,
+    ) -> Result<Self, BuildError> {
+        if string.top_drive().is_some() {
+            return Err(BuildError::SteppedBelowDrive);
+        }
+        Ok(Self {
+            string,
+            bending,
+            support,
+            sites,
+            parameters,
+            sampling_frequency,
+            nodes: most_elements(string, sites, parameters.elements_per_cell) + 1.0,
+        })
+    }
+
+    /// Memory that building takes, and what it keeps.
+    fn need(&self) -> Need {
+        let (nodes, sites) = (self.nodes, self.sites.len());
+        let kept = SteppedChannel::<1, 1>::bytes(nodes, sites)
+            + SteppedChannel::<2, 2>::bytes(nodes, sites);
+        Need {
+            peak: kept + ASSEMBLED * nodes,
+            kept,
+        }
+    }
+
+    /// Bytes of the elements.
+    pub fn kept_bytes(&self) -> f64 {
+        self.need().kept
+    }
+
+    /// Bytes of a case that is stepped.
+    pub fn motion_bytes(&self) -> f64 {
+        SteppedChannel::<1, 1>::motion_bytes(self.nodes)
+            + SteppedChannel::<2, 2>::motion_bytes(self.nodes)
+    }
+
+    /// What the elements take of one budget, and the responses to loads at a number of sites,
+    /// which are as long as a simulation (s), of another; gives the number of their taps.
+    ///
+    /// # Errors
+    /// Where these are too long, or take more than is left.
+    pub fn ask(
+        &self,
+        loads: usize,
+        longest_time: f64,
+        (elements, responses): (&Budget, &Budget),
+    ) -> Result<usize, BuildError> {
+        let taps = taps_of(longest_time, self.sampling_frequency)?;
+        elements.pass(self.need(), What::Elements)?;
+        let bytes = response_bytes(self.sites.len(), loads, taps);
+        responses.reserve(bytes, What::Responses)?.keep();
+        Ok(taps)
+    }
+
+    /// Divides the string.
     ///
     /// # Errors
     /// Where the sites are not the string's, parameters are out of range, the elements would be
-    /// too many or cannot be factorised, or a top drive turns the string
-    /// ([`BuildError::SteppedBelowDrive`]).
+    /// too many or cannot be factorised, or more memory is needed than is left.
+    pub fn build(&self, budget: &Budget) -> Result<SteppedString, BuildError> {
+        let Self {
+            string,
+            bending,
+            support,
+            sites,
+            parameters,
+            sampling_frequency: frequency,
+            ..
+        } = *self;
+        let working = budget.begin(self.need(), What::Elements)?;
+        let (torsion, surface) = turned(string, sites, parameters, frequency)?;
+        let (bending, _) = bent(string, bending, support, sites, parameters, frequency)?;
+        working.done();
+        Ok(SteppedString {
+            string: string.id(),
+            parameters: *parameters,
+            sites: sites.clone(),
+            sampling_frequency: frequency,
+            surface,
+            torsion,
+            bending,
+        })
+    }
+}
+
+/// Taps of responses that are as long as a simulation (s).
+fn taps_of(longest_time: f64, sampling_frequency: f64) -> Result<usize, BuildError> {
+    let needed = needed_taps(longest_time, sampling_frequency);
+    if needed > MOST_TAPS as f64 {
+        return Err(too_many(needed));
+    }
+    Ok(needed as usize)
+}
+
+/// Bytes of responses of sites from the surface and, in torsion and in bending, from loads.
+fn response_bytes(sites: usize, loads: usize, taps: usize) -> f64 {
+    REAL * (sites * (1 + 2 * loads) * taps) as f64
+}
+
+impl SteppedString {
+    /// Divides a string into elements, however much memory that takes ([`SteppedPlan`] asks for
+    /// it).
+    ///
+    /// # Errors
+    /// As [`SteppedPlan::new`] and [`SteppedPlan::build`].
     pub fn new(
         string: &Drillstring,
         bending: &Bending,
@@ -44,27 +169,9 @@ impl SteppedString {
         parameters: &FiniteElement,
         sampling_frequency: f64,
     ) -> Result<Self, BuildError> {
-        if string.top_drive().is_some() {
-            return Err(BuildError::SteppedBelowDrive);
-        }
-        let (torsion, surface) = turned(string, sites, parameters, sampling_frequency)?;
-        let (bending, _) = bent(
-            string,
-            bending,
-            support,
-            sites,
-            parameters,
-            sampling_frequency,
-        )?;
-        Ok(Self {
-            string: string.id(),
-            parameters: *parameters,
-            sites: sites.clone(),
-            sampling_frequency,
-            surface,
-            torsion,
-            bending,
-        })
+        let bends = (bending, support);
+        SteppedPlan::new(string, bends, sites, parameters, sampling_frequency)?
+            .build(&Budget::unlimited())
     }
 
     /// In torsion: from torques, N m, to speeds, rad/s.
@@ -83,15 +190,27 @@ impl SteppedString {
     /// # Errors
     /// Where a site is none, or the responses would be too long.
     pub fn responses(&self, loads: &[usize], longest_time: f64) -> Result<Responses, BuildError> {
+        self.responses_within(loads, longest_time, &Budget::unlimited())
+    }
+
+    /// The same, within a budget.
+    ///
+    /// # Errors
+    /// As [`SteppedString::responses`], and where more memory is needed than is left.
+    pub fn responses_within(
+        &self,
+        loads: &[usize],
+        longest_time: f64,
+        budget: &Budget,
+    ) -> Result<Responses, BuildError> {
         let sites = self.sites.len();
         if let Some(&site) = loads.iter().find(|&&site| site >= sites) {
             return Err(BuildError::NoSuchSite { site, sites });
         }
-        let needed = needed_taps(longest_time, self.sampling_frequency);
-        if needed > MOST_TAPS as f64 {
-            return Err(too_many(needed));
-        }
-        let (count, method) = (needed as usize, Method::FiniteElement(self.parameters));
+        let count = taps_of(longest_time, self.sampling_frequency)?;
+        let bytes = response_bytes(sites, loads.len(), count);
+        budget.reserve(bytes, What::Responses)?.keep();
+        let method = Method::FiniteElement(self.parameters);
         let pulled = self.surface.torques(count, &self.weights()?);
         let torsion = ChannelResponses {
             channel: Channel::Torsion,

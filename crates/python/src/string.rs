@@ -8,7 +8,7 @@ use linear::modes::damped_modes;
 use linear::natural_frequencies::NaturalFrequencies;
 use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
-use linear::{BuildError, ChannelRequest, Request, Sites, estimates};
+use linear::{Budget, BuildError, ChannelRequest, Request, ResponsePlan, Sites, estimates};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 
@@ -161,13 +161,19 @@ impl Drillstring {
             longest_time,
         };
         let string = self.string.clone();
-        let cost = linear::cost::responses(&string, &method, &request);
-        if let Some(taps) = cost.too_long {
-            return Err(refused(format_args!(
-                "these responses are too long: {taps:.3e} taps"
-            )));
+        let memory = ResponsePlan::new(&string, &method, &request).and_then(|plan| {
+            let budget = Budget::unlimited();
+            plan.ask(&budget)?;
+            Ok(budget.need())
+        });
+        match memory {
+            Err(BuildError::TooManyTaps { taps, .. }) => {
+                return Err(refused(format_args!(
+                    "these responses are too long: {taps:.3e} taps"
+                )));
+            }
+            memory => fits(memory.map_err(refused)?.peak)?,
         }
-        fits(cost.memory.peak)?;
         let built = wait_for(py, move || linear::responses(&string, &method, &request))?;
         Responses::new(built.map_err(refused)?)
     }

@@ -43,7 +43,7 @@
 //! | Section 2.4: what a failing method shows | [`diagnosis`], [`oscillator`] |
 //! | Eqs. 72–73: how long to simulate | [`timing`] |
 //! | every tolerance of regimes and of ending early | [`watch::rules`] |
-//! | memory, before it is taken | [`cost`] |
+//! | memory, asked for before it is taken | [`plan`] |
 //!
 //! ```
 //! use linear::{Drillstring, Material, Method, Section, Sites, Tube};
@@ -76,7 +76,6 @@
 //! ```
 
 pub mod convolution;
-pub mod cost;
 mod coupling;
 pub mod diagnosis;
 mod error;
@@ -88,6 +87,7 @@ mod line;
 mod motion;
 pub mod oscillator;
 mod outcome;
+pub mod plan;
 mod port;
 mod ranges;
 mod recording;
@@ -118,6 +118,7 @@ pub use laws::wall::Wall;
 pub use line::pieces::SurfaceStep;
 pub use motion::{Motion, PerMotion};
 pub use outcome::{Ended, Measures, Outcome, Stopping};
+pub use plan::SimulatorPlan;
 pub use ranges::SceneError;
 pub use recording::{Recording, RecordingError};
 pub use sampling::Sampling;

@@ -1,5 +1,7 @@
 //! How the surface turns, and what that makes of the sites.
 
+use linear::budget::REAL;
+
 use crate::convolution::{Convolution, Kernels};
 use crate::ranges::{SceneError, not_negative};
 use crate::recording::Recording;
@@ -80,6 +82,11 @@ struct Rise {
 }
 
 impl SurfaceResponse {
+    /// Bytes of a response of a number of taps.
+    pub(crate) fn bytes(taps: usize) -> f64 {
+        REAL * (taps + 1) as f64
+    }
+
     /// From the taps of a site.
     pub(crate) fn new(taps: &[f64], profile: &SurfaceProfile, sampling: Sampling) -> Self {
         let rise = match profile {

@@ -1,8 +1,9 @@
 //! What turns the surface: the torque that it takes there to turn the string as it turned.
 
+use linear::budget::{Budget, Need, OutOfBudget, REAL, What};
 use linear::{ResponseError, Responses};
 
-use crate::convolution::Kernels;
+use crate::convolution::{Convolution, Kernels};
 use crate::error::SimulationError;
 use crate::ranges::not_negative;
 use crate::sampling::Sampling;
@@ -31,6 +32,20 @@ pub struct SurfaceTorque {
 }
 
 impl SurfaceTorque {
+    /// What it takes of a budget for a number of sites, of responses of a number of taps.
+    ///
+    /// # Errors
+    /// Where that is more than is left.
+    pub fn ask(sites: usize, taps: usize, budget: &Budget) -> Result<(), OutOfBudget> {
+        let bytes = sites as f64 * Kernels::bytes(1, taps) + SurfaceResponse::bytes(taps);
+        budget.pass(Need::lasting(bytes), What::Simulator)
+    }
+
+    /// Bytes that finding it takes for a motion of a number of steps, besides the motion.
+    pub fn bytes_of_motion(taps: usize, steps: f64) -> f64 {
+        Convolution::bytes(1, 1, taps, steps) + 2.0 * REAL * steps
+    }
+
     /// For a string with `responses` whose surface turns by a profile; `taps` are those of
     /// [`linear::surface_torque`] by the method of the responses. A motor that holds the surface
     /// at its speed whatever it takes has a rotor of this inertia, kg m².

@@ -1,5 +1,7 @@
 //! The time history of one case, kept only where it is asked for.
 
+use linear::budget::REAL;
+
 use crate::laws::contact::Touch;
 use crate::scene::Scene;
 use crate::stepper::Stepper;
@@ -39,7 +41,17 @@ pub struct Trajectory {
     pub forces: [Vec<Vec<f64>>; 2],
 }
 
+/// Numbers for each site and step with lateral motion: speed, position, force, normal force and
+/// torque of the wall, all forces; and a byte of how it touches.
+const RECORDED: f64 = 9.0 + 1.0 / REAL;
+
 impl Trajectory {
+    /// Bytes of a number of sites, with lateral motion or without, and a number of steps.
+    pub fn bytes(sites: usize, is_lateral: bool, steps: f64) -> f64 {
+        let recorded = if is_lateral { RECORDED } else { 1.0 };
+        REAL * steps * (1.0 + recorded * sites as f64)
+    }
+
     /// Begins a case whose bit is held fast at first, by these torques per unit of
     /// surface speed; speeds are kept of the sites that may bear a load.
     pub(crate) fn begin(&mut self, system: &System, scene: &Scene, held: &[f64]) {

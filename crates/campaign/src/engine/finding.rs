@@ -6,7 +6,6 @@
 
 use anyhow::Result;
 use linear::Method;
-use linear::elements::reconstruction::WholeString;
 use sim::Trajectory;
 
 use super::case::Case;
@@ -16,6 +15,7 @@ use super::nearby::certify;
 use super::run_options::RunOptions;
 use super::stepped::{MOST_BY_TAPS, stepped_by};
 use super::systems::MethodSystem;
+use super::whole_string::whole_string;
 use crate::plan::{Finding, Setting, Sweep};
 use crate::results::{Failure, Found, Record};
 
@@ -156,16 +156,8 @@ fn bulges(
     sweep: &Sweep,
 ) -> Result<Vec<Beyond>, CaseError> {
     let setting = &system.setting;
-    let Some(lateral) = &setting.lateral else {
+    let Some(whole) = whole_string(sweep, setting) else {
         return Ok(Vec::new());
-    };
-    let whole = WholeString {
-        string: &setting.string,
-        bending: &lateral.bending,
-        support: lateral.support,
-        sites: &setting.sites,
-        sampling_frequency: setting.sampling_frequency,
-        parameters: sweep.content.method.finite_element,
     };
     let whole = whole.reconstruct(&motion.forces, &[]);
     let whole = whole.map_err(|error| CaseError::Responses(error.into()))?;

@@ -6,6 +6,7 @@ mod case;
 mod case_error;
 mod choice;
 mod clearances;
+mod dry_run;
 mod finding;
 mod finer;
 mod follow;
@@ -24,7 +25,9 @@ mod simulation;
 mod stepped;
 mod stopwatch;
 mod survey;
+mod system_plan;
 mod systems;
+mod whole_string;
 
 pub use answer::answer;
 pub use case::Case;
@@ -43,6 +46,7 @@ pub use simulation::Simulation;
 pub use stopwatch::Stopwatch;
 pub use survey::{Survey, longest_beside, setting_of, survey};
 pub use systems::{MethodSystem, add_finer, compare_fronts};
+pub use whole_string::whole_string;
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};

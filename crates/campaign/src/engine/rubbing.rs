@@ -1,9 +1,13 @@
 //! A string that rubs along its well: torques act at all its nodes.
 
 use anyhow::Result;
-use linear::{Cascade, ChannelRequest, Method, Request, Responses};
-use sim::{Simulator, SurfaceTorque, System};
+use linear::{
+    Budget, BuildError, CascadePlan, ChannelRequest, Method, Request, ResponsePlan, Responses,
+    SurfaceTorquePlan,
+};
+use sim::{Simulator, SimulatorPlan, SurfaceTorque, System};
 
+use super::system_plan::{Stepping, SystemPlan};
 use crate::plan::{Setting, StringFriction};
 
 /// Whether a method steps a string that rubs piece by piece, whose responses are short: where joining
@@ -26,28 +30,91 @@ pub(super) fn request(setting: &Setting, friction: &StringFriction, longest_time
     }
 }
 
+/// Asks for what [`build`] takes, of a simulator that `bends` where it has walls.
+///
+/// # Errors
+/// Where the method cannot treat the string, or it is more than is left.
+pub(super) fn ask(
+    plan: &SystemPlan,
+    friction: &StringFriction,
+    bends: impl Fn(SimulatorPlan) -> SimulatorPlan,
+    budget: &Budget,
+) -> Result<Stepping, BuildError> {
+    let (setting, method, time) = (plan.setting, plan.method, plan.longest_time);
+    let (string, nodes) = (&setting.string, friction.nodes.len());
+    // Goes once the simulator is there.
+    let passing = budget.part();
+    if is_in_pieces(method) {
+        let frequency = setting.sampling_frequency;
+        let cascade = CascadePlan::new(string, method, &friction.nodes, frequency, time)?;
+        cascade.ask(&passing)?;
+        let taps = cascade.taps();
+        let simulator = bends(SimulatorPlan::in_pieces(nodes, taps, plan.steps()));
+        simulator.ask(budget)?;
+        return Ok(Stepping {
+            simulator,
+            recorded: nodes,
+            taps,
+            follows_surface: false,
+        });
+    }
+    let request = request(setting, friction, time);
+    let of_nodes = ResponsePlan::new(string, method, &request)?;
+    of_nodes.ask(&passing)?;
+    let of_surface = SurfaceTorquePlan::new(string, method, &request)?;
+    of_surface.ask(&passing)?;
+    SurfaceTorque::ask(nodes, of_surface.taps(), budget)?;
+    let taps = of_nodes.torsion_taps();
+    let simulator = bends(SimulatorPlan::by_responses(
+        nodes,
+        nodes,
+        taps,
+        plan.steps(),
+    ));
+    simulator.ask(budget)?;
+    Ok(Stepping {
+        simulator,
+        // Speeds, and the torques that turn the surface.
+        recorded: 2 * nodes,
+        taps,
+        follows_surface: true,
+    })
+}
+
 /// The simulator of such a string, which bends by `responses` where it has walls; and what turns its
 /// surface, where the simulator does not know.
 ///
 /// # Errors
-/// Where the method cannot treat the string.
+/// Where the method cannot treat the string, or more memory is needed than is left.
 pub(super) fn build(
     setting: &Setting,
     friction: &StringFriction,
     longest_time: f64,
     responses: &Responses,
+    budget: &Budget,
 ) -> Result<(Simulator, Option<SurfaceTorque>)> {
     let (string, method) = (&setting.string, &responses.method);
     let (profile, inertia) = (&setting.profile, setting.rotor_inertia);
+    let (frequency, nodes) = (setting.sampling_frequency, friction.nodes.len());
+    let steps = sim::plan::steps(longest_time, frequency);
+    let bends = |plan: SimulatorPlan| match responses.bending() {
+        None => plan,
+        Some(bending) => plan.bending_by(bending.loads.len(), bending.taps()),
+    };
+    let passing = budget.part();
     let (system, surface) = if is_in_pieces(method) {
-        let frequency = setting.sampling_frequency;
-        let cascade = Cascade::new(string, method, &friction.nodes, frequency, longest_time)?;
+        let plan = CascadePlan::new(string, method, &friction.nodes, frequency, longest_time)?;
+        let cascade = plan.build(&passing)?;
+        let taps = cascade.longest_response();
+        bends(SimulatorPlan::in_pieces(nodes, taps, steps)).ask(budget)?;
         (System::in_pieces(&cascade, profile, inertia)?, None)
     } else {
         let request = request(setting, friction, longest_time);
-        let of_nodes = linear::responses(string, method, &request)?;
-        let taps = linear::surface_torque(string, method, &request)?;
+        let of_nodes = ResponsePlan::new(string, method, &request)?.build(&passing)?;
+        let taps = SurfaceTorquePlan::new(string, method, &request)?.build(&passing)?;
+        SurfaceTorque::ask(nodes, taps.len(), budget)?;
         let surface = SurfaceTorque::new(&of_nodes, &taps, profile, inertia)?;
+        bends(SimulatorPlan::of_responses(&of_nodes)).ask(budget)?;
         (System::started(&of_nodes, profile)?, Some(surface))
     };
     let system = match &setting.lateral {

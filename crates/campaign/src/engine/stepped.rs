@@ -2,9 +2,10 @@
 
 use anyhow::Result;
 use linear::method::FiniteElement;
-use linear::{Method, Responses, SteppedString};
-use sim::Simulator;
+use linear::{Budget, BuildError, ChannelResponses, MarginPlan, Method, Responses, SteppedPlan};
+use sim::{Simulator, SimulatorPlan};
 
+use super::system_plan::{Stepping, SystemPlan};
 use crate::plan::{LateralSettings, Setting};
 
 /// Taps between more sites than these take longer to build, to hold and to sum than their
@@ -39,25 +40,72 @@ pub fn looked_at(setting: &Setting) -> Vec<usize> {
     sites
 }
 
+/// The mesh of a setting before it is divided.
+fn plan<'a>(
+    setting: &'a Setting,
+    lateral: &'a LateralSettings,
+    parameters: &'a FiniteElement,
+) -> Result<SteppedPlan<'a>, BuildError> {
+    let bends = (&lateral.bending, lateral.support);
+    let frequency = setting.sampling_frequency;
+    SteppedPlan::new(
+        &setting.string,
+        bends,
+        &setting.sites,
+        parameters,
+        frequency,
+    )
+}
+
+/// Asks for what [`build`] takes, and the margins of its responses.
+///
+/// # Errors
+/// Where it cannot be built, or is more than is left.
+pub(super) fn ask(
+    system: &SystemPlan,
+    lateral: &LateralSettings,
+    parameters: &FiniteElement,
+    budget: &Budget,
+) -> Result<Stepping, BuildError> {
+    let (sites, loads) = (system.setting.sites.len(), looked_at(system.setting).len());
+    let mesh = plan(system.setting, lateral, parameters)?;
+    let passing = budget.part();
+    let taps = mesh.ask(loads, system.longest_time, (&passing, budget))?;
+    let simulator = SimulatorPlan::by_elements(&mesh, sites, taps, system.steps());
+    simulator.ask(budget)?;
+    drop(passing);
+    MarginPlan::in_torsion(loads, taps).ask(budget)?;
+    MarginPlan::in_bending(loads, taps).ask(budget)?;
+    Ok(Stepping {
+        simulator,
+        recorded: sites,
+        taps,
+        follows_surface: false,
+    })
+}
+
 /// The mesh of a setting, ready to simulate with, and its responses.
 ///
 /// # Errors
-/// Where it cannot be built.
+/// Where it cannot be built, or more memory is needed than is left.
 pub fn build(
     setting: &Setting,
     lateral: &LateralSettings,
     parameters: &FiniteElement,
     longest_time: f64,
+    budget: &Budget,
 ) -> Result<(Responses, Simulator)> {
-    let mesh = SteppedString::new(
-        &setting.string,
-        &lateral.bending,
-        lateral.support,
-        &setting.sites,
-        parameters,
-        setting.sampling_frequency,
-    )?;
-    let responses = mesh.responses(&looked_at(setting), longest_time)?;
+    let plan = plan(setting, lateral, parameters)?;
+    // The simulator has a copy of the mesh.
+    let passing = budget.part();
+    let mesh = plan.build(&passing)?;
+    let responses = mesh.responses_within(&looked_at(setting), longest_time, budget)?;
+    let (sites, taps) = (
+        setting.sites.len(),
+        responses.torsion().map_or(0, ChannelResponses::taps),
+    );
+    let steps = sim::plan::steps(longest_time, setting.sampling_frequency);
+    SimulatorPlan::by_elements(&plan, sites, taps, steps).ask(budget)?;
     let simulator = Simulator::stepped(&mesh, &responses, &setting.profile)?;
     Ok((responses, simulator))
 }

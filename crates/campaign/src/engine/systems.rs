@@ -16,13 +16,13 @@ use super::case_error::CaseError;
 use super::front::{Front, WrongFront};
 use super::instability::{Instability, is_unstable};
 use super::run_options::RunOptions;
+use super::system_plan::SystemPlan;
 use crate::plan::{Setting, Sweep};
 use crate::results::{ByStart, Failure, Record, Verdict, verdict};
 
 mod building;
 
 pub use building::add_finer;
-pub(super) use building::request;
 
 /// One method's responses, ready to simulate with, and what is known of them.
 #[derive(Debug)]
@@ -171,8 +171,13 @@ impl MethodSystem {
     /// Where the method does not treat the string.
     pub fn follow_surface(&mut self) -> Result<()> {
         let setting = &self.setting;
-        let request = request(setting, false, self.responses.longest_time);
-        let taps = linear::surface_torque(&setting.string, &self.method, &request)?;
+        let plan = SystemPlan {
+            setting,
+            method: &self.method,
+            cuts: false,
+            longest_time: self.responses.longest_time,
+        };
+        let taps = linear::surface_torque(&setting.string, &self.method, &plan.request())?;
         let (profile, inertia) = (&setting.profile, setting.rotor_inertia);
         let torque = SurfaceTorque::new(&self.responses, &taps, profile, inertia)?;
         self.surface_torque = Some(torque);

@@ -42,12 +42,13 @@ pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> 
         (usual.cost(1), key, index)
     });
     let least = changed.min_by(|(one, ..), (other, ..)| {
-        let by_length = one.too_long.is_some().cmp(&other.too_long.is_some());
+        let by_length = taps_too_long(one).total_cmp(&taps_too_long(other));
         by_length.then(one.bytes.total_cmp(&other.bytes))
     });
-    let matters = |usual: &Cost| {
-        cost.too_long.is_some() != usual.too_long.is_some()
-            || usual.bytes < (1.0 - LEAST_PART) * cost.bytes
+    let is_less = |usual: f64, asked: f64| usual < (1.0 - LEAST_PART) * asked;
+    let matters = |usual: &Cost| match cost.too_long {
+        Some(taps) => is_less(taps_too_long(usual), taps),
+        None => is_less(usual.bytes, cost.bytes),
     };
     match least {
         Some((usual, key, index)) if matters(&usual) => {
@@ -60,6 +61,11 @@ pub fn refusal(demand: &Demand, survey: &Survey, cost: &Cost, limit: &Limit) -> 
         }
         _ => demand.sweep.source.error_of_file(what).into(),
     }
+}
+
+/// Taps of the longest response where no method gives it, or none.
+fn taps_too_long(cost: &Cost) -> f64 {
+    cost.too_long.unwrap_or(0.0)
 }
 
 /// The case that lasts longest, in words, where the file does not give its time.

@@ -2,14 +2,16 @@
 
 use anyhow::Result;
 use linear::Method;
-use linear::cost::{self, Memory};
+use linear::budget::Need;
+use linear::elements::reconstruction::WholeString;
 use linear::method::FiniteElement;
 use linear::parallel::threads;
+use sim::Trajectory;
 
 use super::Limit;
 use crate::dependence;
 use crate::design::Design;
-use crate::engine::{StringMemory, Survey, setting_of};
+use crate::engine::{StringMemory, Survey, setting_of, whole_string};
 use crate::plan::{Setting, Sweep};
 
 /// Bytes of a mebibyte.
@@ -125,7 +127,7 @@ impl<'a> Demand<'a> {
 
     /// What it takes, with so many of the strings of its cases at once.
     pub fn cost(&self, strings_at_once: usize) -> Cost {
-        let mut systems = Memory::default();
+        let mut systems = Need::default();
         let mut case: f64 = 0.0;
         let mut too_long = None;
         for (index, (setting, longest)) in self.strings.iter().enumerate() {
@@ -172,9 +174,9 @@ impl<'a> Demand<'a> {
     }
 
     /// What is done with the systems, when a case takes `case` bytes.
-    fn use_of(&self, case: f64) -> Memory {
+    fn use_of(&self, case: f64) -> Need {
         let (setting, longest) = &self.strings[0];
-        let steps = sim::cost::steps(*longest, setting.sampling_frequency);
+        let steps = sim::plan::steps(*longest, setting.sampling_frequency);
         let sites = setting.sites.len();
         let methods = self.methods.len() as f64;
         let of_site = match setting.lateral {
@@ -185,25 +187,31 @@ impl<'a> Demand<'a> {
         match self.purpose {
             Purpose::Labels => {
                 let at_once = self.simulations().min(threads() as f64);
-                Memory::lasting(at_once * case)
+                Need::lasting(at_once * case)
             }
             Purpose::Histories { cases, shapes } => {
                 let is_lateral = setting.lateral.is_some();
-                let kept = sim::cost::trajectory(sites, is_lateral, steps) + line * steps;
+                let kept = Trajectory::bytes(sites, is_lateral, steps) + line * steps;
                 let simulations = methods * cases as f64;
                 if !is_lateral {
-                    return Memory::lasting(simulations * kept + case);
+                    return Need::lasting(simulations * kept + case);
                 }
                 let whole = |shapes| {
-                    cost::reconstruction(&setting.string, &setting.sites, &self.mesh, shapes)
+                    let whole = whole_string(self.sweep, setting);
+                    let parameters = self.mesh;
+                    let meshed = whole.map(|whole| WholeString {
+                        parameters,
+                        ..whole
+                    });
+                    meshed.map_or(Need::default(), |whole| whole.need(shapes))
                 };
                 let (with_shapes, peaks) = (whole(shapes), whole(0).kept);
                 let used = case.max(with_shapes.peak);
-                Memory::lasting(simulations * (kept + peaks) + used)
+                Need::lasting(simulations * (kept + peaks) + used)
             }
             Purpose::Look => {
                 let points = steps.max(setting.steps_shown() as f64);
-                Memory::lasting(methods * line * points)
+                Need::lasting(methods * line * points)
             }
         }
     }

@@ -1,9 +1,9 @@
-//! Memory known before it is taken: an estimate of what a command is going to take,
-//! the limit on it, and what is to blame where it is too much.
+//! Memory asked for before it is taken: what a command is going to take, the limit on it, and
+//! which key is to blame where it is too much.
 //!
-//! The estimate adds what `linear` and `sim` say of what they build and step
-//! ([`linear::cost`], [`sim::cost`]) to what this program holds itself. It is an upper
-//! bound; a test compares it with the largest memory of real runs.
+//! What is taken is what the builders of `linear` and `sim` ask for in a dry run
+//! ([`linear::budget`]), with what this program holds itself. It is an upper bound; a test compares
+//! it with the largest memory of real runs.
 
 mod blame;
 mod demand;

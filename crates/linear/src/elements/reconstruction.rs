@@ -1,6 +1,8 @@
 //! The whole string from the forces at its sites (Section 5.2.2, Fig. 13).
 
-use super::stepped;
+use super::mesh::most_elements;
+use super::stepped::{self, ASSEMBLED, SteppedChannel};
+use crate::budget::{Need, REAL};
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::error::BuildError;
 use crate::method::FiniteElement;
@@ -35,6 +37,20 @@ pub struct WholeString<'a> {
 }
 
 impl WholeString<'_> {
+    /// Memory that a reconstruction takes which keeps a number of shapes.
+    pub fn need(&self, shapes: usize) -> Need {
+        let cells = self.parameters.elements_per_cell;
+        let nodes = most_elements(self.string, self.sites, cells) + 1.0;
+        let beam = SteppedChannel::<2, 2>::bytes(nodes, self.sites.len());
+        let motion = SteppedChannel::<2, 2>::motion_bytes(nodes);
+        // Depths, peaks, and x and y of each shape.
+        let kept = REAL * nodes * (2.0 + 2.0 * shapes as f64);
+        Need {
+            peak: beam + motion + ASSEMBLED * nodes + kept,
+            kept,
+        }
+    }
+
     /// Steps the whole string through recorded forces: `forces[axis][site][step]`,
     /// disturbances included, N. `snapshots` are the steps, in rising order, whose
     /// shapes are kept.

@@ -2,21 +2,28 @@
 //! to show that it fails (start of Section 2.4): between its samples the
 //! spectrum of these taps is not positive-real, and a sticking bit chatters.
 
-use super::{frequency_grid, inverse_transform, sample};
+use super::{Buffers, frequency_grid, inverse_transform, sample};
 use crate::assembly::lanes::Lanes;
 use crate::fft;
 
-/// Taps of every channel: all `transform_length` (even) samples of the inverse
-/// transform, the wrapped-around end included.
-pub fn taps(
+/// Buffers for transforms of an even number of samples, all of which are taps.
+pub(crate) fn buffers(transform_length: usize, channels: usize) -> Buffers {
+    Buffers {
+        channels,
+        samples: transform_length,
+        taps: transform_length,
+    }
+}
+
+/// Taps of every channel: all samples of the inverse transform, the wrapped-around end included.
+pub(crate) fn taps(
     sampling_frequency: f64,
-    transform_length: usize,
-    channels: usize,
+    buffers: Buffers,
     velocity_response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
-    let grid = frequency_grid(transform_length, sampling_frequency);
-    let plan = fft::inverse(transform_length);
-    sample(channels, transform_length / 2 + 1, grid, velocity_response)
+    let grid = frequency_grid(buffers.samples, sampling_frequency);
+    let plan = fft::inverse(buffers.samples);
+    sample(buffers, grid, velocity_response)
         .map(|mut spectrum| inverse_transform(&*plan, &mut spectrum))
         .collect()
 }

@@ -11,8 +11,8 @@
 //! not.) Where g is a train of impulses, R is piecewise straight, and each impulse is
 //! shared between the two steps that it lies between.
 
-use super::quadrature::{Sampling, series};
-use super::radau;
+use super::quadrature::{self, Sampling, series};
+use super::{Buffers, radau};
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
 
@@ -23,6 +23,16 @@ pub(crate) const SUBSTEPS: usize = 4;
 /// other methods.
 pub(crate) const SAMPLING: Sampling = Sampling::Wide;
 
+/// Buffers for trains of impulses in the shorter steps of a number of taps.
+pub(crate) fn smooth_buffers(count: usize, channels: usize) -> Buffers {
+    quadrature::buffers(fine(count), channels, SAMPLING)
+}
+
+/// Shorter steps for a number of taps.
+fn fine(count: usize) -> usize {
+    SUBSTEPS * count + 1
+}
+
 /// The first `count` taps of every channel whose response at s (rad/s) has no fronts, by
 /// convolution quadrature with Radau IIA in shorter steps: passive as that is.
 pub(crate) fn smooth_taps(
@@ -31,16 +41,16 @@ pub(crate) fn smooth_taps(
     channels: usize,
     response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
-    let fine = SUBSTEPS as f64 * sampling_frequency;
+    let rate = SUBSTEPS as f64 * sampling_frequency;
     let trains = series(
-        SUBSTEPS * count + 1,
+        fine(count),
         channels,
         SAMPLING,
         &|zeta: Lanes, values: &mut [Lanes]| {
             let [(one, weight), (other, other_weight)] = radau::held(zeta);
             let mut others = vec![Lanes::real(0.0); values.len()];
-            response(one * fine, values);
-            response(other * fine, &mut others);
+            response(one * rate, values);
+            response(other * rate, &mut others);
             for (value, other) in values.iter_mut().zip(others) {
                 *value = weight * *value + other_weight * other;
             }
@@ -50,6 +60,11 @@ pub(crate) fn smooth_taps(
     (trains.iter())
         .map(|train| shared(train, spacing, count))
         .collect()
+}
+
+/// Taps that a train of impulses is shared out among, one every `spacing` steps.
+pub(crate) fn taps_of(impulses: usize, spacing: f64) -> usize {
+    (impulses as f64 * spacing).ceil() as usize
 }
 
 /// The first `count` taps of a response that is a train of impulses, one every `spacing`

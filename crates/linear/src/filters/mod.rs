@@ -4,6 +4,7 @@
 //! complex s, into taps: `output(k) = Σ taps(k − n) input(n)`, so that a tap
 //! carries the paper's factor 1/f_s.
 
+mod buffers;
 pub(crate) mod direct;
 pub(crate) mod held;
 pub(crate) mod hilbert;
@@ -17,14 +18,16 @@ use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
 use crate::parallel;
 
-/// Evaluates every channel at `variable(0)`, …, `variable(count − 1)`, several of them
-/// at a time; gives one spectrum a channel, each made when it is asked for.
+pub(crate) use buffers::Buffers;
+
+/// Evaluates every channel at `variable(0)`, …, one for each frequency of the buffers, several of
+/// them at a time; gives one spectrum a channel, each made when it is asked for.
 fn sample(
-    channels: usize,
-    count: usize,
+    buffers: Buffers,
     variable: impl Fn(usize) -> Complex64 + Sync,
     response: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> impl Iterator<Item = Vec<Complex64>> {
+    let (channels, count) = (buffers.channels, buffers.frequencies());
     let mut rows = vec![Complex64::ZERO; count * channels];
     let no_values = || vec![Lanes::real(0.0); channels];
     parallel::chunks_mut(

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 use realfft::ComplexToReal;
 
-use super::{inverse_transform, keep, sample};
+use super::{Buffers, inverse_transform, keep, sample};
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
 use crate::fft;
@@ -52,8 +52,6 @@ impl Sampling {
 /// The points ζ at which generating functions are sampled, as products of a point from which to
 /// go on and of a turn from there: few sines are enough.
 pub(super) struct Circle {
-    /// How many there are, all around.
-    pub(super) samples: usize,
     plan: Arc<dyn ComplexToReal<f64>>,
     radius: f64,
     /// Every so many points one to go on from.
@@ -62,15 +60,22 @@ pub(super) struct Circle {
     turns: Vec<Complex64>,
 }
 
-/// The circle for so many taps.
-pub(super) fn circle(count: usize, sampling: Sampling) -> Circle {
-    let samples = (sampling.per_tap() * count.max(2)).next_multiple_of(2);
+/// Buffers for the first `count` taps of every channel.
+pub(crate) fn buffers(count: usize, channels: usize, sampling: Sampling) -> Buffers {
+    Buffers {
+        channels,
+        samples: (sampling.per_tap() * count.max(2)).next_multiple_of(2),
+        taps: count,
+    }
+}
+
+/// The circle for a number of samples.
+pub(super) fn circle(samples: usize, sampling: Sampling) -> Circle {
     let radius = sampling.folded_back().powf(1.0 / samples as f64);
     let angle = |index: usize| -std::f64::consts::TAU / samples as f64 * index as f64;
     let stride = samples.isqrt();
     let starts = (0..samples).step_by(stride);
     Circle {
-        samples,
         plan: fft::inverse(samples),
         radius,
         from: starts
@@ -158,9 +163,10 @@ pub(crate) fn series(
     sampling: Sampling,
     generating: &(impl Fn(Lanes, &mut [Lanes]) + Sync),
 ) -> Vec<Vec<f64>> {
-    let circle = circle(count, sampling);
+    let buffers = buffers(count, channels, sampling);
+    let circle = circle(buffers.samples, sampling);
     let on_circle = |index: usize| circle.point(index);
-    sample(channels, circle.samples / 2 + 1, on_circle, generating)
+    sample(buffers, on_circle, generating)
         .map(|spectrum| circle.coefficients(spectrum, count))
         .collect()
 }

@@ -10,7 +10,7 @@
 
 use num_complex::Complex64;
 
-use super::quadrature::{Sampling, circle};
+use super::quadrature::{Sampling, buffers, circle};
 use super::sample;
 use crate::assembly::block::Block;
 use crate::assembly::lanes::Lanes;
@@ -30,7 +30,8 @@ pub fn taps(
     count: usize,
     response: &(impl Fn(Complex64) -> Complex64 + Sync),
 ) -> [Vec<f64>; 4] {
-    let circle = circle(count, Sampling::Close);
+    let buffers = buffers(count, 4, Sampling::Close);
+    let circle = circle(buffers.samples, Sampling::Close);
     let on_circle = |index: usize| circle.point(index);
     let between_stages = |zeta: Lanes, channels: &mut [Lanes]| {
         let matrix = generating_matrix(zeta);
@@ -42,7 +43,7 @@ pub fn taps(
         let p = k_one - q * one;
         channels.copy_from_slice(&[p + q * a, q * b, q * c, p + q * d]);
     };
-    let spectra = sample(4, circle.samples / 2 + 1, on_circle, &between_stages);
+    let spectra = sample(buffers, on_circle, &between_stages);
     let mut channels = spectra.map(|spectrum| circle.coefficients(spectrum, count));
     std::array::from_fn(|_| channels.next().unwrap_or_default())
 }

@@ -8,79 +8,132 @@ use super::length::{MOST_TAPS, all_finite, needed_taps, samples_of, too_many, tr
 use super::request::Request;
 use crate::assembly::lanes::Lanes;
 use crate::assembly::number::Number;
+use crate::assembly::working_bytes;
+use crate::budget::{Budget, Need, REAL, What};
 use crate::channel::Channel;
 use crate::drillstring::{Bending, Drillstring, SurfaceSupport};
 use crate::elements::newmark::Weights;
 use crate::elements::recurrence::ElementChain;
 use crate::error::BuildError;
 use crate::filters::quadrature::{Formula, Sampling};
-use crate::filters::{direct, held, hilbert, quadrature};
+use crate::filters::{Buffers, direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
 use crate::waves::lateral::BendingNetwork;
 
-/// What lateral responses are built from.
-struct Lateral<'a> {
+/// Lateral responses before they are built.
+#[derive(Debug)]
+pub(super) struct BendingPlan<'a> {
     string: &'a Drillstring,
     method: &'a Method,
     request: &'a Request,
     bending: &'a Bending,
     support: SurfaceSupport,
+    /// Taps of each response.
+    taps: usize,
+    /// Of what they are made of.
+    buffers: Buffers,
 }
 
-/// Builds the lateral responses of a string by one method.
-pub(super) fn responses(
-    string: &Drillstring,
-    method: &Method,
-    request: &Request,
-    bending: &Bending,
-    support: SurfaceSupport,
-) -> Result<ChannelResponses, BuildError> {
-    let needed = needed_taps(request.longest_time, request.sampling_frequency);
-    if needed > MOST_TAPS as f64 {
-        return Err(too_many(needed));
+impl<'a> BendingPlan<'a> {
+    /// By one method.
+    ///
+    /// # Errors
+    /// Where the method cannot treat the string, or responses would be too long.
+    pub(super) fn new(
+        string: &'a Drillstring,
+        method: &'a Method,
+        request: &'a Request,
+        bending: &'a Bending,
+        support: SurfaceSupport,
+    ) -> Result<Self, BuildError> {
+        let needed = needed_taps(request.longest_time, request.sampling_frequency);
+        if needed > MOST_TAPS as f64 {
+            return Err(too_many(needed));
+        }
+        let (taps, channels) = (needed as usize, request.sites.len().pow(2));
+        let buffers = match method {
+            Method::Held => held::smooth_buffers(taps, channels),
+            Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => {
+                quadrature::buffers(taps, channels, Sampling::Close)
+            }
+            Method::Hilbert(transform) => {
+                let length = transform_length_of(method, bending, transform, request)?;
+                hilbert::buffers(length, channels)
+            }
+            Method::DirectIdft(transform) => {
+                let length = transform_length_of(method, bending, transform, request)?;
+                direct::buffers(length, channels)
+            }
+        };
+        if buffers.taps > MOST_TAPS {
+            return Err(too_many(buffers.taps as f64));
+        }
+        Ok(Self {
+            string,
+            method,
+            request,
+            bending,
+            support,
+            taps,
+            buffers,
+        })
     }
-    let lateral = Lateral {
-        string,
-        method,
-        request,
-        bending,
-        support,
-    };
-    let taps = lateral.taps(needed as usize)?;
-    all_finite(&taps, method)?;
-    let (sites, mut taps) = (request.sites.len(), taps.into_iter());
-    Ok(ChannelResponses {
-        channel: Channel::Bending,
-        loads: (0..sites).collect(),
-        from_surface: Vec::new(),
-        from_loads: (0..sites)
-            .map(|_| taps.by_ref().take(sites).collect())
-            .collect(),
-        ending: Ending::Cut,
-    })
-}
 
-impl Lateral<'_> {
-    /// Responses of each site from each force, so many taps long.
-    fn taps(&self, needed: usize) -> Result<Vec<Vec<f64>>, BuildError> {
+    /// Taps of each response.
+    pub(super) fn taps(&self) -> usize {
+        self.taps
+    }
+
+    /// What building takes.
+    pub(super) fn need(&self) -> Need {
+        let made = self
+            .buffers
+            .need(working_bytes(self.request.sites.len(), 4));
+        let kept = REAL * (self.buffers.channels * self.taps) as f64;
+        match self.method {
+            Method::Quadrature | Method::Trapezoidal | Method::FiniteElement(_) => made,
+            // Taps are made of impulses in shorter steps, or of velocities, which then go.
+            Method::Held | Method::Hilbert(_) | Method::DirectIdft(_) => Need {
+                kept,
+                ..made.then(Need::lasting(kept))
+            },
+        }
+    }
+
+    /// Builds the displacements of all sites from a force at each.
+    ///
+    /// # Errors
+    /// Where they are not finite, or ask for more memory than is left.
+    pub(super) fn build(&self, budget: &Budget) -> Result<ChannelResponses, BuildError> {
+        let working = budget.begin(self.need(), What::Responses)?;
+        let taps = self.taps_of_pairs()?;
+        all_finite(&taps, self.method)?;
+        working.done();
+        let (sites, mut taps) = (self.request.sites.len(), taps.into_iter());
+        Ok(ChannelResponses {
+            channel: Channel::Bending,
+            loads: (0..sites).collect(),
+            from_surface: Vec::new(),
+            from_loads: (0..sites)
+                .map(|_| taps.by_ref().take(sites).collect())
+                .collect(),
+            ending: Ending::Cut,
+        })
+    }
+
+    /// Responses of each site from each force.
+    fn taps_of_pairs(&self) -> Result<Vec<Vec<f64>>, BuildError> {
         let (bending, support, request) = (self.bending, self.support, self.request);
         let network = BendingNetwork::new(self.string, *bending, support, &request.sites)?;
-        let sampling_frequency = request.sampling_frequency;
-        let count = request.sites.len().pow(2);
+        let (frequency, needed, count) =
+            (request.sampling_frequency, self.taps, self.buffers.channels);
         let displacement = |s: Lanes, responses: &mut [Lanes]| {
             responses.copy_from_slice(network.receptance(s).entries());
         };
         let by_formula = |formula: Formula| {
             let sampling = Sampling::Close;
-            quadrature::taps(
-                formula,
-                sampling_frequency,
-                needed,
-                count,
-                sampling,
-                &displacement,
-            )
+            quadrature::taps(formula, frequency, needed, count, sampling, &displacement)
         };
         let velocity = |s: Lanes, responses: &mut [Lanes]| {
             let receptance = network.receptance(s);
@@ -94,34 +147,21 @@ impl Lateral<'_> {
         };
         Ok(match self.method {
             Method::Held => {
-                let taps = held::smooth_taps(sampling_frequency, needed, count, &velocity);
-                at_mid_step(integrate(taps, needed, sampling_frequency))
+                let taps = held::smooth_taps(frequency, needed, count, &velocity);
+                at_mid_step(integrate(taps, needed, frequency))
             }
             Method::Quadrature => by_formula(Formula::BackwardDifferences),
             Method::Trapezoidal => by_formula(Formula::Trapezoidal),
-            Method::FiniteElement(parameters) => self.element_taps(parameters, needed)?,
-            Method::Hilbert(transform) => {
-                let length = self.transform_length(transform)?;
-                let filter = hilbert::taps(sampling_frequency, length, count, &velocity);
-                integrate(filter, needed, sampling_frequency)
+            Method::FiniteElement(parameters) => self.element_taps(parameters)?,
+            Method::Hilbert(_) => {
+                let filter = hilbert::taps(frequency, self.buffers, &velocity);
+                integrate(filter, needed, frequency)
             }
-            Method::DirectIdft(transform) => {
-                let length = self.transform_length(transform)?;
-                let filter = direct::taps(sampling_frequency, length, count, &velocity);
-                integrate(filter, needed, sampling_frequency)
+            Method::DirectIdft(_) => {
+                let filter = direct::taps(frequency, self.buffers, &velocity);
+                integrate(filter, needed, frequency)
             }
         })
-    }
-
-    /// Length of the transform behind a filter.
-    fn transform_length(&self, transform: &Transform) -> Result<usize, BuildError> {
-        if self.bending.damping <= 0.0 {
-            return Err(BuildError::NeedsDamping {
-                method: self.method.name(),
-            });
-        }
-        let samples = transform_samples(transform, self.request);
-        transform_length(samples, self.request.sampling_frequency)
     }
 
     /// The velocity response at zero frequency of a pair of sites, row by row, where the
@@ -145,13 +185,8 @@ impl Lateral<'_> {
         shape / (self.bending.damping * length)
     }
 
-    fn element_taps(
-        &self,
-        parameters: &FiniteElement,
-        needed: usize,
-    ) -> Result<Vec<Vec<f64>>, BuildError> {
+    fn element_taps(&self, parameters: &FiniteElement) -> Result<Vec<Vec<f64>>, BuildError> {
         let request = self.request;
-        let sites = request.sites.len();
         let chain = ElementChain::new(
             self.string,
             Channel::Bending,
@@ -163,19 +198,30 @@ impl Lateral<'_> {
             let receptance = chain.receptance(self.bending, self.support, zeta);
             responses.copy_from_slice(receptance.entries());
         };
+        let (taps, count) = (self.taps, self.buffers.channels);
         Ok(quadrature::series(
-            needed,
-            sites * sites,
+            taps,
+            count,
             Sampling::Close,
             &receptance,
         ))
     }
 }
 
-/// The transform behind a filter is twice as long as the simulation.
-pub(crate) fn transform_samples(transform: &Transform, request: &Request) -> f64 {
+/// Length of the transform behind a filter, which is twice as long as the simulation.
+fn transform_length_of(
+    method: &Method,
+    bending: &Bending,
+    transform: &Transform,
+    request: &Request,
+) -> Result<usize, BuildError> {
+    if bending.damping <= 0.0 {
+        let method = method.name();
+        return Err(BuildError::NeedsDamping { method });
+    }
     let needed = needed_taps(request.longest_time, request.sampling_frequency);
-    samples_of(transform, 2.0 * needed, request.sampling_frequency)
+    let samples = samples_of(transform, 2.0 * needed, request.sampling_frequency);
+    transform_length(samples, request.sampling_frequency)
 }
 
 /// Displacement taps as running sums of velocity taps over f_s (end of Section

@@ -1,6 +1,7 @@
 //! Discrete impulse responses A(0), A(1), …: the only thing that leaves this crate
 //! for a simulation (Eqs. 59–61).
 
+use crate::budget::REAL;
 use crate::channel::{Channel, Port};
 use crate::drillstring::StringId;
 use crate::error::ResponseError;
@@ -120,6 +121,12 @@ impl ChannelResponses {
         let from_loads = self.from_loads.iter().flatten();
         let mut all = self.from_surface.iter().chain(from_loads);
         all.next().map_or(0, Vec::len)
+    }
+
+    /// Memory of all taps, bytes.
+    pub(super) fn bytes(&self) -> f64 {
+        let from_loads: usize = self.from_loads.iter().map(Vec::len).sum();
+        REAL * ((self.from_surface.len() + from_loads) * self.taps()) as f64
     }
 
     /// Taps from a load at a site to another; none where no load acts there.

@@ -1,20 +1,14 @@
-//! Torsional responses as long as they last: until they have decayed, or to the end of
-//! the simulation.
+//! When torsional responses have decayed, and what is then cut off.
 
-use super::length::{MOST_TAPS, needed_taps, too_many, transformable};
-use super::request::Request;
+use super::length::{MOST_TAPS, too_many, transformable};
 use crate::drillstring::Drillstring;
 use crate::error::BuildError;
-use crate::estimates::{
-    drive_settling_time, torsional_decay_rate, torsional_travel_time, undershoot_time,
-};
-use crate::filters::quadrature::Sampling;
-use crate::passivity::Ending;
+use crate::estimates::{drive_settling_time, torsional_decay_rate, torsional_travel_time};
 
 /// A response has decayed where what is left of it sums, in magnitude, to less than this
 /// fraction of the whole. Rounding in the phase of thousands of radians along the string
 /// leaves a floor a few times lower.
-const NEGLIGIBLE_TAIL: f64 = 1e-8;
+pub(super) const NEGLIGIBLE_TAIL: f64 = 1e-8;
 
 /// What is cut off then, unless rounding holds a response up: taps that sum to less than this
 /// fraction of the whole. A speed sees what is cut off thousands of times over, once for each
@@ -25,21 +19,9 @@ const CUT_TAIL: f64 = 1e-10;
 /// many times is rounding, or seeps, and is cut here.
 const LONGER: f64 = 1.3;
 
-/// What rounding leaves of a tap, at most, as a part of the sum of all: a response that has to
-/// be built longer than it should last may be held up by that alone.
-const ROUNDING: f64 = 1e-12;
-
-/// What is left at the end of such a response is then rounding, and so is as much again before.
-const OF_ROUNDING: f64 = 2.0;
-
 /// A tail counts as decayed only if this last part of what was computed is
 /// negligible too, so that a quiet moment is not taken for the end.
 const QUIET_PART: f64 = 0.25;
-
-/// Responses are built as long as they should last, though nothing looks so far, where that
-/// is no more than so many times as long: what is told of a whole response needs no
-/// allowance for its end.
-const WORTH_WHILE: f64 = 2.2;
 
 /// A first guess of the length, in round trips, where damping says nothing.
 const FIRST_ROUND_TRIPS: f64 = 16.0;
@@ -47,101 +29,8 @@ const FIRST_ROUND_TRIPS: f64 = 16.0;
 /// The slowest vibration takes about so many times as long to decay as the mean of all.
 const SLOWEST: f64 = 1.25;
 
-/// How long, in taps, responses are built that grow until they have decayed.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Lengths {
-    /// Where they are looked at no further.
-    looked_at: f64,
-    /// At first.
-    first: f64,
-    /// Whether they should have decayed by then.
-    pub(crate) decay: bool,
-}
-
-impl Lengths {
-    /// # Errors
-    /// Where responses last no finite time.
-    pub(crate) fn new(string: &Drillstring, request: &Request) -> Result<Self, BuildError> {
-        let frequency = request.sampling_frequency;
-        let looked_at = looked_at(string, request.longest_time, frequency);
-        let decayed = first_length(string, frequency)? as f64;
-        // What nothing damps does not decay.
-        let decay = string.torsional_damping() > 0.0 && decayed <= WORTH_WHILE * looked_at;
-        Ok(Self {
-            looked_at,
-            first: if decay { decayed } else { looked_at },
-            decay,
-        })
-    }
-
-    /// Doubled until they are at least so long.
-    pub(crate) fn doubled_to(&self, length: f64) -> f64 {
-        let doublings = (length / self.first).log2().ceil().max(0.0);
-        self.first * doublings.exp2()
-    }
-
-    /// At last: until nothing looks further.
-    pub(crate) fn last(&self) -> f64 {
-        let most = self.looked_at.max(MOST_TAPS as f64);
-        self.doubled_to(self.looked_at).min(most)
-    }
-}
-
-/// Builds responses of growing length until they have decayed or are at least as long as
-/// they are looked at; those that go on then are sampled as they ask for.
-pub(super) fn until_decayed(
-    string: &Drillstring,
-    request: &Request,
-    goes_on: Sampling,
-    mut build: impl FnMut(usize, Sampling) -> Vec<Vec<f64>>,
-) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-    let Lengths {
-        looked_at,
-        first,
-        decay,
-    } = Lengths::new(string, request)?;
-    if first > MOST_TAPS as f64 {
-        return Err(too_many(looked_at));
-    }
-    let mut length = first as usize;
-    let mut sampling = if decay { Sampling::Once } else { goes_on };
-    let mut rounding = 0.0;
-    loop {
-        let mut taps = build(length, sampling);
-        let left = OF_ROUNDING * left_at_end(&taps);
-        let negligible = NEGLIGIBLE_TAIL.max(left.min(rounding));
-        if cut_decayed_tail(&mut taps, negligible) {
-            return Ok((taps, Ending::Whole));
-        }
-        if length as f64 >= looked_at {
-            if sampling == goes_on {
-                return Ok((taps, Ending::Cut));
-            }
-            // What goes on after all was folded back.
-            sampling = goes_on;
-            continue;
-        }
-        if length == MOST_TAPS {
-            return Err(too_many(looked_at));
-        }
-        length = (2 * length).min(MOST_TAPS);
-        rounding = ROUNDING * length as f64;
-    }
-}
-
-/// Taps beyond which no response is looked at: neither by a simulation, which may take so
-/// long (s), nor for its undershoot.
-fn looked_at(string: &Drillstring, longest_time: f64, sampling_frequency: f64) -> f64 {
-    let time = longest_time.max(undershoot_time(string));
-    let taps = needed_taps(time, sampling_frequency);
-    if taps > MOST_TAPS as f64 {
-        return taps;
-    }
-    transformable(taps as usize) as f64
-}
-
 /// The part of its sum that the last part of a response has, of the one in which that is most.
-fn left_at_end(responses: &[Vec<f64>]) -> f64 {
+pub(super) fn left_at_end(responses: &[Vec<f64>]) -> f64 {
     let sum = |taps: &[f64]| taps.iter().map(|tap| tap.abs()).sum::<f64>();
     let parts = responses.iter().map(|taps| {
         let end = ((1.0 - QUIET_PART) * taps.len() as f64) as usize;
@@ -152,7 +41,7 @@ fn left_at_end(responses: &[Vec<f64>]) -> f64 {
 
 /// Cuts what is left of all responses where the last of them has decayed. Returns whether they
 /// have; `negligible` is the part of its sum that a tail may have.
-fn cut_decayed_tail(responses: &mut [Vec<f64>], negligible: f64) -> bool {
+pub(super) fn cut_decayed_tail(responses: &mut [Vec<f64>], negligible: f64) -> bool {
     let length = responses.iter().map(Vec::len).max().unwrap_or(0);
     let end = last_end(responses, negligible);
     let decayed = (end as f64) <= (1.0 - QUIET_PART) * length as f64;
@@ -196,7 +85,7 @@ fn decayed_length(taps: &[f64], negligible: f64) -> usize {
 ///
 /// # Errors
 /// Where it lasts no finite time.
-pub(crate) fn first_length(
+pub(super) fn first_length(
     string: &Drillstring,
     sampling_frequency: f64,
 ) -> Result<usize, BuildError> {

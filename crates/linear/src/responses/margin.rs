@@ -2,11 +2,65 @@
 //! that sticks, or leans on a wall, stays stable.
 
 use super::channels::{ChannelResponses, Responses};
+use crate::budget::{Budget, Need, OutOfBudget, REAL, What};
+use crate::channel::Channel;
 use crate::error::BuildError;
 use crate::method::Method;
-use crate::passivity::{Ending, positive_real_margin};
+use crate::passivity::{Ending, bytes, positive_real_margin};
+
+/// The margin of a channel before it is found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MarginPlan {
+    /// Bytes.
+    scratch: f64,
+}
+
+impl MarginPlan {
+    /// Of responses in torsion of a number of taps, between a number of sites that torques act on.
+    pub fn in_torsion(sites: usize, taps: usize) -> Self {
+        Self {
+            scratch: bytes(sites, taps),
+        }
+    }
+
+    /// The same in bending, where it is that of velocities.
+    pub fn in_bending(sites: usize, taps: usize) -> Self {
+        let velocities = REAL * (sites * sites * taps) as f64;
+        Self {
+            scratch: velocities + bytes(sites, taps),
+        }
+    }
+
+    fn of(channel: &ChannelResponses) -> Self {
+        let (sites, taps) = (channel.loads.len(), channel.taps());
+        match channel.channel {
+            Channel::Torsion => Self::in_torsion(sites, taps),
+            Channel::Bending => Self::in_bending(sites, taps),
+        }
+    }
+
+    /// What finding it takes of a budget, and gives back.
+    ///
+    /// # Errors
+    /// Where that is more than is left.
+    pub fn ask(&self, budget: &Budget) -> Result<(), OutOfBudget> {
+        budget.pass(Need::passing(self.scratch), What::Margin)
+    }
+}
 
 impl Responses {
+    /// The margins in torsion and in bending, where these are ([`Responses::torsion_margin`],
+    /// [`Responses::bending_margin`]), within a budget.
+    ///
+    /// # Errors
+    /// Where these are not the responses of a string, or more memory is needed than is left.
+    pub fn margins(&self, budget: &Budget) -> Result<[Option<f64>; 2], BuildError> {
+        for channel in &self.channels {
+            MarginPlan::of(channel).ask(budget)?;
+        }
+        Ok([self.torsion_margin()?, self.bending_margin()?])
+    }
+
     /// Positive-real margin of the driving points in torsion; `None` where no torque
     /// acts.
     ///

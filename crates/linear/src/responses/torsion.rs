@@ -1,12 +1,15 @@
 //! Torsional responses by any method (Sections 2.4 and 3).
 
 use super::channels::ChannelResponses;
-use super::decay::{first_length, until_decayed};
+use super::decay::first_length;
 use super::length::{all_finite, samples_of, transform_length};
 use super::request::Request;
-use super::trains::ImpulseTrains;
+use super::rounds::{Built, Rounds};
+use super::trains::{ImpulseTrains, TrainsPlan};
 use super::wanted::Wanted;
 use crate::assembly::lanes::Lanes;
+use crate::assembly::working_bytes;
+use crate::budget::{Budget, Need, OutOfBudget, REAL, What};
 use crate::channel::Channel;
 use crate::drillstring::Drillstring;
 use crate::elements::newmark::Weights;
@@ -14,7 +17,7 @@ use crate::elements::recurrence::ElementChain;
 use crate::error::BuildError;
 use crate::estimates::torsional_settling_time;
 use crate::filters::quadrature::{Formula, Sampling};
-use crate::filters::{direct, hilbert, quadrature};
+use crate::filters::{Buffers, direct, held, hilbert, quadrature};
 use crate::method::{FiniteElement, Method, Transform};
 use crate::passivity::Ending;
 use crate::waves::network::TorsionNetwork;
@@ -23,130 +26,193 @@ use crate::waves::network::TorsionNetwork;
 /// string: its static stiffness is then right to a part in a thousand.
 const SEEPING_TIMES: f64 = 8.0;
 
-/// What torsional responses are built from.
-struct Torsion<'a> {
+/// Torsional responses before they are built.
+#[derive(Debug)]
+pub(super) struct TorsionPlan<'a> {
     string: &'a Drillstring,
     method: &'a Method,
     request: &'a Request,
     /// What is to be known.
     wanted: Wanted<'a>,
-    /// What held responses are made of, where that is there.
-    trains: Option<&'a ImpulseTrains>,
+    lengths: Lengths<'a>,
 }
 
-/// Builds the torsional responses of a string by one method.
-pub(super) fn responses(
-    string: &Drillstring,
-    method: &Method,
-    request: &Request,
-    torques: &[usize],
-    trains: Option<&ImpulseTrains>,
-) -> Result<ChannelResponses, BuildError> {
-    let torsion = Torsion {
-        string,
-        method,
-        request,
-        wanted: Wanted::Sites { torques },
-        trains,
-    };
-    let (taps, ending) = torsion.taps()?;
-    all_finite(&taps, method)?;
-    Ok(torsion.by_site(taps, torques, ending))
+/// How long responses are, by what makes them.
+#[derive(Debug)]
+enum Lengths<'a> {
+    /// Built until they have decayed.
+    Rounds(Rounds),
+    /// Made of trains of impulses, which are to be built.
+    Trains(TrainsPlan<'a>),
+    /// Made of trains that are there.
+    Known(&'a ImpulseTrains),
+    /// Made by one transform.
+    Transform(Buffers),
 }
 
-/// Taps of the torque with which the surface of a string has to be turned, from the speed that
-/// it is set to, N m per rad/s; below a top drive that of its motor. No torque acts below: one
-/// that does, at a site, is met at the surface as less by the site's response from the surface
-/// (reciprocity). As long as the time of the request at least, or as they last.
-///
-/// # Errors
-/// As [`crate::responses()`].
-pub fn surface_torque(
-    string: &Drillstring,
-    method: &Method,
-    request: &Request,
-) -> Result<Vec<f64>, BuildError> {
-    request.check(string)?;
-    let torsion = Torsion {
-        string,
-        method,
-        request,
-        wanted: Wanted::SurfaceTorque,
-        trains: None,
-    };
-    let (mut taps, _) = torsion.taps()?;
-    all_finite(&taps, method)?;
-    Ok(taps.pop().unwrap_or_default())
-}
-
-impl Torsion<'_> {
-    /// Responses of all sites from the surface, then of all sites from each torque.
-    fn taps(&self) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-        match self.method {
-            Method::Held => self.held_taps(),
-            Method::Quadrature => self.quadrature_taps(Formula::BackwardDifferences),
-            Method::Trapezoidal => self.quadrature_taps(Formula::Trapezoidal),
-            Method::Hilbert(transform) => {
-                let length = self.transform_length(transform)?;
-                let (frequency, response) =
-                    (self.request.sampling_frequency, self.wave_response()?);
-                let taps = hilbert::taps(frequency, length, self.count(), &response);
-                Ok((taps, Ending::Whole))
+impl<'a> TorsionPlan<'a> {
+    /// By one method; held responses are made of trains of impulses, where these are there.
+    ///
+    /// # Errors
+    /// Where the method cannot treat the string, or responses would be too long.
+    pub(super) fn new(
+        string: &'a Drillstring,
+        method: &'a Method,
+        request: &'a Request,
+        wanted: Wanted<'a>,
+        trains: Option<&'a ImpulseTrains>,
+    ) -> Result<Self, BuildError> {
+        let channels = wanted.count(request.sites.len());
+        let on_thread = working_bytes(request.sites.len(), 1);
+        let rounds = |ring: bool| {
+            let goes_on = (Sampling::Close, ring);
+            Rounds::new(string, request, goes_on, (channels, on_thread)).map(Lengths::Rounds)
+        };
+        let lengths = match (method, trains) {
+            (Method::Held, Some(trains)) => {
+                trains.check(string, request, wanted.torques())?;
+                Lengths::Known(trains)
             }
-            Method::DirectIdft(transform) => {
-                let length = self.transform_length(transform)?;
-                let (frequency, response) =
-                    (self.request.sampling_frequency, self.wave_response()?);
-                let taps = direct::taps(frequency, length, self.count(), &response);
-                Ok((taps, Ending::Whole))
+            (Method::Held, None) => Lengths::Trains(TrainsPlan::new(string, request, wanted)?),
+            (Method::Quadrature | Method::FiniteElement(_), _) => rounds(false)?,
+            // It rings for ever at the highest frequency.
+            (Method::Trapezoidal, _) => rounds(true)?,
+            (Method::Hilbert(transform), _) => {
+                let length = transform_length_of(string, method, transform, request)?;
+                Lengths::Transform(hilbert::buffers(length, channels))
             }
-            Method::FiniteElement(parameters) => self.element_taps(parameters),
+            (Method::DirectIdft(transform), _) => {
+                let length = transform_length_of(string, method, transform, request)?;
+                Lengths::Transform(direct::buffers(length, channels))
+            }
+        };
+        Ok(Self {
+            string,
+            method,
+            request,
+            wanted,
+            lengths,
+        })
+    }
+
+    /// Taps of each response, at most.
+    pub(super) fn taps(&self) -> usize {
+        let of_trains = |(impulses, step): (usize, f64)| {
+            held::taps_of(impulses, step * self.request.sampling_frequency)
+        };
+        match &self.lengths {
+            Lengths::Rounds(rounds) => rounds.taps(),
+            Lengths::Trains(plan) => of_trains(plan.length()),
+            Lengths::Known(trains) => of_trains(trains.length()),
+            Lengths::Transform(buffers) => buffers.taps,
         }
     }
 
-    fn held_taps(&self) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-        let taps = |trains: &ImpulseTrains| trains.taps(self.request.sampling_frequency);
-        match self.trains {
-            Some(trains) => {
-                trains.check(self.string, self.request, self.wanted.torques())?;
-                Ok(taps(trains))
-            }
-            None => {
-                let trains = ImpulseTrains::of_wanted(self.string, self.request, self.wanted)?;
-                Ok(taps(&trains))
-            }
-        }
-    }
-
-    fn quadrature_taps(&self, formula: Formula) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
-        let response = self.wave_response()?;
-        until_decayed(
-            self.string,
-            self.request,
-            Sampling::Close,
-            |length, sampling| {
-                quadrature::taps(
-                    formula,
-                    self.request.sampling_frequency,
-                    length,
-                    self.count(),
-                    sampling,
-                    &response,
-                )
+    /// What building takes.
+    pub(super) fn need(&self) -> Need {
+        let on_thread = working_bytes(self.request.sites.len(), 1);
+        match &self.lengths {
+            Lengths::Rounds(rounds) => rounds.need(),
+            Lengths::Transform(buffers) => buffers.need(on_thread),
+            Lengths::Known(_) => Need::lasting(self.bytes()),
+            // The trains go once the taps are there.
+            Lengths::Trains(plan) => Need {
+                kept: self.bytes(),
+                ..plan.need().then(Need::lasting(self.bytes()))
             },
-        )
+        }
     }
 
-    /// Length of the transform behind a filter.
-    fn transform_length(&self, transform: &Transform) -> Result<usize, BuildError> {
-        if self.string.torsional_damping() <= 0.0 {
-            return Err(BuildError::NeedsDamping {
-                method: self.method.name(),
+    /// Of all taps, at most.
+    fn bytes(&self) -> f64 {
+        REAL * (self.count() * self.taps()) as f64
+    }
+
+    /// Builds the responses from the surface and from torques on some sites.
+    ///
+    /// # Errors
+    /// Where they are not finite, ask for more memory than is left, or last longer than they may.
+    pub(super) fn build(&self, budget: &Budget) -> Result<ChannelResponses, BuildError> {
+        let Built {
+            taps,
+            ending,
+            memory,
+        } = self.taps_of_all(budget)?;
+        all_finite(&taps, self.method)?;
+        memory.keep();
+        Ok(self.by_site(taps, self.wanted.torques(), ending))
+    }
+
+    /// Responses of all sites from the surface, then of all sites from each torque.
+    fn taps_of_all<'b>(&self, budget: &'b Budget) -> Result<Built<'b>, BuildError> {
+        match &self.lengths {
+            Lengths::Rounds(rounds) => self.built_in_rounds(rounds, budget),
+            Lengths::Trains(plan) => {
+                let (trains, memory) = plan.build_within(budget)?;
+                let built = self.taps_of_trains(&trains, budget);
+                drop(memory);
+                built
+            }
+            Lengths::Known(trains) => self.taps_of_trains(trains, budget),
+            Lengths::Transform(buffers) => {
+                let need = self.need();
+                let working = budget.begin(need, What::Responses)?;
+                let (frequency, response) =
+                    (self.request.sampling_frequency, self.wave_response()?);
+                let taps = match self.method {
+                    Method::Hilbert(_) => hilbert::taps(frequency, *buffers, &response),
+                    _ => direct::taps(frequency, *buffers, &response),
+                };
+                Ok(Built {
+                    taps,
+                    ending: Ending::Whole,
+                    memory: working.kept(need.kept),
+                })
+            }
+        }
+    }
+
+    fn taps_of_trains<'b>(
+        &self,
+        trains: &ImpulseTrains,
+        budget: &'b Budget,
+    ) -> Result<Built<'b>, BuildError> {
+        let (impulses, step) = trains.length();
+        let frequency = self.request.sampling_frequency;
+        let taps = self.count() * held::taps_of(impulses, step * frequency);
+        let memory = budget.reserve(REAL * taps as f64, What::Responses)?;
+        let (taps, ending) = trains.taps(frequency);
+        Ok(Built {
+            taps,
+            ending,
+            memory,
+        })
+    }
+
+    fn built_in_rounds<'b>(
+        &self,
+        rounds: &Rounds,
+        budget: &'b Budget,
+    ) -> Result<Built<'b>, BuildError> {
+        let (count, frequency) = (self.count(), self.request.sampling_frequency);
+        if let Method::FiniteElement(parameters) = self.method {
+            let chain = self.chain(parameters)?;
+            let response = |zeta: Lanes, responses: &mut [Lanes]| {
+                let torque = || chain.surface_torque(zeta);
+                (self.wanted).write(|| chain.admittance(zeta), torque, responses);
+            };
+            return rounds.build(budget, |taps, sampling| {
+                quadrature::series(taps, count, sampling, &response)
             });
         }
-        let sampling_frequency = self.request.sampling_frequency;
-        let samples = transform_samples(self.string, transform, sampling_frequency);
-        transform_length(samples, sampling_frequency)
+        let formula = match self.method {
+            Method::Trapezoidal => Formula::Trapezoidal,
+            _ => Formula::BackwardDifferences,
+        };
+        let response = self.wave_response()?;
+        rounds.build(budget, |taps, sampling| {
+            quadrature::taps(formula, frequency, taps, count, sampling, &response)
+        })
     }
 
     /// Exact frequency responses.
@@ -158,28 +224,14 @@ impl Torsion<'_> {
         })
     }
 
-    fn element_taps(
-        &self,
-        parameters: &FiniteElement,
-    ) -> Result<(Vec<Vec<f64>>, Ending), BuildError> {
+    fn chain(&self, parameters: &FiniteElement) -> Result<ElementChain<'_>, BuildError> {
         let weights = Weights::new(parameters, self.request.sampling_frequency)?;
-        let sites = &self.request.sites;
-        let chain = ElementChain::new(
+        ElementChain::new(
             self.string,
             Channel::Torsion,
-            sites,
+            &self.request.sites,
             parameters.elements_per_cell,
             weights,
-        )?;
-        let response = |zeta: Lanes, responses: &mut [Lanes]| {
-            let torque = || chain.surface_torque(zeta);
-            (self.wanted).write(|| chain.admittance(zeta), torque, responses);
-        };
-        until_decayed(
-            self.string,
-            self.request,
-            Sampling::Close,
-            |length, sampling| quadrature::series(length, self.count(), sampling, &response),
         )
     }
 
@@ -209,15 +261,85 @@ impl Torsion<'_> {
     }
 }
 
+/// The torque with which the surface of a string has to be turned, before its taps are built.
+#[derive(Debug)]
+pub struct SurfaceTorquePlan<'a>(TorsionPlan<'a>);
+
+impl<'a> SurfaceTorquePlan<'a> {
+    /// By one method, for the string, time and sampling frequency of a request.
+    ///
+    /// # Errors
+    /// As [`crate::ResponsePlan::new`].
+    pub fn new(
+        string: &'a Drillstring,
+        method: &'a Method,
+        request: &'a Request,
+    ) -> Result<Self, BuildError> {
+        request.check(string)?;
+        TorsionPlan::new(string, method, request, Wanted::SurfaceTorque, None).map(Self)
+    }
+
+    /// Number of taps, at most.
+    pub fn taps(&self) -> usize {
+        self.0.taps()
+    }
+
+    /// What building takes of a budget.
+    ///
+    /// # Errors
+    /// Where that is more than is left.
+    pub fn ask(&self, budget: &Budget) -> Result<(), OutOfBudget> {
+        budget.pass(self.0.need(), What::Responses)
+    }
+
+    /// Builds the taps (see [`surface_torque`]).
+    ///
+    /// # Errors
+    /// As [`crate::ResponsePlan::build`].
+    pub fn build(&self, budget: &Budget) -> Result<Vec<f64>, BuildError> {
+        let mut built = self.0.taps_of_all(budget)?;
+        all_finite(&built.taps, self.0.method)?;
+        built.memory.keep();
+        Ok(built.taps.pop().unwrap_or_default())
+    }
+}
+
+/// Taps of the torque with which the surface of a string has to be turned, from the speed that
+/// it is set to, N m per rad/s; below a top drive that of its motor. No torque acts below: one
+/// that does, at a site, is met at the surface as less by the site's response from the surface
+/// (reciprocity). As long as the time of the request at least, or as they last.
+///
+/// # Errors
+/// As [`crate::responses()`].
+pub fn surface_torque(
+    string: &Drillstring,
+    method: &Method,
+    request: &Request,
+) -> Result<Vec<f64>, BuildError> {
+    SurfaceTorquePlan::new(string, method, request)?.build(&Budget::unlimited())
+}
+
+/// Length of the transform behind a filter.
+fn transform_length_of(
+    string: &Drillstring,
+    method: &Method,
+    transform: &Transform,
+    request: &Request,
+) -> Result<usize, BuildError> {
+    if string.torsional_damping() <= 0.0 {
+        let method = method.name();
+        return Err(BuildError::NeedsDamping { method });
+    }
+    let sampling_frequency = request.sampling_frequency;
+    let samples = transform_samples(string, transform, sampling_frequency);
+    transform_length(samples, sampling_frequency)
+}
+
 /// The transform behind a filter is as long as the string's vibration lasts,
 /// however short the simulation: what it cuts off is folded back (Section 2.4).
 /// The taps have an algebraic tail, so that watching them decay would not tell
 /// when to stop.
-pub(crate) fn transform_samples(
-    string: &Drillstring,
-    transform: &Transform,
-    sampling_frequency: f64,
-) -> f64 {
+fn transform_samples(string: &Drillstring, transform: &Transform, sampling_frequency: f64) -> f64 {
     let seeps = SEEPING_TIMES * torsional_settling_time(string) * sampling_frequency;
     let first = first_length(string, sampling_frequency)
         .map_or(f64::INFINITY, |taps| taps.next_power_of_two() as f64);

@@ -1,8 +1,8 @@
 //! What strings have in common is taken over from the one before, and nothing else is.
 
 use linear::{
-    AxialForce, ChannelRequest, Drillstring, Earlier, Hole, HoleSection, Method, Mud, Request,
-    Responses, Sites, SurfaceSupport, TopDrive, responses, responses_after,
+    AxialForce, Budget, ChannelRequest, Drillstring, Earlier, Hole, HoleSection, Method, Mud,
+    Request, ResponsePlan, Responses, Sites, SurfaceSupport, TopDrive, responses,
 };
 use problems::academic::{self, BENDING};
 
@@ -41,7 +41,8 @@ fn taken_over(string: &Drillstring, asked: &Request, method: Method) -> [bool; 2
             request: &request,
             responses,
         };
-        responses_after(string, &method, asked, earlier).unwrap()
+        let plan = ResponsePlan::after(string, &method, asked, earlier).unwrap();
+        plan.build(&Budget::unlimited()).unwrap()
     };
     // Whatever is taken over, it is what would be built.
     let fresh = responses(string, &method, asked).unwrap();

@@ -8,8 +8,8 @@ use linear::estimates::{
 use linear::passivity::Ending;
 use linear::waves::lattice::Lattice;
 use linear::{
-    ChannelRequest, Drillstring, ImpulseTrains, Method, Request, Responses, Section, Sites,
-    SurfaceSupport, Tube, responses_with,
+    Budget, BuildError, ChannelRequest, Drillstring, ImpulseTrains, Method, Request, ResponsePlan,
+    Responses, Section, Sites, SurfaceSupport, Tube,
 };
 use problems::academic::{self, BENDING, tube};
 use problems::oracles::{assert_close, relative_difference};
@@ -226,12 +226,16 @@ fn trains_serve_all_sampling_frequencies_of_their_own_request() {
     let string = academic::string();
     let request = academic::bit_request(10.0);
     let trains = ImpulseTrains::new(&string, &request).unwrap().unwrap();
+    let with_trains = |string: &Drillstring, request: &Request| -> Result<Responses, BuildError> {
+        let plan = ResponsePlan::with_trains(string, &Method::Held, request, &trains)?;
+        plan.build(&Budget::unlimited())
+    };
     let taps = |sampling_frequency: f64| {
         let request = Request {
             sampling_frequency,
             ..request.clone()
         };
-        let found = responses_with(&string, &Method::Held, &request, &trains).unwrap();
+        let found = with_trains(&string, &request).unwrap();
         found.at_bit().unwrap().to_vec()
     };
     for frequency in [77.7, 640.0] {
@@ -246,9 +250,9 @@ fn trains_serve_all_sampling_frequencies_of_their_own_request() {
         assert!(relative_difference(&joined, &coarse) < 1e-9);
     }
     let longer = academic::bit_request(20.0);
-    assert!(responses_with(&string, &Method::Held, &longer, &trains).is_err());
+    assert!(with_trains(&string, &longer).is_err());
     let other = academic::damped_string(11.0);
-    assert!(responses_with(&other, &Method::Held, &request, &trains).is_err());
+    assert!(with_trains(&other, &request).is_err());
     let none = Request {
         channels: Vec::new(),
         ..request

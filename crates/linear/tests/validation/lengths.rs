@@ -1,10 +1,10 @@
-//! How long responses in torsion are, and what is told of it before they are built.
+//! How long responses in torsion are, and what is known of it before they are built.
 
 use linear::method::FiniteElement;
 use linear::passivity::Ending;
 use linear::{
-    Bending, BuildError, Cascade, ChannelRequest, Drillstring, Method, Request, Section, Sites,
-    SurfaceSupport, Tube, cost, responses,
+    Bending, Budget, BuildError, CascadePlan, ChannelRequest, Drillstring, Method, Request,
+    ResponsePlan, Section, Sites, SurfaceSupport, TopDrive, Tube, responses,
 };
 use problems::academic;
 use problems::wells::{Draw, Well};
@@ -57,9 +57,9 @@ fn any_string() -> impl Strategy<Value = Drillstring> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..Default::default() })]
 
-    /// As long as the longest case or as they last, and no longer than was told.
+    /// As long as the longest case or as they last, and no longer than was planned.
     #[test]
-    fn responses_last_to_the_end_of_the_longest_case_and_no_longer_than_told(
+    fn responses_last_to_the_end_of_the_longest_case_and_no_longer_than_planned(
         string in any_string(),
         longest_time in 0.5..40.0f64,
         sampling_frequency in 50.0..700.0f64,
@@ -67,10 +67,12 @@ proptest! {
         let request = request(&string, longest_time, sampling_frequency);
         let needed = (longest_time * sampling_frequency).ceil() as usize + 1;
         for method in methods() {
-            let told = cost::responses(&string, &method, &request).torsion_taps;
-            let found = responses(&string, &method, &request).unwrap();
+            let plan = ResponsePlan::new(&string, &method, &request).unwrap();
+            let planned = plan.torsion_taps();
+            let found = plan.build(&Budget::unlimited()).unwrap();
             let found = found.torsion().unwrap();
-            prop_assert!(found.taps() as f64 <= told, "{}: {} {told}", method.name(), found.taps());
+            let name = method.name();
+            prop_assert!(found.taps() <= planned, "{name}: {} {planned}", found.taps());
             let is_enough = found.ending == Ending::Whole || found.taps() >= needed;
             prop_assert!(is_enough, "{}: {} {needed}", method.name(), found.taps());
         }
@@ -109,9 +111,52 @@ proptest! {
     }
 }
 
+/// Builders ask for no more than their dry run: on any string in a well, below a drive or none.
+#[test]
+fn responses_take_no_more_than_their_plan() {
+    for number in 0..90 {
+        let mut draw = Draw::new(number);
+        let string = Well::draw(number, &mut draw).string;
+        let drive = TopDrive {
+            inertia: draw.log_uniform(200.0, 5000.0),
+            proportional_gain: draw.log_uniform(50.0, 20_000.0),
+            integral_gain: draw.log_uniform(10.0, 20_000.0),
+        };
+        let string = match number % 2 {
+            0 => string,
+            _ => string.with_top_drive(drive).unwrap(),
+        };
+        let (frequency, time) = (draw.log_uniform(20.0, 300.0), draw.log_uniform(1.0, 100.0));
+        let request = request(&string, time, frequency);
+        for method in methods() {
+            let plan = ResponsePlan::new(&string, &method, &request).unwrap();
+            let dry = Budget::unlimited();
+            plan.ask(&dry).unwrap();
+            let budget = Budget::new(dry.need().peak);
+            let name = method.name();
+            let built = plan
+                .build(&budget)
+                .unwrap_or_else(|error| panic!("{number} {name}: {error}"));
+            assert!(
+                built.torsion().unwrap().taps() <= plan.torsion_taps(),
+                "{number} {name}"
+            );
+            assert!(budget.need().kept <= dry.need().kept, "{number} {name}");
+            // Half of it is refused before it is taken.
+            let half = Budget::new(0.5 * budget.need().peak);
+            let refused = plan.build(&half);
+            assert!(
+                matches!(refused, Err(BuildError::OutOfBudget(_))),
+                "{number} {name}"
+            );
+            assert_eq!(half.need().kept, 0.0);
+        }
+    }
+}
+
 /// Of any string in any number of pieces.
 #[test]
-fn pieces_ring_no_longer_than_told() {
+fn pieces_ring_no_longer_than_planned() {
     let mut longest: f64 = 0.0;
     for number in 0..60 {
         let mut draw = Draw::new(number);
@@ -126,18 +171,18 @@ fn pieces_ring_no_longer_than_told() {
             Method::Quadrature,
             Method::FiniteElement(FiniteElement::default()),
         ] {
-            let (told, _) = cost::cascade(&string, &nodes, frequency, time);
-            let cascade = Cascade::new(&string, &method, &nodes, frequency, time).unwrap();
-            let links = cascade.links.iter();
-            let responses = links.flat_map(|link| [&link.top, &link.across, &link.bottom]);
-            let top = &cascade.top;
-            let all = responses.chain([&top.reflection, &top.sent, &top.torque_by_wave]);
-            let most = all.map(Vec::len).max().unwrap() as f64;
-            assert!(most <= told, "{number} {}: {most} {told}", method.name());
-            longest = longest.max(most / told);
+            let plan = CascadePlan::new(&string, &method, &nodes, frequency, time).unwrap();
+            let cascade = plan.build(&Budget::unlimited()).unwrap();
+            let (most, planned) = (cascade.longest_response(), plan.taps());
+            assert!(
+                most <= planned,
+                "{number} {}: {most} {planned}",
+                method.name()
+            );
+            longest = longest.max(most as f64 / planned as f64);
         }
     }
-    // Nor is more told than it takes in every case.
+    // Nor is more planned than it takes in every case.
     assert!(longest > 0.5, "{longest}");
 }
 

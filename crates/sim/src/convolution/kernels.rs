@@ -2,12 +2,16 @@
 
 use std::sync::Arc;
 
+use linear::budget::REAL;
 use linear::{ResponseError, fft};
 use pulp::Arch;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealToComplex};
 
 use super::partition::{FIRST_BLOCK, LANES, partitions};
+
+/// Numbers that the plans of a level's transforms hold for each step of a block.
+const PLANS: f64 = 16.0;
 
 /// Responses between the sites prepared for summing, shared by all cases.
 #[derive(Debug, Clone)]
@@ -111,6 +115,18 @@ pub(super) fn join(parts: &[f64], spectrum: &mut [Complex<f64>]) {
 }
 
 impl Kernels {
+    /// Bytes of the square of responses of a number of taps between a number of sites.
+    pub(crate) fn bytes(sites: usize, taps: usize) -> f64 {
+        let pairs = (sites * sites) as f64;
+        let of_level = |(block, partitions): (usize, usize)| {
+            let spectra = pairs * (partitions * 2 * block) as f64;
+            spectra + PLANS * block as f64
+        };
+        let levels: f64 = partitions(taps).map(of_level).sum();
+        let instant_and_recent = (1 + LANES + FIRST_BLOCK - 1) as f64;
+        REAL * (levels + pairs * instant_and_recent)
+    }
+
     /// Prepares `taps[output][input]`, a square of responses.
     ///
     /// # Errors

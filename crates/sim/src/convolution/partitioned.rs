@@ -39,6 +39,12 @@ impl Drop for Convolution<'_> {
 }
 
 impl<'a> Convolution<'a> {
+    /// Bytes of a case of a number of steps at a number of sites, in one plane or two, with
+    /// responses of a number of taps.
+    pub(crate) fn bytes(sites: usize, planes: usize, taps: usize, steps: f64) -> f64 {
+        Past::bytes(sites, planes, taps, steps)
+    }
+
     /// The empty past of a case of at most so many steps.
     pub fn new(kernels: &'a Kernels, planes: usize, steps: usize) -> Self {
         Self {

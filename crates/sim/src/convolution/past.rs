@@ -2,10 +2,14 @@
 
 use std::cell::RefCell;
 
+use linear::budget::REAL;
 use realfft::num_complex::Complex;
 
 use super::kernels::{Kernels, Level};
-use super::partition::{FIRST_BLOCK, RATIO};
+use super::partition::{FIRST_BLOCK, RATIO, partitions};
+
+/// Numbers of the buffers for transforms and sums, for each step of a block of the highest level.
+const BUFFERS: f64 = 16.0;
 
 /// At most so many planes are known.
 const PLANES: usize = 2;
@@ -47,6 +51,20 @@ pub(super) struct PastLevel {
 }
 
 impl Past {
+    /// Bytes of a number of steps at a number of sites, in one plane or two, with responses of a
+    /// number of taps.
+    pub(super) fn bytes(sites: usize, planes: usize, taps: usize, steps: f64) -> f64 {
+        let mut of_channel = steps + FIRST_BLOCK as f64;
+        let mut largest = 0.0;
+        for (block, _) in partitions(taps) {
+            largest = block as f64;
+            of_channel += largest + RATIO as f64 * 2.0 * largest;
+        }
+        // The blocks of the highest level are all kept.
+        of_channel += (steps / largest).ceil() * 2.0 * largest;
+        REAL * ((planes * sites) as f64 * of_channel + BUFFERS * largest)
+    }
+
     /// An empty one for a case of at most so many steps.
     pub(super) fn empty(kernels: &Kernels, planes: usize, steps: usize) -> Self {
         let last = LAST.with_borrow_mut(|last| last.get_mut(planes.wrapping_sub(1))?.take());

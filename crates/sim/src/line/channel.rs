@@ -1,6 +1,7 @@
 //! The linear part in one channel, between the sites that loads act on: what they do within
 //! their step, and how what they did before is remembered.
 
+use linear::budget::REAL;
 use linear::elements::stepped::{SteppedChannel, SteppedMotion};
 
 use crate::convolution::{Convolution, Kernels};
@@ -47,6 +48,26 @@ pub(crate) struct MeshPast<'a, const FREEDOMS: usize, const PLANES: usize> {
 }
 
 impl<const FREEDOMS: usize, const PLANES: usize> Channel<FREEDOMS, PLANES> {
+    /// Bytes of responses of a number of taps between a number of sites.
+    pub(crate) fn bytes_of_taps(sites: usize, taps: usize) -> f64 {
+        Kernels::bytes(sites, taps) + Self::instant_bytes(sites)
+    }
+
+    /// Bytes besides a mesh.
+    pub(crate) fn instant_bytes(sites: usize) -> f64 {
+        REAL * (sites * sites) as f64
+    }
+
+    /// Bytes of the past of a number of steps, with responses of a number of taps.
+    pub(crate) fn past_bytes(sites: usize, taps: usize, steps: f64) -> f64 {
+        Convolution::bytes(sites, PLANES, taps, steps)
+    }
+
+    /// Bytes of the loads of a number of steps, besides the motion of a mesh.
+    pub(crate) fn load_bytes(sites: usize, steps: f64) -> f64 {
+        REAL * (PLANES * sites) as f64 * steps
+    }
+
     /// Of responses `[output][input]`, known to be a square.
     pub(crate) fn of_taps(taps: &[Vec<impl AsRef<[f64]>>]) -> Self {
         let kernels = Kernels::of(taps);

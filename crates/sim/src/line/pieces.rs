@@ -2,6 +2,7 @@
 //! out of the pieces next to it leave a load line, and once the laws have met these, waves go in.
 
 use linear::Cascade;
+use linear::budget::REAL;
 
 use super::chain::Chain;
 use super::waves::{EndKernel, LinkKernels, Waves};
@@ -60,7 +61,26 @@ pub(crate) struct PiecesPast<'a> {
     pub(crate) surface: SurfaceStep,
 }
 
+/// Series of the surface for each step: set speed, wave, torque and speed, and what the sums that
+/// they are made by hold at the same time.
+const SERIES: f64 = 8.0;
+
+/// Numbers for each port that a case holds: speeds, torques, what drives it, its law and its motion.
+const PORT: f64 = 32.0;
+
 impl Pieces {
+    /// Bytes of a number of ports, of responses of a number of taps, for a number of steps.
+    pub(crate) fn bytes(ports: usize, taps: usize, steps: f64) -> f64 {
+        let kernels = LinkKernels::RESPONSES * (ports + 2);
+        REAL * ((kernels * taps) as f64 + SERIES * steps)
+    }
+
+    /// Bytes of a case.
+    pub(crate) fn past_bytes(ports: usize, taps: usize) -> f64 {
+        let waves = 2 * Waves::room(taps);
+        REAL * ports as f64 * (PORT + waves as f64)
+    }
+
     /// Prepares a string in pieces for a surface that turns by a profile; a motor that holds
     /// the speed whatever it takes has this inertia, kg m².
     pub(crate) fn new(

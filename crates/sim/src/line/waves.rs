@@ -21,7 +21,7 @@ impl Waves {
     }
 
     /// Values after which those that nothing looks at any more are forgotten.
-    fn room(reach: usize) -> usize {
+    pub(super) fn room(reach: usize) -> usize {
         4 * reach + 64
     }
 
@@ -55,6 +55,9 @@ pub(super) struct LinkKernels {
 }
 
 impl LinkKernels {
+    /// Responses of a link.
+    pub(super) const RESPONSES: usize = 3;
+
     pub(super) fn new(link: &linear::cascade::Link) -> Self {
         let [top, across, bottom] =
             [&link.top, &link.across, &link.bottom].map(|taps| Kernel::new(taps));

@@ -1,10 +1,12 @@
 //! A string on which nothing acts but the torque on its bit: the motion until the first
 //! slip, and that of a bit that never stops, need no stepping.
 
+use linear::budget::Need;
 use linear::{Responses, SteadyMotion};
 
 use super::look_ahead::LookAhead;
 use super::stuck_torque::StuckTorque;
+use crate::convolution::Convolution;
 use crate::error::SimulationError;
 use crate::laws::bit::BitTorque;
 use crate::scene::Scene;
@@ -31,6 +33,20 @@ pub(crate) struct BitAlone {
 }
 
 impl BitAlone {
+    /// Memory of a response of a number of taps, for cases of a number of steps.
+    pub(crate) fn need(taps: usize, steps: f64) -> Need {
+        let kept = StuckTorque::bytes(steps) + LookAhead::bytes(taps);
+        Need {
+            peak: kept + Convolution::bytes(1, 1, taps, steps),
+            kept,
+        }
+    }
+
+    /// Bytes of a case, besides its past.
+    pub(crate) fn case_bytes(taps: usize) -> f64 {
+        LookAhead::look_bytes(taps)
+    }
+
     /// Of responses that let nothing act but a torque on the bit.
     pub(crate) fn of(system: &System, responses: &Responses) -> Option<Self> {
         system.bit_port()?;

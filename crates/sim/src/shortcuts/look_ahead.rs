@@ -4,6 +4,7 @@
 
 use std::sync::Arc;
 
+use linear::budget::REAL;
 use linear::fft;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealToComplex};
@@ -29,7 +30,24 @@ impl std::fmt::Debug for LookAhead {
     }
 }
 
+/// Numbers for each tap: its spectrum, the responses to a step and to a ramp, and the plans of two
+/// transforms of any length.
+const PREPARED: f64 = 40.0;
+
+/// Numbers for each tap while one looks: torques, their spectrum, speeds.
+const LOOK: f64 = 8.0;
+
 impl LookAhead {
+    /// Bytes of a response of a number of taps.
+    pub(crate) fn bytes(taps: usize) -> f64 {
+        REAL * PREPARED * taps as f64
+    }
+
+    /// Bytes of a look.
+    pub(crate) fn look_bytes(taps: usize) -> f64 {
+        REAL * LOOK * taps as f64
+    }
+
     pub(crate) fn new(taps: &[f64]) -> Self {
         let memory = taps.len();
         // What wraps round the transform falls into the past.

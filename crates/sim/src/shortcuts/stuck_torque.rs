@@ -7,6 +7,8 @@
 //! the bit: the stuck torque T₁ and the surface together leave it at rest, so
 //! that θ̇(k) = Σ A(k − n) d(n) over the steps since the slip.
 
+use linear::budget::REAL;
+
 use crate::convolution::{Convolution, Kernels};
 
 /// T₁ for as long as any case lasts.
@@ -19,6 +21,11 @@ pub(crate) struct StuckTorque {
 }
 
 impl StuckTorque {
+    /// Bytes for a number of steps.
+    pub(crate) fn bytes(steps: f64) -> f64 {
+        2.0 * REAL * steps
+    }
+
     /// Holds a bit with the given driving-point response against a surface that
     /// starts to turn at 1 rad/s; `surface(step)` is what that does to the speed
     /// of a free bit.

@@ -1,5 +1,6 @@
 //! The torsional regime of a case and the measures behind it (Section 5.2.1).
 
+use linear::budget::REAL;
 use serde::{Deserialize, Serialize};
 
 use super::rules::{AGREEING_CYCLES, Rules};
@@ -153,6 +154,11 @@ impl Closing {
 }
 
 impl BitWatch {
+    /// Bytes of a case of a number of steps: speeds of two cycles.
+    pub(crate) fn bytes(steps: f64) -> f64 {
+        2.0 * REAL * steps
+    }
+
     pub(crate) fn new(rules: Rules, sampling: Sampling, steps: usize, closing_window: f64) -> Self {
         // What is asked of more steps than there are is asked of all.
         let window = ((closing_window * sampling.frequency).round() as usize).min(steps);

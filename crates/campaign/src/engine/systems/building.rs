@@ -3,17 +3,19 @@
 use anyhow::{Context, Result, bail};
 use linear::estimates::largest_undershoot;
 use linear::{
-    BuildError, ChannelRequest, Drillstring, Earlier, ImpulseTrains, Method, Request, Responses,
-    parallel, responses, responses_after, responses_with,
+    Budget, BuildError, Drillstring, Earlier, ImpulseTrains, Method, Request, ResponsePlan,
+    Responses, parallel,
 };
 use sim::excitation::reach_of_impulse;
-use sim::{Sampling, Simulator};
+use sim::{Sampling, Simulator, SimulatorPlan};
 
 use super::MethodSystem;
+use crate::engine::dry_run::need;
 use crate::engine::finer::finer_frequency;
 use crate::engine::rubbing;
 use crate::engine::stepped::{self, stepped_by};
 use crate::engine::stopwatch::Stopwatch;
+use crate::engine::system_plan::SystemPlan;
 use crate::plan::{ImpulseSettings, LARGEST_IMPULSE, Setting, Sweep};
 
 impl MethodSystem {
@@ -72,19 +74,30 @@ impl MethodSystem {
         // Elements that are stepped have no responses to take over.
         let has_responses = |earlier: &&Self| stepped_by(&earlier.setting, &method).is_none();
         let earlier = earlier.filter(has_responses);
-        let build = |string: &Drillstring, method: &Method, asked: &Request| match earlier {
-            None => responses(string, method, asked),
-            Some(earlier) => {
-                let (setting, longest_time) = (&earlier.setting, earlier.responses.longest_time);
-                let earlier = Earlier {
-                    string: &setting.string,
-                    request: &request(setting, cuts, longest_time),
-                    responses: &earlier.responses,
-                };
-                responses_after(string, method, asked, earlier)
-            }
+        let build = |string: &Drillstring, method: &Method, asked: &Request, budget: &Budget| {
+            let Some(earlier) = earlier else {
+                return ResponsePlan::new(string, method, asked)?.build(budget);
+            };
+            let before = SystemPlan {
+                setting: &earlier.setting,
+                method,
+                cuts,
+                longest_time: earlier.responses.longest_time,
+            };
+            let earlier = Earlier {
+                string: &earlier.setting.string,
+                request: &before.request(),
+                responses: &earlier.responses,
+            };
+            ResponsePlan::after(string, method, asked, earlier)?.build(budget)
         };
-        let mut system = Self::build_by(setting, method, cuts, longest_time, build)
+        let plan = SystemPlan {
+            setting,
+            method: &method,
+            cuts,
+            longest_time,
+        };
+        let mut system = Self::build_by(&plan, build)
             .with_context(|| format!("the responses by {} cannot be built", method.name()))?;
         if sweep.finds_surface_torque() {
             system.follow_surface().with_context(|| {
@@ -109,7 +122,7 @@ impl MethodSystem {
     /// # Errors
     /// Where the method cannot treat the string.
     pub fn build(setting: &Setting, method: Method, cuts: bool, longest_time: f64) -> Result<Self> {
-        Self::build_by(setting, method, cuts, longest_time, responses)
+        Self::build_with(setting, method, cuts, longest_time, None)
     }
 
     /// The trains of impulses that systems by [`Method::Held`] are made of at any sampling
@@ -122,8 +135,13 @@ impl MethodSystem {
         cuts: bool,
         longest_time: f64,
     ) -> Result<Option<ImpulseTrains>> {
-        let request = request(setting, cuts, longest_time);
-        Ok(ImpulseTrains::new(&setting.string, &request)?)
+        let plan = SystemPlan {
+            setting,
+            method: &Method::Held,
+            cuts,
+            longest_time,
+        };
+        Ok(ImpulseTrains::new(&setting.string, &plan.request())?)
     }
 
     /// As [`MethodSystem::build`], with such trains where they are there.
@@ -137,36 +155,48 @@ impl MethodSystem {
         longest_time: f64,
         trains: Option<&ImpulseTrains>,
     ) -> Result<Self> {
-        let build = |string: &Drillstring, method: &Method, request: &Request| match trains {
-            None => responses(string, method, request),
-            Some(trains) => responses_with(string, method, request, trains),
+        let plan = SystemPlan {
+            setting,
+            method: &method,
+            cuts,
+            longest_time,
         };
-        Self::build_by(setting, method, cuts, longest_time, build)
+        Self::build_by(&plan, |string, method, request, budget| match trains {
+            None => ResponsePlan::new(string, method, request)?.build(budget),
+            Some(trains) => {
+                ResponsePlan::with_trains(string, method, request, trains)?.build(budget)
+            }
+        })
     }
 
-    /// Builds the system of one method from responses that are built in some way.
+    /// Builds the system of one method from responses that are built in some way, within what its
+    /// dry run takes.
     fn build_by(
-        setting: &Setting,
-        method: Method,
-        cuts: bool,
-        longest_time: f64,
-        responses: impl FnOnce(&Drillstring, &Method, &Request) -> Result<Responses, BuildError>,
+        plan: &SystemPlan,
+        responses: impl FnOnce(
+            &Drillstring,
+            &Method,
+            &Request,
+            &Budget,
+        ) -> Result<Responses, BuildError>,
     ) -> Result<Self> {
         let start = Stopwatch::start();
-        if let Some((lateral, parameters)) = stepped_by(setting, &method) {
+        let (setting, method, longest_time) = (plan.setting, plan.method, plan.longest_time);
+        let budget = Budget::new(need(plan)?.peak);
+        if let Some((lateral, parameters)) = stepped_by(setting, method) {
             let (responses, simulator) =
-                stepped::build(setting, lateral, &parameters, longest_time)?;
-            return Self::with(setting, responses, simulator, start);
+                stepped::build(setting, lateral, &parameters, longest_time, &budget)?;
+            return Self::with(setting, responses, simulator, (start, &budget));
         }
-        let (string, request) = (&setting.string, request(setting, cuts, longest_time));
-        let responses = responses(string, &method, &request)?;
+        let responses = responses(&setting.string, method, &plan.request(), &budget)?;
         let Some(friction) = &setting.friction else {
-            return Self::of(setting, responses, start);
+            return Self::of_responses(setting, responses, (start, &budget));
         };
-        let (simulator, surface) = rubbing::build(setting, friction, longest_time, &responses)?;
+        let (simulator, surface) =
+            rubbing::build(setting, friction, longest_time, &responses, &budget)?;
         Ok(Self {
             surface_torque: surface,
-            ..Self::with(setting, responses, simulator, start)?
+            ..Self::with(setting, responses, simulator, (start, &budget))?
         })
     }
 
@@ -175,22 +205,32 @@ impl MethodSystem {
     /// # Errors
     /// Where they are not those of a string.
     pub fn of(setting: &Setting, responses: Responses, begun: Stopwatch) -> Result<Self> {
+        Self::of_responses(setting, responses, (begun, &Budget::unlimited()))
+    }
+
+    fn of_responses(
+        setting: &Setting,
+        responses: Responses,
+        (begun, budget): (Stopwatch, &Budget),
+    ) -> Result<Self> {
+        SimulatorPlan::of_responses(&responses).ask(budget)?;
         let simulator = Simulator::started(&responses, &setting.profile)?;
-        Self::with(setting, responses, simulator, begun)
+        Self::with(setting, responses, simulator, (begun, budget))
     }
 
     fn with(
         setting: &Setting,
         responses: Responses,
         simulator: Simulator,
-        begun: Stopwatch,
+        (begun, budget): (Stopwatch, &Budget),
     ) -> Result<Self> {
         let build_seconds = begun.seconds();
         let reaches = reaches(setting, &responses);
+        let [torsion_margin, bending_margin] = responses.margins(budget)?;
         Ok(Self {
             method: responses.method,
-            torsion_margin: responses.torsion_margin()?,
-            bending_margin: responses.bending_margin()?,
+            torsion_margin,
+            bending_margin,
             least_impulses: least_impulses(setting, &reaches),
             reaches,
             front: None,
@@ -224,30 +264,6 @@ impl MethodSystem {
             finer: Some(Box::new(finer)),
             ..self
         })
-    }
-}
-
-/// What a system is built from; `cuts` says whether a torque acts on the bit.
-pub(in crate::engine) fn request(setting: &Setting, cuts: bool, longest_time: f64) -> Request {
-    let sites = setting.sites.len();
-    let torques = match &setting.lateral {
-        // Where the string rubs along its well, torques act on its nodes.
-        _ if setting.friction.is_some() => Vec::new(),
-        // Friction turns the string wherever it touches the wall.
-        Some(_) => (0..sites).collect(),
-        None if cuts => vec![sites - 1],
-        None => Vec::new(),
-    };
-    let in_bending = (setting.lateral.as_ref()).map(|lateral| ChannelRequest::Bending {
-        bending: lateral.bending,
-        support: lateral.support,
-    });
-    let in_torsion = ChannelRequest::Torsion { torques };
-    Request {
-        sites: setting.sites.clone(),
-        channels: std::iter::once(in_torsion).chain(in_bending).collect(),
-        sampling_frequency: setting.sampling_frequency,
-        longest_time,
     }
 }
 

@@ -113,6 +113,16 @@ impl<const D: usize> Chain<D> {
         Ok(Self { weights, links })
     }
 
+    /// Bytes of a number of nodes.
+    pub fn bytes(nodes: f64) -> f64 {
+        size_of::<Link<D>>() as f64 * nodes
+    }
+
+    /// Bytes of a column that all of a number of nodes feel.
+    pub fn column_bytes(nodes: f64) -> f64 {
+        size_of::<[f64; D]>() as f64 * nodes
+    }
+
     /// At rest.
     pub fn rest<const P: usize>(&self) -> ChainMotion<D, P> {
         let still = NodeMotion {
@@ -199,6 +209,11 @@ fn felt<const D: usize>(values: &[Values<D, 1>]) -> Range<usize> {
 }
 
 impl<const D: usize, const P: usize> ChainMotion<D, P> {
+    /// Bytes of a number of nodes.
+    pub fn bytes(nodes: f64) -> f64 {
+        size_of::<NodeMotion<D, P>>() as f64 * nodes
+    }
+
     /// Adds what loads in every plane do to the step.
     pub fn add(&mut self, column: &Column<D>, loads: [f64; P]) {
         let nodes = self.nodes[column.first..].iter_mut();

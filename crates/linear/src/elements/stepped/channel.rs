@@ -47,6 +47,16 @@ impl<const FREEDOMS: usize, const PLANES: usize> SteppedChannel<FREEDOMS, PLANES
         })
     }
 
+    /// Bytes of a number of nodes, with loads at a number of sites that all of them feel.
+    pub(crate) fn bytes(nodes: f64, sites: usize) -> f64 {
+        Chain::<FREEDOMS>::bytes(nodes) + sites as f64 * Chain::<FREEDOMS>::column_bytes(nodes)
+    }
+
+    /// Bytes of the motion of a number of nodes.
+    pub(crate) fn motion_bytes(nodes: f64) -> f64 {
+        ChainMotion::<FREEDOMS, PLANES>::bytes(nodes)
+    }
+
     /// Number of sites.
     pub fn sites(&self) -> usize {
         self.nodes.len()

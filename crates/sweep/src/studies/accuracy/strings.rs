@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use anyhow::{Result, anyhow, bail};
-use linear::cost::Memory;
+use linear::budget::Need;
 use linear::deviation::{ExactMotions, exact_undershoot};
 use linear::estimates::{largest_undershoot, torsional_travel_time};
 use linear::waves::lattice::Lattice;
@@ -123,7 +123,7 @@ impl<'a> Strings<'a> {
     pub fn fits(&self, method: Method, steps: Steps, held: f64) -> Result<f64> {
         // A string that cannot be is told when it is to be built.
         let settings = (self.cases.iter()).filter_map(|&case| self.setting(case, steps).ok());
-        let (mut systems, mut case) = (Memory::default(), 0.0f64);
+        let (mut systems, mut case) = (Need::default(), 0.0f64);
         for setting in settings {
             let of_string = StringMemory::of(self.sweep, &setting, &[method], self.longest);
             // A transform that is too long is refused at once, and takes nothing; others
@@ -135,7 +135,7 @@ impl<'a> Strings<'a> {
             systems = systems.beside(of_string.systems);
             case = case.max(of_string.case);
         }
-        let stepped = Memory::lasting(rayon::current_num_threads() as f64 * case);
+        let stepped = Need::lasting(rayon::current_num_threads() as f64 * case);
         let bytes = held + self.memory_of_trains() + systems.then(stepped).peak;
         if bytes > self.limit.bytes {
             let (size, limit) = (Size(bytes), self.limit);

@@ -280,8 +280,8 @@ impl Subject {
         let setting = self.touching_at(places)?;
         let time = self.duration(&setting)?;
         let of_system = StringMemory::of(&self.sweep, &setting, &[method], time);
-        let steps = sim::cost::steps(time, setting.sampling_frequency);
-        let recorded = sim::cost::trajectory(places.len(), true, steps);
+        let steps = sim::plan::steps(time, setting.sampling_frequency);
+        let recorded = sim::Trajectory::bytes(places.len(), true, steps);
         Ok(of_system.systems.peak + threads as f64 * of_system.case + recorded)
     }
 }

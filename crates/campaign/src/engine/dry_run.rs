@@ -1,0 +1,67 @@
+//! A dry run of building the linear system of a method: what it asks for, in the order in which it
+//! is built.
+
+use linear::budget::{Budget, Need};
+use linear::{BuildError, ChannelRequest, MarginPlan, Request, ResponsePlan};
+use sim::SimulatorPlan;
+
+use super::rubbing;
+use super::stepped::{self, stepped_by};
+use super::system_plan::{Stepping, SystemPlan};
+
+/// What building takes.
+///
+/// # Errors
+/// Where the method cannot treat the string, or responses would be too long.
+pub(super) fn need(plan: &SystemPlan) -> Result<Need, BuildError> {
+    let budget = Budget::unlimited();
+    ask(plan, &budget)?;
+    Ok(budget.need())
+}
+
+/// Asks for what building takes.
+///
+/// # Errors
+/// As [`need`], and where it is more than is left.
+pub(super) fn ask(plan: &SystemPlan, budget: &Budget) -> Result<Stepping, BuildError> {
+    if let Some((lateral, parameters)) = stepped_by(plan.setting, plan.method) {
+        return stepped::ask(plan, lateral, &parameters, budget);
+    }
+    let request = plan.request();
+    let responses = ResponsePlan::new(&plan.setting.string, plan.method, &request)?;
+    responses.ask(budget)?;
+    let (sites, loads) = (request.sites.len(), loads(&request));
+    let (taps, bending_taps) = (responses.torsion_taps(), responses.bending_taps());
+    let bends = |simulator: SimulatorPlan| match plan.setting.lateral {
+        None => simulator,
+        Some(_) => simulator.bending_by(sites, bending_taps),
+    };
+    let stepping = match &plan.setting.friction {
+        Some(friction) => rubbing::ask(plan, friction, bends, budget)?,
+        None => {
+            let simulator = SimulatorPlan::by_responses(sites, loads, taps, plan.steps());
+            let simulator = bends(simulator);
+            simulator.ask(budget)?;
+            Stepping {
+                simulator,
+                recorded: sites,
+                taps,
+                follows_surface: false,
+            }
+        }
+    };
+    MarginPlan::in_torsion(loads, taps).ask(budget)?;
+    if plan.setting.lateral.is_some() {
+        MarginPlan::in_bending(sites, bending_taps).ask(budget)?;
+    }
+    Ok(stepping)
+}
+
+/// Torques that act.
+fn loads(request: &Request) -> usize {
+    let of_channel = |channel: &ChannelRequest| match channel {
+        ChannelRequest::Torsion { torques } => torques.len(),
+        ChannelRequest::Bending { .. } => 0,
+    };
+    request.channels.iter().map(of_channel).sum()
+}

@@ -1,0 +1,177 @@
+//! A simulator before it is prepared: what all cases share of it, and what a case takes while it
+//! is stepped. Both are asked for before they are taken ([`linear::budget`]).
+
+use linear::budget::{Budget, Need, OutOfBudget, REAL, What};
+use linear::{ChannelResponses, Responses, SteppedPlan};
+
+use crate::line::pieces::Pieces;
+use crate::line::{Bending, Torsion};
+use crate::shortcuts::BitAlone;
+use crate::surface::SurfaceResponse;
+use crate::trajectory::Trajectory;
+use crate::watch::torsion::BitWatch;
+
+/// A simulator for cases of a number of steps at most.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SimulatorPlan {
+    line: Line,
+    /// Sites that bend by responses, and the taps of these.
+    bending: Option<(usize, usize)>,
+    steps: f64,
+}
+
+/// What torsion is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Line {
+    /// Responses of a number of taps at a number of sites, to torques on some.
+    Taps {
+        sites: usize,
+        loads: usize,
+        taps: usize,
+    },
+    /// Elements that are stepped, with walls at all sites, whose responses to the surface have a
+    /// number of taps.
+    Mesh {
+        sites: usize,
+        taps: usize,
+        mesh: f64,
+        motion: f64,
+    },
+    /// Pieces between a number of nodes, of responses of a number of taps.
+    Pieces { nodes: usize, taps: usize },
+}
+
+/// Inputs and taps of a channel.
+fn size_of(channel: Option<&ChannelResponses>) -> (usize, usize) {
+    channel.map_or((0, 0), |channel| (channel.loads.len(), channel.taps()))
+}
+
+/// Steps of a case of a given duration (s).
+pub fn steps(duration: f64, sampling_frequency: f64) -> f64 {
+    (duration * sampling_frequency).ceil() + 1.0
+}
+
+impl SimulatorPlan {
+    /// By responses of a number of taps at a number of sites, to torques on a number of these
+    /// ([`crate::Simulator::started`]).
+    pub fn by_responses(sites: usize, loads: usize, taps: usize, steps: f64) -> Self {
+        let line = Line::Taps { sites, loads, taps };
+        Self::of(line, steps)
+    }
+
+    /// That of responses that are there.
+    pub fn of_responses(responses: &Responses) -> Self {
+        let steps = steps(responses.longest_time, responses.sampling_frequency);
+        let (loads, taps) = size_of(responses.torsion());
+        let plan = Self::by_responses(responses.sites.len(), loads, taps, steps);
+        match responses.bending() {
+            None => plan,
+            bending => {
+                let (sites, taps) = size_of(bending);
+                plan.bending_by(sites, taps)
+            }
+        }
+    }
+
+    /// By elements with walls at a number of sites, whose responses to the surface have a number of
+    /// taps ([`crate::Simulator::stepped`]).
+    pub fn by_elements(plan: &SteppedPlan, sites: usize, taps: usize, steps: f64) -> Self {
+        let line = Line::Mesh {
+            sites,
+            taps,
+            mesh: plan.kept_bytes(),
+            motion: plan.motion_bytes(),
+        };
+        Self::of(line, steps)
+    }
+
+    /// Of a string in pieces between a number of nodes, by responses of a number of taps
+    /// ([`crate::Simulator::in_pieces`]).
+    pub fn in_pieces(nodes: usize, taps: usize, steps: f64) -> Self {
+        Self::of(Line::Pieces { nodes, taps }, steps)
+    }
+
+    fn of(line: Line, steps: f64) -> Self {
+        Self {
+            line,
+            bending: None,
+            steps,
+        }
+    }
+
+    /// The same, which bends at a number of sites by responses of a number of taps.
+    #[must_use]
+    pub fn bending_by(self, sites: usize, taps: usize) -> Self {
+        Self {
+            bending: Some((sites, taps)),
+            ..self
+        }
+    }
+
+    /// What preparing it takes of a budget.
+    ///
+    /// # Errors
+    /// Where that is more than is left.
+    pub fn ask(&self, budget: &Budget) -> Result<(), OutOfBudget> {
+        budget.pass(self.need(), What::Simulator)
+    }
+
+    fn need(&self) -> Need {
+        let bending =
+            (self.bending).map_or(0.0, |(sites, taps)| Bending::bytes_of_taps(sites, taps));
+        let line = match self.line {
+            Line::Taps { sites, loads, taps } => {
+                let others = REAL * (sites.saturating_sub(loads) * taps) as f64;
+                sites as f64 * SurfaceResponse::bytes(taps)
+                    + Torsion::bytes_of_taps(loads, taps)
+                    + if loads > 0 { others } else { 0.0 }
+            }
+            Line::Mesh {
+                sites, taps, mesh, ..
+            } => {
+                mesh + sites as f64 * SurfaceResponse::bytes(taps)
+                    + Torsion::instant_bytes(sites)
+                    + Bending::instant_bytes(sites)
+            }
+            Line::Pieces { nodes, taps } => Pieces::bytes(nodes, taps, self.steps),
+        };
+        let alone = self.alone().map(|taps| BitAlone::need(taps, self.steps));
+        Need::lasting(line + bending).then(alone.unwrap_or_default())
+    }
+
+    /// Taps of the bit, where nothing acts but the torque on it.
+    fn alone(&self) -> Option<usize> {
+        match self.line {
+            Line::Taps { loads: 1, taps, .. } if self.bending.is_none() => Some(taps),
+            _ => None,
+        }
+    }
+
+    /// Bytes that a case takes, stepped to its end.
+    pub fn case_bytes(&self) -> f64 {
+        let steps = self.steps;
+        let line = match self.line {
+            Line::Taps { loads, taps, .. } => {
+                // Which port feels which within a step, thrice.
+                let shares = 3.0 * Torsion::instant_bytes(loads);
+                Torsion::past_bytes(loads.max(1), taps, steps) + shares
+            }
+            Line::Mesh { sites, motion, .. } => {
+                let loads = Torsion::load_bytes(sites, steps) + Bending::load_bytes(sites, steps);
+                motion + loads + 2.0 * Torsion::instant_bytes(sites)
+            }
+            Line::Pieces { nodes, taps } => Pieces::past_bytes(nodes, taps),
+        };
+        let bending = self
+            .bending
+            .map(|(sites, taps)| Bending::past_bytes(sites, taps, steps));
+        let alone = self.alone().map(BitAlone::case_bytes);
+        line + bending.unwrap_or(0.0) + alone.unwrap_or(0.0) + BitWatch::bytes(steps)
+    }
+
+    /// Bytes of the motion of a case at a number of sites.
+    pub fn recorded_bytes(&self, sites: usize) -> f64 {
+        let is_lateral = self.bending.is_some() || matches!(self.line, Line::Mesh { .. });
+        Trajectory::bytes(sites, is_lateral, self.steps)
+    }
+}
