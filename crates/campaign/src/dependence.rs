@@ -9,7 +9,7 @@ use crate::engine::{
     Case, MethodSystem, RunOptions, Shard, StringMemory, answer, has_case, setting_of,
 };
 
-use crate::results::{FINER, Record};
+use crate::records::{FINER, Record};
 
 use crate::plan::{Setting, Starts, Sweep};
 use crate::sweep_file::StartName;

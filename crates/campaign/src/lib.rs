@@ -8,7 +8,7 @@
 //!                    │
 //!                  engine    linear systems built once ───────────────> crate `linear`
 //!                    │       cases over all cores, each handed on ────> crate `sim`
-//!                  results   what became of each, and the table of its columns
+//!                  records   what became of each, and the table of its columns
 //!                  labels    the rows of `labels.csv`
 //! ```
 //!
@@ -32,7 +32,7 @@ pub mod plan;
 pub mod printable;
 pub mod quantities;
 pub mod random;
-pub mod results;
+pub mod records;
 pub mod rounds;
 pub mod run;
 pub mod sweep_file;

@@ -4,7 +4,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use crate::design::TraceDesign;
-use crate::results::Record;
+use crate::records::Record;
 use sim::{Labels, Motion, Outcome};
 
 use crate::trace::{Class, Known, Lattice, Next, next};

@@ -8,7 +8,7 @@ use campaign::engine::{
 use campaign::labels::{LabelTable, history_columns};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
-use campaign::results::{Certainty, Failure, Record};
+use campaign::records::{Certainty, Failure, Record};
 use campaign::sweep_file::MethodName;
 use linear::estimates::largest_undershoot;
 use serde_json::{Map, Value, json};

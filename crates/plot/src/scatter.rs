@@ -174,7 +174,6 @@ mod tests {
         ];
         let panels = [(); 4].map(|()| panel(points.clone()));
         let picture = scatter_grid("Accuracy against speed", keys, &panels);
-        let picture = picture;
         assert_text_inside(&picture);
         // There is room for one line above a panel.
         assert_eq!(picture.svg().matches(LONGEST_TITLE).count(), 4);

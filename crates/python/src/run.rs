@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use anyhow::{Result, bail};
 use campaign::design::Design;
 use campaign::engine::{RunOptions, Shard, Survey, Work, pairs_of};
-use campaign::results::Record;
+use campaign::records::Record;
 use campaign::labels::LabelTable;
 use campaign::memory::{Limit, Size};
 use campaign::plan::Sweep as Plan;

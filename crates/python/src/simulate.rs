@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use campaign::engine::{Choice, ChoiceError, ChosenCase, FollowedMethod, MethodSystem, RunOptions, Survey, answer, common_setting};
 
-use campaign::results::{Failure, Record};
+use campaign::records::{Failure, Record};
 use campaign::labels::LabelTable;
 use campaign::memory::{Limit, Purpose, admit};
 use campaign::plan::Sweep as Plan;

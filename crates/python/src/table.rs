@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use campaign::results::{Certainty, Field, Kind, Record};
+use campaign::records::{Certainty, Field, Kind, Record};
 use campaign::labels::LabelTable;
 use numpy::PyArray1;
 use pyo3::prelude::*;

@@ -25,21 +25,15 @@
 //! sweep help                     # everything else
 //! ```
 
-mod analysis;
 mod cli;
 mod commands;
 mod explore;
-mod files;
 mod histories;
-mod limits;
-mod log;
 mod map;
 mod method_inks;
-mod output;
 mod program;
 mod report;
 mod studies;
-mod window;
 
 use std::process::ExitCode;
 

@@ -8,7 +8,7 @@ use super::nearby::certify;
 use super::run_options::RunOptions;
 use super::systems::MethodSystem;
 use crate::plan::Sweep;
-use crate::results::Record;
+use crate::records::Record;
 
 /// What a run with these options comes to of a case; `method` is the place of the system's in
 /// the sweep's list. A case that panics is one without an answer, and not the end of the sweep.

@@ -17,7 +17,7 @@ use super::stepped::{MOST_BY_TAPS, stepped_by};
 use super::systems::MethodSystem;
 use super::whole_string::whole_string;
 use crate::plan::{Finding, Setting, Sweep};
-use crate::results::{Failure, Found, Record};
+use crate::records::{Failure, Found, Record};
 
 /// Sites are told to a millimetre, in so many parts of a metre.
 const TOLD_TO: f64 = 1e3;

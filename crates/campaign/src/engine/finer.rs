@@ -4,7 +4,7 @@ use linear::Method;
 use linear::waves::lattice::Lattice;
 
 use crate::plan::Setting;
-use crate::results::FINER;
+use crate::records::FINER;
 
 /// The sampling frequency, Hz, at which a method says once more what a case is, to certify its
 /// labels: [`FINER`] times that of the sweep. Where torsion alone is modelled `held` takes steps of

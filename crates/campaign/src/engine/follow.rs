@@ -9,7 +9,7 @@ use super::run_options::RunOptions;
 use super::simulation::Simulation;
 use super::systems::MethodSystem;
 use crate::plan::Sweep;
-use crate::results::Record;
+use crate::records::Record;
 use crate::words::short;
 
 /// The linear systems of one method.

@@ -5,7 +5,7 @@ use linear::estimates::stick_slip_speed_limit;
 use crate::plan::{Bit, Conditions, TorqueError};
 
 use crate::quantities::Axis;
-use crate::results::to_rpm;
+use crate::records::to_rpm;
 
 /// Where the limit is at one value of its axis.
 #[derive(Debug, Clone, Copy, PartialEq)]

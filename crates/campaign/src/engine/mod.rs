@@ -56,7 +56,7 @@ use linear::parallel;
 
 use crate::design::Design;
 use crate::plan::Sweep;
-use crate::results::{Failure, Record};
+use crate::records::{Failure, Record};
 
 /// What becomes of a record.
 pub type Keep<'a> = &'a (dyn Fn(Record) -> Result<()> + Sync);

@@ -12,7 +12,7 @@ use super::run_options::RunOptions;
 use super::systems::MethodSystem;
 use crate::plan::Sweep;
 use crate::quantities::Axis;
-use crate::results::{Record, Verdict};
+use crate::records::{Record, Verdict};
 
 /// Surface speeds as fractions of that of a case, at which a certain label is the same. Edges that
 /// methods put as much as 8 % apart are not missed, nor are labels that alternate every 2 %; of

@@ -18,7 +18,7 @@ use super::instability::{Instability, is_unstable};
 use super::run_options::RunOptions;
 use super::system_plan::SystemPlan;
 use crate::plan::{Setting, Sweep};
-use crate::results::{ByStart, Failure, Record, Verdict, verdict};
+use crate::records::{ByStart, Failure, Record, Verdict, verdict};
 
 mod building;
 

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::engine::finer_frequency;
 use crate::plan::Sweep;
-use crate::results::FINER;
+use crate::records::FINER;
 use crate::words::short;
 
 /// What certifies the labels of a run.

@@ -3,7 +3,7 @@
 use linear::Sites;
 use sim::Trajectory;
 
-use crate::results::{to_mm, to_rpm};
+use crate::records::{to_mm, to_rpm};
 
 /// One of them.
 pub struct Column {

@@ -4,7 +4,7 @@ use sim::Outcome;
 
 use crate::plan::Sweep;
 use crate::quantities::Axis;
-use crate::results::{
+use crate::records::{
     COLUMNS, Certainty, Field, Group, Kind, Record, ResultColumn, Row, certainty, certified,
 };
 use crate::sweep_file::StartName;

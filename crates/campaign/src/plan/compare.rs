@@ -2,7 +2,7 @@
 
 use sim::{Recording, Trajectory};
 
-use crate::results::to_rpm;
+use crate::records::to_rpm;
 use crate::sweep_file::{
     AutoOr, CompareTable, Extreme, FileContent, Source, SweepFileError, TextOf, TraceName,
     read_series,

@@ -6,7 +6,7 @@ use super::bit::Bit;
 use super::setting::Setting;
 use crate::design::Design;
 use crate::quantities::Axis;
-use crate::results::{Measure, Needs};
+use crate::records::{Measure, Needs};
 use crate::sweep_file::{FileContent, MarkTable, Source, SweepFileError};
 
 /// How the regime map is drawn.

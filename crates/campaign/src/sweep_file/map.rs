@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::quantities::Axis;
-use crate::results::Measure;
+use crate::records::Measure;
 
 /// How the regime map is drawn.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

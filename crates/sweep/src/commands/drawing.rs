@@ -8,8 +8,9 @@ use anyhow::{Result, bail, ensure};
 use super::status::UsageError;
 use crate::cli::{PictureArguments, PictureFormat, RangeArguments};
 use crate::map;
-use crate::output::{Manifest, ResultTables, write_atomically};
 use plot::{Look, Panel, Paper, Picture, map_sheet};
+use results::files::write_atomically;
+use results::folder::{Manifest, ResultTables};
 
 /// How pictures look, and the formats that they are written in.
 pub struct Drawing {

@@ -14,7 +14,6 @@ use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::ExploreArguments;
 use crate::explore::{Explored, controls, page, whirl_lines};
-use crate::files::write_atomically;
 use crate::histories::history_picture;
 use campaign::engine::{
     Choice, ChosenCase, FollowedMethod, MethodSystem, RunOptions, Survey, common_setting,
@@ -23,6 +22,7 @@ use campaign::memory::{Purpose, admit};
 use campaign::plan::Sweep;
 use campaign::text_file::read_text;
 use plot::Look;
+use results::files::write_atomically;
 
 /// Simulates a case and writes the page that begins with it.
 pub fn explore(arguments: &ExploreArguments, terminal: Terminal) -> Result<Status> {

@@ -13,7 +13,7 @@ use campaign::engine::{Keep, MethodSystem, RunOptions, Shard, Work};
 use campaign::memory::{Limit, Purpose, admit};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
-use campaign::results::Record;
+use campaign::records::Record;
 
 /// A sweep with a list of cases, and what they are run with.
 pub struct Listed {

@@ -6,8 +6,8 @@ use anyhow::{Result, bail};
 
 use super::status::{Status, UsageError};
 use super::terminal::say;
-use crate::output::write_atomically;
 use campaign::words::shell_word;
+use results::files::write_atomically;
 
 /// The file, which runs as it is. A test switches on each of its settings.
 const TEMPLATE: &str = include_str!("new.toml");

@@ -7,9 +7,9 @@ use std::path::Path;
 use anyhow::Result;
 
 use super::status::Status;
-use crate::output::{Manifest, Tally, TraceSummary};
 use campaign::dependence::Dependence;
 use campaign::words::{counted, together, wrapped};
+use results::folder::{Manifest, Tally, TraceSummary};
 
 /// How a run that has these results ends.
 pub fn status_of(manifest: &Manifest) -> Status {

@@ -10,9 +10,9 @@ use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use crate::cli::ReportArguments;
-use crate::files::{folder_of, write_atomically};
 use crate::report::{Results, compare, is_page, page, sections, text};
 use campaign::text_file::unreadable;
+use results::files::{folder_of, write_atomically};
 
 /// Says in the terminal what a folder holds.
 pub fn summary(folder: &Path, terminal: Terminal) -> Result<Status> {

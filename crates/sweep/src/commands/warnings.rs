@@ -2,12 +2,12 @@
 
 use super::terminal::Terminal;
 use crate::cli::MemoryArguments;
-use crate::log::Log;
-use crate::output::MOST_SITES;
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::words::counted;
+use limits::MOST_SITES;
+use results::log::Log;
 
 /// Warns of an amount of memory that the cluster allots and cannot mean.
 pub fn warn_of_memory(memory: &MemoryArguments, terminal: Terminal) {

@@ -9,7 +9,7 @@ use base64::engine::general_purpose::STANDARD;
 use campaign::labels::LabelTable;
 use campaign::plan::Sweep;
 use campaign::quantities::{Axis, TORQUE, WIDTH};
-use campaign::results::{Certainty, Record};
+use campaign::records::{Certainty, Record};
 use campaign::words::shell_word;
 use serde_json::json;
 

@@ -6,7 +6,7 @@ use campaign::quantities::Axis;
 use serde::Serialize;
 
 use super::controls::Control;
-use crate::output::{Boundary, many_sites_limit, whirl_limit};
+use limits::{Boundary, many_sites_limit, whirl_limit};
 
 /// The limit of whirl over surface speed, one of three.
 #[derive(Debug, Clone, Serialize)]

@@ -11,7 +11,7 @@ use campaign::engine::{Beyond, Case, Clearances, Simulation};
 
 use campaign::plan::Sweep;
 use campaign::quantities::{FORCE, LENGTH, TORQUE, Units, WIDTH};
-use campaign::results::{Found, to_rpm};
+use campaign::records::{Found, to_rpm};
 use campaign::words::{counted, decimals, short, site_title, together, wrapped};
 
 /// The sites that were found, every case with what a run answers to it by each method, what came

@@ -8,7 +8,7 @@ use super::marks::{each_once, ink, level, shown_clearances};
 use campaign::engine::{Case, Simulation};
 use campaign::plan::{Comparison, Sweep};
 use campaign::quantities::{TORQUE, Unit, Units, WIDTH};
-use campaign::results::to_rpm;
+use campaign::records::to_rpm;
 use campaign::sweep_file::TraceName;
 use campaign::words::site_title;
 use plot::{Across, Axis, Look, Panel, Picture, Reference, Series, panels};

@@ -5,11 +5,12 @@ use std::ops::Range;
 use anyhow::Result;
 use sim::laws::contact::Touch;
 
-use crate::output::{Certainty, LabelTable};
 use campaign::engine::Simulation;
+use campaign::labels::LabelTable;
 use campaign::labels::{Column, history_columns};
 use campaign::plan::Sweep;
-use campaign::results::Record;
+use campaign::records::Certainty;
+use campaign::records::Record;
 
 /// `history.csv`: a row a step, method and case; of the torque and speed at the surface what is
 /// known of all.

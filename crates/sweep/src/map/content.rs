@@ -10,8 +10,8 @@ use super::cells::Cells;
 use super::extent::Extent;
 use super::fractions::Fractions;
 use super::symbol::drawn_symbol_of;
-use crate::output::{CaseRows, read_cases};
 use plot::{Ground, MapCell, MapPoint, Symbol};
+use results::folder::{CaseRows, read_cases};
 
 /// Where a sheet would have more symbols than this, cells are drawn.
 const MOST_SYMBOLS: usize = 4000;

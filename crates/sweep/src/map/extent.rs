@@ -8,9 +8,9 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use crate::output::read_cases;
 use campaign::quantities::{Axis, Units};
 use campaign::sweep_file::{FileContent, Spacing};
+use results::folder::read_cases;
 
 /// Distinct values along an axis are kept up to this number.
 const MOST_DISTINCT: usize = 2000;

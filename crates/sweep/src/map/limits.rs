@@ -5,9 +5,9 @@ use super::extent::Extent;
 use super::mesh::around;
 use super::words::{ends, quantity};
 use crate::method_inks::method_ink;
-use crate::output::Curve;
 use campaign::quantities::{Axis, Units};
 use campaign::sweep_file::Spacing;
+use limits::Curve;
 use plot::{Band, Ink, Series, is_within};
 use sim::Motion;
 

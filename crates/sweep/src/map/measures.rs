@@ -7,9 +7,9 @@ use anyhow::Result;
 use super::extent::Extent;
 use super::mesh::Mesh;
 use super::scale::Classes;
-use crate::output::{Manifest, label_rows};
-use campaign::results::Measure;
+use campaign::records::Measure;
 use plot::{Ground, Ink, MapGroup, MapPanel, Series};
+use results::folder::{Manifest, label_rows};
 
 /// Cells to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [130, 100];

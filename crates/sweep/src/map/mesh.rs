@@ -1,9 +1,9 @@
 //! The cells of a map: around the values of a grid, or of one size.
 
 use super::extent::Extent;
-use crate::analysis::Bins;
 use campaign::sweep_file::Spacing;
 use plot::{Ground, MapCell};
+use results::analysis::Bins;
 
 /// Cells over two axes, column by column.
 pub struct Mesh {

@@ -6,9 +6,9 @@ use anyhow::Result;
 
 use super::extent::Extent;
 use super::mesh::Mesh;
-use crate::output::{column_words, misfit_columns, read_cases};
 use campaign::words::short;
 use plot::{Ground, MapGroup, MapPanel, Part};
+use results::folder::{column_words, misfit_columns, read_cases};
 
 /// Cells to the right and upwards at most, and where cases lie anywhere.
 const MOST_CELLS: [usize; 2] = [60, 45];

@@ -12,11 +12,12 @@ use super::shown::{plot_axis, show_in};
 use super::traced::TracedMap;
 use super::words;
 use super::{measures, misfits};
-use crate::limits::TracedLimits;
-use crate::output::{Curve, Manifest, ResultTables};
 use campaign::plan::MapMark;
 use campaign::quantities::Axis;
+use limits::Curve;
 use plot::{MapGroup, MapPanel, MapSheet, Mark};
+use results::folder::{Manifest, ResultTables};
+use results::traced::TracedLimits;
 
 /// What is drawn of a results folder, and which cases each of its maps has.
 pub struct Drawing {

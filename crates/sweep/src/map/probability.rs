@@ -6,7 +6,7 @@ use sim::{Label, Motion};
 use super::contour::contour;
 use super::mesh::Mesh;
 use super::shown::{plot_axis, show_in};
-use crate::analysis::{Bins, Counts, Interval, wilson};
+use results::analysis::{Bins, Counts, Interval, wilson};
 
 use campaign::plan::{MapMark, MapSettings};
 use campaign::quantities::Units;

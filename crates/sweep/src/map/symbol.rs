@@ -2,8 +2,8 @@
 
 use sim::{Label, Motion, TorsionRegime};
 
-use crate::output::CaseRows;
 use plot::Symbol;
+use results::folder::CaseRows;
 
 /// The paper's symbols for a motion: a circle where every method finds sustained
 /// vibration, a cross where none does, a square where they differ; and a diamond where by
@@ -47,7 +47,7 @@ pub fn symbol_of_counts(sustained: usize, methods: usize) -> Symbol {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::read_cases;
+    use results::folder::read_cases;
 
     #[test]
     fn a_case_has_a_symbol_where_every_method_tells() {

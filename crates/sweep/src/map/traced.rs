@@ -8,7 +8,7 @@ use super::cells::Cells;
 use super::content::{Content, SYMBOLS_ACROSS};
 use super::mesh::{Mesh, around};
 use super::symbol::symbol_of_counts;
-use crate::limits::TracedLimits;
+use results::traced::TracedLimits;
 
 use campaign::sweep_file::Spacing;
 use campaign::trace::{Band, Class, Tile};

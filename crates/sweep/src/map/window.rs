@@ -5,13 +5,13 @@ use super::contour::contour;
 use super::mesh::Mesh;
 use super::shown::show_in;
 use super::words;
-use crate::window::{AXES, Best, Chart, Drawn, Limit, Region, Room, Standing};
 use campaign::quantities::Units;
 use campaign::words::short;
 use plot::{
     self, Band, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety, Series,
     map_sheet,
 };
+use results::window::{AXES, Best, Chart, Drawn, Limit, Region, Room, Standing};
 
 /// Safe regions that are a smaller part of the map have no name.
 const LEAST_SHARE: f64 = 0.005;

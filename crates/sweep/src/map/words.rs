@@ -1,10 +1,10 @@
 //! The words of a map: its legend, which names only what is on it, and its notes.
 
 use super::content::Content;
-use crate::output::{Manifest, TraceSummary};
 use campaign::plan::MapMark;
 use campaign::quantities::{Axis, Units};
 use plot::{Ground, Part, Symbol};
+use results::folder::{Manifest, TraceSummary};
 use sim::Motion;
 
 /// Digits of a value that is one of a few, and exact but for rounding.

@@ -1,8 +1,8 @@
 //! Whether the methods agree.
 
 use crate::map::symbol_of;
-use crate::output::CaseRows;
 use plot::Symbol;
+use results::folder::CaseRows;
 use sim::Motion;
 
 /// Cases on which methods differ that are kept to be listed.
@@ -108,7 +108,7 @@ impl Agreement {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::LabelRow;
+    use results::folder::LabelRow;
 
     fn case(labels: [&str; 3]) -> CaseRows {
         let rows = ["a", "b", "c"].iter().zip(labels);

@@ -4,11 +4,11 @@ use sim::Label;
 
 use super::deciding;
 use super::document::{Block, Section, Table};
-use crate::analysis::{Bins, Counts, Interval, MethodBlocks, cases_for, wilson};
-use crate::output::Manifest;
 use campaign::quantities::Units;
 use campaign::sweep_file::DesignKind;
 use campaign::words::{counted, short};
+use results::analysis::{Bins, Counts, Interval, MethodBlocks, cases_for, wilson};
+use results::folder::Manifest;
 
 /// The sections about counts: the first in all, then over each axis, then those asked for, which
 /// are shown instead of the others; and of the axes, from blocks of cases if they are such.

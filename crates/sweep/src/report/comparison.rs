@@ -4,9 +4,9 @@ use anyhow::Result;
 use thiserror::Error;
 
 use super::results::Results;
-use crate::output::{CaseRows, read_cases};
 use campaign::quantities::Unit;
 use campaign::words::short;
+use results::folder::{CaseRows, read_cases};
 
 /// Differing labels that are kept to be listed.
 const MOST_LISTED: usize = 30;

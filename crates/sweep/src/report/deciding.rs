@@ -2,9 +2,9 @@
 //! that were made to tell.
 
 use super::document::{Block, Table};
-use crate::analysis::{Counts, DRAWN, Indices, LEAST_BLOCKS, MethodBlocks, Untold, sensitivity};
-use crate::output::Manifest;
 use campaign::words::counted;
+use results::analysis::{Counts, DRAWN, Indices, LEAST_BLOCKS, MethodBlocks, Untold, sensitivity};
+use results::folder::Manifest;
 
 /// From counts over each axis.
 pub fn of_cases(manifest: &Manifest, of_axes: &[Counts]) -> Vec<Block> {

@@ -2,8 +2,9 @@
 
 use sim::{Label, LateralRegime, Motion};
 
-use crate::output::{Boundary, CaseRows, Envelope, LabelRow, StickSlipPoint, rolling_envelope};
 use campaign::quantities::Axis;
+use limits::{Boundary, Envelope, StickSlipPoint, rolling_envelope};
+use results::folder::{CaseRows, LabelRow};
 
 /// How one method's labels lie about its limit. A case's place is its value in
 /// multiples of the limit: the surface speed for stick-slip, which Eq. 74 allows

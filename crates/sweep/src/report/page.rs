@@ -13,7 +13,7 @@ use super::escaping::{escaped, json};
 use super::html::{element, table};
 use super::live_map::{DEFINITIONS, ENGINE, SCRIPT, STYLE as MAP_STYLE};
 use super::results::Results;
-use crate::files::is_absent;
+use results::files::is_absent;
 
 /// The mark of a page that this program made.
 const MADE_BY: &str = "<footer><p>Made by ";

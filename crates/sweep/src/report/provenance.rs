@@ -3,10 +3,10 @@
 
 use super::document::{Block, NOTHING, Table, row_of, table_of};
 use super::results::Results;
-use crate::output::MethodRecord;
 use campaign::engine::is_unstable;
 use campaign::quantities::{IMPULSE, Unit};
 use campaign::words::short;
+use results::folder::MethodRecord;
 
 /// How long it took.
 pub fn time(all: &[Results]) -> Vec<Block> {

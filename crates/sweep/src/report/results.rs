@@ -10,10 +10,10 @@ use super::character_map::character_map;
 use super::failures::Failures;
 use super::limit::Limits;
 use super::live_map::{LiveMap, live_map};
-use crate::analysis::{Counts, MethodBlocks, blocks, count_cases};
 use crate::map::{Cells, Extent, symbol_of};
-use crate::output::{CaseRows, Manifest, ResultTables, read_cases};
 use campaign::quantities::Axis;
+use results::analysis::{Counts, MethodBlocks, blocks, count_cases};
+use results::folder::{CaseRows, Manifest, ResultTables, read_cases};
 
 /// Cells of the map in characters, to the right and upwards: it fits a terminal.
 const CHARACTERS: [usize; 2] = [64, 25];

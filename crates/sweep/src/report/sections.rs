@@ -8,8 +8,8 @@ use super::document::{Block, Map, NOTHING, Section, Table, named, note, row_of, 
 use super::limit::{LimitCheck, Limited};
 use super::provenance::{provenance, time};
 use super::results::Results;
-use crate::output::Manifest;
 use campaign::words::{counted, short};
+use results::folder::Manifest;
 
 /// Everything there is to say of one folder, or of several side by side;
 /// `comparisons` are those of the first with each of the others.

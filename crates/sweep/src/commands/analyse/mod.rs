@@ -10,13 +10,13 @@ use super::folder::tables_of;
 use super::outputs::{Output, refuse_to_lose};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
-use crate::analysis::{blocks, count_cases, size_of_blocks};
 use crate::cli::{AnalyseArguments, PictureFile};
-use crate::files::write_atomically;
-use crate::output::ResultTables;
 use crate::report::{analysed_sections, text};
 use campaign::quantities::Axis;
 use picture::{draw, refuse_absent, refuse_several};
+use results::analysis::{blocks, count_cases, size_of_blocks};
+use results::files::write_atomically;
+use results::folder::ResultTables;
 use table::{COUNTS, INDICES, counts_csv, indices_csv};
 
 /// Refuses to write over what this command has not written.

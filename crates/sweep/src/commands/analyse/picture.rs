@@ -3,13 +3,13 @@
 use anyhow::{Result, bail};
 use sim::{Label, Motion};
 
-use crate::analysis::Counts;
 use crate::cli::{AnalyseArguments, PictureFile};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::say;
-use crate::files::write_atomically;
 use crate::map::{Probabilities, probability_picture};
-use crate::output::Manifest;
+use results::analysis::Counts;
+use results::files::write_atomically;
+use results::folder::Manifest;
 
 /// A picture has the axes of one `--by`.
 pub fn refuse_several(arguments: &AnalyseArguments) -> Result<()> {

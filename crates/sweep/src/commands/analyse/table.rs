@@ -5,8 +5,8 @@ use std::fmt::Write;
 
 use sim::{Label, TorsionRegime};
 
-use crate::analysis::{Counts, MethodBlocks, wilson};
 use campaign::quantities::Axis;
+use results::analysis::{Counts, MethodBlocks, wilson};
 
 const BISTABLE: Label = Label::Torsion(TorsionRegime::Bistable);
 

@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use linear::estimates::{largest_undershoot, stick_slip_speed_limit};
 use sim::{Label, Motion};
 
-use crate::output::{LabelRow, rolling_bound};
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
-use campaign::results::Record;
+use campaign::records::Record;
+use limits::rolling_bound;
+use results::folder::LabelRow;
 
 /// Rows by the reference's numbers of cases and by method.
 pub type Found = BTreeMap<(usize, &'static str), Record>;

@@ -19,12 +19,12 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::{CheckArguments, CheckFormat};
-use crate::files::write_atomically;
 use campaign::plan::Sweep;
-use campaign::results::Record;
+use campaign::records::Record;
 use comparison::{Found, compare};
 use junit::junit_of_error;
 use reference::{cases_of, read_reference};
+use results::files::write_atomically;
 use told::{Told, annotation};
 
 /// Reruns the cases of a reference file and compares their labels. What ends it before there is any

@@ -9,11 +9,11 @@ use clap::ValueEnum;
 use linear::Method;
 
 use crate::commands::status::UsageError;
-use crate::output::{LabelRow, read_labels};
 use campaign::engine::Case;
 use campaign::plan::Sweep;
 use campaign::sweep_file::MethodName;
 use campaign::text_file::read_text;
+use results::folder::{LabelRow, read_labels};
 
 /// Reads the reference, and the methods it has: the sweep's, and others with the parameters
 /// that its `file` gives them, unless that asks for an accuracy.

@@ -16,8 +16,8 @@ use ::parquet::schema::types::{Type, TypePtr};
 use anyhow::{Context, Result};
 use csv::StringRecord;
 
-use crate::files::AtomicFile;
 use campaign::text_file::unreadable;
+use results::files::AtomicFile;
 
 /// Rows that are in memory at once.
 const ROWS_OF_GROUP: usize = 1 << 16;

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Result, bail};
 
 use crate::commands::terminal::Terminal;
-use crate::output::{Damage, Manifest, PICTURES, TABLES};
+use results::folder::{Damage, Manifest, PICTURES, TABLES};
 
 /// Refuses a folder whose tables are not those that were written, for who would
 /// read them.

@@ -10,10 +10,10 @@ use super::names::{LOG, MANIFEST};
 use super::ours::Ours;
 use super::raise::with_our_number;
 use crate::commands::status::UsageError;
-use crate::log::{Header, LogError, Place};
-use crate::output::{Manifest, differences};
 use campaign::design::Design;
 use campaign::plan::Sweep;
+use results::folder::{Manifest, differences};
+use results::log::{Header, LogError, Place};
 
 /// Differences shown of two sweeps.
 const MOST_DIFFERENCES: usize = 8;
@@ -92,7 +92,7 @@ fn complete(folder: &Path, header: &Header) -> Result<Found> {
 /// Where the manifest is damaged.
 pub fn header_of(manifest: &Manifest) -> Result<Header> {
     let (program, shard) = (manifest.program.clone(), manifest.shard());
-    Ok(Header::of(program, shard, manifest.fingerprint()?))
+    Ok(Header::new(program, shard, manifest.fingerprint()?))
 }
 
 fn refuse_other(what: &str, there: &Header, ours: &Header) -> Result<()> {

@@ -6,8 +6,8 @@ use anyhow::{Context, Result, anyhow};
 
 use super::names::LOG;
 use crate::commands::terminal::Terminal;
-use crate::files::{FolderLock, LockError, has_left, remove_left};
 use campaign::text_file::unreadable;
+use results::files::{FolderLock, LockError, has_left, remove_left};
 
 /// Keeps other commands from writing into a folder, as long as the lock is held, and
 /// removes what killed ones left half written. An error names the file that is to

@@ -9,10 +9,10 @@ use anyhow::{Context, Result, bail};
 
 use super::names::{LOG, MANIFEST, REPORT};
 use crate::commands::status::UsageError;
-use crate::log::{Header, Place, log_place};
-use crate::output::{Manifest, OF_TRACE, PAPER_MAP, PICTURES, RECORDS, TABLES};
 use crate::report::is_page;
 use campaign::text_file::unreadable;
+use results::folder::{Manifest, OF_TRACE, PAPER_MAP, PICTURES, RECORDS, TABLES};
+use results::log::{Header, Place, log_place};
 
 /// What tells of an earlier run in a folder.
 pub struct Ours {

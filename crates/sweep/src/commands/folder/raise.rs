@@ -9,10 +9,10 @@ use super::names::LOG;
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::warn_of_broken_lines;
-use crate::files::AtomicFile;
-use crate::log::{Header, Log, logged, record_line};
-use crate::output::{Manifest, RECORDS, read_records};
 use campaign::plan::Sweep;
+use results::files::AtomicFile;
+use results::folder::{Manifest, RECORDS, read_records};
+use results::log::{Header, Log, logged, record_line};
 
 /// A header of the same sweep with more or fewer random cases, as if it had as many as
 /// ours; any other is returned as it is.

@@ -8,7 +8,7 @@ use super::damage::refuse_damaged;
 use super::names::{LOG, MANIFEST};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
-use crate::output::ResultTables;
+use results::folder::ResultTables;
 
 /// Refuses a folder that is none, or has neither results nor a log.
 ///

@@ -6,13 +6,13 @@ use linear::estimates::{
     torsional_wave_left,
 };
 
-use crate::output::ForwardContact;
 use campaign::design::Design;
 use campaign::engine::{MethodSystem, Survey, is_unstable};
 use campaign::plan::{Choice, POUND_PER_FOOT, Sweep};
 use campaign::quantities::{FORCE, IMPULSE, INCH, LENGTH, TORQUE, Unit, Units};
 use campaign::sweep_file::{AutoOr, per_cent};
 use campaign::words::{counted, short, wrapped};
+use limits::ForwardContact;
 
 /// A title and a value, which stand below those of other depths.
 pub(super) fn row(depth: usize, title: &str, value: &str) -> String {

@@ -22,7 +22,6 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::{warn_of_fronts, warn_of_limits, warn_of_sweep};
 use crate::cli::InspectArguments;
-use crate::output::write_atomically;
 use axial_force::describe_axial_force;
 use campaign::engine::{add_finer, compare_fronts};
 use campaign::memory::{Demand, Purpose, admit};
@@ -33,6 +32,7 @@ use description::{
 };
 use modes::{show_modes, write_modes};
 use responses::{response_panels, response_picture};
+use results::files::write_atomically;
 use tables::write_tables;
 use top_drive::DriveView;
 

@@ -12,9 +12,9 @@ use linear::{Channel, Complex64};
 use rayon::prelude::*;
 
 use crate::commands::status::UsageError;
-use crate::files::AtomicFile;
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
+use results::files::AtomicFile;
 
 /// Frequencies of a response, up to half the sampling frequency.
 const FREQUENCIES: usize = 2000;

@@ -13,12 +13,12 @@ use super::folder::{LOG, MANIFEST, Ours, hold, make_folder, remove_page};
 use super::outcome::{status_of, summary};
 use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
-use crate::log::{Header, Place};
-use crate::output::Manifest;
 use campaign::dependence::together;
 use campaign::engine::Shard;
 use campaign::words::shell_word;
 use parts::{Part, read_parts, refuse_damaged_parts};
+use results::folder::Manifest;
+use results::log::{Header, Place};
 use tables::join_tables;
 
 /// Missing shards are told in no more ranges of numbers than this.
@@ -115,7 +115,7 @@ fn join(parts: &[Part], out: &Path) -> Result<Manifest> {
 /// The results of something else are not replaced, nor is a run that goes on.
 fn refuse_unrelated(out: &Path, parts: &[Part]) -> Result<()> {
     let merged = &parts[0].manifest;
-    let header = Header::of(merged.program.clone(), Shard::WHOLE, merged.fingerprint()?);
+    let header = Header::new(merged.program.clone(), Shard::WHOLE, merged.fingerprint()?);
     let ours = Ours::find(out, &header)?;
     if ours.log != Place::Free {
         bail!(UsageError(format!(

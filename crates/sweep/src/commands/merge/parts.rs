@@ -8,10 +8,10 @@ use anyhow::{Result, bail};
 use crate::commands::folder::{LOG, MANIFEST, header_of, in_words, tell_if_unverified};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
-use crate::log::{Header, read_header};
-use crate::output::{Manifest, RECORDS, TABLES, differences};
 use campaign::engine::Shard;
 use campaign::words::shell_word;
+use results::folder::{Manifest, RECORDS, TABLES, differences};
+use results::log::{Header, read_header};
 
 /// A finished shard.
 pub struct Part {

@@ -9,9 +9,9 @@ use anyhow::{Context, Result, anyhow, bail};
 use serde::Deserialize;
 
 use super::parts::Part;
-use crate::files::{AtomicFile, SealedFile};
-use crate::output::{FAILURES_HEADER, LabelColumns, RECORDS, RecordWriter, Tally, read_records};
 use campaign::text_file::unreadable;
+use results::files::{AtomicFile, SealedFile};
+use results::folder::{FAILURES_HEADER, LabelColumns, RECORDS, RecordWriter, Tally, read_records};
 
 /// Joins the tables of shards, for a folder: by name, on the disk, without their names
 /// yet; and what is in them.

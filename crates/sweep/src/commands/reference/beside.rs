@@ -1,9 +1,9 @@
 //! Cases beside others: each axis changed alone, up and down.
 
-use crate::output::CaseRows;
 use campaign::engine::Case;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use results::folder::CaseRows;
 
 /// Cases beside others.
 pub struct Beside {

@@ -19,15 +19,15 @@ use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use super::warnings::warn_of_memory;
 use crate::cli::ReferenceArguments;
-use crate::files::write_atomically;
-use crate::output::{CaseRows, Manifest, differences, fingerprint, read_cases};
 use beside::{Beside, beside};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
-use campaign::results::Record;
+use campaign::records::Record;
 use campaign::sweep_file::per_cent;
 use campaign::text_file::read_text;
 use campaign::words::counted;
+use results::files::write_atomically;
+use results::folder::{CaseRows, Manifest, differences, fingerprint, read_cases};
 use table::{BEGINNING, reference_table};
 
 /// Makes a reference.

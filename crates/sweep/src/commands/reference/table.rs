@@ -4,8 +4,8 @@ use anyhow::Result;
 use sim::{Label, Motion};
 
 use crate::commands::margin::margin_line;
-use crate::output::{CaseRows, Manifest};
 use campaign::printable::printable;
+use results::folder::{CaseRows, Manifest};
 
 /// How a reference begins.
 pub const BEGINNING: &str = "# Reference of ";

@@ -12,12 +12,11 @@ use crate::commands::folder::{
 use crate::commands::outcome::{status_of, summary};
 use crate::commands::status::{Status, UsageError};
 use crate::commands::terminal::say;
-use crate::files::write_with_checksum;
-use crate::limits::write_traced;
-use crate::output::{
-    Damage, FAILURES_HEADER, Manifest, OF_TRACE, PICTURES, boundary, boundary_csv,
-};
 use campaign::design::Design;
+use limits::{boundary, boundary_csv};
+use results::files::write_with_checksum;
+use results::folder::{Damage, FAILURES_HEADER, Manifest, OF_TRACE, PICTURES};
+use results::traced::write_traced;
 
 /// Shows the results again, in order.
 ///

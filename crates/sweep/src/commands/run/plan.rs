@@ -7,11 +7,11 @@ use super::complete::damage;
 use super::task::Task;
 use crate::commands::cost::{cost_lines, probe};
 use crate::commands::folder::{Found, LOG, in_words};
-use crate::log::LogView;
 use campaign::design::{Design, TraceDesign};
 use campaign::engine::{finer_frequency, pairs_of};
 use campaign::memory::{Purpose, admit};
 use campaign::words::{counted, short, together, wrapped};
+use results::log::LogView;
 
 /// What would run in a folder where so much was `found`. A probe of what it costs ends
 /// sooner where it `stops`.

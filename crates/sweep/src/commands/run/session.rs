@@ -16,16 +16,17 @@ use crate::commands::status::Status;
 use crate::commands::stop;
 use crate::commands::terminal::say;
 use crate::commands::warnings::{warn_of_broken_lines, warn_of_fronts, warn_of_unstable};
-use crate::files::write_with_checksum;
-use crate::limits::write_traced;
-use crate::log::Log;
-use crate::output::{About, Manifest, TableWriter, boundary_csv};
 use campaign::dependence::dependences;
 use campaign::design::{Design, TraceDesign};
 use campaign::engine::Work;
-use campaign::results::Record;
+use campaign::records::Record;
 use campaign::rounds::Rounds;
 use campaign::words::counted;
+use limits::boundary_csv;
+use results::files::write_with_checksum;
+use results::folder::{About, Manifest, TableWriter};
+use results::log::Log;
+use results::traced::write_traced;
 
 /// A run under way.
 pub struct Session<'a> {
@@ -61,11 +62,11 @@ impl<'a> Session<'a> {
     /// # Errors
     /// Where the log cannot be read or written.
     pub fn open(task: &'a Task, systems: &'a Systems, start: Instant) -> Result<Self> {
-        let (sweep, shard) = (&task.sweep, task.header.shard);
+        let sweep = &task.sweep;
         let path = task.folder.join(LOG);
         let log = Log::open(&path, sweep.design.cases(), sweep.methods.len())?;
         let (file, options) = (&task.arguments.file, task.arguments.options());
-        let about = About::new(sweep, file, shard, options, &systems.methods)?;
+        let about = About::new(sweep, file, &task.header, options, &systems.methods)?;
         log.describe(serde_json::to_string(&about)?)?;
         warn_of_unstable(&systems.methods, task.terminal);
         warn_of_fronts(sweep, &systems.methods, task.terminal);
@@ -224,7 +225,7 @@ impl<'a> Session<'a> {
         let limit = boundary_csv(&self.systems.limit);
         let limit = write_with_checksum(&folder.join("boundary.csv"), limit.as_bytes())?;
         let (shard, systems) = (self.task.header.shard, &self.systems.methods);
-        let mut manifest = Manifest::new(sweep, shard, arguments.options(), systems)?;
+        let mut manifest = Manifest::new(sweep, &self.task.header, arguments.options(), systems)?;
         (manifest.tally, manifest.files) = (tally, files);
         if self.systems.sees_dependences {
             manifest.depends_on = dependences(sweep, shard, arguments.options());

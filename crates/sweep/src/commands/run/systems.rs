@@ -5,9 +5,9 @@ use anyhow::Result;
 use super::task::Task;
 use crate::commands::prepare::naming_file;
 use crate::commands::status::UsageError;
-use crate::output::{Boundary, boundary};
 use campaign::engine::MethodSystem;
 use campaign::run::{RunError, RunSystems};
+use limits::{Boundary, boundary};
 
 /// What is built before the first case.
 pub struct Systems {

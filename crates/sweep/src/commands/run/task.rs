@@ -11,11 +11,12 @@ use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 
 use crate::commands::warnings::{warn_of_limits, warn_of_sweep};
-use crate::log::{Header, Log};
-use crate::output::{Manifest, fingerprint};
+use crate::program::PROGRAM;
 use campaign::design::Design;
 use campaign::engine::{Shard, Survey};
 use campaign::plan::Sweep;
+use results::folder::{Manifest, fingerprint};
+use results::log::{Header, Log};
 
 /// A run, as far as it is known before anything is built.
 pub struct Task<'a> {
@@ -67,7 +68,11 @@ impl<'a> Task<'a> {
             folder.push(format!("shard-{}-of-{}", shard.index, shard.of));
         }
         Ok(Self {
-            header: Header::new(shard, fingerprint(&sweep, arguments.options())?),
+            header: Header::new(
+                PROGRAM.to_owned(),
+                shard,
+                fingerprint(&sweep, arguments.options())?,
+            ),
             arguments,
             terminal,
             sweep,

@@ -9,7 +9,7 @@ use crate::commands::terminal::Terminal;
 use campaign::engine::ChosenCase;
 use campaign::engine::answer;
 use campaign::plan::Sweep;
-use campaign::results::Record;
+use campaign::records::Record;
 
 /// The row of every case and method of a sweep whose sites are found; none of another.
 ///

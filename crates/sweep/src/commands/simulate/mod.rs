@@ -24,7 +24,7 @@ use campaign::engine::{Case, Survey};
 use campaign::engine::{Choice, ChoiceError, ChosenCase, common_setting};
 use campaign::memory::{Limit, Purpose, admit};
 use campaign::plan::Sweep;
-use campaign::results::{Failure, Record};
+use campaign::records::{Failure, Record};
 use campaign::sweep_file::SweepFileError;
 use found::{at_found_sites, find_sites};
 use systems::simulate_all;

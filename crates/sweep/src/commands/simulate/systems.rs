@@ -12,7 +12,7 @@ use campaign::engine::ChosenCase;
 use campaign::engine::{FollowedMethod, Simulation};
 use campaign::engine::{MethodSystem, RunOptions};
 use campaign::plan::Sweep;
-use campaign::results::{Failure, Record};
+use campaign::records::{Failure, Record};
 
 /// The row of every case and method, as a run has it, and the motion of each that has
 /// an answer.

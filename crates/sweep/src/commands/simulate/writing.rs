@@ -13,11 +13,11 @@ use crate::histories::{
     case_csv, case_lines, contact_picture, contacts_csv, film_csv, film_picture, history_csv,
     history_picture, orbit_picture, string_csv, string_picture, whole_strings,
 };
-use crate::output::write_atomically;
 use campaign::engine::{Case, Simulation};
 use campaign::plan::Sweep;
-use campaign::results::Record;
+use campaign::records::Record;
 use plot::Picture;
+use results::files::write_atomically;
 
 /// Simulated cases, and where their files are written.
 pub struct Written<'a> {

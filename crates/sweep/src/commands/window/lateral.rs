@@ -7,11 +7,11 @@ use linear::natural_frequencies::held_lateral_frequencies_below;
 
 use crate::cli::WindowArguments;
 use crate::commands::status::UsageError;
-use crate::output::whirl_from;
-use crate::window::{Drawn, Resonance, Source, above_speed, near_resonances};
 use campaign::plan::{LateralSettings, Sweep, WallSettings};
 use campaign::quantities::{Axis, LENGTH, WallQuantity};
 use campaign::words::short;
+use limits::whirl_from;
+use results::window::{Drawn, Resonance, Source, above_speed, near_resonances};
 
 /// The limits within ranges of weight on bit (kN) and surface speed (rpm); none where the string
 /// does not bend.

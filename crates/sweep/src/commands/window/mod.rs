@@ -16,12 +16,12 @@ use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::WindowArguments;
-use crate::files::write_atomically;
 use crate::map::{WindowSheet, window_picture};
-use crate::output::{ResultTables, differences};
-use crate::window::{AXES, Chart};
 use campaign::plan::Sweep;
 use campaign::text_file::read_text;
+use results::files::write_atomically;
+use results::folder::{ResultTables, differences};
+use results::window::{AXES, Chart};
 
 /// Draws the window, and says what came out.
 pub fn window(arguments: &WindowArguments, terminal: Terminal) -> Result<Status> {

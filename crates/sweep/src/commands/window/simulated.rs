@@ -7,13 +7,14 @@ use anyhow::{Context, Result, bail};
 
 use crate::cli::WindowArguments;
 use crate::commands::status::UsageError;
-use crate::output::{Boundary, Curve, Manifest, ResultTables, exact_stick_slip_limit};
-use crate::window::{AXES, Drawn, Simulated, Source, below_curves, simulated};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::quantities::Units;
 use campaign::sweep_file::DesignKind;
 use campaign::words::{counted, short};
+use limits::{Boundary, Curve, exact_stick_slip_limit};
+use results::folder::{Manifest, ResultTables};
+use results::window::{AXES, Drawn, Simulated, Source, below_curves, simulated};
 
 /// What all folders span, and the limits that each holds.
 ///

@@ -3,7 +3,7 @@
 use anyhow::Result;
 
 use crate::commands::csv_table::csv_table;
-use crate::window::{Chart, Standing};
+use results::window::{Chart, Standing};
 
 /// Every cell: where it is, how it stands, and what it is not clear of.
 ///

@@ -10,11 +10,11 @@ use serde_json::{Value, json};
 
 use super::opening::opening;
 use crate::map::Drawing;
-use crate::output::{Manifest, ResultTables, column_words};
 use campaign::quantities::{Axis, TORQUE, Unit, Units, WIDTH};
 use campaign::text_file::unreadable;
 use campaign::words::shell_word;
 use plot::{MapAxis, map_axes};
+use results::folder::{Manifest, ResultTables, column_words};
 
 /// Of more simulations, no page has the values: they are not even read.
 const MOST_ROWS: usize = 40_000;

@@ -15,8 +15,8 @@ use serde_json::Value;
 
 use super::escaping::{escaped, with_index};
 use crate::map::{Drawing, drawing};
-use crate::output::ResultTables;
 use plot::{MapGroup, map_axes};
+use results::folder::ResultTables;
 
 pub use data::shown;
 pub use look::DEFINITIONS;

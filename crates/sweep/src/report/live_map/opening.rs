@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::output::Manifest;
 use campaign::sweep_file::DesignKind;
+use results::folder::Manifest;
 
 /// The sweep as its file was read, and the name of the list of its cases where they are one, for
 /// the page to give back; or, where the sweep needs files that are not in the folder, their names.

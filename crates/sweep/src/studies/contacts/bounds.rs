@@ -4,14 +4,14 @@ use anyhow::{Context, Result};
 use linear::estimates::bending_decay_rate;
 
 use super::subject::Subject;
-use crate::output::{WhirlMotion, many_sites_limit, whirl_limit};
-use campaign::results::to_rpm;
+use campaign::records::to_rpm;
+use limits::{WhirlMotion, many_sites_limit, whirl_limit};
 
 /// Friction that steady whirl needs at least.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Bounds {
     /// Of any contacts together: where less friction does not sustain any. None of one contact
-    /// alone, and of more than [`crate::output::MOST_SITES`].
+    /// alone, and of more than [`limits::MOST_SITES`].
     pub any_sites: Option<f64>,
     /// Of one contact alone, whichever needs least.
     pub one_site: Option<f64>,

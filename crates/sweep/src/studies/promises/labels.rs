@@ -14,7 +14,7 @@ use crate::studies::stick_slip::exact;
 use crate::studies::trial;
 use campaign::engine::{self, MethodSystem, RunOptions};
 use campaign::plan::Sweep;
-use campaign::results::{Record, certified};
+use campaign::records::{Record, certified};
 
 /// Cases of a string: each at most so far from its limit, as a natural logarithm.
 const NEAR: [f64; 6] = [0.02, 0.05, 0.05, 0.15, 0.15, 0.3];

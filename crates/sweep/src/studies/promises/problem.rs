@@ -12,7 +12,7 @@ use linear::{Drillstring, Material};
 use super::draw::{Draw, FAMILIES, FIELD, SHAPES, SURFACES, Shape, Sizes, Surface, WIDE, sections};
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
-use campaign::results::to_rpm;
+use campaign::records::to_rpm;
 use campaign::sweep_file::StartName;
 
 /// Which limit is looked for.

@@ -9,12 +9,12 @@ use sim::{LateralRegime, Outcome, SteadyWhirl, Stopping, Trajectory};
 use super::families::Cell;
 use super::loads;
 use super::verdict::Findings;
-use crate::output::rolling_whirls;
 use crate::studies::scenes::shipped;
 use crate::studies::trial::case;
 use campaign::engine::{Case, MethodSystem};
 use campaign::plan::{Setting, Sweep};
 use campaign::quantities::Axis;
+use limits::rolling_whirls;
 
 /// Cells that differ in their wall alone.
 pub fn examine(group: &[Cell], method: Method) -> Result<Vec<Findings>> {

@@ -12,7 +12,7 @@ use super::trial;
 use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
-use campaign::results::to_rpm;
+use campaign::records::to_rpm;
 use campaign::sweep_file::AutoOr;
 
 /// A limit is looked for between these parts of Eq. 74's.

@@ -12,7 +12,6 @@ use super::history::{History, Input};
 use super::measure::Measure;
 use super::part::Part;
 use super::row::Reference;
-use crate::output::rolling_whirls;
 use crate::studies::limit::limit_between;
 use crate::studies::scenes::shipped;
 use crate::studies::trial;
@@ -20,6 +19,7 @@ use campaign::engine::MethodSystem;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
 use campaign::sweep_file::AutoOr;
+use limits::rolling_whirls;
 
 /// Where the limit of whirl is looked for, coefficient of friction.
 const LIMIT_BRACKET: [f64; 2] = [0.8, 3.0];

@@ -12,10 +12,10 @@ use std::path::Path;
 use anyhow::Result;
 
 use crate::commands::drawing::Drawing;
-use crate::output::write_atomically;
 use campaign::plan::Sweep;
 use found::{Modes, find};
 use pictures::{campbell_picture, shape_picture};
+use results::files::write_atomically;
 use speeds::Excitation;
 
 /// Finds the modes and says what is known of them, so many of the lowest in full; then writes

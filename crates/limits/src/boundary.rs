@@ -1,0 +1,394 @@
+//! `boundary.csv`: the analytic limit of a map. For stick-slip that is Eq. 74 for
+//! every method, along the torque axis of the design; for whirl the friction that
+//! sustains it steadily at each site.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use linear::DrillstringError;
+use linear::deviation::exact_undershoot;
+use linear::estimates::{largest_undershoot, torsional_travel_time};
+use linear::falling_torque::steepest_fall;
+use serde::Deserialize;
+
+use crate::many_sites_limit::many_sites_limit;
+use crate::sliding_together::sliding_together;
+use crate::whirl_limit::{WhirlPoint, whirl_limit};
+use campaign::engine::{MethodSystem, stick_slip_limit};
+use campaign::plan::{Bit, LateralSettings, Sweep, TorqueError};
+use campaign::quantities::{Axis, WallQuantity};
+use campaign::records::to_rpm;
+use campaign::text_file::unreadable;
+
+/// Points of the line between the ends of an axis.
+const POINTS: usize = 200;
+
+/// Modes of a uniform string of the same travel time that smooth rotation is to be free of. What
+/// collars do by themselves, at tens of hertz, mud and steel damp more than `torsional_damping` says.
+const SLOW_MODES: f64 = 24.0;
+
+/// The limit of a map.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Boundary {
+    /// Of stick-slip, Eq. 74.
+    StickSlip(Vec<StickSlipPoint>),
+    /// Of backward whirl.
+    Whirl(Vec<WhirlPoint>),
+}
+
+/// Which limit of torsion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TorsionLimit {
+    /// Below it stick-slip can sustain itself (Eq. 74).
+    #[default]
+    StickSlip,
+    /// Below it smooth rotation does not last, as the torque on the bit falls too steeply with its
+    /// speed.
+    SmoothRotation,
+}
+
+impl TorsionLimit {
+    /// The word in the table.
+    fn name(self) -> &'static str {
+        match self {
+            TorsionLimit::StickSlip => "stick_slip",
+            TorsionLimit::SmoothRotation => "smooth_rotation",
+        }
+    }
+}
+
+/// One point of a limit of torsion.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct StickSlipPoint {
+    /// Weight on bit, kN; empty where the design varies the torque itself.
+    pub weight_on_bit_kn: Option<f64>,
+    /// T_d, N m.
+    pub torque_dynamic_nm: f64,
+    /// The limit, rpm.
+    pub surface_speed_rpm: f64,
+    /// The method whose Δ is used; of smooth rotation, the exact waves.
+    pub method: String,
+    /// Which limit; of earlier versions, that of stick-slip.
+    #[serde(default)]
+    pub limit: TorsionLimit,
+}
+
+impl StickSlipPoint {
+    /// Its place along an axis, of the weight on bit or of the torque.
+    pub fn along(&self, axis: Axis) -> Option<f64> {
+        match axis {
+            Axis::WeightOnBitKn => self.weight_on_bit_kn,
+            _ => Some(self.torque_dynamic_nm),
+        }
+    }
+}
+
+/// Why the limit of a map is not known.
+#[derive(Debug, thiserror::Error)]
+pub enum BoundaryError {
+    /// A rock has no torque at a weight.
+    #[error("{0}")]
+    Rock(TorqueError),
+    /// A site is not on the string.
+    #[error(transparent)]
+    Site(#[from] DrillstringError),
+}
+
+/// The limit over the range of the design's axes: of whirl where friction at every site is
+/// one of them, else of stick-slip; without points where neither applies, or where other axes
+/// give each case a limit of its own.
+///
+/// # Errors
+/// Where a rock's table does not reach, or a site is not on the string.
+pub fn boundary(sweep: &Sweep, systems: &[MethodSystem]) -> Result<Boundary, BoundaryError> {
+    // Every string has limits of its own, and every law of the bit.
+    let axes = sweep.design.axes();
+    if sweep.design.varies_string() || axes.iter().any(|axis| axis.changes_bit()) {
+        return Ok(Boundary::StickSlip(Vec::new()));
+    }
+    if let (Some(lateral), Some(_)) = (
+        &sweep.setting.lateral,
+        position(sweep, |axis| axis == Axis::FRICTION),
+    ) {
+        // So has every wall.
+        let points = if axes.iter().any(|axis| axis.changes_whirl_limit()) {
+            Vec::new()
+        } else {
+            whirl_points(sweep, lateral)?
+        };
+        return Ok(Boundary::Whirl(points));
+    }
+    let is_torque = |axis| matches!(axis, Axis::WeightOnBitKn | Axis::TorqueDynamicNm);
+    match (&sweep.bit, position(sweep, is_torque)) {
+        (Some(bit), Some(position)) => {
+            limit_of_methods(sweep, systems, bit, position).map(Boundary::StickSlip)
+        }
+        _ => Ok(Boundary::StickSlip(Vec::new())),
+    }
+}
+
+/// The place of an axis among those of the design.
+pub(super) fn position(sweep: &Sweep, is_wanted: impl Fn(Axis) -> bool) -> Option<usize> {
+    sweep.design.axes().iter().position(|&axis| is_wanted(axis))
+}
+
+/// The least and the greatest value of an axis.
+pub(super) fn range_of_axis(sweep: &Sweep, position: usize) -> [f64; 2] {
+    let values = (0..sweep.design.cases()).map(|case| sweep.design.values(case)[position]);
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], value| {
+        [from.min(value), to.max(value)]
+    })
+}
+
+/// Values from the least to the greatest of an axis.
+fn along_axis(sweep: &Sweep, position: usize) -> impl Iterator<Item = f64> + use<> {
+    between(range_of_axis(sweep, position))
+}
+
+fn between([from, to]: [f64; 2]) -> impl Iterator<Item = f64> + use<> {
+    (0..=POINTS).map(move |step| from + (to - from) * step as f64 / POINTS as f64)
+}
+
+fn limit_of_methods(
+    sweep: &Sweep,
+    systems: &[MethodSystem],
+    bit: &Bit,
+    position: usize,
+) -> Result<Vec<StickSlipPoint>, BoundaryError> {
+    let axis = sweep.design.axes()[position];
+    let mut points = Vec::with_capacity(systems.len() * (POINTS + 1));
+    for system in systems {
+        let Some(taps) = system.driving_point() else {
+            continue;
+        };
+        let front = (system.method.name(), largest_undershoot(taps));
+        let values = along_axis(sweep, position);
+        points.extend(stick_slip_points(sweep, bit, (axis, values), front)?);
+    }
+    if sweep.setting.friction.is_none() {
+        points.extend(smooth_rotation_points(sweep, bit, position));
+    }
+    Ok(points)
+}
+
+/// Eq. 74 at values of an axis, by a method and its undershoot Δ, rad/s per N m.
+fn stick_slip_points(
+    sweep: &Sweep,
+    bit: &Bit,
+    (axis, values): (Axis, impl Iterator<Item = f64>),
+    (method, undershoot): (&str, f64),
+) -> Result<Vec<StickSlipPoint>, BoundaryError> {
+    let conditions = &sweep.conditions;
+    let points = stick_slip_limit((bit, conditions), (axis, values), undershoot)
+        .map_err(BoundaryError::Rock)?;
+    let points = points.into_iter().map(|point| StickSlipPoint {
+        weight_on_bit_kn: point.weight_on_bit_kn,
+        torque_dynamic_nm: point.torque_dynamic_nm,
+        surface_speed_rpm: point.surface_speed_rpm,
+        method: method.to_owned(),
+        limit: TorsionLimit::StickSlip,
+    });
+    Ok(points.collect())
+}
+
+/// Where smooth rotation is lost along an axis, for a torque that falls with the bit's speed: the
+/// speed at which it falls as steeply as the string bears ([`steepest_fall`]) without swinging in one
+/// of its [`SLOW_MODES`]. Without points where it lasts at every speed.
+fn smooth_rotation_points(sweep: &Sweep, bit: &Bit, position: usize) -> Vec<StickSlipPoint> {
+    let string = &sweep.setting.string;
+    let highest_frequency = 0.5 * SLOW_MODES / torsional_travel_time(string);
+    let steepest = steepest_fall(string, highest_frequency);
+    let Some(steepest) = steepest.ok().flatten() else {
+        return Vec::new();
+    };
+    let axis = sweep.design.axes()[position];
+    let at = |value| {
+        let conditions = sweep.conditions.with(axis, value);
+        let torque_dynamic_nm = bit.torque_dynamic(&conditions).ok()??;
+        let law = conditions.torques(torque_dynamic_nm);
+        let speed = law.speed_of_fall(steepest)?;
+        Some(StickSlipPoint {
+            weight_on_bit_kn: conditions.weight_on_bit_kn,
+            torque_dynamic_nm,
+            surface_speed_rpm: to_rpm(speed),
+            method: WAVES.to_owned(),
+            limit: TorsionLimit::SmoothRotation,
+        })
+    };
+    along_axis(sweep, position).filter_map(at).collect()
+}
+
+/// What the limit of smooth rotation is computed by.
+const WAVES: &str = "waves";
+
+/// Eq. 74 between two weights on bit (kN) by the undershoot of the string as it is, whose fronts
+/// no step smears; without points where the cases have no one limit, or where that undershoot
+/// would take too much memory.
+///
+/// # Errors
+/// Where a rock's table does not reach.
+pub fn exact_stick_slip_limit(sweep: &Sweep, weights: [f64; 2]) -> Result<Boundary, BoundaryError> {
+    let is_one =
+        !sweep.design.varies_string() && !sweep.design.axes().iter().any(|axis| axis.changes_bit());
+    let undershoot = exact_undershoot(&sweep.setting.string).ok();
+    let points = match (&sweep.bit, undershoot.filter(|_| is_one)) {
+        (Some(bit), Some(undershoot)) => {
+            let values = between(weights);
+            stick_slip_points(
+                sweep,
+                bit,
+                (Axis::WeightOnBitKn, values),
+                ("the exact undershoot", undershoot),
+            )?
+        }
+        _ => Vec::new(),
+    };
+    Ok(Boundary::StickSlip(points))
+}
+
+/// The limit of whirl over all surface speeds of the design.
+fn whirl_points(
+    sweep: &Sweep,
+    lateral: &LateralSettings,
+) -> Result<Vec<WhirlPoint>, DrillstringError> {
+    let range = match position(sweep, |axis| axis == Axis::SurfaceSpeedRpm) {
+        Some(position) => Some(range_of_axis(sweep, position)),
+        None => sweep.conditions.surface_speed_rpm.map(|speed| [speed; 2]),
+    };
+    let Some(range) = range else {
+        return Ok(Vec::new());
+    };
+    let mut points = whirl_limit(&sweep.setting, lateral, range)?;
+    if lateral.finding.is_some() {
+        // Each case touches at others too.
+        return Ok(points);
+    }
+    points.extend(many_sites_limit(&sweep.setting, lateral, range)?);
+    // What slides has less friction than the axis says where that falls.
+    let falls = |axis| {
+        use WallQuantity::DynamicRatio as Ratio;
+        matches!(
+            axis,
+            Axis::Wall(Ratio)
+                | Axis::WallAtSite {
+                    quantity: Ratio,
+                    ..
+                }
+        )
+    };
+    if position(sweep, falls).is_none() {
+        points.extend(sliding_together(&sweep.setting, lateral, range)?);
+    }
+    Ok(points)
+}
+
+/// The whole of `boundary.csv`; numbers spelt as in `labels.csv`. No field needs quotes:
+/// they are names and numbers.
+pub fn boundary_csv(boundary: &Boundary) -> String {
+    match boundary {
+        Boundary::StickSlip(points) => {
+            let header = "weight_on_bit_kn,torque_dynamic_nm,surface_speed_rpm,method,limit\n";
+            let row = |point: &StickSlipPoint| {
+                let weight = point.weight_on_bit_kn.map(|weight| weight.to_string());
+                format!(
+                    "{},{},{},{},{}\n",
+                    weight.unwrap_or_default(),
+                    point.torque_dynamic_nm,
+                    point.surface_speed_rpm,
+                    point.method,
+                    point.limit.name()
+                )
+            };
+            header.to_owned() + &points.iter().map(row).collect::<String>()
+        }
+        Boundary::Whirl(points) => {
+            let header = format!(
+                "surface_speed_rpm,friction,{ONLY_OF_WHIRL},radius_mm,precession_turns_per_s,\
+                 normal_force_kn,branch,motion,least,sites_from_bit_m\n"
+            );
+            let known = |number: Option<f64>| number.map_or(String::new(), |it| it.to_string());
+            let row = |point: &WhirlPoint| {
+                let branch = point.branch.map(|branch| branch.to_string());
+                let sites: Vec<_> = (point.sites_from_bit_m.iter())
+                    .map(f64::to_string)
+                    .collect();
+                format!(
+                    "{},{},{},{},{},{},{},{},{},{}\n",
+                    point.surface_speed_rpm,
+                    point.friction,
+                    point.site_from_bit_m,
+                    known(point.radius_mm),
+                    point.precession_turns_per_s,
+                    known(point.normal_force_kn),
+                    branch.unwrap_or_default(),
+                    point.motion.name(),
+                    point.least,
+                    sites.join(";")
+                )
+            };
+            header + &points.iter().map(row).collect::<String>()
+        }
+    }
+}
+
+/// A column that only the limit of whirl has.
+const ONLY_OF_WHIRL: &str = "site_from_bit_m";
+
+/// Reads `boundary.csv` back.
+pub fn read_boundary(path: &Path) -> Result<Boundary> {
+    let read = || -> csv::Result<Boundary> {
+        let mut reader = csv::Reader::from_path(path)?;
+        let is_whirl = reader.headers()?.iter().any(|name| name == ONLY_OF_WHIRL);
+        Ok(if is_whirl {
+            Boundary::Whirl(reader.deserialize().collect::<Result<_, _>>()?)
+        } else {
+            Boundary::StickSlip(reader.deserialize().collect::<Result<_, _>>()?)
+        })
+    };
+    read().with_context(|| unreadable(path))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::crate::whirl_limit::WhirlMotion;
+    use super::*;
+
+    fn read(table: &str) -> Boundary {
+        let file = tempfile::NamedTempFile::new().expect("a file");
+        std::fs::write(file.path(), table).expect("written");
+        read_boundary(file.path()).expect("a boundary")
+    }
+
+    #[test]
+    fn a_table_is_read_back_as_it_was_written() {
+        let boundary = read(
+            "surface_speed_rpm,friction,site_from_bit_m,radius_mm,precession_turns_per_s,\
+             normal_force_kn,branch,motion,least,sites_from_bit_m\n\
+             60,1.5,0,16,9,34,0,rolling,true,0\n\
+             60,1.2,0,16,9,34,,rolling_or_sliding,true,0\n\
+             60,0.2,50,,8,,,any_sites,true,0;50\n\
+             60,0.4,50,,6,,,sliding_together,true,0;50\n",
+        );
+        let Boundary::Whirl(points) = &boundary else {
+            panic!("{boundary:?}");
+        };
+        assert_eq!(points[2].sites_from_bit_m, [0.0, 50.0]);
+        assert_eq!(read(&boundary_csv(&boundary)), boundary);
+    }
+
+    #[test]
+    fn a_table_without_branches_is_one_line() {
+        let boundary = read(
+            "surface_speed_rpm,friction,site_from_bit_m,radius_mm,precession_turns_per_s,\
+             normal_force_kn\n60,1.14,0,16,9,34\n",
+        );
+        let Boundary::Whirl(points) = &boundary else {
+            panic!("{boundary:?}");
+        };
+        assert_eq!(
+            (points[0].motion, points[0].least),
+            (WhirlMotion::Rolling, true)
+        );
+    }
+}

@@ -1,0 +1,110 @@
+//! Writes the tables of a results folder from the records of its run, row by row, and keeps these.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use anyhow::Result;
+use rayon::prelude::*;
+
+use super::about::About;
+use super::failures::{FAILURES_HEADER, failures_row, repeat_command};
+use super::records::{RECORDS, RecordWriter};
+use super::tally::Tally;
+use crate::files::{AtomicFile, Checksum};
+use campaign::labels::LabelTable;
+use campaign::records::{Certainty, Record};
+
+/// Rows that all threads together format at once.
+const ROWS_AT_ONCE: usize = 1 << 12;
+
+/// `labels.csv` and `failures.csv` being written.
+pub struct TableWriter<'a> {
+    about: &'a About,
+    table: LabelTable<'a>,
+    labels: AtomicFile,
+    failures: AtomicFile,
+    records: RecordWriter,
+    tally: Tally,
+}
+
+impl<'a> TableWriter<'a> {
+    /// Tables without a row.
+    ///
+    /// # Errors
+    /// Where they cannot be written.
+    pub fn create(about: &'a About, folder: &Path) -> Result<Self> {
+        let table = about.label_table();
+        let mut labels = AtomicFile::create(&folder.join("labels.csv"))?;
+        let mut failures = AtomicFile::create(&folder.join("failures.csv"))?;
+        labels.write(format!("{}\n", table.header()).as_bytes())?;
+        failures.write(format!("{FAILURES_HEADER}\n").as_bytes())?;
+        Ok(Self {
+            about,
+            table,
+            labels,
+            failures,
+            records: RecordWriter::create(folder)?,
+            tally: Tally::default(),
+        })
+    }
+
+    /// Adds the rows of whole cases, which come after those of earlier ones.
+    ///
+    /// # Errors
+    /// Where they cannot be written.
+    pub fn add(&mut self, records: &[Record]) -> Result<()> {
+        let certainties = self.table.certainties(records);
+        let blocks = certainties.chunks(ROWS_AT_ONCE);
+        for (records, certainties) in records.chunks(ROWS_AT_ONCE).zip(blocks) {
+            let rows: Vec<String> = (records.par_iter().zip(certainties))
+                .map(|(record, certainty)| self.table.row(record, *certainty) + "\n")
+                .collect();
+            self.labels.write(rows.concat().as_bytes())?;
+            let lines: Vec<String> = (records.par_iter())
+                .map(|record| Ok(serde_json::to_string(record)? + "\n"))
+                .collect::<Result<_>>()?;
+            self.records.write(&lines.concat())?;
+            let mut rows = records.iter().zip(certainties);
+            rows.try_for_each(|(record, certainty)| self.count(record, *certainty))?;
+        }
+        Ok(())
+    }
+
+    fn count(&mut self, record: &Record, certainty: Certainty) -> Result<()> {
+        let method = self.table.methods[record.method];
+        let (labels, predicted) = match &record.outcome {
+            Ok(outcome) => (outcome.labels(), outcome.predicted),
+            Err(reason) => {
+                let command = repeat_command(self.about, record.case, method);
+                let row = failures_row(record.case, method, reason.text(), &command)?;
+                self.failures.write(&row)?;
+                Default::default()
+            }
+        };
+        (self.tally).add(
+            method,
+            record.outcome.is_err(),
+            labels,
+            predicted,
+            certainty,
+        );
+        if let Some(found) = &record.found {
+            (self.tally).add_found(method, [found.sites.len(), found.rounds]);
+        }
+        Ok(())
+    }
+
+    /// Puts the tables and records in their place: what is in them, and their checksums by name.
+    ///
+    /// # Errors
+    /// Where they cannot be written.
+    pub fn finish(self) -> Result<(Tally, BTreeMap<String, Checksum>)> {
+        let files = [
+            ("labels.csv", self.labels.finish()?),
+            ("failures.csv", self.failures.finish()?),
+            (RECORDS, self.records.seal()?.publish()?),
+        ];
+        let files = files.map(|(name, sum)| (name.to_owned(), sum));
+        Ok((self.tally, files.into()))
+    }
+}

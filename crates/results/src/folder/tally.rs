@@ -1,0 +1,138 @@
+//! What came out of a sweep, counted.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::{Deserialize, Serialize};
+use sim::Label;
+
+use campaign::records::Certainty;
+
+use campaign::words::counted;
+use sim::{Labels, Motion};
+
+/// What came out, counted.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Tally {
+    /// Rows.
+    pub rows: usize,
+    /// Rows per method and label. A row of a scene with bit and wall has two labels,
+    /// one of each motion.
+    pub labels: BTreeMap<String, BTreeMap<Label, usize>>,
+    /// Those of them that are certain, where the run certifies labels.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub certified: BTreeMap<String, BTreeMap<Label, usize>>,
+    /// Sites that were found, per method, where they were looked for.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub found_sites: BTreeMap<String, FoundSites>,
+    /// Rows without an answer.
+    pub failed: usize,
+    /// Settled rows that were followed to the end, and those of them whose label
+    /// changed.
+    pub settled_checked: usize,
+    /// See `settled_checked`.
+    pub settled_wrong: usize,
+}
+
+/// Sites that were found by a method.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct FoundSites {
+    /// Cases in which they were looked for.
+    pub cases: usize,
+    /// Those of them in which there were any besides those of the file.
+    pub cases_with_sites: usize,
+    /// The most of a case, those of the file not counted.
+    pub most_sites: usize,
+    /// How often a case was run again, at most.
+    pub most_rounds: usize,
+    /// How often cases were run again, all together.
+    pub rounds: usize,
+}
+
+impl Tally {
+    /// Counts how many sites a case was found to have by a method, and in how many rounds.
+    pub fn add_found(&mut self, method: &str, [sites, rounds]: [usize; 2]) {
+        let found = self.found_sites.entry(method.to_owned()).or_default();
+        found.cases += 1;
+        found.cases_with_sites += usize::from(sites > 0);
+        found.most_sites = found.most_sites.max(sites);
+        found.most_rounds = found.most_rounds.max(rounds);
+        found.rounds += rounds;
+    }
+
+    /// Counts what a case is by a method: whether it failed, its labels, the label predicted
+    /// when motion settled, and which labels are certain.
+    pub fn add(
+        &mut self,
+        method: &str,
+        failed: bool,
+        labels: Labels,
+        predicted: Option<Label>,
+        certainty: Certainty,
+    ) {
+        self.rows += 1;
+        self.failed += usize::from(failed);
+        if let Some(predicted) = predicted {
+            self.settled_checked += 1;
+            self.settled_wrong += usize::from(labels.each().all(|label| label != predicted));
+        }
+        for label in labels.each() {
+            let of_method = self.labels.entry(method.to_owned()).or_default();
+            *of_method.entry(label).or_default() += 1;
+            if certainty[label.motion()] == Some(true) {
+                let of_method = self.certified.entry(method.to_owned()).or_default();
+                *of_method.entry(label).or_default() += 1;
+            }
+        }
+    }
+
+    /// In how many cases sites were found, how many at most and in how many rounds, in a sentence
+    /// for each method; none where they were not looked for.
+    pub fn found_words(&self) -> impl Iterator<Item = String> {
+        self.found_sites.iter().map(|(method, found)| {
+            let cases = counted(found.cases, "case");
+            match found.cases_with_sites {
+                0 => format!("{method}: no sites were found besides those of the file, in {cases}"),
+                with => format!(
+                    "{method}: sites were found in {with} of {cases}, up to {} in up to {}",
+                    counted(found.most_sites, "site"),
+                    counted(found.most_rounds, "round"),
+                ),
+            }
+        })
+    }
+
+    /// The motions that have labels; that of torsion where no case has any.
+    pub fn motions(&self) -> Vec<Motion> {
+        let labels = self.labels.values().flat_map(BTreeMap::keys);
+        let found: BTreeSet<Motion> = labels.map(|label| label.motion()).collect();
+        if found.is_empty() {
+            vec![Motion::Torsion]
+        } else {
+            found.into_iter().collect()
+        }
+    }
+
+    /// Cases whose label of a motion is certain, whatever it is: the rows of a method that
+    /// certifies them, of which no method has more.
+    pub fn certified(&self, motion: Motion) -> usize {
+        let of_method = |labels: &BTreeMap<Label, usize>| {
+            let of_motion = labels.iter().filter(|(label, _)| label.motion() == motion);
+            of_motion.map(|(_, count)| count).sum()
+        };
+        self.certified.values().map(of_method).max().unwrap_or(0)
+    }
+
+    /// The labels of a method, each with its rows, in one list for each motion that
+    /// has any: every list adds up to the cases with an answer.
+    pub fn by_motion(&self, method: &str) -> Vec<(Motion, Vec<(&'static str, usize)>)> {
+        let list = |motion: Motion| -> Vec<(&'static str, usize)> {
+            let labels = self.labels.get(method).into_iter().flatten();
+            labels
+                .filter(|(label, _)| label.motion() == motion)
+                .map(|(label, count)| (label.name(), *count))
+                .collect()
+        };
+        let lists = Motion::ALL.into_iter().map(|motion| (motion, list(motion)));
+        lists.filter(|(_, list)| !list.is_empty()).collect()
+    }
+}
