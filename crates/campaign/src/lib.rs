@@ -22,6 +22,7 @@
 //! It is the inside of one program in several crates: items follow what the shells need, and
 //! promise nothing to others. The libraries are `linear` and `sim`.
 
+pub mod accuracy;
 pub mod allotted;
 pub mod dependence;
 pub mod design;

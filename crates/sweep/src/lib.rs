@@ -33,7 +33,6 @@ mod map;
 mod method_inks;
 mod program;
 mod report;
-mod studies;
 
 use std::process::ExitCode;
 

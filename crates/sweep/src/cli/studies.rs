@@ -6,10 +6,10 @@ use clap::Args;
 
 use super::values::{parse_measure, parse_setting, parse_strength};
 use super::{MemoryArguments, WorkArguments};
-use crate::studies::promises::{Begins, Motion};
-use crate::studies::stability::Family;
-use crate::studies::tradeoff::{LADDER, Measure};
 use campaign::quantities::Axis;
+use studies::promises::{Begins, Motion};
+use studies::stability::Family;
+use studies::tradeoff::{LADDER, Measure};
 
 /// Arguments of `tradeoff`.
 #[derive(Debug, Args)]

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use sim::{Label, Motion};
 
-use crate::studies::tradeoff::Measure;
 use campaign::quantities::Axis;
 use campaign::sweep_file::{axis_in_units, axis_named};
+use studies::tradeoff::Measure;
 
 /// A measure of the chart of accuracy against speed.
 ///

@@ -14,7 +14,7 @@ use super::cost::in_words;
 use super::progress::{BETWEEN_EVENTS, BETWEEN_LINES, Display, moving};
 use super::stop;
 use super::terminal::Terminal;
-use crate::studies::accuracy::{self, Attempt, Expected, Told};
+use campaign::accuracy::{self, Attempt, Expected, Told};
 use campaign::memory::Limit;
 use campaign::plan::{Candidate, Sweep};
 use campaign::words::short;

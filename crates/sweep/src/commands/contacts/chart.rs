@@ -3,8 +3,8 @@
 use super::table::blow_name;
 use crate::commands::prepare::unique;
 use crate::method_inks::method_ink;
-use crate::studies::contacts::{Bounds, Row};
 use plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
+use studies::contacts::{Bounds, Row};
 
 /// A bound by its name.
 type Bound = (&'static str, fn(&Bounds) -> Option<f64>);

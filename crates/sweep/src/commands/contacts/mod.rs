@@ -15,10 +15,10 @@ use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::ContactsArguments;
-use crate::studies::contacts::{Row, Subject, memory, simulations, study};
 use campaign::memory::Size;
 use chart::chart;
 use results::files::write_atomically;
+use studies::contacts::{Row, Subject, memory, simulations, study};
 use subjects::subjects;
 use table::{columns, summary};
 

@@ -9,11 +9,11 @@ use crate::commands::prepare::{read_sweep, unique};
 use crate::commands::status::UsageError;
 use crate::commands::terminal::Terminal;
 use crate::commands::warnings::{warn_of_memory, warn_of_sweep};
-use crate::studies::contacts::{Range, Subject, SubjectError};
-use crate::studies::scenes::shipped_by;
 use campaign::engine::why_idle;
 use campaign::plan::Sweep;
 use campaign::quantities::Axis;
+use studies::contacts::{Range, Subject, SubjectError};
+use studies::scenes::shipped_by;
 
 /// The strings of the study without a file, by their names.
 const SHIPPED: [(&str, &str); 2] = [("paper", "contacts.toml"), ("field", "contacts_12in.toml")];

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::studies::contacts::{Blow, Row};
 use campaign::words::short;
+use studies::contacts::{Blow, Row};
 
 /// The columns of the table: their names, and what a row has there.
 pub fn columns(row: &Row) -> [(&'static str, String); 22] {

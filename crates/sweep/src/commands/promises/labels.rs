@@ -1,7 +1,7 @@
 //! Labels that were put to the test as a table, and in a few lines.
 
-use crate::studies::promises::{Motion, Tested};
 use campaign::words::{counted, wrapped};
+use studies::promises::{Motion, Tested};
 
 /// The columns of the table: their names, and what a case has there.
 pub fn columns(tested: &Tested) -> [(&'static str, String); 10] {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use crate::studies::promises::{Found, Truth};
+use studies::promises::{Found, Truth};
 
 /// The names of the columns that are read again.
 const STRING: &str = "string";

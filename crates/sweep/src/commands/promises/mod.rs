@@ -16,8 +16,8 @@ use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::PromisesArguments;
-use crate::studies::promises::{Motion, default_limits, run, test_labels};
 use results::files::write_atomically;
+use studies::promises::{Motion, default_limits, run, test_labels};
 use table::{columns, summary};
 
 /// Puts promises to the test and writes their table.

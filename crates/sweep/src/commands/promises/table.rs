@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::studies::promises::{Motion, Promise};
+use studies::promises::{Motion, Promise};
 
 /// The columns of the table: their names, and what a promise has there.
 pub fn columns(promise: &Promise) -> [(&'static str, String); 15] {

@@ -1,7 +1,7 @@
 //! The atlas as panels of cells.
 
-use crate::studies::stability::{Entry, Family, Symptom};
 use plot::{CellPanel, CellWords, ChartCell, Picture, Seen, cell_chart};
+use studies::stability::{Entry, Family, Symptom};
 
 const WORDS: CellWords = CellWords {
     predicted: [

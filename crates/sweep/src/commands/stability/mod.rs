@@ -13,9 +13,9 @@ use super::status::Status;
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::StabilityArguments;
-use crate::studies::stability::{Cell, Family, cells, run};
 use chart::chart;
 use results::files::write_atomically;
+use studies::stability::{Cell, Family, cells, run};
 use table::{columns, summary};
 
 /// Computes the atlas and writes its table and chart.

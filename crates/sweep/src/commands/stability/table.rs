@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::studies::stability::{Cell, Entry, Family, Findings, explanation};
 use campaign::words::wrapped;
+use studies::stability::{Cell, Entry, Family, Findings, explanation};
 
 fn symptoms(entry: &Entry) -> String {
     let names: Vec<&str> = (entry.findings.symptoms().iter())

@@ -3,8 +3,8 @@
 use super::table::measures;
 use crate::commands::prepare::unique;
 use crate::method_inks::method_ink;
-use crate::studies::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
 use plot::{Axis, Picture, ScatterPanel, Series, scatter_grid};
+use studies::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
 
 /// Smaller errors are drawn here: they are rounding.
 const SMALLEST_DRAWN: f64 = 1e-9;

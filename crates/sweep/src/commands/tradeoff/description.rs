@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use super::table::measures;
-use crate::studies::tradeoff::{
+use campaign::words::wrapped;
+use studies::tradeoff::{
     CASE_SECONDS, CASES, Cheapest, PaperRatio, PaperSteps, Row, cheapest, orders,
 };
-use campaign::words::wrapped;
 
 /// Accuracies that the printed table answers for.
 const ACCURACIES: [f64; 3] = [0.1, 0.01, 0.001];

@@ -14,10 +14,10 @@ use super::status::{Status, UsageError};
 use super::terminal::{Terminal, say};
 use super::threads::use_threads;
 use crate::cli::TradeoffArguments;
-use crate::studies::tradeoff::{Measure, PaperSteps, configurations, study};
 use chart::chart;
 use description::{describe_cheapest, describe_orders};
 use results::files::write_atomically;
+use studies::tradeoff::{Measure, PaperSteps, configurations, study};
 use table::table;
 
 /// Ladders within these are sampled frequencies, Hz.

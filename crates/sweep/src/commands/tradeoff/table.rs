@@ -3,7 +3,7 @@
 use anyhow::Result;
 
 use crate::commands::csv_table::csv_table;
-use crate::studies::tradeoff::{Measure, Row, front};
+use studies::tradeoff::{Measure, Row, front};
 
 /// Measures that were studied, in order.
 pub fn measures(rows: &[Row]) -> Vec<Measure> {

@@ -1,0 +1,407 @@
+//! A few of the sweep's own cases, simulated to compare methods, and the limits near
+//! them.
+
+use anyhow::{Result, anyhow, bail};
+use linear::parallel;
+use sim::Stopping;
+
+use super::answer::{Answer, is_inside, measures, regimes};
+use super::bisection::{bisected, geometric};
+use super::strings::{Strings, Systems};
+use super::trial;
+use crate::engine::MethodSystem;
+use crate::memory::Limit;
+use crate::plan::{Conditions, Sweep};
+
+/// Cases compared, evenly spread over the design.
+const MOST_PROBES: usize = 8;
+
+/// A limit is looked for up to this many doublings from a case, or halvings.
+const DOUBLINGS: i32 = 3;
+
+/// A limit is found to this part of the accuracy.
+const LIMIT_PART: f64 = 1.0 / 16.0;
+
+/// A limit is looked for within this factor of a known one.
+const NEAR: f64 = 1.2;
+
+/// Islands are looked for within this factor of a limit, beyond what was asked for, and so
+/// many steps are taken to there on either side, the closer the nearer.
+const FURTHEST: f64 = 1.3;
+const PLACES: usize = 16;
+
+/// Cases simulated for the islands of one limit.
+pub const ISLAND_CASES: f64 = 2.0 * (PLACES + 1) as f64;
+
+/// Cases simulated for one limit before it is halved in on.
+pub const HALVINGS_BEFORE: f64 = 2.0;
+
+/// A case, its string among those of the probes, and its scale.
+struct Probe {
+    case: usize,
+    string: usize,
+    scale: Scale,
+}
+
+/// Of what a limit of stick-slip is a multiple. Where nothing but the bit acts, all is
+/// proportional to the torque there.
+#[derive(Clone, Copy, PartialEq)]
+enum Scale {
+    /// Surface speed per dynamic torque, rad/s per N m, with T_s/T_d.
+    Torque { speed: f64, static_ratio: f64 },
+    /// Of nothing that other cases share.
+    Own,
+}
+
+impl Scale {
+    /// The factor from limits of another to its own; `None` where they are not alike.
+    fn from(self, other: Self) -> Option<f64> {
+        let (
+            Scale::Torque {
+                speed,
+                static_ratio,
+            },
+            Scale::Torque {
+                speed: other_speed,
+                static_ratio: other_ratio,
+            },
+        ) = (self, other)
+        else {
+            return None;
+        };
+        let is_alike = (static_ratio / other_ratio - 1.0).abs() < 1e-12;
+        is_alike.then_some(other_speed / speed)
+    }
+}
+
+/// The cases compared.
+pub struct Probes<'a> {
+    /// The sweep.
+    pub sweep: &'a Sweep,
+    /// Their strings.
+    pub strings: Strings<'a>,
+    probes: Vec<Probe>,
+    asked: f64,
+}
+
+impl<'a> Probes<'a> {
+    /// Chooses the probes of a sweep that asks for an accuracy.
+    ///
+    /// # Errors
+    /// Where none of them can be.
+    pub fn of(sweep: &'a Sweep, asked: f64, limit: &Limit) -> Result<Self> {
+        let mut found = Self {
+            sweep,
+            strings: Strings::new(sweep, limit),
+            probes: Vec::new(),
+            asked,
+        };
+        let cases = sweep.design.cases();
+        let count = cases.min(MOST_PROBES);
+        let mut reason = anyhow!("there is nothing to compare");
+        for case in (0..count).map(|index| (2 * index + 1) * cases / (2 * count)) {
+            // A string that cannot be has cases that fail, and nothing to compare.
+            match found.longest_of(case) {
+                Ok(longest) => {
+                    let string = found.strings.place_of(case, longest);
+                    let scale = found.scale_of(case)?;
+                    found.probes.push(Probe {
+                        case,
+                        string,
+                        scale,
+                    });
+                }
+                Err(why) => reason = why,
+            }
+        }
+        if found.probes.is_empty() {
+            return Err(reason);
+        }
+        Ok(found)
+    }
+
+    /// A probe's system among those of all strings.
+    pub fn system<'b>(&self, systems: &'b Systems, index: usize) -> &'b MethodSystem {
+        &systems[self.probes[index].string]
+    }
+
+    /// Number of the case of a probe.
+    pub fn case(&self, index: usize) -> usize {
+        self.probes[index].case
+    }
+
+    /// Numbers of the cases.
+    pub fn cases(&self) -> Vec<usize> {
+        self.probes.iter().map(|probe| probe.case).collect()
+    }
+
+    fn longest_of(&self, case: usize) -> Result<f64> {
+        let values = self.sweep.design.values(case);
+        let setting = self.sweep.setting_at(&values)?;
+        let mut longest = 0.0f64;
+        for exponent in [-DOUBLINGS, 0, DOUBLINGS] {
+            let conditions = self.conditions(case, 2f64.powi(exponent));
+            let case = trial::case(self.sweep, &setting, &conditions)?;
+            longest = longest.max(case.scene.timing.duration);
+        }
+        Ok(longest)
+    }
+
+    fn scale_of(&self, case: usize) -> Result<Scale> {
+        let setting = self.sweep.setting_at(&self.sweep.design.values(case))?;
+        let scene = trial::case(self.sweep, &setting, &self.conditions(case, 1.0))?.scene;
+        let alone = scene.bit.filter(|_| scene.lateral.is_none());
+        Ok(alone.map_or(Scale::Own, |bit| Scale::Torque {
+            speed: scene.surface_speed / bit.torque_dynamic,
+            static_ratio: bit.torque_static / bit.torque_dynamic,
+        }))
+    }
+
+    /// The factor from limits of one probe to those of another; `None` where the two have
+    /// nothing to do with one another.
+    fn factor(&self, from: usize, to: usize) -> Option<f64> {
+        let [from_probe, to_probe] = [from, to].map(|index| &self.probes[index]);
+        if from == to {
+            return Some(1.0);
+        }
+        let has_its_string = from_probe.string == to_probe.string;
+        (to_probe.scale.from(from_probe.scale)).filter(|_| has_its_string)
+    }
+
+    /// The probes that share their limits, each group once.
+    pub fn groups(&self) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for index in 0..self.probes.len() {
+            let of_group = |group: &&mut Vec<usize>| self.factor(group[0], index).is_some();
+            match groups.iter_mut().find(of_group) {
+                Some(group) => group.push(index),
+                None => groups.push(vec![index]),
+            }
+        }
+        groups
+    }
+
+    /// The conditions of a case with its surface speed, or its friction where there is a
+    /// wall, multiplied.
+    pub fn conditions(&self, case: usize, factor: f64) -> Conditions {
+        let mut conditions = self.sweep.conditions_at(&self.sweep.design.values(case));
+        if self.sweep.setting.lateral.is_some() {
+            conditions.friction_factor = Some(factor);
+        } else if let Some(speed) = &mut conditions.surface_speed_rpm {
+            *speed *= factor;
+        }
+        conditions
+    }
+
+    /// The answers to all probes, their limits looked for near those of `known` answers:
+    /// in each group by the first that finds one.
+    pub fn answers(&self, systems: &Systems, stopping: Stopping, known: &[Answer]) -> Vec<Answer> {
+        let found: Vec<(Answer, Option<bool>)> = parallel::map(self.probes.len(), 1, |place| {
+            let probe = &self.probes[place];
+            self.answer(&systems[probe.string], probe.case, stopping)
+        });
+        let limit_of = |index: usize| {
+            let probe = &self.probes[index];
+            let near = known.get(index).and_then(|known| known.limit);
+            let limit = self.limit(&systems[probe.string], probe.case, found[index].1?, near)?;
+            Some((index, limit))
+        };
+        let groups = self.groups();
+        let limits: Vec<Option<(usize, f64)>> = parallel::map(groups.len(), 1, |group| {
+            groups[group].iter().find_map(|&index| limit_of(index))
+        });
+        let mut answers: Vec<Answer> = found.into_iter().map(|(answer, _)| answer).collect();
+        for (group, limit) in groups.into_iter().zip(limits) {
+            for index in group {
+                let of_it = |(from, limit)| Some(limit * self.factor(from, index)?);
+                answers[index].limit = limit.and_then(of_it);
+            }
+        }
+        answers
+    }
+
+    /// Halvings by which a limit is found near a known one.
+    pub fn halvings(&self) -> usize {
+        self.halvings_between(2.0 * NEAR.ln())
+    }
+
+    /// Halvings by which a limit is found within a width, in logarithms.
+    fn halvings_between(&self, width: f64) -> usize {
+        (width / (LIMIT_PART * self.asked)).log2().ceil() as usize
+    }
+
+    /// The answer to one but for its limit, and whether it is in the regime that this bounds.
+    fn answer(
+        &self,
+        system: &MethodSystem,
+        case: usize,
+        stopping: Stopping,
+    ) -> (Answer, Option<bool>) {
+        let mut found = Answer {
+            case,
+            ..Answer::default()
+        };
+        let outcome = trial::outcome(self.sweep, system, &self.conditions(case, 1.0), stopping);
+        let inside = outcome.as_ref().ok().map(is_inside);
+        match outcome {
+            Ok(outcome) => {
+                found.regimes = regimes(&outcome);
+                found.measures = measures(&outcome, system.setting.sites.len());
+            }
+            Err(reason) => found.regimes = format!("without an answer ({reason})"),
+        }
+        let least = (system.least_impulses.iter()).filter(|least| least.is_finite());
+        let least = least.map(|&least| ("least impulse", least));
+        found.measures.extend(least);
+        (found, inside)
+    }
+
+    /// Where the regime changes, in multiples of a case's speed or friction: near a
+    /// known limit, or else nearest to the case.
+    fn limit(
+        &self,
+        system: &MethodSystem,
+        case: usize,
+        inside: bool,
+        near: Option<f64>,
+    ) -> Option<f64> {
+        let is_inside_at = |factor: f64| {
+            let conditions = self.conditions(case, factor);
+            let outcome = trial::outcome(self.sweep, system, &conditions, Stopping::Early);
+            outcome.ok().map(|outcome| is_inside(&outcome))
+        };
+        let around = near.map(|limit| [limit / NEAR, limit * NEAR]);
+        let outwards = (1..=DOUBLINGS).flat_map(|exponent| [exponent, -exponent]);
+        let octaves = outwards.map(|exponent| {
+            let inner = exponent - exponent.signum();
+            [2f64.powi(inner), 2f64.powi(exponent)]
+        });
+        for [from, to] in around.into_iter().chain(octaves) {
+            // Inside an octave looked through already nothing has changed.
+            let inside = match near {
+                Some(_) => is_inside_at(from)?,
+                None => inside,
+            };
+            if is_inside_at(to)? != inside {
+                let width = (to / from).ln().abs();
+                let halvings = self.halvings_between(width);
+                return bisected([from, to], inside, halvings, geometric, is_inside_at);
+            }
+        }
+        None
+    }
+
+    /// Refuses answers whose limits have islands of the other regime near: those are limits
+    /// too, and none that would hold still.
+    ///
+    /// # Errors
+    /// Names the first case with one.
+    pub fn check_for_islands(&self, systems: &Systems, answers: &[Answer]) -> Result<()> {
+        // Of a group the one that is nearest to its limit: others may last too long there.
+        let distance = |index: &usize| {
+            answers[*index]
+                .limit
+                .map_or(f64::INFINITY, |limit| limit.ln().abs())
+        };
+        let nearest = |group: Vec<usize>| {
+            let nearest = group
+                .into_iter()
+                .min_by(|one, other| distance(one).total_cmp(&distance(other)));
+            nearest.map(|index| (&self.probes[index], &answers[index]))
+        };
+        let probes = self.groups().into_iter().filter_map(nearest).collect();
+        let found: Vec<Result<()>> =
+            parallel::each(probes, |(probe, answer): (&Probe, &Answer)| {
+                let Some(limit) = answer.limit else {
+                    return Ok(());
+                };
+                let is_inside_at = |factor: f64| {
+                    let conditions = self.conditions(probe.case, limit * factor);
+                    let system = &systems[probe.string];
+                    let outcome = trial::outcome(self.sweep, system, &conditions, Stopping::Early);
+                    outcome.ok().map(|outcome| is_inside(&outcome))
+                };
+                let reach = FURTHEST.ln();
+                for side in [-1.0, 1.0] {
+                    let between = (0..=PLACES).map(|place| place as f64 / PLACES as f64);
+                    let places = between.map(|part| self.asked * (reach / self.asked).powf(part));
+                    let mut regimes = places.map(|distance| {
+                        let factor = (side * distance).exp();
+                        (factor, is_inside_at(factor))
+                    });
+                    let Some((_, near)) = regimes.next() else {
+                        continue;
+                    };
+                    if let Some((factor, _)) = regimes.find(|(_, regime)| *regime != near) {
+                        let case = probe.case;
+                        bail!(
+                            "the limit near case {case} is ragged: at {factor:.2} times it there \
+                             is another"
+                        );
+                    }
+                }
+                Ok(())
+            });
+        found.into_iter().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use linear::Method;
+
+    use super::super::strings::Steps;
+    use super::*;
+    use crate::memory::Size;
+
+    const SWEEP: &str = "
+accuracy = \"2 %\"
+
+[bit]
+torque_static_ratio = 1.3
+
+[design]
+kind = \"grid\"
+
+[design.axes]
+surface_speed_rpm = { values = [1, 2.5] }
+torque_dynamic_nm = { values = [3000, 5000] }
+
+[string]
+shear_modulus_gpa = 80
+density_kg_m3 = 7840
+torsional_damping_nms_rad_m = 5
+
+[[string.sections]]
+repeat = 1
+parts = [
+    { length_m = 700, inner_radius_m = 0.05, outer_radius_m = 0.1 },
+    { length_m = 80, inner_radius_m = 0.04, outer_radius_m = 0.15 },
+]
+";
+
+    /// In torsion all is proportional to torque: a limit that is known by one case is that of
+    /// the others, as if it had been looked for there.
+    #[test]
+    fn a_limit_is_known_by_that_of_another_torque() {
+        let name = Path::new("small.toml");
+        let sweep = Sweep::read_from(name, &[], &|_: &Path, _| Ok(SWEEP.to_owned())).unwrap();
+        let limit = Limit::of(Some(Size(1e9)));
+        let probes = Probes::of(&sweep, 0.02, &limit).unwrap();
+        let systems = probes
+            .strings
+            .systems(Method::Held, Steps::Frequency(200.0))
+            .unwrap();
+        let answers = probes.answers(&systems, Stopping::Early, &[]);
+        assert_eq!(answers.len(), 4);
+        assert_eq!(probes.groups(), [[0, 1, 2, 3]]);
+        for (answer, probe) in answers.iter().zip(&probes.probes) {
+            let (_, inside) = probes.answer(&systems[0], probe.case, Stopping::Early);
+            let own = probes.limit(&systems[0], probe.case, inside.unwrap(), None);
+            let ratio = answer.limit.unwrap() / own.unwrap();
+            assert!((ratio - 1.0).abs() < 2.0 * LIMIT_PART * 0.02, "{ratio}");
+        }
+    }
+}
