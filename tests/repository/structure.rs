@@ -218,7 +218,8 @@ fn between_neighbours(arrows: &Arrows, folder: &Module) -> BTreeSet<(String, Str
 fn imports_run_one_way() {
     let mut found = Vec::new();
     for name in [
-        "linear", "sim", "campaign", "page", "plot", "python", "sweep",
+        "linear", "sim", "campaign", "limits", "results", "studies", "page", "plot", "python",
+        "sweep",
     ] {
         let modules = Crate::read(name);
         let arrows = modules.arrows();
