@@ -10,7 +10,7 @@ use super::demand::{Cost, Demand};
 use super::{Limit, Size};
 use crate::design::Design;
 use crate::engine::Survey;
-use crate::plan::{Setting, Sweep};
+use crate::plan::Sweep;
 use crate::quantities::Axis;
 use crate::sweep_file::{AutoOr, SitesName};
 
@@ -141,11 +141,30 @@ fn usual_sections(demand: &mut Demand) {
 
 /// Gives the strings other sections and another damping.
 fn change_strings(demand: &mut Demand, change: fn(&Drillstring) -> (Vec<Section>, f64)) {
-    for (Setting { string, .. }, _) in &mut demand.strings {
-        let (sections, damping) = change(string);
-        if let Ok(changed) = Drillstring::new(string.material(), sections, damping) {
-            *string = changed;
+    for (setting, _) in &mut demand.strings {
+        let (sections, damping) = change(&setting.string);
+        let Ok(changed) = Drillstring::new(setting.string.material(), sections, damping) else {
+            continue;
+        };
+        let part = changed.length() / setting.string.length();
+        move_to(&mut setting.sites, &changed, part);
+        if let Some(friction) = &mut setting.friction {
+            move_to(&mut friction.nodes, &changed, part);
         }
+        setting.string = changed;
+    }
+}
+
+/// Gives as many sites their places on a string that is a part as long.
+fn move_to(sites: &mut Sites, string: &Drillstring, part: f64) {
+    if part == 1.0 {
+        return;
+    }
+    let places: Vec<f64> = (sites.distances_from_bit().iter())
+        .map(|distance| part * distance)
+        .collect();
+    if let Ok(moved) = Sites::new(string, &places) {
+        *sites = moved;
     }
 }
 
