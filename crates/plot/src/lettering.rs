@@ -5,8 +5,8 @@ use skrifa::outline::pen::PathElement;
 use super::font;
 use super::geometry::Pixel;
 
-/// An index is so much smaller than what it belongs to, and so much lower, in the font size
-/// of that.
+/// The size of an index, and how far it stands below the line, in the font size of what it
+/// belongs to.
 pub(crate) const INDEX_SIZE: f64 = 0.7;
 pub(crate) const INDEX_DEPTH: f64 = 0.21;
 

@@ -34,7 +34,7 @@ mod histories;
 mod limits;
 mod log;
 mod map;
-mod method_inks;
+mod method_styles;
 mod output;
 mod program;
 mod report;

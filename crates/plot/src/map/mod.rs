@@ -7,9 +7,9 @@ mod sheet;
 mod tests;
 mod view;
 
+use super::fills::CellFill;
 use super::geometry::Rect;
-use super::grounds::Ground;
-use super::inks::{Ink, Series};
+use super::line_styles::{LineStyle, Series};
 use super::scale::Axis;
 use super::symbols::Symbol;
 
@@ -31,7 +31,7 @@ pub struct MapCell {
     /// Its ends along the horizontal and along the vertical axis.
     pub ends: [[f64; 2]; 2],
     /// What its cases are.
-    pub ground: Ground,
+    pub fill: CellFill,
 }
 
 /// A hatched range across a map, such as that of a boundary which differs from case to
@@ -43,7 +43,7 @@ pub struct Band {
     pub ends: [[f64; 2]; 2],
 }
 
-/// A named place; one that is marked is a filled triangle with its name beside it.
+/// A named place; one that is marked is a filled triangle with its name next to it.
 pub struct Mark {
     /// Its name.
     pub name: String,
@@ -74,12 +74,12 @@ pub struct MapPanel {
 pub struct MapGroup {
     /// Heading above them; empty where there is one group alone.
     pub heading: String,
-    /// What the grounds of cells tell, above their keys in the legend.
+    /// What the fills of cells mean, above their keys in the legend.
     pub scale: Option<String>,
-    /// Keys of the legend and what they mean; a symbol has its ground where cells are
+    /// Keys of the legend and what they mean; a symbol has its fill where cells are
     /// drawn.
-    pub keys: Vec<(Ground, String)>,
-    /// What a reader has to know besides.
+    pub keys: Vec<(CellFill, String)>,
+    /// Other remarks.
     pub notes: Vec<String>,
     /// Paragraphs below the map, where the group is one map alone.
     pub below: Vec<String>,
@@ -116,11 +116,11 @@ pub fn is_within(points: &[(f64, f64)], [[left, right], [top, bottom]]: [[f64; 2
 
 impl MapGroup {
     /// The distinct names of all lines, and what they are drawn in.
-    fn lines(&self) -> Vec<(&str, Ink)> {
-        let mut found: Vec<(&str, Ink)> = Vec::new();
+    fn lines(&self) -> Vec<(&str, LineStyle)> {
+        let mut found: Vec<(&str, LineStyle)> = Vec::new();
         for line in self.panels.iter().flat_map(|panel| &panel.lines) {
             if !found.iter().any(|(name, _)| *name == line.name) {
-                found.push((&line.name, line.ink));
+                found.push((&line.name, line.style));
             }
         }
         found
