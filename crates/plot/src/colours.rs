@@ -72,7 +72,7 @@ pub(crate) const BLUE_GROUND: Colour = Colour(0x9A, 0xCD, 0xEC);
 pub(crate) const GREY_GROUND: Colour = Colour(0xF3, 0xF3, 0xF3);
 pub(crate) const ORANGE_GROUND: Colour = Colour(0xB3, 0x50, 0x00);
 pub(crate) const PURPLE_GROUND: Colour = Colour(0xC9, 0x86, 0xAD);
-/// Of cases that are certain, darker than those that are not.
+/// The same below filled and heavy symbols: darker.
 pub(crate) const CERTAIN_BLUE_GROUND: Colour = Colour(0x50, 0x97, 0xC8);
 pub(crate) const CERTAIN_GREY_GROUND: Colour = Colour(0xD0, 0xD0, 0xD0);
 pub(crate) const CERTAIN_PURPLE_GROUND: Colour = Colour(0x86, 0x3A, 0x66);
@@ -83,7 +83,7 @@ pub(crate) const SAFETY: [Colour; 4] = [
     Colour(0xC8, 0x92, 0x28),
     Colour(0x8F, 0x3D, 0x00),
 ];
-/// Strokes through cells without a case.
+/// Strokes through empty cells.
 pub(crate) const NO_CASE: Colour = Colour(0x99, 0x99, 0x99);
 
 /// Of parts of a whole, from none to all: from light to dark.

@@ -10,19 +10,19 @@ use super::geometry::Rect;
 use super::shapes::Stroke;
 use super::symbols::Symbol;
 
-/// Distance of strokes through what has no case, along either axis.
+/// Distance of strokes through an empty cell, along either axis.
 const STEP: f64 = 8.0;
 
-/// What the cases of a cell are.
+/// What a cell shows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CellFill {
-    /// What most of them are.
+    /// What stands for most of what is in it.
     Symbol(Symbol),
-    /// How large a part of them has the regime.
+    /// How large a fraction of what is in it has a property.
     Fraction(Fraction),
     /// How far it is from limits.
     Safety(Safety),
-    /// There are none: slanted strokes.
+    /// Nothing is in it: slanted strokes.
     NoCase,
 }
 

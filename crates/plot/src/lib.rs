@@ -7,6 +7,22 @@
 //! [`map_sheet`] draws symbols and cells over two parameters, [`panels()`] draws stacked
 //! curves. Each kind takes plain data, words of its legend among them, and returns a
 //! [`Picture`]; writing files is left to the caller.
+//!
+//! ```
+//! use plot::{Axis, Look, Panel, Series, panels};
+//!
+//! let panel = Panel {
+//!     axes: ["Time t (s)", "Speed (rpm)"].map(Axis::linear),
+//!     series: vec![Series::new("measured", vec![(0.0, 0.0), (1.0, 60.0), (5.0, 62.0)])],
+//!     references: Vec::new(),
+//!     walls: Vec::new(),
+//!     is_difference: false,
+//! };
+//! let picture = panels(&Look::default(), "A start", &[panel]);
+//! assert!(picture.svg().contains("measured"));
+//! assert!(picture.png()?.starts_with(b"\x89PNG"));
+//! # Ok::<(), plot::PictureError>(())
+//! ```
 
 mod bands;
 mod campbell;

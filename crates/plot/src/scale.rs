@@ -15,7 +15,7 @@ const RESOLUTION: f64 = 1e-9;
 /// One axis of a plot.
 #[derive(PartialEq)]
 pub struct Axis {
-    /// Title with the unit, e.g. `Weight on bit W (kN)`.
+    /// Title with the unit, e.g. `Weight W (kN)`.
     pub label: String,
     /// Whether the axis has a logarithmic scale; it then skips values that are
     /// not positive.

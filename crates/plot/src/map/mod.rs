@@ -1,5 +1,5 @@
-//! Sheets of regime maps: symbols or cells over two parameters, with boundary lines
-//! and marks; a map for each motion and each value of a further parameter.
+//! Sheets of maps: symbols or cells over two parameters, with lines and marks, in groups that
+//! share a legend.
 
 mod panel;
 mod sheet;
@@ -25,17 +25,16 @@ pub struct MapPoint {
     pub symbol: Symbol,
 }
 
-/// A part of a map whose cases share a colour.
+/// A part of a map that has one colour.
 #[derive(Debug, PartialEq)]
 pub struct MapCell {
     /// Its ends along the horizontal and along the vertical axis.
     pub ends: [[f64; 2]; 2],
-    /// What its cases are.
+    /// What it shows.
     pub fill: CellFill,
 }
 
-/// A hatched range across a map, such as that of a boundary which differs from case to
-/// case.
+/// A hatched range across a map, such as that of a line whose place is not known.
 pub struct Band {
     /// Name in the legend.
     pub name: String,
@@ -60,7 +59,7 @@ pub struct MapPanel {
     pub cells: Vec<MapCell>,
     /// Symbols; those that are not finite are skipped.
     pub points: Vec<MapPoint>,
-    /// Lines such as the boundary of a regime, cut off where they leave the range of points,
+    /// Lines such as the boundary of a region, cut off where they leave the range of points,
     /// cells and marks.
     pub lines: Vec<Series>,
     /// Hatched ranges, cut off there too.
@@ -69,7 +68,7 @@ pub struct MapPanel {
     pub names: Vec<Mark>,
 }
 
-/// Maps of one motion, with the legend that they share.
+/// Maps with the legend that they share.
 #[derive(Default)]
 pub struct MapGroup {
     /// Heading above them; empty where there is one group alone.
@@ -87,7 +86,7 @@ pub struct MapGroup {
     pub panels: Vec<MapPanel>,
 }
 
-/// Regime maps over the same two parameters.
+/// Maps over the same two parameters.
 pub struct MapSheet {
     /// Title above all.
     pub title: String,
@@ -95,7 +94,7 @@ pub struct MapSheet {
     pub axes: [Axis; 2],
     /// Places that are marked on every map.
     pub marks: Vec<Mark>,
-    /// Maps, motion by motion.
+    /// Maps, group by group.
     pub groups: Vec<MapGroup>,
 }
 

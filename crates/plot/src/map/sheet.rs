@@ -1,6 +1,6 @@
-//! Where the maps of a sheet and their legends stand: one map alone has its legend at
-//! its side, or below where the picture is narrow; of two motions the maps stand side by side, of several values of a
-//! further parameter in rows, each with the legend below.
+//! Where the maps of a sheet and their legends stand: one map alone has its legend at its side, or
+//! below where the picture is narrow; groups of one map each stand side by side, the maps of a
+//! larger group in rows with the legend below.
 
 use super::panel::{draw_panel, line_stroke, scales};
 use super::{MapGroup, MapSheet};
