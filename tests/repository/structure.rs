@@ -238,6 +238,21 @@ fn imports_run_one_way() {
     assert!(found.is_empty(), "circles:\n{}", found.join("\n"));
 }
 
+/// Pictures are of plain data: what draws them knows no drillstring.
+#[test]
+fn the_plotter_depends_on_no_other_crate_of_the_workspace() {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let manifest = fs::read_to_string(crates.join("plot/Cargo.toml")).unwrap();
+    assert!(manifest.contains("skrifa.workspace"));
+    for name in ["linear", "sim", "campaign", "page", "sweep", "problems"] {
+        let named = manifest.contains(&format!("\n{name}.workspace"));
+        assert!(
+            !named && !manifest.contains(&format!("../{name}")),
+            "{name}"
+        );
+    }
+}
+
 /// The test itself: a circle through a re-export is found, a re-export alone is none.
 #[test]
 fn a_circle_through_a_reexport_is_found() {

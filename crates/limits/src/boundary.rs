@@ -351,7 +351,7 @@ pub fn read_boundary(path: &Path) -> Result<Boundary> {
 
 #[cfg(test)]
 mod tests {
-    use super::crate::whirl_limit::WhirlMotion;
+    use crate::whirl_limit::WhirlMotion;
     use super::*;
 
     fn read(table: &str) -> Boundary {

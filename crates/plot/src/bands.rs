@@ -1,5 +1,5 @@
 //! Bands over time, one for each row of a panel: a bar is the darker the larger its value, and
-//! of what kind it is its height tells. Panels stand one below another.
+//! its height shows of what kind it is. Panels stand one below another.
 
 use super::canvas::{Canvas, Title, draw_titled};
 use super::colours::BANDS;
@@ -13,7 +13,7 @@ use super::picture::Picture;
 use super::scale::{Axis, Scale};
 use super::text::{Block, LABEL_SIZE};
 
-/// The most bars beside each other that all have a pixel of their own.
+/// The most bars side by side that all have a pixel of their own.
 pub const COLUMNS: usize = 500;
 
 const WIDTH: f64 = 1000.0;
@@ -34,7 +34,7 @@ const AXIS_HEIGHT: f64 = 62.0;
 const ROW_GAP: f64 = 0.12;
 /// The part of a band that a low bar fills.
 const LOW: f64 = 0.45;
-/// Pixels are drawn so many times finer where the picture is not in vectors.
+/// Raster pixels per pixel of the picture, where it is not in vectors.
 const FINER: f64 = 2.0;
 
 /// A stretch of a band.

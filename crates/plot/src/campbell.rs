@@ -5,9 +5,9 @@ use super::canvas::{Canvas, Title, draw_titled};
 use super::colours::GREY;
 use super::frame::{Frame, align_left};
 use super::geometry::Rect;
-use super::inks::{Ink, Series, distinct_inks, markers, place_among, strokes};
 use super::legend::{Key, Legend};
 use super::lettering::Align;
+use super::line_styles::{LineStyle, Series, distinct_styles, markers, place_among, strokes};
 use super::look::{Look, is_narrow};
 use super::picture::Picture;
 use super::scale::{Axis, Scale, visible};
@@ -65,12 +65,12 @@ pub fn campbell(
     [natural, crossing]: [&str; 2],
     panels: &[CampbellPanel],
 ) -> Picture {
-    let inks = distinct_inks(panels.iter().flat_map(|panel| &panel.orders));
-    let strokes: Vec<Stroke> = strokes(&inks).into_iter().map(of_order).collect();
-    let lines = (inks.iter().zip(&strokes))
+    let styles = distinct_styles(panels.iter().flat_map(|panel| &panel.orders));
+    let strokes: Vec<Stroke> = strokes(&styles).into_iter().map(of_order).collect();
+    let lines = (styles.iter().zip(&strokes))
         .map(|((name, _), stroke)| (Key::Line(*stroke), (*name).to_owned()));
-    let markers = markers(&inks);
-    let marks = (inks.iter().zip(&markers))
+    let markers = markers(&styles);
+    let marks = (styles.iter().zip(&markers))
         .map(|((name, _), marker)| (Key::Marker(*marker), format!("{crossing}, {name}")));
     let entries: Vec<_> = std::iter::once((Key::Line(NATURAL), natural.to_owned()))
         .chain(lines)
@@ -100,7 +100,7 @@ pub fn campbell(
     let frames = frames(panels, top, right);
     draw_titled(&title, height, |canvas| {
         for (panel, frame) in panels.iter().zip(&frames) {
-            draw_panel(canvas, panel, frame, (&inks, &strokes, &markers));
+            draw_panel(canvas, panel, frame, (&styles, &strokes, &markers));
         }
         legend.draw(canvas, place.0, place.1)
     })
@@ -146,7 +146,7 @@ fn draw_panel(
     canvas: &mut Canvas,
     panel: &CampbellPanel,
     frame: &Frame,
-    (inks, strokes, markers): (&[(&str, Ink)], &[Stroke], &[Marker]),
+    (styles, strokes, markers): (&[(&str, LineStyle)], &[Stroke], &[Marker]),
 ) {
     frame.draw(canvas);
     let title = Block::new(&panel.titled(), LABEL_SIZE, frame.area.width());
@@ -154,13 +154,13 @@ fn draw_panel(
     canvas.text(&title, frame.area.centre().0, above, Align::Centre);
     draw_natural(canvas, panel, frame);
     for order in &panel.orders {
-        let stroke = strokes[place_among(&order.name, inks)];
+        let stroke = strokes[place_among(&order.name, styles)];
         for piece in frame.curve(&order.points) {
             canvas.line(&piece, stroke);
         }
     }
     for order in panel.crossings.iter().filter(|_| !panel.is_dense()) {
-        let marker = markers[place_among(&order.name, inks)];
+        let marker = markers[place_among(&order.name, styles)];
         for pixel in order.points.iter().filter_map(|&point| frame.pixel(point)) {
             draw_marker(canvas, marker, pixel, MARKER_RADIUS);
         }

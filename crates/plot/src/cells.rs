@@ -1,5 +1,5 @@
-//! Charts of cells: what was predicted as the ground, what was seen as a symbol,
-//! the number that predicted it beside it. Panels stand in two columns.
+//! Charts of cells: what was predicted as the fill, what was seen as a symbol,
+//! the number that predicted it next to it. Panels stand in two columns.
 
 use super::canvas::{Canvas, Title, draw_titled};
 use super::colours::{BLACK, BLUE, Colour, PALE, SAND, SKY, VERMILION};
@@ -19,7 +19,7 @@ const WIDEST_CELL: f64 = 80.0;
 /// Distance between a panel's parts, and between panels.
 const GAP: f64 = 6.0;
 const PANEL_GAP: f64 = 20.0;
-/// Size of the numbers in cells and of the labels beside them.
+/// Size of the numbers in cells and of the labels next to them.
 const CELL_TEXT: f64 = 11.0;
 const LABEL_TEXT: f64 = 12.5;
 const RADIUS: f64 = 4.0;
@@ -43,7 +43,7 @@ pub struct ChartCell {
     pub column: usize,
     /// Its row, from the top, from 0.
     pub row: usize,
-    /// Whether it was predicted to be stable, its ground; none where nothing was predicted.
+    /// Whether it was predicted to be stable, its fill; none where nothing was predicted.
     pub predicted_stable: Option<bool>,
     /// What was seen: its symbol.
     pub seen: Seen,
@@ -67,7 +67,7 @@ pub struct CellPanel {
 
 /// What a chart shows, in words.
 pub struct CellWords {
-    /// Grounds of cells that were predicted to be stable, to be unstable, and neither.
+    /// Fills of cells that were predicted to be stable, to be unstable, and neither.
     pub predicted: [&'static str; 3],
     /// A ring, a disc and a cross.
     pub seen: [&'static str; 3],
@@ -152,14 +152,14 @@ fn write(canvas: &mut Canvas, (words, size): (&str, f64), (x, y): Pixel, align: 
 }
 
 fn draw_cell(canvas: &mut Canvas, cell: &ChartCell, rect: Rect) {
-    let ground = match cell.predicted_stable {
+    let fill = match cell.predicted_stable {
         Some(true) => SKY,
         Some(false) => SAND,
         None => PALE,
     };
     // White lines between cells.
     let inner = Rect::centred(rect.centre(), rect.width() - 2.0, CELL_HEIGHT - 2.0);
-    canvas.polygon(&inner.corners(), ground);
+    canvas.polygon(&inner.corners(), fill);
     let middle = rect.centre().1;
     draw_seen(canvas, cell.seen, (inner.left + RADIUS + 3.0, middle));
     let was_wrong = matches!(
@@ -189,7 +189,7 @@ const KEY_GAP: f64 = 28.0;
 
 /// What stands before the words of a key.
 enum Key {
-    Ground(Colour),
+    CellFill(Colour),
     Seen(Seen),
     Frame,
     Nothing,
@@ -198,10 +198,10 @@ enum Key {
 fn draw_legend(canvas: &mut Canvas, words: &CellWords, top: f64) {
     let [stable, unstable, unknown] = words.predicted;
     let [sound, provoked, failed] = words.seen;
-    let grounds = vec![
-        (Key::Ground(SKY), stable),
-        (Key::Ground(SAND), unstable),
-        (Key::Ground(PALE), unknown),
+    let fills = vec![
+        (Key::CellFill(SKY), stable),
+        (Key::CellFill(SAND), unstable),
+        (Key::CellFill(PALE), unknown),
     ];
     let symbols = vec![
         (Key::Seen(Seen::Sound), sound),
@@ -212,14 +212,14 @@ fn draw_legend(canvas: &mut Canvas, words: &CellWords, top: f64) {
         (Key::Seen(Seen::Provoked), provoked),
         (Key::Nothing, words.number),
     ];
-    for (index, keys) in [grounds, symbols, others].into_iter().enumerate() {
+    for (index, keys) in [fills, symbols, others].into_iter().enumerate() {
         let row = top + (index as f64 + 0.5) * LEGEND_ROW;
         let mut left = MARGIN;
         for (key, words) in keys {
             let centre = (left + 0.5 * KEY_WIDTH, row);
             let area = Rect::centred(centre, KEY_WIDTH, 16.0);
             match key {
-                Key::Ground(ground) => canvas.polygon(&area.corners(), ground),
+                Key::CellFill(fill) => canvas.polygon(&area.corners(), fill),
                 Key::Seen(seen) => draw_seen(canvas, seen, centre),
                 Key::Frame => canvas.outline(area, WRONG),
                 Key::Nothing => {}

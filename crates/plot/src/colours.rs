@@ -1,5 +1,5 @@
-//! The colours of all pictures. Colour-blind readers can tell those of Okabe and Ito
-//! apart; grounds are told apart by how light they are, so that neither colour vision
+//! The colours of all pictures. Colour-blind readers can distinguish those of Okabe
+//! and Ito; fills differ in how light they are, so that neither colour vision
 //! nor colour print is needed.
 
 use std::fmt;
@@ -61,18 +61,18 @@ pub const DARK_GREY: Colour = Colour(0x66, 0x66, 0x66);
 pub(crate) const GREY: Colour = Colour(0x77, 0x77, 0x77);
 /// Darker than the purple of Okabe and Ito, for thin lines.
 pub(crate) const PLUM: Colour = Colour(0x9B, 0x3F, 0x75);
-/// Darker than that of Okabe and Ito, for thin lines on a tinted ground.
+/// Darker than that of Okabe and Ito, for thin lines on a tinted fill.
 pub(crate) const VERMILION: Colour = Colour(0xB0, 0x3A, 0x00);
 
 /// Of curves and markers, by Okabe and Ito, in the order in which they get them.
 pub(crate) const COLOURS: [Colour; 7] = [BLUE, ORANGE, GREEN, RED, PURPLE, SKY_BLUE, BLACK];
 
-/// Grounds below the symbols of their colours.
+/// Fills below the symbols of their colours.
 pub(crate) const BLUE_GROUND: Colour = Colour(0x9A, 0xCD, 0xEC);
 pub(crate) const GREY_GROUND: Colour = Colour(0xF3, 0xF3, 0xF3);
 pub(crate) const ORANGE_GROUND: Colour = Colour(0xB3, 0x50, 0x00);
 pub(crate) const PURPLE_GROUND: Colour = Colour(0xC9, 0x86, 0xAD);
-/// Of cases that are certain, darker than those that are not.
+/// The same below filled and heavy symbols: darker.
 pub(crate) const CERTAIN_BLUE_GROUND: Colour = Colour(0x50, 0x97, 0xC8);
 pub(crate) const CERTAIN_GREY_GROUND: Colour = Colour(0xD0, 0xD0, 0xD0);
 pub(crate) const CERTAIN_PURPLE_GROUND: Colour = Colour(0x86, 0x3A, 0x66);
@@ -83,7 +83,7 @@ pub(crate) const SAFETY: [Colour; 4] = [
     Colour(0xC8, 0x92, 0x28),
     Colour(0x8F, 0x3D, 0x00),
 ];
-/// Strokes through cells without a case.
+/// Strokes through empty cells.
 pub(crate) const NO_CASE: Colour = Colour(0x99, 0x99, 0x99);
 
 /// Of parts of a whole, from none to all: from light to dark.

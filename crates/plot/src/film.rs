@@ -20,7 +20,7 @@ const FRAME_HEIGHT: f64 = 350.0;
 const COLUMNS: usize = 6;
 const LEAST_WIDTH: f64 = 140.0;
 const MARGIN: f64 = 14.0;
-/// Distance between frames, and between those beside each other, whose numbers reach beyond
+/// Distance between frames, and between those side by side, whose numbers reach beyond
 /// them.
 const GAP: f64 = 14.0;
 const COLUMN_GAP: f64 = 26.0;
@@ -135,7 +135,7 @@ fn legend(film: &Film) -> Legend {
     Legend::new(shown.into_iter().chain(walls).chain(notes))
 }
 
-/// Frames beside each other.
+/// Frames side by side.
 fn columns(width: f64) -> usize {
     ((width / LEAST_WIDTH) as usize).clamp(1, COLUMNS)
 }

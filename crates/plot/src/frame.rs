@@ -55,7 +55,7 @@ impl Frame {
 
     /// The same over rows with names, from top to bottom: the last one is from 0 to 1 along the
     /// vertical axis, that above it from 1 to 2. Where not all names have room, the last one's
-    /// and that of every so many above it are written.
+    /// and that of every n-th above it are written.
     pub fn of_rows(outer: Rect, axes: &[Axis; 2], x: Scale, names: &[String]) -> Frame {
         let rows = Scale::new(false, [0.0, names.len() as f64].into_iter());
         Self::laid_out(outer, axes, [x, rows], |height| {
@@ -195,7 +195,7 @@ impl Frame {
     }
 }
 
-/// Aligns the left sides of frames in each of so many columns, filled row by row, with
+/// Aligns the left sides of frames in each of some columns, filled row by row, with
 /// the one furthest to the right.
 pub(crate) fn align_left(frames: &mut [Frame], columns: usize) {
     for column in 0..columns {

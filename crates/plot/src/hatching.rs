@@ -1,4 +1,4 @@
-//! The hatching of a range, and lines that may lie on a dark ground.
+//! The hatching of a range, and lines that may lie on a dark fill.
 
 use super::canvas::Canvas;
 use super::colours::{BLACK, WHITE};
@@ -10,7 +10,7 @@ const STEP: f64 = 9.0;
 const WIDTH: f64 = 0.7;
 /// Width of the line around it.
 const OUTLINE: f64 = 1.2;
-/// How much wider the white line is below a black one that may be on a dark ground.
+/// How much wider the white line is below a black one that may be on a dark fill.
 pub(crate) const RIM: f64 = 1.5;
 
 /// Hatches an area and draws a line around it, clipped to `within`.

@@ -1,9 +1,9 @@
-//! The legend beside a plot.
+//! The legend next to a plot.
 
 use super::canvas::Canvas;
 use super::colours::{BLACK, Colour};
+use super::fills::{CellFill, draw_fill};
 use super::geometry::Rect;
-use super::grounds::{Ground, draw_ground};
 use super::hatching::draw_hatching;
 use super::lettering::Align;
 use super::shapes::Stroke;
@@ -26,8 +26,8 @@ const ENTRY_GAP: f64 = 6.0;
 #[derive(Clone, Copy)]
 pub(crate) enum Key {
     Symbol(Symbol),
-    /// A ground, with the symbol it stands for where it has one.
-    Cell(Ground),
+    /// A fill, with the symbol it stands for where it has one.
+    Cell(CellFill),
     /// A hatched range.
     Hatching,
     /// A text alone.
@@ -153,14 +153,14 @@ fn draw_key(canvas: &mut Canvas, key: &Key, left: f64, y: f64) {
     let cell = Rect::centred(centre, 2.0 * CELL_HEIGHT, CELL_HEIGHT);
     match key {
         Key::Symbol(symbol) => draw_symbol(canvas, *symbol, centre, SYMBOL_RADIUS),
-        Key::Cell(ground) => {
-            draw_ground(canvas, *ground, cell);
-            match ground {
-                Ground::Symbol(symbol) => {
+        Key::Cell(fill) => {
+            draw_fill(canvas, *fill, cell);
+            match fill {
+                CellFill::Symbol(symbol) => {
                     draw_symbol(canvas, *symbol, cell.centre(), SYMBOL_RADIUS)
                 }
-                // A ground may be as light as the paper.
-                Ground::Part(_) | Ground::Safety(_) | Ground::NoCase => {
+                // A fill may be as light as the paper.
+                CellFill::Fraction(_) | CellFill::Safety(_) | CellFill::NoCase => {
                     canvas.outline(cell, Stroke::solid(BLACK, 0.5))
                 }
             }

@@ -7,21 +7,37 @@
 //! [`map_sheet`] draws symbols and cells over two parameters, [`panels()`] draws stacked
 //! curves. Each kind takes plain data, words of its legend among them, and returns a
 //! [`Picture`]; writing files is left to the caller.
+//!
+//! ```
+//! use plot::{Axis, Look, Panel, Series, panels};
+//!
+//! let panel = Panel {
+//!     axes: ["Time t (s)", "Speed (rpm)"].map(Axis::linear),
+//!     series: vec![Series::new("measured", vec![(0.0, 0.0), (1.0, 60.0), (5.0, 62.0)])],
+//!     references: Vec::new(),
+//!     walls: Vec::new(),
+//!     is_difference: false,
+//! };
+//! let picture = panels(&Look::default(), "A start", &[panel]);
+//! assert!(picture.svg().contains("measured"));
+//! assert!(picture.png()?.starts_with(b"\x89PNG"));
+//! # Ok::<(), plot::PictureError>(())
+//! ```
 
 mod bands;
 mod campbell;
 mod canvas;
 mod cells;
 pub mod colours;
+mod fills;
 mod film;
 mod font;
 mod frame;
 mod geometry;
-mod grounds;
 mod hatching;
-mod inks;
 mod legend;
 mod lettering;
+mod line_styles;
 mod look;
 mod map;
 mod multiples;
@@ -44,10 +60,10 @@ mod text;
 pub use bands::{BandChart, BandPanel, Bar, COLUMNS, band_chart};
 pub use campbell::{CampbellPanel, campbell};
 pub use cells::{CellPanel, CellWords, ChartCell, Seen, cell_chart};
+pub use fills::{CellFill, Fraction, Safety};
 pub use film::{Film, FilmDot, FilmFrame, FilmWords, film};
-pub use grounds::{Ground, Part, Safety};
-pub use inks::{Ink, Series};
 pub use lettering::split_at_indices;
+pub use line_styles::{LineStyle, Series};
 pub use look::{Look, Paper};
 pub use map::{
     Band, MapAxis, MapCell, MapGroup, MapPanel, MapPoint, MapSheet, Mark, is_within, map_axes,

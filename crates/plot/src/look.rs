@@ -1,7 +1,7 @@
 //! How a picture is asked to look: its size on paper, its title and the ranges of its axes.
 //!
-//! Every picture is laid out in pixels in which small text is [`SMALL_SIZE`] high. A picture of so
-//! many millimetres with text of so many points is one of so many such pixels: it is laid out
+//! Every picture is laid out in pixels in which small text is [`SMALL_SIZE`] high. From the width in
+//! millimetres and the size of text in points follows its width in such pixels: it is laid out
 //! for that width, and not a larger one made small.
 
 use super::text::SMALL_SIZE;
@@ -9,7 +9,7 @@ use super::text::SMALL_SIZE;
 /// Points and CSS pixels to a millimetre.
 const POINTS: f64 = 72.0 / 25.4;
 
-/// Below this width in pixels legends stand below what they are of, not beside it.
+/// Below this width in pixels legends stand below what they are of, not at its side.
 const NARROW: f64 = 640.0;
 
 /// Widths, in pixels, for which there is a layout.

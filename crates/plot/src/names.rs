@@ -6,7 +6,7 @@ use super::geometry::{Pixel, Rect};
 use super::lettering::Align;
 use super::text::{Block, SMALL_SIZE};
 
-/// Opacity of the ground that keeps a name legible above data.
+/// Opacity of the fill that keeps a name legible above data.
 const GROUND: f64 = 0.8;
 
 /// Names inside a plotting area that overlap neither one another nor, where possible,

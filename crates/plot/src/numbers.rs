@@ -1,4 +1,4 @@
-//! Round numbers and how they are written beside ticks.
+//! Round numbers and how they are written at ticks.
 
 /// The smallest of 1, 2 or 5 times a power of ten that is at least `raw`, as
 /// the digit and the exponent.

@@ -5,8 +5,8 @@ use super::canvas::{Canvas, Title, draw_titled};
 use super::colours::{BLACK, BOUND, Colour};
 use super::frame::Frame;
 use super::geometry::{Pixel, Rect};
-use super::inks::{Ink, Series, distinct_inks, place_among, strokes};
 use super::legend::{Key, Legend};
+use super::line_styles::{LineStyle, Series, distinct_styles, place_among, strokes};
 use super::look::Look;
 use super::picture::Picture;
 use super::scale::{Axis, Scale};
@@ -57,9 +57,9 @@ pub fn orbits(
     [circle_words, last_words]: [&str; 2],
     orbits: &[Orbit],
 ) -> Picture {
-    let inks = distinct_inks(orbits.iter().flat_map(|orbit| &orbit.series));
-    let strokes = strokes(&inks);
-    let curves = inks.iter().zip(&strokes);
+    let styles = distinct_styles(orbits.iter().flat_map(|orbit| &orbit.series));
+    let strokes = strokes(&styles);
+    let curves = styles.iter().zip(&strokes);
     let curves = curves.map(|((name, _), stroke)| (Key::Line(on_orbit(*stroke)), *name));
     let has_circle = orbits.iter().any(|orbit| !orbit.circles.is_empty());
     let circle = has_circle.then_some((Key::Line(CIRCLE), circle_words));
@@ -101,7 +101,7 @@ pub fn orbits(
                 right: left + side - ORBIT_GAP,
                 bottom: top + side,
             };
-            draw_orbit(canvas, orbit, outer, (&inks, &strokes));
+            draw_orbit(canvas, orbit, outer, (&styles, &strokes));
         }
         legend.draw(canvas, place.0, place.1)
     })
@@ -119,7 +119,7 @@ fn draw_orbit(
     canvas: &mut Canvas,
     orbit: &Orbit,
     outer: Rect,
-    (inks, strokes): (&[(&str, Ink)], &[Stroke]),
+    (styles, strokes): (&[(&str, LineStyle)], &[Stroke]),
 ) {
     let reach = reach(orbit);
     let scale = Scale::new(false, [-reach, reach].into_iter());
@@ -134,7 +134,7 @@ fn draw_orbit(
         }
     }
     let curves = orbit.series.iter().enumerate().map(|(index, series)| {
-        let stroke = on_orbit(strokes[place_among(&series.name, inks)]);
+        let stroke = on_orbit(strokes[place_among(&series.name, styles)]);
         let last = orbit.last.get(index).copied().unwrap_or(0);
         (series, stroke, series.points.len().saturating_sub(last))
     });
@@ -237,7 +237,7 @@ mod tests {
             axes: ["x (mm)", "y (mm)"].map(Axis::linear),
             series: vec![Series {
                 name: "a".to_owned(),
-                ink: Ink::default(),
+                style: LineStyle::default(),
                 points: vec![(0.0, 0.0), (3.0, f64::NAN), (20.0, -1.0)],
             }],
             circles: vec![15.0],

@@ -3,7 +3,7 @@
 
 use super::frame::Frame;
 use super::geometry::{Pixel, thin};
-use super::inks::Series;
+use super::line_styles::Series;
 
 /// Curves no farther apart than this, in pixels, look the same: it is less than half of what
 /// either is wide.

@@ -4,8 +4,8 @@ use super::canvas::{Canvas, Title, draw_titled};
 use super::colours::BOUND;
 use super::frame::{Frame, align_left};
 use super::geometry::{Rect, thin};
-use super::inks::{Ink, Series, distinct_inks, place_among, strokes};
 use super::legend::{Key, Legend};
+use super::line_styles::{LineStyle, Series, distinct_styles, place_among, strokes};
 use super::look::{Look, is_narrow};
 use super::numbers::in_two;
 use super::overlaid::{Overlaid, overlaid};
@@ -70,13 +70,13 @@ const KNOWN_RADIUS: f64 = 3.5;
 /// the horizontal axis are those of every panel with the first one's; ends of the vertical axis
 /// those of every panel in the first one's unit, unless it shows differences.
 pub fn panels(look: &Look, title: &str, panels: &[Panel]) -> Picture {
-    let inks = distinct_inks(panels.iter().flat_map(|panel| &panel.series));
+    let styles = distinct_styles(panels.iter().flat_map(|panel| &panel.series));
     let title = Title::new(look, title, WIDTH, MARGIN);
-    let strokes = panel_strokes(panels, &inks);
+    let strokes = panel_strokes(panels, &styles);
     let top = title.bottom();
     let is_narrow = is_narrow(title.width);
     // Which curves are drawn once follows from the frames, and how wide these are from the legend.
-    let full = legend(panels, &inks, &strokes, &vec![Vec::new(); panels.len()]);
+    let full = legend(panels, &styles, &strokes, &vec![Vec::new(); panels.len()]);
     let right = if is_narrow {
         title.width - MARGIN - LABEL_ROOM
     } else {
@@ -86,7 +86,7 @@ pub fn panels(look: &Look, title: &str, panels: &[Panel]) -> Picture {
     let overlays: Vec<_> = (panels.iter().zip(&frames))
         .map(|(panel, frame)| overlaid(frame, &panel.series))
         .collect();
-    let legend = legend(panels, &inks, &strokes, &overlays);
+    let legend = legend(panels, &styles, &strokes, &overlays);
     let (legend, place, height) = if is_narrow {
         let legend = legend.in_rows(title.width - 2.0 * MARGIN);
         let height = bottom + legend.height() + MARGIN;
@@ -98,7 +98,7 @@ pub fn panels(look: &Look, title: &str, panels: &[Panel]) -> Picture {
     draw_titled(&title, height, |canvas| {
         for ((panel, frame), overlays) in panels.iter().zip(&frames).zip(&overlays) {
             let curves = Curves {
-                inks: &inks,
+                styles: &styles,
                 strokes: &strokes,
                 overlays,
             };
@@ -112,27 +112,27 @@ pub fn panels(look: &Look, title: &str, panels: &[Panel]) -> Picture {
 /// how far it is from that.
 fn legend(
     panels: &[Panel],
-    inks: &[(&str, Ink)],
+    styles: &[(&str, LineStyle)],
     strokes: &[Stroke],
     overlays: &[Vec<Option<Overlaid>>],
 ) -> Legend {
     let mut entries: Vec<(Key, String)> = Vec::new();
-    let mut told = Vec::new();
-    for ((name, _), stroke) in inks.iter().zip(strokes) {
+    let mut merged = Vec::new();
+    for ((name, _), stroke) in styles.iter().zip(strokes) {
         match nowhere_drawn(name, panels, overlays) {
             None => entries.push((Key::Line(*stroke), (*name).to_owned())),
-            Some(words) => told.push((Key::Nothing, words)),
+            Some(words) => merged.push((Key::Nothing, words)),
         }
     }
     let wall = panels.iter().find_map(|panel| panel.walls.first());
     let wall = wall.map(|wall| (Key::Line(WALL), wall.name.clone()));
-    entries.extend(wall.into_iter().chain(told));
+    entries.extend(wall.into_iter().chain(merged));
     let texts: Vec<String> = entries.iter().map(|(_, text)| text.clone()).collect();
     let keys = entries.into_iter().map(|(key, _)| key);
     Legend::new(keys.zip(texts.iter().map(String::as_str)))
 }
 
-/// What is said of a curve that looks like another wherever it is; none where it is drawn.
+/// The words for a curve that looks like another one in every panel; none where it is drawn.
 fn nowhere_drawn(
     name: &str,
     panels: &[Panel],
@@ -171,14 +171,14 @@ fn nowhere_drawn(
 
 /// The looks of all series. One that is always alone needs no dashes, which would
 /// hide a curve that swings fast.
-fn panel_strokes(panels: &[Panel], inks: &[(&str, Ink)]) -> Vec<Stroke> {
+fn panel_strokes(panels: &[Panel], styles: &[(&str, LineStyle)]) -> Vec<Stroke> {
     let shares = |name: &str| {
         let mut shared = panels.iter().filter(|panel| panel.series.len() > 1);
         shared.any(|panel| panel.series.iter().any(|series| series.name == name))
     };
-    let strokes = strokes(inks).into_iter().enumerate();
+    let strokes = strokes(styles).into_iter().enumerate();
     let strokes = strokes.map(|(index, stroke)| {
-        if index == 0 || shares(inks[index].0) {
+        if index == 0 || shares(styles[index].0) {
             stroke
         } else {
             Stroke::solid(stroke.colour, ALONE_WIDTH)
@@ -227,7 +227,7 @@ fn x_scale(look: &Look, panel: &Panel, all: &[Panel]) -> Scale {
 }
 
 /// A logarithmic axis shows no less than this part of the greatest value: below it nothing reaches
-/// what is looked at, and between a hundred decades nothing can be told.
+/// what is looked at, and on a hundred decades nothing can be seen.
 const LOWEST: f64 = 1e-6;
 
 fn y_scale(look: &Look, panel: &Panel, all: &[Panel]) -> Scale {
@@ -259,7 +259,7 @@ fn shown_points(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
 /// How the curves of a panel are drawn.
 struct Curves<'a> {
     /// Every name in the legend.
-    inks: &'a [(&'a str, Ink)],
+    styles: &'a [(&'a str, LineStyle)],
     /// How each of them is drawn.
     strokes: &'a [Stroke],
     /// Which curves lie on another, and are not drawn again.
@@ -270,7 +270,7 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, drawn: &Curves)
     frame.draw(canvas);
     for (series, overlay) in panel.series.iter().zip(drawn.overlays) {
         if overlay.is_none() {
-            let stroke = drawn.strokes[place_among(&series.name, drawn.inks)];
+            let stroke = drawn.strokes[place_among(&series.name, drawn.styles)];
             draw_series(canvas, frame, series, stroke);
         }
     }
@@ -282,7 +282,7 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, drawn: &Curves)
     draw_references(canvas, frame, curves.collect(), &panel.references)
 }
 
-/// Within the frame, for it may go on beyond what is shown.
+/// Within the frame, for it may continue beyond what is shown.
 fn draw_wall(canvas: &mut Canvas, frame: &Frame, wall: &Wall) {
     for piece in frame.curve(&wall.line) {
         for part in frame.area.clip(&piece) {
@@ -326,7 +326,7 @@ mod tests {
             axes,
             series: vec![Series {
                 name: name.to_string(),
-                ink: Ink::default(),
+                style: LineStyle::default(),
                 points,
             }],
             references: [(Across::Y, 2.0, "set point"), (Across::X, 9.0, "onset")]

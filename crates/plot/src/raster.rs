@@ -10,7 +10,7 @@ use super::geometry::Pixel;
 use super::picture::Picture;
 use super::shapes::{self, Shape};
 
-/// The pixels of a picture, drawn at so many times its size; none where that is too large.
+/// The pixels of a picture, drawn at `scale` times its size; none where that is too large.
 pub(crate) fn rasterise(picture: &Picture, scale: f64) -> Option<Pixmap> {
     let [width, height] = picture.size.map(|length| (scale * length).round() as u32);
     let mut pixels = Pixmap::new(width, height)?;

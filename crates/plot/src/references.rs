@@ -16,13 +16,13 @@ pub(crate) const REFERENCE: Stroke = Stroke {
     dash: &[5.0, 4.0],
 };
 
-/// A thin dashed line across a panel, with its name beside it.
+/// A thin dashed line across a panel, with its name next to it.
 pub struct Reference {
     /// The axis with the value at which it stands.
     pub across: Across,
     /// Its place along that axis.
     pub at: f64,
-    /// The name beside it.
+    /// The name next to it.
     pub name: String,
 }
 

@@ -15,7 +15,7 @@ const RESOLUTION: f64 = 1e-9;
 /// One axis of a plot.
 #[derive(PartialEq)]
 pub struct Axis {
-    /// Title with the unit, e.g. `Weight on bit W (kN)`.
+    /// Title with the unit, e.g. `Weight W (kN)`.
     pub label: String,
     /// Whether the axis has a logarithmic scale; it then skips values that are
     /// not positive.
@@ -61,7 +61,7 @@ pub(crate) struct Scale {
 pub(crate) struct Tick {
     /// Position between the axis ends, from 0 to 1.
     pub fraction: f64,
-    /// The number beside it; minor ticks have none.
+    /// The number at it; minor ticks have none.
     pub label: Option<String>,
 }
 
@@ -204,7 +204,7 @@ fn padded(low: f64, high: f64, logarithmic: bool) -> (f64, f64) {
 }
 
 /// Round numbers from `low` to `high`, about `most` of them, with labels; but two at least, for one
-/// tells no distance.
+/// shows no distance.
 fn linear_ticks(low: f64, high: f64, most: usize) -> Vec<Labelled> {
     let finer = (0..FINER).map(|halvings| ticks_of_step(low, high, most << halvings));
     let mut finer = finer.skip_while(|ticks| ticks.len() < 2);

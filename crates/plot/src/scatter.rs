@@ -4,9 +4,9 @@ use super::canvas::{Canvas, Title, draw_titled};
 use super::colours::BLACK;
 use super::frame::{Frame, align_left};
 use super::geometry::{Pixel, Rect};
-use super::inks::{Ink, Series, distinct_inks, markers, place_among};
 use super::legend::{Key, Legend};
 use super::lettering::Align;
+use super::line_styles::{LineStyle, Series, distinct_styles, markers, place_among};
 use super::look::Look;
 use super::picture::Picture;
 use super::references::REFERENCE;
@@ -51,10 +51,10 @@ pub fn scatter_grid(
     [front, floor, rim]: [&str; 3],
     panels: &[ScatterPanel],
 ) -> Picture {
-    let inks = distinct_inks(panels.iter().flat_map(|panel| &panel.kinds));
-    let markers = markers(&inks);
+    let styles = distinct_styles(panels.iter().flat_map(|panel| &panel.kinds));
+    let markers = markers(&styles);
     let title = Title::new(&Look::default(), title, WIDTH, MARGIN);
-    let entries = (inks.iter().zip(&markers))
+    let entries = (styles.iter().zip(&markers))
         .map(|((name, _), marker)| (Key::Marker(*marker), *name))
         .chain([
             (Key::Line(FRONT), front),
@@ -69,7 +69,7 @@ pub fn scatter_grid(
     let frames = frames(panels, top);
     draw_titled(&title, height, |canvas| {
         for (panel, frame) in panels.iter().zip(&frames) {
-            draw_panel(canvas, panel, frame, (&inks, &markers));
+            draw_panel(canvas, panel, frame, (&styles, &markers));
         }
         legend.draw(canvas, MARGIN, legend_top)
     })
@@ -107,7 +107,7 @@ fn draw_panel(
     canvas: &mut Canvas,
     panel: &ScatterPanel,
     frame: &Frame,
-    (inks, markers): (&[(&str, Ink)], &[Marker]),
+    (styles, markers): (&[(&str, LineStyle)], &[Marker]),
 ) {
     frame.draw(canvas);
     let title = Block::new(&panel.title, LABEL_SIZE, PANEL_WIDTH);
@@ -119,7 +119,7 @@ fn draw_panel(
     let middle = frame.area.right - PANEL_WIDTH / 2.0;
     canvas.text(&title, middle, above, Align::Centre);
     for kind in &panel.kinds {
-        let marker = markers[place_among(&kind.name, inks)];
+        let marker = markers[place_among(&kind.name, styles)];
         for pixel in kind.points.iter().filter_map(|&point| frame.pixel(point)) {
             draw_marker(canvas, marker, pixel, MARKER_RADIUS);
         }

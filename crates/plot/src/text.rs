@@ -11,8 +11,8 @@ pub(crate) const SMALL_SIZE: f64 = 14.0;
 /// Distance between lines of text, in font sizes.
 const LINE_HEIGHT: f64 = 1.3;
 
-/// Widths are so much more than those of the embedded font: a program that does not read it sets
-/// text in another one, which may be a little wider.
+/// Factor on widths in the embedded font: a program that does not read it sets text in another
+/// one, which may be a little wider.
 const ROOM: f64 = 1.065;
 
 /// The width that there has to be for a line of text, pixels.

@@ -30,7 +30,7 @@ mod commands;
 mod explore;
 mod histories;
 mod map;
-mod method_inks;
+mod method_styles;
 mod program;
 mod report;
 

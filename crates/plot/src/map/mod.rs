@@ -1,5 +1,5 @@
-//! Sheets of regime maps: symbols or cells over two parameters, with boundary lines
-//! and marks; a map for each motion and each value of a further parameter.
+//! Sheets of maps: symbols or cells over two parameters, with lines and marks, in groups that
+//! share a legend.
 
 mod panel;
 mod sheet;
@@ -7,9 +7,9 @@ mod sheet;
 mod tests;
 mod view;
 
+use super::fills::CellFill;
 use super::geometry::Rect;
-use super::grounds::Ground;
-use super::inks::{Ink, Series};
+use super::line_styles::{LineStyle, Series};
 use super::scale::Axis;
 use super::symbols::Symbol;
 
@@ -25,17 +25,16 @@ pub struct MapPoint {
     pub symbol: Symbol,
 }
 
-/// A part of a map whose cases share a colour.
+/// A part of a map that has one colour.
 #[derive(Debug, PartialEq)]
 pub struct MapCell {
     /// Its ends along the horizontal and along the vertical axis.
     pub ends: [[f64; 2]; 2],
-    /// What its cases are.
-    pub ground: Ground,
+    /// What it shows.
+    pub fill: CellFill,
 }
 
-/// A hatched range across a map, such as that of a boundary which differs from case to
-/// case.
+/// A hatched range across a map, such as that of a line whose place is not known.
 pub struct Band {
     /// Name in the legend.
     pub name: String,
@@ -43,7 +42,7 @@ pub struct Band {
     pub ends: [[f64; 2]; 2],
 }
 
-/// A named place; one that is marked is a filled triangle with its name beside it.
+/// A named place; one that is marked is a filled triangle with its name next to it.
 pub struct Mark {
     /// Its name.
     pub name: String,
@@ -60,7 +59,7 @@ pub struct MapPanel {
     pub cells: Vec<MapCell>,
     /// Symbols; those that are not finite are skipped.
     pub points: Vec<MapPoint>,
-    /// Lines such as the boundary of a regime, cut off where they leave the range of points,
+    /// Lines such as the boundary of a region, cut off where they leave the range of points,
     /// cells and marks.
     pub lines: Vec<Series>,
     /// Hatched ranges, cut off there too.
@@ -69,17 +68,17 @@ pub struct MapPanel {
     pub names: Vec<Mark>,
 }
 
-/// Maps of one motion, with the legend that they share.
+/// Maps with the legend that they share.
 #[derive(Default)]
 pub struct MapGroup {
     /// Heading above them; empty where there is one group alone.
     pub heading: String,
-    /// What the grounds of cells tell, above their keys in the legend.
+    /// What the fills of cells mean, above their keys in the legend.
     pub scale: Option<String>,
-    /// Keys of the legend and what they mean; a symbol has its ground where cells are
+    /// Keys of the legend and what they mean; a symbol has its fill where cells are
     /// drawn.
-    pub keys: Vec<(Ground, String)>,
-    /// What a reader has to know besides.
+    pub keys: Vec<(CellFill, String)>,
+    /// Other remarks.
     pub notes: Vec<String>,
     /// Paragraphs below the map, where the group is one map alone.
     pub below: Vec<String>,
@@ -87,7 +86,7 @@ pub struct MapGroup {
     pub panels: Vec<MapPanel>,
 }
 
-/// Regime maps over the same two parameters.
+/// Maps over the same two parameters.
 pub struct MapSheet {
     /// Title above all.
     pub title: String,
@@ -95,7 +94,7 @@ pub struct MapSheet {
     pub axes: [Axis; 2],
     /// Places that are marked on every map.
     pub marks: Vec<Mark>,
-    /// Maps, motion by motion.
+    /// Maps, group by group.
     pub groups: Vec<MapGroup>,
 }
 
@@ -116,11 +115,11 @@ pub fn is_within(points: &[(f64, f64)], [[left, right], [top, bottom]]: [[f64; 2
 
 impl MapGroup {
     /// The distinct names of all lines, and what they are drawn in.
-    fn lines(&self) -> Vec<(&str, Ink)> {
-        let mut found: Vec<(&str, Ink)> = Vec::new();
+    fn lines(&self) -> Vec<(&str, LineStyle)> {
+        let mut found: Vec<(&str, LineStyle)> = Vec::new();
         for line in self.panels.iter().flat_map(|panel| &panel.lines) {
             if !found.iter().any(|(name, _)| *name == line.name) {
-                found.push((&line.name, line.ink));
+                found.push((&line.name, line.style));
             }
         }
         found

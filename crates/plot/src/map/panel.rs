@@ -3,11 +3,11 @@
 use super::{MapCell, MapGroup, MapPanel, MapSheet, Mark};
 use crate::canvas::Canvas;
 use crate::colours::{BLACK, WHITE};
+use crate::fills::{CellFill, draw_fill};
 use crate::frame::Frame;
 use crate::geometry::{Pixel, Rect};
-use crate::grounds::{Ground, draw_ground};
 use crate::hatching::{RIM, draw_hatching};
-use crate::inks::{Ink, place_among};
+use crate::line_styles::{LineStyle, place_among};
 use crate::names::Names;
 use crate::scale::{Scale, visible};
 use crate::shapes::{DASHES, Stroke};
@@ -17,11 +17,11 @@ use crate::symbols::{HALO, MARK_RADIUS, draw_symbol, draw_triangle};
 /// dashes and dots still show on top of the thin solid line.
 const LINE_WIDTHS: [f64; 6] = [1.2, 2.2, 3.4, 1.8, 2.6, 2.2];
 
-/// The look of the line with this index: black, unless its ink has a colour.
-pub(super) fn line_stroke(index: usize, ink: Ink) -> Stroke {
+/// The look of the line with this index: black, unless its style has a colour.
+pub(super) fn line_stroke(index: usize, style: LineStyle) -> Stroke {
     let pattern = index % DASHES.len();
     Stroke {
-        colour: ink.colour().unwrap_or(BLACK),
+        colour: style.colour().unwrap_or(BLACK),
         width: LINE_WIDTHS[pattern],
         dash: DASHES[pattern],
     }
@@ -67,7 +67,7 @@ pub(super) fn draw_panel(
                 right: area.right.round(),
                 bottom: area.bottom.round(),
             };
-            draw_ground(canvas, cell.ground, area);
+            draw_fill(canvas, cell.fill, area);
         }
     }
     for band in &panel.bands {
@@ -103,13 +103,13 @@ fn symbol_radius(area: Rect, count: usize) -> f64 {
     (0.28 * distance).clamp(2.0, 5.5)
 }
 
-/// On grounds that may be dark, a white rim sets the lines off.
-fn draw_lines(canvas: &mut Canvas, frame: &Frame, lines: &[(&str, Ink)], panel: &MapPanel) {
-    let mut grounds = panel.cells.iter().map(|cell| cell.ground);
-    let may_be_dark = grounds.any(|ground| matches!(ground, Ground::Part(_) | Ground::Safety(_)));
+/// On fills that may be dark, a white rim sets the lines off.
+fn draw_lines(canvas: &mut Canvas, frame: &Frame, lines: &[(&str, LineStyle)], panel: &MapPanel) {
+    let mut fills = panel.cells.iter().map(|cell| cell.fill);
+    let may_be_dark = fills.any(|fill| matches!(fill, CellFill::Fraction(_) | CellFill::Safety(_)));
     for line in &panel.lines {
         let place = place_among(&line.name, lines);
-        let stroke = line_stroke(place, line.ink);
+        let stroke = line_stroke(place, line.style);
         for piece in frame.curve(&line.points) {
             for part in frame.area.clip(&piece) {
                 if may_be_dark {

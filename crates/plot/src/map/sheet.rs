@@ -1,13 +1,13 @@
-//! Where the maps of a sheet and their legends stand: one map alone has its legend at
-//! its side, or below where the picture is narrow; of two motions the maps stand side by side, of several values of a
-//! further parameter in rows, each with the legend below.
+//! Where the maps of a sheet and their legends stand: one map alone has its legend at its side, or
+//! below where the picture is narrow; groups of one map each stand side by side, the maps of a
+//! larger group in rows with the legend below.
 
 use super::panel::{draw_panel, line_stroke, scales};
 use super::{MapGroup, MapSheet};
 use crate::canvas::{Canvas, Title, draw_titled};
+use crate::fills::CellFill;
 use crate::frame::Frame;
 use crate::geometry::Rect;
-use crate::grounds::Ground;
 use crate::legend::{Key, Legend, distinct};
 use crate::lettering::Align;
 use crate::look::{Look, is_narrow};
@@ -33,7 +33,7 @@ const TEXT_GAP: f64 = 5.0;
 const LABEL_ROOM: f64 = 14.0;
 /// Height of a map, by how many stand in a row.
 const HEIGHTS: [f64; 3] = [430.0, 430.0, 320.0];
-/// The same at most, as a part of its width, and the least width of one that has others beside it.
+/// The same at most, as a part of its width, and the least width of one that has others at its side.
 const HIGHEST: f64 = 0.87;
 const LEAST_WIDTH: f64 = 300.0;
 
@@ -52,17 +52,17 @@ pub fn map_sheet(look: &Look, sheet: &MapSheet) -> Picture {
 
 /// The legend of a group.
 fn keys(group: &MapGroup) -> Vec<(Key, &str)> {
-    let has_grounds = group.panels.iter().any(|panel| !panel.cells.is_empty());
-    let key = |ground: &Ground| match ground {
-        Ground::Symbol(symbol) if !has_grounds => Key::Symbol(*symbol),
-        ground => Key::Cell(*ground),
+    let has_fills = group.panels.iter().any(|panel| !panel.cells.is_empty());
+    let key = |fill: &CellFill| match fill {
+        CellFill::Symbol(symbol) if !has_fills => Key::Symbol(*symbol),
+        fill => Key::Cell(*fill),
     };
     let keys = group.keys.iter();
     let mut keys: Vec<(Key, &str)> = keys
-        .map(|(ground, text)| (key(ground), text.as_str()))
+        .map(|(fill, text)| (key(fill), text.as_str()))
         .collect();
     let lines = group.lines().into_iter().enumerate();
-    keys.extend(lines.map(|(index, (name, ink))| (Key::Line(line_stroke(index, ink)), name)));
+    keys.extend(lines.map(|(index, (name, style))| (Key::Line(line_stroke(index, style)), name)));
     let bands = group.panels.iter().flat_map(|panel| &panel.bands);
     let bands = distinct(bands.map(|band| &band.name));
     keys.extend(bands.into_iter().map(|name| (Key::Hatching, name)));

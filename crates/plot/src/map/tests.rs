@@ -1,7 +1,7 @@
 use super::*;
 use crate::picture::tests::assert_text_inside;
 use crate::scale::Scale;
-use crate::{Ink, Look, Part};
+use crate::{Fraction, LineStyle, Look};
 
 fn group(panels: Vec<MapPanel>) -> MapGroup {
     let texts = ["all", "none", "some"].map(String::from);
@@ -9,7 +9,7 @@ fn group(panels: Vec<MapPanel>) -> MapGroup {
         heading: String::new(),
         scale: None,
         keys: [Symbol::Circle, Symbol::Cross, Symbol::Square]
-            .map(Ground::Symbol)
+            .map(CellFill::Symbol)
             .into_iter()
             .zip(texts)
             .collect(),
@@ -96,7 +96,7 @@ fn lines_do_not_widen_the_axes() {
     let before = scale(&map).fraction(1.0);
     only_panel(&mut map).lines.push(Series {
         name: "far".to_string(),
-        ink: Ink::default(),
+        style: LineStyle::default(),
         points: vec![(-1e6, 0.5), (1e6, 0.5)],
     });
     assert_eq!(scale(&map).fraction(1.0), before);
@@ -110,7 +110,7 @@ fn cells_fill_the_map_and_its_legend() {
         .enumerate()
         .map(|(index, symbol)| MapCell {
             ends: [[index as f64, index as f64 + 1.0], [0.0, 1.0]],
-            ground: Ground::Symbol(symbol),
+            fill: CellFill::Symbol(symbol),
         })
         .collect();
     let picture = map_sheet(&Look::default(), &map);
@@ -127,7 +127,7 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
         panel.title.clone_from(&long);
         panel.lines.extend((0..30).map(|index| Series {
             name: format!("{index} {long}"),
-            ink: Ink::default(),
+            style: LineStyle::default(),
             points: Vec::new(),
         }));
         panel.bands.push(Band {
@@ -140,8 +140,8 @@ fn crowded(panels: usize, groups: usize) -> MapSheet {
         heading: long.clone(),
         scale: Some(long.clone()),
         keys: vec![
-            (Ground::Part(Part::of(1.0)), long.clone()),
-            (Ground::Symbol(Symbol::Circle), long.clone()),
+            (CellFill::Fraction(Fraction::of(1.0)), long.clone()),
+            (CellFill::Symbol(Symbol::Circle), long.clone()),
         ],
         notes: vec![long.clone(); 2],
         ..group((0..panels).map(|_| panel()).collect())
@@ -180,7 +180,7 @@ fn maps_of_a_sheet_share_their_axes() {
 fn lines_of_a_name_look_alike_in_every_map_and_have_one_key() {
     let line = |name: &str| Series {
         name: name.to_string(),
-        ink: Ink::default(),
+        style: LineStyle::default(),
         points: vec![(0.0, 0.5), (1.0, 0.5)],
     };
     let with = |lines: &[&str]| MapPanel {

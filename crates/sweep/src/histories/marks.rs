@@ -1,10 +1,10 @@
 //! What pictures of motion have in common: levels, and whether the wall is shown.
 
-use crate::method_inks::method_ink;
+use crate::method_styles::method_style;
 use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::Sweep;
 use campaign::quantities::Unit;
-use plot::{Across, Ink, Reference};
+use plot::{Across, LineStyle, Reference};
 
 /// The clearance is drawn where motion reaches this part of it.
 pub const CLEARANCE_SHOWN: f64 = 0.2;
@@ -50,12 +50,12 @@ pub fn each_once(values: impl Iterator<Item = f64>) -> Vec<f64> {
 
 /// What a simulation is drawn in: of one case, the colour of its method; of several, a colour for
 /// each case and dashes for each method.
-pub fn ink(of: &Simulation, all: &[Simulation]) -> Ink {
+pub fn style(of: &Simulation, all: &[Simulation]) -> LineStyle {
     let cases = each(all.iter().map(|simulation| simulation.case));
     let methods = each(all.iter().map(|simulation| simulation.method));
     match &cases[..] {
-        [] | [_] => method_ink(of.method),
-        _ => Ink::numbered(place(of.case, &cases), place(of.method, &methods)),
+        [] | [_] => method_style(of.method),
+        _ => LineStyle::numbered(place(of.case, &cases), place(of.method, &methods)),
     }
 }
 

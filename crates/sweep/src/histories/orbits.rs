@@ -1,6 +1,6 @@
 //! The picture of the paths of sites across the borehole.
 
-use super::marks::{ink, shown_clearances};
+use super::marks::{shown_clearances, style};
 use campaign::engine::{Case, Simulation};
 use campaign::plan::Sweep;
 use campaign::quantities::WIDTH;
@@ -27,7 +27,7 @@ pub fn orbit_picture(
     let of_sites = distances.map(|(site, &distance)| {
         let of_site = |simulation: &Simulation| Series {
             name: simulation.name.clone(),
-            ink: ink(simulation, simulations),
+            style: style(simulation, simulations),
             points: simulation.trajectory.positions[site]
                 .iter()
                 .map(|[x, y]| (width.number(1e3 * x), width.number(1e3 * y)))

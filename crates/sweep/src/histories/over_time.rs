@@ -4,7 +4,7 @@ use linear::estimates::stick_slip_times;
 use sim::{BitTorque, Trajectory};
 
 use super::known::{has_surface_speed, has_surface_torque, has_torque};
-use super::marks::{each_once, ink, level, shown_clearances};
+use super::marks::{each_once, level, shown_clearances, style};
 use campaign::engine::{Case, Simulation};
 use campaign::plan::{Comparison, Sweep};
 use campaign::quantities::{TORQUE, Unit, Units, WIDTH};
@@ -67,7 +67,7 @@ impl Histories<'_> {
             let motion = &simulation.trajectory;
             Series {
                 name: simulation.name.clone(),
-                ink: ink(simulation, self.simulations),
+                style: style(simulation, self.simulations),
                 points: (motion.times.iter().enumerate())
                     .map(|(index, &time)| (time, values(motion, index)))
                     .collect(),

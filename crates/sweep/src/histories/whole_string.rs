@@ -3,7 +3,7 @@
 use anyhow::Result;
 use linear::elements::reconstruction::{Reconstruction, WholeString};
 
-use super::marks::{CLEARANCE_SHOWN, each_clearance, ink};
+use super::marks::{CLEARANCE_SHOWN, each_clearance, style};
 use campaign::engine::{Case, Clearances, Simulation};
 use campaign::plan::{LateralSettings, Sweep};
 use campaign::quantities::{LENGTH, Unit, WIDTH};
@@ -71,7 +71,7 @@ pub fn string_picture(
         series: (simulations.iter().zip(wholes))
             .map(|(simulation, whole)| Series {
                 name: simulation.name.clone(),
-                ink: ink(simulation, simulations),
+                style: style(simulation, simulations),
                 points: shown(&whole.depths, &whole.peaks, from, [&length, &width]),
             })
             .collect(),

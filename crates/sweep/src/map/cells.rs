@@ -3,7 +3,7 @@
 
 use super::extent::Extent;
 use super::mesh::Mesh;
-use plot::{Ground, MapCell, Symbol};
+use plot::{CellFill, MapCell, Symbol};
 
 /// Symbols counted in cells.
 pub struct Cells {
@@ -72,8 +72,8 @@ impl Cells {
 
     /// Neighbours to the right that are alike as one.
     pub fn joined(&self) -> Vec<MapCell> {
-        let ground = |cell| self.symbol_in(cell).map(Ground::Symbol);
-        self.mesh.joined(ground)
+        let fill = |cell| self.symbol_in(cell).map(CellFill::Symbol);
+        self.mesh.joined(fill)
     }
 
     /// The middle of a cell.
@@ -104,7 +104,7 @@ mod tests {
         assert_eq!(cells.centre(1, 0), (3.0, 1.25));
         let cell = |x, symbol| MapCell {
             ends: [x, [1.0, 1.5]],
-            ground: Ground::Symbol(symbol),
+            fill: CellFill::Symbol(symbol),
         };
         let expected = [
             cell([0.0, 2.0], Symbol::Circle),

@@ -10,7 +10,7 @@ use super::cells::Cells;
 use super::extent::Extent;
 use super::fractions::Fractions;
 use super::symbol::drawn_symbol_of;
-use plot::{Ground, MapCell, MapPoint, Symbol};
+use plot::{CellFill, MapCell, MapPoint, Symbol};
 use results::folder::{CaseRows, read_cases};
 
 /// Where a sheet would have more symbols than this, cells are drawn.
@@ -89,20 +89,20 @@ impl Content {
         }
     }
 
-    /// Whether a symbol, or its ground, is anywhere on the map.
+    /// Whether a symbol, or its fill, is anywhere on the map.
     pub fn has(&self, symbol: Symbol) -> bool {
         self.points.iter().any(|point| point.symbol == symbol)
-            || self.has_ground(|ground| ground == Ground::Symbol(symbol))
+            || self.has_fill(|fill| fill == CellFill::Symbol(symbol))
     }
 
-    /// Whether a cell has a ground of some kind.
-    pub fn has_ground(&self, is_of_kind: impl Fn(Ground) -> bool) -> bool {
-        self.cells.iter().any(|cell| is_of_kind(cell.ground))
+    /// Whether a cell has a fill of some kind.
+    pub fn has_fill(&self, is_of_kind: impl Fn(CellFill) -> bool) -> bool {
+        self.cells.iter().any(|cell| is_of_kind(cell.fill))
     }
 
     /// Whether its cells show how large a part of the cases has the regime.
     pub fn is_of_parts(&self) -> bool {
-        self.has_ground(|ground| !matches!(ground, Ground::Symbol(_)))
+        self.has_fill(|fill| !matches!(fill, CellFill::Symbol(_)))
     }
 
     fn add(&mut self, case: &CaseRows, motion: Motion) {

@@ -3,7 +3,7 @@
 
 use super::extent::Extent;
 use super::mesh::Mesh;
-use plot::{Ground, MapCell, Part};
+use plot::{CellFill, Fraction, MapCell};
 
 /// Cells to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [60, 45];
@@ -54,8 +54,8 @@ impl Fractions {
         self.mesh.joined(|cell| {
             let [sustained, told] = self.counts[cell];
             Some(match told {
-                0 => Ground::NoCase,
-                _ => Ground::Part(Part::of(sustained as f64 / told as f64)),
+                0 => CellFill::NoCase,
+                _ => CellFill::Fraction(Fraction::of(sustained as f64 / told as f64)),
             })
         })
     }
@@ -73,7 +73,7 @@ mod tests {
         }
         let cell = |x, part| MapCell {
             ends: [x, [4.75, 5.25]],
-            ground: Ground::Part(Part::of(part)),
+            fill: CellFill::Fraction(Fraction::of(part)),
         };
         let expected = [
             cell([0.5, 1.5], 0.5),
@@ -91,7 +91,10 @@ mod tests {
         let cells = fractions.joined();
         assert_eq!(cells.len(), 3, "{cells:?}");
         assert_eq!(cells[0].ends[0], [0.0, 99.0]);
-        let grounds = [&cells[1], &cells[2]].map(|cell| cell.ground);
-        assert_eq!(grounds, [Ground::NoCase, Ground::Part(Part::of(0.5))]);
+        let fills = [&cells[1], &cells[2]].map(|cell| cell.fill);
+        assert_eq!(
+            fills,
+            [CellFill::NoCase, CellFill::Fraction(Fraction::of(0.5))]
+        );
     }
 }

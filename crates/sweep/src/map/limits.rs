@@ -4,11 +4,11 @@
 use super::extent::Extent;
 use super::mesh::around;
 use super::words::{ends, quantity};
-use crate::method_inks::method_ink;
+use crate::method_styles::method_style;
 use campaign::quantities::{Axis, Units};
 use campaign::sweep_file::Spacing;
 use limits::Curve;
-use plot::{Band, Ink, Series, is_within};
+use plot::{Band, LineStyle, Series, is_within};
 use sim::Motion;
 
 /// The limit on a map.
@@ -90,7 +90,7 @@ impl Limits {
                 .map(|piece| places(&with_length(piece, range, spacing)));
             self.lines.push(Series {
                 name: curve.name.clone(),
-                ink: ink(curve),
+                style: style(curve),
                 points: lines.collect::<Vec<_>>().join(&(f64::NAN, f64::NAN)),
             });
             return None;
@@ -130,7 +130,7 @@ impl Limits {
                 });
                 self.lines.push(Series {
                     name: curve.name.clone(),
-                    ink: ink(curve),
+                    style: style(curve),
                     points: points.to_vec(),
                 });
             } else {
@@ -163,9 +163,9 @@ impl Limits {
 }
 
 /// A limit by a method has its colour.
-fn ink(curve: &Curve) -> Ink {
+fn style(curve: &Curve) -> LineStyle {
     let method = curve.method.as_deref();
-    method.map_or_else(Ink::default, method_ink)
+    method.map_or_else(LineStyle::default, method_style)
 }
 
 /// A curve that never reaches what is held: `shown` is the quantity on the map.

@@ -8,7 +8,7 @@ use super::extent::Extent;
 use super::mesh::Mesh;
 use super::scale::Classes;
 use campaign::records::Measure;
-use plot::{Ground, Ink, MapGroup, MapPanel, Series};
+use plot::{CellFill, LineStyle, MapGroup, MapPanel, Series};
 use results::folder::{Manifest, label_rows};
 
 /// Cells to the right and upwards at most.
@@ -63,23 +63,23 @@ pub fn group(
         title: (*method).to_owned(),
         cells: mesh.joined(|cell| {
             Some(match field.mean(cell) {
-                Some(mean) => Ground::Part(classes.shade(unit.number(mean))),
-                None => Ground::NoCase,
+                Some(mean) => CellFill::Fraction(classes.shade(unit.number(mean))),
+                None => CellFill::NoCase,
             })
         }),
         lines: vec![Series {
             name: name.clone(),
-            ink: Ink::default(),
+            style: LineStyle::default(),
             points: mesh.outlines(|cell| field.is_sustained(cell)),
         }],
         ..MapPanel::default()
     });
-    let mut keys: Vec<(Ground, String)> = (classes.words().into_iter())
-        .map(|(shade, words)| (Ground::Part(shade), words))
+    let mut keys: Vec<(CellFill, String)> = (classes.words().into_iter())
+        .map(|(shade, words)| (CellFill::Fraction(shade), words))
         .collect();
     keys.reverse();
     if fields.iter().any(|field| field.lacks_any()) {
-        keys.push((Ground::NoCase, "no case, or none of it".to_owned()));
+        keys.push((CellFill::NoCase, "no case, or none of it".to_owned()));
     }
     let in_unit = match unit.name.as_str() {
         "" => String::new(),

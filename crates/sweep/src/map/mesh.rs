@@ -2,7 +2,7 @@
 
 use super::extent::Extent;
 use campaign::sweep_file::Spacing;
-use plot::{Ground, MapCell};
+use plot::{CellFill, MapCell};
 use results::analysis::Bins;
 
 /// Cells over two axes, column by column.
@@ -92,19 +92,19 @@ impl Mesh {
         (middle(x, column), middle(y, row))
     }
 
-    /// Cells of a `ground`, by their numbers, neighbours to the right that are alike as one.
-    /// A cell without a ground is left out.
-    pub fn joined(&self, ground: impl Fn(usize) -> Option<Ground>) -> Vec<MapCell> {
+    /// Cells of a `fill`, by their numbers, neighbours to the right that are alike as one.
+    /// A cell without a fill is left out.
+    pub fn joined(&self, fill: impl Fn(usize) -> Option<CellFill>) -> Vec<MapCell> {
         let [x, y] = &self.edges;
         let [columns, rows] = self.size();
         let columns: Vec<usize> = (0..columns).collect();
         let mut cells = Vec::new();
         for row in 0..rows {
-            let ground = |column: usize| ground(self.number(column, row));
-            for run in columns.chunk_by(|&one, &next| ground(one) == ground(next)) {
+            let fill = |column: usize| fill(self.number(column, row));
+            for run in columns.chunk_by(|&one, &next| fill(one) == fill(next)) {
                 let [first, last] = [run[0], run[run.len() - 1]];
                 let ends = [[x[first], x[last + 1]], [y[row], y[row + 1]]];
-                cells.extend(ground(first).map(|ground| MapCell { ends, ground }));
+                cells.extend(fill(first).map(|fill| MapCell { ends, fill }));
             }
         }
         cells

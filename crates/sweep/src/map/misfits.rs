@@ -7,7 +7,7 @@ use anyhow::Result;
 use super::extent::Extent;
 use super::mesh::Mesh;
 use campaign::words::short;
-use plot::{Ground, MapGroup, MapPanel, Part};
+use plot::{CellFill, Fraction, MapGroup, MapPanel};
 use results::folder::{column_words, misfit_columns, read_cases};
 
 /// Cells to the right and upwards at most, and where cases lie anywhere.
@@ -50,14 +50,14 @@ pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
                 short(unit.number(best)),
                 unit.name
             ),
-            cells: mesh.joined(|cell| Some(ground(least[cell], best))),
+            cells: mesh.joined(|cell| Some(fill(least[cell], best))),
             ..MapPanel::default()
         }
     });
-    let mut keys: Vec<(Ground, String)> = (0..=ENDS.len())
-        .map(|class| (Ground::Part(shade(class)), text(class)))
+    let mut keys: Vec<(CellFill, String)> = (0..=ENDS.len())
+        .map(|class| (CellFill::Fraction(shade(class)), text(class)))
         .collect();
-    keys.push((Ground::NoCase, "no case".to_owned()));
+    keys.push((CellFill::NoCase, "no case".to_owned()));
     Ok(Some(MapGroup {
         heading: "Held against what was recorded".to_owned(),
         scale: Some("Least misfit of a cell, in parts of the least of all".to_owned()),
@@ -68,17 +68,17 @@ pub fn group(labels: &Path, extent: &Extent) -> Result<Option<MapGroup>> {
     }))
 }
 
-fn ground(misfit: f64, best: f64) -> Ground {
+fn fill(misfit: f64, best: f64) -> CellFill {
     if misfit.is_infinite() {
-        return Ground::NoCase;
+        return CellFill::NoCase;
     }
     let class = ENDS.iter().filter(|end| misfit > **end * best).count();
-    Ground::Part(shade(class))
+    CellFill::Fraction(shade(class))
 }
 
 /// The nearest are the darkest.
-fn shade(class: usize) -> Part {
-    Part::EVERY[ENDS.len() - class]
+fn shade(class: usize) -> Fraction {
+    Fraction::EVERY[ENDS.len() - class]
 }
 
 fn text(class: usize) -> String {
@@ -97,13 +97,13 @@ mod tests {
 
     #[test]
     fn the_nearest_are_the_darkest() {
-        let part = |misfit| ground(misfit, 2.0);
-        let [darkest, lightest] = [5, 0].map(|part| Ground::Part(Part::EVERY[part]));
+        let part = |misfit| fill(misfit, 2.0);
+        let [darkest, lightest] = [5, 0].map(|part| CellFill::Fraction(Fraction::EVERY[part]));
         assert_eq!(part(2.0), darkest);
         assert_eq!(part(2.2), darkest);
-        assert_eq!(part(2.3), Ground::Part(Part::EVERY[4]));
+        assert_eq!(part(2.3), CellFill::Fraction(Fraction::EVERY[4]));
         assert_eq!(part(6.1), lightest);
-        assert_eq!(part(f64::INFINITY), Ground::NoCase);
+        assert_eq!(part(f64::INFINITY), CellFill::NoCase);
         let told: Vec<String> = (0..6).map(text).collect();
         assert_eq!(told[0], "up to 1.1");
         assert_eq!(told[5], "over 3");

@@ -194,7 +194,7 @@ impl Map<'_> {
         }
     }
 
-    /// What the grounds of cells tell, where they tell of parts.
+    /// What the fills of cells show, where they are classes of fractions.
     fn scale(&self, motion: Motion, contents: &[Content]) -> Option<String> {
         let is_of_parts = contents.iter().any(Content::is_of_parts);
         if let Some(trace) = &self.manifest.trace {

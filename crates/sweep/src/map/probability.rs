@@ -12,8 +12,8 @@ use campaign::plan::{MapMark, MapSettings};
 use campaign::quantities::Units;
 use campaign::words::counted;
 use plot::{
-    self, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Panel, Part, Picture, Series,
-    map_sheet, panels,
+    self, CellFill, Fraction, LineStyle, Look, MapGroup, MapPanel, MapSheet, Mark, Panel, Picture,
+    Series, map_sheet, panels,
 };
 
 /// Cells whose 95 % interval is wider have too few cases: of half and half, those of fewer than 21.
@@ -140,11 +140,11 @@ impl Probabilities<'_> {
         let panels = methods.iter().zip(&cells).zip(&lines);
         let panels = panels.map(|(((method, _), cells), lines)| MapPanel {
             title: (*method).to_owned(),
-            cells: mesh.joined(|cell| Some(ground(cells[cell]))),
+            cells: mesh.joined(|cell| Some(fill(cells[cell]))),
             lines: (lines.iter().enumerate())
                 .map(|(level, points)| Series {
                     name: name(level),
-                    ink: Ink::default(),
+                    style: LineStyle::default(),
                     points: points.clone(),
                 })
                 .collect(),
@@ -219,8 +219,10 @@ fn probability([with, of]: [usize; 2]) -> Option<f64> {
     (found.high - found.low <= WIDEST_INTERVAL).then_some(found.value)
 }
 
-fn ground(probability: Option<f64>) -> Ground {
-    probability.map_or(Ground::NoCase, |part| Ground::Part(Part::of(part)))
+fn fill(probability: Option<f64>) -> CellFill {
+    probability.map_or(CellFill::NoCase, |part| {
+        CellFill::Fraction(Fraction::of(part))
+    })
 }
 
 /// The line of a probability, in pieces.
@@ -234,18 +236,18 @@ fn line(bins: [&Bins; 2], cells: &[Option<f64>], level: f64) -> Vec<(f64, f64)> 
         .collect()
 }
 
-/// The grounds that are on any of the maps, from all to none.
-fn keys(cells: &[Vec<Option<f64>>]) -> Vec<(Ground, String)> {
+/// The fills that are on any of the maps, from all to none.
+fn keys(cells: &[Vec<Option<f64>>]) -> Vec<(CellFill, String)> {
     let too_few = format!(
         "too few cases (95 % interval over {:.0} %)",
         100.0 * WIDEST_INTERVAL
     );
-    let classes = Part::EVERY.into_iter().rev();
-    let classes = classes.map(|part| (Ground::Part(part), part.text().to_owned()));
-    let all = classes.chain([(Ground::NoCase, too_few)]);
-    let is_there = |key: &(Ground, String)| {
-        let mut grounds = cells.iter().flatten().map(|cell| ground(*cell));
-        grounds.any(|ground| ground == key.0)
+    let classes = Fraction::EVERY.into_iter().rev();
+    let classes = classes.map(|part| (CellFill::Fraction(part), part.text().to_owned()));
+    let all = classes.chain([(CellFill::NoCase, too_few)]);
+    let is_there = |key: &(CellFill, String)| {
+        let mut fills = cells.iter().flatten().map(|cell| fill(*cell));
+        fills.any(|fill| fill == key.0)
     };
     all.filter(is_there).collect()
 }

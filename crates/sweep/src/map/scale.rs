@@ -1,10 +1,10 @@
 //! Classes of a quantity between round numbers, told apart by shade.
 
 use campaign::words::short;
-use plot::Part;
+use plot::Fraction;
 
 /// As many classes as there are shades.
-const CLASSES: usize = Part::EVERY.len();
+const CLASSES: usize = Fraction::EVERY.len();
 
 /// Steps of a scale in parts of a power of ten.
 const ROUND: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
@@ -90,17 +90,17 @@ impl Classes {
     }
 
     /// The shade of a value: the greater, the darker.
-    pub fn shade(&self, value: f64) -> Part {
+    pub fn shade(&self, value: f64) -> Fraction {
         self.shade_of(self.class(value))
     }
 
     /// Fewer classes than shades are spread over them.
-    fn shade_of(&self, class: usize) -> Part {
-        Part::EVERY[class * (CLASSES - 1) / (self.count() - 1).max(1)]
+    fn shade_of(&self, class: usize) -> Fraction {
+        Fraction::EVERY[class * (CLASSES - 1) / (self.count() - 1).max(1)]
     }
 
     /// Each shade with its range, from the lowest up.
-    pub fn words(&self) -> Vec<(Part, String)> {
+    pub fn words(&self) -> Vec<(Fraction, String)> {
         let pairs = self.ends.windows(2).enumerate();
         pairs
             .map(|(class, ends)| {

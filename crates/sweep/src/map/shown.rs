@@ -37,25 +37,25 @@ pub fn show_in(sheet: &mut MapSheet, [x, y]: [Unit; 2]) {
 mod tests {
     use super::*;
     use campaign::quantities::FORCE;
-    use plot::{Band, Ground, MapCell, MapGroup, MapPanel, MapPoint, Mark};
-    use plot::{Ink, Series, Symbol};
+    use plot::{Band, CellFill, MapCell, MapGroup, MapPanel, MapPoint, Mark};
+    use plot::{LineStyle, Series, Symbol};
 
     /// 4.4482216152605 kN are one klbf.
     #[test]
     fn everything_on_a_map_is_in_the_units_of_its_axes() {
         let (at, ends) = ((4.4482216152605, 60.0), [[4.4482216152605; 2], [60.0; 2]]);
         let name = String::new;
-        let ground = Ground::Symbol(Symbol::Cross);
+        let fill = CellFill::Symbol(Symbol::Cross);
         let panel = MapPanel {
             title: name(),
-            cells: vec![MapCell { ends, ground }],
+            cells: vec![MapCell { ends, fill }],
             points: vec![MapPoint {
                 at,
                 symbol: Symbol::Cross,
             }],
             lines: vec![Series {
                 name: name(),
-                ink: Ink::default(),
+                style: LineStyle::default(),
                 points: vec![at],
             }],
             bands: vec![Band { name: name(), ends }],

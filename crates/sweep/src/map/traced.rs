@@ -12,7 +12,7 @@ use results::traced::TracedLimits;
 
 use campaign::sweep_file::Spacing;
 use campaign::trace::{Band, Class, Tile};
-use plot::{Ground, MapCell, MapPoint, Part, Symbol};
+use plot::{CellFill, Fraction, MapCell, MapPoint, Symbol};
 
 /// Cells of a map to the right and upwards at most.
 const MOST_CELLS: [usize; 2] = [400, 400];
@@ -45,7 +45,7 @@ impl TracedMap<'_> {
         let tiles = self.tiles(motion).into_iter();
         let tiles = tiles.map(|(ends, part)| MapCell {
             ends: [0, 1].map(|axis| ends[self.places[axis]].map(|end| edges[axis][end])),
-            ground: Ground::Part(part),
+            fill: CellFill::Fraction(part),
         });
         let mut content = Content::of_cells(&cells, self.simulated);
         content.points = self.symbols(motion);
@@ -53,8 +53,8 @@ impl TracedMap<'_> {
         if !tiles.is_empty() {
             // One scale for regions and tiles, which needs no symbols.
             content.points.clear();
-            let grounds = content.cells.iter_mut().map(|cell| &mut cell.ground);
-            grounds.for_each(|ground| *ground = as_part(*ground));
+            let fills = content.cells.iter_mut().map(|cell| &mut cell.fill);
+            fills.for_each(|fill| *fill = as_part(*fill));
             content.cells.extend(tiles);
         }
         content
@@ -111,7 +111,7 @@ impl TracedMap<'_> {
 
     /// The tiles of any method, by their ends along the design's axes, each with the mean
     /// over the methods; of tiles within one another the larger one.
-    fn tiles(&self, motion: Motion) -> Vec<([[usize; 2]; 2], Part)> {
+    fn tiles(&self, motion: Motion) -> Vec<([[usize; 2]; 2], Fraction)> {
         let methods = 0..self.methods;
         let bands = methods
             .clone()
@@ -125,7 +125,7 @@ impl TracedMap<'_> {
             let told: Vec<Band> = bands.filter(|band| band.told > 0).collect();
             let parts = told.iter().map(|band| band.with as f64 / band.told as f64);
             let mean = parts.sum::<f64>() / told.len() as f64;
-            (!told.is_empty()).then(|| (tile.ends(), Part::of(mean)))
+            (!told.is_empty()).then(|| (tile.ends(), Fraction::of(mean)))
         };
         let widest = tiles.iter().filter(|tile| !is_within(tile));
         widest.copied().filter_map(of_tile).collect()
@@ -133,14 +133,17 @@ impl TracedMap<'_> {
 }
 
 /// Regions where all methods agree are all or none of the cases.
-fn as_part(ground: Ground) -> Ground {
-    match ground {
-        Ground::Symbol(Symbol::Circle | Symbol::Disc | Symbol::Diamond | Symbol::FilledDiamond) => {
-            Ground::Part(Part::of(1.0))
+fn as_part(fill: CellFill) -> CellFill {
+    match fill {
+        CellFill::Symbol(
+            Symbol::Circle | Symbol::Disc | Symbol::Diamond | Symbol::FilledDiamond,
+        ) => CellFill::Fraction(Fraction::of(1.0)),
+        CellFill::Symbol(Symbol::Cross | Symbol::HeavyCross) => {
+            CellFill::Fraction(Fraction::of(0.0))
         }
-        Ground::Symbol(Symbol::Cross | Symbol::HeavyCross) => Ground::Part(Part::of(0.0)),
-        Ground::Symbol(Symbol::Square) | Ground::Part(_) | Ground::Safety(_) | Ground::NoCase => {
-            ground
-        }
+        CellFill::Symbol(Symbol::Square)
+        | CellFill::Fraction(_)
+        | CellFill::Safety(_)
+        | CellFill::NoCase => fill,
     }
 }

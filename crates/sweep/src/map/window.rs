@@ -8,8 +8,8 @@ use super::words;
 use campaign::quantities::Units;
 use campaign::words::short;
 use plot::{
-    self, Band, Ground, Ink, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety, Series,
-    map_sheet,
+    self, Band, CellFill, LineStyle, Look, MapGroup, MapPanel, MapSheet, Mark, Picture, Safety,
+    Series, map_sheet,
 };
 use results::window::{AXES, Best, Chart, Drawn, Limit, Region, Room, Standing};
 
@@ -49,7 +49,7 @@ pub fn window_picture(of: &WindowSheet) -> Picture {
         at: (best.at[0], best.at[1]),
     });
     let panel = MapPanel {
-        cells: mesh.joined(|cell| Some(ground(chart.standing(cell)))),
+        cells: mesh.joined(|cell| Some(fill(chart.standing(cell)))),
         lines: chart
             .limits
             .iter()
@@ -83,18 +83,18 @@ pub fn window_picture(of: &WindowSheet) -> Picture {
     map_sheet(&Look::default(), &sheet)
 }
 
-fn ground(standing: Standing) -> Ground {
+fn fill(standing: Standing) -> CellFill {
     match standing {
-        Standing::Clear => Ground::Safety(Safety::Safe),
-        Standing::Possible => Ground::Safety(Safety::Conditional),
-        Standing::Near => Ground::Safety(Safety::Near),
-        Standing::Against => Ground::Safety(Safety::Unsafe),
-        Standing::Untold => Ground::NoCase,
+        Standing::Clear => CellFill::Safety(Safety::Safe),
+        Standing::Possible => CellFill::Safety(Safety::Conditional),
+        Standing::Near => CellFill::Safety(Safety::Near),
+        Standing::Against => CellFill::Safety(Safety::Unsafe),
+        Standing::Untold => CellFill::NoCase,
     }
 }
 
-/// The grounds that are on the map.
-fn keys(chart: &Chart) -> Vec<(Ground, String)> {
+/// The fills that are on the map.
+fn keys(chart: &Chart) -> Vec<(CellFill, String)> {
     let all = [
         (Standing::Clear, "safe: beyond the margin of every limit"),
         (
@@ -111,7 +111,7 @@ fn keys(chart: &Chart) -> Vec<(Ground, String)> {
     let is_there = |standing| chart.cells().any(|cell| chart.standing(cell) == standing);
     let there = all.into_iter().filter(|(standing, _)| is_there(*standing));
     there
-        .map(|(standing, text)| (ground(standing), text.to_owned()))
+        .map(|(standing, text)| (fill(standing), text.to_owned()))
         .collect()
 }
 
@@ -134,7 +134,7 @@ fn line(chart: &Chart, limit: &Limit) -> Option<Series> {
     let points: Vec<_> = points.collect();
     (!points.is_empty()).then(|| Series {
         name: limit.name.clone(),
-        ink: Ink::default(),
+        style: LineStyle::default(),
         points,
     })
 }

@@ -3,7 +3,7 @@
 use super::content::Content;
 use campaign::plan::MapMark;
 use campaign::quantities::{Axis, Units};
-use plot::{Ground, Part, Symbol};
+use plot::{CellFill, Fraction, Symbol};
 use results::folder::{Manifest, TraceSummary};
 use sim::Motion;
 
@@ -70,23 +70,23 @@ pub fn meanings(motion: Motion, by_all: &str) -> [(Symbol, String); 4] {
     ]
 }
 
-/// The grounds and symbols that are on any of the maps: parts from all to none of the
+/// The fills and symbols that are on any of the maps: parts from all to none of the
 /// cases, then symbols.
-pub fn keys(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ground, String)> {
-    let classes = Part::EVERY.into_iter().rev();
-    let classes = classes.map(|part| (Ground::Part(part), part.text().to_owned()));
-    let mut keys: Vec<(Ground, String)> = classes
-        .chain([(Ground::NoCase, "no case, or undetermined".to_owned())])
-        .filter(|(ground, _)| {
-            let is_ground = |other| other == *ground;
-            contents.iter().any(|content| content.has_ground(is_ground))
+pub fn keys(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(CellFill, String)> {
+    let classes = Fraction::EVERY.into_iter().rev();
+    let classes = classes.map(|part| (CellFill::Fraction(part), part.text().to_owned()));
+    let mut keys: Vec<(CellFill, String)> = classes
+        .chain([(CellFill::NoCase, "no case, or undetermined".to_owned())])
+        .filter(|(fill, _)| {
+            let is_fill = |other| other == *fill;
+            contents.iter().any(|content| content.has_fill(is_fill))
         })
         .collect();
     keys.extend(symbols(contents, manifest, motion));
     keys
 }
 
-fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Ground, String)> {
+fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(CellFill, String)> {
     let methods = manifest.method_names();
     let by_all = if methods.len() == 1 {
         ""
@@ -101,7 +101,7 @@ fn symbols(contents: &[Content], manifest: &Manifest, motion: Motion) -> Vec<(Gr
     };
     let mut found: Vec<_> = (meanings.into_iter())
         .filter(|(symbol, _)| is_there(*symbol))
-        .map(|(symbol, meaning)| (Ground::Symbol(symbol), meaning))
+        .map(|(symbol, meaning)| (CellFill::Symbol(symbol), meaning))
         .collect();
     if let (Some((_, first)), false) =
         (found.first_mut(), contents.iter().any(Content::is_of_parts))
@@ -135,7 +135,7 @@ fn by_certainty(meanings: [(Symbol, String); 4]) -> Vec<(Symbol, String)> {
     meanings.into_iter().flat_map(of_symbol).collect()
 }
 
-/// What the grounds of cells tell.
+/// What the fills of cells tell.
 pub fn scale(
     motion: Motion,
     manifest: &Manifest,
@@ -158,7 +158,7 @@ fn of_grid(trace: &TraceSummary) -> String {
     format!("{cases} of {all} cases of a grid as fine, the others as those around")
 }
 
-/// What the grounds of a traced map tell that has tiles where its limit is no line.
+/// What the fills of a traced map tell that has tiles where its limit is no line.
 pub fn ragged(motion: Motion, manifest: &Manifest, trace: &TraceSummary) -> String {
     let [regime, _] = motion.regimes();
     let methods = manifest.method_names();

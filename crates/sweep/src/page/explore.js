@@ -118,7 +118,7 @@ function put(axis, value) {
   byId(`number-${axis}`).value = Number(value.toPrecision(6));
 }
 
-/** To as many digits as a slider tells apart. */
+/** To as many digits as a slider distinguishes. */
 const rounded = (axis, value) => {
   const { least, most } = control(axis);
   const digits = Math.max(0, 3 - Math.floor(Math.log10(most - least)));

@@ -6,7 +6,7 @@ use sim::Motion;
 use campaign::quantities::Axis;
 use campaign::sweep_file::Spacing;
 use campaign::words::short;
-use plot::{Ground, Symbol};
+use plot::{CellFill, Symbol};
 
 /// The map with its axes and what the characters mean.
 pub fn character_map(cells: &Cells, extent: &Extent, motion: Motion, [x, y]: [Axis; 2]) -> String {
@@ -51,8 +51,8 @@ fn legend(cells: &Cells, motion: Motion) -> String {
     let joined = cells.joined();
     let keys: String = (meanings(motion, " by all methods").into_iter())
         .filter(|(symbol, _)| {
-            let ground = Ground::Symbol(*symbol);
-            joined.iter().any(|cell| cell.ground == ground)
+            let fill = CellFill::Symbol(*symbol);
+            joined.iter().any(|cell| cell.fill == fill)
         })
         .map(|(symbol, meaning)| format!("{} {meaning}\n", character(symbol)))
         .collect();

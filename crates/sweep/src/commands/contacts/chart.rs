@@ -2,8 +2,8 @@
 
 use super::table::blow_name;
 use crate::commands::prepare::unique;
-use crate::method_inks::method_ink;
-use plot::{Axis, Ink, Look, Panel, Picture, Series, panels};
+use crate::method_styles::method_style;
+use plot::{Axis, LineStyle, Look, Panel, Picture, Series, panels};
 use studies::contacts::{Bounds, Row};
 
 /// A bound by its name.
@@ -35,10 +35,10 @@ pub fn chart(rows: &[Row], lowest: f64) -> Picture {
 
 fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
     let mut series: Vec<Series> = Vec::new();
-    let mut add = |name: String, ink: Ink, row: &Row, friction: Option<f64>| {
+    let mut add = |name: String, style: LineStyle, row: &Row, friction: Option<f64>| {
         let known = series.iter().position(|series| series.name == name);
         let place = known.unwrap_or_else(|| {
-            series.push(Series::new(name, Vec::new()).inked(ink));
+            series.push(Series::new(name, Vec::new()).styled(style));
             series.len() - 1
         });
         let point = (row.contacts as f64, friction.unwrap_or(f64::NAN));
@@ -53,18 +53,23 @@ fn panel(string: &str, rows: &[&Row], lowest: f64, several: bool) -> Panel {
     };
     for row in rows {
         let mut name = blow_name(&row.blow, lowest);
-        let mut ink = Ink::default();
+        let mut style = LineStyle::default();
         if several {
             let method = row.method.name();
             name += &format!(", {method}");
-            ink = method_ink(method);
+            style = method_style(method);
         }
         let lasts = row.limit.as_ref().ok().and_then(|limit| limit.lasts);
-        add(name, ink, row, lasts.map(|(friction, _)| friction));
+        add(name, style, row, lasts.map(|(friction, _)| friction));
     }
     for (dash, (name, bound)) in BOUNDS.into_iter().enumerate() {
         for row in rows {
-            add(name.to_owned(), Ink::grey(dash), row, bound(&row.bounds));
+            add(
+                name.to_owned(),
+                LineStyle::grey(dash),
+                row,
+                bound(&row.bounds),
+            );
         }
     }
     Panel {

@@ -7,7 +7,7 @@ use linear::waves::lateral::BendingNetwork;
 use linear::waves::network::TorsionNetwork;
 use linear::{DrillstringError, Sites};
 
-use crate::method_inks::method_ink;
+use crate::method_styles::method_style;
 use campaign::engine::MethodSystem;
 use campaign::plan::{LateralSettings, Sweep};
 use campaign::quantities::{FORCE, IMPULSE, LENGTH, TORQUE, Unit};
@@ -78,7 +78,7 @@ fn time_panel(
     let of_method = |system: &MethodSystem| {
         Some(Series {
             name: system.method.name().to_owned(),
-            ink: method_ink(system.method.name()),
+            style: method_style(system.method.name()),
             points: points(system)?,
         })
     };
@@ -135,7 +135,7 @@ fn exact_panel(label: &str, sweep: &Sweep, response: &dyn Fn(f64) -> f64) -> Pan
         axes: [Axis::linear("Frequency f (Hz)"), Axis::logarithmic(label)],
         series: vec![Series {
             name: "exact".to_owned(),
-            ink: method_ink("exact"),
+            style: method_style("exact"),
             points: points.collect(),
         }],
         references: Vec::new(),

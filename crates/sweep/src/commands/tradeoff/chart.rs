@@ -2,7 +2,7 @@
 
 use super::table::measures;
 use crate::commands::prepare::unique;
-use crate::method_inks::method_ink;
+use crate::method_styles::method_style;
 use plot::{Axis, Picture, ScatterPanel, Series, scatter_grid};
 use studies::tradeoff::{CASE_SECONDS, CASES, Measure, Row, front};
 
@@ -35,7 +35,7 @@ fn panel(rows: &[Row], measure: Measure, is_first: bool) -> ScatterPanel {
     let families = unique(&known().map(family).collect::<Vec<_>>());
     let kinds = families.into_iter().map(|name| Series {
         name: name.to_owned(),
-        ink: method_ink(name),
+        style: method_style(name),
         points: (known().filter(|row| family(row) == name))
             .filter_map(point)
             .collect(),

@@ -1,19 +1,19 @@
 //! The legend of maps: a list of the page.
 
-use super::look::{LINES, class_of_ground, class_of_symbol, symbol_path};
+use super::look::{LINES, class_of_fill, class_of_symbol, symbol_path};
 use crate::report::escaping::{escaped, with_index};
-use plot::{Ground, MapGroup, Symbol};
+use plot::{CellFill, MapGroup, Symbol};
 
 /// The middle of a key, and the radius of its symbol.
 const MIDDLE: (f64, f64) = (20.0, 8.0);
 const RADIUS: f64 = 5.0;
 
-/// What the symbols, grounds, lines and ranges of a group mean.
+/// What the symbols, fills, lines and ranges of a group mean.
 pub fn keys(group: &MapGroup, names: &[&str]) -> String {
     let has_cells = group.panels.iter().any(|panel| !panel.cells.is_empty());
-    let grounds = group.keys.iter();
-    let mut items: Vec<(String, &str)> = grounds
-        .map(|(ground, text)| (of_ground(*ground, has_cells), text.as_str()))
+    let fills = group.keys.iter();
+    let mut items: Vec<(String, &str)> = fills
+        .map(|(fill, text)| (of_fill(*fill, has_cells), text.as_str()))
         .collect();
     let lines = names.iter().enumerate();
     items.extend(lines.map(|(place, name)| {
@@ -44,17 +44,17 @@ pub fn keys(group: &MapGroup, names: &[&str]) -> String {
     )
 }
 
-/// A ground with the symbol that it stands for; a symbol alone where maps have no cells.
-fn of_ground(ground: Ground, has_cells: bool) -> String {
+/// A fill with the symbol that it stands for; a symbol alone where maps have no cells.
+fn of_fill(fill: CellFill, has_cells: bool) -> String {
     let cell = |frame: &str| {
-        let class = class_of_ground(ground);
+        let class = class_of_fill(fill);
         format!("<path class=\"cell {class}{frame}\" d=\"M4 1H36V15H4z\"></path>")
     };
-    match ground {
-        Ground::Symbol(symbol) if has_cells => cell("") + &of_symbol(symbol),
-        Ground::Symbol(symbol) => of_symbol(symbol),
-        // A ground may be as light as the page.
-        Ground::Part(_) | Ground::Safety(_) | Ground::NoCase => cell(" framed"),
+    match fill {
+        CellFill::Symbol(symbol) if has_cells => cell("") + &of_symbol(symbol),
+        CellFill::Symbol(symbol) => of_symbol(symbol),
+        // A fill may be as light as the page.
+        CellFill::Fraction(_) | CellFill::Safety(_) | CellFill::NoCase => cell(" framed"),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a style sheet colours, and the shapes of symbols.
 
-use plot::{Ground, Part, Symbol};
+use plot::{CellFill, Fraction, Symbol};
 
 /// Dash patterns of lines in the style sheet, `l0` and on.
 pub const LINES: usize = 6;
@@ -25,16 +25,16 @@ pub fn class_of_symbol(symbol: Symbol) -> &'static str {
     }
 }
 
-/// The class of a ground.
-pub fn class_of_ground(ground: Ground) -> String {
-    match ground {
-        Ground::Symbol(symbol) => format!("g-{}", class_of_symbol(symbol)),
-        Ground::Part(part) => {
-            let place = Part::EVERY.iter().position(|other| *other == part);
+/// The class of a fill.
+pub fn class_of_fill(fill: CellFill) -> String {
+    match fill {
+        CellFill::Symbol(symbol) => format!("g-{}", class_of_symbol(symbol)),
+        CellFill::Fraction(part) => {
+            let place = Fraction::EVERY.iter().position(|other| *other == part);
             format!("p{}", place.unwrap_or(0))
         }
-        Ground::Safety(safety) => format!("s{}", safety as usize),
-        Ground::NoCase => "no-case".to_owned(),
+        CellFill::Safety(safety) => format!("s{}", safety as usize),
+        CellFill::NoCase => "no-case".to_owned(),
     }
 }
 

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::look::{LINES, class_of_ground, class_of_symbol, short, symbol_path};
+use super::look::{LINES, class_of_fill, class_of_symbol, short, symbol_path};
 use crate::report::escaping::{escaped, with_index};
 use plot::{MapAxis, MapCell, MapPanel, Mark, Series, Symbol};
 
@@ -131,12 +131,12 @@ fn grid(axes: &[MapAxis; 2]) -> String {
     format!("<path class=\"grid\" d=\"{path}\"></path>\n")
 }
 
-/// Cells of a ground as one path.
+/// Cells of a fill as one path.
 fn cells(axes: &[MapAxis; 2], cells: &[MapCell]) -> String {
     let mut paths: BTreeMap<String, String> = BTreeMap::new();
     for cell in cells {
         let area = rectangle(axes, cell.ends).unwrap_or_default();
-        *paths.entry(class_of_ground(cell.ground)).or_default() += &area;
+        *paths.entry(class_of_fill(cell.fill)).or_default() += &area;
     }
     let paths = paths
         .iter()

@@ -1,4 +1,4 @@
-//! The grounds of a map's cells: told apart by how light they are, so that neither
+//! The fills of a map's cells: distinguished by how light they are, so that neither
 //! colour vision nor colour print is needed.
 
 use super::canvas::Canvas;
@@ -10,19 +10,19 @@ use super::geometry::Rect;
 use super::shapes::Stroke;
 use super::symbols::Symbol;
 
-/// Distance of strokes through what has no case, along either axis.
+/// Distance of strokes through an empty cell, along either axis.
 const STEP: f64 = 8.0;
 
-/// What the cases of a cell are.
+/// What a cell shows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Ground {
-    /// What most of them are.
+pub enum CellFill {
+    /// What stands for most of what is in it.
     Symbol(Symbol),
-    /// How large a part of them has the regime.
-    Part(Part),
+    /// How large a fraction of what is in it has a property.
+    Fraction(Fraction),
     /// How far it is from limits.
     Safety(Safety),
-    /// There are none: slanted strokes.
+    /// Nothing is in it: slanted strokes.
     NoCase,
 }
 
@@ -41,19 +41,26 @@ pub enum Safety {
 
 /// A class of parts of a whole: none of it, each quarter with its upper end, and all.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Part(usize);
+pub struct Fraction(usize);
 
 /// The upper ends of the classes up to the third quarter; all of it is a class of its own.
 const ENDS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 
-impl Part {
+impl Fraction {
     /// All classes, in ascending order.
-    pub const EVERY: [Part; 6] = [Part(0), Part(1), Part(2), Part(3), Part(4), Part(5)];
+    pub const EVERY: [Fraction; 6] = [
+        Fraction(0),
+        Fraction(1),
+        Fraction(2),
+        Fraction(3),
+        Fraction(4),
+        Fraction(5),
+    ];
 
     /// The class of a part between 0 and 1.
-    pub fn of(part: f64) -> Part {
+    pub fn of(part: f64) -> Fraction {
         let passed = ENDS.iter().filter(|end| part > **end).count();
-        Part(passed + usize::from(part >= 1.0))
+        Fraction(passed + usize::from(part >= 1.0))
     }
 
     /// As a person reads it.
@@ -75,27 +82,27 @@ impl Part {
 }
 
 /// Fills a part of a map.
-pub(crate) fn draw_ground(canvas: &mut Canvas, ground: Ground, area: Rect) {
-    let colour = match ground {
-        Ground::Symbol(Symbol::Circle) => BLUE_GROUND,
-        Ground::Symbol(Symbol::Cross) => GREY_GROUND,
-        Ground::Symbol(Symbol::Square) => ORANGE_GROUND,
-        Ground::Symbol(Symbol::Disc) => CERTAIN_BLUE_GROUND,
-        Ground::Symbol(Symbol::HeavyCross) => CERTAIN_GREY_GROUND,
-        Ground::Symbol(Symbol::Diamond) => PURPLE_GROUND,
-        Ground::Symbol(Symbol::FilledDiamond) => CERTAIN_PURPLE_GROUND,
-        Ground::Part(part) => part.colour(),
-        Ground::Safety(safety) => SAFETY[safety as usize],
-        Ground::NoCase => return draw_strokes(canvas, area),
+pub(crate) fn draw_fill(canvas: &mut Canvas, fill: CellFill, area: Rect) {
+    let colour = match fill {
+        CellFill::Symbol(Symbol::Circle) => BLUE_GROUND,
+        CellFill::Symbol(Symbol::Cross) => GREY_GROUND,
+        CellFill::Symbol(Symbol::Square) => ORANGE_GROUND,
+        CellFill::Symbol(Symbol::Disc) => CERTAIN_BLUE_GROUND,
+        CellFill::Symbol(Symbol::HeavyCross) => CERTAIN_GREY_GROUND,
+        CellFill::Symbol(Symbol::Diamond) => PURPLE_GROUND,
+        CellFill::Symbol(Symbol::FilledDiamond) => CERTAIN_PURPLE_GROUND,
+        CellFill::Fraction(part) => part.colour(),
+        CellFill::Safety(safety) => SAFETY[safety as usize],
+        CellFill::NoCase => return draw_strokes(canvas, area),
     };
     canvas.polygon(&area.corners(), colour)
 }
 
-/// Slanted strokes that go on from one cell to the next; across a cell that none of them meets,
+/// Slanted strokes that continue from one cell to the next; across a cell that none of them meets,
 /// one of its own.
 fn draw_strokes(canvas: &mut Canvas, area: Rect) {
     let stroke = Stroke::solid(NO_CASE, 0.8);
-    // Where right and down are so many steps in all.
+    // Places whose right and down add up to a whole number of steps.
     let [first, last] = [area.left + area.top, area.right + area.bottom];
     let numbers = (first / STEP).ceil() as i64..(last / STEP).ceil() as i64;
     let along = |number: i64| {
@@ -125,7 +132,7 @@ mod tests {
 
     #[test]
     fn a_larger_part_is_darker() {
-        for pair in Part::EVERY.windows(2) {
+        for pair in Fraction::EVERY.windows(2) {
             let step = lightness(pair[0].colour()) - lightness(pair[1].colour());
             assert!(step > 9.0, "{pair:?}: {step}");
         }
@@ -141,10 +148,10 @@ mod tests {
 
     #[test]
     fn classes_take_their_upper_ends() {
-        let classes = [0.0, 1e-6, 0.25, 0.5, 0.75, 0.999, 1.0].map(Part::of);
+        let classes = [0.0, 1e-6, 0.25, 0.5, 0.75, 0.999, 1.0].map(Fraction::of);
         assert_eq!(
             classes,
-            [0, 1, 1, 2, 3, 4, 5].map(|class| Part::EVERY[class])
+            [0, 1, 1, 2, 3, 4, 5].map(|class| Fraction::EVERY[class])
         );
     }
 }

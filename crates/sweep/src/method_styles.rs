@@ -1,6 +1,6 @@
-//! The ink of methods: one has the same colour in every picture.
+//! The style of methods: one has the same colour in every picture.
 
-use plot::Ink;
+use plot::LineStyle;
 use plot::colours::{BLACK, BLUE, Colour, DARK_GREY, GREEN, ORANGE, PURPLE, RED, SKY_BLUE};
 
 /// The colours of methods, and of exact responses. Those of the four that draw limits on maps are
@@ -16,14 +16,16 @@ const METHODS: [(&str, Colour); 8] = [
     ("exact", DARK_GREY),
 ];
 
-/// The ink of a method, by what a name begins with up to a comma or a space. Of an unknown one it
+/// The style of a method, by what a name begins with up to a comma or a space. Of an unknown one it
 /// follows from its place among the others of a picture.
-pub fn method_ink(name: &str) -> Ink {
+pub fn method_style(name: &str) -> LineStyle {
     let method = name.split([',', ' ']).next();
     let known = METHODS
         .into_iter()
         .find(|(known, _)| Some(*known) == method);
-    known.map_or_else(Ink::default, |(_, colour)| Ink::coloured(colour))
+    known.map_or_else(LineStyle::default, |(_, colour)| {
+        LineStyle::coloured(colour)
+    })
 }
 
 #[cfg(test)]
@@ -32,8 +34,8 @@ mod tests {
 
     #[test]
     fn a_method_has_its_colour_whatever_follows_its_name() {
-        assert_eq!(method_ink("hilbert, γ = 0.5"), method_ink("hilbert"));
-        assert_eq!(method_ink("recorded"), Ink::default());
+        assert_eq!(method_style("hilbert, γ = 0.5"), method_style("hilbert"));
+        assert_eq!(method_style("recorded"), LineStyle::default());
     }
 
     #[test]

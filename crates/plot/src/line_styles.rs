@@ -9,12 +9,12 @@ const LATER_WIDTH: f64 = 1.8;
 
 /// Colour and dash of a curve; what is not given follows from its place among the others.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Ink {
+pub struct LineStyle {
     colour: Option<Colour>,
     dash: Option<usize>,
 }
 
-impl Ink {
+impl LineStyle {
     /// In a colour; its dashes follow from its place among the others.
     pub fn coloured(colour: Colour) -> Self {
         Self {
@@ -50,7 +50,7 @@ pub struct Series {
     /// Name in the legend; what has the same name looks the same.
     pub name: String,
     /// How it looks.
-    pub ink: Ink,
+    pub style: LineStyle,
     /// Its points; a curve has a gap where one cannot be shown.
     pub points: Vec<(f64, f64)>,
 }
@@ -60,47 +60,49 @@ impl Series {
     pub fn new(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self {
             name: name.into(),
-            ink: Ink::default(),
+            style: LineStyle::default(),
             points,
         }
     }
 
-    /// The same in an ink.
-    pub fn inked(self, ink: Ink) -> Self {
-        Self { ink, ..self }
+    /// The same in an style.
+    pub fn styled(self, style: LineStyle) -> Self {
+        Self { style, ..self }
     }
 }
 
-/// Distinct names, in order of appearance, and their inks with every colour given: what has the
+/// Distinct names, in order of appearance, and their styles with every colour given: what has the
 /// same name looks the same.
-pub(crate) fn distinct_inks<'a>(series: impl Iterator<Item = &'a Series>) -> Vec<(&'a str, Ink)> {
-    let mut found: Vec<(&str, Ink)> = Vec::new();
+pub(crate) fn distinct_styles<'a>(
+    series: impl Iterator<Item = &'a Series>,
+) -> Vec<(&'a str, LineStyle)> {
+    let mut found: Vec<(&str, LineStyle)> = Vec::new();
     for series in series {
         if !found.iter().any(|(name, _)| *name == series.name) {
-            found.push((&series.name, series.ink));
+            found.push((&series.name, series.style));
         }
     }
-    let taken: Vec<Colour> = found.iter().filter_map(|(_, ink)| ink.colour).collect();
+    let taken: Vec<Colour> = found.iter().filter_map(|(_, style)| style.colour).collect();
     let mut free = COLOURS
         .into_iter()
         .filter(|colour| !taken.contains(colour))
         .cycle();
-    for (_, ink) in &mut found {
-        ink.colour = ink.colour.or_else(|| free.next());
+    for (_, style) in &mut found {
+        style.colour = style.colour.or_else(|| free.next());
     }
     found
 }
 
 /// The looks of distinct names. Only the first is solid: where series coincide, it shows between
 /// the dashes of the others.
-pub(crate) fn strokes(inks: &[(&str, Ink)]) -> Vec<Stroke> {
-    let strokes = inks.iter().enumerate().map(|(index, (_, ink))| {
-        let dash = match ink.dash.unwrap_or(index) {
+pub(crate) fn strokes(styles: &[(&str, LineStyle)]) -> Vec<Stroke> {
+    let strokes = styles.iter().enumerate().map(|(index, (_, style))| {
+        let dash = match style.dash.unwrap_or(index) {
             0 => DASHES[0],
             later => DASHES[1 + (later - 1) % (DASHES.len() - 1)],
         };
         Stroke {
-            colour: ink.colour.unwrap_or(BLACK),
+            colour: style.colour.unwrap_or(BLACK),
             width: if dash.is_empty() {
                 FIRST_WIDTH
             } else {
@@ -113,17 +115,17 @@ pub(crate) fn strokes(inks: &[(&str, Ink)]) -> Vec<Stroke> {
 }
 
 /// The markers of distinct names.
-pub(crate) fn markers(inks: &[(&str, Ink)]) -> Vec<Marker> {
-    let markers = inks.iter().enumerate().map(|(kind, (_, ink))| Marker {
+pub(crate) fn markers(styles: &[(&str, LineStyle)]) -> Vec<Marker> {
+    let markers = styles.iter().enumerate().map(|(kind, (_, style))| Marker {
         kind,
-        colour: ink.colour.unwrap_or(BLACK),
+        colour: style.colour.unwrap_or(BLACK),
     });
     markers.collect()
 }
 
 /// The place of a name among distinct ones.
-pub(crate) fn place_among(name: &str, inks: &[(&str, Ink)]) -> usize {
-    let place = inks.iter().position(|(other, _)| *other == name);
+pub(crate) fn place_among(name: &str, styles: &[(&str, LineStyle)]) -> usize {
+    let place = styles.iter().position(|(other, _)| *other == name);
     place.unwrap_or(0)
 }
 
@@ -133,10 +135,10 @@ mod tests {
 
     #[test]
     fn a_colour_that_is_given_is_given_to_no_other() {
-        let given = Series::new("given", Vec::new()).inked(Ink::coloured(COLOURS[0]));
+        let given = Series::new("given", Vec::new()).styled(LineStyle::coloured(COLOURS[0]));
         let [first, second] = ["first", "second"].map(|name| Series::new(name, Vec::new()));
-        let inks = distinct_inks([&first, &given, &second].into_iter());
-        let colours: Vec<_> = inks.iter().map(|(_, ink)| ink.colour).collect();
+        let styles = distinct_styles([&first, &given, &second].into_iter());
+        let colours: Vec<_> = styles.iter().map(|(_, style)| style.colour).collect();
         assert_eq!(colours, [COLOURS[1], COLOURS[0], COLOURS[2]].map(Some));
     }
 
@@ -144,9 +146,9 @@ mod tests {
     fn one_number_is_that_of_the_colour_and_one_that_of_the_dashes() {
         let list = [(0, 0), (0, 1), (1, 0)].map(|(colour, dash)| {
             let series = Series::new(format!("{colour} {dash}"), Vec::new());
-            series.inked(Ink::numbered(colour, dash))
+            series.styled(LineStyle::numbered(colour, dash))
         });
-        let strokes = strokes(&distinct_inks(list.iter()));
+        let strokes = strokes(&distinct_styles(list.iter()));
         assert!(strokes[0].colour == strokes[1].colour && strokes[0].dash != strokes[1].dash);
         assert!(strokes[0].colour != strokes[2].colour && strokes[0].dash == strokes[2].dash);
     }
