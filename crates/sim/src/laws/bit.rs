@@ -2,6 +2,7 @@
 //! (Sections 2.2.2 and 4.2), met by the load line of Eq. 16. Between the two the torque may
 //! fall with the speed, T_d + (T_s − T_d) e^(−ω/ω_c) (Stribeck), instead of at once.
 
+pub use super::torque::BitMotion;
 use super::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::ranges::{SceneError, not_negative};
 
@@ -15,18 +16,6 @@ pub struct BitTorque {
     /// ω_c, rad/s: the speed at which e⁻¹ of what T_s is more than T_d is left; zero where the
     /// torque falls at once.
     pub decay_speed: f64,
-}
-
-/// What the bit was doing in the last step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum BitMotion {
-    /// Held by the rock, as at the first instant.
-    #[default]
-    Stuck,
-    /// Turning with the surface (positive) speed.
-    Forward,
-    /// Turning against it.
-    Backward,
 }
 
 /// Newton's steps to a speed: close to where both roots are one, each halves what is left.
@@ -55,15 +44,23 @@ impl TorqueLaw for BitTorque {
     }
 
     fn turning_at(&self, speed: f64) -> BitMotion {
-        match speed {
-            0.0 => BitMotion::Stuck,
-            _ if speed > 0.0 => BitMotion::Forward,
-            _ => BitMotion::Backward,
-        }
+        BitMotion::of(speed)
     }
 
     fn largest_drop(&self) -> f64 {
         self.torque_static - self.torque_dynamic
+    }
+
+    fn holds(&self) -> Option<f64> {
+        Some(self.torque_static)
+    }
+
+    fn is_constant_in_slip(&self) -> bool {
+        self.decay_speed == 0.0
+    }
+
+    fn is_autonomous(&self) -> bool {
+        true
     }
 
     fn check(&self) -> Result<(), SceneError> {

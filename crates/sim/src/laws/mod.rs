@@ -10,5 +10,6 @@ mod obeyed;
 pub mod pipe;
 mod press;
 pub mod rock;
+pub mod table;
 pub mod torque;
 pub mod wall;

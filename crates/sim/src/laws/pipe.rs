@@ -5,8 +5,7 @@
 //! 1083–1138), met by the load line as at the bit (Eq. 16). What turns much more slowly than ω_s
 //! rubs as what is stuck, so that a string breaks loose as a whole.
 
-use super::bit::BitMotion;
-use super::torque::{LoadLine, TorqueLaw, TorqueStep};
+use super::torque::{BitMotion, LoadLine, TorqueLaw, TorqueStep};
 use crate::ranges::{SceneError, not_negative};
 
 /// The friction of a piece, N m.
@@ -166,6 +165,18 @@ impl TorqueLaw for PipeFriction {
 
     fn largest_drop(&self) -> f64 {
         self.torque_static - self.torque_dynamic
+    }
+
+    fn holds(&self) -> Option<f64> {
+        Some(self.torque_static)
+    }
+
+    fn is_constant_in_slip(&self) -> bool {
+        self.torque_static == self.torque_dynamic || self.stribeck_speed == 0.0
+    }
+
+    fn is_autonomous(&self) -> bool {
+        true
     }
 
     fn check(&self) -> Result<(), SceneError> {
