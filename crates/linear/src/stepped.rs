@@ -30,12 +30,13 @@ pub struct SteppedString {
 }
 
 impl SteppedString {
-    /// Divides a string into elements, its surface turned as prescribed.
+    /// Divides a string into elements, its surface turned as prescribed or by its top drive: that
+    /// is stepped with the mesh, as the inertia, the dashpot and the spring that it is to the
+    /// string.
     ///
     /// # Errors
-    /// Where the sites are not the string's, parameters are out of range, the elements would be
-    /// too many or cannot be factorised, or a top drive turns the string
-    /// ([`BuildError::SteppedBelowDrive`]).
+    /// Where the sites are not the string's, parameters are out of range, or the elements would be
+    /// too many or cannot be factorised.
     pub fn new(
         string: &Drillstring,
         bending: &Bending,
@@ -44,9 +45,6 @@ impl SteppedString {
         parameters: &FiniteElement,
         sampling_frequency: f64,
     ) -> Result<Self, BuildError> {
-        if string.top_drive().is_some() {
-            return Err(BuildError::SteppedBelowDrive);
-        }
         let (torsion, surface) = turned(string, sites, parameters, sampling_frequency)?;
         let (bending, _) = bent(
             string,

@@ -82,7 +82,7 @@ pub(crate) fn in_order(
             return Err(SceneError::OutOfRange {
                 quantity,
                 value,
-                expected: "finite, each larger than the one before",
+                expected: "finite and larger than the one before",
             });
         }
         before = value;

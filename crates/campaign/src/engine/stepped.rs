@@ -24,8 +24,7 @@ pub fn stepped_by<'a>(
     let are_many = setting.sites.len() > MOST_BY_TAPS || lateral.finding.is_some();
     // A string that rubs is stepped in pieces, and bends by taps.
     let is_in_pieces = setting.friction.is_some();
-    let is_stepped = are_many && !is_in_pieces && setting.string.top_drive().is_none();
-    is_stepped.then_some((lateral, *parameters))
+    (are_many && !is_in_pieces).then_some((lateral, *parameters))
 }
 
 /// The sites whose own responses are to be known: those of impulses, and the lowest.

@@ -1,7 +1,9 @@
 //! Torque between bit and rock: stuck up to T_s, sliding against T_d
 //! (Sections 2.2.2 and 4.2), met by the load line of Eq. 16. Between the two the torque may
-//! fall with the speed, T_d + (T_s − T_d) e^(−ω/ω_c) (Stribeck), instead of at once.
+//! fall with the speed, T_d + (T_s − T_d) e^(−ω/ω_c) ([`super::friction_curve`]), instead of at
+//! once.
 
+use super::friction_curve::{FrictionCurve, Shape};
 pub use super::torque::BitMotion;
 use super::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::ranges::{SceneError, not_negative};
@@ -17,12 +19,6 @@ pub struct BitTorque {
     /// torque falls at once.
     pub decay_speed: f64,
 }
-
-/// Newton's steps to a speed: close to where both roots are one, each halves what is left.
-const MOST_STEPS: usize = 100;
-
-/// A speed is known to this part of it.
-const SAME_SPEED: f64 = 1e-14;
 
 impl TorqueLaw for BitTorque {
     type State = BitMotion;
@@ -81,16 +77,15 @@ impl BitTorque {
     fn slide(&self, direction: f64, line: LoadLine) -> Option<TorqueStep<BitMotion>> {
         let against = match self.decay_speed {
             0.0 => self.torque_dynamic,
-            _ => self.torque_at(self.fastest(direction * line.free_speed, line.compliance)?),
+            _ => {
+                let curve = self.curve();
+                curve.at(curve.fastest(direction * line.free_speed, line.compliance)?)
+            }
         };
         let torque = -direction * against;
         let speed = line.free_speed + line.compliance * torque;
         (direction * speed > 0.0).then_some(TorqueStep {
-            state: if direction > 0.0 {
-                BitMotion::Forward
-            } else {
-                BitMotion::Backward
-            },
+            state: BitMotion::of(direction),
             torque,
             speed,
         })
@@ -98,41 +93,22 @@ impl BitTorque {
 
     /// Torque against a bit that turns at a speed (rad/s), N m.
     pub fn torque_at(&self, speed: f64) -> f64 {
-        if self.decay_speed == 0.0 {
-            return self.torque_dynamic;
-        }
-        let more = self.torque_static - self.torque_dynamic;
-        self.torque_dynamic + more * (-speed / self.decay_speed).exp()
+        self.curve().at(speed)
     }
 
     /// The speed (rad/s) above which the torque falls less steeply with it than by `slope`,
     /// N m s/rad; none where it does at every speed.
     pub fn speed_of_fall(&self, slope: f64) -> Option<f64> {
-        let steepest = (self.torque_static - self.torque_dynamic) / self.decay_speed;
-        let speed = self.decay_speed * (steepest / slope).ln();
-        (self.decay_speed > 0.0 && speed > 0.0).then_some(speed)
+        self.curve().speed_of_fall(slope)
     }
 
-    /// The largest speed v > 0 with v + A T(v) = `driven`, where there is one. Above it the
-    /// left side is the larger, and it is convex: Newton's steps from what T_d alone would leave
-    /// come down to it, and past the least of it only where there is none.
-    fn fastest(&self, driven: f64, compliance: f64) -> Option<f64> {
-        let more = self.torque_static - self.torque_dynamic;
-        let mut speed = driven - compliance * self.torque_dynamic;
-        for _ in 0..MOST_STEPS {
-            let left = more * (-speed / self.decay_speed).exp();
-            let slope = 1.0 - compliance * left / self.decay_speed;
-            if speed <= 0.0 || slope <= 0.0 {
-                return None;
-            }
-            let excess = speed + compliance * (self.torque_dynamic + left) - driven;
-            let step = excess / slope;
-            speed -= step;
-            if step <= SAME_SPEED * speed {
-                break;
-            }
+    fn curve(&self) -> FrictionCurve {
+        FrictionCurve {
+            at_rest: self.torque_static,
+            when_fast: self.torque_dynamic,
+            decay_speed: self.decay_speed,
+            shape: Shape::Exponential,
         }
-        (speed > 0.0).then_some(speed)
     }
 
     fn hold_or_slip(&self, line: LoadLine) -> TorqueStep<BitMotion> {

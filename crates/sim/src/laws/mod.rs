@@ -4,6 +4,7 @@
 pub mod bit;
 mod bracket;
 pub mod contact;
+mod friction_curve;
 mod in_step;
 mod newton;
 mod obeyed;

@@ -171,7 +171,7 @@ impl TorqueLaw for TabulatedFriction {
             });
         }
         in_order(
-            "speeds of the bit's table in rad/s",
+            "speed of the bit's table in rad/s",
             self.rows.iter().map(|row| row.0),
         )?;
         for (_, torque) in &self.rows {
