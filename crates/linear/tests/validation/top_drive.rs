@@ -135,7 +135,7 @@ fn a_mesh_and_its_drive_have_the_exact_response_at_their_modes() {
     ] {
         let string = below(&plain, drive);
         let network = TorsionNetwork::new(&string, &Sites::bit()).unwrap();
-        let (frequency, time) = (2000.0, 60.0);
+        let (frequency, time) = (1000.0, 30.0);
         let [from_surface, from_torque] = stepped_at_bit(&string, frequency, time);
         for mode in torsional_modes(&string, 3).unwrap() {
             let hertz = mode.frequency();

@@ -104,7 +104,10 @@ impl FrictionCurve {
                 let speed = self.decay_speed * (steepest / slope).ln();
                 (self.decay_speed > 0.0 && speed > 0.0).then_some(speed)
             }
-            Shape::Gaussian => self.folds(1.0 / slope).map(|(_, second)| second),
+            Shape::Gaussian => {
+                let (_, speed) = self.folds(1.0 / slope)?;
+                (speed > 0.0).then_some(speed)
+            }
         }
     }
 
