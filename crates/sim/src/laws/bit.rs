@@ -1,7 +1,6 @@
 //! Torque between bit and rock: stuck up to T_s, sliding against T_d
 //! (Sections 2.2.2 and 4.2), met by the load line of Eq. 16. Between the two the torque may
-//! fall with the speed, T_d + (T_s − T_d) e^(−ω/ω_c) ([`super::friction_curve`]), instead of at
-//! once.
+//! fall with the speed, T_d + (T_s − T_d) e^(−ω/ω_c) (`friction_curve.rs`), instead of at once.
 
 use super::friction_curve::{FrictionCurve, Shape};
 pub use super::torque::BitMotion;

@@ -1,5 +1,5 @@
 //! Friction of a piece of pipe that lies against the borehole: stuck up to F_s; turning at ω
-//! against F_d + (F_s − F_d) e^(−(ω/ω_s)²) ([`super::friction_curve`]), met by the load line as at
+//! against F_d + (F_s − F_d) e^(−(ω/ω_s)²) (`friction_curve.rs`), met by the load line as at
 //! the bit (Eq. 16). What turns much more slowly than ω_s rubs as what is stuck, so that a string
 //! breaks loose as a whole.
 

@@ -2,7 +2,7 @@
 //! Coulomb friction that slides or rolls. How a step of it is solved is in `press`.
 //!
 //! Friction may fall with the speed v at which the surfaces slide, from μ_s to μ_d:
-//! μ_d + (μ_s − μ_d) e^(−(v/v_s)²) ([`super::friction_curve`]).
+//! μ_d + (μ_s − μ_d) e^(−(v/v_s)²) (`friction_curve.rs`).
 
 use super::friction_curve::{FrictionCurve, Shape};
 use crate::ranges::{SceneError, not_negative, part, positive};
