@@ -351,8 +351,8 @@ pub fn read_boundary(path: &Path) -> Result<Boundary> {
 
 #[cfg(test)]
 mod tests {
-    use crate::whirl_limit::WhirlMotion;
     use super::*;
+    use crate::whirl_limit::WhirlMotion;
 
     fn read(table: &str) -> Boundary {
         let file = tempfile::NamedTempFile::new().expect("a file");

@@ -271,9 +271,6 @@ pub enum BuildError {
         /// Name of the method.
         method: &'static str,
     },
-    /// A top drive turns a string whose elements are stepped.
-    #[error("elements are not stepped below a top drive: take fewer sites, and their responses")]
-    SteppedBelowDrive,
     /// A response is not a number, because the string's constants are extreme.
     #[error("the response by {method} is not finite")]
     NotFinite {

@@ -45,21 +45,17 @@ pub struct SteppedPlan<'a> {
 }
 
 impl<'a> SteppedPlan<'a> {
-    /// Of a string that is divided into elements, its surface turned as prescribed.
-    ///
-    /// # Errors
-    /// Where a top drive turns the string ([`BuildError::SteppedBelowDrive`]).
+    /// Of a string that is divided into elements, its surface turned as prescribed or by its top
+    /// drive: that is stepped with the mesh, as the inertia, the dashpot and the spring that it is
+    /// to the string.
     pub fn new(
         string: &'a Drillstring,
         (bending, support): (&'a Bending, SurfaceSupport),
         sites: &'a Sites,
         parameters: &'a FiniteElement,
         sampling_frequency: f64,
-    ) -> Result<Self, BuildError> {
-        if string.top_drive().is_some() {
-            return Err(BuildError::SteppedBelowDrive);
-        }
-        Ok(Self {
+    ) -> Self {
+        Self {
             string,
             bending,
             support,
@@ -67,7 +63,7 @@ impl<'a> SteppedPlan<'a> {
             parameters,
             sampling_frequency,
             nodes: most_elements(string, sites, parameters.elements_per_cell) + 1.0,
-        })
+        }
     }
 
     /// Memory that building takes, and what it keeps.
@@ -160,7 +156,7 @@ impl SteppedString {
     /// it).
     ///
     /// # Errors
-    /// As [`SteppedPlan::new`] and [`SteppedPlan::build`].
+    /// As [`SteppedPlan::build`].
     pub fn new(
         string: &Drillstring,
         bending: &Bending,
@@ -170,7 +166,7 @@ impl SteppedString {
         sampling_frequency: f64,
     ) -> Result<Self, BuildError> {
         let bends = (bending, support);
-        SteppedPlan::new(string, bends, sites, parameters, sampling_frequency)?
+        SteppedPlan::new(string, bends, sites, parameters, sampling_frequency)
             .build(&Budget::unlimited())
     }
 

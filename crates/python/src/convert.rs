@@ -72,6 +72,14 @@ pub struct BitTorque {
     decay_speed: f64,
 }
 
+/// `drillstring.TabulatedFriction`.
+#[derive(FromPyObject)]
+pub struct TabulatedFriction {
+    speeds: Vec<f64>,
+    torques: Vec<f64>,
+    torque_static: Option<f64>,
+}
+
 /// `drillstring.Wall`.
 #[derive(FromPyObject)]
 pub struct Wall {
@@ -175,6 +183,27 @@ impl From<BitTorque> for sim::BitTorque {
             torque_dynamic: bit.torque_dynamic,
             decay_speed: bit.decay_speed,
         }
+    }
+}
+
+impl TabulatedFriction {
+    /// The table row by row; without a static torque that at rest.
+    ///
+    /// # Errors
+    /// Where there are more speeds than torques, or fewer.
+    pub fn resolve(self) -> PyResult<sim::TabulatedFriction> {
+        let (speeds, torques) = (self.speeds.len(), self.torques.len());
+        if speeds != torques {
+            return Err(refused(format_args!(
+                "a table of friction has {speeds} speeds and {torques} torques: give one torque \
+                 for each speed"
+            )));
+        }
+        let at_rest = self.torques.first().copied().unwrap_or(f64::NAN);
+        Ok(sim::TabulatedFriction {
+            torque_static: self.torque_static.unwrap_or(at_rest),
+            rows: self.speeds.into_iter().zip(self.torques).collect(),
+        })
     }
 }
 

@@ -1,30 +1,92 @@
-//! Laws of the bit and of the wall: built in, or a function of Python that is called in every
-//! step.
+//! Laws of the bit and of the wall: built in, a table, or a function of Python that is called in
+//! every step.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use pyo3::prelude::*;
-use sim::laws::bit::BitMotion;
 use sim::laws::contact::{self, Contact, ContactError, Touch};
 use sim::laws::torque::TorqueStep;
-use sim::{LoadLine, SceneError, TorqueLaw, WallLaw};
+use sim::{LoadLine, SceneError, TabulatedFriction, TorqueLaw, WallLaw};
 
 use crate::convert;
 use crate::errors::refused;
 
-/// What a law of Python raised: it is asked nothing more, and the motion ends.
-pub type Raised = RefCell<Option<PyErr>>;
+/// Times that laws are asked between two looks at signals.
+const BETWEEN_LOOKS: usize = 4096;
+
+/// What ends a motion: what a law of Python raised, or a signal. Laws are asked nothing more.
+pub struct Interruption<'py> {
+    py: Python<'py>,
+    raised: RefCell<Option<PyErr>>,
+    asked: Cell<usize>,
+}
+
+impl<'py> Interruption<'py> {
+    /// None yet.
+    pub fn none(py: Python<'py>) -> Self {
+        Self {
+            py,
+            raised: RefCell::default(),
+            asked: Cell::new(0),
+        }
+    }
+
+    /// What was raised.
+    pub fn take(&self) -> Option<PyErr> {
+        self.raised.take()
+    }
+
+    /// Calls a law, unless something was raised already: then there is no answer.
+    fn ask<T>(&self, call: impl FnOnce() -> PyResult<T>) -> Option<T> {
+        if self.raised.borrow().is_some() {
+            return None;
+        }
+        self.look();
+        call()
+            .map_err(|error| self.raised.replace(Some(error)))
+            .ok()
+    }
+
+    /// Looks at signals now and then: Ctrl-C is not seen by laws that are not of Python.
+    fn look(&self) {
+        let asked = self.asked.get() + 1;
+        self.asked.set(asked % BETWEEN_LOOKS);
+        if asked == BETWEEN_LOOKS
+            && let Err(error) = self.py.check_signals()
+        {
+            self.raised.replace(Some(error));
+        }
+    }
+
+    /// Whether a motion goes on.
+    fn is_none(&self) -> bool {
+        self.look();
+        self.raised.borrow().is_none()
+    }
+}
 
 /// A law of the bit.
-pub enum Bit<'a, 'py> {
+pub struct Bit<'a, 'py> {
+    law: BitLaw<'py>,
+    interruption: &'a Interruption<'py>,
+}
+
+enum BitLaw<'py> {
     /// That of the paper.
     BuiltIn(sim::BitTorque),
+    /// Torque against speed as a table.
+    Table(TabulatedFriction),
     /// A function from time (s), free speed (rad/s) and compliance (rad/s per N m) to the torque.
-    Own(Bound<'py, PyAny>, &'a Raised),
+    Own(Bound<'py, PyAny>),
 }
 
 /// A law of the wall at a site.
-pub enum Wall<'a, 'py> {
+pub struct Wall<'a, 'py> {
+    law: ContactLaw<'py>,
+    interruption: &'a Interruption<'py>,
+}
+
+enum ContactLaw<'py> {
     /// That of the paper.
     BuiltIn(sim::Wall),
     /// An object with a clearance, a radius and what it answers to an approach.
@@ -35,62 +97,100 @@ pub enum Wall<'a, 'py> {
         clearance: f64,
         /// Radius of the string, m.
         radius: f64,
-        /// What it raised.
-        raised: &'a Raised,
     },
 }
 
-/// Calls a law, unless one has raised already: then there is no answer.
-fn ask<T>(raised: &Raised, call: impl FnOnce() -> PyResult<T>) -> Option<T> {
-    if raised.borrow().is_some() {
-        return None;
-    }
-    call().map_err(|error| raised.replace(Some(error))).ok()
-}
-
 impl<'a, 'py> Bit<'a, 'py> {
-    /// A `BitTorque` or a function.
+    /// A `BitTorque`, a `TabulatedFriction` or a function.
     ///
     /// # Errors
-    /// Where it is neither.
-    pub fn of(law: Bound<'py, PyAny>, raised: &'a Raised) -> PyResult<Self> {
-        if law.is_callable() {
-            return Ok(Bit::Own(law, raised));
-        }
-        Ok(Bit::BuiltIn(law.extract::<convert::BitTorque>()?.into()))
+    /// Where it is none of them.
+    pub fn of(law: Bound<'py, PyAny>, interruption: &'a Interruption<'py>) -> PyResult<Self> {
+        let law = if law.is_callable() {
+            BitLaw::Own(law)
+        } else if law.hasattr("torques")? {
+            BitLaw::Table(law.extract::<convert::TabulatedFriction>()?.resolve()?)
+        } else {
+            BitLaw::BuiltIn(law.extract::<convert::BitTorque>()?.into())
+        };
+        Ok(Self { law, interruption })
     }
 }
 
-impl TorqueLaw for Bit<'_, '_> {
-    type State = BitMotion;
+/// The answer of a law that is asked nothing more.
+const NO_ANSWER: TorqueStep<f64> = TorqueStep {
+    torque: f64::NAN,
+    speed: f64::NAN,
+    state: f64::NAN,
+};
 
-    fn meet(&self, before: &BitMotion, line: LoadLine) -> TorqueStep<BitMotion> {
-        match self {
-            Bit::BuiltIn(law) => law.meet(before, line),
-            Bit::Own(law, raised) => {
+impl TorqueLaw for Bit<'_, '_> {
+    /// The speed, rad/s.
+    type State = f64;
+
+    fn meet(&self, before: &f64, line: LoadLine) -> TorqueStep<f64> {
+        match &self.law {
+            BitLaw::Own(law) => {
                 let arguments = (line.time, line.free_speed, line.compliance);
-                let torque = ask(raised, || law.call1(arguments)?.extract::<f64>());
-                let torque = torque.unwrap_or(f64::NAN);
+                let call = || law.call1(arguments)?.extract::<f64>();
+                let torque = self.interruption.ask(call).unwrap_or(f64::NAN);
+                let speed = line.speed_under(torque);
                 TorqueStep {
                     torque,
-                    speed: line.free_speed + line.compliance * torque,
-                    state: *before,
+                    speed,
+                    state: speed,
+                }
+            }
+            _ if !self.interruption.is_none() => NO_ANSWER,
+            BitLaw::Table(law) => law.meet(before, line),
+            BitLaw::BuiltIn(law) => {
+                let step = law.meet(&law.turning_at(*before), line);
+                TorqueStep {
+                    torque: step.torque,
+                    speed: step.speed,
+                    state: step.speed,
                 }
             }
         }
     }
 
+    fn turning_at(&self, speed: f64) -> f64 {
+        speed
+    }
+
     fn largest_drop(&self) -> f64 {
-        match self {
-            Bit::BuiltIn(law) => law.largest_drop(),
-            Bit::Own(..) => 0.0,
+        match &self.law {
+            BitLaw::BuiltIn(law) => law.largest_drop(),
+            BitLaw::Table(law) => law.largest_drop(),
+            BitLaw::Own(_) => 0.0,
         }
     }
 
+    fn holds(&self) -> Option<f64> {
+        match &self.law {
+            BitLaw::BuiltIn(law) => law.holds(),
+            BitLaw::Table(law) => law.holds(),
+            BitLaw::Own(_) => None,
+        }
+    }
+
+    fn is_constant_in_slip(&self) -> bool {
+        match &self.law {
+            BitLaw::BuiltIn(law) => law.is_constant_in_slip(),
+            BitLaw::Table(law) => law.is_constant_in_slip(),
+            BitLaw::Own(_) => false,
+        }
+    }
+
+    fn is_autonomous(&self) -> bool {
+        !matches!(self.law, BitLaw::Own(_))
+    }
+
     fn check(&self) -> Result<(), SceneError> {
-        match self {
-            Bit::BuiltIn(law) => law.check(),
-            Bit::Own(..) => Ok(()),
+        match &self.law {
+            BitLaw::BuiltIn(law) => law.check(),
+            BitLaw::Table(law) => law.check(),
+            BitLaw::Own(_) => Ok(()),
         }
     }
 }
@@ -100,9 +200,10 @@ impl<'a, 'py> Wall<'a, 'py> {
     ///
     /// # Errors
     /// Where it is neither.
-    pub fn of(law: Bound<'py, PyAny>, raised: &'a Raised) -> PyResult<Self> {
+    pub fn of(law: Bound<'py, PyAny>, interruption: &'a Interruption<'py>) -> PyResult<Self> {
         let Some(force) = law.getattr_opt("force")? else {
-            return Ok(Wall::BuiltIn(law.extract::<convert::Wall>()?.into()));
+            let law = ContactLaw::BuiltIn(law.extract::<convert::Wall>()?.into());
+            return Ok(Self { law, interruption });
         };
         let length = |name: &str| {
             let value: f64 = law.getattr(name)?.extract()?;
@@ -113,36 +214,39 @@ impl<'a, 'py> Wall<'a, 'py> {
                 ))),
             }
         };
-        Ok(Wall::Own {
+        let law = ContactLaw::Own {
             force,
             clearance: length("clearance")?,
             radius: length("radius")?,
-            raised,
-        })
+        };
+        Ok(Self { law, interruption })
     }
 }
 
 impl WallLaw for Wall<'_, '_> {
     fn clearance(&self) -> f64 {
-        match self {
-            Wall::BuiltIn(law) => law.clearance(),
-            Wall::Own { clearance, .. } => *clearance,
+        match &self.law {
+            ContactLaw::BuiltIn(law) => law.clearance(),
+            ContactLaw::Own { clearance, .. } => *clearance,
         }
     }
 
     fn radius(&self) -> f64 {
-        match self {
-            Wall::BuiltIn(law) => law.radius(),
-            Wall::Own { radius, .. } => *radius,
+        match &self.law {
+            ContactLaw::BuiltIn(law) => law.radius(),
+            ContactLaw::Own { radius, .. } => *radius,
         }
     }
 
     fn meet(&self, approach: &contact::Approach) -> Result<Contact, ContactError> {
-        let (force, raised) = match self {
-            Wall::BuiltIn(law) => return law.meet(approach),
-            Wall::Own { force, raised, .. } => (force, raised),
+        let force = match &self.law {
+            ContactLaw::BuiltIn(_) if !self.interruption.is_none() => {
+                return Err(ContactError::NotFinite);
+            }
+            ContactLaw::BuiltIn(law) => return law.meet(approach),
+            ContactLaw::Own { force, .. } => force,
         };
-        let answer = ask(raised, || {
+        let answer = self.interruption.ask(|| {
             let answer = force.call1((Approach::of(approach),))?;
             answer.extract::<Option<(f64, f64, f64)>>()
         });
@@ -160,11 +264,25 @@ impl WallLaw for Wall<'_, '_> {
         }
     }
 
+    fn rolling_limit(&self) -> Option<f64> {
+        match &self.law {
+            ContactLaw::BuiltIn(law) => law.rolling_limit(),
+            ContactLaw::Own { .. } => None,
+        }
+    }
+
+    fn slides_evenly(&self) -> bool {
+        match &self.law {
+            ContactLaw::BuiltIn(law) => law.slides_evenly(),
+            ContactLaw::Own { .. } => false,
+        }
+    }
+
     fn check(&self) -> Result<(), SceneError> {
-        match self {
-            Wall::BuiltIn(law) => law.check(),
+        match &self.law {
+            ContactLaw::BuiltIn(law) => law.check(),
             // Checked when it was made.
-            Wall::Own { .. } => Ok(()),
+            ContactLaw::Own { .. } => Ok(()),
         }
     }
 }

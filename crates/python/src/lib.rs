@@ -10,6 +10,7 @@ mod convert;
 mod errors;
 mod laws;
 mod motion;
+mod outcome;
 mod read;
 mod responses;
 mod run;
@@ -30,6 +31,8 @@ mod _drillstring {
     use crate::laws::Approach;
     #[pymodule_export]
     use crate::motion::Motion;
+    #[pymodule_export]
+    use crate::outcome::Outcome;
     #[pymodule_export]
     use crate::responses::Responses;
     #[pymodule_export]

@@ -3,16 +3,14 @@
 use linear::ChannelResponses;
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
-use sim::{Lateral, Scene, Stepper, SurfaceProfile, System, Timing, Trajectory};
+use sim::{Lateral, Scene, Simulator, Stopping, SurfaceProfile, Timing, Trajectory};
 
 use crate::arrays::{rows, shaped, vector};
 use crate::convert::{EccentricMass, Impulse};
 use crate::errors::refused;
-use crate::laws::{Bit, Raised, Wall};
+use crate::laws::{Bit, Interruption, Wall};
 use crate::motion::Motion;
-
-/// Steps between two looks at signals.
-const BETWEEN_LOOKS: usize = 256;
+use crate::outcome::Outcome;
 
 /// The impulse responses of a string by one method; sites from the surface down.
 #[pyclass(frozen, module = "drillstring")]
@@ -132,38 +130,59 @@ impl Responses {
         eccentric_masses: Vec<EccentricMass>,
         rise: f64,
     ) -> PyResult<Motion> {
-        if walls.is_none() && !(impulses.is_empty() && eccentric_masses.is_empty()) {
-            return Err(refused(
-                "impulses and eccentric masses need walls: give one for each site",
-            ));
-        }
-        let raised = Raised::default();
-        let walls = walls.map(|walls| {
-            let laws = walls.into_iter().map(|law| Wall::of(law, &raised));
-            laws.collect::<PyResult<Vec<_>>>()
-        });
-        let lateral = walls.transpose()?.map(|walls| Lateral {
-            walls,
-            impulses: impulses.into_iter().map(Into::into).collect(),
-            eccentric_masses: eccentric_masses.into_iter().map(Into::into).collect(),
-        });
-        let scene = Scene {
-            start: sim::Start::Rest,
+        let asked = Asked {
             surface_speed,
-            bit: bit.map(|law| Bit::of(law, &raised)).transpose()?,
-            friction: Vec::new(),
-            lateral,
             timing: Timing {
                 duration,
                 closing_window: 0.0,
             },
+            bit,
+            walls,
+            impulses: impulses.into_iter().map(Into::into).collect(),
+            eccentric_masses: eccentric_masses.into_iter().map(Into::into).collect(),
+            rise,
         };
-        let profile = SurfaceProfile::Rise(rise);
-        let system = System::started(&self.responses, &profile).map_err(refused)?;
+        let mut trajectory = Trajectory::default();
+        self.outcome(py, asked, Some(&mut trajectory))?;
         Ok(Motion {
             sites: self.responses.sites.distances_from_bit().to_vec(),
-            trajectory: self.step(py, &system, &scene, &raised)?,
+            trajectory,
         })
+    }
+
+    /// The regimes of the same, as those of a sweep's case: a simulation that ends as soon as they
+    /// are certain or settled. They show in a closing window (s), no shorter than a cycle of
+    /// stick-slip.
+    #[pyo3(signature = (
+        surface_speed, duration, *, closing_window, bit = None, walls = None,
+        impulses = Vec::new(), eccentric_masses = Vec::new(), rise = 0.0
+    ))]
+    #[expect(clippy::too_many_arguments, reason = "keywords")]
+    fn regimes(
+        &self,
+        py: Python<'_>,
+        surface_speed: f64,
+        duration: f64,
+        closing_window: f64,
+        bit: Option<Bound<'_, PyAny>>,
+        walls: Option<Vec<Bound<'_, PyAny>>>,
+        impulses: Vec<Impulse>,
+        eccentric_masses: Vec<EccentricMass>,
+        rise: f64,
+    ) -> PyResult<Outcome> {
+        let asked = Asked {
+            surface_speed,
+            timing: Timing {
+                duration,
+                closing_window,
+            },
+            bit,
+            walls,
+            impulses: impulses.into_iter().map(Into::into).collect(),
+            eccentric_masses: eccentric_masses.into_iter().map(Into::into).collect(),
+            rise,
+        };
+        self.outcome(py, asked, None).map(Outcome)
     }
 
     fn __repr__(&self) -> String {
@@ -172,66 +191,58 @@ impl Responses {
     }
 }
 
+/// A case that is asked for, from rest.
+struct Asked<'py> {
+    surface_speed: f64,
+    timing: Timing,
+    bit: Option<Bound<'py, PyAny>>,
+    walls: Option<Vec<Bound<'py, PyAny>>>,
+    impulses: Vec<sim::Impulse>,
+    eccentric_masses: Vec<sim::EccentricMass>,
+    rise: f64,
+}
+
 impl Responses {
-    /// Steps a scene to its end.
-    fn step(
+    /// Simulates a case: to its end where its motion is to be recorded.
+    fn outcome(
         &self,
         py: Python<'_>,
-        system: &System,
-        scene: &Scene<Bit, Wall>,
-        raised: &Raised,
-    ) -> PyResult<Trajectory> {
-        let walls = scene
-            .lateral
-            .as_ref()
-            .map_or(0, |lateral| lateral.walls.len());
-        let loads = self.torques();
-        let mut speeds = vec![Vec::new(); loads.len()];
-        let mut motion = Trajectory {
-            positions: vec![Vec::new(); walls],
-            wall_forces: vec![Vec::new(); walls],
-            touches: vec![Vec::new(); walls],
-            normal_forces: vec![Vec::new(); walls],
-            wall_torques: vec![Vec::new(); walls],
-            ..Trajectory::default()
+        asked: Asked<'_>,
+        record: Option<&mut Trajectory>,
+    ) -> PyResult<sim::Outcome> {
+        let is_disturbed = !(asked.impulses.is_empty() && asked.eccentric_masses.is_empty());
+        if asked.walls.is_none() && is_disturbed {
+            return Err(refused(
+                "impulses and eccentric masses need walls: give one for each site",
+            ));
+        }
+        let interruption = Interruption::none(py);
+        let walls = asked.walls.map(|walls| {
+            let laws = walls.into_iter().map(|law| Wall::of(law, &interruption));
+            laws.collect::<PyResult<Vec<_>>>()
+        });
+        let lateral = walls.transpose()?.map(|walls| Lateral {
+            walls,
+            impulses: asked.impulses,
+            eccentric_masses: asked.eccentric_masses,
+        });
+        let bit = asked.bit.map(|law| Bit::of(law, &interruption));
+        let scene = Scene {
+            start: sim::Start::Rest,
+            surface_speed: asked.surface_speed,
+            bit: bit.transpose()?,
+            friction: Vec::new(),
+            lateral,
+            timing: asked.timing,
         };
-        let mut stepper = Stepper::new(system, scene).map_err(refused)?;
-        loop {
-            if stepper.next_step().is_multiple_of(BETWEEN_LOOKS) {
-                py.check_signals()?;
-            }
-            let stepped = stepper.step();
-            // What a law raised is told rather than what became of the motion.
-            if let Some(error) = raised.take() {
-                return Err(error);
-            }
-            let Some(now) = stepped.map_err(refused)? else {
-                break;
-            };
-            motion.times.push(now.time);
-            (speeds.iter_mut().zip(&now.speeds)).for_each(|(own, speed)| own.push(*speed));
-            motion
-                .bit_torque
-                .extend(now.bit.as_ref().map(|bit| bit.torque));
-            for (site, contact) in now.contacts.iter().enumerate() {
-                motion.positions[site].push(contact.position);
-                motion.wall_forces[site].push(contact.force);
-                motion.touches[site].push(contact.touch);
-                motion.normal_forces[site].push(contact.normal_force);
-                motion.wall_torques[site].push(contact.torque);
-            }
+        let profile = SurfaceProfile::Rise(asked.rise);
+        let simulator = Simulator::started(&self.responses, &profile).map_err(refused)?;
+        let simulated = simulator.simulate_laws(&scene, Stopping::Early, record);
+        // What a law raised, rather than what became of the motion.
+        match interruption.take() {
+            Some(error) => Err(error),
+            None => simulated.map_err(refused),
         }
-        let driven = system.driven_speeds(
-            scene.surface_speed,
-            &scene.start,
-            &motion.bit_torque,
-            motion.times.len(),
-        );
-        motion.speeds = driven.unwrap_or_default();
-        for (site, own) in loads.into_iter().zip(speeds) {
-            motion.speeds[site] = own;
-        }
-        Ok(motion)
     }
 }
 

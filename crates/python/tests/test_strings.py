@@ -75,6 +75,62 @@ def test_a_motion_of_a_sweep_is_that_of_its_responses():
     assert np.allclose(stepped.bit_speed, sweep.simulate().motion.bit_speed, atol=1e-8)
 
 
+def test_a_table_of_one_row_is_the_built_in_law_to_the_last_bit(string):
+    responses = string.responses(longest_time=40)
+    table = ds.TabulatedFriction([0.0], [1000.0], torque_static=1200.0)
+    built_in = ds.BitTorque(1200.0, 1000.0)
+    for speed in [0.01, 2.0]:
+        motions = [responses.simulate(speed, 40, bit=law) for law in [table, built_in]]
+        assert np.array_equal(motions[0].bit_speed, motions[1].bit_speed)
+        outcomes = [
+            responses.regimes(speed, 40, closing_window=10, bit=law) for law in [table, built_in]
+        ]
+        assert outcomes[0].torsion == outcomes[1].torsion
+        assert outcomes[0].measures == outcomes[1].measures
+        assert outcomes[0].ended == outcomes[1].ended != "end"
+    assert outcomes[0].lateral is None
+
+
+def test_regimes_are_those_of_the_sweep():
+    sweep = ds.Sweep.read("sweeps/fig09.toml", methods=["quadrature"])
+    table, responses = sweep.run(), sweep.responses()
+    duration = responses.longest_time
+    for case in [0, 499]:
+        torque = table["torque_dynamic_nm"][case]
+        speed = table["surface_speed_rpm"][case] * math.tau / 60
+        outcome = responses.regimes(
+            speed, duration, closing_window=duration / 3, bit=ds.BitTorque(torque, torque)
+        )
+        assert outcome.torsion == table["torsion"][case]
+
+
+def test_smooth_rotation_is_at_the_torque_of_the_law(string):
+    def torque(speed):
+        return 500.0 + 100.0 * math.exp(-speed) + 50.0 * speed
+
+    law = ds.TabulatedFriction.sampled(torque, 20.0, 2000)
+    responses = string.responses(longest_time=60)
+    outcome = responses.regimes(6.0, 60, closing_window=5, bit=law)
+    assert outcome.torsion == "smooth"
+    motion = responses.simulate(6.0, 60, bit=law)
+    assert motion.bit_torque[-1] == pytest.approx(-torque(motion.bit_speed[-1]), rel=1e-6)
+    # Of Python, called in every step, it is the same regime, stepped to the end.
+    own = responses.regimes(6.0, 60, closing_window=5, bit=coulomb(1000.0))
+    assert (own.torsion, own.ended) == ("smooth", "end")
+
+
+def test_what_is_no_table_is_refused(string):
+    responses = string.responses(longest_time=10)
+    for speeds, torques, words in [
+        ([0.0, 1.0], [1.0], "one torque for each speed"),
+        ([0.1], [1.0], "must be zero"),
+        ([0.0, 0.0], [1.0, 1.0], "larger than the one before"),
+        ([], [], "static torque"),
+    ]:
+        with pytest.raises(ds.DrillstringError, match=words):
+            responses.simulate(1.0, 10, bit=ds.TabulatedFriction(speeds, torques))
+
+
 def test_what_a_law_raises_is_raised_as_it_is(string):
     responses = string.responses(longest_time=10)
 

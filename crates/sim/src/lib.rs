@@ -21,9 +21,10 @@
 //!             Outcome: regimes and measures;  Trajectory, where asked for
 //! ```
 //!
-//! This crate knows nothing of files, threads or methods. A contact law of one's own
-//! goes through the same steps ([`Stepper`]): `examples/own_contact_law.rs` has one for
-//! the bit, `examples/own_wall.rs` one for the wall. A scene out of range, one that does
+//! This crate knows nothing of files, threads or methods. A law of one's own goes through the
+//! same steps ([`Stepper`]), and has regimes and ends early too ([`Simulator::simulate_laws`]):
+//! `examples/own_contact_law.rs` has one for the bit, `examples/own_regimes.rs` its regimes,
+//! `examples/own_wall.rs` one for the wall. A scene out of range, one that does
 //! not fit its system, and a motion that leaves all numbers are each a
 //! [`SimulationError`].
 //!
@@ -33,7 +34,7 @@
 //! | the same by stepping elements, or pieces | `line/`, [`linear::SteppedString`], [`linear::Cascade`] |
 //! | Eqs. 59–60 at all sites of a step at once | `coupling/` |
 //! | friction along the string | [`laws::pipe`], [`Scene`] |
-//! | Sections 2.2.2, 5.2.1: torque at the bit | [`laws::bit`] |
+//! | Sections 2.2.2, 5.2.1: torque at the bit | [`laws::bit`], or as a table [`laws::table`] |
 //! | Section 4.1, Eqs. 33–38: the borehole wall | [`laws::wall`] |
 //! | Section 4.2, Fig. 4: weight on bit to torque | [`laws::rock`] |
 //! | Section 5.2.1: stick-slip or smooth | [`watch::torsion`] |
@@ -113,6 +114,7 @@ pub use laws::bit::BitTorque;
 pub use laws::contact::WallLaw;
 pub use laws::pipe::PipeFriction;
 pub use laws::rock::Rock;
+pub use laws::table::TabulatedFriction;
 pub use laws::torque::{LoadLine, TorqueLaw};
 pub use laws::wall::Wall;
 pub use line::pieces::SurfaceStep;

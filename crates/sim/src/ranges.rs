@@ -71,6 +71,25 @@ pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<(), Sce
     in_range(quantity, value, 0.0..=f64::MAX, NOT_NEGATIVE)
 }
 
+/// Numbers each of which is larger than the one before.
+pub(crate) fn in_order(
+    quantity: &'static str,
+    values: impl Iterator<Item = f64>,
+) -> Result<(), SceneError> {
+    let mut before = f64::NEG_INFINITY;
+    for value in values {
+        if !(value > before && value.is_finite()) {
+            return Err(SceneError::OutOfRange {
+                quantity,
+                value,
+                expected: "finite and larger than the one before",
+            });
+        }
+        before = value;
+    }
+    Ok(())
+}
+
 pub(crate) fn part(quantity: &'static str, value: f64) -> Result<(), SceneError> {
     in_range(quantity, value, 0.0..=1.0, PART)
 }

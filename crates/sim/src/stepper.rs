@@ -9,7 +9,7 @@ use crate::lateral_motion::LateralMotion;
 use crate::laws::bit::BitTorque;
 use crate::laws::contact::{Contact, WallLaw};
 use crate::laws::pipe::{OnLines, PipeFriction, PipeMotion};
-use crate::laws::torque::{LoadLine, TorqueLaw, TorqueStep};
+use crate::laws::torque::{BitMotion, LoadLine, TorqueLaw, TorqueStep};
 use crate::laws::wall::Wall;
 use crate::line::pieces::SurfaceStep;
 use crate::line::{Torsion, TorsionPast, Within};
@@ -380,6 +380,17 @@ impl<'a, B: TorqueLaw, W: WallLaw> Stepper<'a, B, W> {
     /// Surface rotation speed of the scene, rad/s.
     pub(crate) fn surface_speed(&self) -> f64 {
         self.scene.surface_speed
+    }
+
+    /// Whether torques are what the bit's differ by from those that hold it fast.
+    pub(crate) fn is_held_at_first(&self) -> bool {
+        matches!(self.reference, Reference::Stuck(_))
+    }
+
+    /// How the bit turned in the last step, and its speed, rad/s, where a law acts there.
+    pub(crate) fn bit_motion(&self) -> Option<(BitMotion, f64)> {
+        let ((law, _), step) = self.bit.zip(self.now.bit.as_ref())?;
+        Some((law.motion(step), step.speed))
     }
 
     /// What the bit did in the last step.

@@ -2,7 +2,8 @@
 
 use linear::budget::REAL;
 
-use crate::laws::contact::Touch;
+use crate::laws::contact::{Touch, WallLaw};
+use crate::laws::torque::TorqueLaw;
 use crate::scene::Scene;
 use crate::stepper::Stepper;
 use crate::system::System;
@@ -54,7 +55,7 @@ impl Trajectory {
 
     /// Begins a case whose bit is held fast at first, by these torques per unit of
     /// surface speed; speeds are kept of the sites that may bear a load.
-    pub(crate) fn begin(&mut self, system: &System, scene: &Scene, held: &[f64]) {
+    pub(crate) fn begin<B, W>(&mut self, system: &System, scene: &Scene<B, W>, held: &[f64]) {
         let walls = scene
             .lateral
             .as_ref()
@@ -77,7 +78,7 @@ impl Trajectory {
         };
     }
 
-    pub(crate) fn push(&mut self, stepper: &Stepper) {
+    pub(crate) fn push<B: TorqueLaw, W: WallLaw>(&mut self, stepper: &Stepper<B, W>) {
         let now = stepper.now();
         for (torques, load) in self.site_torques.iter_mut().zip(stepper.loads()) {
             torques.push(load.torque);
@@ -101,7 +102,12 @@ impl Trajectory {
     }
 
     /// Adds the times, the speeds of the other sites, and the forces.
-    pub(crate) fn finish(&mut self, system: &System, scene: &Scene, stepper: &Stepper) {
+    pub(crate) fn finish<B: TorqueLaw, W: WallLaw>(
+        &mut self,
+        system: &System,
+        scene: &Scene<B, W>,
+        stepper: &Stepper<B, W>,
+    ) {
         let steps = stepper.steps();
         self.times = (0..steps)
             .map(|step| system.sampling.time_of(step))

@@ -119,7 +119,7 @@ fn next_system(
         return gives_up("`sites_rounds` allows no more rounds");
     }
     if count + new.len() > most_sites(&system.setting, &system.method) {
-        return gives_up("no more sites are made; finite-element without a top drive has most");
+        return gives_up("no more sites are made; finite-element has most");
     }
     found.rounds += 1;
     found.sites.extend(new);

@@ -25,8 +25,7 @@ pub fn stepped_by<'a>(
     let are_many = setting.sites.len() > MOST_BY_TAPS || lateral.finding.is_some();
     // A string that rubs is stepped in pieces, and bends by taps.
     let is_in_pieces = setting.friction.is_some();
-    let is_stepped = are_many && !is_in_pieces && setting.string.top_drive().is_none();
-    is_stepped.then_some((lateral, *parameters))
+    (are_many && !is_in_pieces).then_some((lateral, *parameters))
 }
 
 /// The sites whose own responses are to be known: those of impulses, and the lowest.
@@ -45,7 +44,7 @@ fn plan<'a>(
     setting: &'a Setting,
     lateral: &'a LateralSettings,
     parameters: &'a FiniteElement,
-) -> Result<SteppedPlan<'a>, BuildError> {
+) -> SteppedPlan<'a> {
     let bends = (&lateral.bending, lateral.support);
     let frequency = setting.sampling_frequency;
     SteppedPlan::new(
@@ -68,7 +67,7 @@ pub(super) fn ask(
     budget: &Budget,
 ) -> Result<Stepping, BuildError> {
     let (sites, loads) = (system.setting.sites.len(), looked_at(system.setting).len());
-    let mesh = plan(system.setting, lateral, parameters)?;
+    let mesh = plan(system.setting, lateral, parameters);
     let passing = budget.part();
     let taps = mesh.ask(loads, system.longest_time, (&passing, budget))?;
     let simulator = SimulatorPlan::by_elements(&mesh, sites, taps, system.steps());
@@ -95,7 +94,7 @@ pub fn build(
     longest_time: f64,
     budget: &Budget,
 ) -> Result<(Responses, Simulator)> {
-    let plan = plan(setting, lateral, parameters)?;
+    let plan = plan(setting, lateral, parameters);
     // The simulator has a copy of the mesh.
     let passing = budget.part();
     let mesh = plan.build(&passing)?;

@@ -1,12 +1,13 @@
 //! Two-node torsion elements (Eq. 62): consistent mass and stiffness, lumped
-//! dashpots, the surface node's rotation prescribed.
+//! dashpots, the surface node's rotation prescribed, or driven.
 
 use faer::sparse::Triplet;
 
 use super::mesh::Mesh;
-use super::newmark::Matrices;
+use super::newmark::{Entry, Matrices};
 use crate::drillstring::{Drillstring, Tube};
 use crate::error::BuildError;
+use crate::top_drive::TopDrive;
 
 /// Matrices of the nodes below the surface, and how the surface node pulls on
 /// the first of them.
@@ -48,36 +49,84 @@ impl Element {
 /// # Errors
 /// Where the sparse matrices cannot be formed.
 pub fn assemble(string: &Drillstring, mesh: &Mesh) -> Result<TorsionMatrices, BuildError> {
-    let free = mesh.elements.len();
-    let mut mass = Vec::with_capacity(4 * free);
-    let mut stiffness = Vec::with_capacity(4 * free);
-    let mut damping = vec![0.0; free];
+    let mut entries = Entries::none(mesh.elements.len());
     let (mut surface_mass, mut surface_stiffness) = (0.0, 0.0);
     for (bottom, tube) in mesh.elements.iter().enumerate() {
-        let Element {
-            inertia,
-            spring,
-            dashpot,
-        } = Element::of(string, tube);
-        mass.push(Triplet::new(bottom, bottom, inertia / 3.0));
-        stiffness.push(Triplet::new(bottom, bottom, spring));
-        damping[bottom] += dashpot;
+        let element = Element::of(string, tube);
+        entries.add_below(&element, bottom);
         match bottom.checked_sub(1) {
-            None => (surface_mass, surface_stiffness) = (inertia / 6.0, -spring),
-            Some(top) => {
-                mass.push(Triplet::new(top, top, inertia / 3.0));
-                stiffness.push(Triplet::new(top, top, spring));
-                damping[top] += dashpot;
-                for (row, column) in [(top, bottom), (bottom, top)] {
-                    mass.push(Triplet::new(row, column, inertia / 6.0));
-                    stiffness.push(Triplet::new(row, column, -spring));
-                }
-            }
+            None => (surface_mass, surface_stiffness) = (element.inertia / 6.0, -element.spring),
+            Some(top) => entries.add_above(&element, top),
         }
     }
     Ok(TorsionMatrices {
-        free: Matrices::new(&mass, damping, &stiffness)?,
+        free: entries.matrices()?,
         surface_mass,
         surface_stiffness,
     })
+}
+
+/// The same below a top drive, all nodes of the mesh from the surface down: the drive's inertia,
+/// and its gains as a dashpot and a spring to the motion that it is set to, are at the first.
+///
+/// # Errors
+/// As [`assemble`].
+pub fn assemble_below_drive(
+    string: &Drillstring,
+    mesh: &Mesh,
+    drive: &TopDrive,
+) -> Result<Matrices, BuildError> {
+    let mut entries = Entries::none(mesh.elements.len() + 1);
+    for (top, tube) in mesh.elements.iter().enumerate() {
+        let element = Element::of(string, tube);
+        entries.add_below(&element, top + 1);
+        entries.add_above(&element, top);
+    }
+    entries.mass.push(Triplet::new(0, 0, drive.inertia));
+    entries.damping[0] += drive.proportional_gain;
+    (entries.stiffness).push(Triplet::new(0, 0, drive.integral_gain));
+    entries.matrices()
+}
+
+/// Entries of the matrices, as they are summed up.
+struct Entries {
+    mass: Vec<Entry>,
+    stiffness: Vec<Entry>,
+    damping: Vec<f64>,
+}
+
+impl Entries {
+    /// Those of nothing, at this number of nodes.
+    fn none(nodes: usize) -> Self {
+        Self {
+            mass: Vec::with_capacity(4 * nodes),
+            stiffness: Vec::with_capacity(4 * nodes),
+            damping: vec![0.0; nodes],
+        }
+    }
+
+    /// What an element is to the node below it.
+    fn add_below(&mut self, element: &Element, bottom: usize) {
+        let own = element.inertia / 3.0;
+        self.mass.push(Triplet::new(bottom, bottom, own));
+        (self.stiffness).push(Triplet::new(bottom, bottom, element.spring));
+        self.damping[bottom] += element.dashpot;
+    }
+
+    /// What it is to the node above it, and between this and the next one.
+    fn add_above(&mut self, element: &Element, top: usize) {
+        let own = element.inertia / 3.0;
+        self.mass.push(Triplet::new(top, top, own));
+        self.stiffness.push(Triplet::new(top, top, element.spring));
+        self.damping[top] += element.dashpot;
+        for (row, column) in [(top, top + 1), (top + 1, top)] {
+            let across = element.inertia / 6.0;
+            self.mass.push(Triplet::new(row, column, across));
+            (self.stiffness).push(Triplet::new(row, column, -element.spring));
+        }
+    }
+
+    fn matrices(self) -> Result<Matrices, BuildError> {
+        Matrices::new(&self.mass, self.damping, &self.stiffness)
+    }
 }

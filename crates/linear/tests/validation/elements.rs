@@ -6,8 +6,8 @@ use linear::elements::newmark::Weights;
 use linear::elements::reduction::{CondensedBeam, CondensedString};
 use linear::method::FiniteElement;
 use linear::{
-    AxialForce, Bending, ChannelRequest, ChannelResponses, Drillstring, Method, Request, Section,
-    Sites, SteppedString, SurfaceSupport,
+    AxialForce, Bending, ChannelRequest, ChannelResponses, Drillstring, Method, Request, Responses,
+    Section, Sites, SteppedString, SurfaceSupport, TopDrive,
 };
 use problems::academic::{self, tube};
 use proptest::prelude::*;
@@ -218,14 +218,12 @@ fn taps_of_the_papers_string_are_those_of_stepping_all_of_it() {
     assert!(bending < 1e-9 && longer < 1e-9, "{bending} {longer}");
 }
 
-/// The largest difference of a mesh that is stepped node by node, in torsion and bending: of
-/// all that its sites do, within the step of a load and after, over what the loaded one does.
-fn difference_when_stepped(model: &Model) -> f64 {
-    let (bending, support) = (model.bending, model.support);
+/// A mesh that is stepped, with its responses to loads at all sites.
+fn stepped(model: &Model) -> (SteppedString, Responses) {
     let mesh = SteppedString::new(
         &model.string,
-        &bending,
-        support,
+        &model.bending,
+        model.support,
         &model.sites,
         &model.parameters,
         model.sampling_frequency,
@@ -233,28 +231,36 @@ fn difference_when_stepped(model: &Model) -> f64 {
     .unwrap();
     let loads: Vec<usize> = (0..model.sites.len()).collect();
     let longest = (STEPS - 1) as f64 / model.sampling_frequency;
-    let stepped = mesh.responses(&loads, longest).unwrap();
-    let torsion = model.taps(ChannelRequest::Torsion { torques: loads }, 1);
-    let bending = model.taps(ChannelRequest::Bending { bending, support }, 1);
+    let responses = mesh.responses(&loads, longest).unwrap();
+    (mesh, responses)
+}
+
+/// The largest difference of responses in one channel, over what the loaded site does.
+fn difference_in_channel(taps: &ChannelResponses, stepped: &ChannelResponses) -> f64 {
     let mut worst: f64 = 0.0;
-    for (taps, stepped) in [
-        (&torsion, stepped.torsion().unwrap()),
-        (&bending, stepped.bending().unwrap()),
-    ] {
-        for (taps, stepped) in taps.from_surface.iter().zip(&stepped.from_surface) {
-            worst = worst.max(difference(taps, stepped) / peak(taps));
-        }
-        for site in 0..model.sites.len() {
-            let scale = peak(&taps.from_loads[site][site]);
-            for load in 0..model.sites.len() {
-                let (taps, stepped) = (
-                    &taps.from_loads[site][load],
-                    &stepped.from_loads[site][load],
-                );
-                worst = worst.max(difference(taps, stepped) / scale);
-            }
+    for (taps, stepped) in taps.from_surface.iter().zip(&stepped.from_surface) {
+        worst = worst.max(difference(taps, stepped) / peak(taps));
+    }
+    for (site, (taps, stepped)) in taps.from_loads.iter().zip(&stepped.from_loads).enumerate() {
+        let scale = peak(&taps[site]);
+        for (taps, stepped) in taps.iter().zip(stepped) {
+            worst = worst.max(difference(taps, stepped) / scale);
         }
     }
+    worst
+}
+
+/// The largest difference of a mesh that is stepped node by node, in torsion and bending: of
+/// all that its sites do, within the step of a load and after, over what the loaded one does.
+fn difference_when_stepped(model: &Model) -> f64 {
+    let (bending, support) = (model.bending, model.support);
+    let (mesh, stepped) = stepped(model);
+    let torques = (0..model.sites.len()).collect();
+    let torsion = model.taps(ChannelRequest::Torsion { torques }, 1);
+    let bending = model.taps(ChannelRequest::Bending { bending, support }, 1);
+    let in_torsion = difference_in_channel(&torsion, stepped.torsion().unwrap());
+    let in_bending = difference_in_channel(&bending, stepped.bending().unwrap());
+    let mut worst = in_torsion.max(in_bending);
     for (output, input) in (0..model.sites.len()).flat_map(|it| [(it, it), (0, it), (it, 0)]) {
         let instants = [
             (mesh.torsion().instant(output, input), &torsion),
@@ -302,6 +308,24 @@ proptest! {
         let [bending, longer] = model.differences_in_bending();
         prop_assert!(bending < 1e-7, "bending: {bending}");
         prop_assert!(longer < 1e-9, "bending, other ζ: {longer}");
+    }
+
+    /// A top drive is stepped with the elements: what it is to them is what it is to their taps.
+    #[test]
+    fn any_string_stepped_below_a_drive_answers_as_its_taps_do(
+        model in any_model(),
+        inertia in prop_oneof![Just(0.0), 1.0..5000.0f64],
+        proportional_gain in 1.0..2000.0f64,
+        integral_gain in prop_oneof![Just(0.0), 1.0..2000.0f64],
+    ) {
+        let drive = TopDrive { inertia, proportional_gain, integral_gain };
+        let string = model.string.clone().with_top_drive(drive).unwrap();
+        let model = Model { string, ..model };
+        let torques = (0..model.sites.len()).collect();
+        let taps = model.taps(ChannelRequest::Torsion { torques }, 1);
+        let (_, stepped) = stepped(&model);
+        let worst = difference_in_channel(&taps, stepped.torsion().unwrap());
+        prop_assert!(worst < 1e-7, "{worst}");
     }
 
     /// So has any other string; short elements cost it digits too.

@@ -5,11 +5,12 @@ use linear::controllers;
 use linear::estimates::{
     first_mode, torsional_impedance, torsional_travel_time, winding_stiffness,
 };
+use linear::method::FiniteElement;
 use linear::modes::torsional_modes;
 use linear::waves::network::TorsionNetwork;
 use linear::{
     BuildError, ChannelRequest, ChannelResponses, Complex64, Drillstring, Method, RaisedCosine,
-    Request, Section, Sites, TopDrive, Tube,
+    Request, Section, Sites, SteppedString, SurfaceSupport, TopDrive, Tube,
 };
 use problems::academic::{self, tube};
 use problems::oracles;
@@ -67,6 +68,93 @@ fn a_matched_drive_without_inertia_reflects_nothing() {
         assert!(late * impedance < allowed, "{}: {late:e}", method.name());
         let all: f64 = taps.iter().sum();
         assert!((all * impedance - 1.0).abs() < 1e-3, "{}", method.name());
+    }
+}
+
+/// Taps of the bit from the surface and from its own torque, of a mesh that is stepped with its
+/// drive.
+fn stepped_at_bit(string: &Drillstring, frequency: f64, time: f64) -> [Vec<f64>; 2] {
+    let bending = academic::BENDING;
+    let (support, sites) = (SurfaceSupport::Free, Sites::bit());
+    let parameters = FiniteElement::default();
+    let mesh = SteppedString::new(string, &bending, support, &sites, &parameters, frequency);
+    let responses = mesh.unwrap().responses(&[0], time).unwrap();
+    let torsion = responses.torsion().unwrap();
+    [&torsion.from_surface[0], &torsion.from_loads[0][0]].map(Vec::clone)
+}
+
+/// A torque T that stays on the bit of a uniform undamped string turns it at T/Z; its front comes
+/// back from a drive (Z − K_p)/(Z + K_p) times as large, and a free end doubles that.
+#[test]
+fn a_front_comes_back_from_the_drive_as_from_its_impedance() {
+    let plain = pipes::row(100, 0.0);
+    let impedance = torsional_impedance(&plain, &pipe(10.0));
+    let frequency = 640.0;
+    let round_trip = (2.0 * torsional_travel_time(&plain) * frequency) as usize;
+    for part in [0.2, 1.0, 5.0, 1e6] {
+        let string = below(&plain, drive(0.0, part * impedance, 0.0));
+        let [_, taps] = stepped_at_bit(&string, frequency, 2.0);
+        let mut speed = 0.0;
+        let speeds: Vec<f64> = (taps.iter())
+            .map(|tap| {
+                speed += tap * impedance;
+                speed
+            })
+            .collect();
+        let mean = |from: usize| {
+            let within = from + round_trip / 4..from + 3 * round_trip / 4;
+            let count = within.len() as f64;
+            speeds[within].iter().sum::<f64>() / count
+        };
+        let reflection = (1.0 - part) / (1.0 + part);
+        for (found, expected) in [
+            (mean(0), 1.0),
+            (mean(round_trip), 1.0 + 2.0 * reflection),
+            (
+                mean(2 * round_trip),
+                1.0 + 2.0 * (reflection + reflection * reflection),
+            ),
+        ] {
+            assert!(
+                (found - expected).abs() < 0.01,
+                "{part}: {found} {expected}"
+            );
+        }
+    }
+}
+
+/// Around the first modes, which depend on the drive, a mesh stepped with it responds as exact
+/// waves do.
+#[test]
+fn a_mesh_and_its_drive_have_the_exact_response_at_their_modes() {
+    let plain = academic::string();
+    for drive in [
+        controllers::soft_torque(&plain, 2000.0),
+        controllers::stiff(&plain, 2000.0),
+        controllers::impedance_matched(&plain),
+    ] {
+        let string = below(&plain, drive);
+        let network = TorsionNetwork::new(&string, &Sites::bit()).unwrap();
+        let (frequency, time) = (1000.0, 30.0);
+        let [from_surface, from_torque] = stepped_at_bit(&string, frequency, time);
+        for mode in torsional_modes(&string, 3).unwrap() {
+            let hertz = mode.frequency();
+            let exact = network.at_frequency(hertz);
+            let sum = |taps: &[f64]| -> Complex64 {
+                let angle = -std::f64::consts::TAU * hertz / frequency;
+                let terms = taps.iter().enumerate();
+                terms
+                    .map(|(step, tap)| Complex64::from_polar(*tap, angle * step as f64))
+                    .sum()
+            };
+            for (found, exact) in [
+                (sum(&from_surface), exact.from_surface[0]),
+                (sum(&from_torque), exact.from_torque[(0, 0)]),
+            ] {
+                let off = (found - exact).norm() / exact.norm();
+                assert!(off < 0.02, "{drive:?} at {hertz} Hz: {off}");
+            }
+        }
     }
 }
 

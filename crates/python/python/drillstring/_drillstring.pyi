@@ -5,7 +5,17 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-from ._parts import Bending, BitTorque, EccentricMass, Impulse, Material, Section, TopDrive, Wall
+from ._parts import (
+    Bending,
+    BitTorque,
+    EccentricMass,
+    Impulse,
+    Material,
+    Section,
+    TabulatedFriction,
+    TopDrive,
+    Wall,
+)
 
 __all__ = [
     "Approach",
@@ -14,6 +24,7 @@ __all__ = [
     "DrillstringWarning",
     "Modes",
     "Motion",
+    "Outcome",
     "Responses",
     "Simulation",
     "Sweep",
@@ -76,6 +87,19 @@ class Motion:
     def __len__(self) -> int: ...
 
 @final
+class Outcome:
+    @property
+    def torsion(self) -> str | None: ...
+    @property
+    def lateral(self) -> str | None: ...
+    @property
+    def ended(self) -> str: ...
+    @property
+    def simulated(self) -> float: ...
+    @property
+    def measures(self) -> dict[str, float]: ...
+
+@final
 class Responses:
     @property
     def method(self) -> str: ...
@@ -102,12 +126,24 @@ class Responses:
         surface_speed: float,
         duration: float,
         *,
-        bit: BitTorque | Callable[[float, float, float], float] | None = None,
+        bit: BitTorque | TabulatedFriction | Callable[[float, float, float], float] | None = None,
         walls: Sequence[Wall | Any] | None = None,
         impulses: Sequence[Impulse] = ...,
         eccentric_masses: Sequence[EccentricMass] = ...,
         rise: float = 0.0,
     ) -> Motion: ...
+    def regimes(
+        self,
+        surface_speed: float,
+        duration: float,
+        *,
+        closing_window: float,
+        bit: BitTorque | TabulatedFriction | Callable[[float, float, float], float] | None = None,
+        walls: Sequence[Wall | Any] | None = None,
+        impulses: Sequence[Impulse] = ...,
+        eccentric_masses: Sequence[EccentricMass] = ...,
+        rise: float = 0.0,
+    ) -> Outcome: ...
 
 @final
 class Simulation:

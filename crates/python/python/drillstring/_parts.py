@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -59,6 +59,32 @@ class BitTorque:
     torque_static: float  #: N m
     torque_dynamic: float  #: N m
     decay_speed: float = 0.0  #: rad/s over which the one falls to the other; 0 at once
+
+
+@dataclass(frozen=True)
+class TabulatedFriction:
+    """Torque against the speed of the bit, by values that straight lines join: stuck up to the
+    static torque, turning against that of its speed, either way, and beyond the last speed against
+    the last torque."""
+
+    speeds: Sequence[float]  #: rad/s, from zero up
+    torques: Sequence[float]  #: N m, one for each speed
+    torque_static: float | None = None  #: N m; the torque at zero where it is not given
+
+    @classmethod
+    def sampled(
+        cls,
+        torque: Callable[[float], float],
+        fastest: float,
+        steps: int = 1000,
+        *,
+        torque_static: float | None = None,
+    ) -> TabulatedFriction:
+        """The table of a function from speed (rad/s) to torque (N m), called at equal steps from
+        zero up to ``fastest``. Between them it is a straight line: take as many as its curvature
+        asks for."""
+        speeds = [fastest * step / steps for step in range(steps + 1)]
+        return cls(speeds, [torque(speed) for speed in speeds], torque_static)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,9 @@
 //! Torque between bit and rock: stuck up to T_s, sliding against T_d
 //! (Sections 2.2.2 and 4.2), met by the load line of Eq. 16. Between the two the torque may
-//! fall with the speed, T_d + (T_s − T_d) e^(−ω/ω_c) (Stribeck), instead of at once.
+//! fall with the speed, T_d + (T_s − T_d) e^(−ω/ω_c) (`friction_curve.rs`), instead of at once.
 
+use super::friction_curve::{FrictionCurve, Shape};
+pub use super::torque::BitMotion;
 use super::torque::{LoadLine, TorqueLaw, TorqueStep};
 use crate::ranges::{SceneError, not_negative};
 
@@ -16,24 +18,6 @@ pub struct BitTorque {
     /// torque falls at once.
     pub decay_speed: f64,
 }
-
-/// What the bit was doing in the last step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum BitMotion {
-    /// Held by the rock, as at the first instant.
-    #[default]
-    Stuck,
-    /// Turning with the surface (positive) speed.
-    Forward,
-    /// Turning against it.
-    Backward,
-}
-
-/// Newton's steps to a speed: close to where both roots are one, each halves what is left.
-const MOST_STEPS: usize = 100;
-
-/// A speed is known to this part of it.
-const SAME_SPEED: f64 = 1e-14;
 
 impl TorqueLaw for BitTorque {
     type State = BitMotion;
@@ -55,15 +39,23 @@ impl TorqueLaw for BitTorque {
     }
 
     fn turning_at(&self, speed: f64) -> BitMotion {
-        match speed {
-            0.0 => BitMotion::Stuck,
-            _ if speed > 0.0 => BitMotion::Forward,
-            _ => BitMotion::Backward,
-        }
+        BitMotion::of(speed)
     }
 
     fn largest_drop(&self) -> f64 {
         self.torque_static - self.torque_dynamic
+    }
+
+    fn holds(&self) -> Option<f64> {
+        Some(self.torque_static)
+    }
+
+    fn is_constant_in_slip(&self) -> bool {
+        self.decay_speed == 0.0
+    }
+
+    fn is_autonomous(&self) -> bool {
+        true
     }
 
     fn check(&self) -> Result<(), SceneError> {
@@ -84,16 +76,15 @@ impl BitTorque {
     fn slide(&self, direction: f64, line: LoadLine) -> Option<TorqueStep<BitMotion>> {
         let against = match self.decay_speed {
             0.0 => self.torque_dynamic,
-            _ => self.torque_at(self.fastest(direction * line.free_speed, line.compliance)?),
+            _ => {
+                let curve = self.curve();
+                curve.at(curve.fastest(direction * line.free_speed, line.compliance)?)
+            }
         };
         let torque = -direction * against;
         let speed = line.free_speed + line.compliance * torque;
         (direction * speed > 0.0).then_some(TorqueStep {
-            state: if direction > 0.0 {
-                BitMotion::Forward
-            } else {
-                BitMotion::Backward
-            },
+            state: BitMotion::of(direction),
             torque,
             speed,
         })
@@ -101,41 +92,22 @@ impl BitTorque {
 
     /// Torque against a bit that turns at a speed (rad/s), N m.
     pub fn torque_at(&self, speed: f64) -> f64 {
-        if self.decay_speed == 0.0 {
-            return self.torque_dynamic;
-        }
-        let more = self.torque_static - self.torque_dynamic;
-        self.torque_dynamic + more * (-speed / self.decay_speed).exp()
+        self.curve().at(speed)
     }
 
     /// The speed (rad/s) above which the torque falls less steeply with it than by `slope`,
     /// N m s/rad; none where it does at every speed.
     pub fn speed_of_fall(&self, slope: f64) -> Option<f64> {
-        let steepest = (self.torque_static - self.torque_dynamic) / self.decay_speed;
-        let speed = self.decay_speed * (steepest / slope).ln();
-        (self.decay_speed > 0.0 && speed > 0.0).then_some(speed)
+        self.curve().speed_of_fall(slope)
     }
 
-    /// The largest speed v > 0 with v + A T(v) = `driven`, where there is one. Above it the
-    /// left side is the larger, and it is convex: Newton's steps from what T_d alone would leave
-    /// come down to it, and past the least of it only where there is none.
-    fn fastest(&self, driven: f64, compliance: f64) -> Option<f64> {
-        let more = self.torque_static - self.torque_dynamic;
-        let mut speed = driven - compliance * self.torque_dynamic;
-        for _ in 0..MOST_STEPS {
-            let left = more * (-speed / self.decay_speed).exp();
-            let slope = 1.0 - compliance * left / self.decay_speed;
-            if speed <= 0.0 || slope <= 0.0 {
-                return None;
-            }
-            let excess = speed + compliance * (self.torque_dynamic + left) - driven;
-            let step = excess / slope;
-            speed -= step;
-            if step <= SAME_SPEED * speed {
-                break;
-            }
+    fn curve(&self) -> FrictionCurve {
+        FrictionCurve {
+            at_rest: self.torque_static,
+            when_fast: self.torque_dynamic,
+            decay_speed: self.decay_speed,
+            shape: Shape::Exponential,
         }
-        (speed > 0.0).then_some(speed)
     }
 
     fn hold_or_slip(&self, line: LoadLine) -> TorqueStep<BitMotion> {

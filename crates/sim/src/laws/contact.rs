@@ -75,7 +75,8 @@ impl Spin<'_> {
     }
 }
 
-/// A law of the wall at a site.
+/// A law of the wall at a site, which remembers nothing but what [`Approach`] says of the step
+/// before. What is not given below has an answer by default that is right for every law.
 pub trait WallLaw {
     /// How far the string's centre may be from the middle without contact, m.
     fn clearance(&self) -> f64;
@@ -88,6 +89,19 @@ pub trait WallLaw {
     /// # Errors
     /// Where there is no answer in finite numbers.
     fn meet(&self, approach: &Approach) -> Result<Contact, ContactError>;
+
+    /// The most friction, in parts of the normal force, that holds what rolls, where that alone
+    /// decides whether it goes on rolling: whirl that has settled in rolling with less then
+    /// lasts, and a case may end early. `None` where something else decides, too.
+    fn rolling_limit(&self) -> Option<f64> {
+        None
+    }
+
+    /// Whether friction on what slides does not depend on its speed: whirl that has settled in
+    /// sliding then lasts, where friction that falls may shake it ever more.
+    fn slides_evenly(&self) -> bool {
+        false
+    }
 
     /// Whether its numbers are such that it can be.
     ///

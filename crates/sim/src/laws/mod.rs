@@ -4,11 +4,13 @@
 pub mod bit;
 mod bracket;
 pub mod contact;
+mod friction_curve;
 mod in_step;
 mod newton;
 mod obeyed;
 pub mod pipe;
 mod press;
 pub mod rock;
+pub mod table;
 pub mod torque;
 pub mod wall;

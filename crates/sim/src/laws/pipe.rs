@@ -1,12 +1,10 @@
 //! Friction of a piece of pipe that lies against the borehole: stuck up to F_s; turning at ω
-//! against F_d + (F_s − F_d) e^(−(ω/ω_s)²), the Stribeck curve in its Gaussian form (B.
-//! Armstrong-Hélouvry, P. Dupont and C. Canudas de Wit, "A survey of models, analysis tools and
-//! compensation methods for the control of machines with friction", *Automatica* 30, 1994,
-//! 1083–1138), met by the load line as at the bit (Eq. 16). What turns much more slowly than ω_s
-//! rubs as what is stuck, so that a string breaks loose as a whole.
+//! against F_d + (F_s − F_d) e^(−(ω/ω_s)²) (`friction_curve.rs`), met by the load line as at
+//! the bit (Eq. 16). What turns much more slowly than ω_s rubs as what is stuck, so that a string
+//! breaks loose as a whole.
 
-use super::bit::BitMotion;
-use super::torque::{LoadLine, TorqueLaw, TorqueStep};
+use super::friction_curve::{FrictionCurve, Shape};
+use super::torque::{BitMotion, LoadLine, TorqueLaw, TorqueStep};
 use crate::ranges::{SceneError, not_negative};
 
 /// The friction of a piece, N m.
@@ -30,21 +28,10 @@ pub struct PipeMotion {
     pub speed: f64,
 }
 
-/// Load line and curve meet to this part of the speed that they leave between them: a hundred
-/// times rounding.
-const SAME_SPEED: f64 = 1e-14;
-
-/// Steps to a speed: halving alone takes half of them.
-const MOST_STEPS: usize = 100;
-
-/// Speeds in parts of ω_s at which the curve falls most, and how steeply, in parts of
-/// (F_s − F_d)/ω_s: 1/√2 and √(2/e).
-const STEEPEST: (f64, f64) = (std::f64::consts::FRAC_1_SQRT_2, 0.857_763_884_960_706_8);
-
 /// The friction of a piece and load lines of one slope.
 #[derive(Debug, Clone, Copy)]
 pub struct OnLines {
-    law: PipeFriction,
+    curve: FrictionCurve,
     compliance: f64,
     /// Where they may meet more than once, the speeds at which the curve is as steep as the
     /// line: between them no motion lasts.
@@ -66,9 +53,9 @@ impl OnLines {
         };
         let goes_on = was_forward == Some(direction > 0.0);
         let fast = (self.folds)
-            .filter(|_| goes_on && self.law.is_fast(before.speed))
+            .filter(|_| goes_on && self.curve.is_fast(before.speed))
             .and_then(|(_, fold)| self.fast(driven, fold, guess));
-        let is_held = driven <= self.compliance * self.law.torque_static;
+        let is_held = driven <= self.compliance * self.curve.at_rest;
         let Some(speed) = fast.or_else(|| (!is_held).then(|| self.slow(driven, guess))) else {
             return TorqueStep {
                 torque: -free_speed / self.compliance,
@@ -77,70 +64,40 @@ impl OnLines {
             };
         };
         TorqueStep {
-            torque: -direction * self.law.torque_at(speed),
+            torque: -direction * self.curve.at(speed),
             speed: direction * speed,
             state: PipeMotion {
-                motion: if direction > 0.0 {
-                    BitMotion::Forward
-                } else {
-                    BitMotion::Backward
-                },
+                motion: BitMotion::of(direction),
                 speed,
             },
         }
     }
 
-    /// What the load line leaves of a speed too much, v + A F(v) − `driven`, and how that changes
-    /// with v.
-    fn excess(&self, speed: f64, driven: f64) -> (f64, f64) {
-        let left = self.law.left(speed);
-        let excess = speed + self.compliance * (self.law.torque_dynamic + left) - driven;
-        (excess, 1.0 - self.compliance * self.law.fall(speed, left))
+    fn excess(&self, speed: f64, driven: f64) -> f64 {
+        self.curve.excess(speed, driven, self.compliance).0
     }
 
     /// How far the torque falls at most where it slips, N m.
     pub fn largest_drop(&self) -> f64 {
-        self.law.largest_drop()
+        self.curve.drop()
     }
 
     /// By how much the torque against it falls with its speed, N m per rad/s.
     pub fn fall(&self, speed: f64) -> f64 {
-        self.law.fall(speed, self.law.left(speed))
+        self.curve.fall(speed)
     }
 
-    /// A speed at which load line and curve meet, between one that is too slow and one that is
-    /// too fast, from a guess.
-    fn between(&self, mut ends: (f64, f64), guess: f64, driven: f64) -> f64 {
-        // What is no number goes through, to be told as such; `clamp` would panic.
-        let mut speed = guess.max(ends.0).min(ends.1);
-        for _ in 0..MOST_STEPS {
-            let (excess, slope) = self.excess(speed, driven);
-            if excess > 0.0 {
-                ends.1 = speed;
-            } else {
-                ends.0 = speed;
-            }
-            if excess.abs() <= SAME_SPEED * driven {
-                break;
-            }
-            let next = speed - excess / slope;
-            let is_within = ends.0 < next && next < ends.1;
-            speed = if is_within {
-                next
-            } else {
-                0.5 * (ends.0 + ends.1)
-            };
-        }
-        speed
+    fn between(&self, ends: (f64, f64), guess: f64, driven: f64) -> f64 {
+        (self.curve).between(ends, guess, driven, self.compliance)
     }
 
     /// The speed of a piece that is stuck or slow and no longer held.
     fn slow(&self, driven: f64, guess: f64) -> f64 {
-        let most = driven - self.compliance * self.law.torque_dynamic;
+        let most = driven - self.compliance * self.curve.when_fast;
         let Some((first, second)) = self.folds else {
             return self.between((0.0, most), guess, driven);
         };
-        if self.excess(first, driven).0 >= 0.0 {
+        if self.excess(first, driven) >= 0.0 {
             return self.between((0.0, first), guess, driven);
         }
         self.between((second.min(most), most), guess, driven)
@@ -148,8 +105,8 @@ impl OnLines {
 
     /// The speed of a piece that is fast, if it can be, beyond the upper fold.
     fn fast(&self, driven: f64, fold: f64, guess: f64) -> Option<f64> {
-        let most = driven - self.compliance * self.law.torque_dynamic;
-        if fold >= most || self.excess(fold, driven).0 > 0.0 {
+        let most = driven - self.compliance * self.curve.when_fast;
+        if fold >= most || self.excess(fold, driven) > 0.0 {
             return None;
         }
         Some(self.between((fold, most), guess, driven))
@@ -166,6 +123,18 @@ impl TorqueLaw for PipeFriction {
 
     fn largest_drop(&self) -> f64 {
         self.torque_static - self.torque_dynamic
+    }
+
+    fn holds(&self) -> Option<f64> {
+        Some(self.torque_static)
+    }
+
+    fn is_constant_in_slip(&self) -> bool {
+        self.torque_static == self.torque_dynamic || self.stribeck_speed == 0.0
+    }
+
+    fn is_autonomous(&self) -> bool {
+        true
     }
 
     fn check(&self) -> Result<(), SceneError> {
@@ -185,65 +154,21 @@ impl TorqueLaw for PipeFriction {
 impl PipeFriction {
     /// With load lines of this compliance, rad/s per N m.
     pub fn on_lines(self, compliance: f64) -> OnLines {
+        let curve = self.curve();
         OnLines {
-            law: self,
+            curve,
             compliance,
-            folds: self.folds(compliance),
+            folds: curve.folds(compliance),
         }
     }
 
-    /// Beyond where the curve is steepest.
-    fn is_fast(&self, speed: f64) -> bool {
-        speed > STEEPEST.0 * self.stribeck_speed
-    }
-
-    /// What F_s is more than F_d, and what of it is left at a speed, N m.
-    fn left(&self, speed: f64) -> f64 {
-        let more = self.torque_static - self.torque_dynamic;
-        if self.stribeck_speed == 0.0 || more == 0.0 {
-            return 0.0;
+    fn curve(&self) -> FrictionCurve {
+        FrictionCurve {
+            at_rest: self.torque_static,
+            when_fast: self.torque_dynamic,
+            decay_speed: self.stribeck_speed,
+            shape: Shape::Gaussian,
         }
-        more * (-(speed / self.stribeck_speed).powi(2)).exp()
-    }
-
-    /// How fast that falls with the speed, what is left of it given, N m per rad/s.
-    fn fall(&self, speed: f64, left: f64) -> f64 {
-        match self.stribeck_speed {
-            0.0 => 0.0,
-            scale => 2.0 * left * speed / (scale * scale),
-        }
-    }
-
-    /// Torque against a piece that turns at a speed.
-    fn torque_at(&self, speed: f64) -> f64 {
-        self.torque_dynamic + self.left(speed)
-    }
-
-    /// Speeds at which the curve is as steep as lines of a compliance, if it ever is.
-    fn folds(&self, compliance: f64) -> Option<(f64, f64)> {
-        let (steepest, slope) = STEEPEST;
-        let scale = self.stribeck_speed;
-        let falls = compliance * self.largest_drop();
-        if slope * falls <= scale {
-            return None;
-        }
-        // x e^(−x²) grows up to 1/√2 and falls beyond: halving finds either place.
-        let level = 0.5 * scale / falls;
-        let is_below = |x: f64| x * (-x * x).exp() < level;
-        let halved = |mut below: f64, mut above: f64| {
-            for _ in 0..MOST_STEPS / 2 {
-                let middle = 0.5 * (below + above);
-                if is_below(middle) {
-                    below = middle;
-                } else {
-                    above = middle;
-                }
-            }
-            below
-        };
-        // Beyond six, e^(−36) is left.
-        let (first, second) = (halved(0.0, steepest), halved(6.0, steepest));
-        Some((scale * first, scale * second))
     }
 }
 
@@ -298,7 +223,8 @@ mod tests {
                 prop_assert!(step.torque.abs() <= LAW.torque_static);
             } else {
                 prop_assert!(step.speed * free_speed >= 0.0);
-                let (_, slope) = law.on_lines(compliance).excess(step.speed.abs(), free_speed.abs());
+                let (speed, driven) = (step.speed.abs(), free_speed.abs());
+                let (_, slope) = law.curve().excess(speed, driven, compliance);
                 prop_assert!(slope > -1e-6, "{step:?} {slope}");
             }
         }
@@ -309,8 +235,8 @@ mod tests {
     #[test]
     fn a_piece_keeps_doing_what_it_did() {
         let compliance = 4.0;
-        let (first, second) = LAW.folds(compliance).unwrap();
-        let line_of = |speed: f64| speed + compliance * LAW.torque_at(speed);
+        let (first, second) = LAW.curve().folds(compliance).unwrap();
+        let line_of = |speed: f64| speed + compliance * LAW.curve().at(speed);
         let (up, down) = (line_of(first), line_of(second));
         assert!(down < up);
         let mut state = PipeMotion::default();

@@ -36,6 +36,14 @@ impl WallLaw for Wall {
         }
     }
 
+    fn rolling_limit(&self) -> Option<f64> {
+        Some(self.friction)
+    }
+
+    fn slides_evenly(&self) -> bool {
+        !self.falls()
+    }
+
     fn check(&self) -> Result<(), SceneError> {
         self.check_numbers()
     }

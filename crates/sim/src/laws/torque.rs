@@ -16,6 +16,20 @@ pub struct LoadLine {
     pub compliance: f64,
 }
 
+/// What a torque leaves of a free speed by rounding, in parts of it.
+const ROUNDING: f64 = 1e-14;
+
+impl LoadLine {
+    /// The speed that a torque (N m) leaves, rad/s; zero where it takes all of it but for rounding.
+    pub fn speed_under(&self, torque: f64) -> f64 {
+        let speed = self.free_speed + self.compliance * torque;
+        match speed.abs() <= ROUNDING * self.free_speed.abs() {
+            true => 0.0,
+            false => speed,
+        }
+    }
+}
+
 /// The torque on the bit in one step, the speed it leaves, and what the law remembers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TorqueStep<S> {
@@ -27,8 +41,35 @@ pub struct TorqueStep<S> {
     pub state: S,
 }
 
+/// How a bit, or a piece of pipe, turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum BitMotion {
+    /// Held by the rock, as at the first instant.
+    #[default]
+    Stuck,
+    /// Turning with the surface (positive) speed.
+    Forward,
+    /// Turning against it.
+    Backward,
+}
+
+impl BitMotion {
+    /// That of a speed, rad/s.
+    pub fn of(speed: f64) -> Self {
+        match speed {
+            0.0 => Self::Stuck,
+            _ if speed > 0.0 => Self::Forward,
+            _ => Self::Backward,
+        }
+    }
+}
+
 /// A law of the torque on the bit. A function of the load line that remembers nothing is
 /// one too, and answers with the torque.
+///
+/// All but [`TorqueLaw::meet`] have answers by default, which are right for every law: cases are
+/// then stepped from their start to their end. A law that says more of itself has cases that
+/// begin at the first slip and end early, with the same labels.
 pub trait TorqueLaw {
     /// What it remembers from step to step, at rest by default.
     type State: Clone + Default + Debug;
@@ -48,6 +89,34 @@ pub trait TorqueLaw {
         0.0
     }
 
+    /// How the bit turned in a step: regimes follow from when it is stuck. By default it is where
+    /// its speed is zero. Of a law in which nothing ever stands quite still, such as friction that
+    /// is smoothed about zero, no case would be stick-slip: it says below which speed the bit
+    /// counts as stuck.
+    fn motion(&self, step: &TorqueStep<Self::State>) -> BitMotion {
+        BitMotion::of(step.speed)
+    }
+
+    /// T_s, N m: a bit that has been at rest since the beginning stays at rest as long as no more
+    /// is needed for that, and no longer. Until the string has wound up to it nothing has to be
+    /// stepped. `None` where that is not all that decides.
+    fn holds(&self) -> Option<f64> {
+        None
+    }
+
+    /// Whether a bit that turns one way meets the same torque at any speed: what a bit does that
+    /// never stops again is then known.
+    fn is_constant_in_slip(&self) -> bool {
+        false
+    }
+
+    /// Whether the torque follows from the motion alone, and from no more of that than the last
+    /// cycle of stick-slip: not from the time. Motion that repeats itself then goes on so, and a
+    /// case may end early.
+    fn is_autonomous(&self) -> bool {
+        false
+    }
+
     /// Whether its numbers are such that it can be.
     ///
     /// # Errors
@@ -64,7 +133,7 @@ impl<F: Fn(LoadLine) -> f64> TorqueLaw for F {
         let torque = self(line);
         TorqueStep {
             torque,
-            speed: line.free_speed + line.compliance * torque,
+            speed: line.speed_under(torque),
             state: (),
         }
     }

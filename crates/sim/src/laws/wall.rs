@@ -2,8 +2,9 @@
 //! Coulomb friction that slides or rolls. How a step of it is solved is in `press`.
 //!
 //! Friction may fall with the speed v at which the surfaces slide, from μ_s to μ_d:
-//! μ_d + (μ_s − μ_d) e^(−(v/v_s)²), the Stribeck curve of [`super::pipe`].
+//! μ_d + (μ_s − μ_d) e^(−(v/v_s)²) (`friction_curve.rs`).
 
+use super::friction_curve::{FrictionCurve, Shape};
 use crate::ranges::{SceneError, not_negative, part, positive};
 
 /// A place on the borehole wall, and the string there.
@@ -43,14 +44,21 @@ impl Wall {
         if speed <= 0.0 {
             return self.friction;
         }
-        let dynamic = self.dynamic_friction();
-        // With a Stribeck speed of zero nothing is left.
-        dynamic + (self.friction - dynamic) * (-(speed / self.stribeck_speed).powi(2)).exp()
+        self.curve().at(speed)
     }
 
     /// Whether surfaces slide at a speed (m/s) beyond that at which friction falls most.
     pub(super) fn is_fast(&self, speed: f64) -> bool {
-        speed > std::f64::consts::FRAC_1_SQRT_2 * self.stribeck_speed
+        self.curve().is_fast(speed)
+    }
+
+    fn curve(&self) -> FrictionCurve {
+        FrictionCurve {
+            at_rest: self.friction,
+            when_fast: self.dynamic_friction(),
+            decay_speed: self.stribeck_speed,
+            shape: Shape::Gaussian,
+        }
     }
 
     pub(super) fn check_numbers(&self) -> Result<(), SceneError> {

@@ -8,7 +8,8 @@ use super::look_ahead::LookAhead;
 use super::stuck_torque::StuckTorque;
 use crate::convolution::Convolution;
 use crate::error::SimulationError;
-use crate::laws::bit::BitTorque;
+use crate::laws::contact::WallLaw;
+use crate::laws::torque::TorqueLaw;
 use crate::scene::Scene;
 use crate::start::Start;
 use crate::stepper::Stepper;
@@ -85,26 +86,28 @@ impl BitAlone {
         self.stuck_torque.torques()
     }
 
-    /// A scene that begins at rest, from its first slip on; another from its start on.
-    pub(crate) fn stepper<'a>(
+    /// A scene that begins at rest, from its first slip on where the law says when that is;
+    /// another from its start on.
+    pub(crate) fn stepper<'a, B: TorqueLaw, W: WallLaw>(
         &'a self,
         system: &'a System,
-        scene: &'a Scene,
-        law: &BitTorque,
-    ) -> Result<Stepper<'a>, SimulationError> {
-        if scene.start.steady().is_some() {
+        scene: &'a Scene<B, W>,
+        law: &B,
+    ) -> Result<Stepper<'a, B, W>, SimulationError> {
+        let begins_at_rest = scene.start == Start::Rest;
+        let Some(torque_static) = law.holds().filter(|_| begins_at_rest) else {
             return Stepper::new(system, scene);
-        }
-        let slip = (self.stuck_torque).first_slip(scene.surface_speed, law.torque_static);
+        };
+        let slip = (self.stuck_torque).first_slip(scene.surface_speed, torque_static);
         Stepper::at_first_slip(system, scene, self.stuck_torque(), slip)
     }
 
     /// The speeds that the bit is going to have, if it never stops again; they are looked
     /// for once after each slip, when it has been turning for as long as `rules` say.
-    pub(crate) fn turns_on(
+    pub(crate) fn turns_on<B: TorqueLaw, W: WallLaw>(
         &self,
         system: &System,
-        stepper: &Stepper,
+        stepper: &Stepper<B, W>,
         watch: &BitWatch,
         rules: &Rules,
     ) -> Option<Vec<f64>> {
@@ -126,11 +129,11 @@ impl BitAlone {
 
     /// The speeds of a bit that turns on, in a case that began with a steady motion: what its
     /// torque differs by from that of this motion grows as evenly as that does.
-    fn speeds_after(
+    fn speeds_after<B: TorqueLaw, W: WallLaw>(
         &self,
         motion: &SteadyMotion,
         system: &System,
-        stepper: &Stepper,
+        stepper: &Stepper<B, W>,
     ) -> Option<Vec<f64>> {
         let (step, memory) = (stepper.next_step(), self.look_ahead.memory());
         let torque = stepper.bit_step()?.torque - motion.at_bit.at(system.sampling.time_of(step));
@@ -144,14 +147,22 @@ impl BitAlone {
     }
 
     /// The same in a case that began at rest, as soon as the surface will have settled by then.
-    fn speeds_after_rest(&self, system: &System, stepper: &Stepper) -> Option<Vec<f64>> {
+    fn speeds_after_rest<B: TorqueLaw, W: WallLaw>(
+        &self,
+        system: &System,
+        stepper: &Stepper<B, W>,
+    ) -> Option<Vec<f64>> {
         let (step, memory) = (stepper.next_step(), self.look_ahead.memory());
         let surface = &system.torsion.whole()?.surface[self.site];
         if step + memory <= surface.settles() {
             return None;
         }
         let (now, speed) = (stepper.bit_step()?, stepper.surface_speed());
-        let held = |step: usize| speed * self.stuck_torque()[step];
+        // Torques on a bit that was free at first are known as they are.
+        let held = |step: usize| match stepper.is_held_at_first() {
+            true => speed * self.stuck_torque()[step],
+            false => 0.0,
+        };
         let slip = step - stepper.torques(0).len();
         let first = step.saturating_sub(memory);
         let before = (first..slip.max(first)).map(held);

@@ -4,6 +4,7 @@
 
 use crate::convolution::partition::FIRST_BLOCK;
 use crate::laws::contact::WallLaw;
+use crate::laws::torque::TorqueLaw;
 use crate::scene::{Lateral, Scene};
 use crate::stepper::Stepper;
 use crate::system::System;
@@ -12,10 +13,10 @@ use crate::watch::lateral::WallWatch;
 /// Passes a whole block, or what is left of the time, in which nothing disturbs the sites
 /// and none reaches its wall: its motion is the one that stepping would give. Returns
 /// how many steps that were.
-pub(crate) fn pass_free_block(
+pub(crate) fn pass_free_block<B: TorqueLaw, W: WallLaw>(
     system: &System,
-    scene: &Scene,
-    stepper: &mut Stepper,
+    scene: &Scene<B, W>,
+    stepper: &mut Stepper<B, W>,
     watch: &mut WallWatch,
 ) -> usize {
     let step = stepper.next_step();
@@ -55,7 +56,7 @@ pub(crate) fn pass_free_block(
 }
 
 /// Whether nothing disturbs the sites from one time to before another, s.
-fn is_quiet(lateral: &Lateral, from: f64, to: f64) -> bool {
+fn is_quiet<W>(lateral: &Lateral<W>, from: f64, to: f64) -> bool {
     let mut impulses = lateral.impulses.iter();
     lateral.eccentric_masses.is_empty() && impulses.all(|impulse| impulse.is_quiet(from, to))
 }

@@ -2,8 +2,7 @@
 
 use super::lateral::{LateralMeasures, SiteSums, WallWatch};
 use super::rules::Rules;
-use crate::laws::contact::Contact;
-use crate::laws::wall::Wall;
+use crate::laws::contact::{Contact, WallLaw};
 
 /// One site over one window.
 #[derive(Debug, Clone, Copy, Default)]
@@ -51,7 +50,7 @@ impl Settling {
     }
 
     /// One step; whether whirl is settled at its end.
-    pub(crate) fn see(&mut self, contacts: &[Contact], walls: &[Wall]) -> bool {
+    pub(crate) fn see<W: WallLaw>(&mut self, contacts: &[Contact], walls: &[W]) -> bool {
         for (site, contact) in contacts.iter().enumerate() {
             let [x, y] = contact.position;
             let now = &mut self.now[site];
@@ -81,25 +80,24 @@ impl Settling {
 
     /// Whether a site is either always or never in contact, far enough from
     /// changing that, and on its way to little change.
-    fn agree(&self, before: &Window, last: &Window, wall: &Wall) -> bool {
+    fn agree(&self, before: &Window, last: &Window, wall: &impl WallLaw) -> bool {
         let windows_left = (self.steps - self.step) as f64 / self.window as f64;
         let steady = |before: f64, last: f64, scale: f64| {
             (last - before).abs() * windows_left.max(1.0)
                 <= self.rules.settling_tolerance * scale.abs()
         };
         let (one, other) = (&before.sums, &last.sums);
-        let clearances = wall.clearance * self.window as f64;
+        let clearances = wall.clearance() * self.window as f64;
         let steady_radius = steady(one.radius, other.radius, clearances);
         if other.contact == 0 {
-            let is_far = last.largest_square.sqrt() < self.rules.free_margin * wall.clearance;
+            let is_far = last.largest_square.sqrt() < self.rules.free_margin * wall.clearance();
             return one.contact == 0 && steady_radius && is_far;
         }
         let all = |count: usize| count == self.window;
-        let keeps_rolling = all(one.rolling)
-            && all(other.rolling)
-            && last.largest_ratio < self.rules.rolling_margin * wall.friction;
-        // Friction that falls with the speed may shake what slides ever more.
-        let keeps_sliding = one.rolling == 0 && other.rolling == 0 && !wall.falls();
+        let holds = |limit: f64| last.largest_ratio < self.rules.rolling_margin * limit;
+        let keeps_rolling =
+            all(one.rolling) && all(other.rolling) && wall.rolling_limit().is_some_and(holds);
+        let keeps_sliding = one.rolling == 0 && other.rolling == 0 && wall.slides_evenly();
         (keeps_rolling || keeps_sliding)
             && all(one.contact)
             && all(other.contact)

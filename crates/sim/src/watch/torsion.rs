@@ -4,7 +4,7 @@ use linear::budget::REAL;
 use serde::{Deserialize, Serialize};
 
 use super::rules::{AGREEING_CYCLES, Rules};
-use crate::laws::bit::BitMotion;
+use crate::laws::torque::BitMotion;
 use crate::sampling::Sampling;
 use crate::words::with_words;
 

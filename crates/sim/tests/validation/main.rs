@@ -7,6 +7,7 @@ mod held;
 mod lines;
 mod many_sites;
 mod own_law;
+mod own_regimes;
 mod pieces;
 mod start;
 mod stepped;

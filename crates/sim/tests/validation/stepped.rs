@@ -5,7 +5,7 @@ use linear::method::FiniteElement;
 use linear::{Drillstring, Method, Section, Sites, SteppedString, SurfaceSupport, responses};
 use problems::academic::{self, BENDING, SAMPLING_FREQUENCY, tube};
 use sim::{
-    BitTorque, EccentricMass, Impulse, Lateral, Outcome, Scene, Simulator, Stopping,
+    BitTorque, EccentricMass, Impulse, Lateral, Outcome, PipeFriction, Scene, Simulator, Stopping,
     SurfaceProfile, Timing, Trajectory, Wall,
 };
 
@@ -159,4 +159,39 @@ fn so_it_does_where_the_bit_cuts_too() {
     assert!(positions < 1e-6 && speeds < 1e-6, "{positions} {speeds}");
     let regimes = [&taps.0, &mesh.0].map(|outcome| outcome.torsion().unwrap().regime);
     assert_eq!(regimes[0], regimes[1]);
+}
+
+/// Below a top drive that the mesh is stepped with, where the string rubs along its well too.
+#[test]
+fn so_it_does_below_a_top_drive_and_with_friction_along_the_string() {
+    let plain = academic::string();
+    let drive = linear::controllers::soft_torque(&plain, 2000.0);
+    let string = plain.with_top_drive(drive).unwrap();
+    let distances = [0.0, 6.0, 50.0, 300.0, 700.0];
+    let both = Both::new(&string, &distances, &SurfaceProfile::Rise(1.0));
+    let bit = BitTorque {
+        torque_static: 1500.0,
+        torque_dynamic: 1000.0,
+        decay_speed: 0.0,
+    };
+    let friction = PipeFriction {
+        torque_static: 600.0,
+        torque_dynamic: 400.0,
+        stribeck_speed: 0.3,
+    };
+    for rubs in [false, true] {
+        let scene = Scene {
+            friction: match rubs {
+                true => vec![Some(friction); distances.len()],
+                false => Vec::new(),
+            },
+            ..both.scene(&[2], 0.3, Some(bit))
+        };
+        let [taps, mesh] = both.followed(&scene);
+        let [positions, speeds] = apart([&taps.1, &mesh.1], 1.5);
+        assert!(positions < 1e-6 && speeds < 1e-6, "{positions} {speeds}");
+        let regimes = [&taps.0, &mesh.0].map(|outcome| outcome.torsion().unwrap().regime);
+        assert_eq!(regimes[0], regimes[1]);
+        assert!(mesh.1.bit_torque.iter().any(|torque| *torque == -1000.0));
+    }
 }

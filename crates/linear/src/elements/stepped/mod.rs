@@ -21,14 +21,17 @@ pub use channel::{SteppedChannel, SteppedMotion};
 /// element. Measured in bending, and rounded up.
 pub(crate) const ASSEMBLED: f64 = 2400.0;
 
-/// How the surface pulls on the node below it.
+/// How the surface, or below a top drive the motion that this is set to, pulls on the uppermost
+/// node that is free.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SurfaceElement {
     mass: f64,
+    damping: f64,
     stiffness: f64,
 }
 
-/// A string in torsion, its surface held, and how the surface pulls on it.
+/// A string in torsion, the motion of its surface, or of what a drive is set to, held; and how
+/// that pulls on it.
 ///
 /// # Errors
 /// As [`bent`].
@@ -45,15 +48,35 @@ pub(crate) fn turned(
         sites,
         parameters.elements_per_cell,
     )?;
-    let TorsionMatrices {
-        free,
-        surface_mass: mass,
-        surface_stiffness: stiffness,
-    } = torsion::assemble(string, &mesh)?;
-    // The surface is none of its nodes.
-    let nodes = mesh.site_nodes.iter().map(|node| node - 1).collect();
-    let channel = SteppedChannel::new(&free, 0, weights, Seen::Velocity, nodes)?;
-    Ok((channel, SurfaceElement { mass, stiffness }))
+    let (matrices, surface, held) = match string.top_drive() {
+        None => {
+            let TorsionMatrices {
+                free,
+                surface_mass: mass,
+                surface_stiffness: stiffness,
+            } = torsion::assemble(string, &mesh)?;
+            let damping = 0.0;
+            let surface = SurfaceElement {
+                mass,
+                damping,
+                stiffness,
+            };
+            // The surface is none of its nodes.
+            (free, surface, 1)
+        }
+        Some(drive) => {
+            let matrices = torsion::assemble_below_drive(string, &mesh, &drive)?;
+            let surface = SurfaceElement {
+                mass: 0.0,
+                damping: -drive.proportional_gain,
+                stiffness: -drive.integral_gain,
+            };
+            (matrices, surface, 0)
+        }
+    };
+    let nodes = mesh.site_nodes.iter().map(|node| node - held).collect();
+    let channel = SteppedChannel::new(&matrices, 0, weights, Seen::Velocity, nodes)?;
+    Ok((channel, surface))
 }
 
 /// A string in bending, along x and along y, and the depth of each of its nodes, m.
@@ -84,8 +107,8 @@ pub(crate) fn bent(
 }
 
 impl SurfaceElement {
-    /// The torques on the node below a surface that turns with a speed of one in the first step
-    /// alone, and follows Newmark's scheme too.
+    /// The torques on that node where the surface, or the motion set, has a speed of one in the
+    /// first step alone, and follows Newmark's scheme too.
     pub(crate) fn torques(&self, count: usize, weights: &Weights) -> Vec<f64> {
         let mut surface = Motion::rest(1);
         let torque = |step: usize| {
@@ -93,7 +116,9 @@ impl SurfaceElement {
             let speed = if step == 0 { 1.0 } else { 0.0 };
             let missing = speed - surface.velocity[0];
             surface.accelerate(weights, missing / weights.velocity_gain(), &[1.0]);
-            -self.mass * surface.acceleration[0] - self.stiffness * surface.displacement[0]
+            -self.mass * surface.acceleration[0]
+                - self.damping * surface.velocity[0]
+                - self.stiffness * surface.displacement[0]
         };
         (0..count).map(torque).collect()
     }
