@@ -3,6 +3,7 @@
 
 use linear::{Cascade, ChannelRequest, Drillstring, Method, Request, Sites, TopDrive};
 use problems::academic;
+use problems::masses::MassesAndSprings;
 use problems::pipes;
 use sim::{
     BitTorque, LoadLine, PipeFriction, Recording, Scene, Simulator, Start, Stopping,
@@ -230,40 +231,33 @@ fn masses_and_springs(
     (frequency, time): (f64, f64),
 ) -> (Vec<f64>, Vec<f64>) {
     let (masses, substeps) = (250, 25);
-    let tube = pipes::pipe(length / masses as f64);
     let step = 1.0 / (frequency * substeps as f64);
-    let inertia = pipes::STEEL.density * tube.polar_moment() * tube.length;
-    let spring = pipes::STEEL.shear_modulus * tube.polar_moment() / tube.length;
-    let compliance = step / (inertia + step * damping * tube.length);
+    let mut row = MassesAndSprings::new(length, masses, step);
+    let inertia = row.inertia;
+    let compliance = step / (inertia + step * damping * row.piece);
     let mut states = vec![Default::default(); masses];
-    let (mut angles, mut speeds) = (vec![0.0; masses], vec![0.0; masses]);
-    // Masses are in the middle of their pieces: half a piece is twice as stiff.
     let (mut torques, mut angle) = (Vec::new(), 0.0);
     let mut greatest = vec![0.0; masses];
     let steps = (frequency * time) as usize + 1;
     for index in 0..steps * substeps {
         angle += step * surface(step * index as f64);
-        let twists: Vec<f64> = std::iter::once(2.0 * spring * (angle - angles[0]))
-            .chain((1..masses).map(|it| spring * (angles[it - 1] - angles[it])))
-            .chain([0.0])
-            .collect();
+        let inside = row.torques(angle);
         if index % substeps == 0 {
-            torques.push(twists[0]);
+            torques.push(inside[0]);
         }
-        for (greatest, twist) in greatest.iter_mut().zip(&twists) {
-            *greatest = twist.abs().max(*greatest);
+        for (greatest, torque) in greatest.iter_mut().zip(&inside) {
+            *greatest = torque.abs().max(*greatest);
         }
-        for mass in 0..masses {
-            let driven = inertia / step * speeds[mass] + twists[mass] - twists[mass + 1];
+        row.step(&inside, |mass, speed, torque| {
             let line = LoadLine {
                 time: 0.0,
-                free_speed: compliance * driven,
+                free_speed: compliance * (inertia / step * speed + torque),
                 compliance,
             };
             let met = law.meet(&states[mass], line);
-            (states[mass], speeds[mass]) = (met.state, met.speed);
-            angles[mass] += step * met.speed;
-        }
+            states[mass] = met.state;
+            met.speed
+        });
     }
     (torques, greatest)
 }
