@@ -109,7 +109,7 @@ fn apart(motions: [&Trajectory; 2], until: f64) -> [f64; 2] {
 
 /// Nothing but rounding parts them until contacts that slide have made much of it.
 #[test]
-fn a_mesh_that_is_stepped_moves_as_its_taps_do() {
+fn val_a_mesh_that_is_stepped_moves_as_its_taps_do() {
     let string = academic::string();
     let both = Both::new(
         &string,
@@ -135,7 +135,7 @@ fn a_mesh_that_is_stepped_moves_as_its_taps_do() {
 
 /// A bit that cuts beside its wall, a surface that rises to its speed, a light string.
 #[test]
-fn so_it_does_where_the_bit_cuts_too() {
+fn val_so_it_does_where_the_bit_cuts_too() {
     let sections = vec![
         Section {
             repeat: 60,

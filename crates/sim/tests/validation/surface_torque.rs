@@ -90,7 +90,7 @@ fn error(method: Method, frequency: f64) -> f64 {
 }
 
 #[test]
-fn torques_along_the_string_turn_the_surface_as_masses_and_springs_say() {
+fn val_torques_along_the_string_turn_the_surface_as_masses_and_springs_say() {
     let methods = [
         Method::Held,
         Method::Quadrature,
