@@ -3,6 +3,7 @@
 mod dependencies;
 mod guide;
 mod layout;
+mod names;
 mod snippets;
 mod structure;
 

@@ -45,7 +45,7 @@ fn written(place: &Workplace, text: &str) {
 }
 
 #[test]
-fn every_weight_has_its_own_string_and_one_that_buckles_is_told() {
+fn val_every_weight_has_its_own_string_and_one_that_buckles_is_told() {
     let place = Workplace::new();
     written(&place, HANGING);
     let output = place.sweep(&["run", "hanging.toml", "--out", "out"]);
@@ -182,7 +182,7 @@ fn in_holes(sections: &str) -> String {
 }
 
 #[test]
-fn sections_of_hole_are_those_that_the_string_is_in() {
+fn val_sections_of_hole_are_those_that_the_string_is_in() {
     let place = Workplace::new();
     let labels = |text: &str| {
         written(&place, text);

@@ -56,7 +56,7 @@ fn holds(figure: &str, measures: &[&str], more: &[&str]) {
 }
 
 #[test]
-fn figure_9_stops_early_with_the_same_labels() {
+fn val_figure_9_stops_early_with_the_same_labels() {
     let measures = [
         "bit_speed_closing_rpm",
         "bit_speed_peak_rpm",
@@ -73,11 +73,11 @@ const LATERAL: [&str; 4] = [
 ];
 
 #[test]
-fn figure_14_stops_early_with_the_same_labels() {
+fn val_figure_14_stops_early_with_the_same_labels() {
     holds("fig14", &LATERAL, &[]);
 }
 
 #[test]
-fn figure_17_stops_early_with_the_same_labels() {
+fn val_figure_17_stops_early_with_the_same_labels() {
     holds("fig17", &LATERAL, &["--methods", "quadrature"]);
 }

@@ -35,7 +35,7 @@ fn run(axes: &str) -> (Workplace, Option<Vec<[f64; 2]>>) {
 /// Over the offset of the mass: no case below the line is in contact in the end, and all that are a
 /// little above it are.
 #[test]
-fn simulated_cases_touch_above_the_line_and_not_below() {
+fn val_simulated_cases_touch_above_the_line_and_not_below() {
     let (place, points) = run("surface_speed_rpm = { from = 10, to = 70, count = 9 }\n\
          eccentric_mass_0_offset_m = { from = 0.02, to = 0.2, count = 6 }\n");
     let points = points.unwrap();
@@ -73,7 +73,7 @@ fn simulated_cases_touch_above_the_line_and_not_below() {
 /// Friction plays no part, so that it is the same speed beside a limit of friction; where the
 /// clearance differs there is none; and where the mass is small it is told that nothing touches.
 #[test]
-fn it_is_told_whatever_the_friction_and_only_where_it_is_one() {
+fn val_it_is_told_whatever_the_friction_and_only_where_it_is_one() {
     let friction = "friction = { values = [0.3, 1.5] }\n";
     let (place, points) =
         run(&(friction.to_owned() + "surface_speed_rpm = { values = [10, 70] }\n"));

@@ -70,7 +70,7 @@ fn sites(row: &BTreeMap<String, String>) -> Vec<f64> {
 }
 
 #[test]
-fn sites_are_found_where_the_string_goes_through_the_wall_and_nowhere_else() {
+fn val_sites_are_found_where_the_string_goes_through_the_wall_and_nowhere_else() {
     let place = Workplace::new();
     let found = run(&place, WHIRLING, 0);
     // Half of what brings its site to the wall brings none there.
@@ -102,7 +102,7 @@ fn sites_are_found_where_the_string_goes_through_the_wall_and_nowhere_else() {
 
 /// Whoever simulates it sees the case of the run, and a string that stays within its wall.
 #[test]
-fn what_is_simulated_is_the_case_with_its_sites() {
+fn val_what_is_simulated_is_the_case_with_its_sites() {
     let place = Workplace::new();
     let found = run(&place, WHIRLING, 0);
     let simulate = ["simulate", "found.toml", "--case", "1", "--out", "case"];
@@ -274,7 +274,7 @@ fn scenes() -> impl Strategy<Value = String> {
 
 /// `STRINGS=20` for a hundred cases.
 #[test]
-fn labels_are_those_of_every_candidate() {
+fn val_labels_are_those_of_every_candidate() {
     let strings = std::env::var("STRINGS").map_or(2, |count| count.parse().unwrap());
     let mut runner = TestRunner::deterministic();
     let (mut cases, mut others, mut failed, mut whirls, mut most) = (0, 0, 0, 0, 0);

@@ -83,7 +83,7 @@ fn by_hand() -> String {
 }
 
 #[test]
-fn labels_are_those_of_sites_and_clearances_by_hand() {
+fn val_labels_are_those_of_sites_and_clearances_by_hand() {
     let place = Workplace::new();
     let found = labels(&place, IN_HOLE);
     assert_eq!(found.lines().count(), 1 + 8);
@@ -149,7 +149,7 @@ fn clearances_are_told_by_site_and_of_many_sites_the_ends() {
 
 /// A sheet that says the blades is the string by hand.
 #[test]
-fn blades_of_a_sheet_touch() {
+fn val_blades_of_a_sheet_touch() {
     let place = Workplace::new();
     let sections =
         &IN_HOLE[IN_HOLE.find("[[string.sections]]").unwrap()..IN_HOLE.find("[well]").unwrap()];

@@ -43,7 +43,7 @@ fn figure_14() -> (Vec<Case>, f64) {
 }
 
 #[test]
-fn figure_14_is_the_papers() {
+fn val_figure_14_is_the_papers() {
     let (cases, limit) = figure_14();
     assert!((limit - 1.14).abs() < 0.01, "{limit}");
     assert!(cases.len() >= 300);

@@ -88,7 +88,7 @@ fn simulate(
 }
 
 #[test]
-fn stiffness_and_impedance_are_those_of_table_2() {
+fn val_stiffness_and_impedance_are_those_of_table_2() {
     let string = academic::string();
     assert_close(torsional_stiffness(&string), 32_353.0, 1e-4);
     let collar = &string.sections()[1].parts[0];
@@ -97,7 +97,7 @@ fn stiffness_and_impedance_are_those_of_table_2() {
 }
 
 #[test]
-fn figure_7a_arrives_peaks_and_settles() {
+fn val_figure_7a_arrives_peaks_and_settles() {
     let taps = responses(&QUADRATURE);
     let speed: Vec<f64> = taps.torsion().unwrap().from_surface[0]
         .iter()
@@ -131,7 +131,7 @@ fn first_slip(rpm: f64, torque_static: f64) -> f64 {
 }
 
 #[test]
-fn figure_8a_slips_and_turns_smoothly() {
+fn val_figure_8a_slips_and_turns_smoothly() {
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
         let found = simulate(&simulator(&method), 0.2, 2000.0, Some(10.0));
         assert_eq!(found.regime, TorsionRegime::Smooth, "{}", method.name());
@@ -141,7 +141,7 @@ fn figure_8a_slips_and_turns_smoothly() {
 }
 
 #[test]
-fn figure_8b_sticks_and_slips() {
+fn val_figure_8b_sticks_and_slips() {
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
         let found = simulate(&simulator(&method), 0.1, 4000.0, Some(40.0));
         assert_eq!(found.regime, TorsionRegime::StickSlip, "{}", method.name());
@@ -170,7 +170,7 @@ fn limit_by_equation_74(method: &Method) -> f64 {
 }
 
 #[test]
-fn the_simulated_limit_lies_just_above_equation_74() {
+fn val_the_simulated_limit_lies_just_above_equation_74() {
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
         let found = simulated_limit(&simulator(&method));
         let margin = found / limit_by_equation_74(&method);
@@ -181,7 +181,7 @@ fn the_simulated_limit_lies_just_above_equation_74() {
 /// The torsion problem is homogeneous: Ω and T_d scaled together scale the
 /// motion and leave the label alone. By a power of two, to the last bit.
 #[test]
-fn scaling_speed_and_torque_together_changes_no_label() {
+fn val_scaling_speed_and_torque_together_changes_no_label() {
     let simulator = simulator(&QUADRATURE);
     let timed = |rpm: f64, torque: f64, timing: Timing| {
         let scene = Scene {
@@ -224,7 +224,7 @@ fn scaling_speed_and_torque_together_changes_no_label() {
 
 /// Static twist of a stuck bit: the torque winds up at the rate k_eff Ω.
 #[test]
-fn a_stuck_bit_is_wound_up_at_the_static_stiffness() {
+fn val_a_stuck_bit_is_wound_up_at_the_static_stiffness() {
     let string = academic::string();
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
         let simulator = simulator(&method);
@@ -280,7 +280,7 @@ fn labels_of_figure_9() -> Vec<(f64, f64, String, String)> {
 }
 
 #[test]
-fn figure_9_has_a_line_and_the_methods_differ_only_there() {
+fn val_figure_9_has_a_line_and_the_methods_differ_only_there() {
     let rows = labels_of_figure_9();
     let of = |method: &str| {
         rows.iter()
@@ -318,7 +318,7 @@ fn figure_9_has_a_line_and_the_methods_differ_only_there() {
 }
 
 #[test]
-fn the_cases_of_figure_8_lie_on_either_side_of_figure_9() {
+fn val_the_cases_of_figure_8_lie_on_either_side_of_figure_9() {
     let rock = Rock::sandstone();
     assert_close(rock.weight_on_bit(2000.0).unwrap(), 43e3, 0.01);
     assert_close(rock.weight_on_bit(4000.0).unwrap(), 63e3, 0.01);
@@ -328,7 +328,7 @@ fn the_cases_of_figure_8_lie_on_either_side_of_figure_9() {
 // the margin predicts it.
 
 #[test]
-fn the_plain_inverse_transform_chatters() {
+fn val_the_plain_inverse_transform_chatters() {
     let taps = responses(&Method::DirectIdft(Transform::default()));
     assert!(taps.torsion_margin().unwrap().unwrap() < -1.0);
     let found = simulate(&Simulator::new(&taps).unwrap(), 0.1, 4000.0, Some(40.0));
@@ -336,7 +336,7 @@ fn the_plain_inverse_transform_chatters() {
 }
 
 #[test]
-fn a_digital_filter_cut_short_has_the_wrong_stiffness() {
+fn val_a_digital_filter_cut_short_has_the_wrong_stiffness() {
     let taps = responses(&Method::Hilbert(Transform { seconds: Some(4.0) }));
     assert!(taps.torsion_margin().unwrap().unwrap() < STABLE_MARGIN);
     let found = simulate(&Simulator::new(&taps).unwrap(), 0.1, 4000.0, Some(40.0));
@@ -373,7 +373,7 @@ fn roughness_while_stuck(method: &Method) -> f64 {
 }
 
 #[test]
-fn newmark_without_numerical_damping_chatters_while_the_bit_sticks() {
+fn val_newmark_without_numerical_damping_chatters_while_the_bit_sticks() {
     assert!(responses(&elements(0.5)).torsion_margin().unwrap().unwrap() < STABLE_MARGIN);
     assert!(
         responses(&elements(0.52))

@@ -42,7 +42,7 @@ fn simulated(name: &str, more: &[&str]) -> Vec<(String, String)> {
 /// The set that fits the first 20 s best (of those in `well_b_fit.toml`). The motion is sensitive to
 /// the last digit of a number, so that other processors are promised less than is printed.
 #[test]
-fn the_recorded_start_of_well_b_is_met_as_the_guide_says() {
+fn val_the_recorded_start_of_well_b_is_met_as_the_guide_says() {
     let row = simulated("well_b.toml", &[]);
     for (column, least, most) in [
         ("misfit_fit_nm", 1800.0, 4500.0),
@@ -58,7 +58,7 @@ fn the_recorded_start_of_well_b_is_met_as_the_guide_says() {
 
 /// How well random sets fit, of the first 400 of them: where single sets scatter, these do not.
 #[test]
-fn random_frictions_fit_well_b_as_the_guide_says() {
+fn reg_random_frictions_fit_well_b_as_the_guide_says() {
     let here = Workplace::new();
     let base = shipped("well_b_fit.toml").replace('\\', "/");
     here.write(
@@ -148,7 +148,7 @@ fn run(place: &Workplace, more: &[&str]) -> Answer {
 /// The mean at the surface is what sliding takes, by both methods; and the number of threads
 /// changes no byte.
 #[test]
-fn a_sweep_over_friction_has_what_turning_takes() {
+fn val_a_sweep_over_friction_has_what_turning_takes() {
     let compare = "[[compare]]\ntrace = \"surface_torque_nm\"\nfile = \"recorded.csv\"\n\
                    column = \"torque_klbf_ft\"\nfrom_s = 5\nto_s = 20\n";
     let sweep = format!("{SWEEP}{compare}");
@@ -190,7 +190,7 @@ fn a_sweep_over_friction_has_what_turning_takes() {
 /// between all pieces, by pieces one after the other and by pieces of elements, which share no
 /// code that steps a string.
 #[test]
-fn friction_a_wall_a_bit_and_a_drive_go_together_by_three_methods() {
+fn val_friction_a_wall_a_bit_and_a_drive_go_together_by_three_methods() {
     let sweep = SWEEP
         .replace("time_s = 20", "time_s = 60")
         .replace("sampling_frequency_hz = 40", "sampling_frequency_hz = 200")
@@ -288,7 +288,7 @@ fn results_hang_on_what_the_files_say() {
 /// As many pieces as a tolerance takes, in words and in the manifest; a file that gives their
 /// number may be the base.
 #[test]
-fn a_tolerance_takes_as_many_pieces_as_it_needs() {
+fn val_a_tolerance_takes_as_many_pieces_as_it_needs() {
     let here = place(SWEEP);
     let tolerance = "base = \"sweep.toml\"\n[string_friction]\ntolerance = 0.01\n\
                      [design]\ncases = 1\nkind = \"monte-carlo\"\n\

@@ -45,7 +45,7 @@ fn run(place: &Workplace, more: &[&str]) {
 /// Momentum in, momentum out: a bit that turns evenly takes its torque and the string its
 /// damping; and one that sticks is torn loose by more than its static torque.
 #[test]
-fn a_bit_that_turns_evenly_takes_its_torque_and_the_string_its_damping() {
+fn val_a_bit_that_turns_evenly_takes_its_torque_and_the_string_its_damping() {
     // Long enough for the start to be over in the closing window.
     let table = labels(&with(&measured(), "time_s = 12", "time_s = 60"), &[]);
     let (mut turning, mut sticking) = (0, 0);
@@ -96,7 +96,7 @@ fn it_changes_nothing_else_and_does_not_hang_on_how_it_was_run() {
 
 /// Backward whirl rolls on the wall and slows the string: the surface makes up for that.
 #[test]
-fn a_bit_that_whirls_takes_the_torque_of_its_wall() {
+fn val_a_bit_that_whirls_takes_the_torque_of_its_wall() {
     let sweeps = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../sweeps");
     let base = sweeps.join("fig12.toml").display().to_string();
     let place = Workplace::new();
@@ -134,7 +134,7 @@ fn a_bit_that_whirls_takes_the_torque_of_its_wall() {
 /// A rotor at a prescribed speed, which shows in no bit's motion, may be given where its torque is
 /// measured; its recorded torque may be held against any motion's.
 #[test]
-fn a_rotor_takes_its_inertia_times_its_acceleration() {
+fn val_a_rotor_takes_its_inertia_times_its_acceleration() {
     let peak = |inertia: f64| {
         let rise = "surface_torque = true\nsurface_speed_rise_s = 2\n";
         let drive =

@@ -69,7 +69,7 @@ fn limit(name: &str) -> (f64, usize) {
 }
 
 #[test]
-fn controllers_move_the_limit_of_stick_slip_as_their_reflection_says() {
+fn val_controllers_move_the_limit_of_stick_slip_as_their_reflection_says() {
     let [plain, stiff, soft, matched] = [
         "fig09",
         "top_drive",
@@ -113,7 +113,7 @@ fn inspect_tells_what_comes_back_and_how_modes_die_away() {
 /// its own collars dozens of times a second: three such cycles alike are no stick-slip of the
 /// string, and were once taken for it.
 #[test]
-fn creeping_is_not_taken_for_settled_stick_slip() {
+fn val_creeping_is_not_taken_for_settled_stick_slip() {
     let cases = "surface_speed_rpm,weight_on_bit_kn\n60,170\n60,200\n65,180\n70,190\n\
                  120,80\n125,80\n145,90\n170,100\n175,100\n";
     let run = |keys: &str, options: &[&str]| -> Vec<[String; 3]> {
@@ -148,7 +148,7 @@ fn creeping_is_not_taken_for_settled_stick_slip() {
 /// A surface that takes τ to come to its speed is behind by τ/2 for ever, and so is the first
 /// slip.
 #[test]
-fn a_rise_of_the_surface_speed_puts_the_first_slip_off_by_half_of_it() {
+fn val_a_rise_of_the_surface_speed_puts_the_first_slip_off_by_half_of_it() {
     let first_slip = |rise: f64| -> f64 {
         let place = Workplace::new();
         let base = file("fig08a");
@@ -173,7 +173,7 @@ fn a_rise_of_the_surface_speed_puts_the_first_slip_off_by_half_of_it() {
 /// In the end the motor turns a bit that drills smoothly, and the whole string through its
 /// damping: momentum in, momentum out.
 #[test]
-fn the_motor_turns_bit_and_string() {
+fn val_the_motor_turns_bit_and_string() {
     let place = Workplace::new();
     let file = file("top_drive_soft_torque");
     let at = [

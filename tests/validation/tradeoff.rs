@@ -27,7 +27,7 @@ fn error(rows: &[Row], measure: &str, method: &str, frequency: &str) -> f64 {
 }
 
 #[test]
-fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
+fn val_a_part_of_the_study_finds_every_method_where_theory_has_it() {
     let place = Workplace::new();
     // One is named twice.
     let measures = "surface_step,static_stiffness_nm_rad,lateral_impulse,whirl_normal_force_n,\
@@ -96,7 +96,7 @@ fn a_part_of_the_study_finds_every_method_where_theory_has_it() {
 /// Filters and elements let fronts overshoot in steps of any length; loads that are held
 /// do not.
 #[test]
-fn on_a_uniform_tube_fronts_are_sharp_by_held_alone() {
+fn val_on_a_uniform_tube_fronts_are_sharp_by_held_alone() {
     let place = Workplace::new();
     let measure = "tube_undershoot_rad_s_nm";
     let study = ["tradeoff", "--quiet", "--ladder", "160,320", "--out", "out"];

@@ -143,7 +143,7 @@ fn least_at(rows: &[Row], speed: f64) -> Option<f64> {
 }
 
 #[test]
-fn branches_are_continuous_and_balance_the_forces() {
+fn val_branches_are_continuous_and_balance_the_forces() {
     let rows = limit(&run(SWEEP));
     let curves = rolling(&rows);
     for (site, _) in SITES {
@@ -202,7 +202,7 @@ fn branches_are_continuous_and_balance_the_forces() {
 /// Of any sites together: a staircase over the speeds, each step of which is no lower than what
 /// the forces at its rate need.
 #[test]
-fn any_sites_need_no_more_than_one() {
+fn val_any_sites_need_no_more_than_one() {
     let place = run(SWEEP);
     let mut rows = table(&place, "boundary.csv");
     rows.retain(|row| row["motion"] == "any_sites");
@@ -241,7 +241,7 @@ fn any_sites_need_no_more_than_one() {
 /// Whirl that slides exists with no less friction than any needs, and with less from speed to
 /// speed; none is told where friction falls with the speed of sliding.
 #[test]
-fn sites_that_slide_together_whirl_with_no_less_than_any_need() {
+fn val_sites_that_slide_together_whirl_with_no_less_than_any_need() {
     let place = run(SWEEP);
     let rows = table(&place, "boundary.csv");
     let number = |row: &BTreeMap<String, String>, name: &str| row[name].parse::<f64>().unwrap();
@@ -281,7 +281,7 @@ fn sites_that_slide_together_whirl_with_no_less_than_any_need() {
 /// Every whirl at one speed: as many as a dense scan finds, at the same radii, with
 /// the same friction.
 #[test]
-fn no_whirl_of_a_dense_scan_is_missed() {
+fn val_no_whirl_of_a_dense_scan_is_missed() {
     let speeds = "surface_speed_rpm = { values = [60, 180] }\n";
     let rows = limit(&run(&with(SWEEP, speeds, "")));
     let found = rolling(&rows);
@@ -359,7 +359,7 @@ fn string() -> Drillstring {
 /// friction of 1.156, but with 1.1 a knock ends in whirl at a slower rate that slides
 /// in part; and below the friction of any steady whirl there is none.
 #[test]
-fn whirl_that_slides_needs_less_friction_than_whirl_that_rolls() {
+fn val_whirl_that_slides_needs_less_friction_than_whirl_that_rolls() {
     let academic = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sweeps/fig10.toml");
     let sweep = format!(
         r#"base = "{academic}"

@@ -1,6 +1,7 @@
 //! Strings with known answers, for the tests and benchmarks of the other crates.
 
 pub mod academic;
+pub mod masses;
 pub mod oracles;
 pub mod pipes;
 pub mod plain_lattice;

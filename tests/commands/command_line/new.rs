@@ -119,6 +119,12 @@ fn with_a_wall_and_an_impulse_a_new_file_tells_whirl() {
     let file = switch_on(&switch_on(&new_file(), "[wall]"), "[[impulses]]");
     let file = with(&file, "to = 60, count = 12", "to = 60, count = 2");
     let file = with(&file, "to = 120, count = 12", "to = 120, count = 2");
+    // The impulse acts at the start, and whirl has a label of its own within seconds.
+    let file = with(
+        &switch_on(&file, "time_s = 60"),
+        "time_s = 60",
+        "time_s = 5",
+    );
     let place = Workplace::with_small(&file);
     run(&place, "small.toml", "results");
     let labels = labels(&place, "results", ["lateral"]);

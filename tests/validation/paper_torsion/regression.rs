@@ -6,7 +6,7 @@
 use super::*;
 
 #[test]
-fn undershoots() {
+fn reg_undershoots() {
     for (method, expected) in [
         (hilbert(), 2.96e-5),
         (QUADRATURE, 2.87e-5),
@@ -18,7 +18,7 @@ fn undershoots() {
 }
 
 #[test]
-fn the_cycle_of_figure_8b() {
+fn reg_the_cycle_of_figure_8b() {
     for method in [QUADRATURE, hilbert(), elements(0.52)] {
         let found = simulate(&simulator(&method), 0.1, 4000.0, Some(40.0));
         assert_close(found.period.unwrap(), 3.778, 0.005);
@@ -30,7 +30,7 @@ fn the_cycle_of_figure_8b() {
 }
 
 #[test]
-fn limits_of_stick_slip() {
+fn reg_limits_of_stick_slip() {
     for (method, limit) in [
         (QUADRATURE, 0.0576),
         (hilbert(), 0.0583),

@@ -55,7 +55,7 @@ fn bishop_and_johnson(length: f64, support: SurfaceSupport, s: Complex64) -> Com
 }
 
 #[test]
-fn a_uniform_beam_has_the_receptance_of_the_textbook() {
+fn val_a_uniform_beam_has_the_receptance_of_the_textbook() {
     for support in [
         SurfaceSupport::Free,
         SurfaceSupport::Pinned,
@@ -80,7 +80,7 @@ fn a_uniform_beam_has_the_receptance_of_the_textbook() {
 }
 
 #[test]
-fn a_long_damped_beam_is_one_way_and_does_not_overflow() {
+fn val_a_long_damped_beam_is_one_way_and_does_not_overflow() {
     let s = Complex64::new(10.0, 2000.0);
     let string = uniform_string(20_000.0);
     let part = tube(1.0, 0.125);
@@ -111,7 +111,7 @@ fn cells(repeat: usize) -> Drillstring {
 }
 
 #[test]
-fn plain_products_of_transfer_matrices_agree_with_joined_stiffnesses_on_short_strings_only() {
+fn val_plain_products_of_transfer_matrices_agree_with_joined_stiffnesses_on_short_strings_only() {
     let s = Complex64::new(0.0, std::f64::consts::TAU * 100.0);
     let joined = |string: &Drillstring| tip(string, BENDING, SurfaceSupport::Free, s);
     let products = |string: &Drillstring| tip_receptance(string, &BENDING, s.im);
@@ -126,7 +126,7 @@ fn plain_products_of_transfer_matrices_agree_with_joined_stiffnesses_on_short_st
 /// A slow force meets the inertia and the damping of a whole string: forces as small,
 /// against the stiffness of a sliver, as rounding. Where a tube is cut is nothing to them.
 #[test]
-fn a_sliver_takes_nothing_from_the_accuracy() {
+fn val_a_sliver_takes_nothing_from_the_accuracy() {
     let whole = cells(60);
     let [pipe, joint] = whole.sections()[0].parts[..] else {
         unreachable!("a cell is a pipe and a joint");
@@ -156,7 +156,7 @@ fn a_sliver_takes_nothing_from_the_accuracy() {
 }
 
 #[test]
-fn a_clamped_string_bends_statically() {
+fn val_a_clamped_string_bends_statically() {
     let (length, bending) = (
         30.0,
         Bending {
@@ -177,7 +177,7 @@ fn a_clamped_string_bends_statically() {
 }
 
 #[test]
-fn a_slow_free_string_moves_as_a_rigid_mass() {
+fn val_a_slow_free_string_moves_as_a_rigid_mass() {
     let (length, bending) = (
         2.0,
         Bending {
@@ -225,7 +225,7 @@ fn pinned_frequency(length: f64, compression: f64) -> f64 {
 }
 
 #[test]
-fn tension_raises_and_compression_lowers_the_frequencies_as_the_closed_form_says() {
+fn val_tension_raises_and_compression_lowers_the_frequencies_as_the_closed_form_says() {
     let length = 20.0;
     let part = tube(length, 0.125);
     let rigidity = BENDING.youngs_modulus * part.second_moment();
@@ -244,7 +244,7 @@ fn tension_raises_and_compression_lowers_the_frequencies_as_the_closed_form_says
 }
 
 #[test]
-fn further_sites_change_nothing_between_two() {
+fn val_further_sites_change_nothing_between_two() {
     let string = academic::string();
     let bending = Bending {
         compression: -2e5,
@@ -313,7 +313,7 @@ proptest! {
 
     /// s H(s), the velocity response to a force, of any string in tension.
     #[test]
-    fn the_velocity_response_of_any_string_is_positive_real(
+    fn val_the_velocity_response_of_any_string_is_positive_real(
         string in any_string(),
         damping in 1.0..1e4f64,
         tension in 0.0..1e6f64,
@@ -331,7 +331,7 @@ proptest! {
 
     /// What is not joined, for no wave comes from there, is not missed.
     #[test]
-    fn what_no_wave_comes_from_is_not_felt(
+    fn val_what_no_wave_comes_from_is_not_felt(
         string in any_string(),
         damping in 1.0..1e4f64,
         compression in -1e6..1e4f64,

@@ -29,7 +29,7 @@ fn responses(
 /// Eqs. 66–68: the taps are all that a simulation needs of the string. The
 /// torques here depend on the speeds of the same step, as a contact law's do.
 #[test]
-fn taps_and_stepping_the_whole_state_give_the_same_motion() {
+fn val_taps_and_stepping_the_whole_state_give_the_same_motion() {
     let string = academic::string();
     let sites = Sites::new(&string, &[0.0, 250.0]).unwrap();
     let parameters = FiniteElement::default();
@@ -87,7 +87,7 @@ fn taps_and_stepping_the_whole_state_give_the_same_motion() {
 /// A mesh with ten times the elements changes little: twenty elements a cell
 /// have converged over the band of the filters.
 #[test]
-fn twenty_elements_a_cell_have_converged() {
+fn val_twenty_elements_a_cell_have_converged() {
     let string = academic::string();
     let taps = |elements_per_cell| {
         let parameters = FiniteElement {
@@ -108,7 +108,7 @@ fn twenty_elements_a_cell_have_converged() {
 
 /// Waves and elements share no equation; on a smooth input they must agree.
 #[test]
-fn elements_and_waves_agree_on_a_smooth_input() {
+fn val_elements_and_waves_agree_on_a_smooth_input() {
     let string = academic::string();
     let request = Request {
         sampling_frequency: 2560.0,

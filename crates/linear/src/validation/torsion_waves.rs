@@ -38,7 +38,7 @@ fn running_sum(taps: &[f64]) -> Vec<f64> {
 }
 
 #[test]
-fn a_wave_arrives_when_it_has_travelled_the_string() {
+fn val_a_wave_arrives_when_it_has_travelled_the_string() {
     let string = academic::string();
     let arrival = 1000.0 / (80e9f64 / 7840.0).sqrt();
     for method in methods() {
@@ -64,7 +64,7 @@ fn a_wave_arrives_when_it_has_travelled_the_string() {
 /// comes back: transmission into the collars, doubled at the free bit, damped
 /// along both.
 #[test]
-fn the_first_plateau_is_that_of_two_impedances_in_series() {
+fn val_the_first_plateau_is_that_of_two_impedances_in_series() {
     let string = academic::string();
     let pipe = &string.sections()[0];
     // Low frequencies see the cell's mean compliance and inertia.
@@ -129,7 +129,7 @@ fn extrapolate(points: &[(f64, f64)], x: f64) -> f64 {
 }
 
 #[test]
-fn a_uniform_undamped_string_follows_dalembert() {
+fn val_a_uniform_undamped_string_follows_dalembert() {
     let string = Drillstring::new(
         academic::string().material(),
         vec![Section {
@@ -169,7 +169,7 @@ fn a_uniform_undamped_string_follows_dalembert() {
 }
 
 #[test]
-fn a_constant_torque_twists_every_site_statically() {
+fn val_a_constant_torque_twists_every_site_statically() {
     let string = academic::string();
     let sites = Sites::new(&string, &[0.0, 333.0]).unwrap();
     let request = Request {
@@ -216,7 +216,7 @@ fn a_constant_torque_twists_every_site_statically() {
 }
 
 #[test]
-fn everything_turns_with_the_surface_in_the_end() {
+fn val_everything_turns_with_the_surface_in_the_end() {
     let string = academic::string();
     for method in methods() {
         let taps = responses(&string, &method, &academic::bit_request(40.0));
@@ -232,7 +232,7 @@ fn everything_turns_with_the_surface_in_the_end() {
 /// Rounding in what a chain is joined from may hide that its response has decayed: it would
 /// then be built, and summed, for as long as a case may last.
 #[test]
-fn taps_end_where_they_have_decayed() {
+fn val_taps_end_where_they_have_decayed() {
     let (string, request) = (academic::string(), academic::bit_request(300.0));
     for method in [
         Method::Quadrature,
@@ -249,7 +249,7 @@ fn taps_end_where_they_have_decayed() {
 /// A string that rings for longer than it is looked at has no taps beyond; those that it has
 /// are the first of all, and no less passive.
 #[test]
-fn taps_end_where_nothing_looks_any_more() {
+fn val_taps_end_where_nothing_looks_any_more() {
     let string = academic::damped_string(2.0);
     for method in [
         Method::Quadrature,
@@ -275,7 +275,7 @@ fn taps_end_where_nothing_looks_any_more() {
 }
 
 #[test]
-fn a_string_turned_over_has_its_ends_exchanged() {
+fn val_a_string_turned_over_has_its_ends_exchanged() {
     let string = academic::string();
     let upside_down = Drillstring::new(
         string.material(),
@@ -313,7 +313,7 @@ fn a_string_turned_over_has_its_ends_exchanged() {
 }
 
 #[test]
-fn rows_of_cells_agree_with_the_eigenvectors_of_the_paper() {
+fn val_rows_of_cells_agree_with_the_eigenvectors_of_the_paper() {
     let string = academic::string();
     let parts = &string.sections()[0].parts;
     for count in [1, 2, 7, 90, 500] {
@@ -343,7 +343,7 @@ fn rows_of_cells_agree_with_the_eigenvectors_of_the_paper() {
 }
 
 #[test]
-fn plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_not() {
+fn val_plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_not() {
     let string = academic::damped_string(1e5);
     let s = Complex64::new(0.0, 2000.0);
     let part = tube(10.0, 0.125);
@@ -366,7 +366,7 @@ fn plain_products_of_transfer_matrices_overflow_where_joined_stiffnesses_do_not(
 }
 
 #[test]
-fn a_site_in_the_middle_of_a_pipe_splits_nothing_but_the_arithmetic() {
+fn val_a_site_in_the_middle_of_a_pipe_splits_nothing_but_the_arithmetic() {
     let string = academic::string();
     let with = |distances: &[f64]| Sites::new(&string, distances).unwrap();
     let s = Complex64::new(1.0, 300.0);
@@ -403,7 +403,7 @@ proptest! {
 
     /// The exact admittance, at any frequency in the right half plane.
     #[test]
-    fn the_driving_point_of_any_string_is_positive_real(
+    fn val_the_driving_point_of_any_string_is_positive_real(
         string in any_string(),
         real in 0.0..10.0f64,
         omega in 1e-3..5e3f64,
@@ -424,7 +424,7 @@ proptest! {
     /// The taps of the quadrature, whatever the string, as long as they are
     /// kept until they have decayed.
     #[test]
-    fn the_taps_of_any_damped_string_are_positive_real(
+    fn val_the_taps_of_any_damped_string_are_positive_real(
         repeat in 1..2000usize,
         ratio in 1.05..4.0f64,
         decay_per_round_trip in 1.0..10.0f64,

@@ -48,7 +48,7 @@ fn hanging(
 
 /// A chain swings at ω = j/2 √(g/L), j the zeros of Bessel's J₀; mud buoys it.
 #[test]
-fn without_stiffness_it_swings_as_a_chain() {
+fn val_without_stiffness_it_swings_as_a_chain() {
     let string = plain(1000.0, 0.05, 0.07);
     let limp = Bending {
         youngs_modulus: 1e5,
@@ -76,7 +76,7 @@ fn without_stiffness_it_swings_as_a_chain() {
 /// A long column, its lower end free, falls over at 1.018793 (E I w²)^⅓: with the slope θ it is
 /// E I θ″ = (w z − F) θ, and no moment acts on the bit, so that Ai′(−F/(E I w²)^⅓) = 0.
 #[test]
-fn under_more_weight_than_airys_it_buckles() {
+fn val_under_more_weight_than_airys_it_buckles() {
     for radius in [0.07, 0.12] {
         let string = plain(600.0, 0.05, radius);
         let tube = string.sections()[0].parts[0];
@@ -100,7 +100,7 @@ fn under_more_weight_than_airys_it_buckles() {
 }
 
 #[test]
-fn no_force_changes_nothing_and_none_matters_in_torsion() {
+fn val_no_force_changes_nothing_and_none_matters_in_torsion() {
     let string = academic::string();
     let none = vec![AxialForce {
         length: string.length(),
@@ -140,7 +140,7 @@ fn no_force_changes_nothing_and_none_matters_in_torsion() {
 
 /// A push swings a hanging string, and tension brings it back: by filters of waves as by elements.
 #[test]
-fn a_hanging_string_comes_back() {
+fn val_a_hanging_string_comes_back() {
     let string = plain(200.0, 0.05, 0.07);
     let bending = Bending {
         damping: 30.0,
@@ -181,7 +181,7 @@ fn a_hanging_string_comes_back() {
 
 /// However near to the end of a tube the hole changes.
 #[test]
-fn a_cut_beside_a_joint_changes_no_frequency() {
+fn val_a_cut_beside_a_joint_changes_no_frequency() {
     let string = hanging(&plain(2000.0, 0.05, 0.07), &UNDAMPED, 0.0, 1e-2);
     let frequency = |above: f64| {
         let section = |length| HoleSection {
@@ -205,7 +205,7 @@ fn a_cut_beside_a_joint_changes_no_frequency() {
 }
 
 #[test]
-fn elements_have_so_many_frequencies_and_no_more() {
+fn val_elements_have_so_many_frequencies_and_no_more() {
     let string = plain(10.0, 0.05, 0.07);
     let modes = BendingModes::new(&string, &UNDAMPED, SurfaceSupport::Free).unwrap();
     // Two at each of five nodes, the first two of them as a rigid rod.
@@ -269,7 +269,7 @@ proptest! {
     /// Natural frequencies keep the tolerance that pieces were asked for, up to four fifths of
     /// the weight under which the string buckles.
     #[test]
-    fn pieces_keep_the_tolerance(
+    fn val_pieces_keep_the_tolerance(
         (string, support) in (strings(), supports()),
         weight_on_bit in 0.0..2e4f64,
         tolerance in prop_oneof![Just(1e-2), Just(1e-3)],
@@ -295,7 +295,7 @@ proptest! {
     /// The waves' receptance at the bit changes its sign through infinity where elements have a
     /// natural frequency, and further sites change nothing.
     #[test]
-    fn waves_and_elements_have_the_same_natural_frequencies(
+    fn val_waves_and_elements_have_the_same_natural_frequencies(
         (string, support) in (strings(), supports()),
         weight_on_bit in 0.0..2e4f64,
         place in 0.1..0.9f64,

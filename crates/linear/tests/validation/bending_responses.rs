@@ -61,7 +61,7 @@ fn exact_pulse_response(distances: &[f64], site: usize, steps: usize) -> Vec<f64
 }
 
 #[test]
-fn sites_are_displaced_as_the_exact_waves_are() {
+fn val_sites_are_displaced_as_the_exact_waves_are() {
     let steps = (9.0 * SAMPLING_FREQUENCY) as usize;
     for (distances, site) in [(&[0.0][..], 0), (&[0.0, 50.0, 100.0], 1)] {
         let exact = exact_pulse_response(distances, site, steps);
@@ -79,7 +79,7 @@ fn sites_are_displaced_as_the_exact_waves_are() {
 /// narrower than the frequency step, so that the error falls with the inverse of the
 /// filter's length. The peak loses by it too.
 #[test]
-fn the_digital_filter_loses_the_tail_of_the_displacement() {
+fn val_the_digital_filter_loses_the_tail_of_the_displacement() {
     let steps = (9.0 * SAMPLING_FREQUENCY) as usize;
     let exact = exact_pulse_response(&[0.0], 0, steps);
     let lost = |seconds: f64| {
@@ -100,7 +100,7 @@ fn the_digital_filter_loses_the_tail_of_the_displacement() {
 /// It is what makes a step implicit, and small. By quadrature it is the receptance at
 /// s = δ(0) f_s with δ(0) = 3/2.
 #[test]
-fn the_first_tap_is_a_few_per_cent_of_the_peak() {
+fn val_the_first_tap_is_a_few_per_cent_of_the_peak() {
     for method in [hilbert(40.0), Method::Quadrature, elements()] {
         let taps = &responses(&method, &[0.0], 5.0).from_loads[0][0];
         let part = taps[0] / peak(taps);
@@ -119,7 +119,7 @@ fn the_first_tap_is_a_few_per_cent_of_the_peak() {
 /// Free end of an undamped semi-infinite beam, unit impulse:
 /// x(t) = 2√(2/π) √t / ((ρA)^¾ (EI)^¼).
 #[test]
-fn a_semi_infinite_beam_follows_its_closed_form() {
+fn val_a_semi_infinite_beam_follows_its_closed_form() {
     let part = tube(10.0, 0.125);
     let section = Section {
         repeat: 200,
@@ -156,7 +156,7 @@ fn a_semi_infinite_beam_follows_its_closed_form() {
 /// Positive-real in each scheme's own sense of velocity: what holds against any
 /// wall, and what does not.
 #[test]
-fn the_margin_tells_the_methods_that_hold_from_those_that_fail() {
+fn val_the_margin_tells_the_methods_that_hold_from_those_that_fail() {
     let margin = |method: Method, sites: &[f64]| {
         let responses = of_method(&method, sites, 10.0);
         responses.bending_margin().unwrap().unwrap()
@@ -181,7 +181,7 @@ fn the_margin_tells_the_methods_that_hold_from_those_that_fail() {
 /// Sites so close that they are nearly one: what differs between them is a millionth of what
 /// they share, and would be lost were the stiff piece between them taken by its ends.
 #[test]
-fn sites_side_by_side_are_passive() {
+fn val_sites_side_by_side_are_passive() {
     for spacing in [0.05, 0.01] {
         for method in [Method::Quadrature, Method::Held] {
             let found = of_method(&method, &[spacing, 0.0], 5.0);
@@ -194,7 +194,7 @@ fn sites_side_by_side_are_passive() {
 /// In bending mud is nothing but more mass: a tube of the density that makes up for it responds
 /// alike, by waves and by elements; and torsion does not feel it.
 #[test]
-fn mud_is_more_mass_sideways_and_none_in_torsion() {
+fn val_mud_is_more_mass_sideways_and_none_in_torsion() {
     let tube = academic::tube(10.0, 0.1);
     let sections = vec![linear::Section {
         repeat: 40,

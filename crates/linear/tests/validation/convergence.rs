@@ -77,7 +77,7 @@ fn elements(gamma: f64) -> Method {
 }
 
 #[test]
-fn quadrature_is_of_second_order() {
+fn val_quadrature_is_of_second_order() {
     for order in orders(&Method::Quadrature) {
         assert!((order - 2.0).abs() < 0.1, "{order}");
     }
@@ -85,7 +85,7 @@ fn quadrature_is_of_second_order() {
 
 /// In bending too, on the paper's band-limited impulse, once that is resolved.
 #[test]
-fn quadrature_is_of_second_order_in_bending() {
+fn val_quadrature_is_of_second_order_in_bending() {
     let string = academic::string();
     let sites = Sites::bit();
     let network =
@@ -120,7 +120,7 @@ fn quadrature_is_of_second_order_in_bending() {
 /// With two stages a step. Its order shows late, where the shortest joints of the
 /// string are resolved.
 #[test]
-fn radau_quadrature_is_of_third_order() {
+fn val_radau_quadrature_is_of_third_order() {
     let string = academic::string();
     let network = TorsionNetwork::new(&string, &Sites::bit()).unwrap();
     let ramp = RaisedCosine { duration: 0.1 };
@@ -156,7 +156,7 @@ fn radau_quadrature_is_of_third_order() {
 }
 
 #[test]
-fn newmark_without_numerical_damping_is_of_second_order() {
+fn val_newmark_without_numerical_damping_is_of_second_order() {
     for order in orders(&elements(0.5)) {
         assert!((order - 2.0).abs() < 0.1, "{order}");
     }
@@ -165,7 +165,7 @@ fn newmark_without_numerical_damping_is_of_second_order() {
 /// γ = ½ + ε damps every wave with a rate proportional to ε times the step, an
 /// error of first order that the paper's choice of γ pays for its stability.
 #[test]
-fn newmark_with_numerical_damping_is_of_first_order() {
+fn val_newmark_with_numerical_damping_is_of_first_order() {
     let orders = orders(&elements(0.52));
     assert!(
         orders.windows(2).all(|pair| pair[1] < pair[0]),
@@ -179,7 +179,7 @@ fn newmark_with_numerical_damping_is_of_first_order() {
 /// falls faster than any power of 1/f_s, down to what its finite transform
 /// folds back. (On a step, whose band is not limited, it rings as Fig. 7 shows.)
 #[test]
-fn the_digital_filter_is_exact_within_its_band() {
+fn val_the_digital_filter_is_exact_within_its_band() {
     let errors = errors(&Method::Hilbert(Transform {
         seconds: Some(60.0),
     }));

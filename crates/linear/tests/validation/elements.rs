@@ -202,7 +202,7 @@ fn any_model() -> impl Strategy<Value = Model> {
 
 /// The paper's string, with three sites.
 #[test]
-fn taps_of_the_papers_string_are_those_of_stepping_all_of_it() {
+fn val_taps_of_the_papers_string_are_those_of_stepping_all_of_it() {
     let string = academic::string();
     let model = Model {
         sites: Sites::new(&string, &[0.0, 36.0, 250.0]).unwrap(),
@@ -276,7 +276,7 @@ fn difference_when_stepped(model: &Model) -> f64 {
 
 /// A mesh that is stepped has the responses of its taps.
 #[test]
-fn the_papers_string_stepped_answers_as_its_taps_do() {
+fn val_the_papers_string_stepped_answers_as_its_taps_do() {
     let string = academic::string();
     for support in [
         SurfaceSupport::Free,
@@ -302,7 +302,7 @@ proptest! {
     /// Steps lose more by short elements, as the fourth power of their length: 1e-9 by those of
     /// 0.1 m, 1e-5 by those of 0.01 m.
     #[test]
-    fn taps_of_any_string_are_those_of_stepping_all_of_it(model in any_model()) {
+    fn val_taps_of_any_string_are_those_of_stepping_all_of_it(model in any_model()) {
         let torsion = model.difference_in_torsion();
         prop_assert!(torsion < 1e-9, "torsion: {torsion}");
         let [bending, longer] = model.differences_in_bending();
@@ -312,7 +312,7 @@ proptest! {
 
     /// A top drive is stepped with the elements: what it is to them is what it is to their taps.
     #[test]
-    fn any_string_stepped_below_a_drive_answers_as_its_taps_do(
+    fn val_any_string_stepped_below_a_drive_answers_as_its_taps_do(
         model in any_model(),
         inertia in prop_oneof![Just(0.0), 1.0..5000.0f64],
         proportional_gain in 1.0..2000.0f64,
@@ -330,7 +330,7 @@ proptest! {
 
     /// So has any other string; short elements cost it digits too.
     #[test]
-    fn any_string_stepped_answers_as_its_taps_do(model in any_model()) {
+    fn val_any_string_stepped_answers_as_its_taps_do(model in any_model()) {
         let worst = difference_when_stepped(&model);
         prop_assert!(worst < 1e-7, "{worst}");
     }

@@ -27,7 +27,7 @@ fn largest_real(string: &Drillstring) -> f64 {
 }
 
 #[test]
-fn no_frequency_of_a_dense_scan_bears_less() {
+fn val_no_frequency_of_a_dense_scan_bears_less() {
     for number in 0..12 {
         let string = Well::draw(number, &mut Draw::new(number)).string;
         let found = steepest_fall(&string, HIGHEST).unwrap().unwrap();

@@ -51,7 +51,7 @@ fn bessel_i0(x: f64) -> f64 {
 /// with a = c_t/(ρJ), until the front has been to the surface and back; that lowers it by
 /// twice what damping leaves of it. Where f_s fits, no step has both.
 #[test]
-fn the_front_of_a_uniform_tube_comes_back_as_it_left() {
+fn val_the_front_of_a_uniform_tube_comes_back_as_it_left() {
     let string = uniform();
     let pipe = &string.sections()[0].parts[0];
     let impedance = torsional_impedance(&string, pipe);
@@ -81,7 +81,7 @@ fn the_front_of_a_uniform_tube_comes_back_as_it_left() {
 
 /// Taps of impulses that are one step apart are the impulses.
 #[test]
-fn a_step_as_long_as_a_piece_gives_the_waves_handed_on_in_time() {
+fn val_a_step_as_long_as_a_piece_gives_the_waves_handed_on_in_time() {
     let string = academic::string();
     let lattice = Lattice::new(&string, &Sites::bit()).unwrap();
     assert!(lattice.misfit < 1e-12);
@@ -150,7 +150,7 @@ proptest! {
     /// Taps run until they have decayed to 1e-8 of their sum are as passive as that; where heavy
     /// damping lets torque only seep, what was never computed is some times as much.
     #[test]
-    fn held_taps_of_any_string_are_passive_at_any_sampling_frequency(
+    fn val_held_taps_of_any_string_are_passive_at_any_sampling_frequency(
         string in any_string(),
         steps_to_bit in 3.0..300.0f64,
     ) {
@@ -164,7 +164,7 @@ proptest! {
 
     /// The lattice is the string that the exact waves are of, but for its misfit.
     #[test]
-    fn held_taps_of_any_string_are_those_of_the_exact_waves(string in any_string()) {
+    fn val_held_taps_of_any_string_are_those_of_the_exact_waves(string in any_string()) {
         let travel = torsional_travel_time(&string);
         let responses = at_bit(&string, 160.0 / travel, 20.0 * travel);
         let frequency = responses.sampling_frequency;
@@ -195,7 +195,7 @@ proptest! {
 
 /// In bending nothing is a front; means at both ends of a step are of second order.
 #[test]
-fn the_middle_of_a_step_is_of_second_order_in_bending() {
+fn val_the_middle_of_a_step_is_of_second_order_in_bending() {
     let string = academic::string();
     let error = |sampling_frequency: f64| {
         let request = Request {
@@ -222,7 +222,7 @@ fn the_middle_of_a_step_is_of_second_order_in_bending() {
 /// string or a shorter time. What is held over two steps is held over each of them: a step
 /// of twice the length has the taps (A(2n + 1) + 2 A(2n) + A(2n − 1))/2.
 #[test]
-fn trains_serve_all_sampling_frequencies_of_their_own_request() {
+fn val_trains_serve_all_sampling_frequencies_of_their_own_request() {
     let string = academic::string();
     let request = academic::bit_request(10.0);
     let trains = ImpulseTrains::new(&string, &request).unwrap().unwrap();
@@ -263,7 +263,7 @@ fn trains_serve_all_sampling_frequencies_of_their_own_request() {
 /// A heavy collar rings on for longer than is simulated, with all its fronts: what is left
 /// out of the responses is no loss of passivity.
 #[test]
-fn what_rings_on_is_passive_too() {
+fn val_what_rings_on_is_passive_too() {
     let part = |length: f64, outer_radius: f64| Tube {
         length,
         inner_radius: 0.04,
@@ -287,7 +287,7 @@ fn what_rings_on_is_passive_too() {
 /// Between two sites at either side of the uppermost collar there are two tubes, both shorter
 /// than any piece; they still hang together.
 #[test]
-fn sites_closer_than_a_piece_turn_together() {
+fn val_sites_closer_than_a_piece_turn_together() {
     let string = academic::string();
     let request = Request {
         sites: Sites::new(&string, &[100.0001, 99.9999, 0.0]).unwrap(),

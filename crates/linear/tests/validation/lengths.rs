@@ -59,7 +59,7 @@ proptest! {
 
     /// As long as the longest case or as they last, and no longer than was planned.
     #[test]
-    fn responses_last_to_the_end_of_the_longest_case_and_no_longer_than_planned(
+    fn val_responses_last_to_the_end_of_the_longest_case_and_no_longer_than_planned(
         string in any_string(),
         longest_time in 0.5..40.0f64,
         sampling_frequency in 50.0..700.0f64,
@@ -81,7 +81,7 @@ proptest! {
     /// The last tap that a case can use is a whole one, whether the response ends with the case
     /// or has decayed by then.
     #[test]
-    fn no_tap_of_the_longest_case_hangs_on_how_long_it_is(
+    fn val_no_tap_of_the_longest_case_hangs_on_how_long_it_is(
         pipe in 500.0..5000.0f64,
         longest_time in 0.5..20.0f64,
         sampling_frequency in 50.0..700.0f64,
@@ -113,7 +113,7 @@ proptest! {
 
 /// Builders ask for no more than their dry run: on any string in a well, below a drive or none.
 #[test]
-fn responses_take_no_more_than_their_plan() {
+fn val_responses_take_no_more_than_their_plan() {
     for number in 0..90 {
         let mut draw = Draw::new(number);
         let string = Well::draw(number, &mut draw).string;
@@ -156,7 +156,7 @@ fn responses_take_no_more_than_their_plan() {
 
 /// Of any string in any number of pieces.
 #[test]
-fn pieces_ring_no_longer_than_planned() {
+fn val_pieces_ring_no_longer_than_planned() {
     let mut longest: f64 = 0.0;
     for number in 0..60 {
         let mut draw = Draw::new(number);
@@ -203,7 +203,7 @@ fn what_never_decays_is_refused_at_once_where_it_is_looked_at_for_too_long() {
 /// What rounding leaves does not cut what has not decayed: one pipe and its joint, on a lattice so
 /// fine that its response takes millions of steps, held, winds up by its static stiffness.
 #[test]
-fn a_string_of_one_pipe_is_as_stiff_as_it_is() {
+fn val_a_string_of_one_pipe_is_as_stiff_as_it_is() {
     let string = academic::string();
     let sections = vec![Section {
         repeat: 1,

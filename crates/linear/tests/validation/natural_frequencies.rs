@@ -58,7 +58,7 @@ fn root(mut low: f64, mut high: f64, function: impl Fn(f64) -> f64) -> f64 {
 
 /// ω = (n − ½)πc/L, however the shaft is cut up.
 #[test]
-fn a_uniform_shaft_swings_in_odd_quarter_waves() {
+fn val_a_uniform_shaft_swings_in_odd_quarter_waves() {
     for string in [
         row(1, 0.0),
         row(100, 20.0),
@@ -83,7 +83,7 @@ fn a_uniform_shaft_swings_in_odd_quarter_waves() {
 
 /// With equal travel times tan²(kl) = Z₁/Z₂: two in every half turn.
 #[test]
-fn a_shaft_of_two_impedances_swings_as_its_tangent_says() {
+fn val_a_shaft_of_two_impedances_swings_as_its_tangent_says() {
     let (upper, lower) = (solid(700.0, 0.06), solid(700.0, 0.09));
     let string = one(vec![upper, lower]);
     let ratio = torsional_impedance(&string, &upper) / torsional_impedance(&string, &lower);
@@ -105,7 +105,7 @@ fn a_shaft_of_two_impedances_swings_as_its_tangent_says() {
 
 /// kL tan kL = J_shaft/J_tip: one in every half turn.
 #[test]
-fn a_tip_inertia_slows_a_shaft() {
+fn val_a_tip_inertia_slows_a_shaft() {
     let (shaft, tip) = (solid(800.0, 0.05), solid(0.01, 4.0));
     let string = one(vec![shaft, tip]);
     let ratio = shaft.polar_moment() * shaft.length / (tip.polar_moment() * tip.length);
@@ -142,7 +142,7 @@ fn beam_root(support: SurfaceSupport, index: usize) -> f64 {
 }
 
 #[test]
-fn uniform_beams_have_the_roots_of_cosh_cos() {
+fn val_uniform_beams_have_the_roots_of_cosh_cos() {
     for (length, pipes) in [(10.0, 1), (100.0, 10), (5000.0, 1), (5000.0, 500)] {
         let part = pipe(length / pipes as f64);
         let parts = vec![part];
@@ -175,7 +175,7 @@ fn uniform_beams_have_the_roots_of_cosh_cos() {
 /// Pinned at the top, free below and pulled: with w = A sinh αx + B sin βx, α² − β² = T/(E I) and
 /// ω² = E I α²β²/m, neither moment nor force at the end gives β³ tan βL = α³ tanh αL.
 #[test]
-fn tension_pulls_a_beam_straight_as_its_closed_form_says() {
+fn val_tension_pulls_a_beam_straight_as_its_closed_form_says() {
     for (length, tension) in [(30.0, 1e5), (1000.0, 2e4), (1000.0, 1e6), (4000.0, 1e6)] {
         let string = of(vec![Section {
             repeat: 10,
@@ -233,7 +233,7 @@ fn held(string: &Drillstring, bending: &Bending, places: &[f64], count: usize) -
 
 /// Held at both ends, ω² = (nπ/l)⁴ EI/m + (nπ/l)² T/m; what is above has no part in it.
 #[test]
-fn a_beam_held_at_both_ends_swings_in_half_sines() {
+fn val_a_beam_held_at_both_ends_swings_in_half_sines() {
     let string = row(300, 0.0);
     let part = pipe(10.0);
     let rigidity = BENDING.youngs_modulus * part.second_moment();
@@ -257,7 +257,7 @@ fn a_beam_held_at_both_ends_swings_in_half_sines() {
 /// Of two equal spans every other mode is that of one held at both ends, and between them are
 /// those of one clamped at one end, tan kl = tanh kl.
 #[test]
-fn two_equal_spans_swing_as_one_pinned_or_clamped_in_the_middle() {
+fn val_two_equal_spans_swing_as_one_pinned_or_clamped_in_the_middle() {
     let string = row(100, 0.0);
     let part = pipe(10.0);
     let rigidity = BENDING.youngs_modulus * part.second_moment();
@@ -277,7 +277,7 @@ fn two_equal_spans_swing_as_one_pinned_or_clamped_in_the_middle() {
 /// at rest at each place, and its elastic and kinetic energy are one (Lord Rayleigh), by
 /// differences along its shape. Two equal spans have half sines.
 #[test]
-fn shapes_of_a_held_string_rest_where_it_is_held_and_have_their_frequency() {
+fn val_shapes_of_a_held_string_rest_where_it_is_held_and_have_their_frequency() {
     let string = row(100, 0.0);
     let part = pipe(10.0);
     let unit = BENDING.youngs_modulus * part.second_moment() / (STEEL.density * part.area());
@@ -326,7 +326,7 @@ fn shapes_of_a_held_string_rest_where_it_is_held_and_have_their_frequency() {
 /// A heavy piece between two shafts, the upper twice as long: all odd modes of the upper have one
 /// of the lower beside them, nearer the heavier the piece.
 #[test]
-fn pairs_are_found_however_close_they_are() {
+fn val_pairs_are_found_however_close_they_are() {
     for (radius, nearer) in [(2.0, 1e-2), (8.0, 1e-4), (60.0, 1e-7), (400.0, SAME)] {
         let parts = vec![solid(1000.0, 0.06), solid(0.1, radius), solid(500.0, 0.06)];
         let string = one(parts);
@@ -347,7 +347,7 @@ fn pairs_are_found_however_close_they_are() {
 
 /// As many are found below a frequency as are counted there, and none is counted twice.
 #[test]
-fn what_is_found_is_what_is_counted() {
+fn val_what_is_found_is_what_is_counted() {
     let string = jointed(80, 12, 0.06);
     let lateral = (SurfaceSupport::Free, 20.0);
     let torsion = NaturalFrequencies::torsion(&string).unwrap();
@@ -370,7 +370,7 @@ fn what_is_found_is_what_is_counted() {
 
 /// sin((n − ½)πx/L) in torsion; a clamped beam is as its closed form says.
 #[test]
-fn uniform_strings_have_the_shapes_of_closed_forms() {
+fn val_uniform_strings_have_the_shapes_of_closed_forms() {
     let string = row(30, 5.0);
     let torsion = NaturalFrequencies::torsion(&string).unwrap();
     for (index, omega) in torsion.lowest(8).unwrap().into_iter().enumerate() {
@@ -573,7 +573,7 @@ proptest! {
     /// Elements are a little too fast, by a twenty-fourth of the square of how far waves turn in
     /// one; counts between are the same.
     #[test]
-    fn torsion_is_that_of_elements(string in strings()) {
+    fn val_torsion_is_that_of_elements(string in strings()) {
         let modes = NaturalFrequencies::torsion(&string).unwrap();
         for (index, omega) in modes.lowest(25).unwrap().into_iter().enumerate() {
             let turns = omega * 1.0 / string.torsional_wave_speed();
@@ -586,7 +586,7 @@ proptest! {
 
     /// Between two modes of a torsional string lies one more place at rest (J. C. F. Sturm).
     #[test]
-    fn each_torsional_mode_has_one_more_node(string in strings()) {
+    fn val_each_torsional_mode_has_one_more_node(string in strings()) {
         let modes = NaturalFrequencies::torsion(&string).unwrap();
         for (index, omega) in modes.lowest(12).unwrap().into_iter().enumerate() {
             let shape = modes.shape(omega, 401).unwrap();
@@ -601,7 +601,7 @@ proptest! {
     /// Elements take a little more to bend than the string, however it hangs; motions that
     /// nothing brings back are as many.
     #[test]
-    fn bending_is_that_of_elements(
+    fn val_bending_is_that_of_elements(
         string in strings(),
         support in prop_oneof![
             Just(SurfaceSupport::Free),
@@ -638,7 +638,7 @@ proptest! {
     /// Elements are a little too fast, by a part (kl)⁴/1440 at most; the string is held at two to
     /// five places, of which the bit may be one.
     #[test]
-    fn a_held_string_is_that_of_elements(
+    fn val_a_held_string_is_that_of_elements(
         string in strings(),
         spans in prop::collection::vec(2.0..40.0f64, 1..5),
         overhang in prop::option::of(0.5..6.0f64),
@@ -670,7 +670,7 @@ proptest! {
     /// Every natural frequency has its pole, at the same |s| but for a part of the damping that is
     /// not the same everywhere; those found from lumped inertias are among them.
     #[test]
-    fn every_mode_has_its_pole(string in strings(), part in prop_oneof![1e-6..1e-3f64, 1e-3..0.3]) {
+    fn val_every_mode_has_its_pole(string in strings(), part in prop_oneof![1e-6..1e-3f64, 1e-3..0.3]) {
         let exact = NaturalFrequencies::torsion(&string).unwrap().lowest(12).unwrap();
         let tube = string.sections()[0].parts[0];
         // The damping ratio of the first mode, were all of it pipe.

@@ -45,7 +45,7 @@ proptest! {
 
     /// Whole tubes, the same cut anywhere, and cells gathered in any number of sections.
     #[test]
-    fn a_string_divided_at_random_has_the_same_frequency(
+    fn val_a_string_divided_at_random_has_the_same_frequency(
         pipe in 8.0..12.0f64,
         joint in 0.3..0.7f64,
         cells in 4usize..40,
@@ -75,7 +75,7 @@ proptest! {
 
     /// Plain pipe as one part or as cells of any length.
     #[test]
-    fn equal_cells_have_the_frequency_of_one_tube(
+    fn val_equal_cells_have_the_frequency_of_one_tube(
         length in 200.0..3000.0f64,
         cells in 2usize..200,
     ) {

@@ -72,7 +72,7 @@ fn exact(stations: &[[f64; 3]], weight: f64, steps: usize) -> f64 {
 /// Bends between stations far closer than any length of pipe, where the string is cut as it is
 /// where it does not bend, and bends in three dimensions.
 #[test]
-fn short_bends_press_as_much_as_they_turn() {
+fn val_short_bends_press_as_much_as_they_turn() {
     let wells: [&[[f64; 3]]; 5] = [
         &[
             [0.0, 0.0, 0.0],

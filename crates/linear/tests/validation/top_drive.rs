@@ -52,7 +52,7 @@ fn at_bit(string: &Drillstring, method: Method, frequency: f64, time: f64) -> Ch
 /// A torque on the bit of a uniform undamped string meets the impedance Z alone, and for ever,
 /// where the drive has that of the pipe.
 #[test]
-fn a_matched_drive_without_inertia_reflects_nothing() {
+fn val_a_matched_drive_without_inertia_reflects_nothing() {
     let string = pipes::row(100, 0.0);
     let matched = TopDrive {
         integral_gain: 0.0,
@@ -86,7 +86,7 @@ fn stepped_at_bit(string: &Drillstring, frequency: f64, time: f64) -> [Vec<f64>;
 /// A torque T that stays on the bit of a uniform undamped string turns it at T/Z; its front comes
 /// back from a drive (Z − K_p)/(Z + K_p) times as large, and a free end doubles that.
 #[test]
-fn a_front_comes_back_from_the_drive_as_from_its_impedance() {
+fn val_a_front_comes_back_from_the_drive_as_from_its_impedance() {
     let plain = pipes::row(100, 0.0);
     let impedance = torsional_impedance(&plain, &pipe(10.0));
     let frequency = 640.0;
@@ -126,7 +126,7 @@ fn a_front_comes_back_from_the_drive_as_from_its_impedance() {
 /// Around the first modes, which depend on the drive, a mesh stepped with it responds as exact
 /// waves do.
 #[test]
-fn a_mesh_and_its_drive_have_the_exact_response_at_their_modes() {
+fn val_a_mesh_and_its_drive_have_the_exact_response_at_their_modes() {
     let plain = academic::string();
     for drive in [
         controllers::soft_torque(&plain, 2000.0),
@@ -160,7 +160,7 @@ fn a_mesh_and_its_drive_have_the_exact_response_at_their_modes() {
 
 /// A drive ten times as stiff is ten times as near to a surface that turns as prescribed.
 #[test]
-fn a_stiff_drive_is_a_surface_that_turns_as_prescribed() {
+fn val_a_stiff_drive_is_a_surface_that_turns_as_prescribed() {
     let string = academic::string();
     for method in methods()
         .into_iter()
@@ -246,7 +246,7 @@ fn stepped(
 
 /// Two methods that share no code; errors fall as the square of the step.
 #[test]
-fn a_motor_and_a_wave_stepped_in_time_say_the_same() {
+fn val_a_motor_and_a_wave_stepped_in_time_say_the_same() {
     let string = below(&pipes::row(100, 0.0), drive(2000.0, 3000.0, 2000.0));
     let rise = RaisedCosine { duration: 0.4 };
     let (exact, exact_torque) = stepped(&string, |time| rise.integral(time), 8.0);
@@ -296,7 +296,7 @@ fn a_motor_and_a_wave_stepped_in_time_say_the_same() {
 
 /// In the end the surface is turned against the damping of the whole string, whatever turns it.
 #[test]
-fn the_torque_at_the_surface_is_in_the_end_what_damping_takes() {
+fn val_the_torque_at_the_surface_is_in_the_end_what_damping_takes() {
     let string = academic::string();
     let resistance = string.torsional_damping() * string.length();
     let soft = controllers::soft_torque(&string, 4000.0);
@@ -317,7 +317,7 @@ fn the_torque_at_the_surface_is_in_the_end_what_damping_takes() {
 /// With an integral gain alone nothing takes energy: a torque at any frequency does no work
 /// in the mean, and by `held`, whose lattice keeps energy as the string does, it rings on.
 #[test]
-fn without_a_proportional_gain_energy_stays() {
+fn val_without_a_proportional_gain_energy_stays() {
     let lossless = below(&pipes::row(40, 0.0), drive(300.0, 0.0, 5e3));
     let damped = below(&pipes::row(40, 0.0), drive(30.0, 1e3, 5e3));
     let at = |string: &Drillstring, frequency| {
@@ -342,7 +342,7 @@ fn without_a_proportional_gain_energy_stays() {
 
 /// J ω² − K_i = −Z ω tan(ωL/c) of a uniform undamped string without a proportional gain.
 #[test]
-fn modes_of_a_uniform_string_are_those_of_the_closed_form() {
+fn val_modes_of_a_uniform_string_are_those_of_the_closed_form() {
     let string = below(&pipes::row(100, 0.0), drive(800.0, 0.0, 3e3));
     let impedance = torsional_impedance(&string, &pipe(10.0));
     let travel = torsional_travel_time(&string);
@@ -373,7 +373,7 @@ fn modes_of_a_uniform_string_are_those_of_the_closed_form() {
 
 /// Quarter waves of a uniform string carry 8/π² of its inertia.
 #[test]
-fn the_first_mode_of_a_uniform_string_is_a_quarter_wave() {
+fn val_the_first_mode_of_a_uniform_string_is_a_quarter_wave() {
     let string = pipes::row(100, 3.0);
     let mode = first_mode(&string);
     let quarter = std::f64::consts::FRAC_PI_2 / torsional_travel_time(&string);
@@ -428,7 +428,7 @@ proptest! {
     /// In the end the bit turns as the drive is set to, and a torque that lasts does not
     /// change that; no stuck bit is unstable.
     #[test]
-    fn any_string_below_any_drive_is_passive_and_keeps_its_speed(
+    fn val_any_string_below_any_drive_is_passive_and_keeps_its_speed(
         (string, drive) in (strings(), drives())
     ) {
         let string = below(&string, drive);
@@ -461,7 +461,7 @@ proptest! {
     /// on a drive: near ω₁, where no other mode matters, the surface feels
     /// −ω² J₁ ω₁²/(ω₁² − ω²) in excess of a smooth rest.
     #[test]
-    fn the_first_mode_is_that_of_the_exact_string(string in strings()) {
+    fn val_the_first_mode_is_that_of_the_exact_string(string in strings()) {
         let damping = string.torsional_damping();
         let still = Drillstring::new(string.material(), string.sections().to_vec(), 0.0).unwrap();
         let mode = first_mode(&still);
@@ -486,7 +486,7 @@ proptest! {
     /// As many as the argument of a determinant of transfer matrices turns around all that
     /// swing up to the highest.
     #[test]
-    fn no_mode_is_missed((string, drive) in (strings(), prop::option::of(drives()))) {
+    fn val_no_mode_is_missed((string, drive) in (strings(), prop::option::of(drives()))) {
         let string = match drive {
             Some(drive) => below(&string, drive),
             None => string,
@@ -512,7 +512,7 @@ proptest! {
 
     /// Of a drive at least as heavy as the first mode.
     #[test]
-    fn soft_torque_damps_the_slower_of_the_first_two_modes_best(
+    fn val_soft_torque_damps_the_slower_of_the_first_two_modes_best(
         (string, ratio) in (strings(), 1.0..12.0f64)
     ) {
         let still = Drillstring::new(string.material(), string.sections().to_vec(), 0.0).unwrap();
@@ -538,7 +538,7 @@ proptest! {
 
 /// Held, a bit winds up against the string and the integral gain in series.
 #[test]
-fn a_held_bit_winds_up_as_springs_in_series_do() {
+fn val_a_held_bit_winds_up_as_springs_in_series_do() {
     let string = below(&pipes::row(100, 0.0), drive(1000.0, 2000.0, 400.0));
     let network = TorsionNetwork::new(&string, &Sites::bit()).unwrap();
     let s = Complex64::new(1e-6, 0.0);

@@ -24,7 +24,7 @@ fn horizontal(pipes: usize) -> (Drillstring, WindingUp) {
 /// piece, which is as long as L/N and turns by f d²/(2 GJ) under f d² N/L instead of f d: off by
 /// f L/(4N) at most.
 #[test]
-fn an_even_string_is_off_by_a_quarter_of_a_piece() {
+fn val_an_even_string_is_off_by_a_quarter_of_a_piece() {
     let (string, winding) = horizontal(100);
     let tube = string.sections()[0].parts[0];
     let rigidity = string.material().shear_modulus * tube.polar_moment();
@@ -55,7 +55,7 @@ fn an_even_string_is_off_by_a_quarter_of_a_piece() {
 
 /// Nothing presses, nothing is off.
 #[test]
-fn a_vertical_string_takes_one_piece() {
+fn val_a_vertical_string_takes_one_piece() {
     let string = pipes::row(50, 0.0);
     let station = |measured_depth| Station {
         measured_depth,
@@ -101,7 +101,7 @@ fn along(line: &[[f64; 2]], angle: f64) -> f64 {
 /// Random strings in random wells: friction in the middles of a few pieces and of thousands of
 /// short ones, wound up node by node, differ by what is told, but for what those are off by.
 #[test]
-fn friction_in_pieces_is_off_by_what_is_told() {
+fn val_friction_in_pieces_is_off_by_what_is_told() {
     for number in 0..18 {
         let mut draw = Draw::new(number);
         let Well { string, survey } = Well::draw(number, &mut draw);

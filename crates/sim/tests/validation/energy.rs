@@ -106,7 +106,7 @@ fn touches(trajectory: &Trajectory) -> usize {
 }
 
 #[test]
-fn rattling_for_ever_gains_no_energy() {
+fn val_rattling_for_ever_gains_no_energy() {
     for method in [
         Method::Held,
         Method::Quadrature,
@@ -168,14 +168,14 @@ fn lost_at_first_impact(sampling_frequency: f64) -> f64 {
 /// Nothing but the discretisation takes energy where nothing dissipates: the
 /// smaller the step, the more of an impact comes back.
 #[test]
-fn what_leaves_the_string_at_an_impact_comes_back() {
+fn val_what_leaves_the_string_at_an_impact_comes_back() {
     let lost = [640.0, 1280.0, 2560.0, 5120.0].map(lost_at_first_impact);
     assert!(lost.windows(2).all(|pair| pair[1] < pair[0]), "{lost:?}");
     assert!(lost[3] < 0.05 && lost[3] >= 0.0, "{lost:?}");
 }
 
 #[test]
-fn friction_takes_energy_at_the_contact_and_gives_none() {
+fn val_friction_takes_energy_at_the_contact_and_gives_none() {
     for (dynamic_ratio, stribeck_speed) in [(1.0, 0.0), (0.3, 0.0), (0.3, 0.5)] {
         friction_takes_energy(Wall {
             friction: 0.6,

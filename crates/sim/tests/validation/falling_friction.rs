@@ -156,7 +156,7 @@ fn integrated(wall: &Wall, per_second: usize) -> Vec<f64> {
 
 /// The mass is carried along by the wall and slides back, again and again.
 #[test]
-fn motion_is_that_of_much_shorter_steps() {
+fn val_motion_is_that_of_much_shorter_steps() {
     let per_second = 1000;
     let expected = integrated(&WALL, per_second);
     let furthest = expected.iter().fold(0.0f64, |most, y| most.max(y.abs()));
@@ -178,7 +178,7 @@ fn motion_is_that_of_much_shorter_steps() {
 
 /// What rolls does not feel the speed at which friction would fall.
 #[test]
-fn sliding_that_friction_may_shake_is_not_taken_as_settled() {
+fn val_sliding_that_friction_may_shake_is_not_taken_as_settled() {
     let request = academic::lateral_request(&academic::string(), &[0.0], 10.0);
     let responses = linear::responses(&academic::string(), &Method::Quadrature, &request).unwrap();
     let simulator = Simulator::new(&responses).unwrap();

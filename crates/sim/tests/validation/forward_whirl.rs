@@ -32,7 +32,7 @@ fn mass(site: usize, mass: f64, offset: f64) -> EccentricMass {
 
 /// A mass on a spring with a damper: r = m_e d Ω²/(|K| − m_e Ω²), K = k − mΩ² + icΩ.
 #[test]
-fn a_rotor_follows_its_closed_form() {
+fn val_a_rotor_follows_its_closed_form() {
     let (heavy, stiffness, damping) = (50.0, 2e5, 400.0);
     let dynamic = |rate: f64| Complex64::new(stiffness - heavy * rate * rate, damping * rate);
     let (eccentric, offset, clearance) = (8.0, 1e-3, 2e-3);
@@ -83,7 +83,7 @@ fn a_rotor_follows_its_closed_form() {
 /// On random strings a dense scan of the speed finds no site beyond its clearance below the
 /// first touch, and at that a little more mass makes one touch.
 #[test]
-fn no_touch_of_a_dense_scan_is_missed() {
+fn val_no_touch_of_a_dense_scan_is_missed() {
     let (mut touches, mut scanned) = (0, 0);
     for number in 0..40 {
         let mut draw = Draw::new(number);
@@ -179,7 +179,7 @@ fn academic_whirl(
 
 /// Fig. 15: 3.5 kN at 15.23 mm.
 #[test]
-fn the_string_of_the_paper_goes_round_along_its_wall() {
+fn val_the_string_of_the_paper_goes_round_along_its_wall() {
     let mass = mass(0, 1000.0, 0.1);
     let (found, simulated) = academic_whirl(&[0.0], vec![wall(0.015)], mass);
     let (radii, force) = (found.radii, found.normal_forces[0]);
@@ -192,7 +192,7 @@ fn the_string_of_the_paper_goes_round_along_its_wall() {
 
 /// A mass 50 m above the bit, which touches, while the string is clear of the wall there.
 #[test]
-fn a_mass_elsewhere_takes_the_bit_round() {
+fn val_a_mass_elsewhere_takes_the_bit_round() {
     let walls = vec![wall(1.0), wall(0.015)];
     let (found, simulated) = academic_whirl(&[50.0, 0.0], walls, mass(0, 1000.0, 0.4));
     assert_eq!(found.normal_forces[0], 0.0);
@@ -203,7 +203,7 @@ fn a_mass_elsewhere_takes_the_bit_round() {
 
 /// Three sites, of which several touch.
 #[test]
-fn a_mass_presses_the_string_against_several_walls() {
+fn val_a_mass_presses_the_string_against_several_walls() {
     for (clearances, mass, touching) in [
         ([0.0025, 0.01, 0.012], mass(1, 1000.0, 0.3), vec![0, 1, 2]),
         ([0.0018, 0.01, 0.012], mass(2, 1000.0, 0.3), vec![0, 2]),

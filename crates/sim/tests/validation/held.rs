@@ -71,7 +71,7 @@ fn sticks_by_waves(string: &Drillstring, surface_speed: f64) -> bool {
 /// Where a front that has been up and down the string arrives with a step, so that it is no
 /// longer than one.
 #[test]
-fn sharp_fronts_leave_the_limit_of_stick_slip_where_waves_have_it() {
+fn val_sharp_fronts_leave_the_limit_of_stick_slip_where_waves_have_it() {
     for lengths in [&[(1000.0, 0.15)][..], &[(900.0, 0.125), (100.0, 0.15)]] {
         let string = string_of(lengths);
         let by_waves = limit([0.15, 0.35], |speed| sticks_by_waves(&string, rpm(speed)));
@@ -176,7 +176,7 @@ impl Pushed {
 
 /// Met at the end of a step, the law of the wall would put it off by a fifth at 160 Hz.
 #[test]
-fn the_limit_of_whirl_is_found_in_few_steps() {
+fn val_the_limit_of_whirl_is_found_in_few_steps() {
     let limit = |method, frequency| Pushed::new(method, frequency).limit();
     let [coarse, middle, fine] = [160.0, 320.0, 640.0].map(|f| limit(Method::Held, f));
     assert_close(coarse, fine, 3e-3);
@@ -188,7 +188,7 @@ fn the_limit_of_whirl_is_found_in_few_steps() {
 /// On a rigid wall too the site rolls in every step, with the force that the exact waves
 /// ask for; how far off falls with the square of the step.
 #[test]
-fn rolling_along_a_rigid_wall_obeys_the_balance_of_forces() {
+fn val_rolling_along_a_rigid_wall_obeys_the_balance_of_forces() {
     let string = academic::string();
     let support = SurfaceSupport::Free;
     let network = BendingNetwork::new(&string, BENDING, support, &Sites::bit()).unwrap();
@@ -218,7 +218,7 @@ proptest! {
     /// In any step the normal force does the work that the wall stores, none if it is
     /// rigid, and there is an answer.
     #[test]
-    fn the_wall_stores_what_it_takes(
+    fn val_the_wall_stores_what_it_takes(
         [before, moved] in prop::array::uniform2((-0.011..0.011f64, -0.011..0.011f64)),
         exponents in (-9.5..-6.0f64, 6.0..11.0f64, -6.0..-3.0f64),
         (friction, free_speed, is_rigid) in (0.0..3.0f64, -50.0..50.0f64, any::<bool>()),

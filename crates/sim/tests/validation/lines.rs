@@ -218,7 +218,7 @@ const ALL: [With; 5] = {
 };
 
 #[test]
-fn pieces_and_responses_of_the_whole_string_have_one_motion() {
+fn val_pieces_and_responses_of_the_whole_string_have_one_motion() {
     let methods = [
         Method::Quadrature,
         Method::FiniteElement(FiniteElement::default()),
@@ -248,7 +248,7 @@ fn pieces_and_responses_of_the_whole_string_have_one_motion() {
 /// A string that turns steadily, or is held at the bit while it winds up: pieces begin with what
 /// differs from that, too.
 #[test]
-fn pieces_begin_with_a_steady_motion_as_the_whole_string_does() {
+fn val_pieces_begin_with_a_steady_motion_as_the_whole_string_does() {
     let with = With {
         bit: true,
         ..ALL[2]
@@ -297,7 +297,7 @@ fn pieces_begin_with_a_steady_motion_as_the_whole_string_does() {
 
 /// Waves that are exact up to their sampling have that motion but for what quadrature smears.
 #[test]
-fn held_waves_have_the_motion_of_quadrature_where_it_is_smooth() {
+fn val_held_waves_have_the_motion_of_quadrature_where_it_is_smooth() {
     let with = ALL[0];
     let (one, _) = motion(&whole(with, &Method::Held), with);
     let (other, _) = motion(&pieces(with, &Method::Quadrature), with);
@@ -311,7 +311,7 @@ fn held_waves_have_the_motion_of_quadrature_where_it_is_smooth() {
 
 /// Elements that are stepped, at every node walls and friction.
 #[test]
-fn a_stepped_mesh_rubs_as_pieces_of_elements_do() {
+fn val_a_stepped_mesh_rubs_as_pieces_of_elements_do() {
     let with = ALL[0];
     let string = with.string();
     let nodes = with.nodes(&string);
@@ -336,7 +336,7 @@ fn a_stepped_mesh_rubs_as_pieces_of_elements_do() {
 /// On random strings that rub, below slow and fast surfaces, with a bit and without: what has settled
 /// has the label, and to a hundredth the torque at the surface, that it has at the end.
 #[test]
-fn strings_that_rub_and_end_early_have_the_labels_of_those_that_do_not() {
+fn val_strings_that_rub_and_end_early_have_the_labels_of_those_that_do_not() {
     let mut settled = [0; 2];
     let mut stepped = [0.0; 2];
     for number in 0..60 {

@@ -86,7 +86,7 @@ fn wall(clearance: f64, radius: f64) -> Wall {
 /// A uniform string that goes round as a whole along all of the wall needs friction against
 /// its damping alone, c_b/(mω): what ever more sites come to.
 #[test]
-fn a_string_that_touches_all_along_needs_friction_against_its_damping() {
+fn val_a_string_that_touches_all_along_needs_friction_against_its_damping() {
     let tube = Tube {
         length: 10.0,
         inner_radius: 0.04,
@@ -143,7 +143,7 @@ fn is_positive(mut matrix: Vec<f64>) -> bool {
 /// friction, less 1 %, outweighs −Re H. Two to five sites, and as many as eighty.
 /// `STRINGS=400 cargo test --release -p sim --test validation dense` looks at more strings.
 #[test]
-fn no_rate_of_a_dense_scan_needs_less_friction() {
+fn val_no_rate_of_a_dense_scan_needs_less_friction() {
     let strings = std::env::var("STRINGS").map_or(24, |count| count.parse().unwrap());
     let mut looked_at = 0;
     for number in 0..strings {
@@ -183,7 +183,7 @@ fn no_rate_of_a_dense_scan_needs_less_friction() {
 
 /// Fig. 17: three sites of the paper's string whirl with friction down to 1.08.
 #[test]
-fn three_sites_of_the_paper_need_no_more_than_they_whirl_with() {
+fn val_three_sites_of_the_paper_need_no_more_than_they_whirl_with() {
     let string = academic::string();
     let of = |places: &[f64]| Problem {
         string: string.clone(),
@@ -348,7 +348,7 @@ impl Shaken {
 /// `STRINGS=400 cargo test --release -p sim --test validation simulated -- --nocapture` prints
 /// the figures of the guide; here are fewer strings.
 #[test]
-fn no_simulated_whirl_has_less_friction_than_it_needs() {
+fn val_no_simulated_whirl_has_less_friction_than_it_needs() {
     let strings = std::env::var("STRINGS").map_or(24, |count| count.parse().unwrap());
     let parts = [0.5, 0.7, 0.85, 0.95, 1.05, 1.2, 1.5, 2.0, 3.0, 5.0, 8.0];
     let (mut cases, mut below) = (0, 0);

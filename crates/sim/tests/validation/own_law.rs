@@ -86,7 +86,7 @@ impl TorqueLaw for Own {
 }
 
 #[test]
-fn the_built_in_law_as_ones_own_gives_the_built_in_motion() {
+fn val_the_built_in_law_as_ones_own_gives_the_built_in_motion() {
     let responses = responses(vec![0]);
     let law = BitTorque {
         torque_static: 1200.0,
@@ -195,7 +195,7 @@ fn positions<W: WallLaw>(system: &System, wall: W) -> (Vec<[f64; 2]>, usize) {
 }
 
 #[test]
-fn a_smooth_wall_of_ones_own_gives_the_motion_of_the_built_in_one() {
+fn val_a_smooth_wall_of_ones_own_gives_the_motion_of_the_built_in_one() {
     let string = row(50, 1.0);
     let request = academic::lateral_request(&string, &[0.0], 1.0);
     let responses = linear::responses(&string, &Method::Quadrature, &request).unwrap();

@@ -87,7 +87,7 @@ fn starts(surface_speed: f64, law: &BitTorque) -> [Start; 3] {
 }
 
 #[test]
-fn a_law_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_bit() {
+fn val_a_law_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_bit() {
     let (mut seen, mut ended) = (Vec::new(), Vec::new());
     for method in [Method::Held, Method::Quadrature] {
         let simulator = Simulator::new(&responses(method)).unwrap();
@@ -130,7 +130,7 @@ fn a_law_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_bit()
 }
 
 #[test]
-fn a_law_that_says_nothing_of_itself_is_stepped_to_its_end_and_has_the_same_label() {
+fn val_a_law_that_says_nothing_of_itself_is_stepped_to_its_end_and_has_the_same_label() {
     let simulator = Simulator::new(&responses(Method::Held)).unwrap();
     for speed in [0.1, 0.4] {
         let law = BitTorque {
@@ -175,7 +175,7 @@ fn a_law_that_says_nothing_of_itself_is_stepped_to_its_end_and_has_the_same_labe
 /// damping: the bit turns at Ω − T/k_d, with T its torque at that speed. Between the two motions
 /// neither sticks.
 #[test]
-fn smooth_rotation_is_at_the_laws_own_torque() {
+fn val_smooth_rotation_is_at_the_laws_own_torque() {
     let law = TabulatedFriction::sampled(|speed| 2500.0 + 9000.0 * speed, 0.2, 200);
     let simulator = Simulator::new(&responses(Method::Held)).unwrap();
     let surface_speed = 0.06;
@@ -200,7 +200,7 @@ fn smooth_rotation_is_at_the_laws_own_torque() {
 /// speed by more than that, speeds between do not last and the bit jumps; where by less, none is
 /// left out, and where it rises nothing grows. ζ = 1/A(0) by `held`.
 #[test]
-fn a_torque_that_falls_more_steeply_than_the_impedance_jumps() {
+fn val_a_torque_that_falls_more_steeply_than_the_impedance_jumps() {
     let responses = responses(Method::Held);
     let impedance = 1.0 / responses.at_bit().unwrap()[0];
     let simulator = Simulator::new(&responses).unwrap();
@@ -254,7 +254,7 @@ impl TorqueLaw for Creeping {
 }
 
 #[test]
-fn a_law_that_never_stands_still_says_when_it_counts_as_stuck() {
+fn val_a_law_that_never_stands_still_says_when_it_counts_as_stuck() {
     let simulator = Simulator::new(&responses(Method::Quadrature)).unwrap();
     let law = BitTorque {
         torque_static: 4800.0,
@@ -311,7 +311,7 @@ impl WallLaw for WrappedWall {
 }
 
 #[test]
-fn a_wall_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_bit() {
+fn val_a_wall_that_is_the_built_in_one_gives_its_outcome_and_motion_to_the_last_bit() {
     let string = academic::string();
     let request = academic::lateral_request(&string, &[0.0], 10.0);
     let responses = linear::responses(&string, &Method::Quadrature, &request).unwrap();

@@ -148,7 +148,7 @@ fn spread(mut parts: Vec<f64>) -> [f64; 3] {
 }
 
 #[test]
-fn a_tolerance_is_kept_by_strings_that_are_wound_up_and_by_most_that_are_started() {
+fn val_a_tolerance_is_kept_by_strings_that_are_wound_up_and_by_most_that_are_started() {
     let strings = std::env::var("STRINGS").map_or(9, |count| count.parse().unwrap());
     let problems: Vec<Problem> = (0..strings).map(Problem::draw).collect();
     let of = |off: &dyn Fn(&Problem) -> f64| -> Vec<f64> {

@@ -128,7 +128,7 @@ fn problems() -> impl Iterator<Item = Problem> {
 
 /// A bit that is held while the string winds up for a minute, and breaks loose.
 #[test]
-fn a_string_that_winds_up_steadily_goes_on_as_after_a_long_time_from_rest() {
+fn val_a_string_that_winds_up_steadily_goes_on_as_after_a_long_time_from_rest() {
     for problem in problems() {
         let mut stubborn = BIT;
         // It breaks loose after some LONG.
@@ -153,7 +153,7 @@ fn a_string_that_winds_up_steadily_goes_on_as_after_a_long_time_from_rest() {
 
 /// A bit that has turned for a minute turns on.
 #[test]
-fn a_string_that_rotates_steadily_goes_on_as_after_a_long_time_from_rest() {
+fn val_a_string_that_rotates_steadily_goes_on_as_after_a_long_time_from_rest() {
     for problem in problems() {
         let late = problem.motion(Start::Rest, BIT, LONG);
         let from = (0.9 * LONG * 200.0) as usize;
@@ -166,7 +166,7 @@ fn a_string_that_rotates_steadily_goes_on_as_after_a_long_time_from_rest() {
 
 /// The bit slows down by what the greater torque takes of the speed of its collars.
 #[test]
-fn a_torque_that_rises_slows_the_bit_down_as_its_impedance_says() {
+fn val_a_torque_that_rises_slows_the_bit_down_as_its_impedance_says() {
     let problem = Problem::new(string(None), Method::Held);
     let start = rotation(
         &problem.string,
@@ -184,7 +184,7 @@ fn a_torque_that_rises_slows_the_bit_down_as_its_impedance_says() {
 
 /// On random strings about their limits: what is certain is so, and what has settled too.
 #[test]
-fn cases_that_end_early_have_the_labels_of_those_that_do_not() {
+fn val_cases_that_end_early_have_the_labels_of_those_that_do_not() {
     let mut ended = [0; 3];
     let mut labels = [0; 3];
     for number in 0..24 {
@@ -278,7 +278,7 @@ fn deviations(string: &Drillstring, frequency: f64, bit: BitTorque, speed: f64) 
 /// On random strings, under torques that fall with the speed: small vibration grows below the
 /// limit of smooth rotation of the lowest modes and dies away above that of all that are stepped.
 #[test]
-fn smooth_rotation_is_lost_below_its_limit_and_lasts_above() {
+fn val_smooth_rotation_is_lost_below_its_limit_and_lasts_above() {
     for number in 0..12 {
         let mut draw = Draw::new(number);
         let string = Well::draw(number, &mut draw).string;

@@ -109,7 +109,7 @@ fn apart(motions: [&Trajectory; 2], until: f64) -> [f64; 2] {
 
 /// Nothing but rounding parts them until contacts that slide have made much of it.
 #[test]
-fn a_mesh_that_is_stepped_moves_as_its_taps_do() {
+fn val_a_mesh_that_is_stepped_moves_as_its_taps_do() {
     let string = academic::string();
     let both = Both::new(
         &string,
@@ -135,7 +135,7 @@ fn a_mesh_that_is_stepped_moves_as_its_taps_do() {
 
 /// A bit that cuts beside its wall, a surface that rises to its speed, a light string.
 #[test]
-fn so_it_does_where_the_bit_cuts_too() {
+fn val_so_it_does_where_the_bit_cuts_too() {
     let sections = vec![
         Section {
             repeat: 60,
@@ -163,7 +163,7 @@ fn so_it_does_where_the_bit_cuts_too() {
 
 /// Below a top drive that the mesh is stepped with, where the string rubs along its well too.
 #[test]
-fn so_it_does_below_a_top_drive_and_with_friction_along_the_string() {
+fn val_so_it_does_below_a_top_drive_and_with_friction_along_the_string() {
     let plain = academic::string();
     let drive = linear::controllers::soft_torque(&plain, 2000.0);
     let string = plain.with_top_drive(drive).unwrap();

@@ -48,7 +48,7 @@ fn assert_near(one: &TorsionMeasures, other: &TorsionMeasures, part: f64) {
 }
 
 #[test]
-fn over_a_speed_of_nothing_it_falls_at_once() {
+fn val_over_a_speed_of_nothing_it_falls_at_once() {
     let at_once = measures(Method::Quadrature, 640.0, 0.0);
     assert_near(&measures(Method::Quadrature, 640.0, 1e-6), &at_once, 1e-9);
 }
@@ -57,7 +57,7 @@ fn over_a_speed_of_nothing_it_falls_at_once() {
 /// speed feeds high modes as well; by `held`, which damps none of them, the bit then chatters, the
 /// faster the shorter the step.)
 #[test]
-fn motion_is_that_of_a_fine_time_step() {
+fn val_motion_is_that_of_a_fine_time_step() {
     for (method, decay_rpm, part) in [
         (Method::Quadrature, 0.05, 0.015),
         (Method::Held, 0.05, 0.025),
@@ -71,7 +71,7 @@ fn motion_is_that_of_a_fine_time_step() {
 
 /// The slower the torque falls, the less there is to slip with.
 #[test]
-fn a_torque_that_falls_slowly_drives_weaker_slips_and_in_the_end_none() {
+fn val_a_torque_that_falls_slowly_drives_weaker_slips_and_in_the_end_none() {
     let of = |decay| measures(Method::Quadrature, 640.0, decay);
     let (at_once, slow) = (of(0.0), of(0.3));
     assert!(slow.peak_speed < 0.9 * at_once.peak_speed, "{slow:?}");

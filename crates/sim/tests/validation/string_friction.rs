@@ -3,6 +3,7 @@
 
 use linear::{Cascade, ChannelRequest, Drillstring, Method, Request, Sites, TopDrive};
 use problems::academic;
+use problems::masses::MassesAndSprings;
 use problems::pipes;
 use sim::{
     BitTorque, LoadLine, PipeFriction, Recording, Scene, Simulator, Start, Stopping,
@@ -84,7 +85,7 @@ fn strings() -> Vec<Drillstring> {
 
 /// A torque at the bit alone: pieces stepped one by one are the whole string's response.
 #[test]
-fn pieces_one_by_one_are_the_whole_string() {
+fn val_pieces_one_by_one_are_the_whole_string() {
     let methods = [
         Method::Quadrature,
         Method::FiniteElement(Default::default()),
@@ -145,7 +146,7 @@ fn pieces_one_by_one_are_the_whole_string() {
 
 /// Torques that do not fall: what turns the surface comes to the sum of all, and of the damping.
 #[test]
-fn the_torque_that_keeps_it_turning_is_the_sum_of_all() {
+fn val_the_torque_that_keeps_it_turning_is_the_sum_of_all() {
     let string = pipes::row(200, 1.0);
     let pieces = 20;
     let nodes = middles(&string, pieces);
@@ -166,7 +167,7 @@ fn the_torque_that_keeps_it_turning_is_the_sum_of_all() {
 
 /// No friction, no change; and a string that is held by friction stands still.
 #[test]
-fn what_does_not_act_changes_nothing() {
+fn val_what_does_not_act_changes_nothing() {
     let string = academic::string();
     let nodes = middles(&string, 5);
     let simulator = cascade(&string, Method::Quadrature, &nodes, 64.0, 10.0);
@@ -198,7 +199,7 @@ fn peak_and_trough(torques: &[f64]) -> (f64, f64) {
 /// ∫F dx; where it is then turned faster and friction falls everywhere, the torque swings by
 /// twice that.
 #[test]
-fn a_string_breaks_loose_and_swings_by_twice_what_friction_falls() {
+fn val_a_string_breaks_loose_and_swings_by_twice_what_friction_falls() {
     // Damped as much as keeps a friction that falls a little from making it swing.
     let (string, pieces, total) = (pipes::row(200, 0.1), 40, 9000.0);
     let nodes = middles(&string, pieces);
@@ -230,40 +231,33 @@ fn masses_and_springs(
     (frequency, time): (f64, f64),
 ) -> (Vec<f64>, Vec<f64>) {
     let (masses, substeps) = (250, 25);
-    let tube = pipes::pipe(length / masses as f64);
     let step = 1.0 / (frequency * substeps as f64);
-    let inertia = pipes::STEEL.density * tube.polar_moment() * tube.length;
-    let spring = pipes::STEEL.shear_modulus * tube.polar_moment() / tube.length;
-    let compliance = step / (inertia + step * damping * tube.length);
+    let mut row = MassesAndSprings::new(length, masses, step);
+    let inertia = row.inertia;
+    let compliance = step / (inertia + step * damping * row.piece);
     let mut states = vec![Default::default(); masses];
-    let (mut angles, mut speeds) = (vec![0.0; masses], vec![0.0; masses]);
-    // Masses are in the middle of their pieces: half a piece is twice as stiff.
     let (mut torques, mut angle) = (Vec::new(), 0.0);
     let mut greatest = vec![0.0; masses];
     let steps = (frequency * time) as usize + 1;
     for index in 0..steps * substeps {
         angle += step * surface(step * index as f64);
-        let twists: Vec<f64> = std::iter::once(2.0 * spring * (angle - angles[0]))
-            .chain((1..masses).map(|it| spring * (angles[it - 1] - angles[it])))
-            .chain([0.0])
-            .collect();
+        let inside = row.torques(angle);
         if index % substeps == 0 {
-            torques.push(twists[0]);
+            torques.push(inside[0]);
         }
-        for (greatest, twist) in greatest.iter_mut().zip(&twists) {
-            *greatest = twist.abs().max(*greatest);
+        for (greatest, torque) in greatest.iter_mut().zip(&inside) {
+            *greatest = torque.abs().max(*greatest);
         }
-        for mass in 0..masses {
-            let driven = inertia / step * speeds[mass] + twists[mass] - twists[mass + 1];
+        row.step(&inside, |mass, speed, torque| {
             let line = LoadLine {
                 time: 0.0,
-                free_speed: compliance * driven,
+                free_speed: compliance * (inertia / step * speed + torque),
                 compliance,
             };
             let met = law.meet(&states[mass], line);
-            (states[mass], speeds[mass]) = (met.state, met.speed);
-            angles[mass] += step * met.speed;
-        }
+            states[mass] = met.state;
+            met.speed
+        });
     }
     (torques, greatest)
 }
@@ -307,7 +301,7 @@ fn errors_of_start(total: f64, stribeck_speed: f64) -> Vec<f64> {
 /// A start that breaks loose and swings, against another method and code; more pieces and shorter
 /// steps come nearer to it, the slower the more friction falls while it moves.
 #[test]
-fn a_start_is_that_of_masses_and_springs_in_small_steps() {
+fn val_a_start_is_that_of_masses_and_springs_in_small_steps() {
     let total = 16_000.0;
     for (stribeck_speed, most) in [(0.0, 0.01), (0.5, 0.04)] {
         let errors = errors_of_start(total, stribeck_speed);
@@ -350,7 +344,7 @@ fn median(mut numbers: Vec<f64>) -> f64 {
 /// ω ≪ ω_s ≪ (1 − r) F/Z; where ω_s is below a tenth of the latter, parts of the string break
 /// loose by themselves before it is wound up, and where it is not far below, it slips less.
 #[test]
-fn a_string_that_sticks_and_slips_has_the_period_of_winding_up_and_of_a_round_trip() {
+fn val_a_string_that_sticks_and_slips_has_the_period_of_winding_up_and_of_a_round_trip() {
     let (pieces, total) = (40, 60e3);
     // Each with Δφ/ω in round trips, and ω_s in parts of the greatest speed of the bit.
     for (length, ratio, trips, part) in [
@@ -417,7 +411,7 @@ fn greatest_torque(
 /// Wound up slowly it is twisted most at the surface, by what turns that; and where only a bit
 /// holds it, as much everywhere.
 #[test]
-fn a_string_that_is_turned_slowly_is_twisted_most_at_the_surface() {
+fn val_a_string_that_is_turned_slowly_is_twisted_most_at_the_surface() {
     let string = pipes::row(200, 0.0);
     let pieces = 20;
     let slow = (0.005, 20.0);
@@ -447,7 +441,7 @@ fn a_string_that_is_turned_slowly_is_twisted_most_at_the_surface() {
 /// A fast start under little friction, and a slower one under much: the greatest torque is that of
 /// masses and springs, and where it is they have it too.
 #[test]
-fn the_greatest_torque_of_a_start_is_that_of_masses_and_springs() {
+fn val_the_greatest_torque_of_a_start_is_that_of_masses_and_springs() {
     let (length, damping, time) = (2000.0, 0.1, 8.0);
     let string = pipes::row(200, damping);
     for (total, speed, rise) in [(3000.0, 8.0, 0.5), (16_000.0, 6.0, 3.0)] {
@@ -475,7 +469,7 @@ fn the_greatest_torque_of_a_start_is_that_of_masses_and_springs() {
 
 /// Turning steadily, the torque above a node is the sum of all below.
 #[test]
-fn the_torque_in_a_string_that_turns_is_the_sum_of_all_below() {
+fn val_the_torque_in_a_string_that_turns_is_the_sum_of_all_below() {
     let string = pipes::row(200, 0.0);
     let (pieces, bit) = (8, 5000.0);
     let of = |index: usize| 100.0 * (index + 1) as f64;

@@ -2,6 +2,7 @@
 //! which know of no response and no reciprocity.
 
 use linear::{ChannelRequest, Method, Request, Sites};
+use problems::masses::MassesAndSprings;
 use problems::pipes;
 use sim::{SurfaceProfile, SurfaceTorque, Trajectory};
 
@@ -25,35 +26,25 @@ fn torque_at(site: usize, time: f64) -> f64 {
 /// sampling frequency.
 fn masses_and_springs(frequency: f64) -> Vec<f64> {
     let (masses, substeps) = (800, (16_384.0 / frequency) as usize);
-    let tube = pipes::pipe(LENGTH / masses as f64);
     let step = 1.0 / (frequency * substeps as f64);
-    let inertia = pipes::STEEL.density * tube.polar_moment() * tube.length;
-    let spring = pipes::STEEL.shear_modulus * tube.polar_moment() / tube.length;
-    let drag = DAMPING * tube.length;
+    let mut row = MassesAndSprings::new(LENGTH, masses, step);
+    let (inertia, drag) = (row.inertia, DAMPING * row.piece);
     let loads = LOADED.map(|from_bit| {
-        let index = ((LENGTH - from_bit) / tube.length) as usize;
+        let index = ((LENGTH - from_bit) / row.piece) as usize;
         index.min(masses - 1)
     });
-    let (mut angles, mut speeds) = (vec![0.0; masses], vec![0.0; masses]);
     let (mut torques, mut angle) = (Vec::new(), 0.0);
     for index in 0..(frequency * TIME) as usize * substeps {
         let time = step * index as f64;
-        // The first mass is half an element below the surface.
-        let twists: Vec<f64> = std::iter::once(2.0 * spring * (angle - angles[0]))
-            .chain((1..masses).map(|it| spring * (angles[it - 1] - angles[it])))
-            .chain([0.0])
-            .collect();
+        let inside = row.torques(angle);
         if index % substeps == 0 {
-            torques.push(twists[0]);
+            torques.push(inside[0]);
         }
-        let mut driven: Vec<f64> = twists.windows(2).map(|ends| ends[0] - ends[1]).collect();
-        for (site, mass) in loads.into_iter().enumerate() {
-            driven[mass] += torque_at(site, time);
-        }
-        for mass in 0..masses {
-            speeds[mass] += step * (driven[mass] - drag * speeds[mass]) / inertia;
-            angles[mass] += step * speeds[mass];
-        }
+        row.step(&inside, |mass, speed, torque| {
+            let at_mass = (0..3).filter(|&site| loads[site] == mass);
+            let loaded: f64 = at_mass.map(|site| torque_at(site, time)).sum();
+            speed + step * (torque + loaded - drag * speed) / inertia
+        });
         angle += step * SPEED * ((time + 0.5 * step) / RISE).min(1.0);
     }
     torques
@@ -99,7 +90,7 @@ fn error(method: Method, frequency: f64) -> f64 {
 }
 
 #[test]
-fn torques_along_the_string_turn_the_surface_as_masses_and_springs_say() {
+fn val_torques_along_the_string_turn_the_surface_as_masses_and_springs_say() {
     let methods = [
         Method::Held,
         Method::Quadrature,

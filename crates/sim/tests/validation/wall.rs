@@ -318,13 +318,13 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..Default::default() })]
 
     #[test]
-    fn every_step_obeys_its_laws(wall in walls(), approach in approaches(1.1)) {
+    fn val_every_step_obeys_its_laws(wall in walls(), approach in approaches(1.1)) {
         prop_assert!(approach.meet(&wall).is_ok());
         obeys(&wall, &approach, 1e-10)?;
     }
 
     #[test]
-    fn so_does_a_step_far_through_the_wall(wall in walls(), approach in approaches(20.0)) {
+    fn val_so_does_a_step_far_through_the_wall(wall in walls(), approach in approaches(20.0)) {
         prop_assert!(approach.meet(&wall).is_ok());
         obeys(&wall, &approach, 1e-10)?;
     }
@@ -335,7 +335,7 @@ proptest! {
 
     /// How often the searches within may try is bounded by their own tests.
     #[test]
-    fn a_step_of_any_numbers_has_an_answer_that_obeys_or_an_error(
+    fn val_a_step_of_any_numbers_has_an_answer_that_obeys_or_an_error(
         wall in any_wall(),
         approach in any_approach(),
     ) {
@@ -380,7 +380,7 @@ fn a_position_beyond_all_numbers_is_an_error() {
 }
 
 #[test]
-fn rotating_the_axes_rotates_the_answer() {
+fn val_rotating_the_axes_rotates_the_answer() {
     let wall = Wall {
         clearance: 0.015,
         stiffness: 1e9,

@@ -127,7 +127,7 @@ fn steady_whirl(string: &Drillstring, wall: Wall) -> SteadyWhirl {
 /// Fig. 10: the site is pushed along the wall against the rotation, and comes back. The
 /// wall is first met when the free motion, by the exact responses, reaches it.
 #[test]
-fn figure_10_touches_the_wall_and_comes_back() {
+fn val_figure_10_touches_the_wall_and_comes_back() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let mut trajectory = Trajectory::default();
     let lateral = case.at_bit(3.0, wall(0.5));
@@ -157,7 +157,7 @@ fn figure_10_touches_the_wall_and_comes_back() {
 /// supplies the dynamic stiffness of the string at the rate of whirl: F_N = −Re K r and
 /// friction = |Im K| r, and a string that rolls goes round at Ω R₀ / r.
 #[test]
-fn figure_12_whirls_backward_as_the_forces_balance() {
+fn val_figure_12_whirls_backward_as_the_forces_balance() {
     let string = academic::string();
     let network = network(&string);
     let rigid = Wall {
@@ -198,7 +198,7 @@ fn figure_12_whirls_backward_as_the_forces_balance() {
 /// eccentric force, at an angle, is the dynamic stiffness times r, the normal force of a
 /// wall that yields by k_c (r − c)^(3/2), and the friction of sliding: one radius.
 #[test]
-fn figure_15_whirls_forward_as_the_forces_balance() {
+fn val_figure_15_whirls_forward_as_the_forces_balance() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let (mass, offset, friction) = (1000.0, 0.1, 0.5);
     let wall = wall(friction);
@@ -240,7 +240,7 @@ fn figure_15_whirls_forward_as_the_forces_balance() {
 }
 
 #[test]
-fn below_the_least_impulse_nothing_touches() {
+fn val_below_the_least_impulse_nothing_touches() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let label = |ratio| case.run(case.at_bit(ratio, wall(2.0)), None).regime;
     assert_eq!(label(0.999), LateralRegime::NoContact);
@@ -250,7 +250,7 @@ fn below_the_least_impulse_nothing_touches() {
 /// Fig. 14: the friction above which an impulse starts backward whirl falls with the
 /// impulse, to a little above the least that sustains it when it rolls.
 #[test]
-fn the_limit_of_whirl_falls_with_the_impulse() {
+fn val_the_limit_of_whirl_falls_with_the_impulse() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let limit = |ratio: f64| {
         let (mut low, mut high) = (1.0, 3.0);
@@ -272,7 +272,7 @@ fn the_limit_of_whirl_falls_with_the_impulse() {
 }
 
 #[test]
-fn rotating_the_impulse_rotates_the_motion() {
+fn val_rotating_the_impulse_rotates_the_motion() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let motion = |direction: f64| {
         let mut lateral = case.at_bit(3.0, wall(0.5));
@@ -290,7 +290,7 @@ fn rotating_the_impulse_rotates_the_motion() {
 }
 
 #[test]
-fn turning_the_other_way_whirls_the_other_way() {
+fn val_turning_the_other_way_whirls_the_other_way() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let one = case.run_at(SPEED, case.at_bit(3.0, wall(2.0)), None);
     let other = case.run_at(-SPEED, case.at_bit(3.0, wall(2.0)), None);
@@ -301,7 +301,7 @@ fn turning_the_other_way_whirls_the_other_way() {
 /// The bit's torque and the wall act on one site in one step. A wall without
 /// friction leaves torsion alone; one with friction obeys both laws.
 #[test]
-fn the_bit_cuts_and_touches_the_wall_at_once() {
+fn val_the_bit_cuts_and_touches_the_wall_at_once() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let bit = sim::BitTorque {
         torque_static: 2400.0,
@@ -344,7 +344,7 @@ fn the_bit_cuts_and_touches_the_wall_at_once() {
 }
 
 #[test]
-fn three_sites_whirl_together() {
+fn val_three_sites_whirl_together() {
     for method in [
         Method::Quadrature,
         Method::FiniteElement(FiniteElement::default()),
@@ -373,7 +373,7 @@ fn three_sites_whirl_together() {
 /// Fig. 13: the reconstructed string passes through the simulated sites, and is
 /// displaced most where the wall is.
 #[test]
-fn the_reconstructed_string_passes_through_its_site() {
+fn val_the_reconstructed_string_passes_through_its_site() {
     let parameters = FiniteElement::default();
     let case = Case::new(&Method::FiniteElement(parameters), &[0.0]);
     let lateral = case.at_bit(3.0, wall(2.0));
@@ -402,7 +402,7 @@ fn the_reconstructed_string_passes_through_its_site() {
 /// rounding, whose mesh it is; by another method about as well as both agree on the response to
 /// the same forces.
 #[test]
-fn the_whole_string_passes_through_every_site_at_every_time() {
+fn val_the_whole_string_passes_through_every_site_at_every_time() {
     let parameters = FiniteElement::default();
     let distances = [100.0, 50.0, 0.0];
     let snapshots = [0, 655, 700, 900, 1300, 2000];
@@ -452,7 +452,7 @@ fn the_whole_string_passes_through_every_site_at_every_time() {
 /// against the radius, there is none without contact, and rolling takes no more friction than
 /// there is.
 #[test]
-fn a_history_tells_how_a_site_touches() {
+fn val_a_history_tells_how_a_site_touches() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let mut seen = [0; 3];
     for most in [0.5, 2.0] {
@@ -483,7 +483,7 @@ fn a_history_tells_how_a_site_touches() {
 
 /// A smooth wall, against which a force presses for nearly all of the time.
 #[test]
-fn a_site_that_leans_on_the_wall_does_not_whirl() {
+fn val_a_site_that_leans_on_the_wall_does_not_whirl() {
     let case = Case::new(&Method::Quadrature, &[0.0]);
     let force = Impulse {
         amount: 100.0 * case.least_impulses[0],
@@ -576,7 +576,7 @@ mod oscillator {
     }
 
     #[test]
-    fn motion_in_a_plane_goes_round_neither_way() {
+    fn val_motion_in_a_plane_goes_round_neither_way() {
         for degrees in [0.0, 30.0, 77.0, 90.0, 200.0, 315.0_f64] {
             for start in [1.0, 1.1, 6.3] {
                 let rate = precession(&[(0.1, start, degrees.to_radians())]);
@@ -589,7 +589,7 @@ mod oscillator {
     /// ellipse, however flat: it goes round once an oscillation, with the second of
     /// them.
     #[test]
-    fn an_ellipse_goes_round_once_an_oscillation() {
+    fn val_an_ellipse_goes_round_once_an_oscillation() {
         let quarter = 0.25 / FREQUENCY;
         for flatness in [1.0, 0.1, 1e-3, 1e-6] {
             for sign in [1.0, -1.0] {
