@@ -1,28 +1,18 @@
 //! A dry run of building the linear system of a method: what it asks for, in the order in which it
 //! is built.
 
-use linear::budget::{Budget, Need};
-use linear::{BuildError, ChannelRequest, MarginPlan, Request, ResponsePlan};
+use linear::{Budget, BuildError, ChannelRequest, MarginPlan, Request, ResponsePlan};
 use sim::SimulatorPlan;
 
 use super::rubbing;
 use super::stepped::{self, stepped_by};
 use super::system_plan::{Stepping, SystemPlan};
 
-/// What building takes.
-///
-/// # Errors
-/// Where the method cannot treat the string, or responses would be too long.
-pub(super) fn need(plan: &SystemPlan) -> Result<Need, BuildError> {
-    let budget = Budget::unlimited();
-    ask(plan, &budget)?;
-    Ok(budget.need())
-}
-
 /// Asks for what building takes.
 ///
 /// # Errors
-/// As [`need`], and where it is more than is left.
+/// Where the method cannot treat the string, responses would be too long, or it is more than is
+/// left.
 pub(super) fn ask(plan: &SystemPlan, budget: &Budget) -> Result<Stepping, BuildError> {
     if let Some((lateral, parameters)) = stepped_by(plan.setting, plan.method) {
         return stepped::ask(plan, lateral, &parameters, budget);
