@@ -5,7 +5,7 @@ use super::geometry::{Pixel, Rect};
 use super::lettering::{Align, TextLine};
 use super::look::{Look, Paper};
 use super::picture::Picture;
-use super::shapes::{Shape, Stroke};
+use super::shapes::{Drawing, Shape, Stroke};
 use super::text::{Block, TITLE_SIZE};
 
 /// Distance from the middle of digits down to their baseline, in font sizes.
@@ -54,11 +54,11 @@ pub(crate) fn draw_titled(title: &Title, height: f64, draw: impl FnOnce(&mut Can
     let first_row = title.margin + title.text.line_height() / 2.0;
     canvas.text(&title.text, title.width / 2.0, first_row, Align::Centre);
     draw(&mut canvas);
-    Picture {
+    Picture::of(Drawing {
         size: [tenths(title.width), tenths(height)],
         paper: title.paper,
         shapes: canvas.shapes,
-    }
+    })
 }
 
 impl Canvas {

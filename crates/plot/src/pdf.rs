@@ -9,8 +9,7 @@ use std::io::{self, Write};
 
 use super::colours::{BLACK, Colour, Fill, WHITE};
 use super::geometry::Pixel;
-use super::picture::Picture;
-use super::shapes::{Shape, Stroke};
+use super::shapes::{Drawing, Shape, Stroke};
 
 /// Points to a pixel of a screen, and to a millimetre.
 const PER_PIXEL: f64 = 0.75;
@@ -21,9 +20,9 @@ const PER_MM: f64 = 72.0 / 25.4;
 const QUARTER: f32 = 0.552_284_8;
 
 /// The page of a picture.
-pub(crate) fn pdf_file(picture: &Picture) -> io::Result<Vec<u8>> {
-    let points = (picture.paper).map_or(PER_PIXEL, |paper| PER_MM * paper.pixel_mm());
-    let [width, height] = picture.size.map(|length| (points * length) as f32);
+pub(crate) fn pdf_file(drawing: &Drawing) -> io::Result<Vec<u8>> {
+    let points = (drawing.paper).map_or(PER_PIXEL, |paper| PER_MM * paper.pixel_mm());
+    let [width, height] = drawing.size.map(|length| (points * length) as f32);
     let mut page = Page {
         content: Content::new(),
         opacities: Vec::new(),
@@ -35,7 +34,7 @@ pub(crate) fn pdf_file(picture: &Picture) -> io::Result<Vec<u8>> {
     let points = points as f32;
     content.transform([points, 0.0, 0.0, -points, 0.0, height]);
     content.set_line_join(LineJoinStyle::RoundJoin);
-    for shape in &picture.shapes {
+    for shape in &drawing.shapes {
         page.draw(shape);
     }
     page.file([width, height])
@@ -219,8 +218,8 @@ mod tests {
     use super::super::look::Paper;
     use super::*;
 
-    fn picture(paper: Option<Paper>) -> Picture {
-        Picture {
+    fn drawing(paper: Option<Paper>) -> Drawing {
+        Drawing {
             size: [446.5, 300.0],
             paper,
             shapes: vec![Shape::Disc {
@@ -235,7 +234,7 @@ mod tests {
     #[test]
     fn a_page_is_as_large_as_its_picture() {
         let page = |paper| {
-            let file = pdf_file(&picture(paper)).expect("written");
+            let file = pdf_file(&drawing(paper)).expect("written");
             String::from_utf8_lossy(&file).into_owned()
         };
         let paper = Paper::new(90.0, 8.0).expect("room");

@@ -3,10 +3,9 @@
 use thiserror::Error;
 use tiny_skia::Pixmap;
 
-use super::look::Paper;
 use super::pdf::pdf_file;
 use super::raster::rasterise;
-use super::shapes::Shape;
+use super::shapes::Drawing;
 use super::svg::document;
 
 /// Raster pixels per pixel of a picture, so that the PNG stays sharp in print.
@@ -19,11 +18,7 @@ const MM_PER_INCH: f64 = 25.4;
 /// A finished plot.
 #[derive(Debug, PartialEq)]
 pub struct Picture {
-    /// Width and height, pixels.
-    pub(crate) size: [f64; 2],
-    pub(crate) paper: Option<Paper>,
-    /// From the lowest to the uppermost, on white.
-    pub(crate) shapes: Vec<Shape>,
+    drawing: Drawing,
 }
 
 /// Why a picture cannot become a file.
@@ -41,9 +36,13 @@ pub enum PictureError {
 }
 
 impl Picture {
+    pub(crate) fn of(drawing: Drawing) -> Self {
+        Self { drawing }
+    }
+
     /// The picture as an SVG document, in vectors, its text as text.
     pub fn svg(&self) -> String {
-        document(self)
+        document(&self.drawing)
     }
 
     /// The same picture as a PNG file, at twice the size of the SVG; on paper at 600 pixels to
@@ -52,12 +51,11 @@ impl Picture {
     /// # Errors
     /// Where it is too large.
     pub fn png(&self) -> Result<Vec<u8>, PictureError> {
-        let scale = self
-            .paper
-            .map_or(PNG_SCALE, |paper| paper.pixel_mm() / MM_PER_INCH * PER_INCH);
-        let [width, height] = self.size;
-        let pixels = rasterise(self, scale).ok_or(PictureError::Size(width, height))?;
-        Ok(png_file(pixels, self.paper.is_some())?)
+        let paper = self.drawing.paper;
+        let scale = paper.map_or(PNG_SCALE, |paper| paper.pixel_mm() / MM_PER_INCH * PER_INCH);
+        let [width, height] = self.drawing.size;
+        let pixels = rasterise(&self.drawing, scale).ok_or(PictureError::Size(width, height))?;
+        Ok(png_file(pixels, paper.is_some())?)
     }
 
     /// The same picture as a PDF file with a page of its size, in vectors, its text as paths.
@@ -65,7 +63,7 @@ impl Picture {
     /// # Errors
     /// Where its content cannot be compressed.
     pub fn pdf(&self) -> Result<Vec<u8>, PictureError> {
-        Ok(pdf_file(self)?)
+        Ok(pdf_file(&self.drawing)?)
     }
 }
 
@@ -97,14 +95,14 @@ fn png_file(pixels: Pixmap, is_on_paper: bool) -> Result<Vec<u8>, png::EncodingE
 pub(crate) mod tests {
     use super::super::colours::BLACK;
     use super::super::geometry::Pixel;
-    use super::super::shapes::Stroke;
+    use super::super::shapes::{Shape, Stroke};
     use super::*;
     use skrifa::outline::pen::PathElement;
 
     /// Fails unless all that is filled, text among it, lies inside the picture.
     pub fn assert_text_inside(picture: &Picture) {
-        let [width, height] = picture.size;
-        for shape in &picture.shapes {
+        let [width, height] = picture.drawing.size;
+        for shape in &picture.drawing.shapes {
             for (x, y) in filled(shape) {
                 let is_inside = (0.0..=width).contains(&x) && (0.0..=height).contains(&y);
                 assert!(
@@ -140,11 +138,11 @@ pub(crate) mod tests {
     }
 
     fn picture(size: [f64; 2], shapes: Vec<Shape>) -> Picture {
-        Picture {
+        Picture::of(Drawing {
             size,
             paper: None,
             shapes,
-        }
+        })
     }
 
     /// Width, height and the pixels of a PNG, four bytes each.

@@ -7,19 +7,18 @@ use tiny_skia::{
 
 use super::colours::{BLACK, Fill};
 use super::geometry::Pixel;
-use super::picture::Picture;
-use super::shapes::{self, Shape};
+use super::shapes::{self, Drawing, Shape};
 
 /// The pixels of a picture, drawn at `scale` times its size; none where that is too large.
-pub(crate) fn rasterise(picture: &Picture, scale: f64) -> Option<Pixmap> {
-    let [width, height] = picture.size.map(|length| (scale * length).round() as u32);
+pub(crate) fn rasterise(drawing: &Drawing, scale: f64) -> Option<Pixmap> {
+    let [width, height] = drawing.size.map(|length| (scale * length).round() as u32);
     let mut pixels = Pixmap::new(width, height)?;
     pixels.fill(Color::WHITE);
     let mut sheet = Sheet {
         pixels,
         scale: Transform::from_scale(scale as f32, scale as f32),
     };
-    for shape in &picture.shapes {
+    for shape in &drawing.shapes {
         sheet.draw(shape);
     }
     Some(sheet.pixels)

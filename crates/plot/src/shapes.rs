@@ -3,6 +3,7 @@
 use super::colours::{Colour, Fill};
 use super::geometry::Pixel;
 use super::lettering::TextLine;
+use super::look::Paper;
 
 /// Lengths of dashes and gaps in pixels; empty for a solid line.
 pub(crate) type Dash = &'static [f64];
@@ -35,6 +36,16 @@ impl Stroke {
             dash: &[],
         }
     }
+}
+
+/// What every format of a picture is written from.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Drawing {
+    /// Width and height, pixels.
+    pub size: [f64; 2],
+    pub paper: Option<Paper>,
+    /// From the lowest to the uppermost, on white.
+    pub shapes: Vec<Shape>,
 }
 
 /// One thing on a picture.

@@ -10,15 +10,14 @@ use super::colours::{BLACK, Colour, WHITE};
 use super::font::{FAMILY, FILE};
 use super::geometry::Pixel;
 use super::lettering::{Align, INDEX_DEPTH, INDEX_SIZE, TextLine, split_at_indices};
-use super::picture::Picture;
-use super::shapes::{Shape, Stroke};
+use super::shapes::{Drawing, Shape, Stroke};
 
 /// The document of a picture.
-pub(crate) fn document(picture: &Picture) -> String {
-    let [width, height] = picture.size;
+pub(crate) fn document(drawing: &Drawing) -> String {
+    let [width, height] = drawing.size;
     let mut svg = String::new();
     let root = Tag::open(&mut svg, "svg");
-    let root = match picture.paper {
+    let root = match drawing.paper {
         None => root.number("width", width).number("height", height),
         Some(paper) => {
             let mm = |pixels: f64| format!("{:.2}mm", pixels * paper.pixel_mm());
@@ -40,7 +39,7 @@ pub(crate) fn document(picture: &Picture) -> String {
     let paper = Tag::open(&mut svg, "rect");
     let paper = paper.number("width", width).number("height", height);
     paper.colour("fill", WHITE).end();
-    for shape in &picture.shapes {
+    for shape in &drawing.shapes {
         write_shape(&mut svg, shape);
     }
     svg + "</svg>\n"
