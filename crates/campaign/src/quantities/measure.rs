@@ -1,12 +1,13 @@
 //! What is measured of a case and may be the colour of a map.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::field_units::{FORCE, TORQUE, WIDTH};
 use super::units::{Unit, Units};
 
 /// A measure of a case, named as its column of `labels.csv`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Measure {
     /// Largest less least bit speed in the closing window, by twice that of the surface.
