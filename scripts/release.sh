@@ -73,10 +73,16 @@ END
 "$sweep" completions zsh >"$folder/completions/_sweep"
 "$sweep" completions fish >"$folder/completions/sweep.fish"
 "$sweep" man >"$folder/man/man1/sweep.1"
-"$sweep" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p' | grep -vx help |
-    while read -r command; do
-        "$sweep" man "$command" >"$folder/man/man1/sweep-$command.1"
-    done
+# commands [GROUP]: the commands of the program or of a group of them
+commands() {
+    "$sweep" "$@" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p' | grep -vx help
+}
+for command in $(commands); do
+    "$sweep" man "$command" >"$folder/man/man1/sweep-$command.1"
+done
+for study in $(commands study); do
+    "$sweep" man study "$study" >"$folder/man/man1/sweep-study-$study.1"
+done
 
 if command -v python3 >/dev/null; then
     rm -f dist/drillstring-*.whl

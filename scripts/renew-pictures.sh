@@ -61,7 +61,7 @@ keep "$window" window
 keep first map
 
 for study in tradeoff stability contacts; do
-    "$sweep" "$study" --out "$folder/$study"
+    "$sweep" study "$study" --out "$folder/$study"
 done
 cp "$folder/tradeoff/tradeoff.png" "$folder/stability/stability.png" \
     "$folder/contacts/contacts_limit.png" "$images/"

@@ -18,6 +18,7 @@ mod same_case;
 mod sampling;
 mod single_case;
 mod stability;
+mod studies;
 mod terminal;
 mod unstable;
 mod words;

@@ -1,4 +1,4 @@
-//! The failures that the atlas of `sweep stability` is about: each failing method
+//! The failures that the atlas of `sweep study stability` is about: each failing method
 //! is seen to fail, and its margin says so beforehand; each remedy holds. The
 //! paper's string, its bit held by rock or its side on the wall.
 

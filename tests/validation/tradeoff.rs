@@ -32,7 +32,14 @@ fn val_a_part_of_the_study_finds_every_method_where_theory_has_it() {
     // One is named twice.
     let measures = "surface_step,static_stiffness_nm_rad,lateral_impulse,whirl_normal_force_n,\
         surface_step";
-    let ladder = ["tradeoff", "--ladder", "640,160,320", "--out", "out"];
+    let ladder = [
+        "study",
+        "tradeoff",
+        "--ladder",
+        "640,160,320",
+        "--out",
+        "out",
+    ];
     let answer = place.sweep(&[&ladder[..], &["--measures", measures]].concat());
     assert_eq!(answer.code, 0, "{answer:?}");
     for said in ["10 %", "1 %", "0.1 %"].map(|part| format!("cheapest within {part}")) {
@@ -99,7 +106,9 @@ fn val_a_part_of_the_study_finds_every_method_where_theory_has_it() {
 fn val_on_a_uniform_tube_fronts_are_sharp_by_held_alone() {
     let place = Workplace::new();
     let measure = "tube_undershoot_rad_s_nm";
-    let study = ["tradeoff", "--quiet", "--ladder", "160,320", "--out", "out"];
+    let study = [
+        "study", "tradeoff", "--quiet", "--ladder", "160,320", "--out", "out",
+    ];
     let answer = place.sweep(&[&study[..], &["--measures", measure]].concat());
     assert_eq!(answer.code, 0, "{answer:?}");
     let rows = rows(&place);
@@ -126,7 +135,7 @@ fn a_ladder_or_a_measure_that_cannot_be_is_refused() {
         (["--ladder", "1,2"], "1 Hz is not between"),
         (["--measures", "colour"], "unknown measure `colour`; known"),
     ] {
-        let answer = place.sweep(&["tradeoff", arguments[0], arguments[1]]);
+        let answer = place.sweep(&["study", "tradeoff", arguments[0], arguments[1]]);
         assert_eq!(answer.code, 2, "{answer:?}");
         assert!(answer.errors.contains(said), "{answer:?}");
         assert!(!place.path("results").exists());

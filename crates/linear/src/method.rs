@@ -13,11 +13,11 @@ pub enum Method {
     Held,
     /// Convolution quadrature with BDF2.
     Quadrature,
-    /// Convolution quadrature with the trapezoidal rule, which fails.
+    /// Convolution quadrature with the trapezoidal rule: a counterexample, which fails.
     Trapezoidal,
     /// Finite elements with Newmark's scheme (Section 3).
     FiniteElement(FiniteElement),
-    /// The plain inverse discrete Fourier transform, which fails.
+    /// The plain inverse discrete Fourier transform: a counterexample, which fails.
     DirectIdft(Transform),
 }
 
@@ -47,25 +47,33 @@ impl Method {
 
 /// Length of the discrete Fourier transform behind a filter.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Transform {
-    /// Length in seconds; its inverse is the frequency resolution. Half of it
-    /// becomes taps by `hilbert`, all of it by `direct-idft`. By default as
-    /// long as the response needs to decay.
+    /// Length of the discrete Fourier transform; its inverse is the frequency resolution. Half
+    /// of it becomes taps by `hilbert`, all of it by `direct-idft`. Left out, as long as the
+    /// response lasts.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.01, max = 1e5)))]
     #[serde(rename = "transform_s")]
     pub seconds: Option<f64>,
 }
 
 /// Parameters of the finite-element method.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct FiniteElement {
-    /// Elements in one cell of the drillpipe (default 20, as in the paper).
+    /// Elements in a cell of drillpipe. The default, as in the paper, is for cells as the
+    /// string has them, at most 12 m long, in any division of its lengths: a section of one
+    /// part of 1000 m has 1667.
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 10_000)))]
     pub elements_per_cell: usize,
-    /// Newmark's γ, from ½ (no numerical damping) to 1. Default 0.52.
+    /// Newmark's γ; ½ has no numerical damping, and chatters.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.5, max = 1.0)))]
     pub gamma: f64,
-    /// Newmark's β. By default ¼(½ + γ)², the least that is stable at any
+    /// Newmark's β, at least γ/2. Left out it is ¼(½ + γ)², the least that is stable at any
     /// step with the strongest damping of the highest frequencies.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1.0)))]
     pub beta: Option<f64>,
 }
 

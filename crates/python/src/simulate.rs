@@ -3,12 +3,15 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use campaign::engine::{Choice, ChoiceError, ChosenCase, FollowedMethod, MethodSystem, RunOptions, Survey, answer, common_setting};
+use campaign::engine::{
+    Choice, ChoiceError, ChosenCase, FollowedMethod, MethodSystem, RunOptions, Survey, answer,
+    common_setting,
+};
 
-use campaign::records::{Failure, Record};
 use campaign::labels::LabelTable;
 use campaign::memory::{Limit, Purpose, admit};
 use campaign::plan::Sweep as Plan;
+use campaign::records::{Failure, Record};
 use campaign::sweep_file::axis_in_units;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use campaign::records::{Certainty, Field, Kind, Record};
 use campaign::labels::LabelTable;
+use campaign::records::{Certainty, Field, Kind, Record};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyNone, PyString};

@@ -36,15 +36,13 @@ mod report;
 
 use std::process::ExitCode;
 
-use clap::Parser;
-
 use cli::{Cli, Command};
 use commands::status::Status;
 use commands::terminal::Terminal;
 
 /// Does what the arguments of this process ask for.
 pub fn main() -> ExitCode {
-    let arguments = Cli::parse();
+    let arguments = Cli::of_program();
     let terminal = Terminal::of(&arguments.command);
     let result = commands::stop::listen(terminal).and_then(|()| match arguments.command {
         Command::New { file, force } => commands::new::new(&file, force),
@@ -55,18 +53,16 @@ pub fn main() -> ExitCode {
         Command::Inspect(arguments) => commands::inspect::inspect(&arguments, terminal),
         Command::Plot(arguments) => commands::plot::plot(&arguments, terminal),
         Command::Merge { folders, out } => commands::merge::merge(&folders, &out, terminal),
-        Command::Tradeoff(arguments) => commands::tradeoff::tradeoff(&arguments, terminal),
-        Command::Promises(arguments) => commands::promises::promises(&arguments, terminal),
-        Command::Contacts(arguments) => commands::contacts::contacts(&arguments, terminal),
-        Command::Stability(arguments) => commands::stability::stability(&arguments, terminal),
         Command::Report(arguments) => commands::report::report(&arguments, terminal),
         Command::Explore(arguments) => commands::explore::explore(&arguments, terminal),
         Command::Summary { folder } => commands::report::summary(&folder, terminal),
         Command::Export(arguments) => commands::export::export(&arguments, terminal),
         Command::Analyse(arguments) => commands::analyse::analyse(&arguments, terminal),
         Command::Window(arguments) => commands::window::window(&arguments, terminal),
+        Command::Study(study) => commands::study::study(&study, terminal),
+        Command::Schema => commands::schema::schema(),
         Command::Completions { shell } => commands::shell::completions(shell),
-        Command::Man { command } => commands::shell::man(command.as_deref()),
+        Command::Man { command } => commands::shell::man(&command),
     });
     let status = result.unwrap_or_else(|error| {
         terminal.complain(&format!("error: {error:#}"));

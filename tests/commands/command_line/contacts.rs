@@ -1,4 +1,4 @@
-//! `sweep contacts` on a short string.
+//! `sweep study contacts` on a short string.
 
 use super::{columns, is_png, names, names_in, succeeds, table, text};
 use crate::refusals::refused;
@@ -124,7 +124,7 @@ fn a_run_has_the_labels_that_the_study_brackets() {
     let rest = ["--quiet", "--out", "study"];
     succeeds(
         &place,
-        &[&["contacts", "short.toml"][..], &study, &rest].concat(),
+        &[&["study", "contacts", "short.toml"][..], &study, &rest].concat(),
     );
     let table = table(&text(&place, "study/contacts.csv"));
     let [row, _] = &columns(
@@ -245,6 +245,10 @@ fn what_cannot_be_asked_of_a_string_is_refused() {
         (&["short.toml", "--memory", "1M"], &["--counts", "memory"]),
         (&["small.toml"], &["small.toml", "`wall`", "is needed"]),
     ] {
-        refused(&place, &[&["contacts"][..], arguments].concat(), words);
+        refused(
+            &place,
+            &[&["study", "contacts"][..], arguments].concat(),
+            words,
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! `sweep promises` on a few strings.
+//! `sweep study promises` on a few strings.
 
 use super::{columns, table, text};
 use crate::support::Workplace;
@@ -53,6 +53,7 @@ fn promises_are_put_to_the_test_alike_by_any_number_of_threads() {
     let place = Workplace::new();
     let run = |out: &str, jobs: &str| {
         let study = [
+            "study",
             "promises",
             "--strings",
             "2",
@@ -126,7 +127,15 @@ fn labels_that_are_certain_are_seldom_wrong() {
     }
     // Whoever asks finds the same.
     let place = Workplace::new();
-    let asked = ["promises", "--labels", "--strings", "1", "--seed", "5"];
+    let asked = [
+        "study",
+        "promises",
+        "--labels",
+        "--strings",
+        "1",
+        "--seed",
+        "5",
+    ];
     let answer = place.sweep(&[&asked[..], &["--motion", "whirl", "--out", "one"]].concat());
     assert_eq!(answer.code, 0, "{answer:?}");
     let told = "whirl: 6 cases near limits; certain: 0 of 6 wrong";
@@ -164,7 +173,15 @@ fn limits_at_the_default_frequency_are_those_of_exact_waves() {
         let study = columns(&table(&std::fs::read_to_string(&file).unwrap()), LIMIT);
         assert_most_limits_are_near(&study);
         let place = Workplace::new();
-        let asked = ["promises", "--limits", "--strings", "2", "--seed", "11"];
+        let asked = [
+            "study",
+            "promises",
+            "--limits",
+            "--strings",
+            "2",
+            "--seed",
+            "11",
+        ];
         let with = ["--start", start, "--known", &file, "--out", "two"];
         let answer = place.sweep(&[&asked[..], &with].concat());
         assert_eq!(answer.code, 0, "{answer:?}");
@@ -205,7 +222,7 @@ fn assert_most_limits_are_near(study: &[[String; 6]]) {
 #[test]
 fn no_strings_are_refused() {
     let place = Workplace::new();
-    let answer = place.sweep(&["promises", "--strings", "0"]);
+    let answer = place.sweep(&["study", "promises", "--strings", "0"]);
     assert_eq!(answer.code, 2, "{answer:?}");
     assert!(answer.errors.contains("--strings"), "{answer:?}");
 }

@@ -1,4 +1,4 @@
-//! `sweep stability` on a part of the atlas.
+//! `sweep study stability` on a part of the atlas.
 
 use super::{columns, is_png, names, names_in, succeeds, table, text};
 use crate::support::Workplace;
@@ -7,7 +7,7 @@ use crate::support::Workplace;
 fn a_part_of_the_atlas_is_written_the_same_by_any_number_of_threads() {
     let place = Workplace::new();
     let run = |out: &str, jobs: &str| {
-        let study = ["stability", "--quiet", "--family", "formulas"];
+        let study = ["study", "stability", "--quiet", "--family", "formulas"];
         succeeds(
             &place,
             &[&study[..], &["--out", out, "--jobs", jobs]].concat(),
@@ -37,6 +37,7 @@ fn a_part_of_the_atlas_is_written_the_same_by_any_number_of_threads() {
 fn the_limit_of_a_string_with_joints_and_collars_takes_short_steps_of_exact_fronts() {
     let place = Workplace::new();
     let study = [
+        "study",
         "stability",
         "--quiet",
         "--family",
@@ -74,7 +75,14 @@ fn the_limit_of_a_string_with_joints_and_collars_takes_short_steps_of_exact_fron
 #[test]
 fn the_atlas_tells_how_often_its_margins_were_right() {
     let place = Workplace::new();
-    let arguments = ["stability", "--family", "hilbert,tail", "--out", "atlas"];
+    let arguments = [
+        "study",
+        "stability",
+        "--family",
+        "hilbert,tail",
+        "--out",
+        "atlas",
+    ];
     // Progress may be told on the other stream.
     let answer = place.sweep(&arguments);
     assert_eq!(answer.code, 0, "{answer:?}");

@@ -23,9 +23,7 @@ fn every_command_shows_an_example() {
         "completions",
         "report",
         "summary",
-        "tradeoff",
-        "stability",
-        "contacts",
+        "study",
     ] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         let help = succeeds(&place, &[command, "--help"]).output;

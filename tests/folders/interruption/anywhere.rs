@@ -57,9 +57,9 @@ fn every_command_is_stopped_by_a_signal() {
         &["inspect", "small.toml"],
         &["check", "small.toml", "labels.csv"],
         &["run", "asks.toml", "--dry-run"],
-        &["tradeoff"],
-        &["stability"],
-        &["contacts"],
+        &["study", "tradeoff"],
+        &["study", "stability"],
+        &["study", "contacts"],
     ];
     for (name, code) in [("INT", 130), ("TERM", 143)] {
         let children = commands.map(|arguments| start(&place, arguments));

@@ -15,7 +15,10 @@ fn a_command_line_that_makes_no_sense_is_refused() {
             &["run", "small.toml", "--jobs", "100000"],
             &["--jobs 100000: more than", "8 for each of"],
         ),
-        (&["tradeoff", "--jobs", "100000"], &["--jobs 100000"]),
+        (
+            &["study", "tradeoff", "--jobs", "100000"],
+            &["--jobs 100000"],
+        ),
         (
             &["simulate", "small.toml", "--case", "6"],
             &["--case 6", "cases 0 to 5"],

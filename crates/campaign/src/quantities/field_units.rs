@@ -133,6 +133,36 @@ pub fn shown_as(name: &str) -> Option<&'static Twin> {
     fitting.rev().max_by_key(|twin| twin.si.len())
 }
 
+/// Endings of units that are the same everywhere.
+const PLAIN: [(&str, &str); 5] = [
+    ("_rpm", "rpm"),
+    ("_s", "s"),
+    ("_hz", "Hz"),
+    ("_deg", "°"),
+    ("_gn_m15", "GN/m^1.5"),
+];
+
+/// The unit that a name ends in, if it has one: that of the longest ending.
+pub fn unit_of(name: &str) -> Option<&'static str> {
+    let endings = TWINS.iter().map(|twin| (twin.si, twin.units[0]));
+    let fitting = endings
+        .chain(PLAIN)
+        .filter(|(ending, _)| name.ends_with(ending));
+    let longest = fitting.max_by_key(|(ending, _)| ending.len());
+    longest.map(|(_, unit)| unit)
+}
+
+/// The names in other units that a name in SI units has: `length_ft` and `length_in` of
+/// `length_m`.
+pub fn twins_of(name: &str) -> impl Iterator<Item = (String, &'static Twin)> {
+    let own = shown_as(name);
+    TWINS.iter().filter_map(move |twin| {
+        let stem = name.strip_suffix(twin.si)?;
+        let is_whole = own?.units[0] == twin.units[0];
+        is_whole.then(|| (format!("{stem}{}", twin.twin), twin))
+    })
+}
+
 /// The known name that this one is a twin of, and the factors of its numbers. What ends in a
 /// unit of which the ending is a part, as metres are of `_nms_rad_m`, is in another unit.
 pub fn in_si(name: &str, is_known: impl Fn(&str) -> bool) -> Option<(String, &'static [f64])> {

@@ -1,9 +1,12 @@
 //! The table of quantities, and what it says of an axis.
 
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::axis::{Axis, RockConstant, StringAxis, TubeMeasure, WallQuantity};
-use super::field_units::in_si;
+use super::field_units::{in_si, twins_of};
 use super::numbered::{numbered, numbers_in};
 use super::range::{ValueError, within};
 use super::units::{Unit, Units};
@@ -236,6 +239,11 @@ impl Axis {
         }
     }
 
+    /// Its least value.
+    pub fn least(self) -> f64 {
+        self.quantity().least
+    }
+
     /// Its greatest value.
     pub fn most(self) -> f64 {
         self.quantity().most
@@ -273,6 +281,27 @@ impl<'de> Deserialize<'de> for Axis {
         let in_units = || Some(Axis::from_field_name(&name)?.0);
         (Axis::from_name(&name).or_else(in_units))
             .ok_or_else(|| serde::de::Error::unknown_variant(&name, &Axis::NAMES))
+    }
+}
+
+/// Names as they are, and patterns of those that count; in field units, too.
+impl JsonSchema for Axis {
+    fn schema_name() -> Cow<'static, str> {
+        "Axis".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let twins = |name: &&str| twins_of(name).map(|(twin, _)| twin).collect::<Vec<_>>();
+        let names = Axis::NAMES.iter();
+        let names = names.flat_map(|name| [vec![(*name).to_owned()], twins(name)].concat());
+        let (counting, plain): (Vec<_>, Vec<_>) = names.partition(|name| name.contains('0'));
+        let counting = counting.join("|").replace('0', "(0|[1-9][0-9]*)");
+        json_schema!({
+            "anyOf": [
+                { "type": "string", "enum": plain },
+                { "type": "string", "pattern": format!("^({counting})$") },
+            ],
+        })
     }
 }
 

@@ -1,5 +1,6 @@
 //! The units that people read results in: those of the tables, or oilfield units.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::field_units::{Twin, shown_as};
@@ -11,10 +12,10 @@ pub const RPM: f64 = std::f64::consts::TAU / 60.0;
 const CONVERTED: usize = 5;
 
 /// What pictures, reports and words are in; tables are in SI units.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Units {
-    /// Those of the tables.
+    /// SI units, as in tables.
     #[default]
     Si,
     /// Oilfield units.

@@ -1,7 +1,9 @@
 //! What is measured of a case and may be the colour of a map.
 
+use std::borrow::Cow;
 use std::sync::LazyLock;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use sim::Motion;
@@ -70,5 +72,25 @@ impl<'de> Deserialize<'de> for Measure {
         let name = String::deserialize(deserializer)?;
         let measure = all().find(|measure| measure.column() == name);
         measure.ok_or_else(|| D::Error::unknown_variant(&name, &NAMES))
+    }
+}
+
+/// Any of the names, each with its words.
+impl JsonSchema for Measure {
+    fn schema_name() -> Cow<'static, str> {
+        "Measure".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let names: Vec<serde_json::Value> = all()
+            .map(|measure| {
+                serde_json::json!({
+                    "type": "string",
+                    "const": measure.column(),
+                    "description": measure.words(),
+                })
+            })
+            .collect();
+        json_schema!({ "description": "A measure of a case, named as its column of `labels.csv`.", "oneOf": names })
     }
 }

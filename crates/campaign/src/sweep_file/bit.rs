@@ -1,29 +1,35 @@
 //! `[bit]`: the keys of the torque law and of the rock.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::number_or::is_zero;
 use crate::quantities::RockConstant;
 
 /// Torque at the bit: given, or from a rock and a weight on bit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BitTable {
-    /// T_d, N m.
+    /// Dynamic torque T_d.
+    #[schemars(range(min = 0.0, max = 1e7))]
     pub torque_dynamic_nm: Option<f64>,
-    /// The rock that gives T_d from the weight on bit.
+    /// What gives T_d from the weight on bit.
     pub rock: Option<RockName>,
-    /// A rock's own law, with `rock = "law"`.
+    /// The law of a rock, with `rock = "law"`.
     pub law: Option<LawTable>,
-    /// A rock's own table, with `rock = "table"`: rows of weight on bit (kN)
-    /// and T_d (N m), both increasing.
+    /// The table of a rock, with `rock = "table"`: weight on bit and T_d, both increasing;
+    /// straight lines between. Outside, there is no answer.
     pub table_kn_nm: Option<Vec<(f64, f64)>>,
-    /// Weight on bit, kN.
+    /// Weight on bit W.
+    #[schemars(range(min = 0.0, max = 2000.0))]
     pub weight_on_bit_kn: Option<f64>,
-    /// T_s / T_d. Default 1.2.
+    /// Static by dynamic torque, T_s/T_d.
+    #[schemars(range(min = 1.0, max = 10.0))]
     #[serde(default = "default_static_ratio")]
     pub torque_static_ratio: f64,
-    /// Speed over which the torque falls from T_s to T_d, rpm. Default 0: at once.
+    /// The speed over which the torque falls from T_s to T_d (Stribeck): at ω, T_d + (T_s −
+    /// T_d) exp(−ω/ω_c). With 0 it falls at once, as in the paper.
+    #[schemars(!skip_serializing_if, range(min = 0.0, max = 1e4))]
     #[serde(default, skip_serializing_if = "is_zero")]
     pub torque_decay_rpm: f64,
 }
@@ -33,40 +39,49 @@ fn default_static_ratio() -> f64 {
 }
 
 /// Where the law between weight on bit and torque comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum RockName {
-    /// Representative sandstone, built in.
+    /// Representative sandstone, for a bit of 0.15 m radius.
     Sandstone,
-    /// Representative shale, built in.
+    /// Representative shale, for a bit of 0.15 m radius.
     Shale,
-    /// `[bit.law]`.
+    /// The law of `[bit.law]`.
     Law,
-    /// `bit.table_kn_nm`.
+    /// The table `table_kn_nm`.
     Table,
 }
 
 /// Cutting and contact parameters of a rock.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LawTable {
-    /// Radius of the bit, m.
+    /// Radius of the bit, a.
+    #[schemars(range(min = 0.001, max = 2.0))]
     pub bit_radius_m: f64,
-    /// Intrinsic specific energy ε, MPa.
+    /// Intrinsic specific energy ε.
+    #[schemars(range(min = 0.1, max = 1e4))]
     pub specific_energy_mpa: f64,
     /// Ratio ζ of the vertical to the horizontal cutting force.
+    #[schemars(range(min = 0.01, max = 10.0))]
     pub cutting_ratio: f64,
-    /// μγ, friction at the wear flats.
+    /// Friction at the wear flats, μγ.
+    #[schemars(range(min = 0.0, max = 10.0))]
     pub friction: f64,
-    /// Contact strength σ, MPa.
+    /// Contact strength σ.
+    #[schemars(range(min = 0.1, max = 1e4))]
     pub contact_strength_mpa: f64,
     /// Contact growth κ.
+    #[schemars(range(min = 0.001, max = 1000.0))]
     pub contact_growth: f64,
-    /// Wear-flat length ℓ, mm.
+    /// Wear-flat length ℓ.
+    #[schemars(range(min = 0.001, max = 1000.0))]
     pub wear_flat_mm: f64,
-    /// Weight on bit beyond which cuttings are cleared poorly, kN.
+    /// Weight on bit beyond which cuttings are cleared poorly.
+    #[schemars(range(min = 0.001, max = 1e5))]
     pub poor_cleaning_from_kn: Option<f64>,
-    /// Torque per weight on bit beyond, N m per kN.
+    /// Torque per weight on bit beyond it.
+    #[schemars(range(min = 1e-6, max = 1e6))]
     pub poor_cleaning_nm_per_kn: Option<f64>,
 }
 

@@ -3,23 +3,24 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::quantities::Axis;
 
 /// The kinds of design.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DesignKind {
     /// Every combination of the axes' values.
     Grid,
-    /// Independent random values.
+    /// Points drawn at random.
     MonteCarlo,
-    /// The rows of a CSV file.
+    /// The rows of a file.
     List,
-    /// Random values in blocks that tell the axes apart.
+    /// Blocks of random points, from which the influence of each axis follows.
     Sensitivity,
-    /// From a coarse scan to the limits over two axes.
+    /// Those cases of a fine grid that show where its limits are.
     Trace,
 }
 
@@ -31,13 +32,14 @@ impl DesignKind {
 }
 
 /// Where random points lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PointsName {
     /// Anywhere, each by itself.
     #[default]
     Random,
-    /// Evenly: scrambled points of Sobol's sequence.
+    /// Evenly: scrambled points of Sobol's sequence, over at most 128 axes, of a `sensitivity`
+    /// design 64.
     Sobol,
 }
 
@@ -55,62 +57,76 @@ fn is_usual(tolerance: &Option<f64>) -> bool {
 }
 
 /// The cases of a sweep.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DesignTable {
-    /// Which kind.
+    /// Which cases.
     pub kind: DesignKind,
-    /// The axes of a grid, of random values or of a trace.
+    /// The axes of a grid, of random points or, two of them, of a trace.
     #[serde(default)]
     pub axes: BTreeMap<Axis, AxisRange>,
     /// Random axes that go together.
+    #[schemars(!skip_serializing_if)]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub correlations: Vec<CorrelationTable>,
-    /// Number of Monte Carlo cases, or of blocks of a sensitivity design.
+    /// Number of random points; of a `sensitivity` design, of its blocks, each of two cases
+    /// more than there are axes. It may be raised later: what is done stays, and only the
+    /// others are run.
+    #[schemars(range(min = 1))]
     pub cases: Option<usize>,
-    /// Where random points lie. Default random.
+    /// Where random points lie; left out, `"random"`.
     #[serde(skip_serializing_if = "are_random")]
     pub points: Option<PointsName>,
-    /// Seed of random values, and of the points that a trace draws where a limit is ragged.
-    /// Default 0.
+    /// Seed of random points, and of those that a trace draws where a limit is ragged; left
+    /// out, 0. A point depends on seed and number alone.
     pub seed: Option<u64>,
-    /// CSV file of a list, beside the file that names it.
+    /// The CSV file of a list, beside the file that names it. Its header names axes; lines with
+    /// # are comments.
     pub file: Option<PathBuf>,
-    /// Step of a trace along its limits, a part of either axis. Default 0.005.
+    /// Step of a trace along the limits, a part of either axis; left out, 0.005.
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 0.5))]
     #[serde(skip_serializing_if = "is_usual")]
     pub tolerance: Option<f64>,
 }
 
 /// The values of one axis.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct AxisRange {
-    /// First value, or lower end of a Monte Carlo range.
+    /// First value, or lower end of random ones.
     pub from: Option<f64>,
     /// Last value, or upper end.
     pub to: Option<f64>,
-    /// Number of values from `from` to `to`, of a grid or of the coarse scan of a trace.
+    /// Number of values of a grid, ends included; of the coarse scan of a trace, 2 to 1000,
+    /// left out 9.
+    #[schemars(range(min = 1, max = 1_000_000))]
     pub count: Option<usize>,
-    /// Even steps in the value or in its logarithm, which maps are drawn in, too. Default `linear`.
+    /// Even steps in the value, or in its logarithm; with `values`, `"log"` says how they are
+    /// drawn: maps of an axis that is even in the logarithm are logarithmic.
     pub spacing: Spacing,
-    /// Grid values one by one, instead of `from`, `to` and `count`.
+    /// Values of a grid one by one, instead of `from`, `to` and `count`.
     pub values: Option<Vec<f64>>,
-    /// How random values are spread between `from` and `to`. Default uniform.
+    /// How random values are spread between `from` and `to`, where they are cut off; left out,
+    /// `"uniform"`, in the value or by `spacing = "log"` in its logarithm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub distribution: Option<DistributionName>,
-    /// Of a normal distribution, before its ends are cut off.
+    /// Mean of `normal`, before it is cut off, in the unit of the axis.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean: Option<f64>,
-    /// Of a normal distribution.
+    /// Standard deviation of `normal`, in the unit of the axis.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard_deviation: Option<f64>,
-    /// Of a log-normal distribution, before its ends are cut off.
+    /// Median of `log-normal`, before it is cut off, in the unit of the axis.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub median: Option<f64>,
-    /// Of a log-normal distribution: a factor.
+    /// Geometric standard deviation of `log-normal`, a factor: two thirds of all values are
+    /// between the median divided by it and the median times it.
+    #[schemars(extend("exclusiveMinimum" = 1.0))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geometric_standard_deviation: Option<f64>,
-    /// The most frequent value of a triangular distribution.
+    /// The most frequent value of `triangular`, between both ends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mode: Option<f64>,
 }
@@ -134,17 +150,19 @@ impl AxisRange {
 }
 
 /// Two random axes that go together.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CorrelationTable {
-    /// Which.
+    /// Which axes.
     pub axes: [Axis; 2],
-    /// The coefficient of correlation of their normal scores.
+    /// The coefficient of correlation of their normal scores: of what a normal distribution has
+    /// at the same part of all. Of two normal axes it is their own.
+    #[schemars(range(min = -0.999, max = 0.999))]
     pub coefficient: f64,
 }
 
 /// How random values are spread.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DistributionName {
     /// Evenly.
@@ -195,7 +213,7 @@ impl AxisRange {
 }
 
 /// How values are spread between two ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Spacing {
     /// Evenly.

@@ -1,6 +1,7 @@
 //! The keys of a sweep file. Every key carries its unit in its name; what is
 //! optional says what happens without it.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::bit::BitTable;
@@ -19,50 +20,66 @@ use super::well::{AxialForceTable, MudTable, StringFrictionTable, WellTable};
 use crate::quantities::{Axis, Units};
 
 /// A sweep file, its bases merged in, as it is written.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FileContent {
-    /// One line for pictures and reports; by default the file's name.
+    /// One line for pictures and reports; like all names without control characters. Left out,
+    /// the words of the file's name.
     pub title: Option<String>,
-    /// What pictures, reports and words are in. Default: SI units.
+    /// Units of pictures, reports and words. Tables and `manifest.json` stay in SI, and a run
+    /// that is there is only drawn again.
+    #[schemars(!skip_serializing_if)]
     #[serde(default, skip_serializing_if = "Units::are_si")]
     pub units: Units,
     /// The drillstring.
     pub string: StringTable,
-    /// Surface speed that is set, unless an axis gives it.
+    /// Speed of the surface, or the one its drive is set to; needed unless it is an axis.
+    #[schemars(range(min = 1e-4, max = 1e4))]
     pub surface_speed_rpm: Option<f64>,
-    /// The motion that every case begins with. Default: `stuck` where a torque acts on the bit
-    /// and nothing else decides, `ramp` otherwise and with `surface_speed_rise_s`.
+    /// The motion that every case begins with. Left out, `"stuck"` where a torque acts on the
+    /// bit and nothing else decides, else `"ramp"`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start: Option<StartName>,
-    /// By what part of itself the torque on the bit rises at t = 0 of a smooth start.
-    /// Default 0.01.
+    /// With `"smooth"` or `"both"`: by what part of itself the torque on the turning bit rises
+    /// at t = 0; left out, 0.01.
+    #[schemars(range(min = 0.0, max = 1.0))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start_disturbance: Option<f64>,
-    /// Time in which the surface comes to it from rest at t = 0, s. Default 0.
+    /// Time in which the surface reaches its speed, evenly, from rest at t = 0; at once if it
+    /// is 0, as in the paper. Below a `[top_drive]` that of the speed it is set to. Times of
+    /// cases by rule are longer by it. A file that gives it begins its cases at rest (`start =
+    /// "ramp"`).
+    #[schemars(!skip_serializing_if, range(min = 0.0, max = 1e4))]
     #[serde(default, skip_serializing_if = "is_zero")]
     pub surface_speed_rise_s: f64,
-    /// The speed that was recorded at the surface, or set there, instead: a CSV file or a
-    /// workbook.
+    /// Instead of both: the speed that was recorded at the surface, or set there, over time. A
+    /// CSV file or a workbook with a column of times (`time_s`, `Time (min)`) and one in rpm,
+    /// rad/s, rev/s or deg/s. Straight between its samples; a gap, a time that runs back or a
+    /// case that lasts longer is refused.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surface_speed_file: Option<String>,
-    /// Its column of speeds, if there are several.
+    /// Its column of speeds, where there are several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surface_speed_column: Option<String>,
-    /// Whether the torque that turns the surface is measured in every case.
+    /// Whether the torque that turns the surface, below a `[top_drive]` that of its motor, is
+    /// measured: `labels.csv` then has four more columns, its greatest in all the time, and
+    /// least, mean and greatest in the closing window. Cases are followed to their end for it.
+    /// With `[string_friction]` it always is.
+    #[schemars(!skip_serializing_if)]
     #[serde(default, skip_serializing_if = "is_false")]
     pub surface_torque: bool,
-    /// What turns the string; without it the surface turns as prescribed.
+    /// The motor that turns the string, under its controller; without it the surface turns
+    /// exactly as prescribed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub top_drive: Option<TopDriveTable>,
-    /// The well that the string lies in.
+    /// The well that the string is in.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub well: Option<WellTable>,
-    /// The fluid inside and around the string; without it there is none.
+    /// The fluid inside and around the string; it matters to `[string_friction]`, a `[wall]`
+    /// and `[axial_force]`, and is noted where it does not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mud: Option<MudTable>,
-    /// The axial force along a string that bends; without it there is none but the
-    /// pre-compression.
+    /// The axial force of a string that bends; without it there is none but `compression_kn`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub axial_force: Option<AxialForceTable>,
     /// Friction along the string; without it there is none.
@@ -70,45 +87,54 @@ pub struct FileContent {
     pub string_friction: Option<StringFrictionTable>,
     /// Torque at the bit; without it the bit is free.
     pub bit: Option<BitTable>,
-    /// Places on the string: with a wall, where it may touch; else, besides the
-    /// bit, where it is looked at.
+    /// With a wall, where the string may touch it, together with the candidates of `[wall]`;
+    /// without, what `simulate` draws besides the bit.
     #[serde(default)]
     pub sites: Vec<SiteTable>,
     /// The borehole wall; without it lateral motion is not modelled.
     pub wall: Option<WallTable>,
-    /// Lateral impulses.
+    /// Lateral impulses; need a wall.
     #[serde(default)]
     pub impulses: Vec<ImpulseTable>,
-    /// Eccentric masses.
+    /// Masses out of balance; need a wall.
     #[serde(default)]
     pub eccentric_masses: Vec<EccentricMassTable>,
-    /// Largest error wanted, instead of methods and a sampling frequency: the
-    /// cheapest that deliver it are chosen.
+    /// The largest error wanted, instead of `methods`, `method` and `sampling_frequency_hz`:
+    /// the cheapest method and sampling frequency that meet it on this string and these cases,
+    /// by the program's own estimate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
-    /// Linear methods, in the order of the results. Default: `held`.
+    /// How the linear response is computed; every case is simulated by each, in this order.
     #[serde(default = "default_methods")]
     pub methods: Vec<MethodName>,
-    /// Whether it is told of each label if it is certain.
+    /// Whether a run finds out of each label if it is certain: by `held` and `finite-element`,
+    /// which `methods` has to name, each at this sampling frequency and at twice that, and at
+    /// nearby surface speeds. `labels.csv` then has eight more columns at its end, and the map
+    /// is filled where labels are certain.
+    #[schemars(!skip_serializing_if)]
     #[serde(default, skip_serializing_if = "is_false")]
     pub certify: bool,
     /// Parameters of the methods.
     #[serde(default)]
     pub method: MethodTables,
-    /// Sampling frequency; `"auto"` (default) is four times the first torsional
-    /// mode of one cell of the drillpipe.
+    /// Steps a second. By rule, as many as the waves in the string need. A frequency at which a
+    /// wave takes fewer than two steps from the surface to the bit is refused where a torque
+    /// acts there.
+    #[schemars(extend("minimum" = 1.0, "maximum" = 1e6))]
     #[serde(default)]
     pub sampling_frequency_hz: AutoOr,
-    /// Time simulated; `"auto"` (default) lets every case run until its regime
-    /// can be told.
+    /// Time simulated. By rule, a bit that cuts is followed until its regime is known (Eqs.
+    /// 72–73), with a wall for at least 10 s; without such a bit it is 10 s.
+    #[schemars(extend("minimum" = 0.001, "maximum" = 1e6))]
     #[serde(default)]
     pub time_s: AutoOr,
     /// The cases; without it there is one.
     pub design: Option<DesignTable>,
     /// What was recorded, to hold every case against.
+    #[schemars(!skip_serializing_if)]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub compare: Vec<CompareTable>,
-    /// How the regime map is drawn.
+    /// How the map is drawn.
     #[serde(default)]
     pub map: MapTable,
 }

@@ -1,6 +1,7 @@
 //! What is said of a value, in the units of the file that gives it: checks know SI units alone.
 
-use super::units::{KEYS, key_in_si};
+use super::schema::is_key;
+use super::units::key_in_si;
 use crate::quantities::{Axis, FOOT, INCH, LENGTH, TWINS, Twin, shown_as};
 
 /// Numbers with more digits than this were converted.
@@ -64,8 +65,7 @@ impl FileUnits {
             None => (word, ""),
         };
         let name = word.rsplit('.').next().unwrap_or(word);
-        let twin =
-            shown_as(name).filter(|_| KEYS.contains(&name) || Axis::from_name(name).is_some());
+        let twin = shown_as(name).filter(|_| is_key(name) || Axis::from_name(name).is_some());
         match twin.filter(|_| self.are_field) {
             Some(twin) => format!("{}{}{stop}", word.trim_end_matches(twin.si), twin.twin),
             None => format!("{word}{stop}"),

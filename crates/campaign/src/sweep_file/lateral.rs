@@ -1,28 +1,32 @@
 //! The keys of lateral motion: bending, the borehole wall at the sites, disturbances.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::number_or::is_default;
 use crate::quantities::WallQuantity;
 
 /// Bending constants of the string, `[string.bending]`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BendingTable {
-    /// Young's modulus E, GPa.
+    /// Young's modulus E; steel has about 210.
+    #[schemars(range(min = 0.1, max = 1000.0))]
     pub youngs_modulus_gpa: f64,
-    /// Distributed lateral damping c_b, N s/m per metre of string.
+    /// Lateral damping c_b of Eq. 19: drag on each metre of the string as it moves sideways.
+    #[schemars(range(min = 0.0, max = 1e7))]
     pub damping_ns_m2: f64,
-    /// Pre-compression C, kN; tension where negative. Default 0.
+    /// Pre-compression C; tension where negative.
+    #[schemars(range(min = -1e5, max = 1e5))]
     #[serde(default)]
     pub compression_kn: f64,
-    /// How the surface holds the string laterally. Default `free`.
+    /// How the surface holds the string sideways.
     #[serde(default)]
     pub surface: SupportName,
 }
 
 /// How the surface holds the string laterally.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SupportName {
     /// Not at all.
@@ -35,42 +39,64 @@ pub enum SupportName {
 }
 
 /// The borehole wall, at every site that does not say otherwise, and where there are sites.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct WallTable {
-    /// Clearance between string and wall, mm.
+    /// From the string to the wall, when it is in the middle.
+    #[schemars(range(min = 0.001, max = 1000.0))]
     pub clearance_mm: Option<f64>,
-    /// What decides the clearance instead.
+    /// Instead of `clearance_mm`: what the hole of `[well]` leaves, its radius at the depth of
+    /// a site less the radius with which the string touches there, to a nanometre. Where two
+    /// sections of hole meet the narrower counts, where two parts do the wider. A site's own
+    /// `clearance_mm` goes first, and an axis of clearance before both. A string that does not
+    /// fit into its hole is refused; but a bit, or blades, as wide as the hole have drilled it,
+    /// which is then taken to be 0.8 mm (1/32 in) wider there, with waterways of a fifth for
+    /// `[mud]`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub clearance: Option<ClearanceName>,
-    /// Hertzian stiffness k_c in GN/m^(3/2); left out, the wall is rigid.
+    /// Hertzian stiffness k_c; left out, the wall is rigid, and `finite-element` needs γ = 0.7
+    /// or so.
+    #[schemars(range(min = 1e-6, max = 1e6))]
     pub stiffness_gn_m15: Option<f64>,
-    /// Coefficient of friction μ₀, static where it falls, unless an axis gives it.
+    /// Coefficient of friction μ₀, static where it falls; needed unless it is an axis, or of
+    /// each site one.
+    #[schemars(range(min = 0.0, max = 50.0))]
     pub friction: Option<f64>,
-    /// Dynamic coefficient in parts of the static one; left out, friction does not fall.
+    /// Dynamic by static coefficient, μ_d/μ₀. Left out it is 1: friction does not depend on the
+    /// speed of sliding, as in the paper.
+    #[schemars(range(min = 0.0, max = 1.0))]
     pub friction_dynamic_ratio: Option<f64>,
-    /// Stribeck speed of sliding, over which friction falls, m/s; left out, it falls with the
-    /// first slip.
+    /// Stribeck speed v_s: at a speed of sliding v the coefficient is μ_d + (μ₀ − μ_d)
+    /// exp(−(v/v_s)²). Left out it is 0: friction falls with the first slip.
+    #[schemars(range(min = 0.0, max = 100.0))]
     pub friction_stribeck_m_s: Option<f64>,
-    /// Where the wall may be touched. Default `given`.
+    /// At which places the wall may be touched.
+    #[schemars(!skip_serializing_if)]
     #[serde(skip_serializing_if = "is_default")]
     pub sites: SitesName,
-    /// Distance between candidate sites, m; left out, they are where the string is wide.
+    /// Of `"all"`: candidates are at every multiple of this distance from the bit, the bit
+    /// included; left out, where the string is wide. Of `"auto"`: sites are made there; left
+    /// out, every metre.
+    #[schemars(range(min = 0.001, max = 2e4))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sites_every_m: Option<f64>,
-    /// How far up from the bit there are candidate sites, m; left out, to the surface.
+    /// Of `"all"` and `"auto"`: how far up from the bit; left out, to the surface.
+    #[schemars(range(min = 0.001, max = 2e4))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sites_to_m: Option<f64>,
-    /// Where sites are found: how far the string may go beyond the wall between them, mm.
+    /// Of `"auto"`: how much farther beyond the wall than the sites next to it the string may
+    /// go; left out, 1 mm.
+    #[schemars(range(min = 0.001, max = 1000.0))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sites_tolerance_mm: Option<f64>,
-    /// Where sites are found: how often a case is run again at most.
+    /// Of `"auto"`: how often a case is run again at most; left out, 20 times.
+    #[schemars(range(min = 1, max = 1000))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sites_rounds: Option<usize>,
 }
 
 /// What decides the clearance, where the file does not give it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ClearanceName {
     /// How wide the hole is, and the string in it.
@@ -78,15 +104,15 @@ pub enum ClearanceName {
 }
 
 /// Where the wall may be touched.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SitesName {
-    /// At the sites of the file.
+    /// At those of `[[sites]]`.
     #[default]
     Given,
-    /// At every candidate besides.
+    /// At candidates all along the string, too.
     All,
-    /// Where a case is found to go through its wall, besides.
+    /// Also where a case goes through its wall, which it is run again for.
     Auto,
 }
 
@@ -104,22 +130,30 @@ impl WallTable {
 }
 
 /// A lateral impulse at a site.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ImpulseTable {
-    /// Which site, by its distance from the bit, m.
+    /// Which site, by its distance from the bit.
+    #[schemars(range(min = 0.0))]
     pub distance_from_bit_m: f64,
-    /// Its amount, N s.
+    /// Its amount I.
+    #[schemars(range(min = 0.0, max = 1e9))]
     pub amount_ns: Option<f64>,
-    /// Its amount in multiples of I₀, which just brings the site to the wall.
+    /// Its amount in multiples of I₀, which just brings the site to the wall. One of
+    /// `amount_ns`, `ratio` and the axis `impulse_ratio` is needed.
+    #[schemars(range(min = 0.0, max = 1e9))]
     pub ratio: Option<f64>,
-    /// When it begins, s. Default 1.
+    /// When it begins: before the end of every case, for the label of a case that ends before
+    /// would say nothing of it.
+    #[schemars(range(min = 0.0, max = 1e6))]
     #[serde(default = "default_start")]
     pub start_s: f64,
-    /// How long it lasts, s. Default 0.02.
+    /// How long it lasts, τ: two steps or more.
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 100.0))]
     #[serde(default = "default_duration")]
     pub duration_s: f64,
-    /// Its direction from the x axis, degrees. Default 0.
+    /// Its direction from the x axis.
+    #[schemars(range(min = -360.0, max = 360.0))]
     #[serde(default)]
     pub direction_deg: f64,
 }
@@ -133,32 +167,41 @@ fn default_duration() -> f64 {
 }
 
 /// An eccentric mass at a site.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EccentricMassTable {
-    /// Which site, by its distance from the bit, m.
+    /// Which site, by its distance from the bit.
+    #[schemars(range(min = 0.0))]
     pub distance_from_bit_m: f64,
-    /// Mass m_e, kg.
+    /// Its mass m_e.
+    #[schemars(range(min = 0.0, max = 1e6))]
     pub mass_kg: f64,
-    /// Offset d from the string's centre, m.
+    /// Its offset d from the string's centre.
+    #[schemars(range(min = 0.0, max = 10.0))]
     pub offset_m: f64,
 }
 
 /// A place on the string.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SiteTable {
-    /// Distance from the bit, m.
+    /// Where on the string. With a bit that cuts and a wall, one of the sites is the bit, 0.
+    #[schemars(range(min = 0.0))]
     pub distance_from_bit_m: f64,
-    /// Clearance here, mm, instead of the wall's.
+    /// Clearance here, if it is not the wall's. Needs a wall, as the following keys.
+    #[schemars(range(min = 0.001, max = 1000.0))]
     pub clearance_mm: Option<f64>,
-    /// Contact stiffness here, GN/m^(3/2), instead of the wall's.
+    /// Stiffness of the wall here, if it is not the wall's.
+    #[schemars(range(min = 1e-6, max = 1e6))]
     pub stiffness_gn_m15: Option<f64>,
-    /// Friction here, instead of the wall's, unless an axis gives it.
+    /// Coefficient of friction here, if it is not the wall's, unless it is an axis.
+    #[schemars(range(min = 0.0, max = 50.0))]
     pub friction: Option<f64>,
-    /// Dynamic over static coefficient here, instead of the wall's.
+    /// Dynamic by static coefficient here, if it is not the wall's.
+    #[schemars(range(min = 0.0, max = 1.0))]
     pub friction_dynamic_ratio: Option<f64>,
-    /// Stribeck speed of sliding here, m/s, instead of the wall's.
+    /// Stribeck speed here, if it is not the wall's.
+    #[schemars(range(min = 0.0, max = 100.0))]
     pub friction_stribeck_m_s: Option<f64>,
 }
 

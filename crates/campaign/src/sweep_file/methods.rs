@@ -2,29 +2,25 @@
 
 use clap::ValueEnum;
 use linear::method::{FiniteElement, Transform};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A linear method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum MethodName {
-    /// Held loads, answered exactly.
-    #[value(help = "loads held over every step, answered exactly: the default")]
+    /// Loads held over every step, answered exactly: the default.
     Held,
     /// Convolution quadrature, BDF2.
-    #[value(help = "convolution quadrature, BDF2")]
     Quadrature,
     /// The paper's digital filter.
-    #[value(help = "the paper's digital filter")]
     Hilbert,
-    /// Finite elements, Newmark.
-    #[value(help = "finite elements with Newmark's scheme")]
+    /// Finite elements with Newmark's scheme.
     FiniteElement,
-    /// Plain inverse DFT, which fails.
-    #[value(help = "plain inverse DFT, kept to show that it fails")]
+    /// Counterexample: the plain inverse DFT, by which a sticking bit chatters.
     DirectIdft,
-    /// Convolution quadrature, trapezoidal rule, which fails.
-    #[value(help = "convolution quadrature, trapezoidal rule, kept to show that it chatters")]
+    /// Counterexample: convolution quadrature by the trapezoidal rule, by which the highest
+    /// frequencies ring on.
     Trapezoidal,
 }
 
@@ -43,13 +39,13 @@ impl MethodName {
 }
 
 /// Parameters of the methods, one table each.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
 pub struct MethodTables {
-    /// `[method.hilbert]`
+    /// Parameters of `hilbert`.
     pub hilbert: Transform,
-    /// `[method.direct-idft]`
+    /// Parameters of `direct-idft`.
     pub direct_idft: Transform,
-    /// `[method.finite-element]`
+    /// Parameters of `finite-element`.
     pub finite_element: FiniteElement,
 }

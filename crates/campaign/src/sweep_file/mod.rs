@@ -16,6 +16,8 @@ mod named_table;
 mod number_or;
 mod placed;
 mod recording;
+mod rivals;
+pub mod schema;
 mod source;
 mod start;
 pub mod string;

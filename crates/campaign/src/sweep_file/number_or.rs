@@ -1,7 +1,9 @@
 //! Values that are a number or a text that stands for one: an accuracy, `"auto"`.
 
+use std::borrow::Cow;
 use std::fmt;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Error, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -70,6 +72,21 @@ impl<'de> Deserialize<'de> for Accuracy {
     }
 }
 
+impl JsonSchema for Accuracy {
+    fn schema_name() -> Cow<'static, str> {
+        "Accuracy".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "anyOf": [
+                { "type": "number", "minimum": 1e-4, "maximum": 0.5 },
+                { "type": "string", "pattern": "^[0-9]*[.]?[0-9]+([eE][+-]?[0-9]+)? *%$" },
+            ],
+        })
+    }
+}
+
 /// A number, or `"auto"`.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -89,6 +106,21 @@ impl<'de> Deserialize<'de> for AutoOr {
             of_number: AutoOr::Given,
             of_text: |text| (text == "auto").then_some(AutoOr::Auto),
         })
+    }
+}
+
+/// A range of its key is one of the number.
+impl JsonSchema for AutoOr {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "AutoOr".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [{ "type": "number" }, { "const": "auto" }] })
     }
 }
 

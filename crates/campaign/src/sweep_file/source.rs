@@ -11,6 +11,7 @@ use toml::de::{DeString, DeTable, DeValue};
 use super::error::SweepFileError;
 use super::in_file_units::FileUnits;
 use super::placed::{LineNumbers, Placed, Twice};
+use super::rivals::{RIVALS, Rivals};
 use super::units::key_in_si;
 use super::wording::{in_words, keys_of};
 use crate::quantities::{Axis, within};
@@ -19,25 +20,6 @@ use crate::text_file::LARGEST_SWEEP_FILE;
 /// More files than this, each the base of the one before, are a mistake of whoever
 /// writes them.
 const MOST_FILES: usize = 64;
-
-/// Keys that say the same in another way: a file gives one of each pair, and it
-/// replaces the other of its base.
-const RIVALS: [Rivals; 11] = [
-    Rivals("", "accuracy", "methods"),
-    Rivals("", "accuracy", "method"),
-    Rivals("", "accuracy", "certify"),
-    Rivals("", "accuracy", "sampling_frequency_hz"),
-    Rivals("string", "file", "sections"),
-    Rivals("well", "hole_radius_m", "holes"),
-    Rivals("wall", "clearance", "clearance_mm"),
-    Rivals("string_friction", "tolerance", "pieces"),
-    Rivals("", "surface_speed_file", "surface_speed_rpm"),
-    Rivals("", "surface_speed_file", "surface_speed_rise_s"),
-    Rivals("", "surface_speed_column", "surface_speed_rpm"),
-];
-
-/// The table that both are in, or none, and their names.
-struct Rivals(&'static str, &'static str, &'static str);
 
 /// The key of a table that says what one in SI units does, in whatever unit it is.
 fn key_as_written<'a, 'text>(

@@ -1,18 +1,19 @@
 //! `start`: the names of the motions that a case may begin with.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The motion that every case begins with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StartName {
-    /// Steady rotation, the bit sliding, and a small step of the torque on it.
+    /// Steady rotation, the bit sliding, and a small step of the torque on it at t = 0.
     Smooth,
     /// Rest: the surface starts to turn, at once or over `surface_speed_rise_s`.
     Ramp,
-    /// Steady winding with the bit held, which breaks loose at t = 0.
+    /// The bit has been held while the surface turned steadily, and breaks loose at t = 0.
     Stuck,
-    /// Both `Smooth` and `Stuck`, one after the other.
+    /// Both `stuck` and `smooth`, one after the other.
     Both,
 }
 

@@ -1,34 +1,41 @@
 //! `[string]`: the keys of the drillstring.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::lateral::BendingTable;
 use crate::quantities::TubeMeasure;
 
 /// The drillstring: material, damping, sections from the surface down.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StringTable {
-    /// Shear modulus G, GPa.
+    /// Shear modulus G; steel has about 80.
+    #[schemars(range(min = 0.1, max = 1000.0))]
     pub shear_modulus_gpa: f64,
-    /// Density ρ, kg/m³.
+    /// Density ρ; steel has 7850.
+    #[schemars(range(min = 100.0, max = 30000.0))]
     pub density_kg_m3: f64,
-    /// Distributed torsional damping c_t, N m s/rad per metre of string.
+    /// Torsional damping c_t of Eq. 1: drag on each metre of the turning string. `hilbert` and
+    /// `direct-idft` need some. `inspect` prints what it leaves of a wave.
+    #[schemars(range(min = 0.0, max = 1e5))]
     pub torsional_damping_nms_rad_m: f64,
-    /// Bending constants, needed with a wall.
+    /// Constants of bending; needed with a wall.
     pub bending: Option<BendingTable>,
-    /// A BHA sheet, as CSV or a workbook, from which the sections come.
+    /// Instead of `sections`: a BHA sheet, a CSV file or a workbook beside the file that names
+    /// it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// In which order its rows are. Default `from-surface`.
+    /// In which order the rows of the sheet are. Left out, the names of its rows decide or,
+    /// where they do not, it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<RowOrder>,
-    /// Sections from the surface down.
+    /// Sections from the surface down, unless a sheet has them.
     pub sections: Vec<SectionTable>,
 }
 
 /// In which order the rows of a sheet are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum RowOrder {
     /// From the surface down.
@@ -38,29 +45,36 @@ pub enum RowOrder {
 }
 
 /// Equal cells of pipe and joint, or of collar, one below the other.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SectionTable {
     /// What it is, for the reader.
     pub name: Option<String>,
     /// Number of cells.
+    #[schemars(range(min = 1, max = 100_000))]
     pub repeat: usize,
-    /// The tubes of one cell, from the top down.
+    /// The tubes of a cell, from the top down: a pipe and its joint, or a plain collar.
     pub parts: Vec<TubeTable>,
 }
 
 /// A uniform tube.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TubeTable {
-    /// Length, m.
+    /// Length.
+    #[schemars(range(min = 0.001, max = 2e4))]
     pub length_m: f64,
-    /// Internal radius, m.
+    /// Internal radius.
+    #[schemars(range(min = 0.0, max = 2.0))]
     pub inner_radius_m: f64,
-    /// External radius, m.
+    /// External radius, larger than the internal radius.
+    #[schemars(range(min = 0.001, max = 2.0))]
     pub outer_radius_m: f64,
-    /// Radius with which it touches the wall, m, where that is not the external one: of the
-    /// blades of a stabiliser, or of a wear band.
+    /// Radius with which it touches a wall, no less than the external radius, which it is if
+    /// left out: of the blades of a stabiliser, of a wear band. Neither mass nor stiffness
+    /// change, but the clearance that a hole leaves, and R₀, with which the string turns on its
+    /// wall.
+    #[schemars(range(min = 0.001, max = 2.0))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contact_radius_m: Option<f64>,
 }

@@ -1,42 +1,52 @@
 //! `[top_drive]`: the keys of what turns the string at the surface.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A motor with inertia that a controller holds at the surface speed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TopDriveTable {
-    /// Moment of inertia as the string meets it, rotor and gears included, kg m².
+    /// Moment of inertia as the string meets it: rotor times the gear ratio squared, gears,
+    /// quill. Makers state it; large drives have 1000 to 4000.
+    #[schemars(range(min = 0.0, max = 1e6))]
     pub inertia_kg_m2: f64,
-    /// What holds its speed.
+    /// Where K_p and K_i come from.
     pub controller: ControllerName,
-    /// K_p, kN m s/rad, with `controller = "gains"`.
+    /// K_p, with `gains`.
+    #[schemars(range(min = 1e-6, max = 1e6))]
     pub proportional_gain_knms_rad: Option<f64>,
-    /// K_i, kN m/rad, with `controller = "gains"`, or with `"impedance-matched"` instead of
-    /// its own.
+    /// K_i, with `gains`; or, with `impedance-matched`, instead of its own.
+    #[schemars(range(min = 1e-6, max = 1e6))]
     pub integral_gain_knm_rad: Option<f64>,
-    /// Part of the inertia that the controller makes up for. Default 0; all of it where the
-    /// impedance is matched.
+    /// The part of the inertia that the controller makes up for by the measured acceleration:
+    /// if left out 0, but 1 where the impedance is matched. More than all of it is unstable on
+    /// any string.
+    #[schemars(range(min = 0.0, max = 1.0))]
     pub inertia_compensation: Option<f64>,
-    /// The greatest torque that the drive can give, kN m. The model's drive gives more where its
-    /// controller asks for it; what needs more is warned of.
+    /// The most torque that the drive can give. The drive of the model is linear and gives what
+    /// its controller asks for; `run`, `simulate` and `inspect` warn where steady rotation, or
+    /// a start from rest, takes more.
+    #[schemars(range(min = 0.001, max = 1e6))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_limit_kn_m: Option<f64>,
 }
 
 /// Where the gains come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ControllerName {
-    /// One that holds the surface speed whatever it takes: the inertia shows in the motor's
-    /// torque alone.
+    /// It turns at its speed at any torque, as without this table; the inertia shows in the
+    /// motor's torque alone, which is followed with `[string_friction]` or `surface_torque =
+    /// true`, for a speed that was recorded or rises.
     Prescribed,
-    /// Far stiffer than the pipe.
+    /// 100 times the impedance of the uppermost tube, as a plain speed controller.
     Stiff,
-    /// What damps the first mode most.
+    /// The gains that damp the first mode most; for a drive at least as heavy as that mode.
     SoftTorque,
-    /// The impedance of the pipe.
+    /// The impedance of the uppermost tube, the inertia made up for, and a K_i that hardly
+    /// matters to the first mode.
     ImpedanceMatched,
-    /// From the file.
+    /// `proportional_gain_knms_rad` and `integral_gain_knm_rad`.
     Gains,
 }

@@ -2,40 +2,8 @@
 
 use toml::Value;
 
+use super::schema::is_key;
 use crate::quantities::{Axis, in_si};
-
-/// Keys that carry a unit and are no axis.
-pub const KEYS: [&str; 29] = [
-    "length_m",
-    "inner_radius_m",
-    "outer_radius_m",
-    "contact_radius_m",
-    "hole_radius_m",
-    "from_m",
-    "to_m",
-    "distance_from_bit_m",
-    "sites_every_m",
-    "sites_to_m",
-    "sites_tolerance_mm",
-    "offset_m",
-    "bit_radius_m",
-    "wear_flat_mm",
-    "mass_kg",
-    "density_kg_m3",
-    "inertia_kg_m2",
-    "proportional_gain_knms_rad",
-    "integral_gain_knm_rad",
-    "torque_limit_kn_m",
-    "poor_cleaning_from_kn",
-    "amount_ns",
-    "damping_ns_m2",
-    "poor_cleaning_nm_per_kn",
-    "table_kn_nm",
-    "specific_energy_mpa",
-    "contact_strength_mpa",
-    "shear_modulus_gpa",
-    "youngs_modulus_gpa",
-];
 
 /// Of an axis, what has its unit.
 const WITH_UNIT: [&str; 7] = [
@@ -51,7 +19,7 @@ const WITH_UNIT: [&str; 7] = [
 /// A key in SI units for one in others, and the factors of its numbers; `None` for any other.
 pub fn key_in_si(key: &str) -> Option<(String, &'static [f64])> {
     in_si(key, |known| {
-        KEYS.contains(&known) || Axis::from_name(known).is_some()
+        is_key(known) || Axis::from_name(known).is_some()
     })
 }
 

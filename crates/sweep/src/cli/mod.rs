@@ -9,9 +9,12 @@ mod values;
 pub use check::{CheckArguments, CheckFormat};
 pub use export::{ExportArguments, ExportFormat};
 pub use reference::ReferenceArguments;
-pub use studies::{ContactsArguments, PromisesArguments, StabilityArguments, TradeoffArguments};
+pub use studies::{
+    ContactsArguments, PromisesArguments, StabilityArguments, Study, TradeoffArguments,
+};
 pub use values::{AxesOfCells, AxisRange, Length, PictureFile};
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -43,6 +46,27 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+}
+
+impl Cli {
+    /// The command line as it was given. A study is found without its group, too, as before
+    /// there was one: `sweep tradeoff` is `sweep study tradeoff`.
+    pub fn of_program() -> Self {
+        let mut words: Vec<OsString> = std::env::args_os().collect();
+        let place = if words.get(1).is_some_and(|word| word == "help") {
+            2
+        } else {
+            1
+        };
+        if words
+            .get(place)
+            .and_then(|word| word.to_str())
+            .is_some_and(Study::has_subcommand)
+        {
+            words.insert(place, "study".into());
+        }
+        Self::parse_from(words)
+    }
 }
 
 /// The commands.
@@ -120,28 +144,6 @@ pub enum Command {
         #[arg(long)]
         out: PathBuf,
     },
-    /// Chart accuracy against speed, all methods, on two strings
-    #[command(after_help = "Examples:\n  sweep tradeoff\n  \
-        sweep tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
-        The whole study takes up to ten minutes on two cores; a part of it, seconds.")]
-    Tradeoff(TradeoffArguments),
-    /// Chart where methods fail, and whether their margins predict it
-    #[command(after_help = "Examples:\n  sweep stability\n  \
-        sweep stability --family newmark --out /tmp/newmark")]
-    Stability(StabilityArguments),
-    /// Test how often accuracies asked for are kept, on random strings
-    #[command(after_help = "Examples:\n  sweep promises\n  \
-        sweep promises --strings 4 --motion whirl --out /tmp/promises\n\n\
-        The whole study takes hours on two cores; a string, about a minute.")]
-    Promises(PromisesArguments),
-    /// Chart how much friction whirl needs at 1, 2, 4, … 64 contacts
-    #[command(after_help = "Examples:\n  sweep contacts\n  \
-        sweep contacts --counts 1,4,16 --methods finite-element,quadrature\n  \
-        sweep contacts sweeps/contacts.toml --counts 32 --set clearance_mm=30\n\n\
-        A file gives string, wall, surface speed and methods, with what its first case\n\
-        says of them; sites and impulses are the study's own, and friction is what it\n\
-        looks for. The whole study takes up to ten minutes on two cores.")]
-    Contacts(ContactsArguments),
     /// Write a page about a results folder, or several side by side
     #[command(after_help = "Examples:\n  sweep report results/fig09\n  \
         sweep report results/fig14 results/fig17 --out whirl.html\n\n\
@@ -182,6 +184,19 @@ pub enum Command {
         cases of it over weight_on_bit_kn and surface_speed_rpm: a grid, a trace or random\n\
         cases, of unfinished runs too.")]
     Window(WindowArguments),
+    /// Study the program itself: accuracy and speed, failures, promises
+    #[command(
+        subcommand,
+        after_help = "Examples:\n  sweep study tradeoff\n  \
+        sweep study stability --family newmark\n  sweep help study contacts\n\n\
+        Each is also found without `study`, as it was called before."
+    )]
+    Study(Study),
+    /// Print the JSON Schema of sweep files, for editors that complete and check them
+    #[command(after_help = "Example:\n  sweep schema > sweep.schema.json\n\n\
+        Editors that know TOML read it where the first line of a sweep file is\n  \
+        #:schema ./sweep.schema.json")]
+    Schema,
     /// Print a script that completes this command line in a shell
     #[command(after_help = "Example, for bash:\n  \
         sweep completions bash > ~/.local/share/bash-completion/completions/sweep")]
@@ -191,10 +206,11 @@ pub enum Command {
     },
     /// Print the manual page of the program or of a command
     #[command(after_help = "Examples:\n  sweep man run | man -l -\n  \
+        sweep man study tradeoff | man -l -\n  \
         sweep man > ~/.local/share/man/man1/sweep.1")]
     Man {
         /// Which command; without it, the program
-        command: Option<String>,
+        command: Vec<String>,
     },
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, Subcommand};
 
 use super::values::{parse_measure, parse_setting, parse_strength};
 use super::{MemoryArguments, WorkArguments};
@@ -10,6 +10,33 @@ use campaign::quantities::Axis;
 use studies::promises::{Begins, Motion};
 use studies::stability::Family;
 use studies::tradeoff::{LADDER, Measure};
+
+/// The studies, which a user asks for as `sweep study NAME`.
+#[derive(Debug, Subcommand)]
+pub enum Study {
+    /// Chart accuracy against speed, all methods, on two strings
+    #[command(after_help = "Examples:\n  sweep study tradeoff\n  \
+        sweep study tradeoff --ladder 160,320,640 --measures surface_step,whirl_rate_turns_s\n\n\
+        The whole study takes up to ten minutes on two cores; a part of it, seconds.")]
+    Tradeoff(TradeoffArguments),
+    /// Chart where methods fail, and whether their margins predict it
+    #[command(after_help = "Examples:\n  sweep study stability\n  \
+        sweep study stability --family newmark --out /tmp/newmark")]
+    Stability(StabilityArguments),
+    /// Test how often accuracies asked for are kept, on random strings
+    #[command(after_help = "Examples:\n  sweep study promises\n  \
+        sweep study promises --strings 4 --motion whirl --out /tmp/promises\n\n\
+        The whole study takes hours on two cores; a string, about a minute.")]
+    Promises(PromisesArguments),
+    /// Chart how much friction whirl needs at 1, 2, 4, … 64 contacts
+    #[command(after_help = "Examples:\n  sweep study contacts\n  \
+        sweep study contacts --counts 1,4,16 --methods finite-element,quadrature\n  \
+        sweep study contacts sweeps/contacts.toml --counts 32 --set clearance_mm=30\n\n\
+        A file gives string, wall, surface speed and methods, with what its first case\n\
+        says of them; sites and impulses are the study's own, and friction is what it\n\
+        looks for. The whole study takes up to ten minutes on two cores.")]
+    Contacts(ContactsArguments),
+}
 
 /// Arguments of `tradeoff`.
 #[derive(Debug, Args)]

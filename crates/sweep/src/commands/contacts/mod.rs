@@ -1,4 +1,4 @@
-//! `sweep contacts`: how much friction whirl needs where a string may touch at more and more
+//! `sweep study contacts`: how much friction whirl needs where a string may touch at more and more
 //! places.
 
 mod chart;

@@ -1,4 +1,4 @@
-//! `sweep promises`: how often an accuracy asked for is kept, or a label that is certain is
+//! `sweep study promises`: how often an accuracy asked for is kept, or a label that is certain is
 //! right, on strings drawn at random.
 
 mod labels;

@@ -1,4 +1,4 @@
-//! `sweep stability`: where methods fail, and whether their margins predict it.
+//! `sweep study stability`: where methods fail, and whether their margins predict it.
 
 mod chart;
 mod table;

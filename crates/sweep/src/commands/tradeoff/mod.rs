@@ -1,4 +1,4 @@
-//! `sweep tradeoff`: accuracy against speed, as a table, a chart, and in words.
+//! `sweep study tradeoff`: accuracy against speed, as a table, a chart, and in words.
 
 mod chart;
 mod description;
