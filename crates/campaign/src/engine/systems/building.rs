@@ -180,7 +180,7 @@ impl MethodSystem {
     ) -> Result<Self> {
         let start = Stopwatch::start();
         let (setting, method, longest_time) = (plan.setting, plan.method, plan.longest_time);
-        // The dry run was held against the limit; a response that outlasts its plan is built all the same.
+        // The dry run was held against the limit. What outlasts its plan is built all the same.
         let budget = Budget::unlimited();
         if let Some((lateral, parameters)) = stepped_by(setting, method) {
             let (responses, simulator) =
