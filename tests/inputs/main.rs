@@ -6,6 +6,7 @@ mod bha_sheet;
 mod extremes;
 mod files;
 mod random_axes;
+mod schema;
 
 #[allow(dead_code, reason = "other test programs use more of it")]
 #[path = "../support/refusals.rs"]
